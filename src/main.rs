@@ -1,0 +1,2 @@
+//! The `hsd` program: hands its arguments to the shell.
+fn main() {}
