@@ -1,0 +1,2 @@
+//! Roofs.
+pub mod plan;
