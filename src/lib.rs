@@ -1,1 +1,3 @@
 //! A compiler for houses.
+
+pub mod roof;
