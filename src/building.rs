@@ -1,0 +1,243 @@
+//! The house as it stands: walls with a place, then roofs over them.
+//!
+//! [`Shell`] is what `lower` leaves: no turn, no row, every wall has two ends. [`Building`] adds what
+//! `roof` works out: regions that cover every uncovered area exactly once, and closed solids over them.
+//!
+//! Frames: plan points are (a, b) in U, the author frame. Solids are in the house frame: metres, x east,
+//! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
+
+use crate::ast::{RoofKind, RoofShape, StoreyKind};
+use crate::program::{Picture, Roofs, Unit};
+use crate::roof::plan::Cell;
+use crate::source::Span;
+use glam::{DVec2, DVec3, dvec3};
+use serde::Serialize;
+
+/// All houses of a run with their walls placed.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Shell {
+    /// In order.
+    pub houses: Vec<House>,
+    /// Part pictures in use.
+    pub pictures: Vec<Picture>,
+}
+
+/// One house with its walls placed.
+#[derive(Clone, Debug, Serialize)]
+pub struct House {
+    /// The whole house.
+    pub span: Span,
+    /// Its name, empty if it has none.
+    pub name: String,
+    /// East, north, up of the origin, metres.
+    pub origin: [f64; 3],
+    /// Compass direction of the first line's outward normal, degrees.
+    pub azimuth: f64,
+    /// Metres in one U.
+    pub unit: f64,
+    /// Whether the first line stands on a street.
+    pub street: bool,
+    /// From the ground up.
+    pub storeys: Vec<Storey>,
+    /// The roof section.
+    pub roofs: Roofs,
+}
+
+impl House {
+    /// A plan point at a height, in the house frame.
+    pub fn place(&self, p: DVec2, z: f64) -> DVec3 {
+        dvec3(-p.x * self.unit, p.y * self.unit, z)
+    }
+}
+
+/// One storey.
+#[derive(Clone, Debug, Serialize)]
+pub struct Storey {
+    /// The element, or its lines.
+    pub span: Span,
+    /// Counted from 1; a parapet has the number of the storey it crowns.
+    pub number: u32,
+    /// Storey or parapet.
+    pub kind: StoreyKind,
+    /// Its floor, metres above the house's origin.
+    pub z0: f64,
+    /// Its top.
+    pub z1: f64,
+    /// Outer walks and courtyards.
+    pub rings: Vec<Ring>,
+}
+
+/// A walk round a part of the storey.
+#[derive(Clone, Debug, Serialize)]
+pub struct Ring {
+    /// The element, or its lines.
+    pub span: Span,
+    /// Whether the solid lies outside the ring: a courtyard.
+    pub hole: bool,
+    /// Whether it bounds an area: it ends where it started, crosses and touches nothing. Only such rings
+    /// carry roofs; the others are facades.
+    pub closed: bool,
+    /// Walls in walk order; each starts where the one before ends.
+    pub walls: Vec<Wall>,
+}
+
+impl Ring {
+    /// The corners in walk order from the start or its next corner, collinear points merged, the first
+    /// not repeated; in U.
+    pub fn corners(&self) -> Vec<DVec2> {
+        let n = self.walls.len();
+        let straight = |i: usize| {
+            let before = &self.walls[(i + n - 1) % n];
+            before.direction.perp_dot(self.walls[i].direction).abs() < 1e-9
+                && before.direction.dot(self.walls[i].direction) > 0.0
+        };
+        (0..n)
+            .filter(|&i| !straight(i))
+            .map(|i| self.walls[i].from)
+            .collect()
+    }
+}
+
+/// One straight wall; lines without length leave none.
+#[derive(Clone, Debug, Serialize)]
+pub struct Wall {
+    /// The line as written.
+    pub span: Span,
+    /// Number of the facade from 1, in walk order over the storey.
+    pub facade: u32,
+    /// Its right end as seen from outside, (a, b) in U.
+    pub from: DVec2,
+    /// Its left end.
+    pub to: DVec2,
+    /// Unit vector of the walk in the author frame; exact for right angles.
+    pub direction: DVec2,
+    /// What stands in it, from `from` to `to`; widths add up to the wall's length.
+    pub units: Vec<Unit>,
+    /// Whether its glass mirrors.
+    pub reflection: bool,
+}
+
+/// Walls and roofs.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Building {
+    /// The walls.
+    pub shell: Shell,
+    /// The roofs of each house, as many as houses.
+    pub roofs: Vec<HouseRoofs>,
+}
+
+/// The roofs of one house.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct HouseRoofs {
+    /// What the automatic roofs are made from, a storey each that leaves something open.
+    pub plans: Vec<StoreyPlan>,
+    /// Everything that stands above the walls.
+    pub roofs: Vec<Roof>,
+    /// Where walls end below their storey's top, under lean-tos.
+    pub ceilings: Vec<Ceiling>,
+}
+
+/// The automatic regions of one storey (language.md 5, `dump --stage regions`).
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct StoreyPlan {
+    /// Counted from 1.
+    pub storey: u32,
+    /// Top of the storey, metres.
+    pub z: f64,
+    /// The storey's outer corners in walk order, in U; one list a ring.
+    pub outlines: Vec<Vec<DVec2>>,
+    /// Its courtyards, walked the other way round.
+    pub holes: Vec<Vec<DVec2>>,
+    /// Sorted by (b0, a0).
+    pub regions: Vec<PlanRegion>,
+}
+
+/// One automatic region in U.
+#[derive(Clone, Debug, Serialize)]
+pub struct PlanRegion {
+    /// a0, b0, a1, b1 of its rectangle, or of its bounds where it has a polygon.
+    pub rect: [f64; 4],
+    /// The region's own outline where the plan is not orthogonal.
+    pub polygon: Option<Vec<DVec2>>,
+    /// "a" (parallel to the first line), "b" or none.
+    pub ridge: Option<&'static str>,
+    /// F, B, L, R of a lean-to.
+    pub fall: Option<&'static str>,
+    /// main, branch or lean-to.
+    pub role: &'static str,
+    /// Its form.
+    pub shape: RoofShape,
+    /// Index of the trunk of a branch.
+    pub over: Option<usize>,
+}
+
+/// One roof.
+#[derive(Clone, Debug, Serialize)]
+pub struct Roof {
+    /// The storey it covers, from 1.
+    pub storey: u32,
+    /// Its line in the source, if it has one.
+    pub span: Option<Span>,
+    /// Form.
+    pub shape: RoofShape,
+    /// Covering.
+    pub kind: RoofKind,
+    /// Closed solids in the house frame, metres.
+    pub solids: Vec<Solid>,
+}
+
+/// A closed polyhedron: every edge belongs to two faces that run along it in opposite directions.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Solid {
+    /// Shared corners, metres.
+    pub points: Vec<DVec3>,
+    /// Plane faces, counter-clockwise seen from outside.
+    pub faces: Vec<Face>,
+}
+
+/// One plane face of a solid; convex unless `points` of it say otherwise (flat roofs of any outline).
+#[derive(Clone, Debug, Serialize)]
+pub struct Face {
+    /// Indices into the solid's points.
+    pub corners: Vec<u32>,
+    /// What it shows.
+    pub finish: Finish,
+}
+
+/// What the face of a roof shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub enum Finish {
+    /// The covering seen on the slope.
+    Covering(RoofKind),
+    /// The covering's edge at eaves and verges.
+    Edge(RoofKind),
+    /// Sheathing and rafters seen from below.
+    Soffit,
+    /// Ridge tiles or ridge boards.
+    Ridge(RoofKind),
+    /// The filled gable above the walls.
+    Gable,
+    /// Barge boards and fascias.
+    Timber,
+    /// Parapets, hidden joints.
+    Plaster,
+}
+
+/// Walls on the border of `cell` end at this plane instead of their storey's top.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Ceiling {
+    /// The storey, from 1.
+    pub storey: u32,
+    /// The rectangle in U: a0, b0, a1, b1.
+    pub rect: [f64; 4],
+    /// Height above the house's origin at (a, b): z + slope . (a, b), metres and metres in one U.
+    pub z: f64,
+    /// See `z`.
+    pub slope: DVec2,
+}
+
+/// A cell in integer steps, as U.
+pub fn rect_of(cell: Cell) -> [f64; 4] {
+    let u = |s: i64| s as f64 / crate::geometry::STEPS as f64;
+    [u(cell.a0), u(cell.b0), u(cell.a1), u(cell.b1)]
+}

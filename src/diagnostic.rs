@@ -1,0 +1,141 @@
+//! What a pass has to say about its input. Passes hold no prose: every message is one function of
+//! [`messages`], every code has a page for `hsd explain` in `grammar/diagnostics/`.
+
+use crate::source::Span;
+
+pub mod messages;
+pub mod pages;
+
+/// A stable number, shown as `HSD0104`. The hundreds tell the stage: 00 file, 01 legacy text, 02 XML,
+/// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 09 limits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Code(pub u16);
+
+impl std::fmt::Display for Code {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "HSD{:04}", self.0)
+    }
+}
+
+/// How bad it is. An error makes the exit status 1; a warning only with `-D warnings`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// Good to know.
+    Note,
+    /// Built, but surely not as meant.
+    Warning,
+    /// Not built, or built with something left out.
+    Error,
+}
+
+/// A second place that belongs to a message.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Label {
+    /// Where.
+    pub span: Span,
+    /// What is there.
+    pub message: String,
+}
+
+/// One message: what is wrong, where, why, and how to mend it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// The number of its page.
+    pub code: Code,
+    /// How bad it is.
+    pub severity: Severity,
+    /// What is wrong, one sentence without a full stop.
+    pub message: String,
+    /// The exact place.
+    pub span: Span,
+    /// The mend.
+    pub help: String,
+    /// Further places.
+    pub labels: Vec<Label>,
+}
+
+impl Diagnostic {
+    /// An error.
+    pub fn error(code: u16, span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Error, code, span, message.into())
+    }
+
+    /// A warning.
+    pub fn warning(code: u16, span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Warning, code, span, message.into())
+    }
+
+    /// A note.
+    pub fn note(code: u16, span: Span, message: impl Into<String>) -> Self {
+        Self::new(Severity::Note, code, span, message.into())
+    }
+
+    fn new(severity: Severity, code: u16, span: Span, message: String) -> Self {
+        Diagnostic {
+            code: Code(code),
+            severity,
+            message,
+            span,
+            help: String::new(),
+            labels: vec![],
+        }
+    }
+
+    /// Adds how to mend it.
+    #[must_use]
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = help.into();
+        self
+    }
+
+    /// Adds a second place.
+    #[must_use]
+    pub fn label(mut self, span: Span, message: impl Into<String>) -> Self {
+        self.labels.push(Label {
+            span,
+            message: message.into(),
+        });
+        self
+    }
+}
+
+/// The collected messages of a run.
+#[derive(Clone, Debug, Default)]
+pub struct Diagnostics {
+    list: Vec<Diagnostic>,
+}
+
+impl Diagnostics {
+    /// An empty collection.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes one message.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        self.list.push(diagnostic);
+    }
+
+    /// Whether anything is an error.
+    pub fn has_errors(&self) -> bool {
+        self.list.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    /// How many of this severity.
+    pub fn count(&self, severity: Severity) -> usize {
+        self.list.iter().filter(|d| d.severity == severity).count()
+    }
+
+    /// In the order of pushing.
+    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
+        self.list.iter()
+    }
+
+    /// Sorted by file and start (stable), without exact repetitions.
+    pub fn into_sorted(mut self) -> Vec<Diagnostic> {
+        self.list
+            .sort_by_key(|d| (d.span.file, d.span.start, d.span.end, d.code));
+        self.list.dedup();
+        self.list
+    }
+}

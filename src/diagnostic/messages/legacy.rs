@@ -1,0 +1,1 @@
+//! Messages about the legacy text (HSD01xx).

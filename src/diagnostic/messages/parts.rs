@@ -1,0 +1,1 @@
+//! Messages about parts and operations (HSD03xx).

@@ -1,0 +1,1 @@
+//! Messages about pictures and textures (HSD06xx).

@@ -1,0 +1,1 @@
+//! Messages about walls, outlines and storeys (HSD04xx).

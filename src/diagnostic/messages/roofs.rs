@@ -1,0 +1,1 @@
+//! Messages about roofs (HSD05xx).

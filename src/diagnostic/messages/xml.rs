@@ -1,0 +1,1 @@
+//! Messages about the XML form (HSD02xx).

@@ -1,0 +1,64 @@
+//! Shared geometry: headings with exact right angles, named tolerances, exact plan numbers.
+//!
+//! Two plan frames (language.md 1): the author frame (a, b) in U, a to the LEFT along the first line and
+//! b BACK into the plot; and the house frame in metres, east = -a, north = +b, turned by the azimuth only
+//! in the scene. Walking with the interior on the right is clockwise from above; in (a, b) read as
+//! (x, y) the same walk turns counter-clockwise, so its signed area is positive.
+
+use glam::{DVec2, dvec2};
+
+/// One shaku in metres (law of 1891).
+pub const SHAKU: f64 = 10.0 / 33.0;
+
+/// Plan lengths that differ by less, in U, are the same: a tenth of a millimetre.
+pub const SAME: f64 = 1e-4;
+
+/// Integer steps in one U: decimals of six digits are exact, quarters above all.
+pub const STEPS: i64 = 1_000_000;
+
+/// A plan coordinate as integer steps.
+pub fn steps(u: f64) -> i64 {
+    (u * STEPS as f64).round() as i64
+}
+
+/// The direction of a walk, in degrees clockwise seen from above from the first line's heading (+a);
+/// 0 <= degrees < 360.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Heading(f64);
+
+impl Heading {
+    /// From degrees, right positive.
+    pub fn new(degrees: f64) -> Heading {
+        let turned = degrees.rem_euclid(360.0);
+        Heading(if turned >= 360.0 { 0.0 } else { turned })
+    }
+
+    /// Degrees from the first heading.
+    pub fn degrees(self) -> f64 {
+        self.0
+    }
+
+    /// Turned to the right by so many degrees.
+    #[must_use]
+    pub fn turned(self, degrees: f64) -> Heading {
+        Heading::new(self.0 + degrees)
+    }
+
+    /// The unit vector in the author frame; exact for right angles.
+    pub fn vector(self) -> DVec2 {
+        match self.0 {
+            0.0 => dvec2(1.0, 0.0),
+            90.0 => dvec2(0.0, 1.0),
+            180.0 => dvec2(-1.0, 0.0),
+            270.0 => dvec2(0.0, -1.0),
+            // `libm`, since the platform's sine differs between machines.
+            d => dvec2(libm::cos(d.to_radians()), libm::sin(d.to_radians())),
+        }
+    }
+}
+
+/// Twice the signed area of a closed polygon; positive = interior on the right of the walk.
+pub fn area2(corners: &[DVec2]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(p, q)| p.perp_dot(*q)).sum()
+}

@@ -1,0 +1,148 @@
+//! The program of a house: only steps. No repeat, split list, random, replace or unknown code is left;
+//! every unit knows its part and width. `expand` makes it, `lower` follows it.
+
+use crate::ast::{RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind};
+use crate::catalog::PartId;
+use crate::source::Span;
+use serde::Serialize;
+
+/// All houses of a run, in order.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Program {
+    /// In the order of the documents.
+    pub houses: Vec<House>,
+    /// Part pictures in use, in the order of first use.
+    pub pictures: Vec<Picture>,
+}
+
+/// A picture that stands for a whole part (003-01), found by its name.
+#[derive(Clone, Debug, Serialize)]
+pub struct Picture {
+    /// The name it is called by.
+    pub name: String,
+    /// What the world finds it by: a path below one of the texture folders.
+    pub path: String,
+    /// Its size in pixels; a part without a width of its own takes its proportion from it.
+    pub size: (u32, u32),
+}
+
+/// Index into [`Program::pictures`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub struct PictureId(pub u32);
+
+/// One house.
+#[derive(Clone, Debug, Serialize)]
+pub struct House {
+    /// The whole house.
+    pub span: Span,
+    /// Its name, empty if it has none.
+    pub name: String,
+    /// East, north, up of the origin, metres.
+    pub origin: [f64; 3],
+    /// Compass direction of the first line's outward normal, degrees.
+    pub azimuth: f64,
+    /// One U in shaku.
+    pub unit_shaku: f64,
+    /// Whether the first line stands on a street.
+    pub street: bool,
+    /// From the ground up.
+    pub storeys: Vec<Storey>,
+    /// The roof section.
+    pub roofs: Roofs,
+}
+
+/// The roof section, with its defaults filled in.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Roofs {
+    /// Automatic roofs or not.
+    pub mode: RoofMode,
+    /// The method of the automatic ones.
+    pub method: RoofMethod,
+    /// Where a wish for roofs is written, if anywhere: an open plan is an error only then.
+    pub wished: Option<Span>,
+    /// What the automatic ones look like.
+    pub style: RoofStyle,
+    /// Roofs with a place of their own.
+    pub lines: Vec<RoofLine>,
+}
+
+/// One storey.
+#[derive(Clone, Debug, Serialize)]
+pub struct Storey {
+    /// The element, or its lines.
+    pub span: Span,
+    /// Height in shaku.
+    pub height: f64,
+    /// Storey or parapet.
+    pub kind: StoreyKind,
+    /// Outer walks and courtyards.
+    pub loops: Vec<Loop>,
+}
+
+/// A walk.
+#[derive(Clone, Debug, Serialize)]
+pub struct Loop {
+    /// The element, or its lines.
+    pub span: Span,
+    /// Whether the solid lies outside the loop.
+    pub hole: bool,
+    /// Whether its lines are facades of a ring: a small closing error is spread, not reported.
+    pub ring: bool,
+    /// Start point (a, b) in U.
+    pub start: (f64, f64),
+    /// Wall lines in walk order.
+    pub lines: Vec<Line>,
+}
+
+/// One wall line, then a turn.
+#[derive(Clone, Debug, Serialize)]
+pub struct Line {
+    /// The line as written.
+    pub span: Span,
+    /// From right to left as seen from outside.
+    pub units: Vec<Unit>,
+    /// The turn at the end, degrees, right positive; that of the last line counts as whatever closes
+    /// the walk.
+    pub turn: f64,
+    /// Whether the glass of this line mirrors.
+    pub reflection: bool,
+}
+
+/// One step along a line.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Unit {
+    /// Where it is written.
+    pub span: Span,
+    /// Width in U; 0 for posts and wing walls.
+    pub width: f64,
+    /// What stands there.
+    pub content: Content,
+    /// Height in shaku where the author gave one.
+    pub height: Option<f32>,
+    /// Share of light it mirrors where a `Texture` says so.
+    pub reflection: Option<f32>,
+}
+
+/// What stands in a unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub enum Content {
+    /// Nothing: the walk goes on, no wall is built.
+    Void,
+    /// A part of the catalogue.
+    Part(PartId),
+    /// A part picture.
+    Picture(PictureId),
+    /// Units above and below.
+    Split(Box<Split>),
+}
+
+/// A unit divided above and below; both halves are as wide as the unit.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Split {
+    /// Share of the upper half in the height.
+    pub ratio: f64,
+    /// Above, from right to left as seen from outside.
+    pub upper: Vec<Unit>,
+    /// Below.
+    pub lower: Vec<Unit>,
+}

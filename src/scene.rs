@@ -1,0 +1,149 @@
+//! The scene: meshes, materials and a tree of nodes that place them. It knows no catalogue and no plan;
+//! codes are mere labels here.
+//!
+//! Frame: right-handed, metres, x east, y north, z up; back ends turn it into their own. A mesh of a part
+//! lies in the part's frame: x to the RIGHT as seen from outside, y into the house, z up from the storey's
+//! floor; origin at the left end of its wall's centre line, so that a south front needs no rotation.
+
+use crate::source::Span;
+use glam::{DVec2, DVec3};
+use serde::Serialize;
+
+/// Everything a back end needs.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Scene {
+    /// Materials in the order of first use.
+    pub materials: Vec<Material>,
+    /// Meshes in the order of first use; shared by the nodes that show them.
+    pub meshes: Vec<Mesh>,
+    /// The tree in preorder: a parent stands before its children.
+    pub nodes: Vec<Node>,
+    /// Part pictures: paths that the world finds.
+    pub pictures: Vec<String>,
+}
+
+/// Index into [`Scene::materials`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub struct MaterialId(pub u32);
+
+/// Index into [`Scene::meshes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub struct MeshId(pub u32);
+
+/// Index into [`Scene::nodes`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub struct NodeId(pub u32);
+
+/// How a surface looks.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Material {
+    /// A readable name, unique in the scene.
+    pub name: String,
+    /// What is drawn on it.
+    pub image: Image,
+    /// Multiplies the colour, linear RGB and opacity.
+    pub tint: [f32; 4],
+    /// 0 mirror-smooth to 1 dull; multiplies the picture's roughness.
+    pub roughness: f32,
+    /// 0 or 1; multiplies the picture's metalness.
+    pub metallic: f32,
+    /// Whether both sides show (cloth, paper).
+    pub double_sided: bool,
+    /// Share of the neighbourhood that glass mirrors, 0 to 1 (003-13, 003-14).
+    pub reflection: Option<f32>,
+}
+
+/// The picture of a material.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub enum Image {
+    /// Plain colour.
+    None,
+    /// A surface of `texture::SURFACES`, by name; texture coordinates are metres.
+    Surface(&'static str),
+    /// Index into [`Scene::pictures`]; texture coordinates run from 0 to 1, v upwards.
+    Picture(u32),
+}
+
+/// A shape, in one or more materials.
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Mesh {
+    /// A readable name.
+    pub name: String,
+    /// A part each material.
+    pub primitives: Vec<Primitive>,
+}
+
+/// Triangles in one material. Arrays of vertices have the same length; indices come in threes, counter-
+/// clockwise seen from outside.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Primitive {
+    /// Their material.
+    pub material: MaterialId,
+    /// Metres.
+    pub positions: Vec<[f32; 3]>,
+    /// Unit length.
+    pub normals: Vec<[f32; 3]>,
+    /// Metres along the surface, u to the right and v UP (back ends flip v where theirs runs down).
+    pub uvs: Vec<[f32; 2]>,
+    /// Into the arrays.
+    pub indices: Vec<u32>,
+}
+
+/// What a node stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum Kind {
+    /// A house.
+    House,
+    /// A storey of it.
+    Storey,
+    /// One wall of a storey.
+    Facade,
+    /// A part in a wall.
+    Part,
+    /// A post.
+    Post,
+    /// A beam, sill or foundation stone.
+    Member,
+    /// A roof.
+    Roof,
+}
+
+impl Kind {
+    /// The word in `extras.kind`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Kind::House => "house",
+            Kind::Storey => "storey",
+            Kind::Facade => "facade",
+            Kind::Part => "part",
+            Kind::Post => "post",
+            Kind::Member => "member",
+            Kind::Roof => "roof",
+        }
+    }
+}
+
+/// A place in the tree, with or without something to see.
+#[derive(Clone, Debug, Serialize)]
+pub struct Node {
+    /// The node above; `None` = a root.
+    pub parent: Option<NodeId>,
+    /// What it stands for.
+    pub kind: Kind,
+    /// A readable name.
+    pub name: String,
+    /// Where its origin lies in its parent's frame, metres.
+    pub at: DVec3,
+    /// Its rotation about the vertical: (cos, sin), counter-clockwise seen from above; (1, 0) = none.
+    pub turn: DVec2,
+    /// What it shows.
+    pub mesh: Option<MeshId>,
+    /// `extras.code` of a part.
+    pub code: Option<Box<str>>,
+    /// `extras.storey`.
+    pub storey: Option<u32>,
+    /// `extras.span`: bytes of the source.
+    pub span: Option<Span>,
+    /// `extras.shape` of a roof.
+    pub shape: Option<&'static str>,
+}

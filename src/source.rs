@@ -1,0 +1,346 @@
+//! Sources: the bytes an author wrote, the text they decode to, and spans into them.
+//!
+//! A [`Span`] always counts bytes of the ORIGINAL file, whatever its encoding, so that an editor and
+//! a JSON report agree with the file on disk. The passes read [`Source::text`] (UTF-8, without a byte
+//! order mark) and make spans with [`Source::span`]; only a report needs the way back,
+//! [`Source::text_range`].
+
+use std::ops::Range;
+
+/// Bounds on what a build takes in (language.md 7), each with a flag to raise it.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Bytes of one file.
+    pub bytes: usize,
+    /// Depth of nested elements.
+    pub nesting: usize,
+    /// Expanded parts of one house.
+    pub parts: usize,
+    /// Pixels of one picture.
+    pub pixels: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Limits {
+            bytes: 16 << 20,
+            nesting: 64,
+            parts: 2_000_000,
+            pixels: 64 << 20,
+        }
+    }
+}
+
+/// What a build asks of its surroundings; the passes do no input or output of their own.
+pub trait World {
+    /// A part picture of this name among the texture folders.
+    fn picture(&self, name: &str) -> Option<PictureFile>;
+
+    /// The bytes of a picture found before.
+    fn picture_bytes(&self, path: &str) -> std::io::Result<Vec<u8>>;
+}
+
+/// A part picture that exists.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PictureFile {
+    /// What [`World::picture_bytes`] knows it by.
+    pub path: String,
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+}
+
+/// A world without pictures.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoPictures;
+
+impl World for NoPictures {
+    fn picture(&self, _: &str) -> Option<PictureFile> {
+        None
+    }
+
+    fn picture_bytes(&self, path: &str) -> std::io::Result<Vec<u8>> {
+        Err(std::io::Error::new(std::io::ErrorKind::NotFound, path))
+    }
+}
+
+/// A file of one run, numbered in the order of reading.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FileId(pub u16);
+
+/// A range of bytes of an original file; `start <= end <= length of the file`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Span {
+    /// The file.
+    pub file: FileId,
+    /// First byte.
+    pub start: u32,
+    /// One past the last byte.
+    pub end: u32,
+}
+
+impl Span {
+    /// The smallest span that holds both; the file of `self`.
+    pub fn to(self, other: Span) -> Span {
+        Span {
+            file: self.file,
+            start: self.start.min(other.start),
+            end: self.end.max(other.end),
+        }
+    }
+
+    /// The empty span at the end of `self`.
+    pub fn after(self) -> Span {
+        Span {
+            start: self.end,
+            ..self
+        }
+    }
+}
+
+impl serde::Serialize for Span {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        [self.start, self.end].serialize(s)
+    }
+}
+
+/// A value and the place where it is written.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Spanned<T> {
+    /// What is written.
+    pub value: T,
+    /// Where.
+    pub span: Span,
+}
+
+impl<T> Spanned<T> {
+    /// Joins a value and its place.
+    pub fn new(value: T, span: Span) -> Self {
+        Spanned { value, span }
+    }
+}
+
+/// One file: its name, its text, and the way between offsets of both.
+#[derive(Clone, Debug)]
+pub struct Source {
+    id: FileId,
+    name: String,
+    text: String,
+    len: usize,
+    encoding: &'static str,
+    malformed: bool,
+    offsets: Offsets,
+}
+
+#[derive(Clone, Debug)]
+enum Offsets {
+    /// UTF-8: a text offset lies this many bytes further in the file (3 with a byte order mark).
+    Shifted(u32),
+    /// Other encodings: (text offset, file offset) wherever the distance of both changes.
+    Table(Vec<(u32, u32)>),
+}
+
+impl Source {
+    /// Decodes a file. A byte order mark decides; then an XML declaration's label; then whatever is
+    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS (domain.md 2.6, A13).
+    pub fn new(id: FileId, name: impl Into<String>, bytes: &[u8]) -> Source {
+        let (encoding, bom) = detect(bytes);
+        let utf8 = (encoding == encoding_rs::UTF_8).then(|| std::str::from_utf8(&bytes[bom..]));
+        let (text, offsets, malformed) = match utf8 {
+            Some(Ok(text)) => (text.to_owned(), Offsets::Shifted(bom as u32), false),
+            _ => decode(encoding, bytes, bom),
+        };
+        let (name, len) = (name.into(), bytes.len());
+        Source {
+            id,
+            name,
+            text,
+            len,
+            encoding: encoding.name(),
+            malformed,
+            offsets,
+        }
+    }
+
+    /// The number of this file.
+    pub fn id(&self) -> FileId {
+        self.id
+    }
+
+    /// The name as the author gave it on the command line.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The decoded text, without a byte order mark.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The encoding's name, "UTF-8" or for example "Shift_JIS".
+    pub fn encoding(&self) -> &'static str {
+        self.encoding
+    }
+
+    /// Whether some bytes had no meaning in the encoding and became U+FFFD.
+    pub fn malformed(&self) -> bool {
+        self.malformed
+    }
+
+    /// The span of a range of [`Source::text`].
+    pub fn span(&self, range: Range<usize>) -> Span {
+        let (start, end) = (self.original(range.start), self.original(range.end));
+        Span {
+            file: self.id,
+            start,
+            end: end.max(start),
+        }
+    }
+
+    /// The range of [`Source::text`] that a span covers.
+    pub fn text_range(&self, span: Span) -> Range<usize> {
+        let start = self.decoded(span.start);
+        start..self.decoded(span.end).max(start)
+    }
+
+    /// Line and column of a span's start, both from 1, columns in characters.
+    pub fn line_column(&self, span: Span) -> (usize, usize) {
+        let before = &self.text[..self.text_range(span).start];
+        let line_start = before.rfind('\n').map_or(0, |i| i + 1);
+        let line = 1 + before.bytes().filter(|&b| b == b'\n').count();
+        (line, 1 + before[line_start..].chars().count())
+    }
+
+    fn original(&self, at: usize) -> u32 {
+        let at = at.min(self.text.len()) as u32;
+        let file = match &self.offsets {
+            Offsets::Shifted(by) => at + by,
+            Offsets::Table(t) => across(t, at, |p| p.0, |p| p.1),
+        };
+        file.min(self.len as u32)
+    }
+
+    fn decoded(&self, at: u32) -> usize {
+        let mut at = match &self.offsets {
+            Offsets::Shifted(by) => at.saturating_sub(*by),
+            Offsets::Table(t) => across(t, at, |p| p.1, |p| p.0),
+        } as usize;
+        at = at.min(self.text.len());
+        while !self.text.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    }
+}
+
+/// Looks an offset up in the table, from one side to the other, clamped to the next entry.
+fn across(
+    table: &[(u32, u32)],
+    at: u32,
+    from: impl Fn(&(u32, u32)) -> u32,
+    to: impl Fn(&(u32, u32)) -> u32,
+) -> u32 {
+    let next = table.partition_point(|p| from(p) <= at);
+    let Some(entry) = next.checked_sub(1).map(|i| &table[i]) else {
+        return at;
+    };
+    let offset = to(entry) + (at - from(entry));
+    table.get(next).map_or(offset, |n| offset.min(to(n)))
+}
+
+fn detect(bytes: &[u8]) -> (&'static encoding_rs::Encoding, usize) {
+    if let Some(found) = encoding_rs::Encoding::for_bom(bytes) {
+        return found;
+    }
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(256)]);
+    let label = head.trim_start().strip_prefix("<?xml").and_then(|d| {
+        let rest = d.split("?>").next()?.split_once("encoding")?.1;
+        let rest = rest.trim_start().strip_prefix('=')?.trim_start();
+        let quote = rest.chars().next().filter(|c| matches!(c, '"' | '\''))?;
+        rest[1..].split(quote).next().map(str::to_owned)
+    });
+    let declared = label.and_then(|l| encoding_rs::Encoding::for_label(l.as_bytes()));
+    let encoding = match declared {
+        Some(e) if e.is_ascii_compatible() => e,
+        _ if std::str::from_utf8(bytes).is_ok() => encoding_rs::UTF_8,
+        _ if encoding_rs::SHIFT_JIS.decode_without_bom_handling(bytes).1 => encoding_rs::UTF_8,
+        _ => encoding_rs::SHIFT_JIS,
+    };
+    (encoding, 0)
+}
+
+/// Decodes byte by byte, noting where text and file part; slow, but old files are small.
+fn decode(
+    encoding: &'static encoding_rs::Encoding,
+    bytes: &[u8],
+    bom: usize,
+) -> (String, Offsets, bool) {
+    let mut decoder = encoding.new_decoder_without_bom_handling();
+    let mut text = String::with_capacity(bytes.len() * 2);
+    let (mut table, mut malformed) = (vec![(0, bom as u32)], false);
+    let mut unit = bom; // where the character under way began
+    for at in bom..=bytes.len() {
+        let last = at == bytes.len();
+        let byte = if last { &[][..] } else { &bytes[at..=at] };
+        let before = text.len();
+        let mut room = [0u8; 32];
+        let (_, _, written, bad) = decoder.decode_to_utf8(byte, &mut room, last);
+        malformed |= bad;
+        if written > 0 {
+            text.push_str(&String::from_utf8_lossy(&room[..written]));
+            let (start, end) = (unit as u32, (at + usize::from(!last)) as u32);
+            if table
+                .last()
+                .is_none_or(|l| start - l.1 != before as u32 - l.0)
+            {
+                table.push((before as u32, start));
+            }
+            table.push((text.len() as u32, end));
+            unit = end as usize;
+        }
+    }
+    table.dedup();
+    (text, Offsets::Table(table), malformed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn spans_count_bytes_of_a_shift_jis_file() {
+        let (bytes, ..) = encoding_rs::SHIFT_JIS.encode("# 町家ｶﾞ\nGSI  ");
+        let source = Source::new(FileId(0), "家.hsd", &bytes);
+        assert_eq!(
+            (source.encoding(), source.malformed()),
+            ("Shift_JIS", false)
+        );
+        let at = source.text().find("GSI").expect("is there");
+        let span = source.span(at..at + 5);
+        assert_eq!(&bytes[span.start as usize..span.end as usize], b"GSI  ");
+        assert_eq!(source.text_range(span), at..at + 5);
+        assert_eq!(source.line_column(span), (2, 1));
+        let kanji = source.text().find('家').expect("is there");
+        assert_eq!(
+            source.span(kanji..kanji + 3),
+            Span {
+                file: FileId(0),
+                start: 4,
+                end: 6
+            }
+        );
+    }
+
+    #[test]
+    fn spans_count_the_byte_order_mark() {
+        let source = Source::new(FileId(0), "a.hsd", "\u{feff}0 0".as_bytes());
+        assert_eq!(source.text(), "0 0");
+        assert_eq!(
+            source.span(0..1),
+            Span {
+                file: FileId(0),
+                start: 3,
+                end: 4
+            }
+        );
+    }
+}
