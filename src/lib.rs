@@ -1,3 +1,11 @@
 //! A compiler for houses.
 
+pub mod ast;
+pub mod building;
+pub mod catalog;
+pub mod diagnostic;
+pub mod geometry;
+pub mod program;
 pub mod roof;
+pub mod scene;
+pub mod source;

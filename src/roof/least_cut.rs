@@ -20,7 +20,10 @@ pub(super) const MAX_LINES: usize = 32;
 /// [`MAX_LINES`] lines.
 pub(super) fn cut(raster: &Raster) -> Vec<Cell> {
     let table = Table::fill(raster);
-    let mut ties = Ties { table: &table, settled: vec![None; table.best.len()] };
+    let mut ties = Ties {
+        table: &table,
+        settled: vec![None; table.best.len()],
+    };
     ties.settle(raster.span());
     let mut spans = Vec::new();
     ties.roofs(raster.span(), &mut spans);
@@ -67,10 +70,25 @@ impl<'r> Table<'r> {
     fn fill(raster: &'r Raster) -> Self {
         let (cols, rows) = (raster.cols(), raster.rows());
         let counts = counts(raster);
-        let blank = Score { cut: 0, roofs: 0, squares: Reverse(0) };
+        let blank = Score {
+            cut: 0,
+            roofs: 0,
+            squares: Reverse(0),
+        };
         let size = pairs(cols) * pairs(rows);
-        let best = vec![Best { score: blank, cut: None, tied: false }; size];
-        let mut table = Self { raster, roof: Lengths::roof(raster), best };
+        let best = vec![
+            Best {
+                score: blank,
+                cut: None,
+                tied: false
+            };
+            size
+        ];
+        let mut table = Self {
+            raster,
+            roof: Lengths::roof(raster),
+            best,
+        };
         for i1 in 1..=cols {
             for i0 in (0..i1).rev() {
                 for j1 in 1..=rows {
@@ -98,25 +116,55 @@ impl<'r> Table<'r> {
         let to = |j: usize, i: usize| counts[j * stride + i];
         let inside = to(s.j1, s.i1) + to(s.j0, s.i0) - to(s.j0, s.i1) - to(s.j1, s.i0);
         if inside == 0 {
-            let score = Score { cut: 0, roofs: 0, squares: Reverse(0) };
-            return Best { score, cut: None, tied: false };
+            let score = Score {
+                cut: 0,
+                roofs: 0,
+                squares: Reverse(0),
+            };
+            return Best {
+                score,
+                cut: None,
+                tied: false,
+            };
         }
         if inside as usize == (s.i1 - s.i0) * (s.j1 - s.j0) {
             let (a, b) = (&self.raster.a.at, &self.raster.b.at);
             let area = u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0]);
-            let score = Score { cut: 0, roofs: 1, squares: Reverse(area.saturating_mul(area)) };
-            return Best { score, cut: None, tied: false };
+            let score = Score {
+                cut: 0,
+                roofs: 1,
+                squares: Reverse(area.saturating_mul(area)),
+            };
+            return Best {
+                score,
+                cut: None,
+                tied: false,
+            };
         }
         self.best_cut(s)
     }
 
     fn best_cut(&self, s: Span) -> Best {
-        let worst = Score { cut: u64::MAX, roofs: u32::MAX, squares: Reverse(0) };
-        let mut best = Best { score: worst, cut: None, tied: false };
+        let worst = Score {
+            cut: u64::MAX,
+            roofs: u32::MAX,
+            squares: Reverse(0),
+        };
+        let mut best = Best {
+            score: worst,
+            cut: None,
+            tied: false,
+        };
         for (line, n) in cuts(s) {
             let score = self.score(s, line, n);
             match score.cmp(&best.score) {
-                Ordering::Less => best = Best { score, cut: Some((line, n as u8)), tied: false },
+                Ordering::Less => {
+                    best = Best {
+                        score,
+                        cut: Some((line, n as u8)),
+                        tied: false,
+                    }
+                }
                 Ordering::Equal => best.tied = true,
                 Ordering::Greater => {}
             }
@@ -133,7 +181,9 @@ impl<'r> Table<'r> {
 
 /// The cuts of a rectangle, x first.
 fn cuts(s: Span) -> impl Iterator<Item = (Line, usize)> {
-    (s.i0 + 1..s.i1).map(|n| (Line::X, n)).chain((s.j0 + 1..s.j1).map(|n| (Line::Y, n)))
+    (s.i0 + 1..s.i1)
+        .map(|n| (Line::X, n))
+        .chain((s.j0 + 1..s.j1).map(|n| (Line::Y, n)))
 }
 
 /// How many intervals `fields + 1` lines have.
@@ -178,8 +228,14 @@ impl Ties<'_, '_> {
         }
         let best = self.table.best[at];
         let found = match best.cut {
-            None if best.score.roofs == 0 => Settled { cut: None, print: 0 },
-            None => Settled { cut: None, print: print(s) },
+            None if best.score.roofs == 0 => Settled {
+                cut: None,
+                print: 0,
+            },
+            None => Settled {
+                cut: None,
+                print: print(s),
+            },
             Some(cut) if !best.tied => self.try_cut(s, cut),
             Some(_) => self.least(s, best.score),
         };
@@ -189,7 +245,10 @@ impl Ties<'_, '_> {
 
     fn try_cut(&mut self, s: Span, cut: (Line, u8)) -> Settled {
         let [one, other] = halves(s, cut.0, usize::from(cut.1)).map(|h| self.settle(h).print);
-        Settled { cut: Some(cut), print: one.wrapping_add(other) }
+        Settled {
+            cut: Some(cut),
+            print: one.wrapping_add(other),
+        }
     }
 
     /// Of the cuts that score the same, the one whose sorted list of roofs is least.
@@ -207,11 +266,21 @@ impl Ties<'_, '_> {
                     let list = list.unwrap_or_else(|| self.list(s, kept));
                     let other = self.list(s, rival);
                     let lesser = other.iter().map(key).lt(list.iter().map(key));
-                    if lesser { (rival, Some(other)) } else { (kept, Some(list)) }
+                    if lesser {
+                        (rival, Some(other))
+                    } else {
+                        (kept, Some(list))
+                    }
                 }
             });
         }
-        least.map_or(Settled { cut: None, print: 0 }, |(kept, _)| kept)
+        least.map_or(
+            Settled {
+                cut: None,
+                print: 0,
+            },
+            |(kept, _)| kept,
+        )
     }
 
     /// The sorted roofs of `s` if it is cut as `by` says.
@@ -247,7 +316,9 @@ fn key(s: &Span) -> (usize, usize, usize, usize) {
 
 /// A well mixed number for a roof (splitmix64, twice).
 fn print(s: Span) -> u128 {
-    let packed = [s.i0, s.j0, s.i1, s.j1].iter().fold(1u64, |sum, &n| sum << 6 | n as u64);
+    let packed = [s.i0, s.j0, s.i1, s.j1]
+        .iter()
+        .fold(1u64, |sum, &n| sum << 6 | n as u64);
     u128::from(mix(packed)) << 64 | u128::from(mix(packed ^ 0x5bd1_e995_9e37_79b9))
 }
 

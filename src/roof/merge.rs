@@ -55,11 +55,22 @@ fn rank(p: &Cell, q: &Cell) -> Option<Rank> {
         return None;
     };
     let union = united(p, q);
-    Some((shared, union.area(), Reverse(union.b0), Reverse(union.a0), beside))
+    Some((
+        shared,
+        union.area(),
+        Reverse(union.b0),
+        Reverse(union.a0),
+        beside,
+    ))
 }
 
 fn united(p: &Cell, q: &Cell) -> Cell {
-    Cell { a0: p.a0.min(q.a0), b0: p.b0.min(q.b0), a1: p.a1.max(q.a1), b1: p.b1.max(q.b1) }
+    Cell {
+        a0: p.a0.min(q.a0),
+        b0: p.b0.min(q.b0),
+        a1: p.a1.max(q.a1),
+        b1: p.b1.max(q.b1),
+    }
 }
 
 /// A whole edge: whether it runs along b, its line, its ends.
@@ -90,7 +101,10 @@ fn merge_many(cells: Vec<Cell>) -> Vec<Cell> {
             all[n].1 = false;
             for edge in edges(&all[n].0) {
                 let owners = by_edge.entry(edge).or_insert([usize::MAX; 2]);
-                owners.iter_mut().filter(|o| **o == n).for_each(|o| *o = usize::MAX);
+                owners
+                    .iter_mut()
+                    .filter(|o| **o == n)
+                    .for_each(|o| *o = usize::MAX);
             }
         }
         let union = united(&all[p].0, &all[q].0);
@@ -128,11 +142,39 @@ mod tests {
     #[test]
     fn the_longest_edge_goes_first() {
         let cells = vec![
-            Cell { a0: 0, b0: 0, a1: 6, b1: 4 },
-            Cell { a0: 0, b0: 4, a1: 6, b1: 6 },
-            Cell { a0: 6, b0: 0, a1: 9, b1: 4 },
+            Cell {
+                a0: 0,
+                b0: 0,
+                a1: 6,
+                b1: 4,
+            },
+            Cell {
+                a0: 0,
+                b0: 4,
+                a1: 6,
+                b1: 6,
+            },
+            Cell {
+                a0: 6,
+                b0: 0,
+                a1: 9,
+                b1: 4,
+            },
         ];
-        let merged = vec![Cell { a0: 0, b0: 0, a1: 6, b1: 6 }, Cell { a0: 6, b0: 0, a1: 9, b1: 4 }];
+        let merged = vec![
+            Cell {
+                a0: 0,
+                b0: 0,
+                a1: 6,
+                b1: 6,
+            },
+            Cell {
+                a0: 6,
+                b0: 0,
+                a1: 9,
+                b1: 4,
+            },
+        ];
         assert_eq!(merge(cells), merged);
     }
 
@@ -143,10 +185,17 @@ mod tests {
             // A grid with some fields missing and some columns as wide as their rows.
             let mut cells = Vec::new();
             for n in 0..36i64 {
-                seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+                seed = seed
+                    .wrapping_mul(6364136223846793005)
+                    .wrapping_add(1442695040888963407);
                 if seed >> 60 != 0 {
                     let (i, j) = (n % 6, n / 6);
-                    cells.push(Cell { a0: 2 * i, b0: 2 * j, a1: 2 * i + 2, b1: 2 * j + 2 });
+                    cells.push(Cell {
+                        a0: 2 * i,
+                        b0: 2 * j,
+                        a1: 2 * i + 2,
+                        b1: 2 * j + 2,
+                    });
                 }
             }
             let mut few = cells.clone();

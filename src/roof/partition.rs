@@ -3,7 +3,7 @@
 //! The rectangles cover the region exactly and never overlap.
 
 use super::plan::{Cell, Plan};
-use super::raster::{MAX_FIELDS, Raster};
+use super::raster::Raster;
 use super::{chord, kd, least_cut, merge, slabs};
 
 /// How a region is cut.
@@ -18,26 +18,34 @@ pub enum Method {
 
 /// The rectangles of a region, sorted by (b0, a0), in the plan's own grid steps.
 ///
-/// The region is cut as one, pieces that do not touch included. `LeastCut` is exact up to 32
-/// distinct coordinates per axis and greedy (`chord.rs`) above. A region with more than
-/// 2^20 grid fields comes in strips along a, merged, whatever the method: ranking cuts
-/// over so many lines would take longer than anyone waits.
+/// The region is cut as one, pieces that do not touch included; see [`cut`].
 pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
-    if let Some(cell) = plan.as_cell() {
-        return vec![cell];
+    match plan.as_cell() {
+        Some(cell) => vec![cell],
+        None => merge::merge(cut(plan, method)),
     }
-    let Some(raster) = Raster::of(plan) else {
-        debug_assert!(plan.loops.iter().map(Vec::len).sum::<usize>() as u128 > (MAX_FIELDS as u128).isqrt());
-        return merge::merge(slabs::strips(plan));
+}
+
+/// The rectangles before merging, sorted by (b0, a0).
+///
+/// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above. A
+/// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
+/// cuts over so many lines would take longer than anyone waits.
+pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
+    let mut cells = match Raster::of(plan) {
+        None => slabs::strips(plan),
+        Some(raster) if raster.cols() == 0 || raster.rows() == 0 => Vec::new(),
+        Some(raster) => cut_raster(&raster, method),
     };
-    if raster.cols() == 0 || raster.rows() == 0 {
-        return Vec::new();
-    }
+    cells.sort_unstable_by_key(Cell::key);
+    cells
+}
+
+fn cut_raster(raster: &Raster, method: Method) -> Vec<Cell> {
     let lines = raster.cols().max(raster.rows()) + 1;
-    let cells = match method {
-        Method::Kd => kd::cut(&raster),
-        Method::LeastCut if lines <= least_cut::MAX_LINES => least_cut::cut(&raster),
-        Method::LeastCut => chord::cut(&raster),
-    };
-    merge::merge(cells)
+    match method {
+        Method::Kd => kd::cut(raster),
+        Method::LeastCut if lines <= least_cut::MAX_LINES => least_cut::cut(raster),
+        Method::LeastCut => chord::cut(raster),
+    }
 }

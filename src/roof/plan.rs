@@ -48,7 +48,12 @@ impl Cell {
 
     /// The four corners in walk order (interior on the right), from the least (a, b).
     pub fn corners(&self) -> [(i64, i64); 4] {
-        [(self.a0, self.b0), (self.a1, self.b0), (self.a1, self.b1), (self.a0, self.b1)]
+        [
+            (self.a0, self.b0),
+            (self.a1, self.b0),
+            (self.a1, self.b1),
+            (self.a0, self.b1),
+        ]
     }
 
     /// Sorting key of regions: (b0, a0, b1, a1), `language.md` 4.
@@ -74,12 +79,16 @@ impl Plan {
 
     /// The union of cells that do not overlap each other (others count even-odd).
     pub fn from_cells(cells: &[Cell]) -> Self {
-        Self { loops: cells.iter().map(|c| c.corners().to_vec()).collect() }
+        Self {
+            loops: cells.iter().map(|c| c.corners().to_vec()).collect(),
+        }
     }
 
     /// Every edge of every loop, as written.
     pub fn edges(&self) -> impl Iterator<Item = ((i64, i64), (i64, i64))> + '_ {
-        self.loops.iter().flat_map(|l| (0..l.len()).map(move |i| (l[i], l[(i + 1) % l.len()])))
+        self.loops
+            .iter()
+            .flat_map(|l| (0..l.len()).map(move |i| (l[i], l[(i + 1) % l.len()])))
     }
 
     /// Whether every edge is parallel to an axis.
@@ -89,11 +98,20 @@ impl Plan {
 
     /// The plan as one cell, if it is written as a single loop of four corners.
     pub fn as_cell(&self) -> Option<Cell> {
-        let [only] = self.loops.as_slice() else { return None };
-        let &[p, q, r, s] = only.as_slice() else { return None };
+        let [only] = self.loops.as_slice() else {
+            return None;
+        };
+        let &[p, q, r, s] = only.as_slice() else {
+            return None;
+        };
         let round = (p.1 == q.1 && q.0 == r.0 && r.1 == s.1 && s.0 == p.0)
             || (p.0 == q.0 && q.1 == r.1 && r.0 == s.0 && s.1 == p.1);
-        let cell = Cell { a0: p.0.min(r.0), b0: p.1.min(r.1), a1: p.0.max(r.0), b1: p.1.max(r.1) };
+        let cell = Cell {
+            a0: p.0.min(r.0),
+            b0: p.1.min(r.1),
+            a1: p.0.max(r.0),
+            b1: p.1.max(r.1),
+        };
         (round && cell.a0 < cell.a1 && cell.b0 < cell.b1).then_some(cell)
     }
 
@@ -114,7 +132,9 @@ impl Plan {
 
     /// This region without some cells, which may overlap each other.
     pub fn minus_cells(&self, cells: &[Cell]) -> Plan {
-        let covered = cells.iter().fold(Plan::default(), |sum, c| sum.union(&Plan::from_cells(&[*c])));
+        let covered = cells.iter().fold(Plan::default(), |sum, c| {
+            sum.union(&Plan::from_cells(&[*c]))
+        });
         self.difference(&covered)
     }
 
@@ -130,7 +150,9 @@ impl Plan {
 
     /// Area in square grid steps, saturating.
     pub fn area(&self) -> i128 {
-        slabs::strips(self).iter().fold(0i128, |sum, c| sum.saturating_add(c.area()))
+        slabs::strips(self)
+            .iter()
+            .fold(0i128, |sum, c| sum.saturating_add(c.area()))
     }
 
     /// The region in clean loops: corners only, no coincident edges, outer loops walked with
@@ -142,13 +164,17 @@ impl Plan {
     /// The pieces that hang together through walls' length, not through mere corners
     /// (4-connected), in the order of their least (b, a) corner.
     pub fn components(&self) -> Vec<Plan> {
-        let Some(mut raster) = Raster::of(self) else { return vec![self.clone()] };
+        let Some(mut raster) = Raster::of(self) else {
+            return vec![self.clone()];
+        };
         let all = raster.inside.clone();
         let (labels, count) = label(&all, raster.cols());
         (1..=count)
             .map(|n| {
                 raster.inside = labels.iter().map(|&l| l == n).collect();
-                Plan { loops: raster.loops() }
+                Plan {
+                    loops: raster.loops(),
+                }
             })
             .collect()
     }
@@ -163,7 +189,10 @@ impl Plan {
                     v
                 };
                 let corners = || self.loops.iter().flatten();
-                (sorted(corners().map(|p| p.0).collect()), sorted(corners().map(|p| p.1).collect()))
+                (
+                    sorted(corners().map(|p| p.0).collect()),
+                    sorted(corners().map(|p| p.1).collect()),
+                )
             },
             |r| (r.a.source, r.b.source),
         )
@@ -174,8 +203,14 @@ impl Plan {
             return Plan::from_cells(&slabs::combine(self, other, keep));
         };
         let (mine, theirs) = (raster.fill(self), raster.fill(other));
-        raster.inside = mine.iter().zip(&theirs).map(|(&m, &t)| keep(m, t)).collect();
-        Plan { loops: raster.loops() }
+        raster.inside = mine
+            .iter()
+            .zip(&theirs)
+            .map(|(&m, &t)| keep(m, t))
+            .collect();
+        Plan {
+            loops: raster.loops(),
+        }
     }
 }
 
@@ -231,12 +266,20 @@ mod tests {
         assert_eq!(two.components().len(), 2);
         let one = Plan::from_cells(&[cell(0, 0, 2, 2), cell(2, 0, 4, 4)]);
         assert_eq!(one.components().len(), 1);
-        assert_eq!(one.clean().loops, vec![vec![(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]]);
+        assert_eq!(
+            one.clean().loops,
+            vec![vec![(0, 0), (4, 0), (4, 4), (2, 4), (2, 2), (0, 2)]]
+        );
     }
 
     #[test]
     fn empty_and_degenerate_plans_are_empty() {
-        for loops in [vec![], vec![vec![]], vec![vec![(0, 0)]], vec![vec![(0, 0), (4, 0)]]] {
+        for loops in [
+            vec![],
+            vec![vec![]],
+            vec![vec![(0, 0)]],
+            vec![vec![(0, 0), (4, 0)]],
+        ] {
             let plan = Plan::from_loops(loops);
             assert!(plan.is_empty());
             assert!(plan.components().is_empty());

@@ -32,7 +32,10 @@ impl Axis {
     fn new(mut source: Vec<i64>) -> Self {
         source.sort_unstable();
         source.dedup();
-        Self { at: Vec::new(), source }
+        Self {
+            at: Vec::new(),
+            source,
+        }
     }
 
     /// Number of intervals between lines.
@@ -57,12 +60,22 @@ impl Axis {
 
     fn divisor(&self, start: u64) -> u64 {
         let least = self.source.first().copied().unwrap_or(0);
-        self.source.iter().fold(start, |g, &x| if g == 1 { 1 } else { gcd(x.wrapping_sub(least) as u64, g) })
+        self.source.iter().fold(start, |g, &x| {
+            if g == 1 {
+                1
+            } else {
+                gcd(x.wrapping_sub(least) as u64, g)
+            }
+        })
     }
 
     fn reduce(&mut self, divisor: u64) {
         let least = self.source.first().copied().unwrap_or(0);
-        self.at = self.source.iter().map(|&x| x.wrapping_sub(least) as u64 / divisor.max(1)).collect();
+        self.at = self
+            .source
+            .iter()
+            .map(|&x| x.wrapping_sub(least) as u64 / divisor.max(1))
+            .collect();
     }
 }
 
@@ -92,7 +105,11 @@ impl Raster {
         let a = Axis::new(corners().map(|p| p.0).collect());
         let b = Axis::new(corners().map(|p| p.1).collect());
         let fields = a.fields().checked_mul(b.fields())?;
-        (fields <= MAX_FIELDS).then(|| Self { a, b, inside: Vec::new() })
+        (fields <= MAX_FIELDS).then(|| Self {
+            a,
+            b,
+            inside: Vec::new(),
+        })
     }
 
     pub(super) fn cols(&self) -> usize {
@@ -136,10 +153,14 @@ impl Raster {
     /// Drops the lines that carry no wall: corners in mid-wall, doubled edges.
     fn compress(&mut self) {
         let (cols, rows) = (self.cols(), self.rows());
-        let keep_a: Vec<bool> =
-            (0..=cols).map(|i| (0..rows).any(|j| self.before(i, j) != self.behind(i, j))).collect();
+        let keep_a: Vec<bool> = (0..=cols)
+            .map(|i| (0..rows).any(|j| self.before(i, j) != self.behind(i, j)))
+            .collect();
         let keep_b: Vec<bool> = (0..=rows)
-            .map(|j| (0..cols).any(|i| (j > 0 && self.behind(i, j - 1)) != (j < rows && self.behind(i, j))))
+            .map(|j| {
+                (0..cols)
+                    .any(|i| (j > 0 && self.behind(i, j - 1)) != (j < rows && self.behind(i, j)))
+            })
             .collect();
         if keep_a.iter().chain(&keep_b).all(|&k| k) {
             return;
@@ -150,20 +171,33 @@ impl Raster {
             lines[..lines.len().saturating_sub(1)].to_vec()
         };
         let (cols_kept, rows_kept) = (kept(&keep_a), kept(&keep_b));
-        self.inside = rows_kept.iter().flat_map(|&j| cols_kept.iter().map(move |&i| field(j, i))).collect();
+        self.inside = rows_kept
+            .iter()
+            .flat_map(|&j| cols_kept.iter().map(move |&i| field(j, i)))
+            .collect();
         self.a.keep(&keep_a);
         self.b.keep(&keep_b);
     }
 
     /// The whole grid.
     pub(super) fn span(&self) -> Span {
-        Span { i0: 0, j0: 0, i1: self.cols(), j1: self.rows() }
+        Span {
+            i0: 0,
+            j0: 0,
+            i1: self.cols(),
+            j1: self.rows(),
+        }
     }
 
     /// A rectangle of fields in the plan's coordinates.
     pub(super) fn cell(&self, s: Span) -> Cell {
         let (a, b) = (&self.a.source, &self.b.source);
-        Cell { a0: a[s.i0], b0: b[s.j0], a1: a[s.i1], b1: b[s.j1] }
+        Cell {
+            a0: a[s.i0],
+            b0: b[s.j0],
+            a1: a[s.i1],
+            b1: b[s.j1],
+        }
     }
 
     /// The boundary as closed loops of corners: round outer loops (0,0) (w,0) (w,d) (0,d),
@@ -188,7 +222,12 @@ impl Raster {
         }
         let stride = cols + 1;
         let mut out = vec![0u8; stride * (rows + 1)];
-        for (n, _) in self.inside.iter().enumerate().filter(|(_, inside)| **inside) {
+        for (n, _) in self
+            .inside
+            .iter()
+            .enumerate()
+            .filter(|(_, inside)| **inside)
+        {
             let (i, j) = (n % cols, n / cols);
             let corner = j * stride + i;
             if j == 0 || !self.inside[n - cols] {

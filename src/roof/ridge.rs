@@ -111,7 +111,11 @@ pub struct Region {
 
 impl Region {
     fn main(cell: Cell) -> Self {
-        let ridge = if cell.depth() > cell.width() { Ridge::B } else { Ridge::A };
+        let ridge = if cell.depth() > cell.width() {
+            Ridge::B
+        } else {
+            Ridge::A
+        };
         Self {
             cell,
             ridge: Some(ridge),
@@ -127,7 +131,12 @@ impl Region {
 
     fn lean_to(cell: Cell, against: Side) -> Self {
         let fall = Some(against.opposite());
-        Self { ridge: None, fall, role: Role::LeanTo, ..Self::main(cell) }
+        Self {
+            ridge: None,
+            fall,
+            role: Role::LeanTo,
+            ..Self::main(cell)
+        }
     }
 
     /// Extent across the ridge in grid steps; a lean-to counts twice its depth, as the gable
@@ -190,7 +199,12 @@ impl Judge<'_> {
     /// Judges trunks before their branches: by falling area, the street region first.
     fn all(&self) -> Vec<Region> {
         let mut order: Vec<usize> = (0..self.cells.len()).collect();
-        order.sort_by_key(|&n| (Some(n) != self.street, std::cmp::Reverse(self.cells[n].area())));
+        order.sort_by_key(|&n| {
+            (
+                Some(n) != self.street,
+                std::cmp::Reverse(self.cells[n].area()),
+            )
+        });
         let mut judged: Vec<Region> = self.cells.iter().map(|c| Region::main(*c)).collect();
         for n in order {
             judged[n] = self.judge(n, &judged);
@@ -202,7 +216,12 @@ impl Judge<'_> {
         let cell = self.cells[n];
         if Some(n) == self.street {
             let against_wall = self.whole_wall(&cell);
-            return Region { ridge: Some(Ridge::A), street: true, against_wall, ..Region::main(cell) };
+            return Region {
+                ridge: Some(Ridge::A),
+                street: true,
+                against_wall,
+                ..Region::main(cell)
+            };
         }
         if let Some(side) = self.whole_wall(&cell) {
             return self.against_wall(cell, side);
@@ -211,7 +230,10 @@ impl Judge<'_> {
             return self.joined(cell, side, trunk, &judged[trunk]);
         }
         match self.half_wall(&cell) {
-            Some(side) => Region { against_wall: Some(side), ..Region::lean_to(cell, side) },
+            Some(side) => Region {
+                against_wall: Some(side),
+                ..Region::lean_to(cell, side)
+            },
             None => Region::main(cell),
         }
     }
@@ -224,7 +246,12 @@ impl Judge<'_> {
     /// The longest side along the whole of which an upper wall stands.
     fn whole_wall(&self, cell: &Cell) -> Option<Side> {
         let whole = |side: &Side| self.walls.along(cell, *side) == side.measure(cell).0;
-        longest(cell, Side::ALL.into_iter().filter(|s| !self.walls.is_empty() && whole(s)))
+        longest(
+            cell,
+            Side::ALL
+                .into_iter()
+                .filter(|s| !self.walls.is_empty() && whole(s)),
+        )
     }
 
     /// The longest side of a strip along at least half of which an upper wall stands.
@@ -234,16 +261,28 @@ impl Judge<'_> {
             let wall = self.walls.along(cell, *side);
             wall >= length - wall && depth <= self.steps(3) && length >= depth.saturating_mul(2)
         };
-        longest(cell, Side::ALL.into_iter().filter(|s| !self.walls.is_empty() && half(s)))
+        longest(
+            cell,
+            Side::ALL
+                .into_iter()
+                .filter(|s| !self.walls.is_empty() && half(s)),
+        )
     }
 
     /// Rule 2.
     fn against_wall(&self, cell: Cell, side: Side) -> Region {
         let against_wall = Some(side);
         if side.measure(&cell).1 <= self.steps(3) {
-            return Region { against_wall, ..Region::lean_to(cell, side) };
+            return Region {
+                against_wall,
+                ..Region::lean_to(cell, side)
+            };
         }
-        Region { ridge: Some(side.ridge_into()), against_wall, ..Region::main(cell) }
+        Region {
+            ridge: Some(side.ridge_into()),
+            against_wall,
+            ..Region::main(cell)
+        }
     }
 
     /// The trunk of a region and the side it lies on it with.
@@ -255,7 +294,11 @@ impl Judge<'_> {
             .filter(|(t, _)| Some(*t) == self.street || self.cells[*t].area() > area)
             .min_by_key(|(t, _)| {
                 // Cells are sorted, so the lesser index is the lesser (b0, a0).
-                (Some(*t) != self.street, std::cmp::Reverse(self.cells[*t].area()), *t)
+                (
+                    Some(*t) != self.street,
+                    std::cmp::Reverse(self.cells[*t].area()),
+                    *t,
+                )
             })
     }
 
@@ -264,13 +307,28 @@ impl Judge<'_> {
         let (length, depth) = side.measure(&cell);
         let (over, joins) = (Some(trunk), Some(side));
         if depth <= self.steps(2) && length >= depth.saturating_mul(2) {
-            return Region { over, joins, ..Region::lean_to(cell, side) };
+            return Region {
+                over,
+                joins,
+                ..Region::lean_to(cell, side)
+            };
         }
-        let gable = Region { ridge: Some(side.ridge_into()), joins, ..Region::main(cell) };
+        let gable = Region {
+            ridge: Some(side.ridge_into()),
+            joins,
+            ..Region::main(cell)
+        };
         if length > t.span() && !t.street && t.role != Role::LeanTo {
-            return Region { through: over, ..gable };
+            return Region {
+                through: over,
+                ..gable
+            };
         }
-        Region { role: Role::Branch, over, ..gable }
+        Region {
+            role: Role::Branch,
+            over,
+            ..gable
+        }
     }
 }
 

@@ -109,7 +109,13 @@ pub(super) fn candidates<'r>(
             Line::Y => (&raster.b.at, s.j0, s.j1),
         };
         let off_middle = (2 * u128::from(at[n])).abs_diff(u128::from(at[lo]) + u128::from(at[hi]));
-        (wall > 0).then(|| Candidate { line, n, wall, off_middle, at: at[n] })
+        (wall > 0).then(|| Candidate {
+            line,
+            n,
+            wall,
+            off_middle,
+            at: at[n],
+        })
     })
 }
 

@@ -74,7 +74,12 @@ fn intervals(active: &[Wall], keep: fn(bool, bool) -> bool) -> Vec<(i64, i64)> {
 }
 
 /// Lets the open strips run on where the slab has the same interval, closes the others.
-fn advance(open: Vec<Cell>, now: Vec<(i64, i64)>, (b0, b1): (i64, i64), done: &mut Vec<Cell>) -> Vec<Cell> {
+fn advance(
+    open: Vec<Cell>,
+    now: Vec<(i64, i64)>,
+    (b0, b1): (i64, i64),
+    done: &mut Vec<Cell>,
+) -> Vec<Cell> {
     let mut open = open.into_iter().peekable();
     let next = now
         .into_iter()
@@ -103,7 +108,20 @@ mod tests {
         cells.sort_unstable_by_key(Cell::key);
         assert_eq!(
             cells,
-            vec![Cell { a0: 0, b0: 0, a1: 8, b1: 4 }, Cell { a0: 0, b0: 4, a1: 3, b1: 9 }]
+            vec![
+                Cell {
+                    a0: 0,
+                    b0: 0,
+                    a1: 8,
+                    b1: 4
+                },
+                Cell {
+                    a0: 0,
+                    b0: 4,
+                    a1: 3,
+                    b1: 9
+                }
+            ]
         );
     }
 }

@@ -21,21 +21,41 @@ pub fn street_front(plan: &Plan, first_line: ((i64, i64), (i64, i64))) -> Option
         let turned = slabs::strips(&turn(plan));
         let (lo, hi) = (start.1.min(end.1), start.1.max(end.1));
         let cell = front(&turned, (lo, hi), start.0, start.1 > end.1)?;
-        return Some(Cell { a0: cell.b0, b0: cell.a0, a1: cell.b1, b1: cell.a1 });
+        return Some(Cell {
+            a0: cell.b0,
+            b0: cell.a0,
+            a1: cell.b1,
+            b1: cell.a1,
+        });
     }
     None
 }
 
 fn turn(plan: &Plan) -> Plan {
-    Plan { loops: plan.loops.iter().map(|l| l.iter().map(|p| (p.1, p.0)).collect()).collect() }
+    Plan {
+        loops: plan
+            .loops
+            .iter()
+            .map(|l| l.iter().map(|p| (p.1, p.0)).collect())
+            .collect(),
+    }
 }
 
 /// The rectangle on the line b = `at` from `ends.0` to `ends.1`: behind it if `behind` holds
 /// and there is any region, else before it.
 fn front(strips: &[Cell], ends: (i64, i64), at: i64, behind: bool) -> Option<Cell> {
     let deep = |behind: bool| {
-        let to = if behind { run(strips, ends, at) } else { run_before(strips, ends, at) };
-        (to != at).then(|| Cell { a0: ends.0, b0: at.min(to), a1: ends.1, b1: at.max(to) })
+        let to = if behind {
+            run(strips, ends, at)
+        } else {
+            run_before(strips, ends, at)
+        };
+        (to != at).then(|| Cell {
+            a0: ends.0,
+            b0: at.min(to),
+            a1: ends.1,
+            b1: at.max(to),
+        })
     };
     deep(behind).or_else(|| deep(!behind))
 }
@@ -45,7 +65,11 @@ fn front(strips: &[Cell], ends: (i64, i64), at: i64, behind: bool) -> Option<Cel
 fn run(strips: &[Cell], ends: (i64, i64), at: i64) -> i64 {
     let spans = |c: &&Cell| c.a0 <= ends.0 && ends.1 <= c.a1;
     let mut to = at;
-    while let Some(next) = strips.iter().filter(spans).find(|c| c.b0 <= to && to < c.b1) {
+    while let Some(next) = strips
+        .iter()
+        .filter(spans)
+        .find(|c| c.b0 <= to && to < c.b1)
+    {
         to = next.b1;
     }
     to
@@ -54,7 +78,11 @@ fn run(strips: &[Cell], ends: (i64, i64), at: i64) -> i64 {
 fn run_before(strips: &[Cell], ends: (i64, i64), at: i64) -> i64 {
     let spans = |c: &&Cell| c.a0 <= ends.0 && ends.1 <= c.a1;
     let mut to = at;
-    while let Some(next) = strips.iter().filter(spans).find(|c| c.b0 < to && to <= c.b1) {
+    while let Some(next) = strips
+        .iter()
+        .filter(spans)
+        .find(|c| c.b0 < to && to <= c.b1)
+    {
         to = next.b0;
     }
     to
@@ -70,10 +98,23 @@ mod tests {
 
     #[test]
     fn the_front_building_is_as_deep_as_its_whole_width() {
-        let front = Cell { a0: 0, b0: 0, a1: 6, b1: 4 };
+        let front = Cell {
+            a0: 0,
+            b0: 0,
+            a1: 6,
+            b1: 4,
+        };
         assert_eq!(street_front(&l2(), ((0, 0), (6, 0))), Some(front));
         assert_eq!(street_front(&l2(), ((6, 0), (0, 0))), Some(front));
-        assert_eq!(street_front(&turn(&l2()), ((0, 6), (0, 0))), Some(Cell { a0: 0, b0: 0, a1: 4, b1: 6 }));
+        assert_eq!(
+            street_front(&turn(&l2()), ((0, 6), (0, 0))),
+            Some(Cell {
+                a0: 0,
+                b0: 0,
+                a1: 4,
+                b1: 6
+            })
+        );
     }
 
     #[test]
@@ -81,6 +122,9 @@ mod tests {
         assert_eq!(street_front(&l2(), ((0, 14), (6, 14))), None);
         assert_eq!(street_front(&l2(), ((0, 0), (0, 0))), None);
         let upper = Plan::from_loops(vec![vec![(0, 0), (6, 0), (6, 4), (0, 4)]]);
-        assert_eq!(street_front(&l2().difference(&upper), ((0, 0), (6, 0))), None);
+        assert_eq!(
+            street_front(&l2().difference(&upper), ((0, 0), (6, 0))),
+            None
+        );
     }
 }
