@@ -30,10 +30,10 @@ fn merge_few(cells: &mut Vec<Cell>) {
         let mut best: Option<(Rank, usize, usize)> = None;
         for q in 1..cells.len() {
             for p in 0..q {
-                if let Some(rank) = rank(&cells[p], &cells[q]) {
-                    if best.is_none_or(|b| b.0 < rank) {
-                        best = Some((rank, p, q));
-                    }
+                if let Some(rank) = rank(&cells[p], &cells[q])
+                    && best.is_none_or(|b| b.0 < rank)
+                {
+                    best = Some((rank, p, q));
                 }
             }
         }

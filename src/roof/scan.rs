@@ -83,13 +83,14 @@ pub(super) struct Candidate {
     pub(super) wall: u64,
     /// Twice its distance from the cell's middle.
     off_middle: u128,
-    /// Its reduced coordinate.
-    at: u64,
+    /// Its coordinate in the plan's own steps: where x and y tie, the letter compares the two
+    /// coordinates of the author frame, so the origin counts.
+    at: i64,
 }
 
 impl Candidate {
     /// The order of ties: nearest to the cell's middle, then smaller c, then x before y.
-    pub(super) fn tie(&self) -> (u128, u64, Line) {
+    pub(super) fn tie(&self) -> (u128, i64, Line) {
         (self.off_middle, self.at, self.line)
     }
 }
@@ -104,17 +105,18 @@ pub(super) fn candidates<'r>(
     let y = (s.j0 + 1..s.j1).map(|n| (Line::Y, n));
     x.chain(y).filter_map(move |(line, n)| {
         let wall = walls.within(line, n, s);
-        let (at, lo, hi) = match line {
-            Line::X => (&raster.a.at, s.i0, s.i1),
-            Line::Y => (&raster.b.at, s.j0, s.j1),
+        let (axis, lo, hi) = match line {
+            Line::X => (&raster.a, s.i0, s.i1),
+            Line::Y => (&raster.b, s.j0, s.j1),
         };
+        let at = &axis.at;
         let off_middle = (2 * u128::from(at[n])).abs_diff(u128::from(at[lo]) + u128::from(at[hi]));
         (wall > 0).then(|| Candidate {
             line,
             n,
             wall,
             off_middle,
-            at: at[n],
+            at: axis.source[n],
         })
     })
 }

@@ -110,14 +110,17 @@ fn compare(map: &Bitmap) {
     let roofs = merge(cells);
     assert_eq!(partition(&map.plan(), Method::Kd), roofs, "{map:?}");
     assert_eq!(partition(&map.fields_plan(), Method::Kd), roofs, "{map:?}");
-    let far = partition(&moved(&map.plan(), 250_000, -77_000_001, 13), Method::Kd);
+    let far = partition(
+        &moved(&map.plan(), 250_000, -77_000_001, -77_000_001),
+        Method::Kd,
+    );
     let near: Vec<Cell> = far
         .iter()
         .map(|c| Cell {
             a0: (c.a0 + 77_000_001) / 250_000,
-            b0: (c.b0 - 13) / 250_000,
+            b0: (c.b0 + 77_000_001) / 250_000,
             a1: (c.a1 + 77_000_001) / 250_000,
-            b1: (c.b1 - 13) / 250_000,
+            b1: (c.b1 + 77_000_001) / 250_000,
         })
         .collect();
     assert_eq!(near, roofs);

@@ -91,15 +91,15 @@ fn t_the_stem_is_wider_than_the_bar_and_runs_through() {
 fn u_h_and_z_are_right_everywhere() {
     for method in BOTH {
         let u = roofs(
-            &plan(&[[0, 0, 20, 6], [0, 6, 6, 16], [14, 6, 20, 16]]),
+            &plan(&[[0, 0, 24, 6], [0, 6, 6, 13], [18, 6, 24, 13]]),
             method,
         );
         assert_eq!(
             brief(&u),
             [
-                ([0, 0, 20, 6], A, Role::Main, None),
-                ([0, 6, 6, 16], B, Role::Branch, Some(0)),
-                ([14, 6, 20, 16], B, Role::Branch, Some(0)),
+                ([0, 0, 24, 6], A, Role::Main, None),
+                ([0, 6, 6, 13], B, Role::Branch, Some(0)),
+                ([18, 6, 24, 13], B, Role::Branch, Some(0)),
             ]
         );
         let h = roofs(
@@ -163,7 +163,7 @@ fn court_is_a_pinwheel_by_kd_and_two_wings_by_least_cut() {
 
 #[test]
 fn stair_keeps_three_halls() {
-    let halls = [[0, 0, 8, 6], [4, 6, 12, 12], [8, 12, 16, 18]];
+    let halls = [[0, 0, 8, 6], [8, 4, 16, 10], [16, 8, 24, 14]];
     for method in BOTH {
         let found = roofs(&plan(&halls), method);
         assert_eq!(brief(&found), halls.map(|h| (h, A, Role::Main, None)));
@@ -251,12 +251,12 @@ fn equal_trunks_go_by_b_then_a() {
 const NINOMARU: [[i64; 4]; 8] = [
     [82, 0, 90, 10],   // Kurumayose
     [78, 10, 110, 43], // Tozamurai
-    [59, 21, 78, 39],  // Shikidai
-    [32, 25, 59, 55],  // Ohiroma
-    [32, 55, 38, 70],  // Sotetsu
-    [8, 70, 36, 91],   // Kuroshoin
-    [14, 91, 16, 106], // corridor
-    [0, 106, 18, 124], // Shiroshoin
+    [59, 22, 78, 40],  // Shikidai
+    [32, 26, 59, 56],  // Ohiroma
+    [32, 56, 38, 71],  // Sotetsu
+    [8, 71, 36, 92],   // Kuroshoin
+    [14, 92, 16, 107], // corridor
+    [0, 107, 18, 125], // Shiroshoin
 ];
 
 #[test]
