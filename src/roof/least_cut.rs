@@ -12,6 +12,7 @@ use super::plan::Cell;
 use super::raster::{Raster, Span};
 use super::scan::{Lengths, Line, halves};
 use std::cmp::{Ordering, Reverse};
+use std::collections::BTreeMap;
 
 /// Most distinct coordinates on an axis for which the search is made.
 pub(super) const MAX_LINES: usize = 32;
@@ -22,7 +23,7 @@ pub(super) fn cut(raster: &Raster) -> Vec<Cell> {
     let table = Table::fill(raster);
     let mut ties = Ties {
         table: &table,
-        settled: vec![None; table.best.len()],
+        settled: BTreeMap::new(),
     };
     ties.settle(raster.span());
     let mut spans = Vec::new();
@@ -64,6 +65,8 @@ struct Table<'r> {
     roof: Lengths,
     /// One entry a rectangle, see [`Table::at`].
     best: Vec<Best>,
+    /// The roof cut of each once more, close together: it rules out most cuts.
+    least: Vec<u64>,
 }
 
 impl<'r> Table<'r> {
@@ -84,10 +87,12 @@ impl<'r> Table<'r> {
             };
             size
         ];
+        let least = vec![0; size];
         let mut table = Self {
             raster,
             roof: Lengths::roof(raster),
             best,
+            least,
         };
         for i1 in 1..=cols {
             for i0 in (0..i1).rev() {
@@ -95,7 +100,9 @@ impl<'r> Table<'r> {
                     for j0 in (0..j1).rev() {
                         let s = Span { i0, j0, i1, j1 };
                         let at = table.at(s);
-                        table.best[at] = table.solve(s, &counts);
+                        let best = table.solve(s, &counts);
+                        table.best[at] = best;
+                        table.least[at] = best.score.cut;
                     }
                 }
             }
@@ -155,7 +162,10 @@ impl<'r> Table<'r> {
             cut: None,
             tied: false,
         };
-        for (line, n) in cuts(s) {
+        let mut consider = |least: u64, line, n: usize| {
+            if least > best.score.cut {
+                return;
+            }
             let score = self.score(s, line, n);
             match score.cmp(&best.score) {
                 Ordering::Less => {
@@ -168,6 +178,22 @@ impl<'r> Table<'r> {
                 Ordering::Equal => best.tied = true,
                 Ordering::Greater => {}
             }
+        };
+        // The same as `score` for the first criterion alone, without its detours: this is where
+        // the time goes.
+        let (least, stride) = (&self.least, pairs(self.raster.rows()));
+        let (a, b) = (pairs(s.i1 - 1), pairs(s.j1 - 1));
+        for n in s.i0 + 1..s.i1 {
+            let one = least[(pairs(n - 1) + s.i0) * stride + b + s.j0];
+            let other = least[(a + n) * stride + b + s.j0];
+            let roof = self.roof.within(Line::X, n, s);
+            consider(one.saturating_add(other).saturating_add(roof), Line::X, n);
+        }
+        let row = &least[(a + s.i0) * stride..][..stride];
+        for n in s.j0 + 1..s.j1 {
+            let (one, other) = (row[pairs(n - 1) + s.j0], row[b + n]);
+            let roof = self.roof.within(Line::Y, n, s);
+            consider(one.saturating_add(other).saturating_add(roof), Line::Y, n);
         }
         best
     }
@@ -216,15 +242,15 @@ struct Settled {
 
 struct Ties<'t, 'r> {
     table: &'t Table<'r>,
-    settled: Vec<Option<Settled>>,
+    settled: BTreeMap<usize, Settled>,
 }
 
 impl Ties<'_, '_> {
     /// Settles `s` and whatever below it matters.
     fn settle(&mut self, s: Span) -> Settled {
         let at = self.table.at(s);
-        if let Some(known) = self.settled[at] {
-            return known;
+        if let Some(known) = self.settled.get(&at) {
+            return *known;
         }
         let best = self.table.best[at];
         let found = match best.cut {
@@ -239,7 +265,7 @@ impl Ties<'_, '_> {
             Some(cut) if !best.tied => self.try_cut(s, cut),
             Some(_) => self.least(s, best.score),
         };
-        self.settled[at] = Some(found);
+        self.settled.insert(at, found);
         found
     }
 
@@ -298,7 +324,7 @@ impl Ties<'_, '_> {
     /// Collects the roofs of a settled rectangle.
     fn roofs(&self, s: Span, into: &mut Vec<Span>) {
         let at = self.table.at(s);
-        match self.settled[at].and_then(|known| known.cut) {
+        match self.settled.get(&at).and_then(|known| known.cut) {
             Some((line, n)) => {
                 for half in halves(s, line, usize::from(n)) {
                     self.roofs(half, into);
