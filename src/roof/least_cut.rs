@@ -146,16 +146,25 @@ impl<'r> Table<'r> {
     fn solve(&self, s: Span, counts: &[u32]) -> Best {
         let stride = self.raster.cols() + 1;
         let to = |j: usize, i: usize| counts[j * stride + i];
-        let inside = to(s.j1, s.i1) + to(s.j0, s.i0) - to(s.j0, s.i1) - to(s.j1, s.i0);
-        if inside == 0 {
+        let inside = |s: Span| to(s.j1, s.i1) + to(s.j0, s.i0) - to(s.j0, s.i1) - to(s.j1, s.i0);
+        let fields = inside(s) as usize;
+        if fields == 0 {
             return Best::pure(None, s);
         }
-        if inside as usize == (s.i1 - s.i0) * (s.j1 - s.j0) {
+        if fields == (s.i1 - s.i0) * (s.j1 - s.j0) {
             let (a, b) = (&self.raster.a.at, &self.raster.b.at);
             let area = u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0]);
             return Best::pure(Some(area), s);
         }
-        self.best_cut(s)
+        // An empty margin may go first: it costs nothing, and a tree of the whole cuts what is
+        // left just as some tree of what is left does.
+        match margins(s).find(|(margin, ..)| inside(*margin) == 0) {
+            Some((_, rest, cut)) => Best {
+                cut: Some(cut),
+                ..self.best[self.at(rest)]
+            },
+            None => self.best_cut(s),
+        }
     }
 
     fn best_cut(&self, s: Span) -> Best {
@@ -189,6 +198,19 @@ impl<'r> Table<'r> {
         let [one, other] = halves(s, line, n).map(|h| &self.best[self.at(h)]);
         Best::joined(one, other, self.roof.within(line, n, s), (line, n as u8))
     }
+}
+
+/// The outermost column or row at each side of `s`, what is left without it, and the cut between.
+fn margins(s: Span) -> impl Iterator<Item = (Span, Span, (Line, u8))> {
+    let x = [(s.i0 + 1, false), (s.i1 - 1, true)].map(|(n, last)| (Line::X, n, last));
+    let y = [(s.j0 + 1, false), (s.j1 - 1, true)].map(|(n, last)| (Line::Y, n, last));
+    let wide = x.into_iter().filter(move |_| s.i1 - s.i0 > 1);
+    let deep = y.into_iter().filter(move |_| s.j1 - s.j0 > 1);
+    wide.chain(deep).map(move |(line, n, last)| {
+        let [one, other] = halves(s, line, n);
+        let (margin, rest) = if last { (other, one) } else { (one, other) };
+        (margin, rest, (line, n as u8))
+    })
 }
 
 /// How many intervals there are between `fields + 1` lines.
