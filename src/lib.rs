@@ -5,6 +5,7 @@ pub mod building;
 pub mod catalog;
 pub mod diagnostic;
 pub mod geometry;
+pub mod parse;
 pub mod program;
 pub mod roof;
 pub mod scene;
