@@ -38,7 +38,8 @@ pub(super) fn pieces(
         pieces.push(piece(line, at..at + cell.len(), cell, talk));
         (rest, at) = (next, at + cell.len());
     }
-    if odd {
+    // A last code cut short begins like any other.
+    if odd || !regular(rest.trim_end_matches(' ')) {
         if let Some(cells) = in_step(text, range.start) {
             return mended(line, range, &cells, talk);
         }
