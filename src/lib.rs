@@ -4,6 +4,7 @@ pub mod ast;
 pub mod building;
 pub mod catalog;
 pub mod diagnostic;
+pub mod expand;
 pub mod geometry;
 pub mod lower;
 pub mod material;
