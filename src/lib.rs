@@ -10,3 +10,4 @@ pub mod program;
 pub mod roof;
 pub mod scene;
 pub mod source;
+pub mod tessellate;
