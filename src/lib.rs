@@ -14,3 +14,4 @@ pub mod roof;
 pub mod scene;
 pub mod source;
 pub mod texture;
+pub mod tessellate;
