@@ -3,6 +3,7 @@
 pub mod ast;
 pub mod building;
 pub mod catalog;
+pub mod check;
 pub mod diagnostic;
 pub mod expand;
 pub mod geometry;
