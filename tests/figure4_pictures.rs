@@ -44,14 +44,20 @@ impl Drawing {
         }
         let drawn = y0 + 4 + (y1 - y0 - 8) * blind / 100;
         for y in y0 + 4..drawn {
-            let slat = if y % 5 == 0 { [168, 166, 154] } else { [206, 203, 190] };
+            let slat = if y % 5 == 0 {
+                [168, 166, 154]
+            } else {
+                [206, 203, 190]
+            };
             self.fill(x0 + 4, y, x1 - 4, y + 1, slat);
         }
     }
 
     fn png(&self) -> Vec<u8> {
         let mut bytes = Cursor::new(vec![]);
-        self.0.write_to(&mut bytes, image::ImageFormat::Png).unwrap();
+        self.0
+            .write_to(&mut bytes, image::ImageFormat::Png)
+            .unwrap();
         bytes.into_inner()
     }
 }
@@ -135,7 +141,9 @@ fn the_pictures_lie_beside_the_example() {
             fs::create_dir_all(&folder).unwrap();
             fs::write(&path, drawing.png()).unwrap();
         }
-        let found = image::load_from_memory(&fs::read(&path).unwrap()).unwrap().to_rgb8();
+        let found = image::load_from_memory(&fs::read(&path).unwrap())
+            .unwrap()
+            .to_rgb8();
         assert_eq!(found, drawing.0, "{name}");
     }
 }
