@@ -6,6 +6,8 @@ pub mod catalog;
 pub mod diagnostic;
 pub mod geometry;
 pub mod lower;
+pub mod material;
+pub mod parse;
 pub mod program;
 pub mod roof;
 pub mod scene;
