@@ -9,8 +9,9 @@ const ORDER: &[&str] = &[
     "source",
     "geometry",
     "diagnostic",
-    "catalog",
     "ast",
+    "material",
+    "catalog",
     "program",
     "building",
     "scene",
@@ -37,7 +38,7 @@ const ALLOWED: &[(&str, &str, &str)] = &[(
 )];
 
 /// Files that may be longer, since they are tables.
-const LONG_FILES: &[&str] = &[];
+const LONG_FILES: &[&str] = &["diagnostic/messages/legacy.rs"];
 
 /// Functions that may be longer, since they are tables: file and name.
 const LONG_FUNCTIONS: &[(&str, &str)] = &[];
