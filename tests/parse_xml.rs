@@ -1,6 +1,6 @@
 //! The XML form: the paper's figure, every element, and what is wrong in every way.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, clippy::print_stdout)]
 
 use hsd::ast::*;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
