@@ -141,7 +141,11 @@ fn the_examples_are_clean() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/examples");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
-        let text = std::fs::read_to_string(entry.unwrap().path()).unwrap();
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|e| e != "hsd") {
+            continue;
+        }
+        let text = std::fs::read_to_string(path).unwrap();
         if text.trim_start().starts_with('<') {
             clean(&text);
             count += 1;
@@ -179,7 +183,7 @@ fn every_fixture_shows_its_code_and_no_other() {
         assert!(page.starts_with(&format!("# {}: ", found[0])));
         count += 1;
     }
-    assert!(count >= 40, "{count}");
+    assert!(count >= 39, "{count}");
 }
 
 #[test]
@@ -248,7 +252,7 @@ fn broken_markup_is_named_exactly() {
         ("<!-- a -->", vec![(220, "")]),
         ("<!-- a --- b <!-- c --><House/>", vec![(236, "--")]),
         ("<!-- a <!-- c --><House/>", vec![(236, "<!--")]),
-        ("<House name='a\u{7}'/>", vec![(237, "\u{7}")]),
+        ("<House name='a\u{7}'/>", vec![(6, "\u{7}")]),
     ] {
         assert_eq!(faults(text), expected, "{text}");
     }
@@ -563,8 +567,8 @@ fn values_are_checked() {
     assert_eq!(house("seed='1.5'"), [(226, "1.5".into())]);
     assert_eq!(house("seed='x'"), [(225, "x".into())]);
     assert_eq!(house("street='maybe'"), [(227, "maybe".into())]);
-    assert_eq!(house("name=''"), [(238, "name=''".into())]);
-    assert_eq!(faults("<House><Storey start='1'/></House>"), [(239, "1")]);
+    assert_eq!(house("name=''"), [(237, "name=''".into())]);
+    assert_eq!(faults("<House><Storey start='1'/></House>"), [(238, "1")]);
     assert_eq!(faults("<House><Storey start='1 x'/></House>"), [(225, "x")]);
     assert_eq!(
         faults(&row("<replace with='a' at='0,2,7-5,x,３－４'/>")).len(),

@@ -44,9 +44,9 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
         faults: &mut faults,
         suggest: suggest::Suggest::new(),
     };
-    Document {
-        houses: reader.houses(),
-    }
+    let houses = reader.houses();
+    faults.finish();
+    Document { houses }
 }
 
 impl Reader<'_, '_> {

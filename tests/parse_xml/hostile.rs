@@ -191,7 +191,7 @@ fn a_heap_of_anything_is_read_at_once() {
             xml::parse(&source, &Limits::default(), &mut out);
             let time = start.elapsed().as_secs_f64();
             assert!(time < 2.0, "{before:?} {bit:?}: {time} s");
-            assert!(out.iter().count() <= 20_000);
+            assert!(out.iter().count() <= 501);
         }
     }
 }
@@ -225,8 +225,8 @@ fn nesting_is_bounded() {
 fn a_flood_of_faults_ends() {
     let text = row(&"&".repeat(30_000));
     let (_, list) = read(&text);
-    assert_eq!(list.len(), 20_000);
-    assert!(list.iter().any(|d| d.code.0 == 906));
+    assert_eq!(list.len(), 501);
+    assert!(list.iter().any(|d| d.code.0 == 909));
 }
 
 #[test]

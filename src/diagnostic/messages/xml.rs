@@ -15,17 +15,6 @@ fn quote(text: &str) -> String {
     format!("`{}{end}`", head.replace(['\n', '\r', '\t'], " "))
 }
 
-/// A file with a fault a byte.
-#[cold]
-pub fn too_many_faults(span: Span, most: usize) -> Diagnostic {
-    Diagnostic::error(
-        906,
-        span,
-        format!("more than {most} faults; the rest is not listed"),
-    )
-    .help("mend the first ones: most of the others follow from them, or the file is no house")
-}
-
 /// Elements nest deeper than the limit.
 #[cold]
 pub fn nested_too_deep(span: Span, limit: usize) -> Diagnostic {
@@ -296,17 +285,6 @@ pub fn comment_in_comment(span: Span, open: Span) -> Diagnostic {
     Diagnostic::warning(236, span, "a comment begins inside a comment")
         .help("write `-->` where the first comment ends: everything between the two is not read")
         .label(open, "the first comment begins here")
-}
-
-/// A character that XML does not know.
-#[cold]
-pub fn control_character(span: Span, byte: u8) -> Diagnostic {
-    Diagnostic::error(
-        237,
-        span,
-        format!("the control character U+{byte:04X} is not allowed"),
-    )
-    .help("remove it; is this a text file?")
 }
 
 /// A file of comments only.

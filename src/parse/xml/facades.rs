@@ -96,7 +96,7 @@ impl<'t> Reader<'t, '_> {
         }
         let share = given.value / 100.0;
         self.faults
-            .push(given.span, || say::per_cent(given.span, given.value, share));
+            .push(|| say::per_cent(given.span, given.value, share));
         Spanned::new(share, given.span)
     }
 }

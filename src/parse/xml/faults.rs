@@ -1,21 +1,23 @@
 //! Where the reader's messages go: spans are made here, and a flood of them ends here.
 //!
-//! A file that is no XML at all can hold a fault a byte. Nobody reads a million messages, and their wording
-//! would take more memory than the file is allowed to; so after [`MOST`] of them one last message says that
-//! there are more.
+//! A file that is no XML at all can hold a fault a byte. Nobody reads a million messages, and keeping them would take
+//! more memory than a file is allowed to (language.md 7); so after [`ENOUGH`] the rest is counted only.
 
-use crate::diagnostic::{Diagnostic, Diagnostics, messages::xml as say};
+use crate::diagnostic::messages::file;
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::source::{Source, Span};
 use std::ops::Range;
 
-/// Messages that one file can cause.
-pub(super) const MOST: usize = 20_000;
+/// Messages on one file that are passed on, as many as on legacy text.
+const ENOUGH: usize = 500;
 
 /// The faults found in one source.
 pub(super) struct Faults<'a> {
     pub(super) source: &'a Source,
     out: &'a mut Diagnostics,
-    left: usize,
+    said: usize,
+    /// The worst of those left out.
+    worst: Option<Severity>,
 }
 
 impl<'a> Faults<'a> {
@@ -23,7 +25,8 @@ impl<'a> Faults<'a> {
         Faults {
             source,
             out,
-            left: MOST,
+            said: 0,
+            worst: None,
         }
     }
 
@@ -37,19 +40,29 @@ impl<'a> Faults<'a> {
         self.source.text().get(range.clone()).unwrap_or_default()
     }
 
-    /// Takes a message about a range of the text; the wording is made only while there is room for it.
+    /// Takes a message about a range of the text.
     pub(super) fn at(&mut self, range: &Range<usize>, message: impl FnOnce(Span) -> Diagnostic) {
         let span = self.span(range);
-        self.push(span, || message(span));
+        self.push(|| message(span));
     }
 
-    /// Takes a message about a span; `span` also bears the message that ends a flood.
-    pub(super) fn push(&mut self, span: Span, message: impl FnOnce() -> Diagnostic) {
-        match self.left {
-            0 => return,
-            1 => self.out.push(say::too_many_faults(span, MOST)),
-            _ => self.out.push(message()),
+    /// Takes a message. Its wording is made only where it can still matter.
+    pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
+        self.said += 1;
+        if self.said <= ENOUGH {
+            self.out.push(message());
+        } else if self.worst < Some(Severity::Error) {
+            self.worst = self.worst.max(Some(message().severity));
         }
-        self.left -= 1;
+    }
+
+    /// Says how much was left out.
+    pub(super) fn finish(self) {
+        if let Some(worst) = self.worst {
+            let end = self.source.text().len();
+            let span = self.span(&(end..end));
+            let more = self.said - ENOUGH;
+            self.out.push(file::more_messages(span, more, worst));
+        }
     }
 }

@@ -228,7 +228,7 @@ impl<'t> Reader<'t, '_> {
             return Some(weights);
         }
         let span = weights.span;
-        self.faults.push(span, || say::no_weight(span));
+        self.faults.push(|| say::no_weight(span));
         None
     }
 

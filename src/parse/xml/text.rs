@@ -4,7 +4,7 @@
 //! carries pieces that map its offsets back.
 
 use super::faults::Faults;
-use crate::diagnostic::messages::xml as say;
+use crate::diagnostic::messages::{file, xml as say};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -156,8 +156,8 @@ impl<'a> Run<'a> {
                 faults.at(&range, say::bare_ampersand);
                 self.literal(whole, range);
             } else {
-                let byte = whole.as_bytes()[at];
-                faults.at(&range, |s| say::control_character(s, byte));
+                let character = char::from(whole.as_bytes()[at]);
+                faults.at(&range, |s| file::control_character(s, character));
                 self.atom(REPORTED, range);
             }
             return at + 1;

@@ -67,14 +67,13 @@ impl<'t> Reader<'t, '_> {
             Ok(value) if range.contains(&value) => Some(Spanned::new(value, span)),
             Err(_) if text.parse::<f64>().is_err() => {
                 let mend = narrowed(text).filter(|t| t.parse::<u64>().is_ok());
-                self.faults.push(span, || {
-                    say::not_a_number(span, name, text, mend.as_deref())
-                });
+                self.faults
+                    .push(|| say::not_a_number(span, name, text, mend.as_deref()));
                 mend?.parse().ok().map(|v| Spanned::new(v, span))
             }
             _ => {
                 let (least, most) = (*range.start(), *range.end());
-                self.faults.push(span, || {
+                self.faults.push(|| {
                     let bounds = format!("a whole number from {least} to {most}");
                     say::out_of_range(span, name, text, &bounds)
                 });
@@ -122,7 +121,7 @@ impl<'t> Reader<'t, '_> {
             return found;
         }
         let near = self.suggest.among(text, words.iter().map(|(w, _)| *w));
-        self.faults.push(span, || {
+        self.faults.push(|| {
             let all: Vec<&str> = words.iter().map(|(w, _)| *w).collect();
             say::not_a_choice(span, name, text, &all, near)
         });
@@ -155,9 +154,8 @@ impl<'t> Reader<'t, '_> {
         if let [a, b] = list.value[..] {
             return Some(Spanned::new((a, b), list.span));
         }
-        self.faults.push(list.span, || {
-            say::not_a_point(list.span, name, list.value.len())
-        });
+        self.faults
+            .push(|| say::not_a_point(list.span, name, list.value.len()));
         None
     }
 
@@ -176,15 +174,14 @@ impl<'t> Reader<'t, '_> {
             let found = position(quoted);
             let mended = || found.or_else(|| position(&plain_dashes(quoted)));
             let Some((first, last)) = mended() else {
-                self.faults
-                    .push(span, || say::not_a_position(span, quoted, None));
+                self.faults.push(|| say::not_a_position(span, quoted, None));
                 good = false;
                 continue;
             };
             let range = (first.min(last), first.max(last));
             if found.is_none() || first > last {
                 self.faults
-                    .push(span, || say::not_a_position(span, quoted, Some(range)));
+                    .push(|| say::not_a_position(span, quoted, Some(range)));
             }
             list.push(range);
         }
@@ -210,9 +207,8 @@ impl<'t> Reader<'t, '_> {
             Some(value) => value,
             None => {
                 let mend = mend();
-                self.faults.push(span, || {
-                    say::not_a_number(span, name, text, mend.as_deref())
-                });
+                self.faults
+                    .push(|| say::not_a_number(span, name, text, mend.as_deref()));
                 decimal(&mend?)?
             }
         };
@@ -220,7 +216,7 @@ impl<'t> Reader<'t, '_> {
             return Some(value);
         }
         let (least, most) = (*range.start(), *range.end());
-        self.faults.push(span, || {
+        self.faults.push(|| {
             say::out_of_range(
                 span,
                 name,

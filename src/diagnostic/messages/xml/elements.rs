@@ -229,7 +229,7 @@ pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagn
 /// An empty value.
 #[cold]
 pub fn value_empty(span: Span, name: &str) -> Diagnostic {
-    Diagnostic::error(238, span, format!("the value of {} is empty", quote(name)))
+    Diagnostic::error(237, span, format!("the value of {} is empty", quote(name)))
         .help("write a value, or remove the attribute")
 }
 
@@ -237,13 +237,13 @@ pub fn value_empty(span: Span, name: &str) -> Diagnostic {
 #[cold]
 pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
     let text = format!("{} takes two numbers, not {count}", quote(name));
-    Diagnostic::error(239, span, text).help("write units to the left and units back, such as `4 8`")
+    Diagnostic::error(238, span, text).help("write units to the left and units back, such as `4 8`")
 }
 
 /// Weights that are all nought.
 #[cold]
 pub fn no_weight(span: Span) -> Diagnostic {
-    Diagnostic::error(240, span, "all weights are 0, so nothing can be drawn")
+    Diagnostic::error(239, span, "all weights are 0, so nothing can be drawn")
         .help("give at least one code a weight above 0")
 }
 
@@ -251,7 +251,7 @@ pub fn no_weight(span: Span) -> Diagnostic {
 #[cold]
 pub fn replaces_nothing(span: Span) -> Diagnostic {
     Diagnostic::error(
-        241,
+        240,
         span,
         "`replace` says neither which code nor which position",
     )
