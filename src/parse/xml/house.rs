@@ -2,7 +2,7 @@
 
 use super::facades::KINDS;
 use super::pieces::Line;
-use super::read::{Node, Reader};
+use super::read::{Attributes, Node, Reader};
 use super::schema::{self, Schema, Tag};
 use super::suggest::narrow_ascii;
 use super::tag::is_blank;
@@ -21,15 +21,7 @@ impl<'t> Reader<'t, '_> {
         let mut house = House {
             span: self.whole(element),
             name: self.text(&of, "name"),
-            settings: Settings {
-                x: self.number(&of, "x", ANYWHERE),
-                y: self.number(&of, "y", ANYWHERE),
-                z: self.number(&of, "z", ANYWHERE),
-                azimuth: self.number(&of, "azimuth", TURN),
-                unit: self.number(&of, "unit", 0.1..=100.0),
-                seed: self.whole_number(&of, "seed", 0..=u64::MAX),
-                street: self.yes_no(&of, "street"),
-            },
+            settings: self.settings(&of),
             ..House::default()
         };
         let mut roofs: Option<Span> = None;
@@ -63,6 +55,18 @@ impl<'t> Reader<'t, '_> {
             }
         }
         house
+    }
+
+    fn settings(&mut self, of: &Attributes<'t>) -> Settings {
+        Settings {
+            x: self.number(of, "x", ANYWHERE),
+            y: self.number(of, "y", ANYWHERE),
+            z: self.number(of, "z", ANYWHERE),
+            azimuth: self.number(of, "azimuth", TURN),
+            unit: self.number(of, "unit", 0.1..=100.0),
+            seed: self.whole_number(of, "seed", 0..=u64::MAX),
+            street: self.yes_no(of, "street"),
+        }
     }
 
     /// Reads a structure that stands for a house of its own.

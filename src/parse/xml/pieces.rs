@@ -122,13 +122,14 @@ impl<'t> Reader<'t, '_> {
                 });
             }
         }
-        let nothing = Half {
-            span: self.start(element),
+        let span = self.start(element);
+        let nothing = || Half {
+            span,
             pieces: vec![],
         };
-        let [upper, lower] = halves.map(|h| h.unwrap_or_else(|| nothing.clone()));
+        let [upper, lower] = halves.map(|h| h.unwrap_or_else(nothing));
         Split {
-            span: self.start(element),
+            span,
             ratio,
             upper,
             lower,

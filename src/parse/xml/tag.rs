@@ -182,32 +182,7 @@ impl<'a> Scanner<'a, '_> {
         let name = &self.text[name_range.clone()];
         self.at = name_range.end;
         let mut faulty = !check_name(name, &name_range, self.faults);
-        self.skip_plain_blanks();
-        let equals = matches!(self.peek(), Some('=' | '＝'));
-        if equals {
-            self.bump();
-            self.skip_plain_blanks();
-        }
-        let quote = self.peek().filter(|c| "\"'“”„＂‘’＇".contains(*c));
-        let value = match (equals, quote) {
-            (true, Some(quote)) => self.quoted(name, quote),
-            (false, Some(quote)) => {
-                faulty = true;
-                self.faults
-                    .at(&name_range, |s| say::equals_missing(s, name));
-                self.quoted(name, quote)
-            }
-            (true, None) => {
-                faulty = true;
-                self.unquoted(name, &name_range)
-            }
-            (false, None) => {
-                faulty = true;
-                self.at = name_range.end;
-                self.faults.at(&name_range, |s| say::value_missing(s, name));
-                self.at..self.at
-            }
-        };
+        let value = self.value(name, &name_range, &mut faulty);
         let mut run = Run::default();
         run.raw(value.clone(), self.faults);
         Some(Attribute {
@@ -217,6 +192,40 @@ impl<'a> Scanner<'a, '_> {
             value: run.value(value.start),
             faulty,
         })
+    }
+
+    /// Reads `=` and a value, or what stands in their place; the range within the quotes.
+    fn value(
+        &mut self,
+        name: &'a str,
+        name_range: &Range<usize>,
+        faulty: &mut bool,
+    ) -> Range<usize> {
+        self.skip_plain_blanks();
+        let equals = matches!(self.peek(), Some('=' | '＝'));
+        if equals {
+            self.bump();
+            self.skip_plain_blanks();
+        }
+        let quote = self.peek().filter(|c| "\"'“”„＂‘’＇".contains(*c));
+        match (equals, quote) {
+            (true, Some(quote)) => self.quoted(name, quote),
+            (false, Some(quote)) => {
+                *faulty = true;
+                self.faults.at(name_range, |s| say::equals_missing(s, name));
+                self.quoted(name, quote)
+            }
+            (true, None) => {
+                *faulty = true;
+                self.unquoted(name, name_range)
+            }
+            (false, None) => {
+                *faulty = true;
+                self.at = name_range.end;
+                self.faults.at(name_range, |s| say::value_missing(s, name));
+                self.at..self.at
+            }
+        }
     }
 
     /// Steps over something that cannot begin an attribute.
