@@ -25,7 +25,7 @@ impl Pass<'_, '_> {
             {
                 *last = (whole, last.1.to(span));
                 let (code, span) = (self.codes.name(whole.which).to_owned(), last.1);
-                self.once(323, span, || say::torn_code(span, &code));
+                self.once(314, span, || say::torn_code(span, &code));
                 continue;
             }
             found.push((self.resolve(&CodeText::new(text), span), span));

@@ -22,15 +22,6 @@ impl Pass<'_, '_> {
     /// All storeys, without repetitions. `house` is the house's place in the keys of draws.
     pub(super) fn storeys(&mut self, house: &ast::House, place: Place) -> Vec<Storey> {
         let flat = self.flatten(&house.storeys, STOREYS);
-        if let Some(extra) = house.heights.get(flat.ones.len())
-            && !flat.ones.is_empty()
-        {
-            let span = house
-                .heights
-                .last()
-                .map_or(extra.span, |h| extra.span.to(h.span));
-            self.out.push(say::surplus_heights(span, flat.ones.len()));
-        }
         let mut storeys = vec![];
         for (index, storey) in flat.ones.iter().enumerate() {
             let height = house.heights.get(index);

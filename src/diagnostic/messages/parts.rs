@@ -150,17 +150,6 @@ pub fn hole_without_start(span: Span) -> Diagnostic {
     )
 }
 
-/// More heights than storeys.
-#[cold]
-pub fn surplus_heights(span: Span, storeys: usize) -> Diagnostic {
-    let message = match storeys {
-        1 => "there is a height here for more than the one storey of this house".to_owned(),
-        n => format!("there are heights here for more than the {n} storeys of this house"),
-    };
-    Diagnostic::warning(314, span, message)
-        .help("take the surplus heights away, or add the storeys; `^` ends a storey")
-}
-
 /// The facades of a storey disagree.
 #[cold]
 pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagnostic {
@@ -239,7 +228,7 @@ pub fn several_withs(span: Span) -> Diagnostic {
 #[cold]
 pub fn torn_code(span: Span, code: &str) -> Diagnostic {
     let message = format!("white space divides this list, so `{code}` falls in two");
-    Diagnostic::error(323, span, message).help(format!(
+    Diagnostic::error(314, span, message).help(format!(
         "put commas between the codes, or write the blanks in a code as `_`: `{}`",
         code.replace(' ', "_")
     ))
