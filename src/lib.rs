@@ -14,5 +14,5 @@ pub mod program;
 pub mod roof;
 pub mod scene;
 pub mod source;
-pub mod texture;
 pub mod tessellate;
+pub mod texture;

@@ -70,7 +70,12 @@ impl LeanTo {
             (frame.at(u1, high), self.high.over > 0.0),
             (frame.at(u0, high), start.over > 0.0),
         ];
-        let body = [(0.0, eaves), (length, eaves), (length, frame.depth), (0.0, frame.depth)];
+        let body = [
+            (0.0, eaves),
+            (length, eaves),
+            (length, frame.depth),
+            (0.0, frame.depth),
+        ];
         let plane = self.soffit().raised(self.look.drop());
         Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane)
     }
