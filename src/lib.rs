@@ -3,7 +3,9 @@
 pub mod ast;
 pub mod building;
 pub mod catalog;
+pub mod check;
 pub mod diagnostic;
+pub mod expand;
 pub mod geometry;
 pub mod lower;
 pub mod material;
@@ -13,3 +15,4 @@ pub mod roof;
 pub mod scene;
 pub mod source;
 pub mod texture;
+pub mod tessellate;

@@ -9,27 +9,29 @@ const OFFERS: usize = 3;
 const FARTHEST: usize = 3;
 
 /// Up to three parts whose code is near, best first. Case does not count, nor do lost blanks; among
-/// equals the same class letter wins, then the catalogue's order.
+/// equals a code that only lost its last columns wins, then the same class letter, then the catalogue's
+/// order.
 pub(super) fn nearest(catalog: &Catalog, code: &str) -> Vec<PartId> {
     let folded = code.trim().to_ascii_uppercase();
     let squeezed: String = folded.split_whitespace().collect();
     if squeezed.is_empty() {
         return Vec::new();
     }
-    let mut found: Vec<(usize, bool, PartId)> = Vec::new();
+    let mut found: Vec<(usize, bool, bool, PartId)> = Vec::new();
     for (i, part) in catalog.parts().iter().enumerate() {
         let theirs = part.code().trim().to_ascii_uppercase();
         let tight: String = theirs.split_whitespace().collect();
         let far = distance(&folded, &theirs).min(distance(&squeezed, &tight));
         // Something must agree: three edits turn any three letters into any others.
         if far <= FARTHEST && far < squeezed.len().max(1) && !tight.is_empty() {
+            let cut = !tight.starts_with(&squeezed);
             let other = !squeezed.starts_with(part.class());
-            found.push((far, other, PartId(i as u16)));
+            found.push((far, cut, other, PartId(i as u16)));
         }
     }
     found.sort();
     found.truncate(OFFERS);
-    found.into_iter().map(|(_, _, id)| id).collect()
+    found.into_iter().map(|(_, _, _, id)| id).collect()
 }
 
 /// Letters to insert, drop, replace or swap with their neighbour to come from one text to the other.

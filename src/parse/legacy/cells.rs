@@ -33,12 +33,14 @@ pub(super) fn pieces(
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
     let (mut rest, mut at, mut odd) = (text, range.start, false);
-    while let Ok((next, cell)) = five(rest) {
+    let ascii = text.is_ascii();
+    while let Ok((next, cell)) = if ascii { five_bytes(rest) } else { five(rest) } {
         odd |= !regular(cell);
         pieces.push(piece(line, at..at + cell.len(), cell, talk));
         (rest, at) = (next, at + cell.len());
     }
-    if odd {
+    // A last code cut short begins like any other.
+    if odd || !regular(rest.trim_end_matches(' ')) {
         if let Some(cells) = in_step(text, range.start) {
             return mended(line, range, &cells, talk);
         }
@@ -64,6 +66,17 @@ fn five(input: &str) -> IResult<&str, &str> {
     take(CELL).parse(input)
 }
 
+/// The same where columns are bytes, which spares looking at each character.
+fn five_bytes(input: &str) -> IResult<&str, &str> {
+    let (_, cell) = take(CELL)
+        .parse(input.as_bytes())
+        .map_err(|e: nom::Err<_>| {
+            e.map(|e: nom::error::Error<&[u8]>| nom::error::Error::new(input, e.code))
+        })?;
+    let (cell, rest) = input.split_at(cell.len());
+    Ok((rest, cell))
+}
+
 fn class(b: u8) -> bool {
     matches!(b, b'K' | b'T' | b'M' | b'G' | b'H' | b'A' | b'N')
 }
@@ -79,7 +92,10 @@ fn regular(cell: &str) -> bool {
 }
 
 fn piece(line: &Line<'_>, range: Range<usize>, text: &str, talk: &Talk<'_>) -> Item<Piece> {
-    let code = CodeText::new(if text == POINTS { "" } else { text });
+    let code = match <[u8; CELL]>::try_from(text.as_bytes()) {
+        Ok(five) if text.is_ascii() && five != *b"....." => CodeText::Five(five),
+        _ => CodeText::new(if text == POINTS { "" } else { text }),
+    };
     Item::One(Piece::Part(Part {
         code: Spanned::new(code, line.span(talk.source, range)),
         width: None,

@@ -64,7 +64,9 @@ impl<'a> Line<'a> {
             map: vec![],
             findings: vec![],
         };
-        if !raw.bytes().all(|b| (b' '..=b'~').contains(&b)) {
+        // Without an early end the loop runs over many bytes at a time.
+        let odd = |odd, b: u8| odd | !(b' '..=b'~').contains(&b);
+        if raw.bytes().fold(false, odd) {
             line.mend();
         }
         line
@@ -144,15 +146,15 @@ fn narrow(c: char) -> char {
 /// The ranges of the lines of a text and of their line ends: LF, CR LF (with any number of CR), or CR.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
     let bytes = text.as_bytes();
-    let mut at = 0;
+    let (mut at, mut feed) = (0, None);
     std::iter::from_fn(move || {
         let start = (at < bytes.len()).then_some(at)?;
-        let rest = &bytes[start..];
-        let end = start
-            + rest
-                .iter()
-                .position(|&b| b == b'\n' || b == b'\r')
-                .unwrap_or(rest.len());
+        // The next line feed is kept, for there may be many lines that end with CR before it.
+        let limit = *feed
+            .filter(|&f| f >= start)
+            .get_or_insert_with(|| text[start..].find('\n').map_or(bytes.len(), |i| start + i));
+        feed = Some(limit);
+        let end = text[start..limit].find('\r').map_or(limit, |i| start + i);
         at = after_line_end(bytes, end);
         Some((start..end, end..at))
     })

@@ -87,13 +87,17 @@ const DIRECTIONS: [(char, RoofDirection); 6] = [
     ('R', RoofDirection::Right),
 ];
 
-/// Whether a line has the form of a roof line rather than of part codes.
+/// Whether a line has the form of a roof line rather than of part codes: a letter and a short field, or
+/// a shape and two numbers in a row. Codes have their letters first, so numbers never follow each other.
 pub(super) fn looks_like_roof(text: &str) -> bool {
     let list: Vec<&str> = plain_words(text).take(16).collect();
-    let numbers = list.iter().filter(|w| numeric(w)).count();
-    let shape = list.iter().any(|w| shape(w).is_some());
-    let letter = list.first().is_some_and(|w| w.len() == 1);
-    letter && list.len() >= 3 || shape && numbers >= 3
+    let letter = |w: &str| w == "*" || w.len() == 1 && w.starts_with(alphabetic);
+    let field = |w: &str| w.chars().count() <= 2 || number(w).is_some() || shape(w).is_some();
+    let fields = matches!(list[..], [kind, second, _, ..] if letter(kind) && field(second));
+    let shaped = list
+        .windows(3)
+        .any(|w| shape(w[0]).is_some() && number(w[1]).is_some() && number(w[2]).is_some());
+    fields || shaped
 }
 
 /// Reads one line; without its corners a roof has no place and is left out.

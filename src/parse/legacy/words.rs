@@ -19,10 +19,11 @@ pub(super) struct Word<'l> {
 
 /// The words of a line, up to a comment that does not belong there.
 pub(super) fn words<'l>(line: &'l Line<'_>, talk: &mut Talk<'_>) -> Vec<Word<'l>> {
-    let (mut rest, mut at, mut found) = (&*line.text, 0, vec![]);
-    while let Ok((next, (read, text))) = word(rest) {
+    let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
+    while let Ok((next, (read, word))) = word(rest) {
         let end = at + read.len();
-        let start = end - text.len();
+        let start = end - word.len();
+        let text = &line.text[start..end];
         if text.starts_with('#') {
             let comment = line.span(talk.source, start..line.text.trim_end().len());
             talk.say(say::comment_column(comment));
@@ -40,13 +41,13 @@ pub(super) fn plain_words(text: &str) -> impl Iterator<Item = &str> {
     text.split_ascii_whitespace()
 }
 
-/// What was read, blanks included, and the word in it.
-fn word(input: &str) -> IResult<&str, (&str, &str)> {
+/// What was read, blanks included, and the word in it. Blanks are ASCII, so bytes do.
+fn word(input: &[u8]) -> IResult<&[u8], (&[u8], &[u8])> {
     consumed(preceded(take_while(blank), take_till1(blank))).parse(input)
 }
 
-fn blank(c: char) -> bool {
-    c.is_ascii_whitespace()
+fn blank(b: u8) -> bool {
+    b.is_ascii_whitespace()
 }
 
 /// A finite decimal number.
