@@ -1,6 +1,7 @@
 //! A compiler for houses.
 
 pub mod ast;
+pub mod backend;
 pub mod building;
 pub mod catalog;
 pub mod check;
