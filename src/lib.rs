@@ -12,6 +12,7 @@ pub mod lower;
 pub mod material;
 pub mod parse;
 pub mod program;
+pub mod report;
 pub mod roof;
 pub mod scene;
 pub mod source;
