@@ -5,7 +5,9 @@ pub mod backend;
 pub mod building;
 pub mod catalog;
 pub mod check;
+pub mod cli;
 pub mod diagnostic;
+pub mod driver;
 pub mod expand;
 pub mod geometry;
 pub mod lower;
@@ -18,3 +20,5 @@ pub mod scene;
 pub mod source;
 pub mod texture;
 pub mod tessellate;
+
+pub use driver::{Compiled, compile, compile_bytes};

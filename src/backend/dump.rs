@@ -43,7 +43,7 @@ struct File<'a> {
 ///
 /// # Errors
 /// Never for documents of the readers, whose numbers are finite; as for the other functions here.
-pub fn ast(sources: &[Source], documents: &[Document]) -> serde_json::Result<String> {
+pub fn ast(sources: &[&Source], documents: &[Document]) -> serde_json::Result<String> {
     let both = sources.iter().zip(documents);
     let files = both.map(|(source, document)| File {
         file: source.name(),

@@ -220,7 +220,7 @@ fn trimmed(lines: &Lines<'_>, range: Range<usize>) -> Range<usize> {
 /// The parts of a line that are shown, given where marks begin in it.
 fn kept(line: &str, mut starts: Vec<usize>) -> Vec<Range<usize>> {
     if line.len() <= WHOLE || line.char_indices().nth(WHOLE).is_none() {
-        return vec![0..line.len()];
+        return std::iter::once(0..line.len()).collect();
     }
     if starts.is_empty() {
         starts.push(0);
