@@ -108,6 +108,7 @@ impl Context<'_> {
             reach: 0.0,
             verge: look.verge,
             wall: true,
+            free: true,
             board: look.verge >= LEAST_VERGE && self.is_free(cell, side),
             open: [self.open_at(cell, near, side), self.open_at(cell, near.opposite(), side)],
         }
