@@ -1,8 +1,265 @@
 //! The catalogue of parts, read from `grammar/parts.xml`: what a code means, how wide it is, and which
 //! simple bodies make its shape.
 
-use serde::Serialize;
+pub(crate) mod body;
+mod nearest;
+mod read;
+pub(crate) mod value;
+
+use crate::ast::CodeText;
+use crate::material::SurfaceId;
+use body::Element;
+use serde::{Serialize, Serializer};
+use std::sync::LazyLock;
+use value::Mm;
 
 /// Index of a part in its [`Catalog`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct PartId(pub u16);
+
+/// When a part was built (domain.md 5).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Era {
+    /// Any time.
+    All,
+    /// Edo.
+    Edo,
+    /// Meiji to early Showa.
+    Meiji,
+    /// Modern.
+    Modern,
+}
+
+impl Era {
+    /// Every era, the timeless one first.
+    pub const ALL: [Era; 4] = [Era::All, Era::Edo, Era::Meiji, Era::Modern];
+
+    /// `all`, `E`, `M` or `N`.
+    pub fn word(self) -> &'static str {
+        match self {
+            Era::All => "all",
+            Era::Edo => "E",
+            Era::Meiji => "M",
+            Era::Modern => "N",
+        }
+    }
+}
+
+impl Serialize for Era {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.serialize_str(self.word())
+    }
+}
+
+/// How a part stands in the frame of its house.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stance {
+    /// Between posts that show: shin-kabe, and all joinery.
+    Posts,
+    /// Thick plaster over the posts: o-kabe, storehouses.
+    Bare,
+    /// A modern wall without posts.
+    Modern,
+    /// A fence: lower than the storey, no posts of the house.
+    Fence,
+    /// Nothing that joins the wall: posts, wings, voids.
+    Free,
+}
+
+/// What fills the wall under an opening.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Below {
+    /// A boarded dado.
+    Dado,
+    /// The neighbour's wall.
+    Wall,
+    /// Nothing.
+    Open,
+}
+
+/// A part: the head of its entry, and its bodies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartDef {
+    code: [u8; 5],
+    /// Its name in Japanese.
+    pub ja: Box<str>,
+    /// The name in letters.
+    pub romaji: Box<str>,
+    /// What it is, in English.
+    pub en: Box<str>,
+    width: f64,
+    /// Foot of the opening above the storey's floor, shaku; `None` = a wall of the storey's height.
+    pub from: Option<f64>,
+    /// Top of the opening or fence, shaku.
+    pub to: Option<f64>,
+    /// What it is made of, in words.
+    pub made: Box<str>,
+    /// When it was built.
+    pub era: Era,
+    /// Weathering classes joined by `+` (domain.md 4.9).
+    pub weathering: Box<str>,
+    /// What small walls above and below its neighbours look like; only walls have one.
+    pub(crate) finish: Option<SurfaceId>,
+    pub(crate) stance: Stance,
+    pub(crate) below: Below,
+    /// Whether a small wall fills what is left above the opening.
+    pub(crate) above: bool,
+    /// Width of the opening where it is narrower than the bay.
+    pub(crate) clear: Option<Mm>,
+    /// Share of light that its glass mirrors.
+    pub(crate) reflection: Option<f64>,
+    /// Whether it fills the half of a split unit, whatever its heights say.
+    pub(crate) fills: bool,
+    pub(crate) body: Vec<Element>,
+}
+
+impl PartDef {
+    /// Its code of five columns.
+    pub fn code(&self) -> &str {
+        std::str::from_utf8(&self.code).unwrap_or_default()
+    }
+
+    /// Its width in U: 0, 1/2, 1 or 2.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
+    /// The letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern; a
+    /// blank for the void.
+    pub fn class(&self) -> char {
+        char::from(self.code[0])
+    }
+}
+
+impl Serialize for PartDef {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        use serde::ser::SerializeStruct;
+        let mut out = s.serialize_struct("PartDef", 11)?;
+        out.serialize_field("code", self.code())?;
+        out.serialize_field("class", &self.class())?;
+        out.serialize_field("ja", &self.ja)?;
+        out.serialize_field("romaji", &self.romaji)?;
+        out.serialize_field("en", &self.en)?;
+        out.serialize_field("width", &self.width)?;
+        out.serialize_field("from", &self.from)?;
+        out.serialize_field("to", &self.to)?;
+        out.serialize_field("made", &self.made)?;
+        out.serialize_field("era", &self.era)?;
+        out.serialize_field("weathering", &self.weathering)?;
+        out.end()
+    }
+}
+
+/// Places of the table: a power of two, at least twice as many as parts.
+const SLOTS: usize = 512;
+
+/// An empty place of the table; no part has this number.
+const EMPTY: u16 = u16::MAX;
+
+/// Every part by number and by code.
+#[derive(Clone, Debug)]
+pub struct Catalog {
+    parts: Vec<PartDef>,
+    /// Packed codes with their parts, open addressing: a text holds hundreds of thousands of codes.
+    table: Box<[(u64, u16); SLOTS]>,
+    void: Option<PartId>,
+}
+
+static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
+    Catalog::read(include_str!("../grammar/parts.xml"))
+        .expect("a test reads the built-in catalogue")
+});
+
+impl Catalog {
+    /// The catalogue that comes with the program.
+    pub fn builtin() -> &'static Catalog {
+        &BUILTIN
+    }
+
+    /// From the text of a catalogue; the message says what is wrong with it.
+    pub fn read(text: &str) -> Result<Catalog, String> {
+        let parts = read::read(text)?;
+        if parts.len() > SLOTS / 2 {
+            return Err(format!("more than {} parts", SLOTS / 2));
+        }
+        let mut catalog = Catalog {
+            parts: Vec::new(),
+            table: Box::new([(0, EMPTY); SLOTS]),
+            void: None,
+        };
+        for (i, part) in parts.iter().enumerate() {
+            let id = PartId(i as u16);
+            if !catalog.enter(part.code, id) {
+                return Err(format!("part {:?} twice", part.code()));
+            }
+            if part.code == *b"     " {
+                catalog.void = Some(id);
+                catalog.enter(*b".....", id);
+            }
+        }
+        catalog.parts = parts;
+        Ok(catalog)
+    }
+
+    /// Puts a code into the table; false where it is there already.
+    fn enter(&mut self, code: [u8; 5], id: PartId) -> bool {
+        let key = pack(code);
+        let mut slot = place(key);
+        while self.table[slot].1 != EMPTY {
+            if self.table[slot].0 == key {
+                return false;
+            }
+            slot = (slot + 1) % SLOTS;
+        }
+        self.table[slot] = (key, id.0);
+        true
+    }
+
+    /// The part of exactly this code; `.....` is the void.
+    pub fn find(&self, code: &CodeText) -> Option<PartId> {
+        let CodeText::Five(code) = code else {
+            return None;
+        };
+        let key = pack(*code);
+        let mut slot = place(key);
+        loop {
+            match self.table[slot] {
+                (_, EMPTY) => return None,
+                (found, id) if found == key => return Some(PartId(id)),
+                _ => slot = (slot + 1) % SLOTS,
+            }
+        }
+    }
+
+    /// The part of a number; numbers come from this catalogue only.
+    pub fn part(&self, id: PartId) -> &PartDef {
+        &self.parts[usize::from(id.0)]
+    }
+
+    /// Every part in the catalogue's order.
+    pub fn parts(&self) -> &[PartDef] {
+        &self.parts
+    }
+
+    /// Whether a part is the void: the walk goes on, no wall is built.
+    pub fn is_void(&self, id: PartId) -> bool {
+        self.void == Some(id)
+    }
+
+    /// Up to three parts that an unknown code may mean, best first; nothing farther than three letters.
+    pub fn nearest(&self, code: &str) -> Vec<PartId> {
+        nearest::nearest(self, code)
+    }
+}
+
+/// A code as one number.
+fn pack(code: [u8; 5]) -> u64 {
+    let [a, b, c, d, e] = code;
+    u64::from_le_bytes([a, b, c, d, e, 0, 0, 0])
+}
+
+/// Where the search for a number starts.
+fn place(key: u64) -> usize {
+    // Fibonacci hashing: the upper bits of the product depend on all five letters.
+    (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 55) as usize % SLOTS
+}

@@ -5,6 +5,10 @@
 //! lies in the part's frame: x to the RIGHT as seen from outside, y into the house, z up from the storey's
 //! floor; origin at the left end of its wall's centre line, so that a south front needs no rotation.
 
+mod stats;
+
+pub use stats::Stats;
+
 use crate::source::Span;
 use glam::{DVec2, DVec3};
 use serde::Serialize;

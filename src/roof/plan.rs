@@ -115,6 +115,17 @@ impl Plan {
         (round && cell.a0 < cell.a1 && cell.b0 < cell.b1).then_some(cell)
     }
 
+    /// Whether this region, with `other` laid over it, is one the methods were made for: at most
+    /// 2^20 fields between the distinct coordinates of both. Beyond that everything here is
+    /// still exact, but slow where many coordinates cross (a comb over a comb has as many pieces as
+    /// fields), and `partition` only makes strips: better said to the user than waited for.
+    pub fn fits(&self, other: Option<&Plan>) -> bool {
+        match other {
+            Some(other) => Raster::joint(&[self, other]).is_some(),
+            None => Raster::joint(&[self]).is_some(),
+        }
+    }
+
     /// What of this region `other` leaves open, exactly: P_k minus P_{k+1} (domain 3.8).
     pub fn difference(&self, other: &Plan) -> Plan {
         self.combine(other, |mine, theirs| mine && !theirs)

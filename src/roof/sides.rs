@@ -79,8 +79,9 @@ impl Walls {
         walls[start..]
             .iter()
             .take_while(|w| w.0 == at && w.1 < hi)
-            .map(|w| w.2.min(hi) - w.1.max(lo))
-            .sum()
+            .fold(0i64, |sum, w| {
+                sum.saturating_add(w.2.min(hi).saturating_sub(w.1.max(lo)))
+            })
     }
 }
 

@@ -11,7 +11,8 @@ enum Axis {
     Y,
 }
 
-fn kd(map: &Bitmap, c: Cell, last: Option<Axis>, roofs: &mut Vec<Cell>) {
+/// Every line strictly inside a cell with its wall length there.
+fn lines(map: &Bitmap, c: Cell) -> Vec<(Axis, i64, i64)> {
     let mut found: Vec<(Axis, i64, i64)> = Vec::new();
     for x in c.a0 + 1..c.a1 {
         let w = (c.b0..c.b1)
@@ -25,6 +26,11 @@ fn kd(map: &Bitmap, c: Cell, last: Option<Axis>, roofs: &mut Vec<Cell>) {
             .count();
         found.push((Axis::Y, y, w as i64));
     }
+    found
+}
+
+fn kd(map: &Bitmap, c: Cell, last: Option<Axis>, roofs: &mut Vec<Cell>) {
+    let mut found = lines(map, c);
     found.retain(|k| k.2 > 0);
     if found.is_empty() {
         if map.at(c.a0, c.b0) {

@@ -240,13 +240,20 @@ fn vast_and_hostile_plans_are_survived() {
     let stair = Plan::from_loops(vec![stair]);
     for method in BOTH {
         assert_eq!(partition(&vast, method).len(), 2);
+        regions(&vast, Some(&slant), method, None, 4);
+        regions(&slant, Some(&vast), method, None, i64::MAX);
         partition(&slant, method);
         let found = regions(&stair, None, method, None, 4);
         assert_eq!(
             found.iter().map(|r| r.cell.area()).sum::<i128>(),
             stair.area()
         );
-        // Fewer, and `chord` stands in for the search.
+    }
+}
+
+#[test]
+fn chord_stands_in_for_the_search_on_long_outlines() {
+    for method in BOTH {
         let teeth: Vec<Cell> = (0..40)
             .map(|n| Cell {
                 a0: 3 * n,

@@ -23,7 +23,10 @@ fn roofs(plan: &Plan, method: Method) -> Vec<Region> {
     regions(plan, None, method, None, 1)
 }
 
-fn brief(regions: &[Region]) -> Vec<([i64; 4], Option<Ridge>, Role, Option<usize>)> {
+/// Rectangle, ridge, role, trunk.
+type Brief = ([i64; 4], Option<Ridge>, Role, Option<usize>);
+
+fn brief(regions: &[Region]) -> Vec<Brief> {
     let four = |c: Cell| [c.a0, c.b0, c.a1, c.b1];
     regions
         .iter()

@@ -1,0 +1,308 @@
+//! The bodies of a part: a short list of simple elements with attributes. `tessellate/part` makes each
+//! into closed solids; a part is refined by its list alone.
+//!
+//! Every element has a place (`over from to left right front thick finish`), and attributes of its own.
+//! `front` counts outwards from the wall's centre line, `thick` inwards from there.
+
+use super::value::{Area, Joints, Level, Mm, Run, Sides, Value};
+use crate::material::SurfaceId;
+
+/// Attributes of an element: name and text.
+pub(crate) type Attributes = [(String, String)];
+
+/// An element of a part's body, with what stands inside it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Element {
+    /// Where it is and what it is made of.
+    pub(crate) place: Place,
+    /// What it is.
+    pub(crate) shape: Shape,
+    /// What shares its plane (`oriel`).
+    pub(crate) children: Vec<Element>,
+}
+
+/// Reads one attribute, or its default.
+fn value<T: Value>(attributes: &Attributes, name: &str, default: T) -> Result<T, String> {
+    let Some((_, text)) = attributes.iter().find(|(n, _)| n == name) else {
+        return Ok(default);
+    };
+    T::read(text).ok_or_else(|| format!("{name}=\"{text}\" is not {}", T::FORM))
+}
+
+/// Structures whose fields are attributes.
+macro_rules! attributes {
+    ($($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $ty:ty = $default:expr,)* })*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub(crate) struct $name { $($(#[$field_doc])* pub(crate) $field: $ty,)* }
+
+        impl $name {
+            /// The names of its attributes.
+            const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
+
+            /// From the attributes of an element.
+            fn read(attributes: &Attributes) -> Result<$name, String> {
+                let _ = attributes;
+                Ok($name { $($field: value(attributes, stringify!($field), $default)?,)* })
+            }
+        }
+    )*};
+}
+
+/// The elements by their words.
+macro_rules! shapes {
+    ($($word:literal $name:ident over $area:ident,)*) => {
+        /// What an element is.
+        #[derive(Clone, Debug, PartialEq)]
+        pub(crate) enum Shape { $(#[doc = $word] $name($name),)* }
+
+        impl Element {
+            /// From a tag and its attributes; the message names what is wrong.
+            pub(crate) fn read(word: &str, attributes: &Attributes) -> Result<Element, String> {
+                let (shape, area, known) = match word {
+                    $($word => (Shape::$name($name::read(attributes)?), Area::$area, $name::NAMES),)*
+                    _ => return Err(format!("`{word}` is no body")),
+                };
+                let unknown = attributes.iter().find(|(n, _)| {
+                    n != "over" && !known.contains(&n.as_str()) && !Place::NAMES.contains(&n.as_str())
+                });
+                if let Some((name, _)) = unknown {
+                    return Err(format!("`{word}` has no attribute `{name}`"));
+                }
+                let over = value(attributes, "over", area)?;
+                let place = Place { over, ..Place::read(attributes)? };
+                Ok(Element { place, shape, children: Vec::new() })
+            }
+        }
+    };
+}
+
+attributes! {
+    /// Where an element is and what it is made of.
+    Place {
+        /// The area that the next four count in.
+        over: Area = Area::Opening,
+        /// Its foot.
+        from: Level = Level::Start(0.0),
+        /// Its top.
+        to: Level = Level::End(0.0),
+        /// Its left end, seen from outside.
+        left: Level = Level::Start(0.0),
+        /// Its right end.
+        right: Level = Level::End(0.0),
+        /// Outermost plane, outwards from the centre line.
+        front: Mm = Mm(0.045),
+        /// How far it reaches inwards from there.
+        thick: Mm = Mm(0.030),
+        /// What it is made of.
+        finish: SurfaceId = SurfaceId::named("cedar"),
+    }
+    /// A plain box over the place.
+    Slab {}
+    /// The panel of a wall.
+    Wall {
+        /// Its back leans in by this share of the height, its front too: an earth wall's batter.
+        batter: f64 = 0.0,
+    }
+    /// Boards side by side, on whatever lies behind.
+    Boards {
+        /// Which way they run.
+        run: Run = Run::Level,
+        /// About how wide one is; a whole number of them fills the place.
+        size: Mm = Mm(0.270),
+        /// Open joint between two.
+        gap: Mm = Mm(0.0),
+        /// How far the foot of each stands out over the next (clapboards).
+        lap: Mm = Mm(0.0),
+    }
+    /// Upright bars, counted.
+    Bars {
+        /// How many long ones.
+        count: u32 = 9,
+        /// Width of a long one.
+        size: Mm = Mm(0.020),
+        /// Clear width between neighbours, where it is given; else it follows from the count.
+        gap: Option<Mm> = None,
+        /// Short ones after each long one; also after the last.
+        children: u32 = 0,
+        /// Width of a short one.
+        childsize: Mm = Mm(0.018),
+        /// Share of the height cut away from the top of the short ones.
+        cut: f64 = 0.0,
+        /// Whether their edges are cut off, as of bars wound with rope and plastered.
+        round: bool = false,
+    }
+    /// Level bars, counted, spread evenly from the foot to the top.
+    Rails {
+        /// How many.
+        count: u32 = 2,
+        /// Height of one.
+        size: Mm = Mm(0.030),
+        /// Whether the first and last lie at the ends of the place.
+        ends: bool = false,
+    }
+    /// A frame inside the edges of the place.
+    Frame {
+        /// Width of its members.
+        size: Mm = Mm(0.040),
+        /// Which members there are.
+        sides: Sides = Sides::ALL,
+    }
+    /// Sliding leaves side by side, the left one in front.
+    Leaf {
+        /// How many.
+        leaves: u32 = 1,
+        /// Width of the stiles.
+        stile: Mm = Mm(0.040),
+        /// Height of the top and bottom rails.
+        rail: Mm = Mm(0.050),
+        /// Rails between.
+        rails: u32 = 0,
+        /// Their height.
+        railsize: Mm = Mm(0.024),
+        /// Upright bars.
+        bars: u32 = 0,
+        /// Their width.
+        barsize: Mm = Mm(0.015),
+        /// Panes side by side.
+        cols: u32 = 1,
+        /// Panes one above another.
+        rows: u32 = 1,
+        /// Width of the bars between panes.
+        muntin: Mm = Mm(0.012),
+        /// What fills it.
+        pane: SurfaceId = SurfaceId::named("boards"),
+        /// Height of boards at its foot.
+        dado: Mm = Mm(0.0),
+    }
+    /// A box in front of the wall, open at its sides, its front made of the children.
+    Oriel {
+        /// Bars at each side.
+        side: u32 = 0,
+        /// Thickness of its corner posts.
+        post: Mm = Mm(0.045),
+        /// How far its own little roof stands out; 0 = none.
+        eaves: Mm = Mm(0.0),
+        /// What covers the roof.
+        roof: SurfaceId = SurfaceId::named("board_roof"),
+        /// Whether it has a floor.
+        floor: bool = true,
+    }
+    /// Cloths side by side on a pole.
+    Cloth {
+        /// How many.
+        count: u32 = 3,
+        /// Width of one.
+        size: Mm = Mm(0.340),
+        /// How far it hangs.
+        drop: Mm = Mm(1.130),
+    }
+    /// Laths in an arc from the foot of the wall: inu-yarai.
+    Apron {
+        /// How many.
+        count: u32 = 25,
+        /// How far its foot stands out.
+        out: Mm = Mm(0.450),
+    }
+    /// A small roof along the place, both sides.
+    Coping {
+        /// How far it stands out beyond front and back.
+        out: Mm = Mm(0.150),
+        /// Rise in the horizontal.
+        pitch: f64 = 0.4,
+    }
+    /// A small roof in front of the place, its top edge at the top.
+    Hood {
+        /// Rise in the horizontal.
+        pitch: f64 = 0.3,
+    }
+    /// A wall at right angles to the facade with a little roof: udatsu.
+    Wing {
+        /// How far it stands out.
+        out: Mm = Mm(0.750),
+        /// What covers its roof.
+        roof: SurfaceId = SurfaceId::named("kawara_edge"),
+    }
+    /// Dark walls, ceiling and end of what lies behind an opening.
+    Depth {
+        /// How deep.
+        depth: Mm = Mm(3.0),
+    }
+    /// Raised plaster joints of a tile wall.
+    Namako {
+        /// How they run.
+        joints: Joints = Joints::Diagonal,
+        /// Side of a tile.
+        tile: Mm = Mm(0.270),
+        /// Width of a joint.
+        joint: Mm = Mm(0.036),
+    }
+    /// A grid of panels with open joints.
+    Panels {
+        /// About how wide one is.
+        width: Mm = Mm(0.900),
+        /// About how high one is.
+        height: Mm = Mm(1.800),
+        /// Joint.
+        gap: Mm = Mm(0.010),
+    }
+    /// Round studs in a grid.
+    Studs {
+        /// Side by side.
+        cols: u32 = 3,
+        /// One above another.
+        rows: u32 = 3,
+        /// Diameter.
+        size: Mm = Mm(0.040),
+    }
+    /// Frames one inside another, each farther back: the jambs of a storehouse.
+    Jambs {
+        /// How many.
+        count: u32 = 3,
+        /// Width and depth of a step.
+        size: Mm = Mm(0.040),
+    }
+    /// Leaves that stand open at right angles to the wall, stepped at their edges.
+    Open {
+        /// How far they reach out.
+        out: Mm = Mm(0.450),
+        /// Steps.
+        count: u32 = 3,
+        /// Which of them: l, r or both.
+        sides: Sides = Sides::ALL,
+    }
+    /// A post on the line.
+    Post {
+        /// Its side.
+        size: Mm = Mm(0.121),
+    }
+    /// Boards at the foot of a wall under a drip board.
+    Dado {
+        /// Width of a board.
+        size: Mm = Mm(0.240),
+    }
+}
+
+shapes! {
+    "box" Slab over Opening,
+    "wall" Wall over Bay,
+    "boards" Boards over Opening,
+    "bars" Bars over Opening,
+    "rails" Rails over Opening,
+    "frame" Frame over Opening,
+    "leaf" Leaf over Opening,
+    "oriel" Oriel over Opening,
+    "cloth" Cloth over Opening,
+    "apron" Apron over Bay,
+    "coping" Coping over Bay,
+    "hood" Hood over Opening,
+    "wing" Wing over Bay,
+    "depth" Depth over Opening,
+    "namako" Namako over Bay,
+    "panels" Panels over Bay,
+    "studs" Studs over Opening,
+    "jambs" Jambs over Opening,
+    "open" Open over Opening,
+    "post" Post over Bay,
+    "dado" Dado over Bay,
+}

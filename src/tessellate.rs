@@ -1,0 +1,196 @@
+//! The building in triangles: walls and parts in the tree house > storey > facade > part, roofs beside the
+//! storeys. After this no code, unit or region is left, only meshes with names.
+//!
+//! A mesh is made once for each part, width, height and neighbourhood, and shown as often as it stands
+//! somewhere: the cache lives through all houses of a run.
+
+mod apron;
+mod bars;
+mod bay;
+mod boards;
+mod ceiling;
+mod cloth;
+mod corner;
+mod facade;
+mod kura;
+mod leaf;
+mod member;
+mod mesh;
+mod namako;
+mod oriel;
+mod part;
+mod polygon;
+mod shelter;
+mod solid;
+mod store;
+
+use crate::ast::StoreyKind;
+use crate::building::{Building, Ceiling, House, HouseRoofs, Ring, Roof, Storey};
+use crate::catalog::Catalog;
+use crate::geometry::{Heading, SAME};
+use crate::scene::{Kind, Node, NodeId, Scene};
+use facade::Line;
+use glam::{DVec2, DVec3, dvec2, dvec3};
+use store::Store;
+
+/// Every house of a building as a scene. Pure; shares meshes among all houses.
+pub fn tessellate(building: &Building, catalog: &Catalog) -> Scene {
+    let mut walker = Walker {
+        catalog,
+        store: Store::default(),
+        nodes: Vec::with_capacity(nodes(building)),
+    };
+    let none = HouseRoofs::default();
+    for (i, house) in building.shell.houses.iter().enumerate() {
+        walker.house(house, building.roofs.get(i).unwrap_or(&none), i + 1);
+    }
+    let pictures = building.shell.pictures.iter();
+    Scene {
+        materials: walker.store.materials,
+        meshes: walker.store.meshes,
+        nodes: walker.nodes,
+        pictures: pictures.map(|p| p.path.clone()).collect(),
+    }
+}
+
+/// About how many nodes there will be: a part and a post a unit, and some members a wall.
+fn nodes(building: &Building) -> usize {
+    let houses = building.shell.houses.iter();
+    let rings = houses.flat_map(|h| &h.storeys).flat_map(|s| &s.rings);
+    let walls = rings.flat_map(|r| &r.walls);
+    let units: usize = walls.map(|w| 2 * w.units.len() + 5).sum();
+    units + 8 * building.shell.houses.len()
+}
+
+/// Walks over the building and writes nodes.
+struct Walker<'a> {
+    catalog: &'a Catalog,
+    store: Store,
+    nodes: Vec<Node>,
+}
+
+/// What walls of a storey have in common.
+#[derive(Clone, Copy)]
+struct Level<'a> {
+    house: &'a House,
+    storey: &'a Storey,
+    ceilings: &'a [Ceiling],
+    /// Metres from floor to top.
+    height: f64,
+    /// The storey's node.
+    node: NodeId,
+}
+
+impl Level<'_> {
+    /// Whether posts, plates and the like show.
+    fn framed(&self) -> bool {
+        self.storey.kind == StoreyKind::Storey
+    }
+
+    /// Whether the storey stands on the ground.
+    fn grounded(&self) -> bool {
+        self.framed() && self.storey.number == 1 && self.storey.z0.abs() < SAME
+    }
+}
+
+/// No turn.
+const STRAIGHT: DVec2 = DVec2::X;
+
+impl Walker<'_> {
+    /// Adds a node without a label.
+    fn node(&mut self, parent: Option<NodeId>, kind: Kind, name: String, at: DVec3) -> &mut Node {
+        self.nodes.push(Node {
+            parent,
+            kind,
+            name,
+            at,
+            turn: STRAIGHT,
+            mesh: None,
+            code: None,
+            storey: None,
+            span: None,
+            shape: None,
+        });
+        self.nodes.last_mut().expect("just pushed")
+    }
+
+    /// The number of the node added last.
+    fn last(&self) -> NodeId {
+        NodeId(self.nodes.len() as u32 - 1)
+    }
+
+    fn house(&mut self, house: &House, roofs: &HouseRoofs, number: usize) {
+        let name = match house.name.as_str() {
+            "" => format!("house {number}"),
+            name => format!("house {name}"),
+        };
+        let [x, y, z] = house.origin;
+        let node = self.node(None, Kind::House, name, dvec3(x, y, z));
+        // The compass runs clockwise, rotations run the other way; 180 is a front to the south.
+        node.turn = Heading::new(180.0 - house.azimuth).vector();
+        node.span = Some(house.span);
+        let root = self.last();
+        for storey in &house.storeys {
+            self.storey(root, house, storey, &roofs.ceilings);
+        }
+        for (i, roof) in roofs.roofs.iter().enumerate() {
+            self.roof(root, roof, i + 1);
+        }
+    }
+
+    fn storey(&mut self, root: NodeId, house: &House, storey: &Storey, ceilings: &[Ceiling]) {
+        let word = match storey.kind {
+            StoreyKind::Storey => "storey",
+            StoreyKind::Parapet => "parapet",
+        };
+        let name = format!("{word} {}", storey.number);
+        let at = dvec3(0.0, 0.0, storey.z0);
+        let node = self.node(Some(root), Kind::Storey, name, at);
+        node.storey = Some(storey.number);
+        node.span = Some(storey.span);
+        let level = Level {
+            house,
+            storey,
+            ceilings,
+            height: storey.z1 - storey.z0,
+            node: self.last(),
+        };
+        for ring in &storey.rings {
+            self.ring(level, ring);
+        }
+    }
+
+    /// The walls of a ring; each draws the corner at its start.
+    fn ring(&mut self, level: Level<'_>, ring: &Ring) {
+        let lines: Vec<Line<'_>> = ring
+            .walls
+            .iter()
+            .map(|wall| Line::new(self.catalog, level, wall))
+            .collect();
+        let n = lines.len();
+        for (i, line) in lines.iter().enumerate() {
+            let before = &lines[(i + n - 1) % n];
+            let after = &lines[(i + 1) % n];
+            let meets = |a: &Line<'_>, b: &Line<'_>| a.wall.to.distance(b.wall.from) < SAME;
+            let before = meets(before, line).then_some(before);
+            let after = meets(line, after).then_some(after);
+            self.facade(level, line, before, after);
+        }
+    }
+
+    fn roof(&mut self, root: NodeId, roof: &Roof, number: usize) {
+        let mesh = self.store.roof(roof, number);
+        let name = format!("roof {number}");
+        let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
+        node.mesh = mesh;
+        node.storey = Some(roof.storey);
+        node.span = roof.span;
+        node.shape = Some(roof.shape.letters());
+    }
+}
+
+/// The rotation of a wall's frame in the house: x to the right seen from outside.
+fn turn_of(direction: DVec2) -> DVec2 {
+    // The walk runs to the left: right is (-east, north) of its mirrored direction.
+    dvec2(direction.x, -direction.y)
+}

@@ -1,0 +1,165 @@
+//! Counted bars and rails, frames and studs: the lattices.
+
+use super::bay::{Bay, Layer, Rect};
+use super::mesh::Axis;
+use crate::catalog::body::{Bars, Place, Rails, Studs};
+use crate::catalog::value::Sides;
+use crate::material::SurfaceId;
+use glam::{DVec2, dvec2};
+
+/// Where bars stand: their left ends and widths, and whether they are short.
+pub(super) struct Row {
+    pub(super) bars: Vec<(f64, f64, bool)>,
+}
+
+/// Spreads groups of one long bar and its short ones evenly, gaps at both ends too. The count is kept:
+/// where the widths do not fit (the sheet's sizes are of lattices without posts), bars and gaps shrink
+/// alike.
+pub(super) fn spread(bars: &Bars, x0: f64, x1: f64) -> Row {
+    let long = bars.count as usize;
+    let short = bars.children as usize;
+    let count = long * (1 + short);
+    let (size, child) = (bars.size.0, bars.childsize.0);
+    let wood = long as f64 * (size + short as f64 * child);
+    let gaps = (count + 1) as f64;
+    // Gaps of less than a third of the bar would make a wall of it.
+    let least = bars.gap.map_or(size / 3.0, |g| g.0);
+    let scale = ((x1 - x0) / (wood + gaps * least)).min(1.0);
+    let gap = ((x1 - x0) - wood * scale) / gaps;
+    let mut row = Row {
+        bars: Vec::with_capacity(count),
+    };
+    let mut x = x0 + gap;
+    for i in 0..count {
+        let is_short = i % (1 + short) != 0;
+        let width = scale * if is_short { child } else { size };
+        row.bars.push((x, width, is_short));
+        x += width + gap;
+    }
+    row
+}
+
+/// Upright bars; short ones end below the top.
+pub(super) fn bars(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect) {
+    let layer = Layer::from(place);
+    for (x, width, short) in spread(bars, rect.x0, rect.x1).bars {
+        let cut = if short { bars.cut * rect.height() } else { 0.0 };
+        let bar = Rect {
+            x0: x,
+            x1: x + width,
+            z0: rect.z0,
+            z1: rect.z1 - cut,
+        };
+        if bars.round {
+            round_bar(bay, place.finish, bar, layer);
+        } else {
+            bay.block(place.finish, bar, layer);
+        }
+    }
+}
+
+/// A bar of eight sides.
+fn round_bar(bay: &mut Bay<'_>, finish: SurfaceId, bar: Rect, layer: Layer) {
+    let (x0, x1) = (bar.x0, bar.x1);
+    let (y0, y1) = (-layer.front, layer.thick - layer.front);
+    let c = bar.width().min(layer.thick) * 0.29;
+    let outline = [
+        dvec2(x0 + c, y0),
+        dvec2(x1 - c, y0),
+        dvec2(x1, y0 + c),
+        dvec2(x1, y1 - c),
+        dvec2(x1 - c, y1),
+        dvec2(x0 + c, y1),
+        dvec2(x0, y1 - c),
+        dvec2(x0, y0 + c),
+    ];
+    bay.bodies.prism(finish, &outline, Axis::Z, bar.z0, bar.z1);
+}
+
+/// The middles of a number of pieces between two ends.
+pub(super) fn middles(count: u32, lo: f64, hi: f64, ends: bool) -> impl Iterator<Item = f64> {
+    let n = f64::from(count);
+    (0..count).map(move |i| {
+        let share = if !ends {
+            (f64::from(i) + 1.0) / (n + 1.0)
+        } else if count > 1 {
+            f64::from(i) / (n - 1.0)
+        } else {
+            0.5
+        };
+        lo + (hi - lo) * share
+    })
+}
+
+/// Level bars.
+pub(super) fn rails(bay: &mut Bay<'_>, rails: &Rails, place: &Place, rect: Rect) {
+    let half = rails.size.0 / 2.0;
+    let (lo, hi) = match rails.ends {
+        true => (rect.z0 + half, rect.z1 - half),
+        false => (rect.z0, rect.z1),
+    };
+    for z in middles(rails.count, lo, hi, rails.ends) {
+        bay.block(
+            place.finish,
+            rect.between(z - half, z + half),
+            Layer::from(place),
+        );
+    }
+}
+
+/// Members inside the edges of a rectangle: the level ones run through, the upright ones stand between.
+pub(super) fn frame(bay: &mut Bay<'_>, size: f64, sides: Sides, place: &Place, rect: Rect) {
+    let layer = Layer::from(place);
+    let (z0, z1) = (rect.z0 + size, rect.z1 - size);
+    let low = if sides.bottom { z0 } else { rect.z0 };
+    let high = if sides.top { z1 } else { rect.z1 };
+    if high <= low {
+        bay.block(place.finish, rect, layer);
+        return;
+    }
+    if sides.bottom {
+        bay.block(place.finish, rect.between(rect.z0, z0), layer);
+    }
+    if sides.top {
+        bay.block(place.finish, rect.between(z1, rect.z1), layer);
+    }
+    if sides.left {
+        bay.block(
+            place.finish,
+            rect.across(rect.x0, rect.x0 + size).between(low, high),
+            layer,
+        );
+    }
+    if sides.right {
+        bay.block(
+            place.finish,
+            rect.across(rect.x1 - size, rect.x1).between(low, high),
+            layer,
+        );
+    }
+}
+
+/// Round heads in a grid.
+pub(super) fn studs(bay: &mut Bay<'_>, studs: &Studs, place: &Place, rect: Rect) {
+    let r = studs.size.0 / 2.0;
+    // A regular octagon: half its side is 0.414 of its half width.
+    let (a, b) = (r, r * 0.414_213_562_373_095);
+    let layer = Layer::from(place);
+    for x in middles(studs.cols, rect.x0, rect.x1, false) {
+        for z in middles(studs.rows, rect.z0, rect.z1, false) {
+            let ring = [
+                (a, b),
+                (b, a),
+                (-b, a),
+                (-a, b),
+                (-a, -b),
+                (-b, -a),
+                (b, -a),
+                (a, -b),
+            ];
+            let outline: Vec<DVec2> = ring.iter().map(|(u, v)| dvec2(z + u, x + v)).collect();
+            let (y0, y1) = (-layer.front, layer.thick - layer.front);
+            bay.bodies.prism(place.finish, &outline, Axis::Y, y0, y1);
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! Fillers at convex corners of walls without posts: without them the outer faces of two panels that end
+//! on their centre lines leave a notch.
+
+use super::facade::{Line, Stand};
+use super::mesh::{Axis, Bodies};
+use super::store::Share;
+use super::{Level, Walker, turn_of};
+use crate::catalog::Stance;
+use crate::material::SurfaceId;
+use crate::program::Content;
+use crate::scene::{Kind, NodeId};
+use glam::{DVec2, DVec3, dvec2};
+
+/// Mitres longer than so many faces are cut off: sharp corners of unlike walls.
+const LONGEST: f64 = 4.0;
+
+impl Walker<'_> {
+    /// The filler at the start of a wall, where one is needed.
+    pub(super) fn corners(
+        &mut self,
+        level: Level<'_>,
+        facade: NodeId,
+        line: &Line<'_>,
+        before: Option<&Line<'_>>,
+    ) {
+        let Some(before) = before else { return };
+        let (Some(last), Some(first)) = (before.end(true), line.end(false)) else {
+            return;
+        };
+        if last.stance == Stance::Posts && first.stance == Stance::Posts {
+            return;
+        }
+        let Some(outline) = mitre(before, line, last.face, first.face) else {
+            return;
+        };
+        let top = last.tops.1.min(first.tops.0);
+        let mut bodies = Bodies::default();
+        bodies.prism(self.finish(first), &outline, Axis::Z, 0.0, top);
+        let mesh = self.store.finish("corner".into(), bodies, Share::default());
+        let mesh = self.store.push(mesh);
+        let node = self.node(Some(facade), Kind::Member, "corner".into(), DVec3::ZERO);
+        node.mesh = Some(mesh);
+        node.storey = Some(level.storey.number);
+    }
+
+    /// What a corner beside a unit is made of.
+    fn finish(&self, stand: &Stand<'_>) -> SurfaceId {
+        match &stand.unit.content {
+            Content::Part(id) => {
+                let part = self.catalog.part(*id);
+                let wall = part.body.first().map(|e| e.place.finish);
+                match part.from {
+                    // Panels over a dark ground show at the corner, not the ground.
+                    None => part.finish.or(wall).unwrap_or(stand.around),
+                    Some(_) => stand.around,
+                }
+            }
+            _ => SurfaceId::named("mortar"),
+        }
+    }
+}
+
+/// The kite between the ends of two outer faces, `f1` and `f2` from their centre lines, in the frame of
+/// the second wall; `None` at straight and reflex corners.
+fn mitre(before: &Line<'_>, line: &Line<'_>, f1: f64, f2: f64) -> Option<Vec<DVec2>> {
+    let (a, b) = (turn_of(before.wall.direction), turn_of(line.wall.direction));
+    // The first wall's rotation seen from the second.
+    let (cos, sin) = (a.dot(b), b.perp_dot(a));
+    if sin < 1e-4 {
+        return None;
+    }
+    let (n1, n2) = (dvec2(sin, -cos), dvec2(0.0, -1.0));
+    let apex = dvec2((f1 - cos * f2) / sin, -f2);
+    let mut outline = vec![DVec2::ZERO, n2 * f2];
+    if apex.length() < LONGEST * f1.max(f2) && apex.x >= 0.0 {
+        outline.push(apex);
+    }
+    outline.push(n1 * f1);
+    Some(outline)
+}

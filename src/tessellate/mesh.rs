@@ -1,0 +1,149 @@
+//! Closed bodies from polygons: boxes, prisms, polyhedra. Every face is flat, has its own vertices, a unit
+//! normal, and texture coordinates in metres.
+
+use super::polygon;
+use crate::material::SurfaceId;
+use glam::{DVec2, DVec3, dvec2, dvec3};
+
+/// Triangles in one surface, before the scene has a material for it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Soup {
+    pub(super) positions: Vec<[f32; 3]>,
+    pub(super) normals: Vec<[f32; 3]>,
+    pub(super) uvs: Vec<[f32; 2]>,
+    pub(super) indices: Vec<u32>,
+}
+
+/// Bodies under construction, a soup each surface in the order of first use.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Bodies {
+    pub(super) soups: Vec<(SurfaceId, Soup)>,
+}
+
+/// Faces thinner than this, in metres, are left out of a body.
+pub(super) const THIN: f64 = 1e-3;
+
+impl Bodies {
+    /// The soup of a surface.
+    fn soup(&mut self, finish: SurfaceId) -> &mut Soup {
+        let at = self.soups.iter().position(|(f, _)| *f == finish);
+        let at = at.unwrap_or_else(|| {
+            self.soups.push((finish, Soup::default()));
+            self.soups.len() - 1
+        });
+        &mut self.soups[at].1
+    }
+
+    /// A box between two corners; nothing where it is too thin to see.
+    pub(super) fn block(&mut self, finish: SurfaceId, lo: DVec3, hi: DVec3) {
+        if (hi - lo).min_element() < THIN {
+            return;
+        }
+        let outline = [
+            dvec2(lo.x, lo.y),
+            dvec2(hi.x, lo.y),
+            dvec2(hi.x, hi.y),
+            dvec2(lo.x, hi.y),
+        ];
+        self.prism(finish, &outline, Axis::Z, lo.z, hi.z);
+    }
+
+    /// A polygon drawn along an axis, either way round; its corners are (x, y) for z, (y, z) for x,
+    /// (z, x) for y.
+    pub(super) fn prism(
+        &mut self,
+        finish: SurfaceId,
+        outline: &[DVec2],
+        axis: Axis,
+        lo: f64,
+        hi: f64,
+    ) {
+        let at = |p: DVec2, t: f64| match axis {
+            Axis::X => dvec3(t, p.x, p.y),
+            Axis::Y => dvec3(p.y, t, p.x),
+            Axis::Z => dvec3(p.x, p.y, t),
+        };
+        let mut outline = outline.to_vec();
+        if crate::geometry::area2(&outline) < 0.0 {
+            outline.reverse();
+        }
+        let n = outline.len();
+        let top: Vec<DVec3> = outline.iter().map(|p| at(*p, hi)).collect();
+        let foot: Vec<DVec3> = outline.iter().rev().map(|p| at(*p, lo)).collect();
+        self.face(finish, &top);
+        self.face(finish, &foot);
+        for i in 0..n {
+            let (p, q) = (outline[i], outline[(i + 1) % n]);
+            self.face(finish, &[at(p, lo), at(q, lo), at(q, hi), at(p, hi)]);
+        }
+    }
+
+    /// A plane polygon, counter-clockwise seen from outside.
+    pub(super) fn face(&mut self, finish: SurfaceId, corners: &[DVec3]) {
+        let grain = grain_along(finish);
+        self.soup(finish).face(corners, grain);
+    }
+}
+
+/// Along which axis a polygon is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+/// Whether the picture has a grain that runs along a member.
+pub(super) fn grain_along(finish: SurfaceId) -> bool {
+    matches!(
+        finish.surface().picture,
+        Some("cedar" | "cedar_board" | "bamboo" | "charred")
+    )
+}
+
+impl Soup {
+    /// A plane polygon with its triangles. With `grain` the picture's v axis follows the longer side.
+    pub(super) fn face(&mut self, corners: &[DVec3], grain: bool) {
+        let normal = polygon::normal(corners);
+        if normal == DVec3::ZERO {
+            return;
+        }
+        let (right, up) = axes(normal);
+        let flat = |p: &DVec3| dvec2(right.dot(*p), up.dot(*p));
+        let turned = grain && lies(corners.iter().map(flat));
+        let first = self.positions.len() as u32;
+        let small = normal.as_vec3().to_array();
+        for corner in corners {
+            let uv = flat(corner);
+            // A quarter turn, not a mirror image: the picture's normals keep their sense.
+            let uv = if turned { dvec2(-uv.y, uv.x) } else { uv };
+            self.positions.push(corner.as_vec3().to_array());
+            self.normals.push(small);
+            self.uvs.push(uv.as_vec2().to_array());
+        }
+        polygon::triangulate(corners, normal, |triangle| {
+            self.indices.extend(triangle.map(|i| first + i));
+        });
+    }
+}
+
+/// The axes of a face: right along its level line, and up its slope; on level faces x and y.
+pub(super) fn axes(normal: DVec3) -> (DVec3, DVec3) {
+    let level = dvec2(normal.x, normal.y).length();
+    if level < 1e-6 {
+        return (DVec3::X, DVec3::Y * normal.z.signum());
+    }
+    let right = dvec3(-normal.y / level, normal.x / level, 0.0);
+    (right, normal.cross(right))
+}
+
+/// Whether points spread farther in x than in y.
+fn lies(points: impl Iterator<Item = DVec2>) -> bool {
+    let (mut lo, mut hi) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    for p in points {
+        lo = lo.min(p);
+        hi = hi.max(p);
+    }
+    let size = hi - lo;
+    size.x > size.y
+}

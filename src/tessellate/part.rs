@@ -1,0 +1,128 @@
+//! The shape of a part: the small walls round its opening, then its bodies one by one.
+
+use super::bay::{Bay, Layer, Rect};
+use super::mesh::Bodies;
+use super::{apron, bars, boards, cloth, kura, leaf, namako, oriel, shelter};
+use crate::catalog::body::{Element, Place, Shape};
+use crate::catalog::{Below, PartDef, Stance};
+use crate::geometry::SHAKU;
+use crate::material::SurfaceId;
+
+/// Height of a dado under an opening, metres: three shaku.
+const DADO: f64 = 3.0 * SHAKU;
+
+/// The plain wall of a stance.
+pub(super) fn wall_layer(stance: Stance) -> Layer {
+    match stance {
+        Stance::Bare => Layer {
+            front: 0.090,
+            thick: 0.180,
+        },
+        Stance::Modern => Layer {
+            front: 0.075,
+            thick: 0.150,
+        },
+        _ => Layer {
+            front: 0.045,
+            thick: 0.070,
+        },
+    }
+}
+
+/// How far the outermost plane of a part's wall lies from the centre line: what meets at corners.
+pub(super) fn face(part: &PartDef) -> f64 {
+    let walls = part.body.iter().filter(|e| {
+        let panels = matches!(e.shape, Shape::Wall(_) | Shape::Panels(_) | Shape::Frame(_));
+        panels && (part.from.is_none() || part.stance == Stance::Fence)
+    });
+    let front = walls.map(|e| e.place.front.0).reduce(f64::max);
+    front.unwrap_or(wall_layer(part.stance).front)
+}
+
+/// All bodies of a part in its bay.
+pub(super) fn build(mut bay: Bay<'_>) -> Bodies {
+    if bay.part.from.is_some() {
+        surround(&mut bay);
+    }
+    let part = bay.part;
+    elements(&mut bay, &part.body, None);
+    bay.bodies
+}
+
+/// The elements of a list, inside a rectangle where their parent has one.
+pub(super) fn elements(bay: &mut Bay<'_>, list: &[Element], inside: Option<Rect>) {
+    for element in list {
+        if let Some(rect) = bay.rect(&element.place, inside) {
+            one(bay, element, rect);
+        }
+    }
+}
+
+/// One element, by its builder.
+fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
+    let place = &element.place;
+    let layer = Layer::from(place);
+    match &element.shape {
+        Shape::Slab(_) => bay.block(place.finish, rect, layer),
+        Shape::Wall(wall) => boards::wall(bay, wall, place, rect),
+        Shape::Boards(b) => boards::boards(bay, b, place, rect),
+        Shape::Dado(d) => boards::dado(bay, d.size.0, place.finish, layer, rect),
+        Shape::Panels(p) => boards::panels(bay, p, place, rect),
+        Shape::Bars(b) => bars::bars(bay, b, place, rect),
+        Shape::Rails(r) => bars::rails(bay, r, place, rect),
+        Shape::Frame(f) => bars::frame(bay, f.size.0, f.sides, place, rect),
+        Shape::Studs(s) => bars::studs(bay, s, place, rect),
+        Shape::Leaf(l) => leaf::leaves(bay, l, place, rect),
+        Shape::Oriel(o) => oriel::oriel(bay, o, element, rect),
+        Shape::Hood(h) => shelter::hood(bay, h.pitch, place, rect),
+        Shape::Coping(c) => shelter::coping(bay, c, place, rect),
+        Shape::Wing(w) => shelter::wing(bay, w, place, rect),
+        Shape::Cloth(c) => cloth::cloth(bay, c, place, rect),
+        Shape::Apron(a) => apron::apron(bay, a, place, rect),
+        Shape::Namako(n) => namako::namako(bay, n, place, rect),
+        Shape::Depth(d) => kura::depth(bay, d.depth.0, place.finish, rect),
+        Shape::Jambs(j) => kura::jambs(bay, j, place, rect),
+        Shape::Open(o) => kura::open(bay, o, place, rect),
+        Shape::Post(p) => post(bay, p.size.0, place),
+    }
+}
+
+/// Walls above, below and beside an opening.
+fn surround(bay: &mut Bay<'_>) {
+    let part = bay.part;
+    let (whole, opening, finish) = (bay.whole(), bay.opening, bay.around);
+    let layer = wall_layer(part.stance);
+    if part.above {
+        bay.block(finish, whole.between(opening.z1, whole.z1), layer);
+    }
+    if part.clear.is_some() {
+        let beside = whole.between(opening.z0, opening.z1);
+        bay.block(finish, beside.across(0.0, opening.x0), layer);
+        bay.block(finish, beside.across(opening.x1, whole.x1), layer);
+    }
+    if part.below == Below::Open {
+        return;
+    }
+    bay.block(finish, whole.between(0.0, opening.z0), layer);
+    if part.below == Below::Dado {
+        let dado = bay.clear.between(0.0, opening.z0.min(DADO));
+        let layer = Layer {
+            front: 0.055,
+            thick: 0.025,
+        };
+        boards::dado(bay, 0.240, SurfaceId::named("boards"), layer, dado);
+    }
+}
+
+/// A post on the line, from the floor to the top.
+fn post(bay: &mut Bay<'_>, size: f64, place: &Place) {
+    let rect = bay.whole().across(-size / 2.0, size / 2.0);
+    bay.block(
+        place.finish,
+        rect,
+        Layer {
+            front: size / 2.0,
+            thick: size,
+        },
+    );
+}

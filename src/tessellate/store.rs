@@ -1,0 +1,229 @@
+//! Meshes and materials of the scene, each made once.
+
+use super::bay::Bay;
+use super::mesh::{Bodies, Soup};
+use super::part;
+use crate::building::Roof;
+use crate::catalog::{PartDef, PartId};
+use crate::material::SurfaceId;
+use crate::scene::{Image, Material, MaterialId, Mesh, MeshId, Primitive};
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hasher};
+
+/// What a mesh depends on. Lengths in tenths of a millimetre.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Key {
+    /// A part of the catalogue.
+    Part(PartKey),
+    /// A part picture: number, width, height, share.
+    Picture([u32; 4]),
+    /// A post: side, height.
+    Post([u32; 2]),
+    /// A level member: kind and length.
+    Member(u8, u32),
+}
+
+/// What the mesh of a part depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct PartKey {
+    pub(super) part: u16,
+    pub(super) around: SurfaceId,
+    pub(super) share: Share,
+    /// Width, height, foot and top of the opening.
+    pub(super) size: [u32; 4],
+}
+
+/// A share of light in thousandths; what mirrors nothing has none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Share(pub(super) u16);
+
+impl Share {
+    /// A share between 0 and 1.
+    pub(super) fn new(share: f64) -> Share {
+        Share((share.clamp(0.0, 1.0) * 1000.0).round() as u16)
+    }
+
+    fn value(self) -> f32 {
+        f32::from(self.0) / 1000.0
+    }
+}
+
+/// A length in tenths of a millimetre.
+pub(super) fn tenths(metres: f64) -> u32 {
+    (metres * 10_000.0).round().max(0.0) as u32
+}
+
+/// A quick hash of small numbers; the map is never walked, so that its order cannot matter.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Quick(u64);
+
+impl Hasher for Quick {
+    fn finish(&self) -> u64 {
+        self.0
+    }
+
+    fn write(&mut self, bytes: &[u8]) {
+        for chunk in bytes.chunks(8) {
+            let mut word = [0; 8];
+            word[..chunk.len()].copy_from_slice(chunk);
+            self.write_u64(u64::from_le_bytes(word));
+        }
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        self.0 = (self.0.rotate_left(26) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    }
+
+    fn write_u8(&mut self, n: u8) {
+        self.write_u64(u64::from(n));
+    }
+
+    fn write_u16(&mut self, n: u16) {
+        self.write_u64(u64::from(n));
+    }
+
+    fn write_u32(&mut self, n: u32) {
+        self.write_u64(u64::from(n));
+    }
+
+    fn write_usize(&mut self, n: usize) {
+        self.write_u64(n as u64);
+    }
+}
+
+/// What a material shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Look {
+    Surface(SurfaceId, Share),
+    Picture(u32, Share),
+}
+
+/// Meshes and materials.
+#[derive(Debug, Default)]
+pub(super) struct Store {
+    pub(super) materials: Vec<Material>,
+    pub(super) meshes: Vec<Mesh>,
+    looks: Vec<Look>,
+    cache: HashMap<Key, MeshId, BuildHasherDefault<Quick>>,
+}
+
+impl Store {
+    /// The mesh of a key, made if it is new.
+    pub(super) fn mesh(&mut self, key: Key, make: impl FnOnce(&mut Store) -> Mesh) -> MeshId {
+        if let Some(id) = self.cache.get(&key) {
+            return *id;
+        }
+        let mesh = make(self);
+        let id = self.push(mesh);
+        self.cache.insert(key, id);
+        id
+    }
+
+    /// A mesh of its own.
+    pub(super) fn push(&mut self, mesh: Mesh) -> MeshId {
+        self.meshes.push(mesh);
+        MeshId(self.meshes.len() as u32 - 1)
+    }
+
+    /// The mesh of a part.
+    pub(super) fn part(&mut self, id: PartId, part: &PartDef, key: PartKey) -> MeshId {
+        debug_assert_eq!(id.0, key.part);
+        self.mesh(Key::Part(key), |store| {
+            // The mesh is made from the key alone, so that it cannot depend on anything else.
+            let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
+            let bay = Bay::new(part, (width, height), (z0, z1), key.around);
+            let name = part.code().trim_end().to_owned();
+            store.finish(name, part::build(bay), key.share)
+        })
+    }
+
+    /// Bodies as a mesh of the scene; their glass mirrors this share.
+    pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
+        let primitives = bodies.soups.into_iter().map(|(finish, soup)| {
+            let material = self.surface(finish, share);
+            primitive(material, soup)
+        });
+        let primitives = primitives.collect();
+        Mesh { name, primitives }
+    }
+
+    /// One mesh of all solids of a roof; `None` where it has none.
+    pub(super) fn roof(&mut self, roof: &Roof, number: usize) -> Option<MeshId> {
+        let soups = super::solid::soups(roof);
+        if soups.is_empty() {
+            return None;
+        }
+        let primitives = soups.into_iter().map(|(finish, soup)| {
+            let material = self.surface(finish, Share::default());
+            primitive(material, soup)
+        });
+        let primitives = primitives.collect();
+        let name = format!("roof {number}");
+        Some(self.push(Mesh { name, primitives }))
+    }
+
+    /// The material of a surface; what is no glass shares one whatever mirrors.
+    pub(super) fn surface(&mut self, id: SurfaceId, share: Share) -> MaterialId {
+        let surface = id.surface();
+        let share = if surface.glass {
+            share
+        } else {
+            Share::default()
+        };
+        self.material(Look::Surface(id, share), || Material {
+            name: match share.0 {
+                0 => surface.name.to_owned(),
+                per_mille => format!("{} {}.{}%", surface.name, per_mille / 10, per_mille % 10),
+            },
+            image: surface.picture.map_or(Image::None, Image::Surface),
+            tint: surface.tint,
+            roughness: surface.roughness,
+            metallic: surface.metallic,
+            double_sided: surface.thin,
+            reflection: surface.glass.then(|| share.value()),
+        })
+    }
+
+    /// The material of a part picture.
+    pub(super) fn picture(&mut self, number: u32, share: Share) -> MaterialId {
+        self.material(Look::Picture(number, share), || Material {
+            name: match share.0 {
+                0 => format!("picture {}", number + 1),
+                n => format!("picture {} {}.{}%", number + 1, n / 10, n % 10),
+            },
+            image: Image::Picture(number),
+            tint: [1.0; 4],
+            roughness: if share.0 == 0 { 0.8 } else { 0.3 },
+            metallic: 0.0,
+            double_sided: false,
+            reflection: (share.0 > 0).then(|| share.value()),
+        })
+    }
+
+    fn material(&mut self, look: Look, make: impl FnOnce() -> Material) -> MaterialId {
+        let at = self.looks.iter().position(|l| *l == look);
+        let at = at.unwrap_or_else(|| {
+            self.looks.push(look);
+            self.materials.push(make());
+            self.looks.len() - 1
+        });
+        MaterialId(at as u32)
+    }
+}
+
+/// A soup in its material.
+pub(super) fn primitive(material: MaterialId, soup: Soup) -> Primitive {
+    let Soup {
+        positions,
+        normals,
+        uvs,
+        indices,
+    } = soup;
+    Primitive {
+        material,
+        positions,
+        normals,
+        uvs,
+        indices,
+    }
+}

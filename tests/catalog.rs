@@ -1,0 +1,137 @@
+//! The built-in catalogue: every part is there with its name and width, and codes are found.
+
+use hsd::ast::CodeText;
+use hsd::catalog::{Catalog, Era};
+
+fn codes(catalog: &Catalog, ids: &[hsd::catalog::PartId]) -> Vec<String> {
+    let code = |id: &hsd::catalog::PartId| catalog.part(*id).code().to_owned();
+    ids.iter().map(code).collect()
+}
+
+#[test]
+fn every_part_is_found_by_its_code() {
+    let catalog = Catalog::builtin();
+    assert_eq!(catalog.parts().len(), 82);
+    for part in catalog.parts() {
+        let id = catalog.find(&CodeText::new(part.code())).expect("found");
+        assert_eq!(catalog.part(id).code(), part.code());
+        assert_eq!(part.code().len(), 5);
+        assert!([0.0, 0.5, 1.0, 2.0].contains(&part.width()), "{part:?}");
+        assert!("KTMGHAN ".contains(part.class()));
+        assert!(!part.ja.is_empty() && !part.romaji.is_empty() && !part.en.is_empty());
+    }
+}
+
+#[test]
+fn the_fifth_column_is_the_width() {
+    for part in Catalog::builtin().parts() {
+        let width = match part.code().chars().nth(4).expect("five columns") {
+            ' ' => 1.0,
+            'h' => 0.5,
+            digit => f64::from(digit.to_digit(10).expect("a digit")),
+        };
+        assert_eq!(part.width(), width, "{}", part.code());
+    }
+}
+
+#[test]
+fn the_void_has_two_spellings() {
+    let catalog = Catalog::builtin();
+    let void = catalog.find(&CodeText::new("")).expect("void");
+    assert_eq!(catalog.find(&CodeText::new(".....")), Some(void));
+    assert!(catalog.is_void(void));
+    assert_eq!(
+        catalog.parts().iter().filter(|p| p.class() == ' ').count(),
+        1
+    );
+    assert_eq!(catalog.find(&CodeText::new("XYZ")), None);
+    assert_eq!(catalog.find(&CodeText::new("a long name")), None);
+}
+
+#[test]
+fn spellings_are_guessed() {
+    let catalog = Catalog::builtin();
+    let nearest = |code: &str| codes(catalog, &catalog.nearest(code));
+    assert_eq!(nearest("gsi")[0], "GSI  ");
+    assert_eq!(nearest("TIT2")[0], "TIT 2");
+    assert_eq!(nearest("GKK")[0], "GKK h");
+    assert_eq!(nearest("KSN")[0], "KSK  ");
+    assert!(nearest("GIS").contains(&"GSI  ".to_owned()));
+    assert!(nearest("KSN").len() <= 3);
+    assert!(nearest("Q%&/x").is_empty());
+    assert!(nearest("").is_empty());
+    assert!(nearest("    ").is_empty());
+}
+
+#[test]
+fn eras_and_extents() {
+    let catalog = Catalog::builtin();
+    let part = |code: &str| catalog.part(catalog.find(&CodeText::new(code)).expect("known"));
+    assert_eq!(part("NGC").era, Era::Modern);
+    assert_eq!(part("MGA").era, Era::Meiji);
+    assert_eq!((part("GSI").from, part("GSI").to), (Some(0.8), Some(5.8)));
+    assert_eq!(part("KSK").from, None);
+    // Metres become shaku: 0.9 m = 2.97 shaku.
+    assert!((part("NAS 2").from.expect("a window") - 2.97).abs() < 1e-9);
+    let json = serde_json::to_value(part("GSI")).expect("json");
+    assert_eq!(json["code"], "GSI  ");
+    assert_eq!(json["era"], "E");
+    assert_eq!(json["weathering"], "WB");
+}
+
+#[test]
+fn a_broken_catalogue_is_an_error() {
+    let error = |body: &str| Catalog::read(&format!("<Catalog>{body}</Catalog>")).err();
+    let head = r#"ja="x" romaji="x" en="x" width="1""#;
+    assert_eq!(error(&format!(r#"<PartDef code="AAA  " {head}/>"#)), None);
+    for body in [
+        format!(r#"<PartDef code="AAA" {head}/>"#),
+        r#"<PartDef code="AAA  "/>"#.to_owned(),
+        format!(r#"<PartDef code="AAA  " {head} colour="red"/>"#),
+        format!(r#"<PartDef code="AAA  " {head}/><PartDef code="AAA  " {head}/>"#),
+        format!(r#"<PartDef code="AAA  " {head}><ball/></PartDef>"#),
+        format!(r#"<PartDef code="AAA  " {head}><wall front="thick"/></PartDef>"#),
+        format!(r#"<PartDef code="AAA  " {head}><wall weight="3"/></PartDef>"#),
+        format!(r#"<PartDef code="AAA  " {head}><wall finish="gold"/></PartDef>"#),
+        format!(r#"<PartDef code="AAA  " {head}>"#),
+        "<wall/>".to_owned(),
+    ] {
+        assert!(error(&body).is_some(), "{body}");
+    }
+}
+
+/// Compares with the sheet of parts where it lies beside the repository.
+#[test]
+fn the_sheet_agrees() {
+    let sheet = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/spec/parts.csv");
+    let Ok(sheet) = std::fs::read_to_string(sheet) else {
+        return;
+    };
+    let catalog = Catalog::builtin();
+    let mut rows = 0;
+    for (row, part) in sheet.lines().skip(1).zip(catalog.parts()) {
+        let fields = fields(row);
+        assert_eq!(fields[0], part.code());
+        assert_eq!(fields[1], &*part.ja);
+        assert_eq!(fields[2], &*part.romaji);
+        assert_eq!(fields[4].parse(), Ok(part.width()), "{row}");
+        assert_eq!(fields[8], part.era.word(), "{row}");
+        assert_eq!(fields[9].trim_matches('-'), &*part.weathering, "{row}");
+        rows += 1;
+    }
+    assert_eq!(rows, 82);
+}
+
+/// The fields of a row of comma-separated values.
+fn fields(row: &str) -> Vec<String> {
+    let mut fields = vec![String::new()];
+    let mut quoted = false;
+    for c in row.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            ',' if !quoted => fields.push(String::new()),
+            c => fields.last_mut().expect("one").push(c),
+        }
+    }
+    fields
+}
