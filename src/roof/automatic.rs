@@ -8,7 +8,9 @@ use super::gable_wall::{SUNK, panel};
 use super::lean_to::{Flank, LeanTo};
 use super::look::Look;
 use super::outline::piece;
+use super::plan::Cell;
 use super::ridge::{Region, Ridge, Side};
+use super::sides::Sides;
 use crate::ast::RoofShape;
 use crate::building::{Ceiling, Finish, rect_of};
 use crate::diagnostic::Diagnostics;
@@ -28,6 +30,8 @@ pub(super) struct Automatic<'c, 'h> {
     pub(super) base: f64,
     /// Of each region.
     pub(super) looks: Vec<Look>,
+    /// Who lies beyond whole sides.
+    sides: Option<Sides>,
 }
 
 impl<'c, 'h> Automatic<'c, 'h> {
@@ -40,12 +44,9 @@ impl<'c, 'h> Automatic<'c, 'h> {
             (ridge, _) => context.gable_look(&r.cell, ridge.unwrap_or(Ridge::A), None),
         };
         let looks = regions.iter().map(look).collect();
-        Automatic {
-            context,
-            regions,
-            base: context.level.storey.z1,
-            looks,
-        }
+        let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
+        let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
+        Automatic { context, regions, base: context.level.storey.z1, looks, sides }
     }
 
     /// A roof for every region, in their order; ceilings where walls end lower.
@@ -69,21 +70,37 @@ impl<'c, 'h> Automatic<'c, 'h> {
             let joined = region.joins == Some(side) && ridge == side.ridge_into();
             match (region.through, region.over) {
                 (Some(other), _) if joined => {
-                    let across = self
-                        .context
-                        .metres(side.measure(&self.regions[other].cell).1);
-                    End {
-                        reach: across,
-                        board: false,
-                        ..plain
-                    }
+                    let across = self.context.metres(side.measure(&self.regions[other].cell).1);
+                    End { reach: across, board: false, ..plain }
                 }
                 (None, Some(trunk)) if joined => self.run_in(n, trunk, side, plain),
-                _ => plain,
+                _ => self.other_end(n, side, plain),
             }
         });
-        self.context
-            .gable_with(region.cell, ridge, self.base, look, ends)
+        self.context.gable_with(region.cell, ridge, self.base, look, ends)
+    }
+
+    /// The end of gable `n` that joins no trunk. It may still lie on the slope of a roof that stands
+    /// higher, as at the far end of a wing between two halls: then it dies there as well.
+    fn other_end(&self, n: usize, side: Side, plain: End) -> End {
+        let region = &self.regions[n];
+        let beyond = self.sides.as_ref().and_then(|s| s.beyond(&region.cell, side));
+        let Some(other) = beyond.filter(|_| plain.wall) else { return plain };
+        let end = self.run_in(n, other, side, plain);
+        if !end.wall {
+            return end;
+        }
+        let neighbour = &self.regions[other];
+        let leans = neighbour.fall.is_some_and(|f| f != side && f != side.opposite());
+        if leans && neighbour.over.is_none() {
+            let rise = self.looks[other].pitch * self.context.metres(neighbour.span()) / 2.0;
+            let own = self.looks[n].pitch * self.context.metres(region.span()) / 2.0;
+            if own < rise {
+                // Its wall stands higher: a verge would stick into it.
+                return End { verge: 0.0, free: false, ..plain };
+            }
+        }
+        plain
     }
 
     /// The end of branch `n` that lies with `side` on its trunk: the ridge runs on until it dies in
@@ -100,39 +117,21 @@ impl<'c, 'h> Automatic<'c, 'h> {
                 side.measure(&region.cell).1 as f64
             }
             // Against the trunk's gable, or over a lean-to that lies lower.
-            _ => {
-                return End {
-                    board: false,
-                    ..plain
-                };
-            }
+            _ => return End { board: false, ..plain },
         };
         let run = run / crate::geometry::STEPS as f64 * self.context.unit;
         let span = self.context.metres(self.regions[n].span());
         let height = own.pitch * span / 2.0 + own.drop() - other.drop();
         if height > other.pitch * run + 1e-6 {
-            return End {
-                reach: run,
-                board: false,
-                ..plain
-            };
+            return End { reach: run, board: false, ..plain };
         }
         let reach = (height / other.pitch + 0.02).clamp(0.02, run);
-        End {
-            reach,
-            ..End::default()
-        }
+        End { reach, ..End::default() }
     }
 
     /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
     /// at its lower surface.
-    fn tucked(
-        &self,
-        n: usize,
-        fall: Side,
-        ceilings: &mut Vec<Ceiling>,
-        out: &mut Diagnostics,
-    ) -> Planned {
+    fn tucked(&self, n: usize, fall: Side, ceilings: &mut Vec<Ceiling>, out: &mut Diagnostics) -> Planned {
         let region = &self.regions[n];
         let lean_to = self.tucked_slope(n, fall);
         let storey = self.context.level.storey;
@@ -151,8 +150,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let mut form = lean_to.form();
         form.under = region.over;
         self.heads(n, &lean_to, &mut form.solids);
-        self.context
-            .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
+        self.context.of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
     }
 
     /// Where a tucked lean-to lies: gentler where its outer wall would get too low.
@@ -167,11 +165,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             look.pitch = look.pitch.min(0.2);
         }
         let flank = |side: Side| {
-            let over = if self.context.outline().whole(&region.cell, side) {
-                look.verge
-            } else {
-                0.0
-            };
+            let over = if self.context.outline().whole(&region.cell, side) { look.verge } else { 0.0 };
             Flank { over, wall: false }
         };
         LeanTo {
@@ -180,46 +174,32 @@ impl<'c, 'h> Automatic<'c, 'h> {
             low: low(&look),
             look,
             ends: end_sides(fall).map(flank),
-            high: Flank {
-                over: 0.03,
-                wall: false,
-            },
+            high: Flank { over: 0.03, wall: false },
         }
     }
 
     /// How far below the joint the upper surface starts, so that it stays below the trunk's eaves.
     fn tuck(&self, n: usize, fall: Side, look: &Look) -> f64 {
-        let Some(trunk) = self.regions[n].over else {
-            return TUCKED;
-        };
+        let Some(trunk) = self.regions[n].over else { return TUCKED };
         let eaves_side = match self.regions[trunk].ridge {
             Some(ridge) => ridge != fall.ridge_into(),
             None => true,
         };
         let trunk = &self.looks[trunk];
         let under_eaves = trunk.eaves * (trunk.pitch - look.pitch) + 0.03;
-        if eaves_side {
-            TUCKED.max(under_eaves)
-        } else {
-            TUCKED
-        }
+        if eaves_side { TUCKED.max(under_eaves) } else { TUCKED }
     }
 
     /// Height of the trunk's plate along the joint; its own soffit where it is tucked as well.
     fn joint_height(&self, n: usize, side: Side) -> f64 {
-        let Some(trunk) = self.regions[n].over else {
-            return self.base;
-        };
+        let Some(trunk) = self.regions[n].over else { return self.base };
         let region = &self.regions[trunk];
         let (Some(fall), true) = (region.fall, region.over.is_some()) else {
             return self.base;
         };
         let soffit = self.tucked_slope(trunk, fall).soffit();
         let (from, to) = self.ends_of(n, side);
-        soffit
-            .at(from.truncate())
-            .min(soffit.at(to.truncate()))
-            .min(self.base)
+        soffit.at(from.truncate()).min(soffit.at(to.truncate())).min(self.base)
     }
 
     /// The ends of a whole side, at height 0.

@@ -122,6 +122,7 @@ impl Context<'_> {
             reach: 0.0,
             verge: look.verge,
             wall: true,
+            free: true,
             board: look.verge >= LEAST_VERGE && self.is_free(cell, side),
             open: [
                 self.open_at(cell, near, side),

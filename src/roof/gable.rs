@@ -20,6 +20,8 @@ pub struct End {
     pub verge: f64,
     /// Whether a gable wall stands there.
     pub wall: bool,
+    /// Whether the ridge ends there in the open.
+    pub free: bool,
     /// Whether a barge board hangs there.
     pub board: bool,
     /// Whether the eaves at v = 0 and at v = depth reach this end in the open.
@@ -73,7 +75,7 @@ impl Gable {
         let ridge = RidgeLine {
             from: frame.point(-start.reach - start.verge, frame.depth / 2.0, top),
             to: frame.point(frame.length + end.reach + end.verge, frame.depth / 2.0, top),
-            free: [start.wall, end.wall],
+            free: [start.free, end.free],
         };
         Form {
             facets,
@@ -82,6 +84,7 @@ impl Gable {
             ridges: vec![ridge],
             solids,
             under: None,
+            hung: false,
         }
     }
 
@@ -102,9 +105,9 @@ impl Gable {
         let (u0, u1) = (-own(start), length + own(end));
         let outline = [
             (frame.at(u0, eaves), true),
-            (frame.at(u1, eaves), own(end) > 0.0),
+            (frame.at(u1, eaves), true),
             (frame.at(u1, ridge), false),
-            (frame.at(u0, ridge), own(start) > 0.0),
+            (frame.at(u0, ridge), true),
         ];
         let body = [(0.0, eaves), (length, eaves), (length, ridge), (0.0, ridge)];
         facets.push(Facet::new(

@@ -20,35 +20,20 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<Ridge
     let walls: Vec<[DVec2; 4]> = walls.iter().map(Rect::corners).collect();
     let near = Near::new(&boxes, &walls);
     let kept = |n: usize| {
-        let cutters = cutters(
-            n,
-            forms,
-            &near.roofs(n, &boxes),
-            &near.walls(n, &boxes, &walls),
-        );
+        let walls = if forms[n].hung { vec![] } else { near.walls(n, &boxes, &walls) };
+        let cutters = cutters(n, forms, &near.roofs(n, &boxes), &walls);
         if cutters.is_empty() {
             return (whole(&forms[n]), forms[n].ridges.clone());
         }
-        let pieces = forms[n]
-            .facets
-            .iter()
-            .flat_map(|f| remaining(f, &cutters))
-            .collect();
-        let ridges = forms[n]
-            .ridges
-            .iter()
-            .flat_map(|r| ridge_parts(r, &cutters))
-            .collect();
+        let pieces = forms[n].facets.iter().flat_map(|f| remaining(f, &cutters)).collect();
+        let ridges = forms[n].ridges.iter().flat_map(|r| ridge_parts(r, &cutters)).collect();
         (pieces, ridges)
     };
     (0..forms.len()).map(kept).collect()
 }
 
 fn whole(form: &Form) -> Vec<Piece> {
-    form.facets
-        .iter()
-        .map(|f| (f.outline.clone(), f.plane))
-        .collect()
+    form.facets.iter().map(|f| (f.outline.clone(), f.plane)).collect()
 }
 
 fn bounds(form: &Form) -> Rect {
@@ -57,10 +42,7 @@ fn bounds(form: &Form) -> Rect {
         min: DVec2::MAX,
         max: DVec2::MIN,
     };
-    corners.fold(none, |r, p| Rect {
-        min: r.min.min(p),
-        max: r.max.max(p),
-    })
+    corners.fold(none, |r, p| Rect { min: r.min.min(p), max: r.max.max(p) })
 }
 
 /// Who lies near whom, by sweeping over the least x.
@@ -92,14 +74,8 @@ impl Near {
     }
 
     fn walls<'w>(&self, n: usize, boxes: &[Rect], walls: &'w [[DVec2; 4]]) -> Vec<&'w [DVec2]> {
-        let rect = |i: usize| Rect {
-            min: walls[i][0],
-            max: walls[i][2],
-        };
-        self.among(&self.walls, &boxes[n], rect)
-            .into_iter()
-            .map(|i| &walls[i][..])
-            .collect()
+        let rect = |i: usize| Rect { min: walls[i][0], max: walls[i][2] };
+        self.among(&self.walls, &boxes[n], rect).into_iter().map(|i| &walls[i][..]).collect()
     }
 
     fn among(
@@ -109,29 +85,15 @@ impl Near {
         rect: impl Fn(usize) -> Rect,
     ) -> Vec<usize> {
         let start = order.partition_point(|i| rect(*i).min.x < of.min.x - widest);
-        let ahead = order[start..]
-            .iter()
-            .copied()
-            .take_while(|i| rect(*i).min.x < of.max.x);
+        let ahead = order[start..].iter().copied().take_while(|i| rect(*i).min.x < of.max.x);
         ahead.filter(|i| rect(*i).overlaps(of)).collect()
     }
 }
 
 /// What may cut roof `n`.
-fn cutters<'f>(
-    n: usize,
-    forms: &'f [Form],
-    near: &[usize],
-    walls: &[&'f [DVec2]],
-) -> Vec<Cutter<'f>> {
-    let mut cutters: Vec<Cutter<'f>> = walls
-        .iter()
-        .map(|body| Cutter {
-            body,
-            plane: None,
-            first: true,
-        })
-        .collect();
+fn cutters<'f>(n: usize, forms: &'f [Form], near: &[usize], walls: &[&'f [DVec2]]) -> Vec<Cutter<'f>> {
+    let mut cutters: Vec<Cutter<'f>> =
+        walls.iter().map(|body| Cutter { body, plane: None, first: true }).collect();
     for &other in near {
         // A roof under the eaves of its trunk is no part of the surface that the others make: it
         // takes place from eaves that would pierce it, and gives none.
@@ -141,11 +103,7 @@ fn cutters<'f>(
         }
         let facets = forms[other].facets.iter();
         let first = other < n;
-        cutters.extend(facets.map(|f| Cutter {
-            body: &f.body,
-            plane: Some(f.plane),
-            first,
-        }));
+        cutters.extend(facets.map(|f| Cutter { body: &f.body, plane: Some(f.plane), first }));
     }
     cutters
 }
@@ -155,11 +113,7 @@ fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
     for cutter in cutters {
         pieces = cut(facet, pieces, cutter);
     }
-    pieces
-        .into_iter()
-        .filter(|p| has_area(p))
-        .map(|p| (p, facet.plane))
-        .collect()
+    pieces.into_iter().filter(|p| has_area(p)).map(|p| (p, facet.plane)).collect()
 }
 
 /// The open parts of a ridge, run on a little into what covers it.
@@ -170,16 +124,8 @@ fn ridge_parts(ridge: &RidgeLine, cutters: &[Cutter<'_>]) -> Vec<RidgeLine> {
     let open = open_shares(ridge.from, ridge.to, cutters).into_iter();
     open.filter(|(s, e)| (e - s) * length > 0.05)
         .map(|(s, e)| {
-            let start = if s > 0.0 {
-                (s - INTO / length).max(0.0)
-            } else {
-                s
-            };
-            let end = if e < 1.0 {
-                (e + INTO / length).min(1.0)
-            } else {
-                e
-            };
+            let start = if s > 0.0 { (s - INTO / length).max(0.0) } else { s };
+            let end = if e < 1.0 { (e + INTO / length).min(1.0) } else { e };
             RidgeLine {
                 from: ridge.from + way * start,
                 to: ridge.from + way * end,

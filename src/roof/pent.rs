@@ -57,6 +57,7 @@ impl Pent {
         };
         let mut form = slope.form();
         form.floor = f64::MIN;
+        form.hung = true;
         if Frame::new(&self.rect, self.near).depth > 2.0 * PURLIN {
             self.brackets(low, &mut form.solids);
         }
