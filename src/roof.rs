@@ -1,2 +1,62 @@
-//! Roofs.
+//! Roofs: from placed walls to closed solids over everything they leave open.
+//!
+//! The way of a storey: its plan less the storey above ([`plan`]) less roof lines (`explicit`) is
+//! cut and merged into rectangles ([`partition`]); [`ridge::regions`] says how each is roofed (main
+//! roof, branch running into its trunk, lean-to); a shape ([`gable`], [`lean_to`], [`pent`],
+//! [`flat`]) turns each into a [`form::Form`]; roofs of one height meet in valleys (`meet`); what
+//! remains of each becomes a closed solid ([`sheet`]) with gable walls, barge boards and ridge.
+//!
+//! A further shape is one further file that makes a [`form::Form`]: upper facets, their drop, ridge
+//! lines, and what stands under them. Meeting, closing and ridges are the same for all.
+//!
+//! Frames: plans in the author frame, a to the left along the first line, b back into the plot, on
+//! exact integers; nothing there depends on where a loop starts. Solids in metres in the house frame.
+
+use crate::building::{Building, Shell};
+use crate::diagnostic::Diagnostics;
+
+mod assemble;
+mod automatic;
+pub mod barge;
+pub mod chord;
+mod explicit;
+pub mod facet;
+pub mod flat;
+pub mod form;
+mod forms;
+pub mod frame;
+pub mod gable;
+pub mod gable_wall;
+mod house;
+pub mod kd;
+pub mod lean_to;
+pub mod least_cut;
+mod level;
+pub mod look;
+mod meet;
+pub mod merge;
+pub mod outline;
+pub mod partition;
+pub mod pent;
 pub mod plan;
+mod raster;
+mod report;
+pub mod ridge;
+pub mod ridge_cap;
+mod scan;
+pub mod sheet;
+mod sides;
+mod slabs;
+pub mod solid;
+pub mod street;
+pub mod triangulate;
+
+/// Roofs all houses.
+pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
+    let roofs = shell
+        .houses
+        .iter()
+        .map(|house| house::roofs(house, out))
+        .collect();
+    Building { shell, roofs }
+}

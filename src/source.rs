@@ -176,6 +176,11 @@ impl Source {
         &self.text
     }
 
+    /// Bytes of the original file.
+    pub fn size(&self) -> usize {
+        self.len
+    }
+
     /// The encoding's name, "UTF-8" or for example "Shift_JIS".
     pub fn encoding(&self) -> &'static str {
         self.encoding

@@ -1,1 +1,260 @@
 //! Messages about roofs (HSD05xx).
+
+use crate::ast::{RoofKind, RoofShape};
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+
+/// The Japanese name and the letter of a covering.
+fn covering(kind: RoofKind) -> &'static str {
+    match kind {
+        RoofKind::Tiles => "tiles (K)",
+        RoofKind::Boards => "boards (I)",
+        RoofKind::Shingles => "shingles (S)",
+        RoofKind::Bark => "bark (H)",
+        RoofKind::Thatch => "thatch (Y)",
+        RoofKind::Metal => "metal (T)",
+    }
+}
+
+/// A number without needless decimals.
+fn short(value: f64) -> String {
+    let text = format!("{value:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Roofs over walls that bound nothing.
+#[cold]
+pub fn open_facade(wished: Span, walk: Span, storey: u32) -> Diagnostic {
+    Diagnostic::error(
+        501,
+        wished,
+        format!("a roof is asked for, but storey {storey} is an open facade that bounds no area"),
+    )
+    .help("close the walk back to its start, or take the roofs out; a facade stands without them")
+    .label(walk, "this walk does not come back to its start")
+}
+
+/// A roof line beside the house.
+#[cold]
+pub fn over_no_wall(line: Span, shape: RoofShape) -> Diagnostic {
+    Diagnostic::warning(
+        502,
+        line,
+        format!(
+            "this {} roof stands over no wall of its storey",
+            shape.letters()
+        ),
+    )
+    .help(
+        "give the rectangle in units from the house's origin: a to the left along the first line, \
+         b back from it; a roof outside the walls is HIS, KAT or KAR",
+    )
+}
+
+/// A roof line that leaves the walls by some units.
+#[cold]
+pub fn partly_outside(line: Span, share: f64) -> Diagnostic {
+    Diagnostic::warning(
+        503,
+        line,
+        format!(
+            "{} % of this roof's rectangle lies outside the walls",
+            short((share * 100.0).round())
+        ),
+    )
+    .help("the rectangle is that of the walls; eaves come on top of it by E, verges by G")
+}
+
+/// Two roof lines over each other at one height.
+#[cold]
+pub fn overlapping(line: Span, other: Span) -> Diagnostic {
+    Diagnostic::note(
+        504,
+        line,
+        "this roof overlaps another one at the same height",
+    )
+    .help("where both stand, the higher one shows; change one rectangle if that is not meant")
+    .label(other, "the other roof")
+}
+
+/// An upper storey that stands out far over the lower one.
+#[cold]
+pub fn overhang(upper: Span, lower: Span, number: u32, by: f64) -> Diagnostic {
+    Diagnostic::warning(
+        505,
+        upper,
+        format!(
+            "storey {} stands out by {} units beyond storey {} below it, over nothing",
+            number + 1,
+            short(by),
+            number
+        ),
+    )
+    .help("set the upper storey's start point, by leading blanks or start=\"a b\", or mend the length of its lines")
+    .label(lower, format!("storey {number}"))
+}
+
+/// An upper storey that stands out a little (degoshi, dashigeta).
+#[cold]
+pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
+    Diagnostic::note(
+        506,
+        upper,
+        format!(
+            "storey {} juts out by {} units beyond storey {}",
+            number + 1,
+            short(by),
+            number
+        ),
+    )
+    .help("up to one unit is common (degoshi, dashigeta); no roof is built under it")
+}
+
+/// A pitch that the covering does not bear.
+#[cold]
+pub fn odd_pitch(span: Span, pitch: f64, kind: RoofKind, band: (f64, f64)) -> Diagnostic {
+    let why = if pitch < band.0 {
+        "too gentle: rain comes in"
+    } else {
+        "too steep: it slides off"
+    };
+    Diagnostic::warning(
+        507,
+        span,
+        format!(
+            "a pitch of {} sun for {} is {why}",
+            short(pitch),
+            covering(kind)
+        ),
+    )
+    .help(format!(
+        "choose between {} and {} sun",
+        short(band.0),
+        short(band.1)
+    ))
+}
+
+/// A ridge across a wide roof.
+#[cold]
+pub fn long_span(direction: Span, span: f64) -> Diagnostic {
+    Diagnostic::note(
+        508,
+        direction,
+        format!(
+            "with this ridge the roof spans {} units, more than beams of 3 ken bear",
+            short(span)
+        ),
+    )
+    .help("turn the ridge (X or Y), or divide the roof; halls of palaces and temples do span more")
+}
+
+/// A roof in the air.
+#[cold]
+pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnostic {
+    Diagnostic::warning(
+        509,
+        height,
+        format!(
+            "this roof stands at {} shaku, far from the nearest storey's top: storey {storey} ends at {}",
+            short(shaku),
+            short(top)
+        ),
+    )
+    .help(format!("write {} or `*`; heights are shaku above the ground, not above the storey", short(top)))
+}
+
+/// A shape of a later version.
+#[cold]
+pub fn not_built_yet(span: Span, shape: RoofShape) -> Diagnostic {
+    Diagnostic::note(
+        510,
+        span,
+        format!("{} is built as a gable by this version", shape.letters()),
+    )
+    .help("write KIR if a gable is meant")
+}
+
+/// A lean-to whose outer wall gets too low.
+#[cold]
+pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
+    Diagnostic::warning(
+        511,
+        storey,
+        format!(
+            "the lean-to on storey {number} leaves its outer wall only {} m high",
+            short(left)
+        ),
+    )
+    .help("make the storey higher or the strip shallower, or give the strip a roof line of its own")
+}
+
+/// A pent roof away from every wall.
+#[cold]
+pub fn pent_in_the_air(line: Span) -> Diagnostic {
+    Diagnostic::warning(512, line, "this pent roof (HIS) touches no wall to hang on").help(
+        "let one side of its rectangle lie on a wall line: b from 0 to -1 along the first line",
+    )
+}
+
+/// A pent roof above the wall it hangs on.
+#[cold]
+pub fn pent_too_high(height: Span, upper: f64, top: f64) -> Diagnostic {
+    Diagnostic::warning(
+        513,
+        height,
+        format!(
+            "the upper edge of this pent roof lies at {} shaku, above the walls, which end at {}",
+            short(upper),
+            short(top)
+        ),
+    )
+    .help(
+        "the height is that of the low edge: the walls' height less the depth in shaku times the pitch \
+         (9.0 - 3 x 0.3 = 8.1)",
+    )
+}
+
+/// A fall for a two-sided roof, or a ridge for a single slope.
+#[cold]
+pub fn odd_direction(direction: Span, shape: RoofShape, one_sided: bool) -> Diagnostic {
+    let (message, help) = match one_sided {
+        true => (
+            "has one slope and no ridge to turn",
+            "write the side it falls to: F, B, L or R",
+        ),
+        false => (
+            "has a ridge and falls to both sides",
+            "write X (ridge parallel to the first line) or Y",
+        ),
+    };
+    Diagnostic::warning(514, direction, format!("{} {message}", shape.letters())).help(help)
+}
+
+/// A sloped roof wished for a plan that has no rectangles.
+#[cold]
+pub fn flat_only(span: Span, shape: RoofShape) -> Diagnostic {
+    Diagnostic::note(
+        515,
+        span,
+        format!(
+            "{} is built flat by this version where walls are not at right angles",
+            shape.letters()
+        ),
+    )
+    .help("write RIK if a flat roof is meant, or give roof lines for rectangles")
+}
+
+/// A roof line inside the storey above.
+#[cold]
+pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
+    Diagnostic::warning(
+        516,
+        line,
+        format!(
+            "this roof lies wholly inside storey {}: nothing of it is built",
+            storey + 1
+        ),
+    )
+    .help("give it the height of the topmost storey there, or `*`")
+    .label(upper, "this storey stands there")
+}

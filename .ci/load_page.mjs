@@ -1,0 +1,26 @@
+// In the browser: loads a model, draws it, counts what was drawn.
+import * as THREE from 'three';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+
+const renderer = new THREE.WebGLRenderer();
+renderer.setSize(320, 240);
+document.body.append(renderer.domElement);
+const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 10000);
+
+/** Draws the Nth model; what three.js counts while it draws. */
+window.show = async n => {
+  try {
+    const { scene: model } = await new GLTFLoader().loadAsync(`/models/${n}`);
+    const scene = new THREE.Scene();
+    scene.add(model, new THREE.HemisphereLight());
+    const ball = new THREE.Box3().setFromObject(model).getBoundingSphere(new THREE.Sphere());
+    camera.position.copy(ball.center).addScaledVector(new THREE.Vector3(1, 1, 1), ball.radius * 2);
+    camera.lookAt(ball.center);
+    model.traverse(node => { node.frustumCulled = false; });
+    renderer.render(scene, camera);
+    return { triangles: renderer.info.render.triangles, textures: renderer.info.memory.textures };
+  } catch (error) {
+    return { error: String(error) };
+  }
+};
+window.ready = true;

@@ -1,0 +1,28 @@
+// node validate.mjs FILE.glb...
+// The Khronos validator on each file. Exit 1 if any has an error or a warning; hints and notes are only counted.
+import { readFile } from 'node:fs/promises';
+import { dirname, resolve } from 'node:path';
+import { load } from './modules.mjs';
+
+const validator = load('gltf-validator');
+const files = process.argv.slice(2);
+if (files.length === 0) throw new Error('no files');
+
+let bad = 0;
+for (const file of files) {
+  const report = await validator.validateBytes(new Uint8Array(await readFile(file)), {
+    uri: file,
+    maxIssues: 0, // all: it stops counting at a bound
+    writeTimestamp: false,
+    externalResourceFunction: async uri => new Uint8Array(await readFile(resolve(dirname(file), decodeURIComponent(uri)))),
+  });
+  const { numErrors, numWarnings, numInfos, numHints, messages } = report.issues;
+  const { drawCallCount = 0, totalTriangleCount = 0 } = report.info ?? {};
+  console.log(`${file}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} notes, ${numHints} hints; `
+    + `${drawCallCount} draw calls, ${totalTriangleCount} triangles`);
+  for (const { severity, code, pointer, offset, message } of messages) {
+    if (severity <= 1) console.log(`  ${['error', 'warning'][severity]} ${code} at ${pointer ?? offset}: ${message}`);
+  }
+  bad += numErrors + numWarnings;
+}
+process.exit(bad > 0 ? 1 : 0);

@@ -1,0 +1,48 @@
+//! How many houses a second: from text to triangles, and to the bytes of a file.
+
+mod texts;
+
+use divan::counter::ItemsCount;
+use divan::{Bencher, black_box};
+use hsd::backend::pictures::Library;
+use hsd::catalog::Catalog;
+use hsd::source::NoPictures;
+
+fn main() {
+    divan::main();
+}
+
+/// Rectangles, L and T with automatic roofs; the figure to set beside other roof makers.
+#[divan::bench(args = [10_000], sample_count = 5)]
+fn roofed_outlines(bencher: Bencher<'_, '_>, count: usize) {
+    let text = texts::outlines(count);
+    texts::building(&text);
+    bencher.counter(ItemsCount::new(count)).bench_local(|| {
+        let building = texts::building(black_box(&text));
+        hsd::tessellate::tessellate(&building, Catalog::builtin())
+    });
+}
+
+/// Houses with lattices, doors and written roofs; their pictures are embedded once.
+#[divan::bench(args = [1, 1000], sample_count = 5)]
+fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
+    let text = texts::machiya(count);
+    texts::building(&text);
+    bencher.counter(ItemsCount::new(count)).bench_local(|| {
+        let building = texts::building(black_box(&text));
+        let scene = hsd::tessellate::tessellate(&building, Catalog::builtin());
+        let images = Library::load(&scene.pictures, &NoPictures, u64::MAX, |_, _| {});
+        hsd::backend::gltf::glb(&scene, &images)
+    });
+}
+
+/// Whether time grows no faster than the house does.
+#[divan::bench(args = [100, 1_000, 10_000, 100_000], sample_count = 5)]
+fn parts_of_one_house(bencher: Bencher<'_, '_>, count: usize) {
+    let text = texts::parts(count);
+    texts::building(&text);
+    bencher.counter(ItemsCount::new(count)).bench_local(|| {
+        let building = texts::building(black_box(&text));
+        hsd::tessellate::tessellate(&building, Catalog::builtin())
+    });
+}

@@ -1,0 +1,31 @@
+//! How many megabytes of text a second: reading alone, and everything that `hsd check` does.
+
+mod texts;
+
+use divan::counter::BytesCount;
+use divan::{Bencher, black_box};
+use hsd::diagnostic::Diagnostics;
+use hsd::source::{FileId, Limits, Source};
+
+fn main() {
+    divan::main();
+}
+
+#[divan::bench(sample_count = 20)]
+fn parse_a_megabyte(bencher: Bencher<'_, '_>) {
+    let text = texts::legacy(1_000_000);
+    let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
+    bencher.counter(BytesCount::of_str(&text)).bench_local(|| {
+        let mut out = Diagnostics::new();
+        hsd::parse::parse(black_box(&source), &Limits::default(), &mut out)
+    });
+}
+
+#[divan::bench(sample_count = 10)]
+fn check_a_megabyte(bencher: Bencher<'_, '_>) {
+    let text = texts::legacy(1_000_000);
+    texts::building(&text);
+    bencher
+        .counter(BytesCount::of_str(&text))
+        .bench_local(|| texts::check(black_box(&text)));
+}

@@ -1,0 +1,9 @@
+//! No bytes whatever disturb the chain from a source to a model.
+
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let _ = hsd::compile_bytes("fuzz.hsd", bytes);
+});

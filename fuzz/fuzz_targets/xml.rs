@@ -1,0 +1,16 @@
+//! No bytes whatever disturb the reader of the XML form, and every message points into the file.
+
+#![no_main]
+
+use hsd::diagnostic::Diagnostics;
+use hsd::source::{FileId, Limits, Source};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let source = Source::new(FileId(0), "fuzz.hsd", bytes);
+    let mut out = Diagnostics::new();
+    hsd::parse::xml::parse(&source, &Limits::default(), &mut out);
+    for told in out.iter() {
+        assert!(told.span.start <= told.span.end && told.span.end as usize <= bytes.len());
+    }
+});

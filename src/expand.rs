@@ -1,0 +1,192 @@
+//! From the document as written to the program of steps.
+//!
+//! After this pass there is no `repeat`, no `random`, no `replace`, no facade and no unknown code left, and
+//! every unit knows its part and its width. It is the only pass that opens the catalogue for codes. Order
+//! in a row: parts and slots, then the edits of the row; then those of its loop or facade, of its storey
+//! or structure, of its house.
+
+use crate::ast::{self, Document};
+use crate::catalog::Catalog;
+use crate::diagnostic::messages::parts as say;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::program::{House, Program, Storey};
+use crate::source::{Limits, Source, Span, Spanned, World};
+use codes::Codes;
+use draw::Place;
+use edits::Operation;
+use std::collections::{BTreeSet, HashMap};
+use std::rc::Rc;
+
+mod codes;
+mod draw;
+mod edits;
+mod facades;
+mod floors;
+mod lists;
+mod random;
+mod repeat;
+mod replace;
+mod roofs;
+mod rows;
+mod split;
+mod storeys;
+mod textures;
+
+/// What the command line may say about this pass.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Takes the place of the seed of every house.
+    pub seed: Option<u64>,
+    /// Bounds on the expanded parts of a house.
+    pub limits: Limits,
+}
+
+/// One U in shaku where none is given: Edo-ma.
+const UNIT: f64 = 3.0;
+
+/// Makes the program of all documents. A house that would exceed the limit of parts is left out.
+pub fn expand(
+    documents: &[(&Source, &Document)],
+    catalog: &Catalog,
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Program {
+    let mut codes = Codes::new(catalog, world);
+    let mut program = Program::default();
+    for (source, document) in documents {
+        for (index, house) in document.houses.iter().enumerate() {
+            let mut pass = Pass::new(&mut codes, source, options, out);
+            let seed = house.settings.seed.as_ref().map(|seed| seed.value);
+            let root = Place::seed(options.seed.or(seed).unwrap_or(0));
+            let place = match &house.name {
+                Some(name) => root.named(&name.value),
+                None => root.at(index as u64),
+            };
+            program.houses.extend(pass.house(house, place));
+        }
+    }
+    codes::keep_used(&mut program, codes.pictures);
+    program
+}
+
+/// The state of the pass in one house.
+struct Pass<'a, 'c> {
+    codes: &'a mut Codes<'c>,
+    source: &'a Source,
+    out: &'a mut Diagnostics,
+    /// What was said already: repeated content would say it again each time.
+    said: BTreeSet<(u16, Span)>,
+    operations: Vec<Rc<Operation>>,
+    operation_index: HashMap<usize, usize>,
+    parts: u64,
+    steps: u64,
+    limit: u64,
+    over: bool,
+}
+
+impl<'a, 'c> Pass<'a, 'c> {
+    fn new(
+        codes: &'a mut Codes<'c>,
+        source: &'a Source,
+        options: &Options,
+        out: &'a mut Diagnostics,
+    ) -> Self {
+        Pass {
+            codes,
+            source,
+            out,
+            said: BTreeSet::new(),
+            operations: vec![],
+            operation_index: HashMap::new(),
+            parts: 0,
+            steps: 0,
+            limit: options.limits.parts as u64,
+            over: false,
+        }
+    }
+
+    fn house(&mut self, house: &ast::House, place: Place) -> Option<House> {
+        let settings = &house.settings;
+        let unit = settings.unit.as_ref();
+        let unit = unit.and_then(positive).unwrap_or(UNIT);
+        let mut storeys = self.all_storeys(house, place, unit);
+        if self.over {
+            return None;
+        }
+        self.report_idle_operations();
+        self.textures(house, &mut storeys);
+        let number = |value: &Option<Spanned<f64>>, default| {
+            value.as_ref().map_or(default, |value| value.value)
+        };
+        Some(House {
+            span: house.span,
+            name: house
+                .name
+                .as_ref()
+                .map_or_else(String::new, |n| n.value.clone()),
+            origin: [&settings.x, &settings.y, &settings.z].map(|v| number(v, 0.0)),
+            azimuth: number(&settings.azimuth, 180.0),
+            unit_shaku: unit,
+            street: settings.street.as_ref().is_some_and(|s| s.value),
+            storeys,
+            roofs: roofs::roofs(&house.roofs),
+        })
+    }
+
+    fn all_storeys(&mut self, house: &ast::House, place: Place, unit: f64) -> Vec<Storey> {
+        let mut storeys = self.storeys(house, place);
+        if let Some(structure) = house.structures.first().filter(|_| !storeys.is_empty()) {
+            let span = self.head(structure.span);
+            self.out
+                .push(say::storeys_and_structure(span, storeys[0].span));
+            return storeys;
+        }
+        for (index, structure) in house.structures.iter().enumerate() {
+            let place = if index == 0 {
+                place
+            } else {
+                place.at(index as u64).named("structure")
+            };
+            for (storey, made) in self
+                .structure(structure, place, unit)
+                .into_iter()
+                .enumerate()
+            {
+                match storeys.get_mut(storey) {
+                    Some(below) => below.loops.extend(made.loops),
+                    None => storeys.push(made),
+                }
+            }
+        }
+        if storeys.is_empty() && !self.over {
+            let span = house.name.as_ref().map(|name| name.span);
+            let span = span.unwrap_or_else(|| self.head(house.span));
+            self.out.push(say::empty_house(span));
+        }
+        storeys
+    }
+
+    /// Says something once for a place, however often its content is repeated.
+    fn once(&mut self, code: u16, span: Span, say: impl FnOnce() -> Diagnostic) {
+        if self.said.insert((code, span)) {
+            self.out.push(say());
+        }
+    }
+
+    /// The first line of a long construct: a whole house underlined tells nothing.
+    fn head(&self, span: Span) -> Span {
+        if span.file != self.source.id() {
+            return span;
+        }
+        let range = self.source.text_range(span);
+        let text = &self.source.text()[range.clone()];
+        let first = text.lines().next().unwrap_or_default().trim_end();
+        self.source.span(range.start..range.start + first.len())
+    }
+}
+
+/// A length above zero. The readers report others; here the default takes their place.
+fn positive(length: &Spanned<f64>) -> Option<f64> {
+    Some(length.value).filter(|value| *value > 0.0)
+}

@@ -1,0 +1,311 @@
+//! What a code means: a part of the catalogue, else a part picture, else the nearest thing and an error.
+
+use super::Pass;
+use crate::ast::CodeText;
+use crate::catalog::{Catalog, PartId};
+use crate::diagnostic::messages::parts as say;
+use crate::program::{Content, Picture, PictureId, Program, Unit};
+use crate::source::{Span, World};
+use std::collections::BTreeMap;
+
+/// What a code stands for, small enough to compare and copy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Which {
+    Void,
+    Part(PartId),
+    Picture(PictureId),
+}
+
+impl Which {
+    /// `None` for a split, which has no code.
+    pub(super) fn of(content: &Content) -> Option<Which> {
+        match content {
+            Content::Void => Some(Which::Void),
+            Content::Part(id) => Some(Which::Part(*id)),
+            Content::Picture(id) => Some(Which::Picture(*id)),
+            Content::Split(_) => None,
+        }
+    }
+
+    pub(super) fn content(self) -> Content {
+        match self {
+            Which::Void => Content::Void,
+            Which::Part(id) => Content::Part(id),
+            Which::Picture(id) => Content::Picture(id),
+        }
+    }
+}
+
+/// How wide things are where nothing is said about their width.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Mode {
+    /// In a row of a house the grid counts: a picture is 1 U wide.
+    Row,
+    /// In a floor of a facade of this height in U a picture keeps its proportion, since the floor is
+    /// scaled to its facade.
+    Floor(f64),
+}
+
+impl Mode {
+    /// The mode of a piece that takes this share of the height.
+    pub(super) fn share(self, share: f64) -> Mode {
+        match self {
+            Mode::Row => Mode::Row,
+            Mode::Floor(height) => Mode::Floor(height * share),
+        }
+    }
+
+    pub(super) fn is_row(self) -> bool {
+        matches!(self, Mode::Row)
+    }
+}
+
+/// A code and what it stands for.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    pub(super) which: Which,
+    /// Width in U by the catalogue; `None` for pictures.
+    pub(super) width: Option<f64>,
+}
+
+const RECENT: usize = 256;
+
+/// The catalogue and the pictures, with what was looked up before.
+pub(super) struct Codes<'a> {
+    pub(super) catalog: &'a Catalog,
+    world: &'a dyn World,
+    pub(super) pictures: Vec<Picture>,
+    names: BTreeMap<String, Option<PictureId>>,
+    /// Codes seen lately: old texts repeat a dozen codes hundreds of thousands of times.
+    recent: Vec<Option<([u8; 5], Found)>>,
+}
+
+impl<'a> Codes<'a> {
+    pub(super) fn new(catalog: &'a Catalog, world: &'a dyn World) -> Self {
+        Codes {
+            catalog,
+            world,
+            pictures: vec![],
+            names: BTreeMap::new(),
+            recent: vec![None; RECENT],
+        }
+    }
+
+    /// The meaning of a code, if it has one.
+    #[inline]
+    pub(super) fn known(&mut self, code: &CodeText) -> Option<Found> {
+        let five = match code {
+            CodeText::Five(five) => five,
+            // Blanks at the ends of an attribute are no part of a name.
+            CodeText::Name(name) => return self.look_up(&CodeText::new(name.trim())),
+        };
+        let word = u32::from_le_bytes([five[0], five[1], five[2], five[4]]);
+        let slot = (word ^ u32::from(five[3])).wrapping_mul(0x9E37_79B1) as usize >> 24;
+        match &self.recent[slot] {
+            Some((seen, found)) if seen == five => Some(*found),
+            _ => {
+                let found = self.look_up(code)?;
+                self.recent[slot] = Some((*five, found));
+                Some(found)
+            }
+        }
+    }
+
+    fn look_up(&mut self, code: &CodeText) -> Option<Found> {
+        let exact = self.exact(code);
+        if exact.is_some() || !code.as_str().contains('_') {
+            return exact;
+        }
+        // A literal name wins over `_` as a blank.
+        self.exact(&CodeText::new(&code.as_str().replace('_', " ")))
+    }
+
+    fn exact(&mut self, code: &CodeText) -> Option<Found> {
+        match self.catalog.find(code) {
+            Some(id) => Some(self.part(id)),
+            None => self.picture(code.as_str().trim_end_matches(' ')),
+        }
+    }
+
+    fn part(&self, id: PartId) -> Found {
+        let void = self.catalog.is_void(id);
+        Found {
+            which: if void { Which::Void } else { Which::Part(id) },
+            width: Some(self.catalog.part(id).width()),
+        }
+    }
+
+    /// A part picture by its name.
+    pub(super) fn picture(&mut self, name: &str) -> Option<Found> {
+        let id = match self.names.get(name) {
+            Some(id) => *id,
+            None => {
+                let id = self.open(name);
+                self.names.insert(name.to_owned(), id);
+                id
+            }
+        };
+        id.map(|id| Found {
+            which: Which::Picture(id),
+            width: None,
+        })
+    }
+
+    fn open(&mut self, name: &str) -> Option<PictureId> {
+        let file = self.world.picture(name).filter(|_| !name.is_empty())?;
+        self.pictures.push(Picture {
+            name: name.to_owned(),
+            path: file.path,
+            size: file.size,
+        });
+        Some(PictureId(self.pictures.len() as u32 - 1))
+    }
+
+    /// The width in U of a thing about whose width nothing was said.
+    pub(super) fn own_width(&self, which: Which, mode: Mode) -> f64 {
+        match (which, mode) {
+            (Which::Void, _) => 1.0,
+            (Which::Part(id), _) => self.catalog.part(id).width(),
+            (Which::Picture(_), Mode::Row) => 1.0,
+            (Which::Picture(id), Mode::Floor(height)) => {
+                let (w, h) = self.pictures[id.0 as usize].size;
+                height * f64::from(w.max(1)) / f64::from(h.max(1))
+            }
+        }
+    }
+
+    /// The width in U of what was found, where nothing else is said.
+    pub(super) fn own_width_of(&self, found: &Found, mode: Mode) -> f64 {
+        found
+            .width
+            .unwrap_or_else(|| self.own_width(found.which, mode))
+    }
+
+    /// What the author calls it.
+    pub(super) fn name(&self, which: Which) -> &str {
+        match which {
+            Which::Void => ".....",
+            Which::Part(id) => self.catalog.part(id).code(),
+            Which::Picture(id) => &self.pictures[id.0 as usize].name,
+        }
+    }
+
+    /// The nearest spellings of the catalogue.
+    pub(super) fn nearest(&self, code: &str) -> Vec<String> {
+        let near = self.catalog.nearest(code).into_iter();
+        near.map(|id| self.catalog.part(id).code().to_owned())
+            .collect()
+    }
+
+    /// Stands in for an unknown code: a plain part of its class, in the width that its fifth column
+    /// tells, so that the outline stays right.
+    fn stand_in(&self, text: &str) -> Found {
+        let plain = match text.as_bytes().first() {
+            Some(b'T') => "TIT  ",
+            Some(b'M') => "MRE  ",
+            Some(b'G') => "GSI  ",
+            Some(b'H') => "HHA 0",
+            Some(b'A') => "AKI  ",
+            Some(b'N') => "NAP  ",
+            _ => "KSK  ",
+        };
+        let coded = text.len() == 5 && text.starts_with(['K', 'T', 'M', 'G', 'H', 'A', 'N']);
+        let width = match text.as_bytes().get(4).filter(|_| coded) {
+            Some(digit @ b'0'..=b'9') => f64::from(digit - b'0'),
+            Some(b'h') => 0.5,
+            _ => 1.0,
+        };
+        let part = self.catalog.find(&CodeText::new(plain));
+        Found {
+            which: part.map_or(Which::Void, |id| self.part(id).which),
+            width: Some(width),
+        }
+    }
+}
+
+impl Pass<'_, '_> {
+    /// The meaning of a code, or an error and the likeliest meaning.
+    #[inline]
+    pub(super) fn resolve(&mut self, code: &CodeText, span: Span) -> Found {
+        match self.codes.known(code) {
+            Some(found) => found,
+            None => self.mend(code, span),
+        }
+    }
+
+    #[cold]
+    fn mend(&mut self, code: &CodeText, span: Span) -> Found {
+        let text = code.as_str();
+        let bare = text.trim_end_matches(' ');
+        for upper in [bare.to_ascii_uppercase(), upper_but_width(text)] {
+            if let Some(found) = self.codes.known(&CodeText::new(&upper)) {
+                self.once(303, span, || say::lower_case(span, bare, &upper));
+                return found;
+            }
+        }
+        if let Some(control) = bare.chars().last().filter(|c| "LR^".contains(*c))
+            && bare.len() <= 5
+            && let Some(found) = self.codes.known(&CodeText::new(&bare[..bare.len() - 1]))
+        {
+            let code = bare[..bare.len() - 1].trim_end().to_owned();
+            self.once(302, span, || say::lost_blanks(span, bare, &code, control));
+            return found;
+        }
+        let named = matches!(code, CodeText::Name(_));
+        let near = if named {
+            vec![]
+        } else {
+            self.codes.nearest(bare)
+        };
+        let found = self.codes.stand_in(bare);
+        self.once(301, span, || say::unknown_code(span, bare, &near));
+        found
+    }
+}
+
+/// Upper case save the `h` of half a unit in the fifth column.
+fn upper_but_width(text: &str) -> String {
+    let upper = text.to_ascii_uppercase();
+    match upper.strip_suffix('H') {
+        Some(head) if upper.len() == 5 => format!("{head}h"),
+        _ => upper,
+    }
+}
+
+/// Leaves only pictures that stand somewhere, in the order of first use: a draw tries more names than it
+/// takes, and nobody should load them.
+pub(super) fn keep_used(program: &mut Program, pictures: Vec<Picture>) {
+    let mut numbers = vec![None; pictures.len()];
+    let mut order = vec![];
+    if !pictures.is_empty() {
+        let storeys = program.houses.iter_mut().flat_map(|h| &mut h.storeys);
+        let lines = storeys
+            .flat_map(|s| &mut s.loops)
+            .flat_map(|l| &mut l.lines);
+        for line in lines {
+            renumber(&mut line.units, &mut numbers, &mut order);
+        }
+    }
+    let mut pictures: Vec<_> = pictures.into_iter().map(Some).collect();
+    let used = order.iter().filter_map(|&i: &usize| pictures[i].take());
+    program.pictures = used.collect();
+}
+
+fn renumber(units: &mut [Unit], numbers: &mut [Option<PictureId>], order: &mut Vec<usize>) {
+    for unit in units {
+        match &mut unit.content {
+            Content::Picture(id) => {
+                let old = id.0 as usize;
+                *id = *numbers[old].get_or_insert_with(|| {
+                    order.push(old);
+                    PictureId(order.len() as u32 - 1)
+                });
+            }
+            Content::Split(split) => {
+                renumber(&mut split.upper, numbers, order);
+                renumber(&mut split.lower, numbers, order);
+            }
+            Content::Void | Content::Part(_) => {}
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! `repeat`: content several times (003-08), at every level from parts to facades; and the limit that
+//! keeps a careless number from filling the machine.
+//!
+//! What a repetition would make is counted before it is made, with saturation, so that nested
+//! repetitions are caught as well. Operations inside a repetition act on what this repetition made.
+
+use super::Pass;
+use super::edits::{EditRef, numbered};
+use crate::ast::{Edit, Facade, Floor, Item, Loop, Piece, Repeat, Row, Storey};
+use crate::diagnostic::messages::parts as say;
+use crate::source::Span;
+
+/// How many parts a construct makes at least; 1 for empty ones, which cost room as well.
+pub(super) trait Weigh {
+    /// What a `random` beside things of this kind may make.
+    const SLOT: u64 = 0;
+    fn weigh(&self) -> u64;
+}
+
+impl Weigh for Piece {
+    const SLOT: u64 = 1;
+    fn weigh(&self) -> u64 {
+        match self {
+            Piece::Part(_) => 1,
+            Piece::Split(split) => weigh_all(&split.upper.pieces)
+                .saturating_add(weigh_all(&split.lower.pieces))
+                .saturating_add(1),
+        }
+    }
+}
+
+impl Weigh for Row {
+    fn weigh(&self) -> u64 {
+        weigh_all(&self.pieces).max(1)
+    }
+}
+
+impl Weigh for Storey {
+    fn weigh(&self) -> u64 {
+        let rows = |l: &Loop| weigh_all(&l.rows).max(1);
+        let sum = self.loops.iter().map(rows);
+        sum.fold(0, u64::saturating_add).max(1)
+    }
+}
+
+impl Weigh for Floor {
+    fn weigh(&self) -> u64 {
+        weigh_all(&self.pieces).max(1)
+    }
+}
+
+impl Weigh for Facade {
+    fn weigh(&self) -> u64 {
+        weigh_all(&self.floors).max(1)
+    }
+}
+
+fn weigh_all<T: Weigh>(items: &[Item<T>]) -> u64 {
+    let weigh = |item: &Item<T>| match item {
+        Item::One(one) => one.weigh(),
+        Item::Repeat(repeat) => weigh_repeat(repeat),
+        Item::Random(_) => T::SLOT,
+        Item::Replace(_) => 0,
+    };
+    items.iter().map(weigh).fold(0, u64::saturating_add)
+}
+
+fn weigh_repeat<T: Weigh>(repeat: &Repeat<T>) -> u64 {
+    weigh_all(&repeat.body).saturating_mul(u64::from(repeat.num.value))
+}
+
+/// An operation and the things it acts on.
+#[derive(Clone, Copy)]
+pub(super) struct Scoped<'d> {
+    pub(super) edit: EditRef<'d>,
+    /// Tells the operations of one element and its levels apart in the keys of draws.
+    pub(super) key: u64,
+    pub(super) from: usize,
+    pub(super) to: usize,
+}
+
+/// Things of one kind without repetitions, and the operations beside them, innermost first.
+pub(super) struct Flat<'d, T> {
+    pub(super) ones: Vec<&'d T>,
+    pub(super) edits: Vec<Scoped<'d>>,
+}
+
+impl Pass<'_, '_> {
+    /// Undoes the repetitions of a list. `level` tells the kinds of lists apart in the keys of draws.
+    pub(super) fn flatten<'d, T: Weigh>(
+        &mut self,
+        items: &'d [Item<T>],
+        level: u64,
+    ) -> Flat<'d, T> {
+        let mut flat = Flat {
+            ones: Vec::with_capacity(items.len()),
+            edits: vec![],
+        };
+        self.flatten_into(items, level, &mut flat);
+        flat
+    }
+
+    fn flatten_into<'d, T: Weigh>(
+        &mut self,
+        items: &'d [Item<T>],
+        level: u64,
+        flat: &mut Flat<'d, T>,
+    ) {
+        let from = flat.ones.len();
+        for item in items {
+            match item {
+                Item::One(one) => flat.ones.push(one),
+                Item::Repeat(repeat) => {
+                    for _ in 0..self.rounds(repeat) {
+                        self.flatten_into(&repeat.body, level + 1, flat);
+                    }
+                }
+                Item::Random(_) | Item::Replace(_) => {}
+            }
+        }
+        let to = flat.ones.len();
+        for (edit, ordinal) in numbered(edits(items)) {
+            if from < to && self.work(EDIT_ROOM, edit.span()) {
+                let key = (level << 32) | ordinal;
+                flat.edits.push(Scoped {
+                    edit,
+                    key,
+                    from,
+                    to,
+                });
+            }
+        }
+    }
+
+    /// How often to go round: 0 where nothing would come of it or far too much.
+    pub(super) fn rounds<T: Weigh>(&mut self, repeat: &Repeat<T>) -> u32 {
+        let weight = weigh_repeat(repeat);
+        if weight > self.room() {
+            self.stop(repeat.num.span);
+        }
+        if weight == 0 || self.stopped() {
+            return 0;
+        }
+        repeat.num.value
+    }
+
+    /// Takes room for so many parts; false when the house is full.
+    #[inline]
+    pub(super) fn charge(&mut self, parts: u64, span: Span) -> bool {
+        self.parts += parts;
+        if self.parts > self.limit {
+            self.stop(span);
+        }
+        !self.stopped()
+    }
+
+    /// Takes time for the steps of an operation; false when it has been too much. Operations times
+    /// parts grow faster than the file.
+    pub(super) fn work(&mut self, steps: u64, span: Span) -> bool {
+        self.steps += steps;
+        if self.steps > self.limit.saturating_mul(STEPS_A_PART) {
+            self.stop(span);
+        }
+        !self.stopped()
+    }
+
+    fn room(&self) -> u64 {
+        self.limit.saturating_sub(self.parts)
+    }
+
+    #[cold]
+    fn stop(&mut self, span: Span) {
+        if !self.over {
+            self.over = true;
+            let limit = self.limit;
+            self.out.push(say::too_many_parts(span, limit));
+        }
+    }
+
+    /// Whether the house has been given up.
+    pub(super) fn stopped(&self) -> bool {
+        self.over
+    }
+}
+
+/// Steps of operations that one part of the limit allows for.
+const STEPS_A_PART: u64 = 10;
+
+/// Noting an operation costs memory, more than a step.
+const EDIT_ROOM: u64 = 10;
+
+/// The operations among items, in order.
+pub(super) fn edits<'d, T>(items: &'d [Item<T>]) -> impl Iterator<Item = EditRef<'d>> {
+    items.iter().filter_map(|item| match item {
+        Item::Random(random) => Some(EditRef::Random(random)),
+        Item::Replace(replace) => Some(EditRef::Replace(replace)),
+        Item::One(_) | Item::Repeat(_) => None,
+    })
+}
+
+/// The operations of a storey, in order.
+pub(super) fn storey_edits(edits: &[Edit]) -> impl Iterator<Item = EditRef<'_>> {
+    edits.iter().map(|edit| match edit {
+        Edit::Random(random) => EditRef::Random(random),
+        Edit::Replace(replace) => EditRef::Replace(replace),
+    })
+}

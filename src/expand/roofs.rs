@@ -1,0 +1,50 @@
+//! The roof section with its defaults filled in.
+
+use crate::ast;
+use crate::program::Roofs;
+use crate::source::Span;
+
+/// Copies the section; roofs are made by `roof`, not here.
+pub(super) fn roofs(roofs: &ast::Roofs) -> Roofs {
+    Roofs {
+        mode: roofs
+            .mode
+            .as_ref()
+            .map_or_else(Default::default, |m| m.value),
+        method: roofs
+            .method
+            .as_ref()
+            .map_or_else(Default::default, |m| m.value),
+        wished: wished(roofs),
+        style: roofs.style.clone(),
+        lines: roofs.lines.clone(),
+    }
+}
+
+/// Where a wish for roofs is written. `explicit` without a line is none: it asks for no roof at all.
+fn wished(roofs: &ast::Roofs) -> Option<Span> {
+    if let (Some(first), Some(last)) = (roofs.lines.first(), roofs.lines.last()) {
+        return Some(first.span.to(last.span));
+    }
+    match &roofs.mode {
+        Some(mode) if mode.value == ast::RoofMode::Explicit => None,
+        Some(mode) => Some(mode.span),
+        None => {
+            let style = &roofs.style;
+            let spans = [
+                roofs.method.as_ref().map(|s| s.span),
+                style.kind.as_ref().map(|s| s.span),
+                style.shape.as_ref().map(|s| s.span),
+                style.pitch.as_ref().map(|s| s.span),
+                style.eaves.as_ref().map(|s| s.span),
+                style.verge.as_ref().map(|s| s.span),
+                style.thickness.as_ref().map(|s| s.span),
+                style.noshi.as_ref().map(|s| s.span),
+                style.sori.as_ref().map(|s| s.span),
+                style.gable.as_ref().map(|s| s.span),
+                style.plain_ridge.as_ref().map(|s| s.span),
+            ];
+            spans.into_iter().flatten().reduce(Span::to)
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! `split`: one storey part divided above and below (003-09), as deep as one likes. Both halves are as
+//! wide as the part.
+
+use super::Pass;
+use super::codes::{Mode, Which};
+use super::draw::Place;
+use super::edits::Strip;
+use super::rows::bare_unit;
+use crate::ast;
+use crate::diagnostic::messages::parts as say;
+use crate::geometry::SAME;
+use crate::program::{Content, Split, Unit};
+use crate::source::Span;
+
+/// Share of the upper half where none is given.
+pub(super) const EVEN: f64 = 0.5;
+
+impl Pass<'_, '_> {
+    /// One split, and whether its width was only taken from pictures.
+    pub(super) fn split(&mut self, split: &ast::Split, place: Place, mode: Mode) -> (Unit, bool) {
+        let ratio = split.ratio.as_ref().map_or(EVEN, |ratio| ratio.value);
+        // The readers let shares only between 0 and 1 through; a document built otherwise does no harm.
+        let ratio = if ratio > 0.0 && ratio < 1.0 {
+            ratio
+        } else {
+            EVEN
+        };
+        let mut upper = self.half(&split.upper, place.at(1), mode.share(ratio));
+        let mut lower = self.half(&split.lower, place.at(2), mode.share(1.0 - ratio));
+        let (above, below) = (upper.width(), lower.width());
+        let fixed = !upper.natural && !lower.natural;
+        if fixed && (above - below).abs() >= SAME && !self.stopped() {
+            let spans = (split.upper.span, split.lower.span);
+            self.once(311, split.span, || {
+                say::unequal_halves(split.span, spans, above, below)
+            });
+        }
+        let natural = upper.natural && lower.natural;
+        let width = common_width(&upper, &lower);
+        fit(&mut upper, width, split.upper.span);
+        fit(&mut lower, width, split.lower.span);
+        (divided(split.span, ratio, width, upper, lower), natural)
+    }
+}
+
+/// The width of both halves: that of a half whose width is settled, else the larger.
+pub(super) fn common_width(upper: &Strip, lower: &Strip) -> f64 {
+    match (upper.natural, lower.natural) {
+        (false, true) if upper.width() > SAME => upper.width(),
+        (true, false) if lower.width() > SAME => lower.width(),
+        _ => upper.width().max(lower.width()),
+    }
+}
+
+/// The unit of two halves of this width.
+pub(super) fn divided(span: Span, ratio: f64, width: f64, upper: Strip, lower: Strip) -> Unit {
+    Unit {
+        span,
+        width,
+        content: Content::Split(Box::new(Split {
+            ratio,
+            upper: upper.units,
+            lower: lower.units,
+        })),
+        height: None,
+        reflection: None,
+    }
+}
+
+/// Scales a row to a width; a row without any width becomes open.
+pub(super) fn fit(strip: &mut Strip, width: f64, span: Span) {
+    let now = strip.width();
+    if now > SAME {
+        if now != width {
+            scale(&mut strip.units, width / now);
+        }
+    } else if width > SAME {
+        strip.units.push(bare_unit(span, width, Which::Void));
+    }
+}
+
+fn scale(units: &mut [Unit], factor: f64) {
+    for unit in units {
+        unit.width *= factor;
+        if let Content::Split(split) = &mut unit.content {
+            scale(&mut split.upper, factor);
+            scale(&mut split.lower, factor);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! Follows the steps of a program and places its walls: [`Program`] to [`Shell`]. After it there is no
+//! turn and no row; a ring that is `closed` returns to its start and crosses and touches nothing
+//! (C1 to C5 of domain.md 2.3).
+//!
+//! - [`walk`]: one loop to walls, one after another;
+//! - [`close`]: does the walk close, and which line would close it;
+//! - [`crossing`]: do walls cross or touch, within a ring and between rings.
+
+mod close;
+mod crossing;
+mod walk;
+
+pub(crate) use close::Mend;
+
+use crate::ast::StoreyKind;
+use crate::building::{House, Ring, Shell, Storey};
+use crate::diagnostic::{Diagnostics, messages::plan};
+use crate::geometry::SHAKU;
+use crate::program::{self, Program};
+
+/// Places all walls of all houses. Every flaw of an outline is reported; its walls are built all the same,
+/// as an open facade.
+pub fn lower(program: Program, out: &mut Diagnostics) -> Shell {
+    let houses = program
+        .houses
+        .into_iter()
+        .map(|house| lower_house(house, out))
+        .collect();
+    Shell {
+        houses,
+        pictures: program.pictures,
+    }
+}
+
+fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
+    let (mut z, mut number) = (0.0, 0);
+    let mut storeys = Vec::with_capacity(house.storeys.len());
+    for storey in house.storeys {
+        let top = z + storey.height * SHAKU;
+        let parapet = storey.kind == StoreyKind::Parapet;
+        number += u32::from(!parapet);
+        let (span, kind) = (storey.span, storey.kind);
+        let rings = lower_storey(storey, out);
+        storeys.push(Storey {
+            span,
+            number,
+            kind,
+            z0: z,
+            z1: top,
+            rings,
+        });
+        if !parapet {
+            z = top;
+        }
+    }
+    House {
+        span: house.span,
+        name: house.name,
+        origin: house.origin,
+        azimuth: house.azimuth,
+        unit: house.unit_shaku * SHAKU,
+        street: house.street,
+        storeys,
+        roofs: house.roofs,
+    }
+}
+
+fn lower_storey(storey: program::Storey, out: &mut Diagnostics) -> Vec<Ring> {
+    let mut rings = Vec::with_capacity(storey.loops.len());
+    let mut facade = 0;
+    for walk in storey.loops {
+        let ring = walk.ring;
+        let mut walked = walk::walk(walk, &mut facade);
+        if walked.walls.is_empty() {
+            out.push(plan::no_wall(walked.span));
+            continue;
+        }
+        let closed = close::close(&mut walked, ring, out);
+        rings.push(Ring {
+            span: walked.span,
+            hole: walked.hole,
+            closed,
+            walls: walked.walls,
+        });
+    }
+    crossing::check(&mut rings, out);
+    rings
+}

@@ -1,0 +1,180 @@
+//! Does a walk close (C1, C2 of domain.md 2.3)? If not: which line, or which turn, would close it?
+
+use super::walk::Walk;
+use crate::building::Wall;
+use crate::diagnostic::{Diagnostics, messages::plan};
+use crate::geometry::{SAME, area2};
+use crate::source::Span;
+use glam::DVec2;
+
+/// A closing error up to this share of the length is spread over a ring of facades (language.md 3).
+const RING_ERROR: f64 = 0.01;
+/// The same for walks with odd angles, whose corners nobody can write exactly.
+const ODD_ERROR: f64 = 0.001;
+/// Walks with up to this many degrees of written turns may stay open: a facade, not a house.
+const OPEN_TURNS: f64 = 180.0;
+/// Plans beyond this many U are a slip of the pen, and too coarse for the numbers behind.
+const LARGEST: f64 = 100_000.0;
+
+/// Judges a walk, spreads what may be spread, and says whether it bounds an area.
+pub(super) fn close(walk: &mut Walk, ring: bool, out: &mut Diagnostics) -> bool {
+    if let Some(far) = walk
+        .walls
+        .iter()
+        .find(|w| w.to.abs().max_element() > LARGEST)
+    {
+        out.push(plan::too_large(far.span, LARGEST));
+        return false;
+    }
+    if let Some(i) = (0..walk.turns.len() - 1).find(|&i| walk.turns[i].rem_euclid(360.0) == 180.0) {
+        out.push(plan::turns_back(walk.walls[i].span, walk.walls[i + 1].span));
+        return false;
+    }
+    let start = walk.walls[0].from;
+    let gap = walk.end - start;
+    let length: f64 = walk.walls.iter().map(|w| w.from.distance(w.to)).sum();
+    let odd = walk.turns.iter().any(|t| t.rem_euclid(90.0) != 0.0);
+    let allowed = if ring {
+        length * RING_ERROR
+    } else {
+        length * ODD_ERROR
+    };
+    let allowed = if ring || odd { allowed.max(SAME) } else { SAME };
+    if gap.length() > allowed {
+        report_gap(walk, ring, gap, length, out);
+        return false;
+    }
+    if !turns_close(walk, out) {
+        return false;
+    }
+    if gap.length() > 0.0 {
+        spread(&mut walk.walls, gap, length);
+    }
+    true
+}
+
+/// The sum of the turns between walls, degrees, without the closing one.
+fn written(walk: &Walk) -> f64 {
+    walk.turns[..walk.turns.len() - 1].iter().sum()
+}
+
+/// Sum of turns that the walk must have with its closing one: once round, the hole the other way.
+fn once_round(walk: &Walk) -> f64 {
+    if walk.hole { -360.0 } else { 360.0 }
+}
+
+/// Whether a closing turn of less than half a circle makes the sum right.
+fn closes_with(walk: &Walk, written: f64) -> bool {
+    (once_round(walk) - written).abs() < 180.0 - 1e-6
+}
+
+fn turns_close(walk: &Walk, out: &mut Diagnostics) -> bool {
+    let written = written(walk);
+    let corners: Vec<DVec2> = walk.walls.iter().map(|w| w.from).collect();
+    let backwards = area2(&corners) * once_round(walk) < 0.0;
+    if closes_with(walk, written) {
+        return true;
+    }
+    if closes_with(walk, -written) && backwards {
+        out.push(plan::wrong_way_round(walk.span, walk.hole));
+    } else {
+        out.push(plan::wrong_turns(
+            walk.span,
+            (once_round(walk) - written) / 90.0,
+        ));
+    }
+    false
+}
+
+fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagnostics) {
+    let last = walk.walls[walk.walls.len() - 1].span;
+    let written = written(walk);
+    if ring {
+        if written.abs() > OPEN_TURNS + 1e-6 {
+            out.push(plan::ring_open(
+                walk.span,
+                last,
+                gap.length() / length * 100.0,
+                gap.length(),
+            ));
+        }
+        return;
+    }
+    let open = written <= OPEN_TURNS && !walk.hole;
+    if let Some((line, is_left)) = wrong_turn(walk, written, gap) {
+        out.push(plan::turn_to_flip(line, is_left, open));
+    } else if open {
+        out.push(plan::open_facade(walk.span, gap));
+    } else {
+        out.push(plan::open_perimeter(last, gap, &mends(walk, gap)));
+    }
+}
+
+/// The line end whose turn, made the other way, closes the walk: the rest of it then lies turned by
+/// half a circle about that corner.
+fn wrong_turn(walk: &Walk, written: f64, gap: DVec2) -> Option<(Span, bool)> {
+    let start = walk.walls[0].from;
+    (0..walk.turns.len() - 1).find_map(|i| {
+        let turn = walk.turns[i];
+        let corner = walk.walls[i].to;
+        let flipped = corner * 2.0 - (start + gap);
+        let fits = turn.abs() == 90.0 && closes_with(walk, written - 2.0 * turn);
+        (fits && flipped.distance(start) < SAME).then(|| (walk.walls[i].span, turn < 0.0))
+    })
+}
+
+/// A wall whose length, changed by `by` units, closes the gap along its direction.
+pub(crate) struct Mend {
+    pub line: Span,
+    pub length: f64,
+    pub by: f64,
+}
+
+/// For each axis of the gap the lines that could take it up, the last first: an author has just
+/// written those.
+fn mends(walk: &Walk, gap: DVec2) -> Vec<Mend> {
+    let mut found = vec![];
+    for axis in [DVec2::X, DVec2::Y] {
+        let missing = -gap.dot(axis);
+        if missing.abs() < SAME {
+            continue;
+        }
+        let along = walk
+            .walls
+            .iter()
+            .rev()
+            .filter(|w| w.direction.perp_dot(axis).abs() < 1e-9);
+        let fitting = along.filter_map(|w| {
+            let (length, by) = (w.from.distance(w.to), missing * w.direction.dot(axis));
+            (length + by > SAME).then_some(Mend {
+                line: w.span,
+                length,
+                by,
+            })
+        });
+        found.extend(fitting.take(2));
+    }
+    found
+}
+
+/// Moves every corner by its share of the gap, so that the ring closes.
+fn spread(walls: &mut [Wall], gap: DVec2, length: f64) {
+    let mut walked = 0.0;
+    for wall in &mut *walls {
+        let before = wall.from.distance(wall.to);
+        wall.from -= gap * (walked / length);
+        walked += before;
+        wall.to -= gap * (walked / length);
+        let after = wall.from.distance(wall.to);
+        if after > 0.0 && before > 0.0 {
+            wall.direction = (wall.to - wall.from) / after;
+            for unit in &mut wall.units {
+                unit.width *= after / before;
+            }
+        }
+    }
+    let first = walls[0].from;
+    if let Some(last) = walls.last_mut() {
+        last.to = first;
+    }
+}

@@ -1,0 +1,82 @@
+//! Follows one loop: units advance the walk, turns change its heading.
+//!
+//! Voids and turns before the first part (posts count as parts) move the start point and the first
+//! heading and leave no wall; after it a void is an open bay of its wall.
+
+use crate::building::Wall;
+use crate::geometry::Heading;
+use crate::program::{Content, Line, Loop};
+use crate::source::Span;
+use glam::{DVec2, dvec2};
+
+/// A loop with its walls placed, not yet judged.
+pub(super) struct Walk {
+    pub span: Span,
+    pub hole: bool,
+    /// Walls with a length, in walk order.
+    pub walls: Vec<Wall>,
+    /// The turn after each wall in degrees, zero-length lines added up; the last one is left out of
+    /// all sums, since the last line end counts as whatever closes the walk.
+    pub turns: Vec<f64>,
+    /// Where the walk ends.
+    pub end: DVec2,
+}
+
+/// Places the walls of a loop; `facade` counts them over the storey.
+pub(super) fn walk(steps: Loop, facade: &mut u32) -> Walk {
+    let mut at = dvec2(steps.start.0, steps.start.1);
+    let mut heading = Heading::default();
+    let mut out = Walk {
+        span: steps.span,
+        hole: steps.hole,
+        walls: vec![],
+        turns: vec![],
+        end: at,
+    };
+    let mut started = false;
+    let mut waiting = vec![]; // posts of lines without length stand at the start of the next wall
+    for mut line in steps.lines {
+        if !started {
+            let leading = line
+                .units
+                .iter()
+                .take_while(|u| u.content == Content::Void)
+                .count();
+            at += heading.vector() * line.units.drain(..leading).map(|u| u.width).sum::<f64>();
+            started = !line.units.is_empty();
+        }
+        let length: f64 = line.units.iter().map(|u| u.width).sum();
+        let turn = line.turn;
+        if length > 0.0 {
+            line.units.splice(0..0, waiting.drain(..));
+            *facade += 1;
+            out.walls.push(wall(line, at, heading, length, *facade));
+            out.turns.push(turn);
+            at += heading.vector() * length;
+        } else {
+            waiting.append(&mut line.units);
+            if let Some(last) = out.turns.last_mut() {
+                *last += turn;
+            }
+        }
+        heading = heading.turned(turn);
+    }
+    if let Some(last) = out.walls.last_mut() {
+        last.units.append(&mut waiting);
+    }
+    out.end = at;
+    out
+}
+
+fn wall(line: Line, from: DVec2, heading: Heading, length: f64, facade: u32) -> Wall {
+    let direction = heading.vector();
+    Wall {
+        span: line.span,
+        facade,
+        from,
+        to: from + direction * length,
+        direction,
+        units: line.units,
+        reflection: line.reflection,
+    }
+}

@@ -1,0 +1,283 @@
+//! Reads the legacy text: header, walls, roofs (language.md 2; 001-05 to 001-11).
+//!
+//! A file is read line by line, once. A house is a small machine with three states: the header up to the
+//! first line of codes, the walls up to a blank line, the roofs up to `%` or the end of the file. What
+//! stands in a wrong place is recognised by its form, reported, and read as what it is, so that one slip
+//! hides none of the others.
+//!
+//! | file | reads |
+//! |---|---|
+//! | `line` | lines, and stand-ins for characters that do not belong |
+//! | `talk` | where messages go |
+//! | `words` | words and numbers |
+//! | `header` | place, heights, keys |
+//! | `walls`, `cells` | storeys and rows; the codes of a row |
+//! | `roofs` | roof lines |
+
+mod cells;
+mod header;
+mod line;
+mod roofs;
+mod talk;
+mod walls;
+mod words;
+
+use crate::ast::{Document, House};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::{file, legacy as say};
+use crate::source::{Limits, Source, Span};
+use header::Header;
+use line::Line;
+use std::ops::Range;
+use talk::Talk;
+use walls::Walls;
+
+/// Reads a file of the legacy form.
+pub fn parse(source: &Source, _limits: &Limits, out: &mut Diagnostics) -> Document {
+    let mut reader = Reader {
+        talk: Talk::new(source, out),
+        document: Document::default(),
+        house: Draft::default(),
+        old_line_ends: false,
+    };
+    let text = source.text();
+    for (line, end) in line::lines(text) {
+        reader.line_end(end.clone());
+        reader.line(&text[line.clone()], line.start, end);
+    }
+    reader.finish_house();
+    let Reader {
+        mut talk, document, ..
+    } = reader;
+    if document.houses.is_empty() {
+        talk.say(file::no_house(source.span(0..0)));
+    }
+    talk.finish();
+    document
+}
+
+/// Which lines a house expects.
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+enum Section {
+    #[default]
+    Header,
+    Walls,
+    Roofs,
+}
+
+/// A house under way.
+#[derive(Default)]
+struct Draft {
+    section: Section,
+    header: Header,
+    walls: Walls,
+    house: House,
+    /// From its first line to its last.
+    span: Option<Span>,
+    /// The blank line that was read last, with its line end, in the text of the source.
+    blank: Option<Range<usize>>,
+}
+
+struct Reader<'a> {
+    talk: Talk<'a>,
+    document: Document,
+    house: Draft,
+    old_line_ends: bool,
+}
+
+impl<'a> Reader<'a> {
+    /// Notes line ends that editors of today do not count.
+    fn line_end(&mut self, end: Range<usize>) {
+        if !self.old_line_ends && self.talk.source.text()[end.clone()] == *"\r" {
+            self.old_line_ends = true;
+            let span = self.talk.source.span(end);
+            self.talk.say(file::old_line_ends(span));
+        }
+    }
+
+    fn line(&mut self, raw: &'a str, at: usize, end: Range<usize>) {
+        // Some programs of the time end a file with Ctrl-Z.
+        let last = end.end == self.talk.source.text().len();
+        let raw = if last {
+            raw.trim_end_matches('\u{1a}')
+        } else {
+            raw
+        };
+        if raw.starts_with('#') {
+            return;
+        }
+        if raw.trim().is_empty() {
+            self.house.header.gap = self.house.header.begun();
+            self.house.blank = Some(at..end.end);
+            return;
+        }
+        let line = Line::new(raw, at);
+        let text = line.text.trim();
+        match text.as_bytes().first() {
+            None => self.talk.mended_fields(&line),
+            Some(b'%') => self.separator(&line, text),
+            Some(b'#') => {
+                self.talk.mended_before(&line, 0);
+                let span = line.whole(self.talk.source);
+                self.talk.say(say::comment_column(span));
+            }
+            Some(_) => self.content(&line),
+        }
+    }
+
+    fn separator(&mut self, line: &Line<'_>, text: &str) {
+        self.talk.mended_fields(line);
+        if text != "%" {
+            let start = line.text.find('%').unwrap_or(0) + 1;
+            let rest = start..line.text.trim_end().len();
+            let span = line.span(self.talk.source, rest);
+            self.talk.say(say::after_separator(span));
+        }
+        self.finish_house();
+    }
+
+    fn content(&mut self, line: &Line<'_>) {
+        let section = self.section_of(line);
+        let house = &mut self.house;
+        let span = line.whole(self.talk.source);
+        house.span = Some(house.span.map_or(span, |s| s.to(span)));
+        house.blank = None;
+        match section {
+            Some(section) => house.section = section,
+            // A key among walls or roofs is read there and then.
+            None => return house.header.read(line, &mut house.house, &mut self.talk),
+        }
+        match house.section {
+            Section::Header => house.header.read(line, &mut house.house, &mut self.talk),
+            Section::Walls => {
+                self.talk.mended_walls(line);
+                house.walls.read(line, &mut self.talk);
+            }
+            Section::Roofs => {
+                let roof = roofs::read(line, &mut self.talk);
+                house.house.roofs.lines.extend(roof);
+            }
+        }
+    }
+
+    /// Where a line belongs by its form; `None` is a line of the header in a wrong place.
+    fn section_of(&mut self, line: &Line<'_>) -> Option<Section> {
+        match self.house.section {
+            Section::Header => Some(self.after_header(line)),
+            _ if header::is_key_line(&line.text) => {
+                let key = words::plain_words(&line.text).next().unwrap_or_default();
+                let start = line.text.find(key).unwrap_or(0);
+                let span = line.span(self.talk.source, start..start + key.len());
+                self.talk.say(say::late_key(span, key));
+                None
+            }
+            Section::Walls => Some(self.after_walls(line)),
+            Section::Roofs => Some(self.after_roofs(line)),
+        }
+    }
+
+    fn after_header(&mut self, line: &Line<'_>) -> Section {
+        let (house, source) = (&self.house, self.talk.source);
+        let roof = roofs::looks_like_roof(&line.text);
+        if !roof && house.header.owns(&line.text) {
+            return Section::Header;
+        }
+        let start = line.whole(source);
+        let start = Span {
+            end: start.start,
+            ..start
+        };
+        if !house.header.placed() {
+            self.talk.say(say::no_header(start));
+        } else if house.blank.is_none() {
+            self.talk.say(say::no_blank_line(
+                start,
+                "header",
+                if roof { "roofs" } else { "walls" },
+            ));
+        }
+        if roof { Section::Roofs } else { Section::Walls }
+    }
+
+    fn after_walls(&mut self, line: &Line<'_>) -> Section {
+        let text = &*line.text;
+        let span = line.whole(self.talk.source);
+        let Some(blank) = self.house.blank.clone() else {
+            // Part codes have no blank in their second column, so most lines end here.
+            let roof = text.as_bytes().get(1) == Some(&b' ') && roofs::looks_like_roof(text);
+            if roof {
+                let start = Span {
+                    end: span.start,
+                    ..span
+                };
+                self.talk.say(say::no_blank_line(start, "walls", "roofs"));
+            }
+            return if roof { Section::Roofs } else { Section::Walls };
+        };
+        if words::plain_words(text).next().is_some_and(words::numeric) {
+            self.new_house(span);
+            Section::Header
+        } else if looks_like_codes(text) && !roofs::looks_like_roof(text) {
+            let blank = self.talk.source.span(blank);
+            self.talk.say(say::blank_in_walls(blank, span));
+            Section::Walls
+        } else {
+            Section::Roofs
+        }
+    }
+
+    fn after_roofs(&mut self, line: &Line<'_>) -> Section {
+        let header = words::plain_words(&line.text)
+            .next()
+            .is_some_and(words::numeric);
+        if header && self.house.blank.is_some() {
+            self.new_house(line.whole(self.talk.source));
+            return Section::Header;
+        }
+        Section::Roofs
+    }
+
+    /// A header after walls or roofs: the line between two houses was forgotten.
+    fn new_house(&mut self, header: Span) {
+        self.talk.say(say::no_separator(header));
+        self.finish_house();
+    }
+
+    /// Takes the house under way, unless nothing was written, and makes room for the next.
+    fn finish_house(&mut self) {
+        let draft = std::mem::take(&mut self.house);
+        let (Some(span), mut walls, mut house) = (draft.span, draft.walls, draft.house) else {
+            return;
+        };
+        if !walls.begun() {
+            self.talk.say(say::no_walls(span));
+        }
+        house.span = span;
+        house.storeys = walls.finish(&mut self.talk);
+        let storeys = house.storeys.len();
+        if let Some(surplus) = house
+            .heights
+            .get(storeys.max(1)..)
+            .filter(|s| !s.is_empty())
+        {
+            let span = surplus
+                .iter()
+                .fold(surplus[0].span, |all, h| all.to(h.span));
+            self.talk
+                .say(say::surplus_heights(span, house.heights.len(), storeys));
+        }
+        self.document.houses.push(house);
+    }
+}
+
+/// Two capitals, points, a control letter, or whole voids before them: the beginning of a wall line.
+fn looks_like_codes(text: &str) -> bool {
+    let words = text.trim_start();
+    let bytes = words.as_bytes();
+    let capitals = bytes.len() > 1 && bytes[..2].iter().all(u8::is_ascii_uppercase);
+    let control = words
+        .split_whitespace()
+        .next()
+        .is_some_and(|w| matches!(w, "L" | "R" | "^" | "l" | "r"));
+    capitals || control || words.starts_with("..")
+}

@@ -1,0 +1,257 @@
+//! Cuts a wall line into codes of five columns.
+//!
+//! Only the form is known here: a code begins with one of the class letters (domain.md 5.1), five blanks
+//! or five points are a void. Where the columns of a line are out of step, every code after the slip
+//! would be unknown; so the words are looked at once, and one message proposes the line as it was meant.
+
+use super::line::{CELL, Line};
+use super::talk::Talk;
+use crate::ast::{CodeText, Item, Part, Piece};
+use crate::diagnostic::messages::legacy as say;
+use crate::source::Spanned;
+use nom::bytes::complete::take;
+use nom::{IResult, Parser};
+use std::ops::Range;
+
+/// A void that can be seen.
+const POINTS: &str = ".....";
+
+/// A code, or a void, and where it stands in the text of its line.
+struct Cell<'l> {
+    text: &'l str,
+    range: Range<usize>,
+}
+
+/// The pieces of a part of a line; `turned` tells that a control letter follows it.
+pub(super) fn pieces(
+    line: &Line<'_>,
+    mut range: Range<usize>,
+    turned: bool,
+    talk: &mut Talk<'_>,
+) -> Vec<Item<Piece>> {
+    range.start += leading_shift(line, range.clone(), talk);
+    let text = &line.text[range.clone()];
+    let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
+    let (mut rest, mut at, mut odd) = (text, range.start, false);
+    let ascii = text.is_ascii();
+    while let Ok((next, cell)) = if ascii { five_bytes(rest) } else { five(rest) } {
+        odd |= !regular(cell);
+        pieces.push(piece(line, at..at + cell.len(), cell, talk));
+        (rest, at) = (next, at + cell.len());
+    }
+    // A last code cut short begins like any other.
+    if odd || !regular(rest.trim_end_matches(' ')) {
+        if let Some(cells) = in_step(text, range.start) {
+            return mended(line, range, &cells, talk);
+        }
+        point_voids(line, range.clone(), &mut pieces, talk);
+    }
+    remainder(line, at..range.end, rest, &mut pieces, talk);
+    if !turned && text.ends_with("     ") {
+        trailing_voids(line, text, range.start, talk);
+    }
+    pieces
+}
+
+/// Columns are characters, whatever their bytes.
+pub(super) fn columns(text: &str) -> usize {
+    if text.is_ascii() {
+        text.len()
+    } else {
+        text.chars().count()
+    }
+}
+
+fn five(input: &str) -> IResult<&str, &str> {
+    take(CELL).parse(input)
+}
+
+/// The same where columns are bytes, which spares looking at each character.
+fn five_bytes(input: &str) -> IResult<&str, &str> {
+    let (_, cell) = take(CELL)
+        .parse(input.as_bytes())
+        .map_err(|e: nom::Err<_>| {
+            e.map(|e: nom::error::Error<&[u8]>| nom::error::Error::new(input, e.code))
+        })?;
+    let (cell, rest) = input.split_at(cell.len());
+    Ok((rest, cell))
+}
+
+fn class(b: u8) -> bool {
+    matches!(b, b'K' | b'T' | b'M' | b'G' | b'H' | b'A' | b'N')
+}
+
+/// Whether a cell has the form of a catalogue code or of a void.
+fn regular(cell: &str) -> bool {
+    match cell.as_bytes() {
+        [b' ', ..] => cell == "     ",
+        [b'.', ..] => cell == POINTS,
+        [first, ..] => class(*first),
+        [] => true,
+    }
+}
+
+fn piece(line: &Line<'_>, range: Range<usize>, text: &str, talk: &Talk<'_>) -> Item<Piece> {
+    let code = match <[u8; CELL]>::try_from(text.as_bytes()) {
+        Ok(five) if text.is_ascii() && five != *b"....." => CodeText::Five(five),
+        _ => CodeText::new(if text == POINTS { "" } else { text }),
+    };
+    Item::One(Piece::Part(Part {
+        code: Spanned::new(code, line.span(talk.source, range)),
+        width: None,
+        height: None,
+    }))
+}
+
+/// Blanks before the first code that are no whole voids shift every code of the line.
+fn leading_shift(line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) -> usize {
+    let text = &line.text[range.clone()];
+    let lead = text.len() - text.trim_start_matches(' ').len();
+    let shift = lead % CELL;
+    if shift == 0 || lead == text.len() {
+        return 0;
+    }
+    let span = line.span(talk.source, range.start..range.start + lead);
+    talk.say(say::shifted(span, lead, lead - shift));
+    shift
+}
+
+/// What is left after the last whole cell (language.md 2, remainders).
+fn remainder(
+    line: &Line<'_>,
+    range: Range<usize>,
+    rest: &str,
+    pieces: &mut Vec<Item<Piece>>,
+    talk: &mut Talk<'_>,
+) {
+    let trimmed = rest.trim_end_matches(' ');
+    let range = range.start..range.start + trimmed.len();
+    if trimmed.is_empty() {
+        return;
+    }
+    let span = line.span(talk.source, range.clone());
+    if trimmed.bytes().all(|b| b == b'.' || b == b' ') {
+        talk.say(say::few_points(span, trimmed));
+        pieces.push(piece(line, range, POINTS, talk));
+    } else if columns(rest) == 1 {
+        talk.say(say::one_over(span, trimmed));
+    } else {
+        pieces.push(piece(line, range, trimmed, talk));
+    }
+}
+
+/// Whole cells of points and blanks that are not five points are voids all the same.
+fn point_voids(
+    line: &Line<'_>,
+    range: Range<usize>,
+    pieces: &mut [Item<Piece>],
+    talk: &mut Talk<'_>,
+) {
+    let (mut rest, mut at) = (&line.text[range.clone()], range.start);
+    for slot in pieces {
+        let Ok((next, cell)) = five(rest) else { return };
+        let range = at..at + cell.len();
+        let points = cell.bytes().all(|b| b == b'.' || b == b' ') && cell.contains('.');
+        if points && cell != POINTS {
+            talk.say(say::few_points(line.span(talk.source, range.clone()), cell));
+            *slot = piece(line, range, POINTS, talk);
+        }
+        (rest, at) = (next, at + cell.len());
+    }
+}
+
+/// Voids at a line end that an editor may trim away (domain.md 2.6, A4).
+fn trailing_voids(line: &Line<'_>, text: &str, at: usize, talk: &mut Talk<'_>) {
+    let written = text.trim_end_matches(' ');
+    let missing = (CELL - columns(written) % CELL) % CELL;
+    let start = written.len() + missing;
+    let count = text.len().saturating_sub(start) / CELL;
+    if count > 0 {
+        let span = line.span(talk.source, at + start..at + start + count * CELL);
+        talk.say(say::trailing_void(span, count));
+    }
+}
+
+/// The codes of a line that is out of step, if its words leave no doubt: each begins with a class letter
+/// and two capitals, or is a void of points, and none is longer than five columns.
+fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
+    let starts = starts(text);
+    let first = *starts.first()?;
+    if !text.is_ascii() || !text[..first].bytes().all(|b| b == b' ') {
+        return None;
+    }
+    let mut cells = vec![];
+    for k in 0..first / CELL {
+        let range = at + k * CELL..at + (k + 1) * CELL;
+        cells.push(Cell { text: "", range });
+    }
+    for (i, &start) in starts.iter().enumerate() {
+        let end = starts.get(i + 1).copied();
+        let segment = &text[start..end.unwrap_or(text.len())];
+        let written = segment.trim_end_matches(' ');
+        if written.len() > CELL {
+            return None;
+        }
+        let range = at + start..at + start + written.len();
+        cells.push(Cell {
+            text: written,
+            range,
+        });
+        // A gap of about five columns more than a code needs is a void.
+        let voids = end.map_or(0, |_| ((segment.len() + 2) / CELL).saturating_sub(1));
+        let gap = at + start + written.len()..at + start + segment.len();
+        cells.extend((0..voids).map(|_| Cell {
+            text: "",
+            range: gap.clone(),
+        }));
+    }
+    Some(cells)
+}
+
+/// Where words begin that look like codes.
+fn starts(text: &str) -> Vec<usize> {
+    let bytes = text.as_bytes();
+    let (mut at, mut found) = (0, vec![]);
+    while at < bytes.len() {
+        let word = bytes
+            .get(at..at + 3)
+            .is_some_and(|w| class(w[0]) && w[1].is_ascii_uppercase() && w[2].is_ascii_uppercase());
+        let fresh = at == 0 || !bytes[at - 1].is_ascii_uppercase();
+        let points = bytes[at..].starts_with(POINTS.as_bytes());
+        if points || word && fresh {
+            found.push(at);
+        }
+        at += match (points, word && fresh) {
+            (true, _) => CELL,
+            (_, true) => 3,
+            _ => 1,
+        };
+    }
+    found
+}
+
+/// Reports a line that is out of step from its first irregular cell on, and takes its words.
+fn mended(
+    line: &Line<'_>,
+    range: Range<usize>,
+    cells: &[Cell<'_>],
+    talk: &mut Talk<'_>,
+) -> Vec<Item<Piece>> {
+    let text = &line.text[range.clone()];
+    // The slip is where a code first stands off its column.
+    let off = |c: &&Cell<'_>| !(c.range.start - range.start).is_multiple_of(CELL);
+    let slip = cells
+        .iter()
+        .find(off)
+        .map_or(range.start, |c| c.range.start);
+    let end = range.start + text.trim_end_matches(' ').len();
+    let span = line.span(talk.source, slip..end);
+    let meant: String = cells.iter().map(|c| format!("{:5}", c.text)).collect();
+    talk.say(say::out_of_step(
+        span,
+        slip - range.start + 1,
+        meant.trim_end(),
+    ));
+    let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, talk);
+    cells.iter().map(part).collect()
+}

@@ -1,0 +1,255 @@
+//! The header: where the house stands, how high its storeys are, and its settings.
+
+use super::line::Line;
+use super::talk::Talk;
+use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
+use crate::ast::{House, RoofMethod, RoofMode};
+use crate::diagnostic::messages::legacy as say;
+use crate::source::{Span, Spanned};
+
+/// Keys of header lines.
+const KEYS: [&str; 6] = ["unit", "seed", "roofs", "method", "street", "name"];
+
+/// Height of a storey whose own cannot be read, shaku (language.md 1).
+const HEIGHT: f64 = 9.0;
+
+/// First numbers of a header; a whole country fits into the bounds.
+const PLACE: [Range64; 3] = [
+    Range64 {
+        what: "x",
+        bounds: -1e8..=1e8,
+        unit: "metres",
+    },
+    Range64 {
+        what: "y",
+        bounds: -1e8..=1e8,
+        unit: "metres",
+    },
+    Range64 {
+        what: "the azimuth",
+        bounds: -360.0..=360.0,
+        unit: "degrees",
+    },
+];
+
+const STOREY: Range64 = Range64 {
+    what: "a storey height",
+    bounds: 0.1..=1000.0,
+    unit: "shaku",
+};
+const UNIT: Range64 = Range64 {
+    what: "the unit",
+    bounds: 0.1..=100.0,
+    unit: "shaku",
+};
+
+/// What has been read of a header.
+#[derive(Default)]
+pub(super) struct Header {
+    place: Option<Span>,
+    heights: Option<Span>,
+    keys: Vec<(&'static str, Span)>,
+    /// Whether a blank line has followed what was read.
+    pub(super) gap: bool,
+}
+
+impl Header {
+    /// Whether a line was read.
+    pub(super) fn begun(&self) -> bool {
+        self.placed() || !self.keys.is_empty()
+    }
+
+    /// Whether the line of the place was read.
+    pub(super) fn placed(&self) -> bool {
+        self.place.is_some()
+    }
+
+    /// Whether a line is one of the header; the first that is not begins the walls.
+    pub(super) fn owns(&self, text: &str) -> bool {
+        let first = plain_words(text).next().unwrap_or_default();
+        if numeric(first) || key_of(first).is_some() {
+            return true;
+        }
+        let strange = first.chars().any(|c| c.is_lowercase() || !c.is_ascii())
+            && !first.chars().any(|c| c.is_ascii_uppercase());
+        let word = first.len() > 1 && !first.starts_with('.');
+        strange && word && (!self.gap || nearest(first, &KEYS).is_some())
+    }
+
+    /// Reads a line of the header into the house.
+    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, talk: &mut Talk<'_>) {
+        let first = plain_words(&line.text).next().unwrap_or_default();
+        if !numeric(first) {
+            return self.key(line, house, talk);
+        }
+        talk.mended_fields(line);
+        let words = words(line, talk);
+        let span = all(&words, talk.source);
+        match (self.place, self.heights) {
+            (None, _) => {
+                self.place = Some(span);
+                place(&words, house, talk);
+            }
+            (_, None) => {
+                self.heights = Some(span);
+                for word in &words {
+                    let height = within(word.text, word.span, &STOREY, talk);
+                    // A height that cannot be read must not move the ones after it.
+                    let kept = height.unwrap_or(Spanned::new(HEIGHT, word.span));
+                    house.heights.push(kept);
+                }
+            }
+            (_, Some(heights)) => talk.say(say::third_numbers(span, heights)),
+        }
+    }
+
+    fn key(&mut self, line: &Line<'_>, house: &mut House, talk: &mut Talk<'_>) {
+        let text = &*line.text;
+        let start = text.len() - text.trim_start().len();
+        let first = plain_words(text).next().unwrap_or_default();
+        let (key, len) = key_of(first).unwrap_or(("", first.len()));
+        let span = line.span(talk.source, start..start + len);
+        let free = line.written(start + len);
+        if key == "name" {
+            talk.mended_before(line, free);
+        } else {
+            talk.mended_fields(line);
+        }
+        if first != key {
+            talk.say(say::unknown_key(
+                line.span(talk.source, start..start + first.len()),
+                first,
+                nearest(key_word(first), &KEYS),
+                &KEYS,
+            ));
+        }
+        if key.is_empty() {
+            return;
+        }
+        if let Some((_, before)) = self.keys.iter().find(|(k, _)| *k == key) {
+            talk.say(say::twice(span, key, *before));
+        }
+        self.keys.push((key, span));
+        if key == "name" {
+            name(line, free, span, house, talk);
+        } else {
+            let words = words(line, talk);
+            setting(key, span, value(&words), house, talk);
+        }
+    }
+}
+
+/// The part of a word before `=` or `:`.
+fn key_word(word: &str) -> &str {
+    word.split(['=', ':']).next().unwrap_or_default()
+}
+
+/// The key a word means, whatever its case, and how much of the word that is.
+fn key_of(word: &str) -> Option<(&'static str, usize)> {
+    let head = key_word(word);
+    let same = |key: &&&'static str| key.eq_ignore_ascii_case(head);
+    KEYS.iter().find(same).map(|key| (*key, head.len()))
+}
+
+/// Whether a line begins with a key as it should be written.
+pub(super) fn is_key_line(text: &str) -> bool {
+    plain_words(text)
+        .next()
+        .is_some_and(|first| KEYS.contains(&first))
+}
+
+/// The words after a key, or what is glued to it by `=` or `:`.
+fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
+    let glued = words.first().and_then(|w| {
+        let at = w.text.find(['=', ':'])?;
+        Some((&w.text[at + 1..], w.span)).filter(|(text, _)| !text.is_empty())
+    });
+    let rest = words.iter().skip(1).map(|w| (w.text, w.span));
+    glued
+        .into_iter()
+        .chain(rest.filter(|w| w.0 != "="))
+        .collect()
+}
+
+fn place(words: &[Word<'_>], house: &mut House, talk: &mut Talk<'_>) {
+    let settings = &mut house.settings;
+    let slots = [&mut settings.x, &mut settings.y, &mut settings.azimuth];
+    for ((word, range), slot) in words.iter().zip(&PLACE).zip(slots) {
+        *slot = within(word.text, word.span, range, talk);
+    }
+    if let [only] = words {
+        talk.say(say::missing_number(only.span.after(), "y"));
+    }
+    if let Some(surplus) = words.get(PLACE.len()..).filter(|w| !w.is_empty()) {
+        talk.say(say::surplus(all(surplus, talk.source), "the azimuth"));
+    }
+}
+
+/// The rest of the line as written, since a name may hold any character.
+fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, talk: &mut Talk<'_>) {
+    let rest = line.raw[free..].trim_start_matches(['=', ':']);
+    let text = rest.trim();
+    if text.is_empty() {
+        return talk.say(say::missing_value(key, "name"));
+    }
+    let start = line.at + line.raw.len() - rest.trim_start().len();
+    let span = talk.source.span(start..start + text.len());
+    house.name = Some(Spanned::new(text.to_owned(), span));
+}
+
+fn setting(
+    key: &'static str,
+    at: Span,
+    value: Vec<(&str, Span)>,
+    house: &mut House,
+    talk: &mut Talk<'_>,
+) {
+    let Some(&(text, span)) = value.first() else {
+        return talk.say(say::missing_value(at, key));
+    };
+    if let [_, second, ..] = value[..] {
+        let last = value.last().map_or(second.1, |v| v.1);
+        talk.say(say::surplus(second.1.to(last), key));
+    }
+    let (settings, roofs) = (&mut house.settings, &mut house.roofs);
+    match key {
+        "unit" => settings.unit = within(text, span, &UNIT, talk),
+        "seed" => settings.seed = seed(text, span, talk),
+        "street" => settings.street = choice(key, text, span, &STREET, talk),
+        "roofs" => roofs.mode = choice(key, text, span, &MODES, talk),
+        _ => roofs.method = choice(key, text, span, &METHODS, talk),
+    }
+}
+
+const STREET: [(&str, bool); 2] = [("yes", true), ("no", false)];
+const MODES: [(&str, RoofMode); 2] = [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
+const METHODS: [(&str, RoofMethod); 2] =
+    [("kd", RoofMethod::Kd), ("least-cut", RoofMethod::LeastCut)];
+
+fn choice<T: Copy>(
+    key: &str,
+    text: &str,
+    span: Span,
+    choices: &[(&'static str, T)],
+    talk: &mut Talk<'_>,
+) -> Option<Spanned<T>> {
+    let find = |word: &str| choices.iter().find(|(w, _)| *w == word).map(|(_, v)| *v);
+    let words: Vec<&str> = choices.iter().map(|(w, _)| *w).collect();
+    let value = find(text).or_else(|| {
+        let near = nearest(text, &words);
+        talk.say(say::bad_choice(span, key, text, near, &words));
+        near.and_then(find)
+    })?;
+    Some(Spanned::new(value, span))
+}
+
+fn seed(text: &str, span: Span, talk: &mut Talk<'_>) -> Option<Spanned<u64>> {
+    let value = text.parse().ok().filter(|_| !text.starts_with('+'));
+    if value.is_none() {
+        talk.say(match number(text) {
+            Some(_) => say::bad_seed(span, text),
+            None => say::not_a_number(span, text, "the seed"),
+        });
+    }
+    value.map(|value| Spanned::new(value, span))
+}

@@ -1,0 +1,204 @@
+//! Lines of a text, and what stands in for characters that have no place in one.
+//!
+//! Almost every line is printable ASCII and is borrowed as it stands. The others are mended: full-width
+//! blanks and tabs become blanks, full-width letters become plain ones, so that the rest of the reader
+//! sees what the author meant. A map leads back, so spans always cover what is written.
+
+use crate::source::{Source, Span};
+use std::borrow::Cow;
+use std::ops::Range;
+
+/// Columns of one code.
+pub(super) const CELL: usize = 5;
+
+/// A line without its line end, mended.
+pub(super) struct Line<'a> {
+    /// As written.
+    pub(super) raw: &'a str,
+    /// Where `raw` begins in the text of the source.
+    pub(super) at: usize,
+    /// With stand-ins for characters that do not belong.
+    pub(super) text: Cow<'a, str>,
+    /// Offset in `raw` of each byte of `text` and of its end; empty where both are the same.
+    map: Vec<u32>,
+    /// What was mended.
+    pub(super) findings: Vec<Finding>,
+}
+
+/// A run of characters that were mended, or could not be.
+pub(super) struct Finding {
+    /// What kind of characters.
+    pub(super) kind: Odd,
+    /// Where, in `raw`.
+    pub(super) range: Range<usize>,
+}
+
+/// Characters that are no printable ASCII.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Odd {
+    /// U+3000, taken for two blanks.
+    WideBlank,
+    /// A tab, taken for the blanks up to the next border of two codes.
+    Tab,
+    /// White space of other widths, taken for one blank.
+    OtherBlank,
+    /// Full-width forms, taken for the plain letters.
+    Wide,
+    /// Characters without a width, left out.
+    Invisible,
+    /// Control characters, taken for blanks.
+    Control,
+    /// The stand-in for bytes without a meaning; reported for the file already.
+    Replacement,
+    /// Everything else; kept.
+    Foreign,
+}
+
+impl<'a> Line<'a> {
+    /// Mends a line that begins at `at`.
+    pub(super) fn new(raw: &'a str, at: usize) -> Line<'a> {
+        let mut line = Line {
+            raw,
+            at,
+            text: Cow::Borrowed(raw),
+            map: vec![],
+            findings: vec![],
+        };
+        // Without an early end the loop runs over many bytes at a time.
+        let odd = |odd, b: u8| odd | !(b' '..=b'~').contains(&b);
+        if raw.bytes().fold(false, odd) {
+            line.mend();
+        }
+        line
+    }
+
+    /// The span of a range of `text`.
+    pub(super) fn span(&self, source: &Source, range: Range<usize>) -> Span {
+        source.span(self.at + self.written(range.start)..self.at + self.written(range.end))
+    }
+
+    /// The span of the whole line, without blanks at its ends.
+    pub(super) fn whole(&self, source: &Source) -> Span {
+        let start = self.raw.len() - self.raw.trim_start().len();
+        let end = self.raw.trim_end().len().max(start);
+        source.span(self.at + start..self.at + end)
+    }
+
+    /// The offset in `raw` of an offset in `text`.
+    pub(super) fn written(&self, at: usize) -> usize {
+        self.map.get(at).map_or(at, |&w| w as usize)
+    }
+
+    fn mend(&mut self) {
+        let mut text = String::with_capacity(self.raw.len() + CELL);
+        let (mut column, mut wide_run) = (0, false);
+        for (at, c) in self.raw.char_indices() {
+            let kind = odd(c);
+            let before = text.len();
+            match kind {
+                Some(Odd::WideBlank) => text.push_str(if wide_run { " " } else { "  " }),
+                Some(Odd::Tab) => (column % CELL..CELL).for_each(|_| text.push(' ')),
+                Some(Odd::OtherBlank | Odd::Control) => text.push(' '),
+                Some(Odd::Wide) => text.push(narrow(c)),
+                Some(Odd::Invisible) => {}
+                Some(Odd::Replacement | Odd::Foreign) | None => text.push(c),
+            }
+            // A blank typed among full-width letters stands in one of their columns.
+            wide_run = matches!(kind, Some(Odd::Wide)) || wide_run && c == '\u{3000}';
+            column += text[before..].chars().count();
+            self.map.extend((before..text.len()).map(|_| at as u32));
+            if let Some(kind) = kind {
+                self.find(kind, at..at + c.len_utf8());
+            }
+        }
+        self.map.push(self.raw.len() as u32);
+        self.text = Cow::Owned(text);
+    }
+
+    /// Notes a character; neighbours of the same kind make one finding.
+    fn find(&mut self, kind: Odd, range: Range<usize>) {
+        match self.findings.last_mut() {
+            Some(f) if f.kind == kind && f.range.end == range.start => f.range.end = range.end,
+            _ => self.findings.push(Finding { kind, range }),
+        }
+    }
+}
+
+fn odd(c: char) -> Option<Odd> {
+    Some(match c {
+        ' '..='~' => return None,
+        '\u{3000}' => Odd::WideBlank,
+        '\t' => Odd::Tab,
+        '\u{ff01}'..='\u{ff5e}' => Odd::Wide,
+        '\u{200b}'..='\u{200f}' | '\u{2060}' | '\u{feff}' | '\u{ad}' => Odd::Invisible,
+        '\u{fffd}' => Odd::Replacement,
+        c if c.is_control() => Odd::Control,
+        c if c.is_whitespace() => Odd::OtherBlank,
+        _ => Odd::Foreign,
+    })
+}
+
+/// The plain form of a full-width one; both blocks have the same order.
+fn narrow(c: char) -> char {
+    char::from_u32(u32::from(c) - 0xff01 + 0x21).unwrap_or(c)
+}
+
+/// The ranges of the lines of a text and of their line ends: LF, CR LF (with any number of CR), or CR.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
+    let bytes = text.as_bytes();
+    let (mut at, mut feed) = (0, None);
+    std::iter::from_fn(move || {
+        let start = (at < bytes.len()).then_some(at)?;
+        // The next line feed is kept, for there may be many lines that end with CR before it.
+        let limit = *feed
+            .filter(|&f| f >= start)
+            .get_or_insert_with(|| text[start..].find('\n').map_or(bytes.len(), |i| start + i));
+        feed = Some(limit);
+        let end = text[start..limit].find('\r').map_or(limit, |i| start + i);
+        at = after_line_end(bytes, end);
+        Some((start..end, end..at))
+    })
+}
+
+fn after_line_end(bytes: &[u8], end: usize) -> usize {
+    let returns = bytes[end..].iter().take_while(|&&b| b == b'\r').count();
+    match bytes.get(end + returns) {
+        Some(b'\n') => end + returns + 1, // CR CR LF comes from a file converted twice
+        _ => end + returns.min(1),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn split(text: &str) -> Vec<&str> {
+        lines(text).map(|(line, _)| &text[line]).collect()
+    }
+
+    #[test]
+    fn lines_end_in_every_known_way() {
+        assert_eq!(split("a\nb\r\nc\rd"), ["a", "b", "c", "d"]);
+        assert_eq!(
+            split("a\r\r\nb\r\n\r\nc\r\rd\n"),
+            ["a", "b", "", "c", "", "d"]
+        );
+        assert!(split("").is_empty());
+    }
+
+    #[test]
+    fn a_mended_line_knows_what_is_written() {
+        let source = Source::new(Default::default(), "a.hsd", "GSI　Ｌ\tX".as_bytes());
+        let line = Line::new(source.text(), 0);
+        assert_eq!(line.text, "GSI  L    X");
+        assert_eq!(source.text_range(line.span(&source, 3..5)), 3..6);
+        assert_eq!(source.text_range(line.span(&source, 5..6)), 6..9);
+        assert_eq!(source.text_range(line.span(&source, 10..11)), 10..11);
+        assert_eq!(line.findings.len(), 3);
+    }
+
+    #[test]
+    fn blanks_among_wide_letters_are_one_column() {
+        assert_eq!(Line::new("ＧＳＩ　　ＫＫＳ", 0).text, "GSI  KKS");
+    }
+}

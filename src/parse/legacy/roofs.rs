@@ -1,0 +1,411 @@
+//! Roof lines: kind, direction, height, shape, two corners, options (domain.md 6).
+
+use super::line::Line;
+use super::talk::Talk;
+use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
+use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
+use crate::diagnostic::messages::legacy as say;
+use crate::source::{Span, Spanned};
+
+const HEIGHT: Range64 = Range64 {
+    what: "the height of the eaves",
+    bounds: 0.1..=10_000.0,
+    unit: "shaku",
+};
+const CORNER: Range64 = Range64 {
+    what: "a corner",
+    bounds: -10_000.0..=10_000.0,
+    unit: "units",
+};
+
+/// Options with a number, by letter.
+const OPTIONS: [(char, Range64); 7] = [
+    (
+        'P',
+        Range64 {
+            what: "the pitch",
+            bounds: 0.1..=30.0,
+            unit: "sun per shaku",
+        },
+    ),
+    (
+        'E',
+        Range64 {
+            what: "the eaves",
+            bounds: 0.0..=20.0,
+            unit: "shaku",
+        },
+    ),
+    (
+        'G',
+        Range64 {
+            what: "the verge",
+            bounds: 0.0..=20.0,
+            unit: "shaku",
+        },
+    ),
+    (
+        'T',
+        Range64 {
+            what: "the thickness",
+            bounds: 0.05..=5.0,
+            unit: "shaku",
+        },
+    ),
+    (
+        'M',
+        Range64 {
+            what: "the number of ridge courses",
+            bounds: 0.0..=20.0,
+            unit: "courses",
+        },
+    ),
+    (
+        'S',
+        Range64 {
+            what: "the sag of the slope",
+            bounds: -20.0..=20.0,
+            unit: "per cent",
+        },
+    ),
+    (
+        'C',
+        Range64 {
+            what: "the place of the gable",
+            bounds: 0.0..=0.5,
+            unit: "of the span",
+        },
+    ),
+];
+
+const DIRECTIONS: [(char, RoofDirection); 6] = [
+    ('X', RoofDirection::AlongFront),
+    ('Y', RoofDirection::AcrossFront),
+    ('F', RoofDirection::Front),
+    ('B', RoofDirection::Back),
+    ('L', RoofDirection::Left),
+    ('R', RoofDirection::Right),
+];
+
+/// Whether a line has the form of a roof line rather than of part codes: a letter and a short field, or
+/// a shape and two numbers in a row. Codes have their letters first, so numbers never follow each other.
+pub(super) fn looks_like_roof(text: &str) -> bool {
+    let list: Vec<&str> = plain_words(text).take(16).collect();
+    let letter = |w: &str| w == "*" || w.len() == 1 && w.starts_with(alphabetic);
+    let field = |w: &str| w.chars().count() <= 2 || number(w).is_some() || shape(w).is_some();
+    let fields = matches!(list[..], [kind, second, _, ..] if letter(kind) && field(second));
+    let shaped = list
+        .windows(3)
+        .any(|w| shape(w[0]).is_some() && number(w[1]).is_some() && number(w[2]).is_some());
+    fields || shaped
+}
+
+/// Reads one line; without its corners a roof has no place and is left out.
+pub(super) fn read(line: &Line<'_>, talk: &mut Talk<'_>) -> Option<RoofLine> {
+    talk.mended_fields(line);
+    let words = words(line, talk);
+    let mut fields = Fields {
+        rest: &words,
+        end: line.whole(talk.source).after(),
+        lower: None,
+        talk,
+    };
+    let mut style = RoofStyle::default();
+    let (kind, direction) = fields.kind_and_direction();
+    style.kind = kind;
+    let height = fields.height();
+    style.shape = fields.shape();
+    let corners = fields.corners();
+    fields.options(&mut style);
+    if let Some(lower) = fields.lower {
+        fields.talk.say(say::lower_roof(lower));
+    }
+    let direction = fitting(direction, style.shape, talk);
+    Some(RoofLine {
+        span: line.whole(talk.source),
+        style,
+        direction,
+        height,
+        corners: corners?,
+    })
+}
+
+/// The words of a line that are not read yet.
+struct Fields<'w, 't, 's> {
+    rest: &'w [Word<'w>],
+    end: Span,
+    /// The words in lower case, reported together.
+    lower: Option<Span>,
+    talk: &'t mut Talk<'s>,
+}
+
+impl<'w> Fields<'w, '_, '_> {
+    fn peek(&self) -> Option<&'w Word<'w>> {
+        self.rest.first()
+    }
+
+    fn next(&mut self) -> Option<&'w Word<'w>> {
+        let (first, rest) = self.rest.split_first()?;
+        self.rest = rest;
+        Some(first)
+    }
+
+    /// The empty place where a field should stand.
+    fn gap(&self) -> Span {
+        self.peek().map_or(self.end, |w| Span {
+            end: w.span.start,
+            ..w.span
+        })
+    }
+
+    /// The word in capitals; lower case is noted.
+    fn capital(&mut self, word: &Word<'_>) -> String {
+        if word.text.bytes().any(|b| b.is_ascii_lowercase()) {
+            self.lower = Some(self.lower.map_or(word.span, |l| l.to(word.span)));
+        }
+        word.text.to_ascii_uppercase()
+    }
+
+    fn kind_and_direction(
+        &mut self,
+    ) -> (Option<Spanned<RoofKind>>, Option<Spanned<RoofDirection>>) {
+        let Some(word) = self.letters("its kind") else {
+            return (None, self.direction());
+        };
+        let text = self.capital(word);
+        let mut letters = text.chars();
+        let (first, second) = (letters.next().unwrap_or('*'), letters.next());
+        let kind = RoofKind::from_letter(first).map(|k| Spanned::new(k, word.span));
+        match second {
+            None if kind.is_none() && first != '*' => {
+                self.talk.say(say::unknown_kind(word.span, word.text));
+                (None, self.direction())
+            }
+            None => (kind, self.direction()),
+            Some(d) if letters.next().is_none() && kind.is_some() && direction(d).is_some() => {
+                self.talk.say(say::glued(word.span, word.text));
+                (kind, direction(d).map(|d| Spanned::new(d, word.span)))
+            }
+            Some(_) => {
+                self.talk.say(say::unknown_kind(word.span, word.text));
+                (None, self.direction())
+            }
+        }
+    }
+
+    fn direction(&mut self) -> Option<Spanned<RoofDirection>> {
+        let word = self.letters("its direction")?;
+        let text = self.capital(word);
+        let mut letters = text.chars();
+        let found = letters
+            .next()
+            .and_then(direction)
+            .filter(|_| letters.next().is_none());
+        if found.is_none() && text != "*" {
+            self.talk.say(say::unknown_direction(word.span, word.text));
+        }
+        found.map(|d| Spanned::new(d, word.span))
+    }
+
+    /// The next word, unless a number or a shape shows that a field of letters was left out.
+    fn letters(&mut self, what: &'static str) -> Option<&'w Word<'w>> {
+        match self.peek() {
+            Some(w) if !numeric(w.text) && shape(w.text).is_none() => self.next(),
+            _ => {
+                self.talk.say(say::missing_field(self.gap(), what));
+                None
+            }
+        }
+    }
+
+    fn height(&mut self) -> Option<Spanned<f64>> {
+        match self.peek() {
+            Some(w) if shape(w.text).is_none() => {
+                let word = self.next()?;
+                if word.text == "*" {
+                    return None;
+                }
+                within(word.text, word.span, &HEIGHT, self.talk)
+            }
+            _ => {
+                self.talk.say(say::missing_field(self.gap(), "its height"));
+                None
+            }
+        }
+    }
+
+    fn shape(&mut self) -> Option<Spanned<RoofShape>> {
+        let Some(word) = self.peek().filter(|w| !numeric(w.text)) else {
+            self.talk.say(say::missing_field(self.gap(), "its shape"));
+            return None;
+        };
+        self.next();
+        let text = self.capital(word);
+        let found = RoofShape::from_letters(&text);
+        if found.is_none() && text != "*" {
+            let letters = RoofShape::ALL.map(|(letters, _)| letters);
+            self.talk.say(say::unknown_shape(
+                word.span,
+                word.text,
+                nearest(&text, &letters),
+            ));
+        }
+        found.map(|s| Spanned::new(s, word.span))
+    }
+
+    fn corners(&mut self) -> Option<Spanned<[f64; 4]>> {
+        let count = self
+            .rest
+            .iter()
+            .take(4)
+            .take_while(|w| !is_option(w.text))
+            .count();
+        let (corners, rest) = self.rest.split_at(count);
+        self.rest = rest;
+        let mut values = [0.0; 4];
+        let mut good = count == 4;
+        for (word, value) in corners.iter().zip(&mut values) {
+            match within(word.text, word.span, &CORNER, self.talk) {
+                Some(read) => *value = read.value,
+                None => good = false,
+            }
+        }
+        if count < 4 {
+            let at = corners.last().map_or(self.gap(), |w| w.span.after());
+            self.talk.say(say::missing_corners(at, count));
+        }
+        let [a0, b0, a1, b1] = corners else {
+            return None;
+        };
+        if !good {
+            return None;
+        }
+        for (axis, from, to, same) in [
+            ('a', a0, a1, values[0] == values[2]),
+            ('b', b0, b1, values[1] == values[3]),
+        ] {
+            if same {
+                self.talk
+                    .say(say::no_extent(to.span, from.span, axis, to.text));
+                good = false;
+            }
+        }
+        good.then(|| Spanned::new(values, all(corners, self.talk.source)))
+    }
+
+    fn options(&mut self, style: &mut RoofStyle) {
+        let mut seen: Vec<(char, Span)> = vec![];
+        while let Some(word) = self.next() {
+            if numeric(word.text) {
+                self.talk.say(say::surplus(word.span, "the corners"));
+                continue;
+            }
+            let text = self.capital(word);
+            let letter = text.chars().next().unwrap_or(' ');
+            if let Some((_, before)) = seen.iter().find(|(l, _)| *l == letter) {
+                self.talk
+                    .say(say::twice(word.span, &letter.to_string(), *before));
+            } else {
+                seen.push((letter, word.span));
+            }
+            self.option(letter, word, style);
+        }
+    }
+
+    fn option(&mut self, letter: char, word: &Word<'_>, style: &mut RoofStyle) {
+        let rest = word.text.get(letter.len_utf8()..).unwrap_or_default();
+        if letter == 'O' && rest.is_empty() {
+            style.plain_ridge = Some(Spanned::new(true, word.span));
+            return;
+        }
+        let known = OPTIONS.iter().find(|(l, _)| *l == letter);
+        let Some((_, range)) = known.filter(|_| rest.is_empty() || !rest.starts_with(alphabetic))
+        else {
+            return self.talk.say(say::unknown_option(word.span, word.text));
+        };
+        let (text, span) = if rest.is_empty() {
+            let apart = self.peek().filter(|w| numeric(w.text));
+            let value = apart.map(|w| w.text);
+            self.talk
+                .say(say::bare_option(word.span, letter, range.what, value));
+            let Some(apart) = self.next().filter(|_| value.is_some()) else {
+                return;
+            };
+            (apart.text, word.span.to(apart.span))
+        } else {
+            (rest, word.span)
+        };
+        let Some(value) = within(text, span, range, self.talk) else {
+            return;
+        };
+        self.store(letter, value, text, style);
+    }
+
+    fn store(&mut self, letter: char, value: Spanned<f64>, text: &str, style: &mut RoofStyle) {
+        match letter {
+            'P' => style.pitch = Some(value),
+            'E' => style.eaves = Some(value),
+            'G' => style.verge = Some(value),
+            'T' => style.thickness = Some(value),
+            'S' => style.sori = Some(value),
+            'C' => style.gable = Some(value),
+            _ if value.value.fract() == 0.0 => {
+                style.noshi = Some(Spanned::new(value.value as u32, value.span));
+            }
+            _ => self.talk.say(say::no_whole_number(value.span, text)),
+        }
+    }
+}
+
+/// Drops a direction that a shape cannot have: a ridge for one slope, a fall for two.
+fn fitting(
+    direction: Option<Spanned<RoofDirection>>,
+    shape: Option<Spanned<RoofShape>>,
+    talk: &mut Talk<'_>,
+) -> Option<Spanned<RoofDirection>> {
+    let (Some(d), Some(s)) = (direction, shape) else {
+        return direction;
+    };
+    let ridge = matches!(
+        d.value,
+        RoofDirection::AlongFront | RoofDirection::AcrossFront
+    );
+    let fits = match s.value {
+        RoofShape::LeanTo | RoofShape::Pent => !ridge,
+        RoofShape::Flat => true,
+        _ => ridge,
+    };
+    if !fits {
+        talk.say(say::direction_misfit(
+            d.span,
+            s.span,
+            s.value.letters(),
+            ridge,
+        ));
+    }
+    direction.filter(|_| fits)
+}
+
+fn alphabetic(c: char) -> bool {
+    c.is_alphabetic()
+}
+
+fn direction(letter: char) -> Option<RoofDirection> {
+    DIRECTIONS
+        .iter()
+        .find(|(l, _)| *l == letter)
+        .map(|(_, d)| *d)
+}
+
+fn shape(word: &str) -> Option<RoofShape> {
+    (word.len() == 3)
+        .then(|| RoofShape::from_letters(&word.to_ascii_uppercase()))
+        .flatten()
+}
+
+/// Whether a word ends the corners: an option letter, alone or before a number.
+fn is_option(word: &str) -> bool {
+    let mut chars = word.chars();
+    let letter = chars.next().is_some_and(alphabetic);
+    letter && (chars.as_str().is_empty() || number(chars.as_str()).is_some())
+}

@@ -1,0 +1,101 @@
+//! Where the reader of the legacy text sends its messages.
+//!
+//! A file of a million broken lines must not make a million messages (language.md 7), so after
+//! [`ENOUGH`] the rest is counted only; the last message says how many there were.
+
+use super::line::{Line, Odd};
+use crate::diagnostic::messages::{file, legacy as say};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::source::{Source, Span};
+use std::ops::Range;
+
+/// Messages on one file that are passed on.
+const ENOUGH: usize = 500;
+
+/// The source under way and the messages on it.
+pub(super) struct Talk<'a> {
+    pub(super) source: &'a Source,
+    out: &'a mut Diagnostics,
+    said: usize,
+    /// The worst of those left out.
+    worst: Option<Severity>,
+}
+
+impl<'a> Talk<'a> {
+    pub(super) fn new(source: &'a Source, out: &'a mut Diagnostics) -> Self {
+        Talk {
+            source,
+            out,
+            said: 0,
+            worst: None,
+        }
+    }
+
+    pub(super) fn say(&mut self, diagnostic: Diagnostic) {
+        self.said += 1;
+        if self.said <= ENOUGH {
+            self.out.push(diagnostic);
+        } else {
+            self.worst = self.worst.max(Some(diagnostic.severity));
+        }
+    }
+
+    /// Says how much was left out.
+    pub(super) fn finish(self) {
+        if let Some(worst) = self.worst {
+            let end = self.source.text().len();
+            let span = self.source.span(end..end);
+            self.out
+                .push(file::more_messages(span, self.said - ENOUGH, worst));
+        }
+    }
+
+    /// Reports what was mended in a wall line, where every character stands for a column.
+    pub(super) fn mended_walls(&mut self, line: &Line<'_>) {
+        for i in 0..line.findings.len() {
+            self.mended(line, i);
+        }
+    }
+
+    /// Reports what was mended in a line of fields: any white space is as good as a blank there, and a
+    /// word that is still wrong is reported as a word.
+    pub(super) fn mended_fields(&mut self, line: &Line<'_>) {
+        for (i, finding) in line.findings.iter().enumerate() {
+            if matches!(finding.kind, Odd::Wide | Odd::Invisible | Odd::Control) {
+                self.mended(line, i);
+            }
+        }
+    }
+
+    /// Reports what was mended in a line whose text from `free` on, an offset in `raw`, is the author's.
+    pub(super) fn mended_before(&mut self, line: &Line<'_>, free: usize) {
+        for (i, finding) in line.findings.iter().enumerate() {
+            let own = finding.range.start >= free;
+            let wide = matches!(finding.kind, Odd::Wide | Odd::Invisible);
+            if finding.kind == Odd::Control || wide && !own {
+                self.mended(line, i);
+            }
+        }
+    }
+
+    fn mended(&mut self, line: &Line<'_>, finding: usize) {
+        let finding = &line.findings[finding];
+        let written = &line.raw[finding.range.clone()];
+        let count = written.chars().count();
+        let first = written.chars().next().unwrap_or(' ');
+        let span = self.raw_span(line, finding.range.clone());
+        self.say(match finding.kind {
+            Odd::WideBlank => say::wide_blank(span, count),
+            Odd::Tab => say::tab(span),
+            Odd::Wide => say::wide_letters(span, written),
+            Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first),
+            Odd::Control => file::control_character(span, first),
+            Odd::Foreign => say::foreign(span, written),
+            Odd::Replacement => return,
+        });
+    }
+
+    fn raw_span(&self, line: &Line<'_>, range: Range<usize>) -> Span {
+        self.source.span(line.at + range.start..line.at + range.end)
+    }
+}

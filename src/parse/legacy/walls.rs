@@ -1,0 +1,177 @@
+//! The perimeter: one wall a line, storeys closed by `^`.
+
+use super::cells::{columns, pieces};
+use super::line::{CELL, Line};
+use super::talk::Talk;
+use crate::ast::{Item, Loop, Row, Storey};
+use crate::diagnostic::messages::legacy as say;
+use crate::source::{Span, Spanned};
+use std::ops::Range;
+
+/// What a line end asks for, other than the turn to the right it always means.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Control {
+    Left,
+    Right,
+    NextStorey,
+}
+
+/// The storeys read so far.
+#[derive(Default)]
+pub(super) struct Walls {
+    storeys: Vec<Item<Storey>>,
+    rows: Vec<Item<Row>>,
+    /// From the first row of the storey under way to its last.
+    span: Option<Span>,
+    /// The last `^`, while nothing has followed it.
+    reset: Option<Span>,
+}
+
+impl Walls {
+    /// Whether a line was read.
+    pub(super) fn begun(&self) -> bool {
+        self.span.is_some() || self.reset.is_some() || !self.storeys.is_empty()
+    }
+
+    /// Reads one line of codes.
+    pub(super) fn read(&mut self, line: &Line<'_>, talk: &mut Talk<'_>) {
+        let end = comment(line, talk);
+        let mut next = 0..end;
+        while !next.is_empty() {
+            let this = before_reset(line, next.clone(), talk);
+            self.wall(line, this.clone(), talk);
+            let rest = &line.text[this.end..end];
+            next = end - rest.trim_start_matches(' ').len()..end;
+        }
+    }
+
+    /// Closes the last storey and hands the storeys over.
+    pub(super) fn finish(&mut self, talk: &mut Talk<'_>) -> Vec<Item<Storey>> {
+        if let Some(reset) = self.reset.filter(|_| !self.storeys.is_empty()) {
+            talk.say(say::last_reset(reset));
+        }
+        self.close();
+        std::mem::take(&mut self.storeys)
+    }
+
+    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) {
+        let (codes, control) = ending(line, range.clone(), talk);
+        let pieces = pieces(line, range.start..codes, control.is_some(), talk);
+        let span = line.span(talk.source, range);
+        let control = control.map(|(c, at)| (c, line.span(talk.source, at)));
+        let turn = control.and_then(|(c, at)| match c {
+            Control::Left => Some(Spanned::new(-90.0, at)),
+            Control::Right => Some(Spanned::new(90.0, at)),
+            Control::NextStorey => None,
+        });
+        let reset = control.and_then(|(c, at)| (c == Control::NextStorey).then_some(at));
+        // A lone `^` is no wall: it closes the one before.
+        if reset.is_none() || !pieces.is_empty() {
+            self.rows.push(Item::One(Row { span, pieces, turn }));
+        } else if self.rows.is_empty() {
+            talk.say(say::empty_storey(span, self.storeys.len() + 1));
+        }
+        self.span = Some(self.span.map_or(span, |s| s.to(span)));
+        if reset.is_some() {
+            self.close();
+        }
+        self.reset = reset;
+    }
+
+    fn close(&mut self) {
+        let span = self.span.take().unwrap_or_default();
+        let rows = std::mem::take(&mut self.rows);
+        if !rows.is_empty() {
+            self.storeys.push(Item::One(Storey {
+                span,
+                loops: vec![Loop {
+                    span,
+                    rows,
+                    ..Loop::default()
+                }],
+                ..Storey::default()
+            }));
+        }
+    }
+}
+
+/// The end of what is no comment. A `#` inside a code is a character like any other.
+fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
+    let text = &*line.text;
+    if !text.as_bytes().contains(&b'#') {
+        return text.len();
+    }
+    let mut before = ' ';
+    let Some((_, (at, _))) = text.char_indices().enumerate().find(|&(column, (_, c))| {
+        let fresh = before == ' ' || column.is_multiple_of(CELL);
+        before = c;
+        c == '#' && fresh
+    }) else {
+        return text.len();
+    };
+    let span = line.span(talk.source, at..text.trim_end().len());
+    talk.say(say::comment_column(span));
+    text[..at].trim_end_matches(' ').len()
+}
+
+/// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
+fn before_reset(line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) -> Range<usize> {
+    let text = &line.text[range.clone()];
+    let Some(at) = text.find('^') else {
+        return range;
+    };
+    let rest = text[at + 1..].trim_start_matches(' ');
+    if rest.is_empty() {
+        return range;
+    }
+    let span = line.span(talk.source, range.end - rest.len()..range.end);
+    talk.say(say::after_reset(span));
+    range.start..range.start + at + 1
+}
+
+/// The control letter at the end of a line, and where the codes before it end.
+fn ending(
+    line: &Line<'_>,
+    range: Range<usize>,
+    talk: &mut Talk<'_>,
+) -> (usize, Option<(Control, Range<usize>)>) {
+    let text = line.text[range.clone()].trim_end_matches(' ');
+    let Some((control, lower)) = text.chars().next_back().and_then(control) else {
+        return (range.end, None);
+    };
+    let before = &text[..text.len() - 1];
+    let at = range.start + before.len()..range.start + text.len();
+    let span = line.span(talk.source, at.clone());
+    if columns(before).is_multiple_of(CELL) {
+        if lower {
+            talk.say(say::lower_control(span, &text[before.len()..]));
+        }
+        if at.end < range.end {
+            let blanks = line.span(talk.source, at.end..range.end);
+            talk.say(say::blanks_after(blanks, &text[before.len()..]));
+        }
+        return (at.start, Some((control, at)));
+    }
+    let apart = before.ends_with(' ');
+    if lower || !apart && control != Control::NextStorey {
+        return (range.end, None);
+    }
+    let letter = &text[before.len()..];
+    talk.say(say::misplaced_control(span, letter, columns(before)));
+    let mut codes = before.trim_end_matches(' ');
+    if columns(codes) % CELL == 1 && codes.ends_with(['L', 'R']) {
+        codes = &codes[..codes.len() - 1]; // `L^`: the turn before a reset counts for nothing
+    }
+    (range.start + codes.len(), Some((control, at)))
+}
+
+fn control(c: char) -> Option<(Control, bool)> {
+    Some(match c {
+        'L' => (Control::Left, false),
+        'R' => (Control::Right, false),
+        '^' => (Control::NextStorey, false),
+        'l' => (Control::Left, true),
+        'r' => (Control::Right, true),
+        _ => return None,
+    })
+}

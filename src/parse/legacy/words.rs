@@ -1,0 +1,157 @@
+//! Words and numbers: what header and roof lines are made of.
+
+use super::line::Line;
+use super::talk::Talk;
+use crate::diagnostic::messages::legacy as say;
+use crate::source::{Source, Span, Spanned};
+use nom::bytes::complete::{take_till1, take_while};
+use nom::combinator::{all_consuming, consumed};
+use nom::number::complete::recognize_float;
+use nom::sequence::preceded;
+use nom::{IResult, Parser};
+use std::ops::RangeInclusive;
+
+/// A word and its place.
+pub(super) struct Word<'l> {
+    pub(super) text: &'l str,
+    pub(super) span: Span,
+}
+
+/// The words of a line, up to a comment that does not belong there.
+pub(super) fn words<'l>(line: &'l Line<'_>, talk: &mut Talk<'_>) -> Vec<Word<'l>> {
+    let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
+    while let Ok((next, (read, word))) = word(rest) {
+        let end = at + read.len();
+        let start = end - word.len();
+        let text = &line.text[start..end];
+        if text.starts_with('#') {
+            let comment = line.span(talk.source, start..line.text.trim_end().len());
+            talk.say(say::comment_column(comment));
+            break;
+        }
+        let span = line.span(talk.source, start..end);
+        found.push(Word { text, span });
+        (rest, at) = (next, end);
+    }
+    found
+}
+
+/// The words of a text, without places.
+pub(super) fn plain_words(text: &str) -> impl Iterator<Item = &str> {
+    text.split_ascii_whitespace()
+}
+
+/// What was read, blanks included, and the word in it. Blanks are ASCII, so bytes do.
+fn word(input: &[u8]) -> IResult<&[u8], (&[u8], &[u8])> {
+    consumed(preceded(take_while(blank), take_till1(blank))).parse(input)
+}
+
+fn blank(b: u8) -> bool {
+    b.is_ascii_whitespace()
+}
+
+/// A finite decimal number.
+pub(super) fn number(text: &str) -> Option<f64> {
+    let mut whole = all_consuming(recognize_float::<_, nom::error::Error<_>>);
+    let (_, digits) = whole.parse(text).ok()?;
+    digits.parse().ok().filter(|n: &f64| n.is_finite())
+}
+
+/// Whether a word begins as numbers do; codes, keys and roof letters never do.
+pub(super) fn numeric(text: &str) -> bool {
+    let text = text.trim_start_matches(['+', '-']);
+    let text = text.strip_prefix('.').unwrap_or(text);
+    text.starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// What a number is for, and what it may be.
+pub(super) struct Range64 {
+    /// As messages call it.
+    pub(super) what: &'static str,
+    /// Its bounds.
+    pub(super) bounds: RangeInclusive<f64>,
+    /// The unit of measure, for messages.
+    pub(super) unit: &'static str,
+}
+
+/// Reads a number within bounds; reports and returns `None` for everything else.
+pub(super) fn within(
+    text: &str,
+    span: Span,
+    range: &Range64,
+    talk: &mut Talk<'_>,
+) -> Option<Spanned<f64>> {
+    let value = number(text).or_else(|| {
+        talk.say(say::not_a_number(span, text, range.what));
+        number(
+            text.trim_end_matches([',', ';'])
+                .trim_start_matches(['=', ':']),
+        )
+        .or_else(|| number(&text.replacen(',', ".", 1)))
+    })?;
+    if range.bounds.contains(&value) {
+        return Some(Spanned::new(value, span));
+    }
+    let (least, most) = (*range.bounds.start(), *range.bounds.end());
+    talk.say(say::out_of_range(
+        span, text, range.what, least, most, range.unit,
+    ));
+    None
+}
+
+/// The span of all of several words.
+pub(super) fn all(words: &[Word<'_>], source: &Source) -> Span {
+    match words {
+        [] => source.span(0..0),
+        [first, .., last] => first.span.to(last.span),
+        [only] => only.span,
+    }
+}
+
+/// The candidate that is spelled most like a word, if any is near.
+pub(super) fn nearest<'c>(word: &str, candidates: &[&'c str]) -> Option<&'c str> {
+    let lower = word.to_ascii_lowercase();
+    if lower.len() > 32 {
+        return None;
+    }
+    let score = |c: &&'c str| (distance(&lower, &c.to_ascii_lowercase()), *c);
+    let (edits, best) = candidates.iter().map(score).min()?;
+    (edits * 3 <= best.len().max(3) + 1).then_some(best)
+}
+
+/// Insertions, deletions and changes from one word to the other (Levenshtein).
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, ca) in a.chars().enumerate() {
+        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
+        for (j, cb) in b.iter().enumerate() {
+            let change = diagonal + usize::from(ca != *cb);
+            diagonal = row[j + 1];
+            row[j + 1] = change.min(diagonal + 1).min(row[j] + 1);
+        }
+    }
+    row.last().copied().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_finite_and_whole_words() {
+        assert_eq!(number("-3.25"), Some(-3.25));
+        assert_eq!(number(".5"), Some(0.5));
+        for bad in ["", "nan", "inf", "1e999", "3m", "0x10", "1 2", "-"] {
+            assert_eq!(number(bad), None, "{bad}");
+        }
+    }
+
+    #[test]
+    fn suggestions_are_near() {
+        let keys = ["unit", "seed", "street"];
+        assert_eq!(nearest("units", &keys), Some("unit"));
+        assert_eq!(nearest("STRET", &keys), Some("street"));
+        assert_eq!(nearest("depth", &keys), None);
+    }
+}

@@ -1,0 +1,316 @@
+//! Roof lines: which storey each belongs to, where it stands, and what is odd about it.
+
+use super::forms::{Context, Planned};
+use super::level::Level;
+use super::look::{Look, band};
+use super::outline::Outline;
+use super::plan::{Cell, Plan};
+use super::ridge::{Ridge, Side};
+use crate::ast::{RoofDirection, RoofLine, RoofShape};
+use crate::building::House;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::roofs as say;
+use crate::geometry::{SHAKU, STEPS, steps};
+
+/// A roof line with its place.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed<'h> {
+    /// The line.
+    pub(super) line: &'h RoofLine,
+    /// Index of the level whose top it roofs.
+    pub(super) level: usize,
+    /// Its rectangle.
+    pub(super) cell: Cell,
+    /// Height of the wall plate (of the low edge's upper surface for HIS), metres.
+    pub(super) base: f64,
+    /// Its form as written.
+    pub(super) shape: RoofShape,
+}
+
+impl Placed<'_> {
+    /// Whether it takes its rectangle out of the automatic regions.
+    pub(super) fn covers(&self) -> bool {
+        self.shape != RoofShape::Pent
+    }
+}
+
+/// Places all roof lines of a house.
+pub(super) fn place<'h>(
+    house: &'h House,
+    levels: &[Level<'h>],
+    out: &mut Diagnostics,
+) -> Vec<Placed<'h>> {
+    let mut placed: Vec<Placed<'h>> = Vec::with_capacity(house.roofs.lines.len());
+    for line in &house.roofs.lines {
+        let Some(cell) = cell(line) else { continue };
+        let Some(one) = place_one(house, line, cell, levels, out) else {
+            continue;
+        };
+        check_place(&one, levels, out);
+        check_options(house, &one, out);
+        let same = |p: &&Placed<'_>| {
+            p.covers()
+                && one.covers()
+                && p.cell.overlaps(&one.cell)
+                && (p.base - one.base).abs() < 1e-3
+        };
+        if let Some(other) = placed.iter().find(same) {
+            out.push(say::overlapping(line.corners.span, other.line.corners.span));
+        }
+        placed.push(one);
+    }
+    placed
+}
+
+fn cell(line: &RoofLine) -> Option<Cell> {
+    let [a0, b0, a1, b1] = line.corners.value.map(steps);
+    let cell = Cell {
+        a0: a0.min(a1),
+        b0: b0.min(b1),
+        a1: a0.max(a1),
+        b1: b0.max(b1),
+    };
+    (cell.width() > 0 && cell.depth() > 0).then_some(cell)
+}
+
+fn place_one<'h>(
+    house: &House,
+    line: &'h RoofLine,
+    cell: Cell,
+    levels: &[Level<'_>],
+    out: &mut Diagnostics,
+) -> Option<Placed<'h>> {
+    let shape = line.style.shape.map_or(RoofShape::Gable, |s| s.value);
+    let tops = || levels.iter().map(|l| l.storey.z1);
+    let Some(height) = line.height else {
+        let (level, base) = topmost(house, line, &cell, shape, levels)?;
+        return Some(Placed {
+            line,
+            level,
+            cell,
+            base,
+            shape,
+        });
+    };
+    let base = height.value * SHAKU;
+    let gap = |top: f64| (top - base).abs();
+    let (level, top) = tops()
+        .enumerate()
+        .min_by(|p, q| gap(p.1).total_cmp(&gap(q.1)))?;
+    if gap(top) > 3.0 * SHAKU + 1e-6 {
+        let number = levels[level].storey.number;
+        out.push(say::far_from_top(
+            height.span,
+            height.value,
+            number,
+            top / SHAKU,
+        ));
+    }
+    Some(Placed {
+        line,
+        level,
+        cell,
+        base,
+        shape,
+    })
+}
+
+/// Level and height of a line with `*`.
+fn topmost(
+    house: &House,
+    line: &RoofLine,
+    cell: &Cell,
+    shape: RoofShape,
+    levels: &[Level<'_>],
+) -> Option<(usize, f64)> {
+    if shape == RoofShape::Pent {
+        // Its upper edge at the foot of the upper wall, or well under the eaves of the only one.
+        let look = Look::lean_to(Some(&line.style), &house.roofs.style, 0.9);
+        let depth = cell.width().min(cell.depth()) as f64 / STEPS as f64 * house.unit;
+        let foot = levels.first()?.storey.z1 - if levels.len() > 1 { 0.0 } else { 0.5 };
+        return Some((0, foot - look.pitch * depth));
+    }
+    let here = Plan::from_cells(&[*cell]);
+    let open = |k: usize| {
+        let left = match levels.get(k + 1) {
+            Some(upper) if upper.orthogonal => here.difference(&upper.plan),
+            _ => here.clone(),
+        };
+        levels[k].orthogonal && levels[k].plan.intersects(&left)
+    };
+    let level = (0..levels.len())
+        .rev()
+        .find(|k| open(*k))
+        .unwrap_or(levels.len().checked_sub(1)?);
+    Some((level, levels[level].storey.z1))
+}
+
+fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
+    let level = &levels[one.level];
+    let (line, place) = (one.line, one.line.corners.span);
+    if level.is_open() || !level.orthogonal {
+        return;
+    }
+    if one.shape == RoofShape::Pent {
+        return check_pent(one, level, out);
+    }
+    let here = Plan::from_cells(&[one.cell]);
+    let (inside, whole) = (here.intersection(&level.plan).area(), one.cell.area());
+    let may_stand_out = matches!(one.shape, RoofShape::LeanTo | RoofShape::Karahafu);
+    if inside == 0 {
+        if !may_stand_out {
+            out.push(say::over_no_wall(place, one.shape));
+        }
+    } else if inside < whole && !may_stand_out {
+        out.push(say::partly_outside(
+            place,
+            1.0 - inside as f64 / whole as f64,
+        ));
+    }
+    if let Some(upper) = levels.get(one.level + 1)
+        && upper.orthogonal
+        && inside > 0
+        && here.difference(&upper.plan).is_empty()
+    {
+        out.push(say::under_storey(
+            line.span,
+            level.storey.number,
+            upper.storey.span,
+        ));
+    }
+}
+
+fn check_pent(one: &Placed<'_>, level: &Level<'_>, out: &mut Diagnostics) {
+    let outline = Outline::of(&level.plan);
+    let touched = Side::ALL
+        .iter()
+        .any(|side| !outline.along(&one.cell, side.opposite()).is_empty());
+    if !touched {
+        out.push(say::pent_in_the_air(one.line.corners.span));
+    }
+}
+
+fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
+    let (line, style) = (one.line, &one.line.style);
+    let kind = style
+        .kind
+        .or(house.roofs.style.kind)
+        .map_or(crate::ast::RoofKind::Tiles, |k| k.value);
+    if let Some(pitch) = style.pitch {
+        check_pitch(pitch, kind, out);
+    }
+    if let Some(shape) = style.shape
+        && !is_built(shape.value)
+    {
+        out.push(say::not_built_yet(shape.span, shape.value));
+    }
+    let Some(direction) = line.direction else {
+        return;
+    };
+    let one_sided = matches!(one.shape, RoofShape::LeanTo | RoofShape::Pent);
+    if one.shape != RoofShape::Flat && one_sided != fall(direction.value).is_some() {
+        out.push(say::odd_direction(direction.span, one.shape, one_sided));
+    }
+    if let Some(ridge) = ridge(direction.value)
+        && !one_sided
+        && one.shape != RoofShape::Flat
+    {
+        let (width, depth) = (one.cell.width(), one.cell.depth());
+        let (length, span) = if ridge == Ridge::A {
+            (width, depth)
+        } else {
+            (depth, width)
+        };
+        if span > length && span > 6 * STEPS {
+            out.push(say::long_span(direction.span, span as f64 / STEPS as f64));
+        }
+    }
+}
+
+/// Warns of a pitch outside the covering's band.
+pub(super) fn check_pitch(
+    pitch: crate::source::Spanned<f64>,
+    kind: crate::ast::RoofKind,
+    out: &mut Diagnostics,
+) {
+    let band = band(kind);
+    if pitch.value < band.0 - 1e-9 || pitch.value > band.1 + 1e-9 {
+        out.push(say::odd_pitch(pitch.span, pitch.value, kind, band));
+    }
+}
+
+/// Whether this version has the shape; the others become gables.
+pub(super) fn is_built(shape: RoofShape) -> bool {
+    use RoofShape::{BroadGable, Flat, Gable, LeanTo, Pent};
+    matches!(shape, Gable | BroadGable | Flat | LeanTo | Pent)
+}
+
+/// The side a single slope falls to.
+pub(super) fn fall(direction: RoofDirection) -> Option<Side> {
+    match direction {
+        RoofDirection::Front => Some(Side::Front),
+        RoofDirection::Back => Some(Side::Back),
+        RoofDirection::Left => Some(Side::Left),
+        RoofDirection::Right => Some(Side::Right),
+        RoofDirection::AlongFront | RoofDirection::AcrossFront => None,
+    }
+}
+
+/// The run of a ridge.
+pub(super) fn ridge(direction: RoofDirection) -> Option<Ridge> {
+    match direction {
+        RoofDirection::AlongFront => Some(Ridge::A),
+        RoofDirection::AcrossFront => Some(Ridge::B),
+        _ => None,
+    }
+}
+
+/// The roof of a line.
+pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnostics) -> Planned {
+    let ridge_wish = one.line.direction.and_then(|d| ridge(d.value));
+    let fall_wish = one.line.direction.and_then(|d| fall(d.value));
+    let style = Some(&one.line.style);
+    let mut planned = match one.shape {
+        RoofShape::LeanTo => {
+            let near = fall_wish.unwrap_or(Side::Front);
+            context.lean_to(one.cell, near, one.base, style)
+        }
+        RoofShape::Pent => {
+            let near = fall_wish.unwrap_or_else(|| away_from_wall(context, &one.cell));
+            let (planned, upper) = context.pent(one.cell, near, one.base, style);
+            if let Some(height) = one.line.height
+                && upper > context.roof_top + 1e-3
+            {
+                out.push(say::pent_too_high(
+                    height.span,
+                    upper / SHAKU,
+                    context.roof_top / SHAKU,
+                ));
+            }
+            planned
+        }
+        RoofShape::Flat => {
+            context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style)
+        }
+        _ => {
+            let long = ridge_wish.unwrap_or_else(|| context.automatic_ridge(&one.cell, one.shape));
+            context.gable(one.cell, long, one.base, style)
+        }
+    };
+    planned.roof.span = Some(one.line.span);
+    planned.roof.shape = if is_built(one.shape) {
+        one.shape
+    } else {
+        RoofShape::Gable
+    };
+    planned
+}
+
+/// The side opposite to the one that lies on a wall.
+pub(super) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Side {
+    let on_wall = |side: &Side| !context.outline().along(cell, side.opposite()).is_empty();
+    [Side::Front, Side::Back, Side::Left, Side::Right]
+        .into_iter()
+        .find(on_wall)
+        .unwrap_or(Side::Front)
+}

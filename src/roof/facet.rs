@@ -1,0 +1,351 @@
+//! Facets: convex plan polygons, each under one plane of a roof's upper surface, and cutting them.
+
+use super::frame::Plane;
+use glam::DVec2;
+
+/// Plan distances below this are none, metres. Cuts closer to a corner go through the corner.
+pub(super) const EPS: f64 = 1e-7;
+
+/// Facets with less area, in square metres, are left out.
+const SLIVER: f64 = 1e-7;
+
+/// A corner of a facet.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// Where, house frame, metres.
+    pub at: DVec2,
+    /// Whether the edge that starts here lies on the roof's own eaves or verge.
+    pub rim: bool,
+}
+
+/// One plane piece of a roof's upper surface.
+#[derive(Clone, Debug)]
+pub struct Facet {
+    /// Convex, counter-clockwise seen from above.
+    pub outline: Vec<Corner>,
+    /// The part of it that takes its place from lower roofs, convex: without verges, which stand
+    /// over a lower neighbour rather than in it.
+    pub body: Vec<DVec2>,
+    /// The upper surface.
+    pub plane: Plane,
+}
+
+impl Facet {
+    /// A facet whose body is the whole of it, with rims by edge.
+    pub fn new(corners: &[(DVec2, bool)], body: &[DVec2], plane: Plane) -> Facet {
+        let outline = corners.iter().map(|&(at, rim)| Corner { at, rim });
+        Facet {
+            outline: outline.collect(),
+            body: body.to_vec(),
+            plane,
+        }
+    }
+}
+
+/// Something that stands higher than what it cuts.
+#[derive(Clone, Debug)]
+pub(super) struct Cutter<'f> {
+    /// Convex, counter-clockwise.
+    pub(super) body: &'f [DVec2],
+    /// Its upper surface; `None` = it is higher than everything (an upper storey).
+    pub(super) plane: Option<Plane>,
+    /// Whether it keeps what both cover at the same height.
+    pub(super) first: bool,
+}
+
+/// Inside where `normal . p >= at`; `normal` has unit length, so values are distances.
+#[derive(Clone, Copy, Debug)]
+struct HalfPlane {
+    normal: DVec2,
+    at: f64,
+}
+
+impl HalfPlane {
+    fn depth(&self, p: DVec2) -> f64 {
+        self.normal.dot(p) - self.at
+    }
+
+    /// To the left of the way from `p` to `q`.
+    fn left_of(p: DVec2, q: DVec2) -> Option<HalfPlane> {
+        let normal = (q - p).perp().try_normalize()?;
+        Some(HalfPlane {
+            normal,
+            at: normal.dot(p),
+        })
+    }
+}
+
+/// Takes from `pieces` of one facet what a cutter covers at a greater height.
+pub(super) fn cut(
+    facet: &Facet,
+    pieces: Vec<Vec<Corner>>,
+    cutter: &Cutter<'_>,
+) -> Vec<Vec<Corner>> {
+    let mut left = Vec::with_capacity(pieces.len());
+    match standing(facet.plane, cutter.plane) {
+        Standing::Below => {
+            let sides = edges(cutter.body);
+            pieces
+                .into_iter()
+                .for_each(|p| subtract(p, &sides, &mut left));
+        }
+        Standing::Crossing(higher) => {
+            let mut sides = vec![higher];
+            sides.extend(edges(cutter.body));
+            pieces
+                .into_iter()
+                .for_each(|p| subtract(p, &sides, &mut left));
+        }
+        Standing::Level if cutter.first => {
+            let sides = edges(cutter.body);
+            pieces
+                .into_iter()
+                .for_each(|p| subtract(p, &sides, &mut left));
+        }
+        // At the same height the other's body wins over a verge.
+        Standing::Level => {
+            let (mine, sides) = (edges(&facet.body), edges(cutter.body));
+            for piece in pieces {
+                let mut verges = Vec::new();
+                if let Some(body) = split_off(piece, &mine, &mut verges) {
+                    left.push(body);
+                }
+                verges
+                    .into_iter()
+                    .for_each(|p| subtract(p, &sides, &mut left));
+            }
+        }
+        Standing::Above => return pieces,
+    }
+    left
+}
+
+/// How a facet lies to a cutter's plane.
+enum Standing {
+    Below,
+    Above,
+    Level,
+    Crossing(HalfPlane),
+}
+
+fn standing(mine: Plane, cutter: Option<Plane>) -> Standing {
+    let Some(other) = cutter else {
+        return Standing::Below;
+    };
+    let (slope, rise) = (other.slope - mine.slope, other.z - mine.z);
+    let steepness = slope.length();
+    match steepness < 1e-9 {
+        true if rise.abs() < 1e-6 => Standing::Level,
+        true if rise > 0.0 => Standing::Below,
+        true => Standing::Above,
+        false => Standing::Crossing(HalfPlane {
+            normal: slope / steepness,
+            at: -rise / steepness,
+        }),
+    }
+}
+
+fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
+    let next = polygon.iter().cycle().skip(1);
+    polygon
+        .iter()
+        .zip(next)
+        .filter_map(|(p, q)| HalfPlane::left_of(*p, *q))
+        .collect()
+}
+
+/// The pieces of `piece` outside the common part of some half-planes.
+fn subtract(piece: Vec<Corner>, sides: &[HalfPlane], left: &mut Vec<Vec<Corner>>) {
+    let outside = |h: &HalfPlane| piece.iter().all(|c| h.depth(c.at) < EPS);
+    if sides.iter().any(outside) {
+        return left.push(piece);
+    }
+    let mut off = Vec::new();
+    match split_off(piece.clone(), sides, &mut off) {
+        Some(_) => left.append(&mut off),
+        None => left.push(piece),
+    }
+}
+
+/// The part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
+fn split_off(
+    piece: Vec<Corner>,
+    sides: &[HalfPlane],
+    off: &mut Vec<Vec<Corner>>,
+) -> Option<Vec<Corner>> {
+    let mut inside = piece;
+    for side in sides {
+        let depths: Vec<f64> = inside.iter().map(|c| side.depth(c.at)).collect();
+        if depths.iter().all(|d| *d > -EPS) {
+            continue;
+        }
+        let outer = part(&inside, &depths, -1.0);
+        inside = part(&inside, &depths, 1.0);
+        off.extend((area(&outer) > SLIVER).then_some(outer));
+        if area(&inside) <= SLIVER {
+            return None;
+        }
+    }
+    Some(inside)
+}
+
+/// The part of a convex polygon where `sign * depth >= 0`.
+fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Vec<Corner> {
+    let n = polygon.len();
+    let mut kept = Vec::with_capacity(n + 1);
+    for i in 0..n {
+        let (p, q) = (polygon[i], polygon[(i + 1) % n]);
+        let (dp, dq) = (sign * depths[i], sign * depths[(i + 1) % n]);
+        if dp > -EPS {
+            // An edge that leaves at its very start is replaced by the cut.
+            let rim = p.rim && (dp >= EPS || dq > -EPS);
+            kept.push(Corner { rim, ..p });
+        }
+        if (dp >= EPS && dq <= -EPS) || (dp <= -EPS && dq >= EPS) {
+            let at = p.at.lerp(q.at, dp / (dp - dq));
+            let rim = p.rim && dq > 0.0;
+            kept.push(Corner { at, rim });
+        }
+    }
+    kept
+}
+
+/// The area of an outline, positive when counter-clockwise, square metres.
+pub(super) fn area(outline: &[Corner]) -> f64 {
+    let Some(first) = outline.first() else {
+        return 0.0;
+    };
+    let fan = outline
+        .windows(2)
+        .map(|w| (w[0].at - first.at).perp_dot(w[1].at - first.at));
+    fan.sum::<f64>() / 2.0
+}
+
+/// The pieces of the way from `p` to `q`, as shares from 0 to 1, that lie in no cutter.
+pub(super) fn open_shares(
+    p: glam::DVec3,
+    q: glam::DVec3,
+    cutters: &[Cutter<'_>],
+) -> Vec<(f64, f64)> {
+    let mut open = vec![(0.0_f64, 1.0_f64)];
+    for cutter in cutters {
+        let Some((from, to)) = covered_share(p, q, cutter) else {
+            continue;
+        };
+        let parts = open
+            .iter()
+            .flat_map(|&(s, e)| [(s, e.min(from)), (s.max(to), e)]);
+        open = parts.filter(|(s, e)| e - s > 1e-6).collect();
+    }
+    open
+}
+
+/// The share of a way that lies under a cutter.
+fn covered_share(p: glam::DVec3, q: glam::DVec3, cutter: &Cutter<'_>) -> Option<(f64, f64)> {
+    let (mut from, mut to) = (0.0_f64, 1.0_f64);
+    let mut clip = |dp: f64, dq: f64| {
+        if dp < 0.0 && dq < 0.0 {
+            to = -1.0;
+        } else if dp < 0.0 {
+            from = from.max(dp / (dp - dq));
+        } else if dq < 0.0 {
+            to = to.min(dp / (dp - dq));
+        }
+    };
+    for side in edges(cutter.body) {
+        clip(
+            side.depth(p.truncate()) - EPS,
+            side.depth(q.truncate()) - EPS,
+        );
+    }
+    if let Some(plane) = cutter.plane {
+        let tie = if cutter.first { 1e-6 } else { -1e-6 };
+        let rise = |r: glam::DVec3| plane.at(r.truncate()) - r.z + tie;
+        clip(rise(p), rise(q));
+    }
+    (to - from > 1e-6).then_some((from, to))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::dvec2;
+
+    fn square(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<DVec2> {
+        vec![dvec2(x0, y0), dvec2(x1, y0), dvec2(x1, y1), dvec2(x0, y1)]
+    }
+
+    fn facet(body: Vec<DVec2>, plane: Plane) -> Facet {
+        let corners: Vec<(DVec2, bool)> = body.iter().map(|p| (*p, true)).collect();
+        Facet::new(&corners, &body, plane)
+    }
+
+    fn rest(mine: &Facet, other: &Facet, first: bool) -> f64 {
+        let cutter = Cutter {
+            body: &other.body,
+            plane: Some(other.plane),
+            first,
+        };
+        let pieces = cut(mine, vec![mine.outline.clone()], &cutter);
+        pieces.iter().map(|p| area(p)).sum()
+    }
+
+    #[test]
+    fn the_higher_one_keeps_the_place() {
+        let low = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(1.0));
+        let high = facet(square(1.0, 1.0, 2.0, 3.0), Plane::level(2.0));
+        assert!((rest(&low, &high, false) - 14.0).abs() < 1e-12);
+        assert!((rest(&high, &low, true) - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn crossing_planes_meet_in_a_valley() {
+        let flat = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(2.0));
+        let rising = facet(
+            square(0.0, 0.0, 4.0, 4.0),
+            Plane {
+                z: 0.0,
+                slope: dvec2(1.0, 0.0),
+            },
+        );
+        assert!((rest(&flat, &rising, false) - 8.0).abs() < 1e-12);
+        assert!((rest(&rising, &flat, false) - 8.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn level_ones_go_to_the_first_but_a_verge_never_wins() {
+        let first = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(2.0));
+        let mut other = facet(square(2.0, 0.0, 6.0, 4.0), Plane::level(2.0));
+        assert!((rest(&first, &other, false) - 16.0).abs() < 1e-12);
+        assert!((rest(&other, &first, true) - 8.0).abs() < 1e-12);
+        other.body = square(3.0, 0.0, 6.0, 4.0);
+        let verged = Facet {
+            body: square(0.0, 0.0, 3.0, 4.0),
+            ..first
+        };
+        assert!((rest(&verged, &other, false) - 12.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_ridge_ends_where_it_dips_under() {
+        let other = facet(
+            square(2.0, -1.0, 6.0, 1.0),
+            Plane {
+                z: -3.0,
+                slope: dvec2(1.0, 0.0),
+            },
+        );
+        let cutters = [Cutter {
+            body: &other.body,
+            plane: Some(other.plane),
+            first: false,
+        }];
+        let open = open_shares(
+            dvec2(0.0, 0.0).extend(1.0),
+            dvec2(5.0, 0.0).extend(1.0),
+            &cutters,
+        );
+        assert_eq!(open.len(), 1);
+        assert!((open[0].1 - 0.8).abs() < 1e-5);
+    }
+}

@@ -1,0 +1,301 @@
+//! From a rectangle and options to a roof: what stands beside each side decides its ends.
+
+use super::barge::LEAST_VERGE;
+use super::flat;
+use super::form::Form;
+use super::frame::{Rect, end_sides, metres, near_side};
+use super::gable::{End, Gable};
+use super::lean_to::{Flank, LeanTo};
+use super::level::Level;
+use super::look::Look;
+use super::outline::Outline;
+use super::pent::Pent;
+use super::plan::{Cell, Plan};
+use super::ridge::{Ridge, Side};
+use crate::ast::{RoofShape, RoofStyle};
+use crate::building::Roof;
+use std::cell::OnceCell;
+
+/// A roof with its form, before it meets its neighbours.
+#[derive(Clone, Debug)]
+pub(super) struct Planned {
+    /// Its form.
+    pub(super) form: Form,
+    /// Its look.
+    pub(super) look: Look,
+    /// The roof, without solids yet.
+    pub(super) roof: Roof,
+    /// Height of the plate it stands on: only roofs of one height meet.
+    pub(super) base: f64,
+}
+
+/// What all roofs of one storey have in common.
+pub(super) struct Context<'h> {
+    /// One U in metres.
+    pub(super) unit: f64,
+    /// The options of the house.
+    pub(super) style: &'h RoofStyle,
+    /// The storey.
+    pub(super) level: &'h Level<'h>,
+    /// The plan of the storey above.
+    pub(super) upper: Option<&'h Plan>,
+    /// Top of the highest walls, metres.
+    pub(super) roof_top: f64,
+    /// Whether the storey is one rectangle with nothing on it: all its sides are free.
+    pub(super) lone: bool,
+    pub(super) outline: OnceCell<Outline>,
+    pub(super) upper_outline: OnceCell<Outline>,
+}
+
+impl Context<'_> {
+    /// The walls of the storey.
+    pub(super) fn outline(&self) -> &Outline {
+        self.outline.get_or_init(|| match &self.level.plan {
+            plan if !self.level.orthogonal || plan.loops.is_empty() => Outline::default(),
+            plan if plan.loops.len() == 1 => Outline::of(plan),
+            plan => Outline::of(&plan.clean()),
+        })
+    }
+
+    /// The walls of the storey above.
+    fn upper_outline(&self) -> &Outline {
+        self.upper_outline.get_or_init(|| {
+            self.upper
+                .map(|u| Outline::of(&u.clean()))
+                .unwrap_or_default()
+        })
+    }
+
+    /// Whether a side stands in the open with its whole length.
+    fn is_free(&self, cell: &Cell, side: Side) -> bool {
+        self.lone || self.outline().whole(cell, side)
+    }
+
+    /// Whether the eaves of a side run in the open up to the end at `end`.
+    fn open_at(&self, cell: &Cell, side: Side, end: Side) -> bool {
+        let upper = matches!(end, Side::Left | Side::Back);
+        self.lone || self.outline().reaches(cell, side, upper)
+    }
+
+    /// Whether an upper wall stands along the whole side.
+    pub(super) fn is_walled(&self, cell: &Cell, side: Side) -> bool {
+        self.upper.is_some() && self.upper_outline().whole(cell, side)
+    }
+
+    /// Metres of some plan steps.
+    pub(super) fn metres(&self, steps: i64) -> f64 {
+        metres(steps, self.unit)
+    }
+
+    /// Where a cell lies.
+    pub(super) fn rect(&self, cell: &Cell) -> Rect {
+        Rect::of(cell, self.unit)
+    }
+
+    fn roof(&self, shape: RoofShape, look: &Look) -> Roof {
+        let storey = self.level.storey.number;
+        Roof {
+            storey,
+            span: None,
+            shape,
+            kind: look.kind,
+            solids: vec![],
+        }
+    }
+
+    /// The look of a gable over a cell.
+    pub(super) fn gable_look(&self, cell: &Cell, ridge: Ridge, style: Option<&RoofStyle>) -> Look {
+        let span = if ridge == Ridge::A {
+            cell.depth()
+        } else {
+            cell.width()
+        };
+        Look::gable(style, self.style, self.metres(span), self.unit)
+    }
+
+    /// The end of a gable that joins no other roof.
+    pub(super) fn plain_end(&self, cell: &Cell, near: Side, side: Side, look: &Look) -> End {
+        if self.is_walled(cell, side) {
+            return End::default();
+        }
+        End {
+            reach: 0.0,
+            verge: look.verge,
+            wall: true,
+            free: true,
+            board: look.verge >= LEAST_VERGE && self.is_free(cell, side),
+            open: [
+                self.open_at(cell, near, side),
+                self.open_at(cell, near.opposite(), side),
+            ],
+        }
+    }
+
+    /// A gable over a cell of its own.
+    pub(super) fn gable(
+        &self,
+        cell: Cell,
+        ridge: Ridge,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
+        let look = self.gable_look(&cell, ridge, style);
+        let near = near_side(ridge);
+        let ends = end_sides(near).map(|side| self.plain_end(&cell, near, side, &look));
+        self.gable_with(cell, ridge, base, look, ends)
+    }
+
+    /// A gable with given ends.
+    pub(super) fn gable_with(
+        &self,
+        cell: Cell,
+        ridge: Ridge,
+        base: f64,
+        look: Look,
+        ends: [End; 2],
+    ) -> Planned {
+        let gable = Gable {
+            rect: self.rect(&cell),
+            near: near_side(ridge),
+            base,
+            look,
+            ends,
+        };
+        Planned {
+            form: gable.form(),
+            look,
+            roof: self.roof(RoofShape::Gable, &look),
+            base,
+        }
+    }
+
+    /// The ridge that a shape gets where nobody says.
+    pub(super) fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
+        let long = if cell.depth() > cell.width() {
+            Ridge::B
+        } else {
+            Ridge::A
+        };
+        match (shape, long) {
+            (RoofShape::BroadGable, Ridge::B) => Ridge::A,
+            (RoofShape::BroadGable, Ridge::A) if cell.width() > cell.depth() => Ridge::B,
+            _ => long,
+        }
+    }
+
+    /// A single slope that stands on the plate and falls to `near`.
+    pub(super) fn lean_to(
+        &self,
+        cell: Cell,
+        near: Side,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
+        let (_, depth) = near.measure(&cell);
+        let look = Look::lean_to(style, self.style, self.metres(depth));
+        let flank = |side: Side| match self.is_walled(&cell, side) {
+            true => Flank::default(),
+            false => Flank {
+                over: look.verge,
+                wall: true,
+            },
+        };
+        let lean_to = LeanTo {
+            rect: self.rect(&cell),
+            near,
+            low: base,
+            look,
+            ends: end_sides(near).map(flank),
+            high: flank(near.opposite()),
+        };
+        Planned {
+            form: lean_to.form(),
+            look,
+            roof: self.roof(RoofShape::LeanTo, &look),
+            base,
+        }
+    }
+
+    /// A roof of a form that is known already.
+    pub(super) fn of_form(&self, form: Form, shape: RoofShape, look: Look, base: f64) -> Planned {
+        Planned {
+            form,
+            look,
+            roof: self.roof(shape, &look),
+            base,
+        }
+    }
+
+    /// A pent roof, and the height of its upper edge.
+    pub(super) fn pent(
+        &self,
+        cell: Cell,
+        near: Side,
+        height: f64,
+        style: Option<&RoofStyle>,
+    ) -> (Planned, f64) {
+        let depth = self.metres(near.measure(&cell).1);
+        let mut look = Look::lean_to(style, self.style, depth);
+        if style.and_then(|s| s.thickness).is_none() {
+            // Small tiles on lath: thinner than the main roof.
+            look.thickness = look.thickness.min(0.09);
+        }
+        let pent = Pent {
+            rect: self.rect(&cell),
+            near,
+            height,
+            look,
+            unit: self.unit,
+        };
+        let planned = Planned {
+            form: pent.form(),
+            look,
+            roof: self.roof(RoofShape::Pent, &look),
+            base: height,
+        };
+        (planned, height + look.pitch * depth)
+    }
+
+    /// A flat roof over cells that make up `plan`.
+    pub(super) fn flat(
+        &self,
+        cells: &[Cell],
+        plan: &Plan,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
+        let (look, thick) = self.flat_look(style);
+        let mut solids = flat::slab_of_cells(cells, self.unit, base, look.kind, thick);
+        if !self.level.parapet {
+            let borders = flat::borders(plan, self.outline(), self.unit);
+            solids.extend(borders.iter().flat_map(|b| flat::upstands(b, base)));
+        }
+        self.flat_of(solids, look, base)
+    }
+
+    /// The look of a flat roof and the thickness of its slab.
+    pub(super) fn flat_look(&self, style: Option<&RoofStyle>) -> (Look, f64) {
+        let look = Look::lean_to(style, self.style, 0.0);
+        let own = style.and_then(|s| s.thickness).or(self.style.thickness);
+        (look, own.map_or(0.15, |_| look.thickness.max(0.1)))
+    }
+
+    /// A flat roof of finished solids.
+    pub(super) fn flat_of(
+        &self,
+        solids: Vec<crate::building::Solid>,
+        look: Look,
+        base: f64,
+    ) -> Planned {
+        let form = Form {
+            solids,
+            ..Form::default()
+        };
+        Planned {
+            form,
+            look,
+            roof: self.roof(RoofShape::Flat, &look),
+            base,
+        }
+    }
+}

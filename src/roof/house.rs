@@ -1,0 +1,376 @@
+//! The roofs of one house, storey by storey: what the storey above leaves open is roofed at the top
+//! (domain.md 3.8), roof lines first, automatic regions for the rest.
+
+use super::assemble::assemble;
+use super::automatic::Automatic;
+use super::explicit::{self, Placed};
+use super::flat;
+use super::forms::{Context, Planned};
+use super::frame::Rect;
+use super::level::{Level, first_line, is_facade, levels};
+use super::partition::Method;
+use super::plan::{Cell, Plan};
+use super::ridge::{Region, Ridge, Role, regions};
+use super::{report, slabs, street};
+use crate::ast::{RoofMethod, RoofMode, RoofShape};
+use crate::building::{House, HouseRoofs, Ring};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::roofs as say;
+use crate::geometry::{STEPS, area2};
+use glam::DVec2;
+use std::cell::OnceCell;
+
+/// The roofs of a house.
+pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
+    let levels = levels(house);
+    let mut done = HouseRoofs::default();
+    let lines = explicit::place(house, &levels, out);
+    report_house(house, &levels, out);
+    let pent = street_pent(house, &levels);
+    for k in 0..levels.len() {
+        let here: Vec<&Placed<'_>> = lines.iter().filter(|l| l.level == k).collect();
+        let pent = pent.filter(|_| k == 0);
+        Storey {
+            house,
+            levels: &levels,
+            k,
+            lines: here,
+            pent,
+        }
+        .roof(&mut done, out);
+    }
+    done
+}
+
+/// What is odd about a house as a whole.
+fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
+    let style = &house.roofs.style;
+    let wish = house
+        .roofs
+        .wished
+        .or_else(|| house.roofs.lines.first().map(|l| l.span));
+    for level in levels {
+        if let (Some(wish), true) = (wish, level.is_open())
+            && let Some(ring) = level.storey.rings.iter().find(|r| is_facade(r))
+        {
+            out.push(say::open_facade(wish, ring.span, level.storey.number));
+        }
+    }
+    if let Some(pitch) = style.pitch {
+        let kind = style.kind.map_or(crate::ast::RoofKind::Tiles, |k| k.value);
+        explicit::check_pitch(pitch, kind, out);
+    }
+    if let Some(shape) = style.shape
+        && !explicit::is_built(shape.value)
+        && levels.iter().any(|l| l.orthogonal && !l.is_open())
+    {
+        out.push(say::not_built_yet(shape.span, shape.value));
+    }
+    for pair in levels.windows(2) {
+        report_overhang(&pair[0], &pair[1], out);
+    }
+}
+
+fn report_overhang(lower: &Level<'_>, upper: &Level<'_>, out: &mut Diagnostics) {
+    if lower.is_open() || !lower.orthogonal || !upper.orthogonal || lower.plan == upper.plan {
+        return;
+    }
+    let over = slabs::strips(&upper.plan.difference(&lower.plan));
+    let by = over
+        .iter()
+        .map(|c| c.width().min(c.depth()))
+        .max()
+        .unwrap_or(0);
+    let number = lower.storey.number;
+    let units = by as f64 / STEPS as f64;
+    if by > STEPS {
+        out.push(say::overhang(
+            upper.storey.span,
+            lower.storey.span,
+            number,
+            units,
+        ));
+    } else if by > 0 {
+        out.push(say::jutting(upper.storey.span, number, units));
+    }
+}
+
+/// The rectangle of the pent roof that a two-storeyed street house gets by itself (domain.md 4.5).
+fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
+    let hisashi =
+        |l: &crate::ast::RoofLine| l.style.shape.is_some_and(|s| s.value == RoofShape::Pent);
+    if !house.street
+        || house.roofs.mode == RoofMode::Explicit
+        || house.roofs.lines.iter().any(hisashi)
+    {
+        return None;
+    }
+    let [ground, upper, ..] = levels else {
+        return None;
+    };
+    let (p, q) = first_line(ground.storey)?;
+    let (r, s) = first_line(upper.storey)?;
+    let depth = (3.0 * crate::geometry::SHAKU / house.unit * STEPS as f64).round() as i64;
+    // Outward of the walk: to its left, which the author's frame turns over.
+    if p.1 == q.1 && r.1 == p.1 && s.1 == p.1 && p.0 != q.0 {
+        let (b0, b1) = if q.0 > p.0 {
+            (p.1 - depth, p.1)
+        } else {
+            (p.1, p.1 + depth)
+        };
+        let shared = r.0.min(s.0) < p.0.max(q.0) && p.0.min(q.0) < r.0.max(s.0);
+        return shared.then_some(Cell {
+            a0: p.0.min(q.0),
+            b0,
+            a1: p.0.max(q.0),
+            b1,
+        });
+    }
+    if p.0 == q.0 && r.0 == p.0 && s.0 == p.0 && p.1 != q.1 {
+        let (a0, a1) = if q.1 > p.1 {
+            (p.0, p.0 + depth)
+        } else {
+            (p.0 - depth, p.0)
+        };
+        let shared = r.1.min(s.1) < p.1.max(q.1) && p.1.min(q.1) < r.1.max(s.1);
+        return shared.then_some(Cell {
+            a0,
+            b0: p.1.min(q.1),
+            a1,
+            b1: p.1.max(q.1),
+        });
+    }
+    None
+}
+
+/// One storey on its way to roofs.
+struct Storey<'a, 'h> {
+    house: &'a House,
+    levels: &'a [Level<'h>],
+    k: usize,
+    lines: Vec<&'a Placed<'a>>,
+    /// The street's pent roof.
+    pent: Option<Cell>,
+}
+
+impl Storey<'_, '_> {
+    fn roof(self, done: &mut HouseRoofs, out: &mut Diagnostics) {
+        let level = &self.levels[self.k];
+        let upper = self.levels.get(self.k + 1).filter(|u| !u.is_open());
+        let plain = |l: &Level<'_>| l.orthogonal;
+        let context = Context {
+            unit: self.house.unit,
+            style: &self.house.roofs.style,
+            level,
+            upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
+            roof_top: self
+                .levels
+                .iter()
+                .map(|l| l.storey.z1)
+                .fold(f64::MIN, f64::max),
+            lone: upper.is_none() && self.lines.is_empty() && level.plan.as_cell().is_some(),
+            outline: OnceCell::new(),
+            upper_outline: OnceCell::new(),
+        };
+        let mut planned = match level.is_open() {
+            true => vec![],
+            false if plain(level) && upper.is_none_or(plain) => {
+                self.orthogonal(&context, done, out)
+            }
+            false => self.polygonal(&context, upper, done, out),
+        };
+        planned.extend(
+            self.lines
+                .iter()
+                .map(|line| explicit::planned(line, &context, out)),
+        );
+        planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
+        let walls = context.upper.map(|u| slabs::strips(u)).unwrap_or_default();
+        let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
+        assemble(planned, &walls, &mut done.roofs);
+    }
+
+    fn hang_pent(&self, context: &Context<'_>, cell: Cell) -> Planned {
+        let outward = explicit::away_from_wall(context, &cell);
+        let depth = context.metres(outward.measure(&cell).1);
+        let pitch = super::look::Look::lean_to(None, context.style, depth).pitch;
+        context
+            .pent(cell, outward, context.level.storey.z1 - pitch * depth, None)
+            .0
+    }
+
+    fn orthogonal(
+        &self,
+        context: &Context<'_>,
+        done: &mut HouseRoofs,
+        out: &mut Diagnostics,
+    ) -> Vec<Planned> {
+        let level = context.level;
+        let mut found = Vec::new();
+        let open = self.open(context);
+        if self.house.roofs.mode == RoofMode::Auto && !open.loops.is_empty() {
+            found = self.regions(context, &open);
+        }
+        let shape = self
+            .house
+            .roofs
+            .style
+            .shape
+            .map_or(RoofShape::Gable, |s| s.value);
+        let flat = shape == RoofShape::Flat;
+        if shape == RoofShape::BroadGable {
+            broaden(&mut found);
+        }
+        done.plans.push(report::plan(level, &found, flat));
+        if found.is_empty() {
+            return vec![];
+        }
+        if flat {
+            let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
+            return vec![context.flat(&cells, &open.clean(), level.storey.z1, None)];
+        }
+        Automatic::new(context, &found).roofs(&mut done.ceilings, out)
+    }
+
+    /// What neither the storey above nor a roof line covers.
+    fn open(&self, context: &Context<'_>) -> Plan {
+        let plan = &context.level.plan;
+        let taken: Vec<Cell> = self
+            .lines
+            .iter()
+            .filter(|l| l.covers())
+            .map(|l| l.cell)
+            .collect();
+        let open = match context.upper {
+            Some(upper) if upper == plan => Plan::default(),
+            Some(upper) => plan.difference(upper),
+            None if taken.is_empty() => return plan.clone(),
+            None => plan.clone(),
+        };
+        if taken.is_empty() {
+            open
+        } else {
+            open.minus_cells(&taken)
+        }
+    }
+
+    fn regions(&self, context: &Context<'_>, open: &Plan) -> Vec<Region> {
+        let method = match self.house.roofs.method {
+            RoofMethod::Kd => Method::Kd,
+            RoofMethod::LeastCut => Method::LeastCut,
+        };
+        let line = self
+            .house
+            .street
+            .then(|| first_line(context.level.storey))
+            .flatten();
+        let front = line.and_then(|line| street::street_front(open, line));
+        regions(open, context.upper, method, front, STEPS)
+    }
+
+    /// A storey whose walls, or whose upper storey's walls, are not at right angles: one flat roof a
+    /// ring, unless the storey above repeats it.
+    fn polygonal(
+        &self,
+        context: &Context<'_>,
+        upper: Option<&Level<'_>>,
+        done: &mut HouseRoofs,
+        out: &mut Diagnostics,
+    ) -> Vec<Planned> {
+        let level = context.level;
+        let covered = upper.is_some_and(|u| same_plan(level, u));
+        let wanted = self.house.roofs.mode == RoofMode::Auto && !covered && self.lines.is_empty();
+        let rings: Vec<&Ring> = if wanted {
+            level.rings(false).collect()
+        } else {
+            vec![]
+        };
+        done.plans.push(report::polygons(level, &rings));
+        if let Some(shape) = self.house.roofs.style.shape
+            && shape.value != RoofShape::Flat
+            && !rings.is_empty()
+        {
+            out.push(say::flat_only(shape.span, shape.value));
+        }
+        rings
+            .iter()
+            .map(|ring| self.polygon(context, ring, upper))
+            .collect()
+    }
+
+    fn polygon(&self, context: &Context<'_>, ring: &Ring, upper: Option<&Level<'_>>) -> Planned {
+        let level = context.level;
+        let base = level.storey.z1;
+        let outline = self.corners(ring, 1.0);
+        let inside = |hole: &&Ring| {
+            hole.walls
+                .first()
+                .is_some_and(|w| within(&ring.corners(), w.from))
+        };
+        let holes: Vec<Vec<DVec2>> = level
+            .rings(true)
+            .filter(inside)
+            .map(|h| self.corners(h, -1.0))
+            .collect();
+        let (look, thick) = context.flat_look(None);
+        let mut solids = flat::slab(&outline, &holes, base, look.kind, thick);
+        if !level.parapet && upper.is_none() {
+            for border in std::iter::once(&outline).chain(&holes) {
+                let border: flat::Border = border.iter().map(|p| (*p, true)).collect();
+                solids.extend(flat::upstands(&border, base));
+            }
+        }
+        context.flat_of(solids, look, base)
+    }
+
+    /// The corners of a ring in the house frame, turning counter-clockwise times `turn`.
+    fn corners(&self, ring: &Ring, turn: f64) -> Vec<DVec2> {
+        let mut corners: Vec<DVec2> = ring
+            .corners()
+            .iter()
+            .map(|p| self.house.place(*p, 0.0).truncate())
+            .collect();
+        if area2(&corners) * turn < 0.0 {
+            corners.reverse();
+        }
+        corners
+    }
+}
+
+/// Main roofs with their ridges along the short side (YOK).
+fn broaden(regions: &mut [Region]) {
+    for region in regions {
+        if region.role == Role::Main && region.joins.is_none() && region.against_wall.is_none() {
+            region.ridge = match region.cell.width().cmp(&region.cell.depth()) {
+                std::cmp::Ordering::Greater => Some(Ridge::B),
+                std::cmp::Ordering::Less => Some(Ridge::A),
+                std::cmp::Ordering::Equal => region.ridge,
+            };
+        }
+    }
+}
+
+/// Whether two storeys have the same corners, wherever their walks start.
+fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
+    let corners = |level: &Level<'_>| {
+        let mut all: Vec<(i64, i64)> = level.plan.loops.iter().flatten().copied().collect();
+        all.sort_unstable();
+        all
+    };
+    let (p, q) = (corners(lower), corners(upper));
+    // A tenth of a millimetre: lowering spreads small errors over the corners.
+    let near = |a: i64, b: i64| (a - b).abs() <= STEPS / 10_000;
+    p.len() == q.len()
+        && p.iter()
+            .zip(&q)
+            .all(|(p, q)| near(p.0, q.0) && near(p.1, q.1))
+}
+
+/// Whether a point lies inside a polygon (even-odd, half-open).
+fn within(polygon: &[DVec2], p: DVec2) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    polygon.iter().zip(next).fold(false, |inside, (q, r)| {
+        let spans = (q.y <= p.y) != (r.y <= p.y);
+        inside != (spans && p.x < q.x + (p.y - q.y) / (r.y - q.y) * (r.x - q.x))
+    })
+}

@@ -1,0 +1,198 @@
+//! What one roof looks like: the author's options, and `domain.md` 4.3 and 4.4 for the rest.
+
+use super::sheet::Coat;
+use crate::ast::{RoofKind, RoofStyle};
+use crate::building::Finish;
+use crate::geometry::SHAKU;
+use crate::source::Spanned;
+
+/// The resolved options of one roof, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Covering.
+    pub kind: RoofKind,
+    /// Rise per horizontal metre.
+    pub pitch: f64,
+    /// Horizontal overhang beyond the wall line.
+    pub eaves: f64,
+    /// Overhang beyond the gable wall.
+    pub verge: f64,
+    /// Thickness at right angles to the slope.
+    pub thickness: f64,
+    /// Courses of ridge tiles.
+    pub noshi: u32,
+    /// Whether the ridge ends in onigawara.
+    pub ends: bool,
+}
+
+/// Slope lengths in metres up to which tiles keep the rain out at a pitch (domain.md 4.3, S20).
+const TILE_PITCHES: [(f64, f64); 5] = [
+    (8.0, 0.40),
+    (10.0, 0.45),
+    (12.0, 0.50),
+    (15.0, 0.55),
+    (17.0, 0.60),
+];
+
+/// The gentlest default of lean-tos (domain.md 4.3: geya 3 sun).
+const LEAN_TO_PITCH: f64 = 0.3;
+
+impl Look {
+    /// The look of a two-sided roof over `span` metres. `line` are the options of its own line,
+    /// `house` those of the whole house.
+    pub fn gable(line: Option<&RoofStyle>, house: &RoofStyle, span: f64, unit: f64) -> Look {
+        let mut look = Look::plain(line, house);
+        look.eaves = wish(line, house, |s| s.eaves).map_or_else(
+            // Deep eaves round a narrow roof would be an umbrella.
+            || (2.5 * SHAKU).min(SHAKU.max(span / 3.0)),
+            |shaku| shaku * SHAKU,
+        );
+        look.noshi =
+            wish(line, house, |s| s.noshi).unwrap_or(if span > 8.0 * unit { 5 } else { 3 });
+        if own_pitch(line, house).is_none() && look.kind == RoofKind::Tiles {
+            let run = span / 2.0 + look.eaves;
+            look.pitch = raised(run);
+        }
+        look.bounded()
+    }
+
+    /// The look of a single slope over `depth` metres.
+    pub fn lean_to(line: Option<&RoofStyle>, house: &RoofStyle, depth: f64) -> Look {
+        let mut look = Look::plain(line, house);
+        let eaves = wish(line, house, |s| s.eaves).map(|shaku| shaku * SHAKU);
+        look.eaves = eaves.unwrap_or((2.0 * SHAKU).min(SHAKU.max(depth / 2.0)));
+        if line.and_then(|s| s.pitch).is_none() {
+            look.pitch = look.pitch.min(LEAN_TO_PITCH);
+        }
+        look.bounded()
+    }
+
+    fn plain(line: Option<&RoofStyle>, house: &RoofStyle) -> Look {
+        let kind = wish(line, house, |s| s.kind).unwrap_or(RoofKind::Tiles);
+        let (pitch, thickness) = defaults(kind);
+        Look {
+            kind,
+            pitch: own_pitch(line, house).map_or(pitch, |sun| sun / 10.0),
+            eaves: 2.5 * SHAKU,
+            verge: wish(line, house, |s| s.verge).unwrap_or(0.5) * SHAKU,
+            thickness: wish(line, house, |s| s.thickness).map_or(thickness, |shaku| shaku * SHAKU),
+            noshi: wish(line, house, |s| s.noshi).unwrap_or(3),
+            ends: !wish(line, house, |s| s.plain_ridge).unwrap_or(false),
+        }
+    }
+
+    /// Within what can be built: the readers let any finite number through.
+    fn bounded(mut self) -> Look {
+        self.pitch = self.pitch.clamp(0.005, 5.0);
+        self.eaves = self.eaves.clamp(0.0, 10.0);
+        self.verge = self.verge.clamp(0.0, 10.0);
+        self.thickness = self.thickness.clamp(0.02, 2.0);
+        self.noshi = self.noshi.min(40);
+        self
+    }
+
+    /// How far the upper surface lies above the lower one, measured upright.
+    pub fn drop(&self) -> f64 {
+        self.thickness * (1.0 + self.pitch * self.pitch).sqrt()
+    }
+
+    /// The finishes of its slopes.
+    pub fn coat(&self) -> Coat {
+        Coat {
+            top: Finish::Covering(self.kind),
+            rim: Finish::Edge(self.kind),
+            joint: Finish::Plaster,
+            soffit: Finish::Soffit,
+        }
+    }
+}
+
+/// The pitch somebody asked for, in sun; the house's only for its own covering.
+fn own_pitch(line: Option<&RoofStyle>, house: &RoofStyle) -> Option<f64> {
+    let Some(line) = line else {
+        return house.pitch.map(|p| p.value);
+    };
+    let kind = |s: &RoofStyle| s.kind.map(|k| k.value);
+    let other = kind(line).is_some() && kind(line) != kind(house);
+    let inherited = if other { None } else { house.pitch };
+    line.pitch.or(inherited).map(|p| p.value)
+}
+
+/// An option of the line, else of the house.
+fn wish<T: Copy>(
+    line: Option<&RoofStyle>,
+    house: &RoofStyle,
+    option: fn(&RoofStyle) -> Option<Spanned<T>>,
+) -> Option<T> {
+    line.and_then(option)
+        .or_else(|| option(house))
+        .map(|s| s.value)
+}
+
+/// Pitch and thickness by covering (domain.md 6 and 4.4).
+fn defaults(kind: RoofKind) -> (f64, f64) {
+    match kind {
+        RoofKind::Tiles => (0.40, 0.12),
+        RoofKind::Boards => (0.25, 0.05),
+        RoofKind::Shingles => (0.35, 0.10),
+        RoofKind::Bark => (0.60, 0.25),
+        RoofKind::Thatch => (1.00, 0.60),
+        RoofKind::Metal => (0.25, 0.05),
+    }
+}
+
+/// The pitch of tiles over a horizontal run: the gentlest that suits the length of its slope.
+fn raised(run: f64) -> f64 {
+    let slope = |pitch: f64| run * (1.0 + pitch * pitch).sqrt();
+    let fits = TILE_PITCHES
+        .iter()
+        .find(|(length, pitch)| slope(*pitch) <= *length);
+    fits.map_or(0.60, |(_, pitch)| *pitch)
+}
+
+/// Pitches in sun that suit a covering (domain.md 4.3, with room for the unusual).
+pub fn band(kind: RoofKind) -> (f64, f64) {
+    match kind {
+        RoofKind::Tiles => (2.5, 10.0),
+        RoofKind::Boards => (1.5, 6.0),
+        RoofKind::Shingles => (2.0, 8.0),
+        RoofKind::Bark => (4.0, 12.0),
+        RoofKind::Thatch => (6.0, 15.0),
+        RoofKind::Metal => (0.5, 15.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::Span;
+
+    fn style(kind: RoofKind, pitch: Option<f64>) -> RoofStyle {
+        RoofStyle {
+            kind: Some(Spanned::new(kind, Span::default())),
+            pitch: pitch.map(|p| Spanned::new(p, Span::default())),
+            ..RoofStyle::default()
+        }
+    }
+
+    #[test]
+    fn long_slopes_of_tiles_are_steeper_unless_the_author_says_so() {
+        let none = RoofStyle::default();
+        assert_eq!(Look::gable(None, &none, 5.4, 0.909).pitch, 0.40);
+        assert_eq!(Look::gable(None, &none, 16.0, 0.909).pitch, 0.45);
+        assert_eq!(Look::gable(None, &none, 32.0, 0.909).pitch, 0.60);
+        let own = style(RoofKind::Tiles, Some(3.5));
+        assert_eq!(Look::gable(None, &own, 32.0, 0.909).pitch, 0.35);
+    }
+
+    #[test]
+    fn another_covering_does_not_take_the_pitch_of_the_house() {
+        let (house, line) = (
+            style(RoofKind::Tiles, Some(5.0)),
+            style(RoofKind::Thatch, None),
+        );
+        assert_eq!(Look::gable(Some(&line), &house, 5.4, 0.909).pitch, 1.0);
+        let tiled = style(RoofKind::Tiles, None);
+        assert_eq!(Look::gable(Some(&tiled), &house, 5.4, 0.909).pitch, 0.5);
+    }
+}

@@ -1,0 +1,51 @@
+//! A region to rectangles: cut by a method, then merge (domain 3.2; `language.md` 4).
+//!
+//! The rectangles cover the region exactly and never overlap.
+
+use super::plan::{Cell, Plan};
+use super::raster::Raster;
+use super::{chord, kd, least_cut, merge, slabs};
+
+/// How a region is cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// The published method with the orthogonal fallback (001-15 to 001-19).
+    Kd,
+    /// The guillotine tree with the least total roof cut (domain 3.5 `opt`).
+    #[default]
+    LeastCut,
+}
+
+/// The rectangles of a region, sorted by (b0, a0), in the plan's own grid steps.
+///
+/// The region is cut as one, pieces that do not touch included; see [`cut`].
+pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
+    match plan.as_cell() {
+        Some(cell) => vec![cell],
+        None => merge::merge(cut(plan, method)),
+    }
+}
+
+/// The rectangles before merging, sorted by (b0, a0).
+///
+/// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above. A
+/// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
+/// cuts over so many lines would take longer than anyone waits.
+pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
+    let mut cells = match Raster::of(plan) {
+        None => slabs::strips(plan),
+        Some(raster) if raster.cols() == 0 || raster.rows() == 0 => Vec::new(),
+        Some(raster) => cut_raster(&raster, method),
+    };
+    cells.sort_unstable_by_key(Cell::key);
+    cells
+}
+
+fn cut_raster(raster: &Raster, method: Method) -> Vec<Cell> {
+    let lines = raster.cols().max(raster.rows()) + 1;
+    match method {
+        Method::Kd => kd::cut(raster),
+        Method::LeastCut if lines <= least_cut::MAX_LINES => least_cut::cut(raster),
+        Method::LeastCut => chord::cut(raster),
+    }
+}

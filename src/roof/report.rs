@@ -1,0 +1,84 @@
+//! What `dump --stage regions` shows of a storey (language.md 5).
+
+use super::level::Level;
+use super::ridge::{Region, Ridge, Role, Side};
+use crate::ast::RoofShape;
+use crate::building::{PlanRegion, Ring, StoreyPlan, rect_of};
+use glam::DVec2;
+
+/// The automatic regions of an orthogonal storey.
+pub(super) fn plan(level: &Level<'_>, regions: &[Region], flat: bool) -> StoreyPlan {
+    let region = |r: &Region| match flat {
+        true => flat_region(rect_of(r.cell), None),
+        false => PlanRegion {
+            rect: rect_of(r.cell),
+            polygon: None,
+            ridge: r.ridge.map(|ridge| match ridge {
+                Ridge::A => "a",
+                Ridge::B => "b",
+            }),
+            fall: r.fall.map(letter),
+            role: match r.role {
+                Role::Main => "main",
+                Role::Branch => "branch",
+                Role::LeanTo => "lean-to",
+            },
+            shape: if r.role == Role::LeanTo {
+                RoofShape::LeanTo
+            } else {
+                RoofShape::Gable
+            },
+            over: if r.role == Role::Branch { r.over } else { None },
+        },
+    };
+    with_regions(level, regions.iter().map(region).collect())
+}
+
+/// One flat region for each ring that is not orthogonal.
+pub(super) fn polygons(level: &Level<'_>, rings: &[&Ring]) -> StoreyPlan {
+    let region = |ring: &&Ring| {
+        let corners = ring.corners();
+        let min = corners.iter().copied().fold(DVec2::MAX, DVec2::min);
+        let max = corners.iter().copied().fold(DVec2::MIN, DVec2::max);
+        flat_region([min.x, min.y, max.x, max.y], Some(corners))
+    };
+    let mut regions: Vec<PlanRegion> = rings.iter().map(region).collect();
+    regions.sort_by(|p, q| {
+        p.rect[1]
+            .total_cmp(&q.rect[1])
+            .then(p.rect[0].total_cmp(&q.rect[0]))
+    });
+    with_regions(level, regions)
+}
+
+fn flat_region(rect: [f64; 4], polygon: Option<Vec<DVec2>>) -> PlanRegion {
+    let shape = RoofShape::Flat;
+    PlanRegion {
+        rect,
+        polygon,
+        ridge: None,
+        fall: None,
+        role: "main",
+        shape,
+        over: None,
+    }
+}
+
+fn with_regions(level: &Level<'_>, regions: Vec<PlanRegion>) -> StoreyPlan {
+    StoreyPlan {
+        storey: level.storey.number,
+        z: level.storey.z1,
+        outlines: level.rings(false).map(Ring::corners).collect(),
+        holes: level.rings(true).map(Ring::corners).collect(),
+        regions,
+    }
+}
+
+fn letter(side: Side) -> &'static str {
+    match side {
+        Side::Front => "F",
+        Side::Back => "B",
+        Side::Left => "L",
+        Side::Right => "R",
+    }
+}

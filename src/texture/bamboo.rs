@@ -1,0 +1,47 @@
+//! Split bamboo: strips side by side, as in an inu-yarai or a fence.
+
+use super::Maps;
+use super::cells::row;
+use super::color::{hex, mix, ramp, scale, smooth};
+use super::noise::{fbm, hash};
+use super::paint::{Hollows, Spot, Texel, paint};
+
+/// 24 strips of 37.9 mm (25 to a bay of 3 shaku would be 36.4 mm).
+pub(super) const BAMBOO: f64 = 0.909;
+
+/// Strips upright, their bowed skins outwards, with a node every foot or so.
+pub(super) fn bamboo(size: u32) -> Maps {
+    paint(size, BAMBOO, Hollows::new(0.010, 40.0), bamboo_at)
+}
+
+/// One spot of [`bamboo`].
+fn bamboo_at(spot: Spot) -> Texel {
+    let aged = [
+        hex(0x86_7A4C),
+        hex(0xB8_A266),
+        hex(0xCD_B57C),
+        hex(0xA8_9468),
+    ];
+    let strip = row(spot.u, 24);
+    let chance = |salt: u32| hash(strip.index, 3, 700 + salt);
+    let x = 2.0 * strip.at - 1.0;
+    // Nodes: three to a repeat, moved from strip to strip as culms differ.
+    let node = row(spot.v + chance(1), 3);
+    let shift = 0.06 * (hash(strip.index, node.index, 703) - 0.5);
+    let from_node = (node.at - 0.5 + shift) * node.width * spot.metres;
+    let ridge = libm::exp(-(from_node * from_node) / 0.000_02);
+    let groove = libm::exp(-(from_node - 0.007) * (from_node - 0.007) / 0.000_012);
+    let gap = smooth(0.90, 0.97, x.abs());
+    let streak = fbm(spot.u, spot.v, (96, 3), 3, 705);
+    let tone = chance(2) + 0.3 * streak + 0.2 * fbm(spot.u, spot.v, (6, 4), 2, 706);
+    let mut color = scale(ramp(&aged, tone), 1.0 - 0.28 * x * x);
+    color = mix(color, hex(0xD6_C8A0), ridge * 0.6);
+    color = mix(color, hex(0x4E_4028), groove * 0.7);
+    Texel {
+        height: 0.007 * (1.0 - x * x).max(0.0).sqrt() + 0.0016 * ridge - 0.0012 * groove
+            + 0.0001 * streak,
+        color: mix(color, hex(0x1A_140C), gap),
+        rough: 0.45 + 0.2 * gap + 0.1 * streak,
+        metal: 0.0,
+    }
+}

@@ -1,0 +1,74 @@
+//! Random fields that close on themselves: an integer hash on a periodic lattice.
+//!
+//! Coordinates are fractions of the repeat (1.0 is one repeat), periods are whole lattice cells,
+//! so every field is seamless by construction. Only exactly rounded operations are used.
+
+/// Lattice cells in one repeat along `u` and `v`.
+pub(super) type Period = (u32, u32);
+
+/// A well mixed 32-bit hash of a lattice point (finaliser "lowbias32" by C. Wellons).
+fn bits(x: i64, y: i64, seed: u32) -> u32 {
+    let mut h = (x as u32).wrapping_mul(0x9E37_79B1)
+        ^ (y as u32).wrapping_mul(0x85EB_CA77).rotate_left(13)
+        ^ seed.wrapping_mul(0xC2B2_AE3D);
+    h = (h ^ (h >> 16)).wrapping_mul(0x7FEB_352D);
+    h = (h ^ (h >> 15)).wrapping_mul(0x846C_A68B);
+    h ^ (h >> 16)
+}
+
+/// A number in 0..1 that belongs to a lattice point.
+pub(super) fn hash(x: i64, y: i64, seed: u32) -> f64 {
+    f64::from(bits(x, y, seed)) / 4_294_967_296.0
+}
+
+/// The dot product of a lattice point's random direction with an offset.
+fn slope(x: i64, y: i64, seed: u32, dx: f64, dy: f64) -> f64 {
+    const H: f64 = std::f64::consts::FRAC_1_SQRT_2;
+    match bits(x, y, seed) >> 29 {
+        0 => dx,
+        1 => -dx,
+        2 => dy,
+        3 => -dy,
+        4 => (dx + dy) * H,
+        5 => (dx - dy) * H,
+        6 => (dy - dx) * H,
+        _ => -(dx + dy) * H,
+    }
+}
+
+/// The curve 6t^5 - 15t^4 + 10t^3: no kinks at lattice lines (Perlin, 2002).
+fn fade(t: f64) -> f64 {
+    t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
+}
+
+/// Gradient noise, about -1..1.
+pub(super) fn noise(u: f64, v: f64, period: Period, seed: u32) -> f64 {
+    let (nx, ny) = (i64::from(period.0), i64::from(period.1));
+    let (x, y) = (u * nx as f64, v * ny as f64);
+    let (fx, fy) = (x.floor(), y.floor());
+    let (dx, dy) = (x - fx, y - fy);
+    let (x0, y0) = ((fx as i64).rem_euclid(nx), (fy as i64).rem_euclid(ny));
+    let (x1, y1) = ((x0 + 1) % nx, (y0 + 1) % ny);
+    let (a, b) = (
+        slope(x0, y0, seed, dx, dy),
+        slope(x1, y0, seed, dx - 1.0, dy),
+    );
+    let (c, d) = (
+        slope(x0, y1, seed, dx, dy - 1.0),
+        slope(x1, y1, seed, dx - 1.0, dy - 1.0),
+    );
+    let (s, t) = (fade(dx), fade(dy));
+    let (low, high) = (a + (b - a) * s, c + (d - c) * s);
+    (low + (high - low) * t) * 1.5
+}
+
+/// Fractal noise: each octave has twice the cells and half the strength; about -1..1.
+pub(super) fn fbm(u: f64, v: f64, period: Period, octaves: u32, seed: u32) -> f64 {
+    let (mut sum, mut strength) = (0.0, 0.5);
+    for octave in 0..octaves {
+        let cells = (period.0 << octave, period.1 << octave);
+        sum += strength * noise(u, v, cells, seed.wrapping_add(octave * 101));
+        strength *= 0.5;
+    }
+    sum * 1.3
+}

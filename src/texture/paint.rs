@@ -1,0 +1,133 @@
+//! From a formula to pictures: sampling, shade in hollows, and normals from heights.
+
+use image::{Rgb as Pixel, RgbImage};
+
+use super::Maps;
+use super::color::Rgb;
+
+/// Where a sample is taken.
+#[derive(Clone, Copy)]
+pub(super) struct Spot {
+    /// Fraction of the repeat, to the right.
+    pub(super) u: f64,
+    /// Fraction of the repeat, upwards.
+    pub(super) v: f64,
+    /// Width and height of the repeat in metres.
+    pub(super) metres: f64,
+    /// Width of a pixel in metres.
+    pub(super) pixel: f64,
+}
+
+/// What is found there.
+#[derive(Clone, Copy)]
+pub(super) struct Texel {
+    /// Height in metres above the mean surface.
+    pub(super) height: f64,
+    /// Base colour.
+    pub(super) color: Rgb,
+    /// Roughness, 0 polished to 1 dull.
+    pub(super) rough: f64,
+    /// Metalness, 0 or 1.
+    pub(super) metal: f64,
+}
+
+/// How hollows are darkened: light reaches them from fewer directions.
+#[derive(Clone, Copy)]
+pub(super) struct Hollows {
+    /// Half width in metres of the surroundings a height is compared with.
+    pub(super) reach: f64,
+    /// Share of light lost for each metre below the surroundings.
+    pub(super) loss: f64,
+}
+
+impl Hollows {
+    /// `reach` in metres, `loss` per metre.
+    pub(super) const fn new(reach: f64, loss: f64) -> Self {
+        Hollows { reach, loss }
+    }
+}
+
+/// Draws a surface by its formula.
+pub(super) fn paint(
+    size: u32,
+    metres: f64,
+    hollows: Hollows,
+    formula: impl Fn(Spot) -> Texel,
+) -> Maps {
+    let pixel = metres / f64::from(size);
+    let side = size as usize;
+    let texels: Vec<Texel> = (0..side * side)
+        .map(|k| {
+            let u = ((k % side) as f64 + 0.5) / side as f64;
+            let v = 1.0 - ((k / side) as f64 + 0.5) / side as f64;
+            formula(Spot {
+                u,
+                v,
+                metres,
+                pixel,
+            })
+        })
+        .collect();
+    let heights: Vec<f64> = texels.iter().map(|texel| texel.height).collect();
+    let reach = ((hollows.reach / pixel) as usize).clamp(1, side / 2 - 1);
+    let around = surroundings(&heights, side, reach);
+    let light = |k: usize| (1.0 + hollows.loss * (heights[k] - around[k])).clamp(0.35, 1.18);
+    let at = |x: u32, y: u32| y as usize * side + x as usize;
+    Maps {
+        color: RgbImage::from_fn(size, size, |x, y| {
+            let k = at(x, y);
+            Pixel(texels[k].color.map(|channel| byte(channel * light(k))))
+        }),
+        normal: normals(&heights, size, pixel),
+        orm: RgbImage::from_fn(size, size, |x, y| {
+            let texel = texels[at(x, y)];
+            Pixel([255, byte(texel.rough), byte(texel.metal)])
+        }),
+    }
+}
+
+/// The mean height of the square around each point, `reach` pixels either way.
+fn surroundings(heights: &[f64], side: usize, reach: usize) -> Vec<f64> {
+    let upright = blur(&transpose(heights, side), side, reach);
+    blur(&transpose(&upright, side), side, reach)
+}
+
+/// A fraction as a byte, rounded.
+fn byte(fraction: f64) -> u8 {
+    (fraction.clamp(0.0, 1.0) * 255.0).round() as u8
+}
+
+/// Rows become columns.
+fn transpose(field: &[f64], side: usize) -> Vec<f64> {
+    (0..side * side)
+        .map(|k| field[(k % side) * side + k / side])
+        .collect()
+}
+
+/// The mean of each value and `reach` neighbours either way along its row, around the edge.
+fn blur(field: &[f64], side: usize, reach: usize) -> Vec<f64> {
+    let mut out = Vec::with_capacity(field.len());
+    for row in field.chunks(side) {
+        let mut sum: f64 = (0..=2 * reach)
+            .map(|k| row[(k + side - reach) % side])
+            .sum();
+        for x in 0..side {
+            out.push(sum / (2 * reach + 1) as f64);
+            sum += row[(x + reach + 1) % side] - row[(x + side - reach) % side];
+        }
+    }
+    out
+}
+
+/// Normals by central differences around the edge, OpenGL convention.
+fn normals(heights: &[f64], size: u32, pixel: f64) -> RgbImage {
+    let side = size as usize;
+    RgbImage::from_fn(size, size, |x, y| {
+        let (x, y) = (x as usize, y as usize);
+        let at = |x: usize, y: usize| heights[(y % side) * side + x % side];
+        let dx = (at(x + 1, y) - at(x + side - 1, y)) / (2.0 * pixel);
+        let dy = (at(x, y + side - 1) - at(x, y + 1)) / (2.0 * pixel);
+        let length = (dx * dx + dy * dy + 1.0).sqrt();
+        Pixel([-dx / length, -dy / length, 1.0 / length].map(|n| byte(n * 0.5 + 0.5)))
+    })
+}

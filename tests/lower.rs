@@ -1,0 +1,284 @@
+//! Walks to outlines: closing, turns, crossings, courtyards, set-back storeys, rings of facades.
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use glam::dvec2;
+use hsd::ast::StoreyKind;
+use hsd::building::{Ring, Shell};
+use hsd::catalog::PartId;
+use hsd::diagnostic::{Diagnostics, Severity};
+use hsd::lower::lower;
+use hsd::program::{Content, House, Line, Loop, Program, Roofs, Storey, Unit};
+use hsd::source::{FileId, Span};
+
+/// A unit of that width: a part, or a void below zero.
+fn unit(width: f64) -> Unit {
+    let content = if width < 0.0 {
+        Content::Void
+    } else {
+        Content::Part(PartId(0))
+    };
+    let (span, width) = (Span::default(), width.abs());
+    Unit {
+        span,
+        width,
+        content,
+        height: None,
+        reflection: None,
+    }
+}
+
+/// Lines as "4R 2.5L -1L": a length (negative: a void) and a turn, R, L or degrees behind `@`. Their spans are
+/// their places in the text.
+fn lines(text: &str) -> Vec<Line> {
+    let mut at = 0;
+    let words = text.split(' ').map(|word| {
+        let span = Span {
+            file: FileId(0),
+            start: at,
+            end: at + word.len() as u32,
+        };
+        at = span.end + 1;
+        let (length, turn) = match word.split_once('@') {
+            Some((length, degrees)) => (length, degrees.parse().unwrap()),
+            None => (
+                &word[..word.len() - 1],
+                if word.ends_with('L') { -90.0 } else { 90.0 },
+            ),
+        };
+        let units = if length.is_empty() {
+            vec![]
+        } else {
+            vec![unit(length.parse().unwrap())]
+        };
+        Line {
+            span,
+            units,
+            turn,
+            reflection: false,
+        }
+    });
+    words.collect()
+}
+
+fn walk(text: &str) -> Loop {
+    let all = Span {
+        file: FileId(0),
+        start: 0,
+        end: text.len() as u32,
+    };
+    Loop {
+        span: all,
+        hole: false,
+        ring: false,
+        start: (0.0, 0.0),
+        lines: lines(text),
+    }
+}
+
+fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
+    let storeys = storeys.into_iter().map(|loops| {
+        let (span, kind) = (Span::default(), StoreyKind::Storey);
+        Storey {
+            span,
+            height: 9.0,
+            kind,
+            loops,
+        }
+    });
+    let house = House {
+        span: Span::default(),
+        name: String::new(),
+        origin: [0.0; 3],
+        azimuth: 180.0,
+        unit_shaku: 3.0,
+        street: false,
+        storeys: storeys.collect(),
+        roofs: Roofs::default(),
+    };
+    let mut out = Diagnostics::new();
+    let shell = lower(
+        Program {
+            houses: vec![house],
+            pictures: vec![],
+        },
+        &mut out,
+    );
+    let said = out
+        .into_sorted()
+        .iter()
+        .map(|d| (d.code.0, d.severity, d.span))
+        .collect();
+    (shell, said)
+}
+
+fn ring(text: &str) -> (Ring, Vec<u16>) {
+    let (shell, said) = lowered(vec![vec![walk(text)]]);
+    (
+        shell.houses[0].storeys[0].rings[0].clone(),
+        said.iter().map(|s| s.0).collect(),
+    )
+}
+
+#[test]
+fn an_l_has_six_corners_in_walk_order() {
+    let (ring, said) = ring("6R 4R 3R 2L 3R 2R");
+    assert!(ring.closed && said.is_empty(), "{said:?}");
+    let expected = [(0, 0), (6, 0), (6, 4), (3, 4), (3, 2), (0, 2)];
+    assert_eq!(
+        ring.corners(),
+        expected.map(|(a, b)| dvec2(f64::from(a), f64::from(b)))
+    );
+}
+
+#[test]
+fn the_last_turn_does_not_count() {
+    for last in ["3R", "3L", "3@0"] {
+        let (ring, said) = ring(&format!("4R 3R 4R {last}"));
+        assert!(ring.closed && said.is_empty(), "{last}: {said:?}");
+    }
+    // Starts in the middle of a wall (written turns 4) and at an inner corner (5).
+    assert!(ring("2R 3R 4R 3R 2R").0.closed);
+    let (inner, said) = ring("3R 2R 6R 4R 3R 2R");
+    assert!(inner.closed && said.is_empty(), "{said:?}");
+}
+
+#[test]
+fn open_walls_name_the_line_that_closes_them() {
+    let (shell, said) = lowered(vec![vec![walk("4R 3R 3R 3R")]]);
+    assert_eq!(said.len(), 1);
+    assert_eq!((said[0].0, said[0].1), (401, Severity::Error));
+    assert!(!shell.houses[0].storeys[0].rings[0].closed);
+    assert_eq!(
+        shell.houses[0].storeys[0].rings[0].walls.len(),
+        4,
+        "the walls stand all the same"
+    );
+}
+
+#[test]
+fn a_single_wrong_turn_is_found() {
+    let (_, said) = lowered(vec![vec![walk("4R 3L 4R 3R")]]);
+    let wrong = Span {
+        file: FileId(0),
+        start: 3,
+        end: 5,
+    };
+    assert_eq!(said, [(403, Severity::Warning, wrong)]);
+    // An inner corner written without its L.
+    let (_, said) = lowered(vec![vec![walk("6R 4R 3R 2R 3R 2R")]]);
+    assert_eq!(said[0].0, 403);
+    assert_eq!(said[0].1, Severity::Error);
+}
+
+#[test]
+fn few_turns_are_a_facade() {
+    for text in ["5R", "5R 3R", "2R 3R 2R", "3L 2R 4R"] {
+        let (_, said) = lowered(vec![vec![walk(text)]]);
+        assert_eq!((said[0].0, said[0].1), (404, Severity::Note), "{text}");
+    }
+}
+
+#[test]
+fn walls_that_meet_are_named() {
+    assert_eq!(ring("4R 4R 1R 5L 2L 5R 1R 4R").1, [405]);
+    assert_eq!(ring("4R 4R 1R 4L 2L 4R 1R 4R").1, [406]);
+    // An eight: back at the start, and crossing itself.
+    let (eight, said) = ring("2R 2R 1R 3L 1L 1L 2R 1R 2R 1R");
+    assert!(!eight.closed && !said.is_empty());
+}
+
+#[test]
+fn the_mirrored_house_is_known() {
+    assert_eq!(ring("4L 3L 4L 3L").1, [412]);
+}
+
+#[test]
+fn voids_before_the_first_part_move_the_start() {
+    let (shell, said) = lowered(vec![
+        vec![walk("6R 8R 6R 8R")],
+        vec![walk("R -2L 6R 6R 6R 6R")],
+    ]);
+    assert!(said.is_empty(), "{said:?}");
+    let upper = &shell.houses[0].storeys[1].rings[0];
+    let expected = [(0, 2), (6, 2), (6, 8), (0, 8)];
+    assert!(upper.closed);
+    assert_eq!(
+        upper.corners(),
+        expected.map(|(a, b)| dvec2(f64::from(a), f64::from(b)))
+    );
+    assert_eq!(upper.walls.len(), 4);
+    let z = &shell.houses[0].storeys;
+    assert!((z[1].z0 - 90.0 / 33.0).abs() < 1e-12 && (z[1].z1 - 180.0 / 33.0).abs() < 1e-12);
+}
+
+#[test]
+fn later_voids_are_open_bays() {
+    let (ring, said) = ring("4R -3R 4R 3R");
+    assert!(ring.closed && said.is_empty());
+    assert_eq!(ring.walls[1].units[0].content, Content::Void);
+}
+
+#[test]
+fn courtyards_lie_inside() {
+    let hole = |start, text: &str| Loop {
+        hole: true,
+        start,
+        ..walk(text)
+    };
+    let outer = || walk("9R 9R 9R 9R");
+    let (shell, said) = lowered(vec![vec![outer(), hole((3.0, 6.0), "3L 3L 3L 3L")]]);
+    assert!(
+        said.is_empty() && shell.houses[0].storeys[0].rings[1].closed,
+        "{said:?}"
+    );
+    let code = |inner| lowered(vec![vec![outer(), inner]]).1[0].0;
+    assert_eq!(code(hole((12.0, 6.0), "3L 3L 3L 3L")), 407);
+    assert_eq!(code(hole((0.0, 6.0), "3L 3L 3L 3L")), 406);
+    assert_eq!(code(hole((3.0, 3.0), "3R 3R 3R 3R")), 417);
+    assert_eq!(
+        code(Loop {
+            start: (3.0, 3.0),
+            ..walk("3R 3R 3R 3R")
+        }),
+        408
+    );
+}
+
+#[test]
+fn rings_of_facades_spread_a_small_error() {
+    let facades = |text| Loop {
+        ring: true,
+        ..walk(text)
+    };
+    let (shell, said) = lowered(vec![vec![facades("10R 5R 10.1R 5R")]]);
+    assert!(said.is_empty(), "{said:?}");
+    let walls = &shell.houses[0].storeys[0].rings[0].walls;
+    assert_eq!(walls[3].to, walls[0].from);
+    for wall in walls {
+        let units: f64 = wall.units.iter().map(|u| u.width).sum();
+        assert!((units - wall.from.distance(wall.to)).abs() < 1e-9);
+    }
+    assert_eq!(lowered(vec![vec![facades("10R 5R 8R 5R")]]).1[0].0, 409);
+    assert!(
+        lowered(vec![vec![facades("10R 5R")]]).1.is_empty(),
+        "an open facade"
+    );
+    let round = ["2@15"; 24].join(" ");
+    let (shell, said) = lowered(vec![vec![facades(&round)]]);
+    assert!(
+        said.is_empty() && shell.houses[0].storeys[0].rings[0].closed,
+        "{said:?}"
+    );
+}
+
+#[test]
+fn a_comb_of_many_teeth_is_judged_quickly() {
+    let teeth = 20_000;
+    let mut text = format!("{}R 5R ", teeth * 2);
+    text += &vec!["1R 4L 1L 4R"; teeth - 1].join(" ");
+    text += " 1R 4L 1R 1R";
+    let begun = std::time::Instant::now();
+    let (ring, said) = ring(&text);
+    assert!(ring.closed && said.is_empty(), "{said:?}");
+    assert!(begun.elapsed().as_secs_f64() < 2.0, "{:?}", begun.elapsed());
+}

@@ -1,0 +1,400 @@
+//! Bad input: nothing panics, every error has its place, nothing takes long. Language.md 7.
+
+mod support;
+
+use hsd::diagnostic::Severity;
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+use support::{
+    Numbers, Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts,
+};
+
+/// Compiles and says what is wrong with how it went.
+fn findings_of(name: &str, bytes: &[u8]) -> (Run, Vec<String>) {
+    let begun = Instant::now();
+    let run = compile(name, bytes);
+    let took = begun.elapsed();
+    let mut findings = flaws_of_diagnostics(&run, bytes.len());
+    // A slow machine under a debugging build says nothing about the compiler.
+    if cfg!(not(debug_assertions)) && took > Duration::from_secs(1) {
+        findings.push(format!("took {took:?}"));
+    }
+    (run, findings)
+}
+
+fn examples() -> Vec<(String, Vec<u8>)> {
+    let read = |path: PathBuf| (stem(&path), fs::read(&path).expect("examples can be read"));
+    texts("examples").into_iter().map(read).collect()
+}
+
+#[test]
+fn examples_cut_anywhere() {
+    let examples = examples();
+    let cuts: Vec<(&str, &[u8])> = examples
+        .iter()
+        .flat_map(|(name, bytes)| {
+            let step = 1 + bytes.len() / 1000; // the long ones in steps
+            let ends = (0..bytes.len()).step_by(step);
+            ends.map(|end| (name.as_str(), &bytes[..end]))
+        })
+        .collect();
+    assert_none(&on_all_processors(cuts.len(), |index| {
+        let (name, bytes) = cuts[index];
+        let (_, findings) = findings_of(name, bytes);
+        let told = |finding| format!("{name} cut at {}: {finding}", bytes.len());
+        findings.into_iter().map(told).collect()
+    }));
+}
+
+/// Things that have a meaning in one of the two syntaxes, or look as if they had.
+const TRICKY: &[&str] = &[
+    "\u{3000}",
+    "\t",
+    "L",
+    "R",
+    "^",
+    "\n",
+    "\r\n",
+    "\n\n",
+    "%",
+    "#",
+    ".....",
+    "     ",
+    "<",
+    ">",
+    "&",
+    "\"",
+    "'",
+    "</",
+    "/>",
+    "<!--",
+    "-->",
+    "<![CDATA[",
+    "]]>",
+    "<!DOCTYPE a>",
+    "&lol;",
+    "&#0;",
+    "&#x110000;",
+    "{",
+    "}",
+    "{k}",
+    "{1/0}",
+    "{1e308*1e308}",
+    "<repeat num=\"1000000000\">",
+    "<Row>",
+    "</Row>",
+    "<split>",
+    "<upper>",
+    "<Loop hole=\"yes\">",
+    "<Storey height=\"-1\">",
+    "1e999",
+    "-1e308",
+    "NaN",
+    "inf",
+    "99999999999999999999",
+    "-0",
+    "0.0000001",
+    "KSK",
+    "GKK h",
+    "KUD 0",
+    "ｶﾞ",
+    "\u{0}",
+    "\u{feff}",
+    "\u{fffd}",
+    "家",
+    "unit 0",
+    "unit 1e9",
+    "seed -1",
+    "roofs auto",
+    "method kd",
+    "K X * KIR 0 0 6 8",
+    "K F 8.1 HIS 0 0 6 -1",
+];
+
+/// One to four changes of a text.
+fn mutated(mut bytes: Vec<u8>, numbers: &mut Numbers) -> Vec<u8> {
+    for _ in 0..=numbers.below(4) {
+        let at = numbers.below(bytes.len() + 1);
+        let end = (at + numbers.below(20)).min(bytes.len());
+        match numbers.below(6) {
+            0 if at < bytes.len() => bytes[at] ^= 1 << numbers.below(8),
+            1 => drop(bytes.drain(at..end)),
+            2 => {
+                let copy = line_at(&bytes, at);
+                bytes.splice(at..at, copy);
+            }
+            3 if at < bytes.len() => bytes[at] = numbers.next() as u8,
+            4 => {
+                let from = numbers.below(bytes.len() + 1);
+                let copy = line_at(&bytes, from);
+                bytes.splice(at..end, copy);
+            }
+            _ => {
+                let token = numbers.of(TRICKY).bytes();
+                bytes.splice(at..at, token);
+            }
+        }
+    }
+    bytes
+}
+
+/// The line that holds an offset, with its end.
+fn line_at(bytes: &[u8], at: usize) -> Vec<u8> {
+    let start = bytes[..at]
+        .iter()
+        .rposition(|&b| b == b'\n')
+        .map_or(0, |i| i + 1);
+    let end = bytes[at..]
+        .iter()
+        .position(|&b| b == b'\n')
+        .map_or(bytes.len(), |i| at + i + 1);
+    bytes[start..end].to_vec()
+}
+
+/// The nth mutation of the examples.
+fn mutation(examples: &[(String, Vec<u8>)], index: usize) -> (String, Vec<u8>) {
+    let mut numbers = Numbers(index as u64);
+    let (name, bytes) = numbers.of(examples);
+    let bytes = mutated(bytes.clone(), &mut numbers);
+    (format!("{name}, mutation {index}"), bytes)
+}
+
+#[test]
+fn examples_changed_at_random() {
+    let examples = examples();
+    assert_none(&on_all_processors(10_000, |index| {
+        let (name, bytes) = mutation(&examples, index);
+        let (_, findings) = findings_of(&name, &bytes);
+        findings
+            .into_iter()
+            .map(|f| format!("{name}: {f}"))
+            .collect()
+    }));
+}
+
+/// A sample goes through the back end too.
+#[test]
+fn changed_examples_become_files() {
+    let examples = examples();
+    assert_none(&on_all_processors(200, |index| {
+        let (name, bytes) = mutation(&examples, index * 7);
+        hsd::compile_bytes(&name, &bytes);
+        vec![]
+    }));
+}
+
+fn check(path: &std::path::Path) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_hsd"))
+        .arg("check")
+        .arg(path)
+        .output()
+        .expect("the program starts")
+}
+
+#[test]
+fn the_exit_status_tells_of_errors() {
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let examples = examples();
+    let mut findings = vec![];
+    for index in 0..40 {
+        let (name, bytes) = mutation(&examples, index);
+        let path = folder.path().join("changed.hsd");
+        fs::write(&path, &bytes).expect("can be written");
+        let wanted = i32::from(compile("changed.hsd", &bytes).has_errors());
+        let output = check(&path);
+        if output.status.code() != Some(wanted) {
+            let told = String::from_utf8_lossy(&output.stderr).into_owned();
+            findings.push(format!("{name}: {:?}, not {wanted}\n{told}", output.status));
+        }
+    }
+    assert_none(&findings);
+}
+
+/// Whether an input is refused, quickly and with a place.
+fn assert_refused(name: &str, bytes: &[u8]) {
+    let (run, findings) = findings_of(name, bytes);
+    assert_none(&findings);
+    assert!(run.has_errors(), "{name} is taken without an error");
+}
+
+/// Whether an input passes without a panic, quickly, whatever is said about it.
+fn assert_survived(name: &str, bytes: &[u8]) {
+    let (_, findings) = findings_of(name, bytes);
+    assert_none(&findings);
+}
+
+#[test]
+fn entities_are_refused() {
+    let lol: String = (1..10)
+        .map(|n| {
+            format!(
+                "<!ENTITY lol{n} \"{}\">",
+                format!("&lol{};", n - 1).repeat(10)
+            )
+        })
+        .collect();
+    let bomb = format!(
+        "<?xml version=\"1.0\"?><!DOCTYPE a [<!ENTITY lol0 \"lol\">{lol}]><House name=\"&lol9;\"/>"
+    );
+    assert_refused("billion laughs", bomb.as_bytes());
+    let file = "<!DOCTYPE a [<!ENTITY e SYSTEM \"file:///etc/passwd\">]><House><Storey><Row>&e;</Row></Storey></House>";
+    assert_refused("a file as entity", file.as_bytes());
+    assert_refused(
+        "an unknown entity",
+        b"<House><Storey><Row>&nbsp;</Row></Storey></House>",
+    );
+}
+
+#[test]
+fn deep_nesting_is_refused() {
+    for element in ["repeat num=\"1\"", "split", "House", "Row"] {
+        let name = element.split(' ').next().unwrap_or(element);
+        let (open, close) = (format!("<{element}>"), format!("</{name}>"));
+        for depth in [100, 50_000] {
+            let body = format!("{}{}", open.repeat(depth), close.repeat(depth));
+            let text = format!("<House><Storey><Row>{body}</Row></Storey></House>");
+            assert_refused(&format!("{depth} times {name}"), text.as_bytes());
+            assert_refused(
+                &format!("{depth} times {name}, open"),
+                open.repeat(depth).as_bytes(),
+            );
+        }
+    }
+    let deep = format!(
+        "<House unit=\"{{{}1{}}}\"/>",
+        "(".repeat(50_000),
+        ")".repeat(50_000)
+    );
+    assert_refused("a deep expression", deep.as_bytes());
+}
+
+#[test]
+fn endless_repetition_is_refused() {
+    let row = |inner: &str| format!("<House><Storey><Row>{inner}</Row></Storey></House>");
+    let once = row("<repeat num=\"1000000000\"><Part code=\"KSK\"/></repeat>");
+    assert_refused("repeat 1e9", once.as_bytes());
+    let nested = "<repeat num=\"1000\">".repeat(6) + "KSK" + &"</repeat>".repeat(6);
+    assert_refused("repeat in repeat", row(&nested).as_bytes());
+    let empty = "<repeat num=\"4000000000\">".repeat(6) + &"</repeat>".repeat(6);
+    assert_survived("repeat of nothing", row(&empty).as_bytes());
+    let storeys =
+        "<House><repeat num=\"1000000000\"><Storey><Row>KSK</Row></Storey></repeat></House>";
+    assert_refused("storeys without end", storeys.as_bytes());
+    let splits =
+        row("<repeat num=\"2000000\"><split><upper>KSK</upper><lower>KSK</lower></split></repeat>");
+    assert_refused("too many halves", splits.as_bytes());
+}
+
+#[test]
+fn a_file_beyond_the_limit_is_refused() {
+    let bytes = vec![b'#'; (16 << 20) + 1];
+    assert_refused("more than 16 MiB", &bytes);
+}
+
+/// A text of 1 MiB made of one piece again and again.
+fn mebibyte(head: &str, piece: &str) -> Vec<u8> {
+    let count = ((1 << 20) - head.len()) / piece.len();
+    format!("{head}{}", piece.repeat(count)).into_bytes()
+}
+
+/// Language.md 7: any input of 1 MiB is done within a second.
+#[test]
+fn a_mebibyte_of_anything_is_done_in_a_second() {
+    let house = "<House><Storey><Row>";
+    let inputs = [
+        ("codes in one line", mebibyte("0 0\n9\n\n", "KSK  ")),
+        ("lines", mebibyte("0 0\n9\n\n", "KSK  \n")),
+        ("zigzag", mebibyte("0 0\n9\n\n", "KSK  \nKSK  L\n")),
+        ("unknown codes", mebibyte("0 0\n9\n\n", "XXXXX\n")),
+        ("full-width blanks", mebibyte("0 0\n9\n\n", "\u{3000}")),
+        ("tabs", mebibyte("0 0\n9\n\n", "KSK\t\n")),
+        ("storeys", mebibyte("0 0\n9\n\n", "KSK  ^\n")),
+        (
+            "houses",
+            mebibyte("", "0 0\n9\n\nKSK  \nKSK  \nKSK  \nKSK  \n%\n"),
+        ),
+        ("empty houses", mebibyte("", "%\n")),
+        ("heights", mebibyte("0 0\n", "9 ")),
+        (
+            "roof lines",
+            mebibyte(
+                "0 0\n9\n\nKSK  \nKSK  \nKSK  \nKSK  \n\n",
+                "K X * KIR 0 0 1 1\n",
+            ),
+        ),
+        (
+            "broken roof lines",
+            mebibyte("0 0\n9\n\nKSK  \nKSK  \nKSK  \nKSK  \n\n", "K X\n"),
+        ),
+        ("NUL", mebibyte("", "\0")),
+        ("0xff", vec![0xff; 1 << 20]),
+        ("kana of Shift_JIS", [0x83, 0x41].repeat(1 << 19)),
+        ("angle brackets", mebibyte("", "<")),
+        ("open rows", mebibyte(house, "<Row>")),
+        ("open attributes", mebibyte(house, "<Part code=\"")),
+        ("empty elements", mebibyte(house, "<Part/>")),
+        ("unknown elements", mebibyte(house, "<X/>")),
+        ("attributes", mebibyte("<House ", "a=\"1\" ")),
+        ("text", mebibyte(house, "KSK  ")),
+        ("unknown text", mebibyte(house, "XXXXX")),
+        ("ampersands", mebibyte(house, "&")),
+        ("entities", mebibyte(house, "&lol;")),
+        ("expressions", mebibyte(house, "{1}")),
+        ("wrong expressions", mebibyte(house, "{(}")),
+        ("one long expression", mebibyte("<House unit=\"{1", "+1")),
+        (
+            "one long sum",
+            mebibyte("<House><let name=\"a\" value=\"{1", "-(1)"),
+        ),
+        ("comments", mebibyte("<House>", "<!-- -->")),
+        ("comment openings", mebibyte("<House>", "<!--")),
+        ("draws", mebibyte(house, "<random code=\"KSK, KTU\"/>")),
+        (
+            "substitutions",
+            mebibyte(house, "<replace code=\"KSK\" with=\"KTU\"/>"),
+        ),
+        (
+            "edits of a long row",
+            mebibyte(
+                &format!("{house}{}", "KSK  ".repeat(100_000)),
+                "<replace code=\"KSK\" with=\"KTU\"/>",
+            ),
+        ),
+        (
+            "loops",
+            mebibyte(
+                "<House><Storey>",
+                "<Loop hole=\"yes\"><Row>KSK</Row></Loop>",
+            ),
+        ),
+        ("lets", mebibyte("<House>", "<let name=\"a\" value=\"1\"/>")),
+        (
+            "facades",
+            mebibyte(
+                "<Structure><Facades>",
+                "<Facade><Floor>KSK</Floor></Facade>",
+            ),
+        ),
+    ];
+    assert_none(&on_all_processors(inputs.len(), |index| {
+        let (name, bytes) = &inputs[index];
+        let (_, findings) = findings_of(name, bytes);
+        findings
+            .into_iter()
+            .map(|f| format!("{name}: {f}"))
+            .collect()
+    }));
+}
+
+#[test]
+fn every_error_has_a_severity_that_counts() {
+    let run = compile("broken.hsd", b"0 0\n9\n\nXXXXX\n");
+    let errors = run
+        .diagnostics
+        .iter()
+        .filter(|d| d.severity == Severity::Error);
+    assert_eq!(run.has_errors(), errors.count() > 0);
+    assert!(run.has_errors());
+}

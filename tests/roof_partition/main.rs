@@ -1,0 +1,8 @@
+//! Partition into roof rectangles and the ridge rules, against naive second opinions.
+#![allow(clippy::unwrap_used)]
+
+mod kd_check;
+mod least_cut_check;
+mod outlines;
+mod properties;
+mod shapes;

@@ -1,0 +1,10 @@
+//! Roofs as solids: closed, complete, where they belong.
+
+#![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
+
+mod common;
+mod fixtures;
+mod messages;
+mod plans;
+mod random;
+mod shapes;
