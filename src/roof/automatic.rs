@@ -7,6 +7,7 @@ use super::gable::End;
 use super::gable_wall::{SUNK, panel};
 use super::lean_to::{Flank, LeanTo};
 use super::look::Look;
+use super::nearby::Nearby;
 use super::outline::piece;
 use super::plan::Cell;
 use super::ridge::{Region, Ridge, Side};
@@ -15,6 +16,8 @@ use crate::ast::RoofShape;
 use crate::building::{Ceiling, Finish, rect_of};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
+use std::cell::OnceCell;
+
 use glam::{DVec3, dvec2, dvec3};
 
 /// The least height that an outer wall keeps under a lean-to, metres.
@@ -30,8 +33,12 @@ pub(super) struct Automatic<'c, 'h> {
     pub(super) base: f64,
     /// Of each region.
     pub(super) looks: Vec<Look>,
+    /// Of each lean-to that fits under the eaves of its trunk: where it lies.
+    tucked: Vec<Option<LeanTo>>,
     /// Who lies beyond whole sides.
     sides: Option<Sides>,
+    /// Who lies beside whom, once somebody asks.
+    nearby: OnceCell<Nearby>,
 }
 
 impl<'c, 'h> Automatic<'c, 'h> {
@@ -46,15 +53,51 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let looks = regions.iter().map(look).collect();
         let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
         let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
-        Automatic { context, regions, base: context.level.storey.z1, looks, sides }
+        let base = context.level.storey.z1;
+        let mut this =
+            Automatic { context, regions, base, looks, tucked: vec![], sides, nearby: OnceCell::new() };
+        this.tuck_all();
+        this
+    }
+
+    /// Places the lean-tos under their trunks' eaves, trunks first: by falling area. What would leave
+    /// too little of its outer wall stays without a place and becomes a gable.
+    fn tuck_all(&mut self) {
+        let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
+        self.tucked = vec![None; self.regions.len()];
+        let mut order: Vec<usize> = (0..self.regions.len()).filter(|n| leans(&self.regions[*n])).collect();
+        order.sort_by_key(|n| std::cmp::Reverse(self.regions[*n].cell.area()));
+        for n in order {
+            let Some(fall) = self.regions[n].fall else { continue };
+            self.tucked[n] = Some(self.tucked_slope(n, fall)).filter(|slope| self.left(slope) >= LEAST_WALL);
+        }
+    }
+
+    /// What a tucked lean-to leaves of its outer wall, metres.
+    fn left(&self, slope: &LeanTo) -> f64 {
+        slope.low - self.context.level.storey.z0
+    }
+
+    /// Tells of lean-tos that found no place, by the lowest.
+    pub(super) fn report(&self, out: &mut Diagnostics) {
+        let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
+        let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
+        let lowest = (0..self.regions.len()).filter(leans).filter_map(left).reduce(f64::min);
+        if let Some(lowest) = lowest {
+            let storey = self.context.level.storey;
+            out.push(say::low_lean_to(storey.span, storey.number, lowest.max(0.0)));
+        }
     }
 
     /// A roof for every region, in their order; ceilings where walls end lower.
-    pub(super) fn roofs(&self, ceilings: &mut Vec<Ceiling>, out: &mut Diagnostics) -> Vec<Planned> {
+    pub(super) fn roofs(&self, ceilings: &mut Vec<Ceiling>) -> Vec<Planned> {
         let roof = |n: usize| {
             let region = &self.regions[n];
             match (region.ridge, region.fall) {
-                (None, Some(fall)) if region.over.is_some() => self.tucked(n, fall, ceilings, out),
+                (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
+                    Some(slope) => self.tucked_roof(n, slope, ceilings),
+                    None => self.context.gable(region.cell, along(fall), self.base, None),
+                },
                 (None, Some(fall)) => self.context.lean_to(region.cell, fall, self.base, None),
                 (ridge, _) => self.gable(n, ridge.unwrap_or(Ridge::A)),
             }
@@ -131,14 +174,9 @@ impl<'c, 'h> Automatic<'c, 'h> {
 
     /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
     /// at its lower surface.
-    fn tucked(&self, n: usize, fall: Side, ceilings: &mut Vec<Ceiling>, out: &mut Diagnostics) -> Planned {
+    fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> Planned {
         let region = &self.regions[n];
-        let lean_to = self.tucked_slope(n, fall);
         let storey = self.context.level.storey;
-        let left = lean_to.low - storey.z0;
-        if left < LEAST_WALL - 1e-6 {
-            out.push(say::low_lean_to(storey.span, storey.number, left));
-        }
         let soffit = lean_to.soffit();
         let unit = self.context.unit;
         ceilings.push(Ceiling {
@@ -149,7 +187,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         });
         let mut form = lean_to.form();
         form.under = region.over;
-        self.heads(n, &lean_to, &mut form.solids);
+        self.heads(n, lean_to, &mut form.solids);
         self.context.of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
     }
 
@@ -193,11 +231,8 @@ impl<'c, 'h> Automatic<'c, 'h> {
     /// Height of the trunk's plate along the joint; its own soffit where it is tucked as well.
     fn joint_height(&self, n: usize, side: Side) -> f64 {
         let Some(trunk) = self.regions[n].over else { return self.base };
-        let region = &self.regions[trunk];
-        let (Some(fall), true) = (region.fall, region.over.is_some()) else {
-            return self.base;
-        };
-        let soffit = self.tucked_slope(trunk, fall).soffit();
+        let Some(slope) = &self.tucked[trunk] else { return self.base };
+        let soffit = slope.soffit();
         let (from, to) = self.ends_of(n, side);
         soffit.at(from.truncate()).min(soffit.at(to.truncate())).min(self.base)
     }
@@ -241,10 +276,22 @@ impl<'c, 'h> Automatic<'c, 'h> {
 
     /// Whether another tucked lean-to lies beyond this piece of a side.
     fn tucked_beyond(&self, n: usize, side: Side, line: i64, (lo, hi): (i64, i64)) -> bool {
-        let tucked = |r: &Region| r.fall.is_some() && r.over.is_some();
-        self.regions.iter().enumerate().any(|(m, other)| {
-            let (theirs, from, to) = piece(&other.cell, side.opposite());
-            m != n && tucked(other) && theirs == line && from < hi && lo < to
-        })
+        let beyond = |m: &usize| {
+            let (theirs, from, to) = piece(&self.regions[*m].cell, side.opposite());
+            *m != n && self.tucked[*m].is_some() && theirs == line && from < hi && lo < to
+        };
+        let index = self.nearby.get_or_init(|| {
+            Nearby::new(self.regions.iter().map(|r| self.context.rect(&r.cell)).collect())
+        });
+        let about = self.context.rect(&self.regions[n].cell).grown(0.01);
+        index.overlapping(&about).iter().any(beyond)
+    }
+}
+
+/// The run of a ridge along the low side of a lean-to.
+fn along(fall: Side) -> Ridge {
+    match fall.ridge_into() {
+        Ridge::A => Ridge::B,
+        Ridge::B => Ridge::A,
     }
 }

@@ -151,7 +151,10 @@ pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
     Diagnostic::warning(
         511,
         storey,
-        format!("the lean-to on storey {number} leaves its outer wall only {} m high", short(left)),
+        format!(
+            "a lean-to on storey {number} would leave its outer wall only {} m high, so a gable is built",
+            short(left)
+        ),
     )
     .help("make the storey higher or the strip shallower, or give the strip a roof line of its own")
 }
