@@ -15,6 +15,7 @@ const ORDER: &[&str] = &[
     "program",
     "building",
     "scene",
+    "check",
     "texture",
     "parse",
     "expand",

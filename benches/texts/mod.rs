@@ -1,5 +1,5 @@
 //! Texts to measure with: as large as asked, the same in every run.
-#![allow(dead_code)] // each bench uses its own share
+#![allow(dead_code, unreachable_pub)] // each bench uses its own share
 
 use hsd::building::Building;
 use hsd::catalog::Catalog;

@@ -54,8 +54,15 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
         let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
         let base = context.level.storey.z1;
-        let mut this =
-            Automatic { context, regions, base, looks, tucked: vec![], sides, nearby: OnceCell::new() };
+        let mut this = Automatic {
+            context,
+            regions,
+            base,
+            looks,
+            tucked: vec![],
+            sides,
+            nearby: OnceCell::new(),
+        };
         this.tuck_all();
         this
     }
@@ -65,11 +72,16 @@ impl<'c, 'h> Automatic<'c, 'h> {
     fn tuck_all(&mut self) {
         let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
         self.tucked = vec![None; self.regions.len()];
-        let mut order: Vec<usize> = (0..self.regions.len()).filter(|n| leans(&self.regions[*n])).collect();
+        let mut order: Vec<usize> = (0..self.regions.len())
+            .filter(|n| leans(&self.regions[*n]))
+            .collect();
         order.sort_by_key(|n| std::cmp::Reverse(self.regions[*n].cell.area()));
         for n in order {
-            let Some(fall) = self.regions[n].fall else { continue };
-            self.tucked[n] = Some(self.tucked_slope(n, fall)).filter(|slope| self.left(slope) >= LEAST_WALL);
+            let Some(fall) = self.regions[n].fall else {
+                continue;
+            };
+            self.tucked[n] =
+                Some(self.tucked_slope(n, fall)).filter(|slope| self.left(slope) >= LEAST_WALL);
         }
     }
 
@@ -82,10 +94,17 @@ impl<'c, 'h> Automatic<'c, 'h> {
     pub(super) fn report(&self, out: &mut Diagnostics) {
         let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
         let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
-        let lowest = (0..self.regions.len()).filter(leans).filter_map(left).reduce(f64::min);
+        let lowest = (0..self.regions.len())
+            .filter(leans)
+            .filter_map(left)
+            .reduce(f64::min);
         if let Some(lowest) = lowest {
             let storey = self.context.level.storey;
-            out.push(say::low_lean_to(storey.span, storey.number, lowest.max(0.0)));
+            out.push(say::low_lean_to(
+                storey.span,
+                storey.number,
+                lowest.max(0.0),
+            ));
         }
     }
 
@@ -96,7 +115,9 @@ impl<'c, 'h> Automatic<'c, 'h> {
             match (region.ridge, region.fall) {
                 (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
                     Some(slope) => self.tucked_roof(n, slope, ceilings),
-                    None => self.context.gable(region.cell, along(fall), self.base, None),
+                    None => self
+                        .context
+                        .gable(region.cell, along(fall), self.base, None),
                 },
                 (None, Some(fall)) => self.context.lean_to(region.cell, fall, self.base, None),
                 (ridge, _) => self.gable(n, ridge.unwrap_or(Ridge::A)),
@@ -113,34 +134,52 @@ impl<'c, 'h> Automatic<'c, 'h> {
             let joined = region.joins == Some(side) && ridge == side.ridge_into();
             match (region.through, region.over) {
                 (Some(other), _) if joined => {
-                    let across = self.context.metres(side.measure(&self.regions[other].cell).1);
-                    End { reach: across, board: false, ..plain }
+                    let across = self
+                        .context
+                        .metres(side.measure(&self.regions[other].cell).1);
+                    End {
+                        reach: across,
+                        board: false,
+                        ..plain
+                    }
                 }
                 (None, Some(trunk)) if joined => self.run_in(n, trunk, side, plain),
                 _ => self.other_end(n, side, plain),
             }
         });
-        self.context.gable_with(region.cell, ridge, self.base, look, ends)
+        self.context
+            .gable_with(region.cell, ridge, self.base, look, ends)
     }
 
     /// The end of gable `n` that joins no trunk. It may still lie on the slope of a roof that stands
     /// higher, as at the far end of a wing between two halls: then it dies there as well.
     fn other_end(&self, n: usize, side: Side, plain: End) -> End {
         let region = &self.regions[n];
-        let beyond = self.sides.as_ref().and_then(|s| s.beyond(&region.cell, side));
-        let Some(other) = beyond.filter(|_| plain.wall) else { return plain };
+        let beyond = self
+            .sides
+            .as_ref()
+            .and_then(|s| s.beyond(&region.cell, side));
+        let Some(other) = beyond.filter(|_| plain.wall) else {
+            return plain;
+        };
         let end = self.run_in(n, other, side, plain);
         if !end.wall {
             return end;
         }
         let neighbour = &self.regions[other];
-        let leans = neighbour.fall.is_some_and(|f| f != side && f != side.opposite());
+        let leans = neighbour
+            .fall
+            .is_some_and(|f| f != side && f != side.opposite());
         if leans && neighbour.over.is_none() {
             let rise = self.looks[other].pitch * self.context.metres(neighbour.span()) / 2.0;
             let own = self.looks[n].pitch * self.context.metres(region.span()) / 2.0;
             if own < rise {
                 // Its wall stands higher: a verge would stick into it.
-                return End { verge: 0.0, free: false, ..plain };
+                return End {
+                    verge: 0.0,
+                    free: false,
+                    ..plain
+                };
             }
         }
         plain
@@ -160,16 +199,28 @@ impl<'c, 'h> Automatic<'c, 'h> {
                 side.measure(&region.cell).1 as f64
             }
             // Against the trunk's gable, or over a lean-to that lies lower.
-            _ => return End { board: false, ..plain },
+            _ => {
+                return End {
+                    board: false,
+                    ..plain
+                };
+            }
         };
         let run = run / crate::geometry::STEPS as f64 * self.context.unit;
         let span = self.context.metres(self.regions[n].span());
         let height = own.pitch * span / 2.0 + own.drop() - other.drop();
         if height > other.pitch * run + 1e-6 {
-            return End { reach: run, board: false, ..plain };
+            return End {
+                reach: run,
+                board: false,
+                ..plain
+            };
         }
         let reach = (height / other.pitch + 0.02).clamp(0.02, run);
-        End { reach, ..End::default() }
+        End {
+            reach,
+            ..End::default()
+        }
     }
 
     /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
@@ -188,7 +239,8 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let mut form = lean_to.form();
         form.under = region.over;
         self.heads(n, lean_to, &mut form.solids);
-        self.context.of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
+        self.context
+            .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
     }
 
     /// Where a tucked lean-to lies: gentler where its outer wall would get too low.
@@ -203,7 +255,11 @@ impl<'c, 'h> Automatic<'c, 'h> {
             look.pitch = look.pitch.min(0.2);
         }
         let flank = |side: Side| {
-            let over = if self.context.outline().whole(&region.cell, side) { look.verge } else { 0.0 };
+            let over = if self.context.outline().whole(&region.cell, side) {
+                look.verge
+            } else {
+                0.0
+            };
             Flank { over, wall: false }
         };
         LeanTo {
@@ -212,29 +268,45 @@ impl<'c, 'h> Automatic<'c, 'h> {
             low: low(&look),
             look,
             ends: end_sides(fall).map(flank),
-            high: Flank { over: 0.03, wall: false },
+            high: Flank {
+                over: 0.03,
+                wall: false,
+            },
         }
     }
 
     /// How far below the joint the upper surface starts, so that it stays below the trunk's eaves.
     fn tuck(&self, n: usize, fall: Side, look: &Look) -> f64 {
-        let Some(trunk) = self.regions[n].over else { return TUCKED };
+        let Some(trunk) = self.regions[n].over else {
+            return TUCKED;
+        };
         let eaves_side = match self.regions[trunk].ridge {
             Some(ridge) => ridge != fall.ridge_into(),
             None => true,
         };
         let trunk = &self.looks[trunk];
         let under_eaves = trunk.eaves * (trunk.pitch - look.pitch) + 0.03;
-        if eaves_side { TUCKED.max(under_eaves) } else { TUCKED }
+        if eaves_side {
+            TUCKED.max(under_eaves)
+        } else {
+            TUCKED
+        }
     }
 
     /// Height of the trunk's plate along the joint; its own soffit where it is tucked as well.
     fn joint_height(&self, n: usize, side: Side) -> f64 {
-        let Some(trunk) = self.regions[n].over else { return self.base };
-        let Some(slope) = &self.tucked[trunk] else { return self.base };
+        let Some(trunk) = self.regions[n].over else {
+            return self.base;
+        };
+        let Some(slope) = &self.tucked[trunk] else {
+            return self.base;
+        };
         let soffit = slope.soffit();
         let (from, to) = self.ends_of(n, side);
-        soffit.at(from.truncate()).min(soffit.at(to.truncate())).min(self.base)
+        soffit
+            .at(from.truncate())
+            .min(soffit.at(to.truncate()))
+            .min(self.base)
     }
 
     /// The ends of a whole side, at height 0.
@@ -281,7 +353,12 @@ impl<'c, 'h> Automatic<'c, 'h> {
             *m != n && self.tucked[*m].is_some() && theirs == line && from < hi && lo < to
         };
         let index = self.nearby.get_or_init(|| {
-            Nearby::new(self.regions.iter().map(|r| self.context.rect(&r.cell)).collect())
+            Nearby::new(
+                self.regions
+                    .iter()
+                    .map(|r| self.context.rect(&r.cell))
+                    .collect(),
+            )
         });
         let about = self.context.rect(&self.regions[n].cell).grown(0.01);
         index.overlapping(&about).iter().any(beyond)

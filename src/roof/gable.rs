@@ -55,10 +55,19 @@ impl Gable {
         let mut solids = Vec::with_capacity(8);
         for (end, outward, u) in self.outer_ends(&frame) {
             if end.wall {
-                solids.push(gable_wall(&frame, u, outward, self.base, &self.look, end.verge));
+                solids.push(gable_wall(
+                    &frame, u, outward, self.base, &self.look, end.verge,
+                ));
             }
             if end.board {
-                solids.push(barge(&frame, u + outward * end.verge, outward, self.base, &self.look, end.open));
+                solids.push(barge(
+                    &frame,
+                    u + outward * end.verge,
+                    outward,
+                    self.base,
+                    &self.look,
+                    end.open,
+                ));
             }
         }
         let [start, end] = self.ends;
@@ -82,7 +91,10 @@ impl Gable {
     /// Both ends with the direction out of the roof along u and where their wall stands.
     fn outer_ends(&self, frame: &Frame) -> [(End, f64, f64); 2] {
         let [start, end] = self.ends;
-        [(start, -1.0, -start.reach), (end, 1.0, frame.length + end.reach)]
+        [
+            (start, -1.0, -start.reach),
+            (end, 1.0, frame.length + end.reach),
+        ]
     }
 
     /// The facets of the slope over v from 0 to the ridge, with its eaves.
@@ -98,7 +110,11 @@ impl Gable {
             (frame.at(u0, ridge), true),
         ];
         let body = [(0.0, eaves), (length, eaves), (length, ridge), (0.0, ridge)];
-        facets.push(Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane));
+        facets.push(Facet::new(
+            &outline,
+            &body.map(|(u, v)| frame.at(u, v)),
+            plane,
+        ));
         // Beyond the wall rectangle it stands inside another roof: no eaves.
         if start.reach > 0.0 {
             let (outer, wall) = (-start.reach - start.verge, -start.reach);
@@ -109,7 +125,11 @@ impl Gable {
                 (frame.at(outer, ridge), start.verge > 0.0),
             ];
             let body = [(wall, 0.0), (0.0, 0.0), (0.0, ridge), (wall, ridge)];
-            facets.push(Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane));
+            facets.push(Facet::new(
+                &outline,
+                &body.map(|(u, v)| frame.at(u, v)),
+                plane,
+            ));
         }
         if end.reach > 0.0 {
             let (wall, outer) = (length + end.reach, length + end.reach + end.verge);
@@ -120,7 +140,11 @@ impl Gable {
                 (frame.at(length, ridge), false),
             ];
             let body = [(length, 0.0), (wall, 0.0), (wall, ridge), (length, ridge)];
-            facets.push(Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane));
+            facets.push(Facet::new(
+                &outline,
+                &body.map(|(u, v)| frame.at(u, v)),
+                plane,
+            ));
         }
     }
 }

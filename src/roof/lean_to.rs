@@ -71,7 +71,12 @@ impl LeanTo {
             (frame.at(u1, high), true),
             (frame.at(u0, high), true),
         ];
-        let body = [(0.0, eaves), (length, eaves), (length, frame.depth), (0.0, frame.depth)];
+        let body = [
+            (0.0, eaves),
+            (length, eaves),
+            (length, frame.depth),
+            (0.0, frame.depth),
+        ];
         let plane = self.soffit().raised(self.look.drop());
         Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane)
     }

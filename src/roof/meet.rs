@@ -23,7 +23,11 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<Ridge
     let kept = |n: usize| {
         let walls: Vec<&[DVec2]> = match forms[n].hung {
             true => vec![],
-            false => storey.overlapping(&boxes[n]).into_iter().map(|i| &walls[i][..]).collect(),
+            false => storey
+                .overlapping(&boxes[n])
+                .into_iter()
+                .map(|i| &walls[i][..])
+                .collect(),
         };
         let mut near = roofs.overlapping(&boxes[n]);
         near.retain(|i| *i != n);
@@ -31,15 +35,26 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<Ridge
         if cutters.is_empty() {
             return (whole(&forms[n]), forms[n].ridges.clone());
         }
-        let pieces = forms[n].facets.iter().flat_map(|f| remaining(f, &cutters)).collect();
-        let ridges = forms[n].ridges.iter().flat_map(|r| ridge_parts(r, &cutters)).collect();
+        let pieces = forms[n]
+            .facets
+            .iter()
+            .flat_map(|f| remaining(f, &cutters))
+            .collect();
+        let ridges = forms[n]
+            .ridges
+            .iter()
+            .flat_map(|r| ridge_parts(r, &cutters))
+            .collect();
         (pieces, ridges)
     };
     (0..forms.len()).map(kept).collect()
 }
 
 fn whole(form: &Form) -> Vec<Piece> {
-    form.facets.iter().map(|f| (f.outline.clone(), f.plane)).collect()
+    form.facets
+        .iter()
+        .map(|f| (f.outline.clone(), f.plane))
+        .collect()
 }
 
 fn bounds(form: &Form) -> Rect {
@@ -48,13 +63,27 @@ fn bounds(form: &Form) -> Rect {
         min: DVec2::MAX,
         max: DVec2::MIN,
     };
-    corners.fold(none, |r, p| Rect { min: r.min.min(p), max: r.max.max(p) })
+    corners.fold(none, |r, p| Rect {
+        min: r.min.min(p),
+        max: r.max.max(p),
+    })
 }
 
 /// What may cut roof `n`.
-fn cutters<'f>(n: usize, forms: &'f [Form], near: &[usize], walls: &[&'f [DVec2]]) -> Vec<Cutter<'f>> {
-    let mut cutters: Vec<Cutter<'f>> =
-        walls.iter().map(|body| Cutter { body, plane: None, first: true }).collect();
+fn cutters<'f>(
+    n: usize,
+    forms: &'f [Form],
+    near: &[usize],
+    walls: &[&'f [DVec2]],
+) -> Vec<Cutter<'f>> {
+    let mut cutters: Vec<Cutter<'f>> = walls
+        .iter()
+        .map(|body| Cutter {
+            body,
+            plane: None,
+            first: true,
+        })
+        .collect();
     for &other in near {
         // A roof under the eaves of its trunk is no part of the surface that the others make: it
         // takes place from eaves that would pierce it, and gives none.
@@ -64,7 +93,11 @@ fn cutters<'f>(n: usize, forms: &'f [Form], near: &[usize], walls: &[&'f [DVec2]
         }
         let facets = forms[other].facets.iter();
         let first = other < n;
-        cutters.extend(facets.map(|f| Cutter { body: &f.body, plane: Some(f.plane), first }));
+        cutters.extend(facets.map(|f| Cutter {
+            body: &f.body,
+            plane: Some(f.plane),
+            first,
+        }));
     }
     cutters
 }
@@ -73,7 +106,11 @@ fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let all: Vec<&Cutter<'_>> = cutters.iter().collect();
     cut_by(facet, facet.outline.clone(), &all, &mut pieces);
-    pieces.into_iter().filter(|p| has_area(p)).map(|p| (p, facet.plane)).collect()
+    pieces
+        .into_iter()
+        .filter(|p| has_area(p))
+        .map(|p| (p, facet.plane))
+        .collect()
 }
 
 /// Cuts a piece by all cutters; with very many of them first in halves, each with those that it
@@ -81,7 +118,9 @@ fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
 fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut Vec<Vec<Corner>>) {
     const MANY: usize = 48;
     let bounds = |points: &mut dyn Iterator<Item = DVec2>| {
-        points.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| (lo.min(p), hi.max(p)))
+        points.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| {
+            (lo.min(p), hi.max(p))
+        })
     };
     let (lo, hi) = bounds(&mut piece.iter().map(|c| c.at));
     let size = hi - lo;
@@ -97,7 +136,11 @@ fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut
     for (half, sign) in halves(piece, axis, middle).into_iter().zip([1.0, -1.0]) {
         let met = |c: &&&Cutter<'_>| {
             let (lo, hi) = bounds(&mut c.body.iter().copied());
-            if sign > 0.0 { axis.dot(hi) > middle } else { axis.dot(lo) < middle }
+            if sign > 0.0 {
+                axis.dot(hi) > middle
+            } else {
+                axis.dot(lo) < middle
+            }
         };
         let met: Vec<&Cutter<'_>> = cutters.iter().filter(met).copied().collect();
         cut_by(facet, half, &met, done);
@@ -112,8 +155,16 @@ fn ridge_parts(ridge: &RidgeLine, cutters: &[Cutter<'_>]) -> Vec<RidgeLine> {
     let open = open_shares(ridge.from, ridge.to, cutters).into_iter();
     open.filter(|(s, e)| (e - s) * length > 0.05)
         .map(|(s, e)| {
-            let start = if s > 0.0 { (s - INTO / length).max(0.0) } else { s };
-            let end = if e < 1.0 { (e + INTO / length).min(1.0) } else { e };
+            let start = if s > 0.0 {
+                (s - INTO / length).max(0.0)
+            } else {
+                s
+            };
+            let end = if e < 1.0 {
+                (e + INTO / length).min(1.0)
+            } else {
+                e
+            };
             RidgeLine {
                 from: ridge.from + way * start,
                 to: ridge.from + way * end,

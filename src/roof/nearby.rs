@@ -19,7 +19,11 @@ pub(super) struct Nearby {
 impl Nearby {
     pub(super) fn new(rects: Vec<Rect>) -> Nearby {
         let order: Vec<usize> = (0..rects.len()).collect();
-        let mut tree = Nearby { rects, order, bounds: vec![] };
+        let mut tree = Nearby {
+            rects,
+            order,
+            bounds: vec![],
+        };
         let count = tree.order.len();
         if count > 0 {
             tree.grow(0, count);
@@ -31,7 +35,10 @@ impl Nearby {
         let rects = &self.rects;
         let part = &mut self.order[from..to];
         let all = part.iter().map(|i| rects[*i]);
-        let Some(bounds) = all.reduce(|r, s| Rect { min: r.min.min(s.min), max: r.max.max(s.max) }) else {
+        let Some(bounds) = all.reduce(|r, s| Rect {
+            min: r.min.min(s.min),
+            max: r.max.max(s.max),
+        }) else {
             return;
         };
         self.bounds.push(bounds);
@@ -41,7 +48,10 @@ impl Nearby {
         // By middles, so that a pile of long strips is split across their length.
         let spread = |axis: usize| {
             let middle = |i: &usize| rects[*i].min[axis] + rects[*i].max[axis];
-            let (lo, hi) = part.iter().map(middle).fold((f64::MAX, f64::MIN), |(l, h), m| (l.min(m), h.max(m)));
+            let (lo, hi) = part
+                .iter()
+                .map(middle)
+                .fold((f64::MAX, f64::MIN), |(l, h), m| (l.min(m), h.max(m)));
             hi - lo
         };
         let axis = usize::from(spread(1) > spread(0));
@@ -63,7 +73,13 @@ impl Nearby {
     }
 
     /// Looks at one node; returns the number of the node after its last one.
-    fn collect(&self, of: &Rect, node: usize, (from, to): (usize, usize), found: &mut Vec<usize>) -> usize {
+    fn collect(
+        &self,
+        of: &Rect,
+        node: usize,
+        (from, to): (usize, usize),
+        found: &mut Vec<usize>,
+    ) -> usize {
         if to - from <= LEAF {
             let part = self.order[from..to].iter();
             found.extend(part.filter(|i| self.rects[**i].overlaps(of)));
@@ -80,7 +96,11 @@ impl Nearby {
 
 /// How many nodes a tree over so many rectangles has.
 fn nodes(count: usize) -> usize {
-    if count <= LEAF { 1 } else { 1 + nodes(count / 2) + nodes(count - count / 2) }
+    if count <= LEAF {
+        1
+    } else {
+        1 + nodes(count / 2) + nodes(count - count / 2)
+    }
 }
 
 #[cfg(test)]
@@ -92,18 +112,25 @@ mod tests {
     fn the_tree_finds_what_looking_at_all_finds() {
         let mut state = 5u64;
         let mut draw = |n: u64| {
-            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            state = state
+                .wrapping_mul(6364136223846793005)
+                .wrapping_add(1442695040888963407);
             ((state >> 33) % n) as f64
         };
         let rects: Vec<Rect> = (0..500)
             .map(|_| {
                 let min = dvec2(draw(100), draw(100));
-                Rect { min, max: min + dvec2(1.0 + draw(30), 1.0 + draw(9)) }
+                Rect {
+                    min,
+                    max: min + dvec2(1.0 + draw(30), 1.0 + draw(9)),
+                }
             })
             .collect();
         let tree = Nearby::new(rects.clone());
         for of in rects.iter().take(100) {
-            let all: Vec<usize> = (0..rects.len()).filter(|i| rects[*i].overlaps(of)).collect();
+            let all: Vec<usize> = (0..rects.len())
+                .filter(|i| rects[*i].overlaps(of))
+                .collect();
             assert_eq!(tree.overlapping(of), all);
         }
         assert!(Nearby::new(vec![]).overlapping(&rects[0]).is_empty());

@@ -35,7 +35,9 @@ impl Outline {
         let walls = &self.walls[usize::from(along_a)];
         // Walls of one line do not overlap, so they are sorted by their ends as well.
         let start = walls.partition_point(|w| (w.0, w.2) <= (line, lo));
-        let on = walls[start..].iter().take_while(|w| w.0 == line && w.1 < hi);
+        let on = walls[start..]
+            .iter()
+            .take_while(|w| w.0 == line && w.1 < hi);
         let clipped = on.map(|w| (w.1.max(lo), w.2.min(hi)));
         clipped.filter(|(from, to)| from < to).collect()
     }
@@ -86,7 +88,12 @@ mod tests {
     #[test]
     fn walls_and_gaps_of_a_side_add_up() {
         let l = Plan::from_loops(vec![vec![(0, 0), (6, 0), (6, 4), (4, 4), (4, 14), (0, 14)]]);
-        let front = Cell { a0: 0, b0: 0, a1: 6, b1: 4 };
+        let front = Cell {
+            a0: 0,
+            b0: 0,
+            a1: 6,
+            b1: 4,
+        };
         let outline = Outline::of(&l);
         assert!(outline.whole(&front, Side::Front));
         assert_eq!(outline.along(&front, Side::Back), vec![(4, 6)]);

@@ -1,9 +1,10 @@
 //! What several test files share: the whole chain on a text, the rules every result keeps, a small source of
 //! numbers that look random.
-#![allow(dead_code)] // each test file uses its own share
+#![allow(dead_code, unreachable_pub)] // each test file uses its own share
 
 use hsd::building::{Building, Solid};
 use hsd::catalog::Catalog;
+use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::scene::{Kind, Mesh, Scene};
 use hsd::source::{FileId, Limits, NoPictures, PictureFile, Source, World};
@@ -197,42 +198,7 @@ pub fn flaws_of_diagnostics(run: &Run, bytes: usize) -> Vec<String> {
     flaws
 }
 
-/// What is wrong with a roof solid: every edge has to belong to two faces that run along it in opposite
-/// directions, and the faces have to look outwards.
-pub fn flaws_of_solid(solid: &Solid) -> Vec<String> {
-    let mut flaws = vec![];
-    if solid.points.iter().any(|p| !p.is_finite()) {
-        flaws.push("a point is not finite".into());
-    }
-    let mut edges: BTreeMap<(u32, u32), i32> = BTreeMap::new();
-    let mut volume = 0.0;
-    for face in &solid.faces {
-        let corners = &face.corners;
-        if corners.len() < 3 || corners.iter().any(|&c| c as usize >= solid.points.len()) {
-            flaws.push(format!("a face with corners {corners:?}"));
-            continue;
-        }
-        for (k, &from) in corners.iter().enumerate() {
-            let to = corners[(k + 1) % corners.len()];
-            *edges.entry((from.min(to), from.max(to))).or_default() +=
-                if from < to { 1 } else { -1 };
-        }
-        let p = |k: usize| solid.points[corners[k] as usize];
-        for k in 1..corners.len() - 1 {
-            volume += p(0).dot(p(k).cross(p(k + 1))) / 6.0;
-        }
-    }
-    let open = edges.values().filter(|&&n| n != 0).count();
-    if open > 0 {
-        flaws.push(format!("{open} open edges"));
-    }
-    if volume <= 0.0 {
-        flaws.push(format!("volume {volume} m3, faces look inwards"));
-    }
-    flaws
-}
-
-/// Volume and bounds of a solid's points are in metres.
+/// Cubic metres of a closed solid.
 pub fn volume(solid: &Solid) -> f64 {
     let p = |c: u32| solid.points[c as usize];
     solid
@@ -313,9 +279,9 @@ pub fn flaws(run: &Run) -> Vec<String> {
     for (house, roofs) in run.building.roofs.iter().enumerate() {
         for (index, roof) in roofs.roofs.iter().enumerate() {
             for solid in &roof.solids {
-                for flaw in flaws_of_solid(solid) {
+                for flaw in solid_flaws(solid) {
                     let shape = roof.shape.letters();
-                    flaws.push(format!("house {house}, roof {index} ({shape}): {flaw}"));
+                    flaws.push(format!("house {house}, roof {index} ({shape}): {flaw:?}"));
                 }
             }
         }
