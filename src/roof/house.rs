@@ -185,7 +185,7 @@ impl Storey<'_, '_> {
                 .map(|line| explicit::planned(line, &context, out)),
         );
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
-        let walls = context.upper.map(|u| slabs::strips(u)).unwrap_or_default();
+        let walls = context.upper.map(slabs::strips).unwrap_or_default();
         let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
         assemble(planned, &walls, &mut done.roofs);
     }
@@ -229,7 +229,9 @@ impl Storey<'_, '_> {
             let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
             return vec![context.flat(&cells, &open.clean(), level.storey.z1, None)];
         }
-        Automatic::new(context, &found).roofs(&mut done.ceilings, out)
+        let automatic = Automatic::new(context, &found);
+        automatic.report(out);
+        automatic.roofs(&mut done.ceilings)
     }
 
     /// What neither the storey above nor a roof line covers.
