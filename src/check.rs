@@ -70,7 +70,9 @@ pub fn solid_flaws(solid: &Solid) -> impl Iterator<Item = Flaw> {
 
 fn not_finite(solid: &Solid) -> impl Iterator<Item = Flaw> {
     let points = solid.points.iter().enumerate();
-    points.filter(|(_, p)| !p.is_finite()).map(|(point, _)| Flaw::NotFinite { point })
+    points
+        .filter(|(_, p)| !p.is_finite())
+        .map(|(point, _)| Flaw::NotFinite { point })
 }
 
 fn bad_faces(solid: &Solid) -> impl Iterator<Item = Flaw> {
@@ -79,10 +81,14 @@ fn bad_faces(solid: &Solid) -> impl Iterator<Item = Flaw> {
         sorted.sort_unstable();
         f.corners.len() < 3
             || sorted.windows(2).any(|w| w[0] == w[1])
-            || sorted.last().is_some_and(|c| *c as usize >= solid.points.len())
+            || sorted
+                .last()
+                .is_some_and(|c| *c as usize >= solid.points.len())
     };
     let faces = solid.faces.iter().enumerate();
-    faces.filter(move |(_, f)| bad(f)).map(|(face, _)| Flaw::BadFace { face })
+    faces
+        .filter(move |(_, f)| bad(f))
+        .map(|(face, _)| Flaw::BadFace { face })
 }
 
 /// How often each edge is run in its ascending and in its descending direction.
@@ -107,18 +113,28 @@ fn edges(solid: &Solid) -> impl Iterator<Item = (u32, u32)> + '_ {
 }
 
 fn open_edges(solid: &Solid) -> impl Iterator<Item = Flaw> {
-    let open = tally(edges(solid)).into_iter().filter(|(_, runs)| *runs != (1, 1));
+    let open = tally(edges(solid))
+        .into_iter()
+        .filter(|(_, runs)| *runs != (1, 1));
     open.map(|(edge, _)| Flaw::OpenEdge { edge })
 }
 
 fn open_seams(solid: &Solid) -> impl Iterator<Item = Flaw> {
     let same = welded(solid);
     let runs = tally(edges(solid).map(|(p, q)| (same[p as usize], same[q as usize])));
-    let open: Vec<(u32, u32)> =
-        runs.into_iter().filter(|(_, runs)| *runs != (1, 1)).map(|(edge, _)| edge).collect();
+    let open: Vec<(u32, u32)> = runs
+        .into_iter()
+        .filter(|(_, runs)| *runs != (1, 1))
+        .map(|(edge, _)| edge)
+        .collect();
     let point = |id: u32| solid.points[id as usize];
-    let flaws: Vec<Flaw> =
-        open.into_iter().map(|(p, q)| Flaw::OpenSeam { from: point(p), to: point(q) }).collect();
+    let flaws: Vec<Flaw> = open
+        .into_iter()
+        .map(|(p, q)| Flaw::OpenSeam {
+            from: point(p),
+            to: point(q),
+        })
+        .collect();
     flaws.into_iter()
 }
 
@@ -129,7 +145,10 @@ fn welded(solid: &Solid) -> Vec<u32> {
     order.sort_by(|i, j| point(*i).x.total_cmp(&point(*j).x));
     let mut same: Vec<u32> = (0..solid.points.len() as u32).collect();
     for (n, id) in order.iter().enumerate() {
-        let near = order[..n].iter().rev().take_while(|o| point(*id).x - point(**o).x <= WELD);
+        let near = order[..n]
+            .iter()
+            .rev()
+            .take_while(|o| point(*id).x - point(**o).x <= WELD);
         for other in near {
             if (point(*id) - point(*other)).abs().max_element() <= WELD {
                 same[*id as usize] = same[*other as usize];
@@ -149,7 +168,10 @@ fn bent_faces(solid: &Solid) -> Vec<Flaw> {
             continue;
         }
         let (unit, first) = (normal.normalize(), point(&f.corners[0]));
-        if f.corners.iter().any(|c| unit.dot(point(c) - first).abs() > PLANE) {
+        if f.corners
+            .iter()
+            .any(|c| unit.dot(point(c) - first).abs() > PLANE)
+        {
             flaws.push(Flaw::NotPlane { face });
         }
     }
@@ -160,7 +182,9 @@ fn bent_faces(solid: &Solid) -> Vec<Flaw> {
 fn double_area(solid: &Solid, face: &Face) -> DVec3 {
     let point = |i: usize| solid.points[face.corners[i] as usize];
     let first = point(0);
-    (1..face.corners.len() - 1).map(|i| (point(i) - first).cross(point(i + 1) - first)).sum()
+    (1..face.corners.len() - 1)
+        .map(|i| (point(i) - first).cross(point(i + 1) - first))
+        .sum()
 }
 
 fn inward(solid: &Solid) -> Vec<Flaw> {
@@ -197,7 +221,12 @@ mod tests {
         let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
         Solid {
             points: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z],
-            faces: faces.map(|c| Face { corners: c.to_vec(), finish: Finish::Plaster }).to_vec(),
+            faces: faces
+                .map(|c| Face {
+                    corners: c.to_vec(),
+                    finish: Finish::Plaster,
+                })
+                .to_vec(),
         }
     }
 
@@ -214,7 +243,10 @@ mod tests {
     fn a_missing_face_opens_three_edges() {
         let mut solid = tetrahedron();
         solid.faces.pop();
-        let open = flaws(&solid).iter().filter(|f| matches!(f, Flaw::OpenEdge { .. })).count();
+        let open = flaws(&solid)
+            .iter()
+            .filter(|f| matches!(f, Flaw::OpenEdge { .. }))
+            .count();
         assert_eq!(open, 3);
     }
 
@@ -240,8 +272,16 @@ mod tests {
         let mut solid = tetrahedron();
         solid.points.push(solid.points[3]);
         solid.faces[1].corners[2] = 4;
-        assert!(flaws(&solid).iter().any(|f| matches!(f, Flaw::OpenEdge { .. })));
-        assert!(!flaws(&solid).iter().any(|f| matches!(f, Flaw::OpenSeam { .. })));
+        assert!(
+            flaws(&solid)
+                .iter()
+                .any(|f| matches!(f, Flaw::OpenEdge { .. }))
+        );
+        assert!(
+            !flaws(&solid)
+                .iter()
+                .any(|f| matches!(f, Flaw::OpenSeam { .. }))
+        );
     }
 
     #[test]
@@ -251,7 +291,10 @@ mod tests {
         assert!(flaws(&solid).contains(&Flaw::Sliver { face: 1 }));
         let corners = vec![0, 1, 2, 3];
         solid.points = vec![DVec3::ZERO, DVec3::X, dvec3(1.0, 1.0, 0.1), DVec3::Y];
-        solid.faces = vec![Face { corners, finish: Finish::Plaster }];
+        solid.faces = vec![Face {
+            corners,
+            finish: Finish::Plaster,
+        }];
         assert!(flaws(&solid).contains(&Flaw::NotPlane { face: 0 }));
     }
 }

@@ -109,7 +109,7 @@ impl<'a, 'c> Pass<'a, 'c> {
     fn house(&mut self, house: &ast::House, place: Place) -> Option<House> {
         let settings = &house.settings;
         let unit = settings.unit.as_ref();
-        let unit = unit.and_then(|u| self.positive(u, "unit")).unwrap_or(UNIT);
+        let unit = unit.and_then(positive).unwrap_or(UNIT);
         let mut storeys = self.all_storeys(house, place, unit);
         if self.over {
             return None;
@@ -174,25 +174,6 @@ impl<'a, 'c> Pass<'a, 'c> {
         }
     }
 
-    /// A length that must be above zero.
-    fn positive(&mut self, length: &Spanned<f64>, what: &str) -> Option<f64> {
-        if length.value > 0.0 {
-            return Some(length.value);
-        }
-        self.once(322, length.span, || {
-            say::not_positive(length.span, what, length.value)
-        });
-        None
-    }
-
-    /// A length that may be zero: posts have no width.
-    fn not_negative(&mut self, length: &Spanned<f64>, what: &str) -> Option<f64> {
-        if length.value == 0.0 {
-            return Some(0.0);
-        }
-        self.positive(length, what)
-    }
-
     /// The first line of a long construct: a whole house underlined tells nothing.
     fn head(&self, span: Span) -> Span {
         if span.file != self.source.id() {
@@ -203,4 +184,9 @@ impl<'a, 'c> Pass<'a, 'c> {
         let first = text.lines().next().unwrap_or_default().trim_end();
         self.source.span(range.start..range.start + first.len())
     }
+}
+
+/// A length above zero. The readers report others; here the default takes their place.
+fn positive(length: &Spanned<f64>) -> Option<f64> {
+    Some(length.value).filter(|value| *value > 0.0)
 }

@@ -1,2 +1,7 @@
 //! The `hsd` program: hands its arguments to the shell.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    hsd::cli::run(std::env::args_os())
+}

@@ -37,7 +37,7 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
             out.push(say::no_house(source.span(0..0)));
             Document::default()
         }
-        Some('<') => xml::parse(source, limits, out),
+        Some('<' | '＜') => xml::parse(source, limits, out),
         Some(_) => legacy::parse(source, limits, out),
     }
 }

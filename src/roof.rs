@@ -53,6 +53,10 @@ pub mod triangulate;
 
 /// Roofs all houses.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
-    let roofs = shell.houses.iter().map(|house| house::roofs(house, out)).collect();
+    let roofs = shell
+        .houses
+        .iter()
+        .map(|house| house::roofs(house, out))
+        .collect();
     Building { shell, roofs }
 }

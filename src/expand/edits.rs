@@ -106,6 +106,13 @@ impl Operation {
                 .is_none_or(|at| within(&at.value, position))
     }
 
+    fn pick(&self, site: Site) -> usize {
+        if self.choices.len() == 1 {
+            return 0; // Most substitutions: no hash is needed for them.
+        }
+        site.row.at(site.index).at(site.key).pick(&self.sums)
+    }
+
     /// Counts it as used, as a slot does.
     pub(super) fn used(&self) {
         self.hit.set(true);
@@ -140,12 +147,15 @@ impl Pass<'_, '_> {
         operation.longest.set(longest);
         if operation.choices.is_empty() {
             operation.used();
+        }
+        if operation.choices.is_empty() || self.stopped() {
             return;
         }
         let mut units = std::mem::take(&mut strip.units);
         for (index, unit) in units.iter_mut().enumerate() {
             let site = Site {
-                place: strip.place.at(index as u64),
+                row: strip.place,
+                index: index as u64,
                 key,
                 position: index as u32 + 1,
                 mode: strip.mode,
@@ -166,16 +176,21 @@ impl Pass<'_, '_> {
         let piece = operation.codes.is_none() && site.inside;
         if !piece && operation.wants(which, site.position) {
             operation.used();
-            let choice = site.place.at(site.key).pick(&operation.sums);
+            let choice = operation.pick(site);
             return self.put(operation.span, unit, operation.choices[choice], site);
         }
         if let Content::Split(split) = &mut unit.content {
             let halves = [(1, &mut split.upper), (2, &mut split.lower)];
             for (half, units) in halves {
-                let place = site.place.at(half);
-                for (index, unit) in units.iter_mut().enumerate() {
-                    let place = place.at(index as u64);
-                    self.edit_unit(operation, unit, site.inner(place));
+                let row = site.row.at(site.index).at(half);
+                for (index, unit) in (0..).zip(units) {
+                    let inner = Site {
+                        row,
+                        index,
+                        inside: true,
+                        ..site
+                    };
+                    self.edit_unit(operation, unit, inner);
                 }
             }
         }
@@ -193,7 +208,7 @@ impl Pass<'_, '_> {
         if differs && site.mode.is_row() && (own - unit.width).abs() >= crate::geometry::SAME {
             let (there, here) = (unit.span, unit.width);
             let name = self.codes.name(new.which).to_owned();
-            self.once(308, span, || {
+            self.once(307, span, || {
                 say::replaced_width(span, &name, own, there, here)
             });
         }
@@ -228,19 +243,13 @@ impl Pass<'_, '_> {
 /// Where an operation is at work.
 #[derive(Clone, Copy)]
 struct Site {
-    place: Place,
+    row: Place,
+    /// Index in that row.
+    index: u64,
+    /// Tells the operation from the others of its element.
     key: u64,
+    /// Position in the outermost row, from 1.
     position: u32,
     mode: Mode,
     inside: bool,
-}
-
-impl Site {
-    fn inner(self, place: Place) -> Site {
-        Site {
-            place,
-            inside: true,
-            ..self
-        }
-    }
 }

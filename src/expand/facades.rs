@@ -1,7 +1,6 @@
 //! Walls given facade by facade (003-12, 003-15): each storey becomes one walk whose lines are the rows of
 //! the facades, scaled to their facades' widths.
 
-use super::Pass;
 use super::codes::{Mode, Which};
 use super::draw::Place;
 use super::edits::Strip;
@@ -9,6 +8,7 @@ use super::floors::{Bases, FloorAt};
 use super::repeat::{Flat, Scoped};
 use super::rows::bare_unit;
 use super::split::fit;
+use super::{Pass, positive};
 use crate::ast::{self, StoreyKind};
 use crate::diagnostic::messages::parts as say;
 use crate::geometry::{SAME, SHAKU};
@@ -94,7 +94,7 @@ impl Pass<'_, '_> {
             None => place.at(index as u64),
         };
         if let Some(angle) = facade.angle.as_ref().filter(|a| a.value.abs() > STEEP) {
-            self.once(318, angle.span, || {
+            self.once(316, angle.span, || {
                 say::steep_angle(angle.span, angle.value)
             });
         }
@@ -102,35 +102,16 @@ impl Pass<'_, '_> {
             facade,
             id: id.unwrap_or_else(|| (index + 1).to_string()),
             floors: self.flatten(&facade.floors, FLOORS),
-            width: self.facade_width(structure, facade, unit),
+            width: facade_width(structure, facade, unit),
             place,
             strips: vec![],
         };
-        if wall.floors.ones.is_empty() {
+        if wall.floors.ones.is_empty() && !self.stopped() {
             self.charge(1, facade.span);
             let span = self.head(facade.span);
-            self.once(324, span, || say::facade_without_floors(span));
+            self.once(320, span, || say::facade_without_floors(span));
         }
         wall
-    }
-
-    fn facade_width(
-        &mut self,
-        structure: &ast::Structure,
-        facade: &ast::Facade,
-        unit: f64,
-    ) -> Option<f64> {
-        if structure.size.is_none() && facade.ratio.is_none() {
-            return None;
-        }
-        let mut factor = |value: &Option<Spanned<f64>>, what, default| {
-            let value = value.as_ref().and_then(|v| self.positive(v, what));
-            value.unwrap_or(default)
-        };
-        let size = factor(&structure.size, "size", 1.0);
-        let ratio = factor(&facade.ratio, "ratio", 1.0);
-        let scale = factor(&structure.scale, "scale", SCALE);
-        Some(size * ratio * scale / (unit * SHAKU))
     }
 
     /// Heights and kinds of the storeys. The facades of a storey must agree in height.
@@ -154,10 +135,10 @@ impl Pass<'_, '_> {
                     level.kind = kind;
                 }
                 let given = floor.height.as_ref();
-                if let Some(height) = given.and_then(|h| self.positive(h, "height")) {
+                if let Some(height) = given.and_then(positive) {
                     let span = given.map_or(floor.span, |h| h.span);
                     if let Some(other) = known.filter(|o| (o.value - height).abs() >= SAME) {
-                        self.once(317, span, || {
+                        self.once(315, span, || {
                             say::floor_heights(span, height, other.span, other.value)
                         });
                     }
@@ -289,4 +270,16 @@ fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Lo
 
 fn turn(facade: &ast::Facade, default: f64) -> f64 {
     facade.angle.as_ref().map_or(default, |angle| angle.value)
+}
+
+/// Width in U by size, ratio and scale, where one of the first two is given.
+fn facade_width(structure: &ast::Structure, facade: &ast::Facade, unit: f64) -> Option<f64> {
+    if structure.size.is_none() && facade.ratio.is_none() {
+        return None;
+    }
+    let factor = |value: &Option<Spanned<f64>>, default| {
+        value.as_ref().and_then(positive).unwrap_or(default)
+    };
+    let size = factor(&structure.size, 1.0) * factor(&facade.ratio, 1.0);
+    Some(size * factor(&structure.scale, SCALE) / (unit * SHAKU))
 }

@@ -72,7 +72,7 @@ impl Pass<'_, '_> {
         if strip.units.is_empty() && !self.stopped() && !has_slots(pieces) && !has_parts(pieces) {
             let span = self.head(at.floor.span);
             let picture = format!("f{}f{}f1", at.facade_id, letter(&id));
-            self.once(314, span, || say::floor_without_parts(span, &id, &picture));
+            self.once(312, span, || say::floor_without_parts(span, &id, &picture));
         }
         strip
     }
@@ -119,7 +119,7 @@ impl Pass<'_, '_> {
         let mut lower = self.picture_half(name, 'l', span, empty(place, halves));
         if lower.units.is_empty() {
             // Without a lower picture nothing was divided: the pieces stand side by side.
-            self.once(323, span, || say::no_lower_picture(span, name));
+            self.once(319, span, || say::no_lower_picture(span, name));
             for unit in upper.units {
                 if let Some(which) = Which::of(&unit.content) {
                     let found = Found { which, width: None };

@@ -25,7 +25,7 @@ impl Pass<'_, '_> {
             {
                 *last = (whole, last.1.to(span));
                 let (code, span) = (self.codes.name(whole.which).to_owned(), last.1);
-                self.once(327, span, || say::torn_code(span, &code));
+                self.once(314, span, || say::torn_code(span, &code));
                 continue;
             }
             found.push((self.resolve(&CodeText::new(text), span), span));
@@ -144,11 +144,8 @@ impl Pass<'_, '_> {
         }
         let sum: f64 = weights.value.iter().sum();
         let fit = weights.value.iter().all(|w| *w >= 0.0) && sum > 0.0 && sum.is_finite();
-        if !fit {
-            self.once(306, weights.span, || say::weights_unfit(weights.span));
-            return equal;
-        }
-        weights.value.clone()
+        // The readers report the others.
+        if fit { weights.value.clone() } else { equal }
     }
 }
 

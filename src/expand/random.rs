@@ -22,7 +22,7 @@ impl Pass<'_, '_> {
                 .find(|(f, _)| (width(f) - usual).abs() >= SAME)
                 .map(|(found, span)| (width(found), *span));
             if let Some((other, span)) = other {
-                self.once(307, span, || say::drawn_widths(span, other, first.1, usual));
+                self.once(306, span, || say::drawn_widths(span, other, first.1, usual));
             }
         }
         let choices: Vec<Found> = list.into_iter().map(|(found, _)| found).collect();

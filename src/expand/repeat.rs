@@ -184,10 +184,10 @@ impl Pass<'_, '_> {
 }
 
 /// Steps of operations that one part of the limit allows for.
-const STEPS_A_PART: u64 = 100;
+const STEPS_A_PART: u64 = 10;
 
 /// Noting an operation costs memory, more than a step.
-const EDIT_ROOM: u64 = 50;
+const EDIT_ROOM: u64 = 10;
 
 /// The operations among items, in order.
 pub(super) fn edits<'d, T>(items: &'d [Item<T>]) -> impl Iterator<Item = EditRef<'d>> {

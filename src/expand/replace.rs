@@ -18,7 +18,7 @@ impl Pass<'_, '_> {
         let mut with = self.list(&replace.with);
         if let Some((_, second)) = with.get(1) {
             let span = *second;
-            self.once(326, span, || say::several_withs(span));
+            self.once(322, span, || say::several_withs(span));
         }
         with.truncate(1);
         let choices = with.into_iter().map(|(found, _)| found).collect();

@@ -2,12 +2,12 @@
 //!
 //! Whether a `random` is a slot or an edit is settled before anything is placed. In a floor the base row
 //! decides: parts of its own make every `random` an edit. In a row of a house a `random` holds its place
-//! in the outline, unless a code of its list stands beside it (grammar/language-notes.md).
+//! in the outline, unless a code of its list stands beside it (grammar/README.md).
 
-use super::Pass;
 use super::codes::{Mode, Which};
 use super::draw::Place;
 use super::edits::{EditRef, Strip, numbered};
+use super::{Pass, positive};
 use crate::ast::{Half, Item, Part, Piece, Random};
 use crate::program::Unit;
 use crate::source::Span;
@@ -180,14 +180,8 @@ impl Pass<'_, '_> {
     #[inline]
     fn part(&mut self, part: &Part, strip: &mut Strip) {
         let found = self.resolve(&part.code.value, part.code.span);
-        let given = match &part.width {
-            Some(width) => self.not_negative(width, "width"),
-            None => None,
-        };
-        let height = match &part.height {
-            Some(height) => self.positive(height, "height"),
-            None => None,
-        };
+        let given = part.width.as_ref().map(|width| width.value);
+        let given = given.filter(|width| *width >= 0.0);
         let natural = given.is_none() && found.width.is_none() && !strip.mode.is_row();
         let width = match given.or(found.width) {
             Some(width) => width,
@@ -197,7 +191,7 @@ impl Pass<'_, '_> {
             span: part.code.span,
             width,
             content: found.which.content(),
-            height: height.map(|height| height as f32),
+            height: part.height.as_ref().and_then(positive).map(|h| h as f32),
             reflection: None,
         };
         self.push(unit, natural, strip);

@@ -10,7 +10,7 @@ use crate::ast;
 use crate::diagnostic::messages::parts as say;
 use crate::geometry::SAME;
 use crate::program::{Content, Split, Unit};
-use crate::source::{Span, Spanned};
+use crate::source::Span;
 
 /// Share of the upper half where none is given.
 pub(super) const EVEN: f64 = 0.5;
@@ -18,14 +18,20 @@ pub(super) const EVEN: f64 = 0.5;
 impl Pass<'_, '_> {
     /// One split, and whether its width was only taken from pictures.
     pub(super) fn split(&mut self, split: &ast::Split, place: Place, mode: Mode) -> (Unit, bool) {
-        let ratio = split.ratio.as_ref().map_or(EVEN, |r| self.ratio(r));
+        let ratio = split.ratio.as_ref().map_or(EVEN, |ratio| ratio.value);
+        // The readers let shares only between 0 and 1 through; a document built otherwise does no harm.
+        let ratio = if ratio > 0.0 && ratio < 1.0 {
+            ratio
+        } else {
+            EVEN
+        };
         let mut upper = self.half(&split.upper, place.at(1), mode.share(ratio));
         let mut lower = self.half(&split.lower, place.at(2), mode.share(1.0 - ratio));
         let (above, below) = (upper.width(), lower.width());
         let fixed = !upper.natural && !lower.natural;
         if fixed && (above - below).abs() >= SAME && !self.stopped() {
             let spans = (split.upper.span, split.lower.span);
-            self.once(312, split.span, || {
+            self.once(311, split.span, || {
                 say::unequal_halves(split.span, spans, above, below)
             });
         }
@@ -34,16 +40,6 @@ impl Pass<'_, '_> {
         fit(&mut upper, width, split.upper.span);
         fit(&mut lower, width, split.lower.span);
         (divided(split.span, ratio, width, upper, lower), natural)
-    }
-
-    fn ratio(&mut self, ratio: &Spanned<f64>) -> f64 {
-        if ratio.value > 0.0 && ratio.value < 1.0 {
-            return ratio.value;
-        }
-        self.once(313, ratio.span, || {
-            say::split_ratio(ratio.span, ratio.value)
-        });
-        EVEN
     }
 }
 

@@ -1,10 +1,10 @@
 //! The storeys of a house that is written row by row.
 
-use super::Pass;
 use super::codes::Mode;
 use super::draw::Place;
 use super::edits::{EditRef, Strip, numbered};
 use super::repeat::storey_edits;
+use super::{Pass, positive};
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
 use crate::program::{Line, Loop, Storey};
@@ -22,15 +22,6 @@ impl Pass<'_, '_> {
     /// All storeys, without repetitions. `house` is the house's place in the keys of draws.
     pub(super) fn storeys(&mut self, house: &ast::House, place: Place) -> Vec<Storey> {
         let flat = self.flatten(&house.storeys, STOREYS);
-        if let Some(extra) = house.heights.get(flat.ones.len())
-            && !flat.ones.is_empty()
-        {
-            let span = house
-                .heights
-                .last()
-                .map_or(extra.span, |h| extra.span.to(h.span));
-            self.out.push(say::surplus_heights(span, flat.ones.len()));
-        }
         let mut storeys = vec![];
         for (index, storey) in flat.ones.iter().enumerate() {
             let height = house.heights.get(index);
@@ -57,7 +48,7 @@ impl Pass<'_, '_> {
     ) -> Storey {
         self.charge(u64::from(storey.loops.is_empty()), storey.span);
         let given = storey.height.as_ref().or(header);
-        let height = given.and_then(|height| self.positive(height, "height"));
+        let height = given.and_then(positive);
         let mut made = Storey {
             span: storey.span,
             height: height.unwrap_or(HEIGHT),
@@ -94,7 +85,7 @@ impl Pass<'_, '_> {
             Some(start) => start.value,
             None if walk.hole => {
                 let span = self.head(walk.span);
-                self.once(315, span, || say::hole_without_start(span));
+                self.once(313, span, || say::hole_without_start(span));
                 (0.0, 0.0)
             }
             None => (0.0, 0.0),

@@ -6,7 +6,6 @@ use super::codes::Which;
 use crate::ast::{self, Texture};
 use crate::diagnostic::messages::parts as say;
 use crate::program::{Content, Storey, Unit};
-use crate::source::Spanned;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Pass<'_, '_> {
@@ -36,7 +35,8 @@ impl Pass<'_, '_> {
         used: &BTreeSet<Which>,
         shares: &mut BTreeMap<Which, f32>,
     ) {
-        let share = texture.reflection.as_ref().map(|r| self.share(r));
+        let share = texture.reflection.as_ref();
+        let share = share.map(|share| share.value.clamp(0.0, 1.0) as f32);
         let spelling = self.spelling(&texture.code);
         for range in self.list_pieces(&texture.code) {
             let code = &texture.code.value[range.clone()];
@@ -46,22 +46,10 @@ impl Pass<'_, '_> {
                 None => {
                     let span = self.within(&texture.code, spelling, &range);
                     let near = self.nearest_used(code, used);
-                    self.once(319, span, || say::idle_texture(span, code, &near));
+                    self.once(317, span, || say::idle_texture(span, code, &near));
                 }
             }
         }
-    }
-
-    /// A share of reflection, 0 to 1; more can only be meant as per cent.
-    fn share(&mut self, share: &Spanned<f64>) -> f32 {
-        let given = share.value;
-        if (0.0..=1.0).contains(&given) {
-            return given as f32;
-        }
-        let used = if given > 1.0 { given / 100.0 } else { 0.0 };
-        let used = used.min(1.0);
-        self.once(320, share.span, || say::reflection(share.span, given, used));
-        used as f32
     }
 
     fn nearest_used(&self, code: &str, used: &BTreeSet<Which>) -> Vec<String> {

@@ -13,17 +13,27 @@ pub(super) fn assemble(mut planned: Vec<Planned>, walls: &[Rect], roofs: &mut Ve
     let mut start = 0;
     // Stable, so that indices of trunks keep their meaning within a height.
     let first = planned.first().map_or(0.0, |p| p.base);
-    planned.sort_by(|p, q| (p.base != first).cmp(&(q.base != first)).then(p.base.total_cmp(&q.base)));
+    planned.sort_by(|p, q| {
+        (p.base != first)
+            .cmp(&(q.base != first))
+            .then(p.base.total_cmp(&q.base))
+    });
     while start < planned.len() {
         let base = planned[start].base;
-        let count = planned[start..].iter().take_while(|p| (p.base - base).abs() < 1e-6).count();
+        let count = planned[start..]
+            .iter()
+            .take_while(|p| (p.base - base).abs() < 1e-6)
+            .count();
         group(&mut planned[start..start + count], walls, roofs);
         start += count;
     }
 }
 
 fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) {
-    let forms: Vec<_> = planned.iter_mut().map(|p| std::mem::take(&mut p.form)).collect();
+    let forms: Vec<_> = planned
+        .iter_mut()
+        .map(|p| std::mem::take(&mut p.form))
+        .collect();
     let met = meet(&forms, walls);
     for ((planned, form), (pieces, ridges)) in planned.iter_mut().zip(forms).zip(met) {
         let mut solids = sheet(&pieces, form.drop, &planned.look.coat(), form.floor);
@@ -32,7 +42,10 @@ fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) {
             ridge_cap(ridge, &planned.look, &mut solids);
         }
         planned.roof.solids = solids;
-        let empty = Roof { solids: vec![], ..planned.roof };
+        let empty = Roof {
+            solids: vec![],
+            ..planned.roof
+        };
         roofs.push(std::mem::replace(&mut planned.roof, empty));
     }
 }

@@ -8,7 +8,9 @@ use super::gable_wall::{SUNK, panel};
 use super::lean_to::{Flank, LeanTo};
 use super::look::Look;
 use super::outline::piece;
+use super::plan::Cell;
 use super::ridge::{Region, Ridge, Side};
+use super::sides::Sides;
 use crate::ast::RoofShape;
 use crate::building::{Ceiling, Finish, rect_of};
 use crate::diagnostic::Diagnostics;
@@ -28,6 +30,8 @@ pub(super) struct Automatic<'c, 'h> {
     pub(super) base: f64,
     /// Of each region.
     pub(super) looks: Vec<Look>,
+    /// Who lies beyond whole sides.
+    sides: Option<Sides>,
 }
 
 impl<'c, 'h> Automatic<'c, 'h> {
@@ -40,7 +44,9 @@ impl<'c, 'h> Automatic<'c, 'h> {
             (ridge, _) => context.gable_look(&r.cell, ridge.unwrap_or(Ridge::A), None),
         };
         let looks = regions.iter().map(look).collect();
-        Automatic { context, regions, base: context.level.storey.z1, looks }
+        let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
+        let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
+        Automatic { context, regions, base: context.level.storey.z1, looks, sides }
     }
 
     /// A roof for every region, in their order; ceilings where walls end lower.
@@ -68,10 +74,33 @@ impl<'c, 'h> Automatic<'c, 'h> {
                     End { reach: across, board: false, ..plain }
                 }
                 (None, Some(trunk)) if joined => self.run_in(n, trunk, side, plain),
-                _ => plain,
+                _ => self.other_end(n, side, plain),
             }
         });
         self.context.gable_with(region.cell, ridge, self.base, look, ends)
+    }
+
+    /// The end of gable `n` that joins no trunk. It may still lie on the slope of a roof that stands
+    /// higher, as at the far end of a wing between two halls: then it dies there as well.
+    fn other_end(&self, n: usize, side: Side, plain: End) -> End {
+        let region = &self.regions[n];
+        let beyond = self.sides.as_ref().and_then(|s| s.beyond(&region.cell, side));
+        let Some(other) = beyond.filter(|_| plain.wall) else { return plain };
+        let end = self.run_in(n, other, side, plain);
+        if !end.wall {
+            return end;
+        }
+        let neighbour = &self.regions[other];
+        let leans = neighbour.fall.is_some_and(|f| f != side && f != side.opposite());
+        if leans && neighbour.over.is_none() {
+            let rise = self.looks[other].pitch * self.context.metres(neighbour.span()) / 2.0;
+            let own = self.looks[n].pitch * self.context.metres(region.span()) / 2.0;
+            if own < rise {
+                // Its wall stands higher: a verge would stick into it.
+                return End { verge: 0.0, free: false, ..plain };
+            }
+        }
+        plain
     }
 
     /// The end of branch `n` that lies with `side` on its trunk: the ridge runs on until it dies in

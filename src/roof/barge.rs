@@ -18,16 +18,33 @@ const BACK: f64 = 0.02;
 pub const LEAST_VERGE: f64 = 0.1;
 
 /// The board at the verge's edge `u`; `open` says on which sides it runs down along the eaves.
-pub fn barge(frame: &Frame, u: f64, outward: f64, base: f64, look: &Look, open: [bool; 2]) -> Solid {
+pub fn barge(
+    frame: &Frame,
+    u: f64,
+    outward: f64,
+    base: f64,
+    look: &Look,
+    open: [bool; 2],
+) -> Solid {
     let (half, pitch) = (frame.depth / 2.0, look.pitch);
     let u = u - outward * BACK;
-    let over = |open: bool| if open { (look.eaves - BACK).max(0.0) } else { 0.0 };
+    let over = |open: bool| {
+        if open {
+            (look.eaves - BACK).max(0.0)
+        } else {
+            0.0
+        }
+    };
     let points = |lowered: f64| {
         let at = |v: f64| {
             let z = base + pitch * (half - (v - half).abs()) + SUNK - lowered;
             frame.point(u, v, z)
         };
-        [at(-over(open[0])), at(half), at(frame.depth + over(open[1]))]
+        [
+            at(-over(open[0])),
+            at(half),
+            at(frame.depth + over(open[1])),
+        ]
     };
     let by = (frame.along() * (-outward * THICK)).extend(0.0);
     bent_board(&points(0.0), &points(DEEP), by, Finish::Timber)

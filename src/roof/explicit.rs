@@ -35,15 +35,24 @@ impl Placed<'_> {
 }
 
 /// Places all roof lines of a house.
-pub(super) fn place<'h>(house: &'h House, levels: &[Level<'h>], out: &mut Diagnostics) -> Vec<Placed<'h>> {
+pub(super) fn place<'h>(
+    house: &'h House,
+    levels: &[Level<'h>],
+    out: &mut Diagnostics,
+) -> Vec<Placed<'h>> {
     let mut placed: Vec<Placed<'h>> = Vec::with_capacity(house.roofs.lines.len());
     for line in &house.roofs.lines {
         let Some(cell) = cell(line) else { continue };
-        let Some(one) = place_one(house, line, cell, levels, out) else { continue };
+        let Some(one) = place_one(house, line, cell, levels, out) else {
+            continue;
+        };
         check_place(&one, levels, out);
         check_options(house, &one, out);
         let same = |p: &&Placed<'_>| {
-            p.covers() && one.covers() && p.cell.overlaps(&one.cell) && (p.base - one.base).abs() < 1e-3
+            p.covers()
+                && one.covers()
+                && p.cell.overlaps(&one.cell)
+                && (p.base - one.base).abs() < 1e-3
         };
         if let Some(other) = placed.iter().find(same) {
             out.push(say::overlapping(line.corners.span, other.line.corners.span));
@@ -55,7 +64,12 @@ pub(super) fn place<'h>(house: &'h House, levels: &[Level<'h>], out: &mut Diagno
 
 fn cell(line: &RoofLine) -> Option<Cell> {
     let [a0, b0, a1, b1] = line.corners.value.map(steps);
-    let cell = Cell { a0: a0.min(a1), b0: b0.min(b1), a1: a0.max(a1), b1: b0.max(b1) };
+    let cell = Cell {
+        a0: a0.min(a1),
+        b0: b0.min(b1),
+        a1: a0.max(a1),
+        b1: b0.max(b1),
+    };
     (cell.width() > 0 && cell.depth() > 0).then_some(cell)
 }
 
@@ -70,16 +84,35 @@ fn place_one<'h>(
     let tops = || levels.iter().map(|l| l.storey.z1);
     let Some(height) = line.height else {
         let (level, base) = topmost(house, line, &cell, shape, levels)?;
-        return Some(Placed { line, level, cell, base, shape });
+        return Some(Placed {
+            line,
+            level,
+            cell,
+            base,
+            shape,
+        });
     };
     let base = height.value * SHAKU;
     let gap = |top: f64| (top - base).abs();
-    let (level, top) = tops().enumerate().min_by(|p, q| gap(p.1).total_cmp(&gap(q.1)))?;
+    let (level, top) = tops()
+        .enumerate()
+        .min_by(|p, q| gap(p.1).total_cmp(&gap(q.1)))?;
     if gap(top) > 3.0 * SHAKU + 1e-6 {
         let number = levels[level].storey.number;
-        out.push(say::far_from_top(height.span, height.value, number, top / SHAKU));
+        out.push(say::far_from_top(
+            height.span,
+            height.value,
+            number,
+            top / SHAKU,
+        ));
     }
-    Some(Placed { line, level, cell, base, shape })
+    Some(Placed {
+        line,
+        level,
+        cell,
+        base,
+        shape,
+    })
 }
 
 /// Level and height of a line with `*`.
@@ -105,7 +138,10 @@ fn topmost(
         };
         levels[k].orthogonal && levels[k].plan.intersects(&left)
     };
-    let level = (0..levels.len()).rev().find(|k| open(*k)).unwrap_or(levels.len().checked_sub(1)?);
+    let level = (0..levels.len())
+        .rev()
+        .find(|k| open(*k))
+        .unwrap_or(levels.len().checked_sub(1)?);
     Some((level, levels[level].storey.z1))
 }
 
@@ -126,20 +162,29 @@ fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
             out.push(say::over_no_wall(place, one.shape));
         }
     } else if inside < whole && !may_stand_out {
-        out.push(say::partly_outside(place, 1.0 - inside as f64 / whole as f64));
+        out.push(say::partly_outside(
+            place,
+            1.0 - inside as f64 / whole as f64,
+        ));
     }
     if let Some(upper) = levels.get(one.level + 1)
         && upper.orthogonal
         && inside > 0
         && here.difference(&upper.plan).is_empty()
     {
-        out.push(say::under_storey(line.span, level.storey.number, upper.storey.span));
+        out.push(say::under_storey(
+            line.span,
+            level.storey.number,
+            upper.storey.span,
+        ));
     }
 }
 
 fn check_pent(one: &Placed<'_>, level: &Level<'_>, out: &mut Diagnostics) {
     let outline = Outline::of(&level.plan);
-    let touched = Side::ALL.iter().any(|side| !outline.along(&one.cell, side.opposite()).is_empty());
+    let touched = Side::ALL
+        .iter()
+        .any(|side| !outline.along(&one.cell, side.opposite()).is_empty());
     if !touched {
         out.push(say::pent_in_the_air(one.line.corners.span));
     }
@@ -147,7 +192,10 @@ fn check_pent(one: &Placed<'_>, level: &Level<'_>, out: &mut Diagnostics) {
 
 fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
     let (line, style) = (one.line, &one.line.style);
-    let kind = style.kind.or(house.roofs.style.kind).map_or(crate::ast::RoofKind::Tiles, |k| k.value);
+    let kind = style
+        .kind
+        .or(house.roofs.style.kind)
+        .map_or(crate::ast::RoofKind::Tiles, |k| k.value);
     if let Some(pitch) = style.pitch {
         check_pitch(pitch, kind, out);
     }
@@ -156,7 +204,9 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
     {
         out.push(say::not_built_yet(shape.span, shape.value));
     }
-    let Some(direction) = line.direction else { return };
+    let Some(direction) = line.direction else {
+        return;
+    };
     let one_sided = matches!(one.shape, RoofShape::LeanTo | RoofShape::Pent);
     if one.shape != RoofShape::Flat && one_sided != fall(direction.value).is_some() {
         out.push(say::odd_direction(direction.span, one.shape, one_sided));
@@ -166,7 +216,11 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
         && one.shape != RoofShape::Flat
     {
         let (width, depth) = (one.cell.width(), one.cell.depth());
-        let (length, span) = if ridge == Ridge::A { (width, depth) } else { (depth, width) };
+        let (length, span) = if ridge == Ridge::A {
+            (width, depth)
+        } else {
+            (depth, width)
+        };
         if span > length && span > 6 * STEPS {
             out.push(say::long_span(direction.span, span as f64 / STEPS as f64));
         }
@@ -174,7 +228,11 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
 }
 
 /// Warns of a pitch outside the covering's band.
-pub(super) fn check_pitch(pitch: crate::source::Spanned<f64>, kind: crate::ast::RoofKind, out: &mut Diagnostics) {
+pub(super) fn check_pitch(
+    pitch: crate::source::Spanned<f64>,
+    kind: crate::ast::RoofKind,
+    out: &mut Diagnostics,
+) {
     let band = band(kind);
     if pitch.value < band.0 - 1e-9 || pitch.value > band.1 + 1e-9 {
         out.push(say::odd_pitch(pitch.span, pitch.value, kind, band));
@@ -223,23 +281,36 @@ pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnos
             if let Some(height) = one.line.height
                 && upper > context.roof_top + 1e-3
             {
-                out.push(say::pent_too_high(height.span, upper / SHAKU, context.roof_top / SHAKU));
+                out.push(say::pent_too_high(
+                    height.span,
+                    upper / SHAKU,
+                    context.roof_top / SHAKU,
+                ));
             }
             planned
         }
-        RoofShape::Flat => context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style),
+        RoofShape::Flat => {
+            context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style)
+        }
         _ => {
             let long = ridge_wish.unwrap_or_else(|| context.automatic_ridge(&one.cell, one.shape));
             context.gable(one.cell, long, one.base, style)
         }
     };
     planned.roof.span = Some(one.line.span);
-    planned.roof.shape = if is_built(one.shape) { one.shape } else { RoofShape::Gable };
+    planned.roof.shape = if is_built(one.shape) {
+        one.shape
+    } else {
+        RoofShape::Gable
+    };
     planned
 }
 
 /// The side opposite to the one that lies on a wall.
 pub(super) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Side {
     let on_wall = |side: &Side| !context.outline().along(cell, side.opposite()).is_empty();
-    [Side::Front, Side::Back, Side::Left, Side::Right].into_iter().find(on_wall).unwrap_or(Side::Front)
+    [Side::Front, Side::Back, Side::Left, Side::Right]
+        .into_iter()
+        .find(on_wall)
+        .unwrap_or(Side::Front)
 }

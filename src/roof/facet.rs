@@ -76,21 +76,31 @@ impl HalfPlane {
 }
 
 /// Takes from `pieces` of one facet what a cutter covers at a greater height.
-pub(super) fn cut(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> Vec<Vec<Corner>> {
+pub(super) fn cut(
+    facet: &Facet,
+    pieces: Vec<Vec<Corner>>,
+    cutter: &Cutter<'_>,
+) -> Vec<Vec<Corner>> {
     let mut left = Vec::with_capacity(pieces.len());
     match standing(facet.plane, cutter.plane) {
         Standing::Below => {
             let sides = edges(cutter.body);
-            pieces.into_iter().for_each(|p| subtract(p, &sides, &mut left));
+            pieces
+                .into_iter()
+                .for_each(|p| subtract(p, &sides, &mut left));
         }
         Standing::Crossing(higher) => {
             let mut sides = vec![higher];
             sides.extend(edges(cutter.body));
-            pieces.into_iter().for_each(|p| subtract(p, &sides, &mut left));
+            pieces
+                .into_iter()
+                .for_each(|p| subtract(p, &sides, &mut left));
         }
         Standing::Level if cutter.first => {
             let sides = edges(cutter.body);
-            pieces.into_iter().for_each(|p| subtract(p, &sides, &mut left));
+            pieces
+                .into_iter()
+                .for_each(|p| subtract(p, &sides, &mut left));
         }
         // At the same height the other's body wins over a verge.
         Standing::Level => {
@@ -100,7 +110,9 @@ pub(super) fn cut(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) 
                 if let Some(body) = split_off(piece, &mine, &mut verges) {
                     left.push(body);
                 }
-                verges.into_iter().for_each(|p| subtract(p, &sides, &mut left));
+                verges
+                    .into_iter()
+                    .for_each(|p| subtract(p, &sides, &mut left));
             }
         }
         Standing::Above => return pieces,
@@ -203,18 +215,26 @@ pub(super) fn area(outline: &[Corner]) -> f64 {
     let Some(first) = outline.first() else {
         return 0.0;
     };
-    let fan = outline.windows(2).map(|w| (w[0].at - first.at).perp_dot(w[1].at - first.at));
+    let fan = outline
+        .windows(2)
+        .map(|w| (w[0].at - first.at).perp_dot(w[1].at - first.at));
     fan.sum::<f64>() / 2.0
 }
 
 /// The pieces of the way from `p` to `q`, as shares from 0 to 1, that lie in no cutter.
-pub(super) fn open_shares(p: glam::DVec3, q: glam::DVec3, cutters: &[Cutter<'_>]) -> Vec<(f64, f64)> {
+pub(super) fn open_shares(
+    p: glam::DVec3,
+    q: glam::DVec3,
+    cutters: &[Cutter<'_>],
+) -> Vec<(f64, f64)> {
     let mut open = vec![(0.0_f64, 1.0_f64)];
     for cutter in cutters {
         let Some((from, to)) = covered_share(p, q, cutter) else {
             continue;
         };
-        let parts = open.iter().flat_map(|&(s, e)| [(s, e.min(from)), (s.max(to), e)]);
+        let parts = open
+            .iter()
+            .flat_map(|&(s, e)| [(s, e.min(from)), (s.max(to), e)]);
         open = parts.filter(|(s, e)| e - s > 1e-6).collect();
     }
     open
@@ -233,7 +253,10 @@ fn covered_share(p: glam::DVec3, q: glam::DVec3, cutter: &Cutter<'_>) -> Option<
         }
     };
     for side in edges(cutter.body) {
-        clip(side.depth(p.truncate()) - EPS, side.depth(q.truncate()) - EPS);
+        clip(
+            side.depth(p.truncate()) - EPS,
+            side.depth(q.truncate()) - EPS,
+        );
     }
     if let Some(plane) = cutter.plane {
         let tie = if cutter.first { 1e-6 } else { -1e-6 };
@@ -258,7 +281,11 @@ mod tests {
     }
 
     fn rest(mine: &Facet, other: &Facet, first: bool) -> f64 {
-        let cutter = Cutter { body: &other.body, plane: Some(other.plane), first };
+        let cutter = Cutter {
+            body: &other.body,
+            plane: Some(other.plane),
+            first,
+        };
         let pieces = cut(mine, vec![mine.outline.clone()], &cutter);
         pieces.iter().map(|p| area(p)).sum()
     }
@@ -274,7 +301,13 @@ mod tests {
     #[test]
     fn crossing_planes_meet_in_a_valley() {
         let flat = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(2.0));
-        let rising = facet(square(0.0, 0.0, 4.0, 4.0), Plane { z: 0.0, slope: dvec2(1.0, 0.0) });
+        let rising = facet(
+            square(0.0, 0.0, 4.0, 4.0),
+            Plane {
+                z: 0.0,
+                slope: dvec2(1.0, 0.0),
+            },
+        );
         assert!((rest(&flat, &rising, false) - 8.0).abs() < 1e-12);
         assert!((rest(&rising, &flat, false) - 8.0).abs() < 1e-12);
     }
@@ -286,15 +319,32 @@ mod tests {
         assert!((rest(&first, &other, false) - 16.0).abs() < 1e-12);
         assert!((rest(&other, &first, true) - 8.0).abs() < 1e-12);
         other.body = square(3.0, 0.0, 6.0, 4.0);
-        let verged = Facet { body: square(0.0, 0.0, 3.0, 4.0), ..first };
+        let verged = Facet {
+            body: square(0.0, 0.0, 3.0, 4.0),
+            ..first
+        };
         assert!((rest(&verged, &other, false) - 12.0).abs() < 1e-12);
     }
 
     #[test]
     fn a_ridge_ends_where_it_dips_under() {
-        let other = facet(square(2.0, -1.0, 6.0, 1.0), Plane { z: -3.0, slope: dvec2(1.0, 0.0) });
-        let cutters = [Cutter { body: &other.body, plane: Some(other.plane), first: false }];
-        let open = open_shares(dvec2(0.0, 0.0).extend(1.0), dvec2(5.0, 0.0).extend(1.0), &cutters);
+        let other = facet(
+            square(2.0, -1.0, 6.0, 1.0),
+            Plane {
+                z: -3.0,
+                slope: dvec2(1.0, 0.0),
+            },
+        );
+        let cutters = [Cutter {
+            body: &other.body,
+            plane: Some(other.plane),
+            first: false,
+        }];
+        let open = open_shares(
+            dvec2(0.0, 0.0).extend(1.0),
+            dvec2(5.0, 0.0).extend(1.0),
+            &cutters,
+        );
         assert_eq!(open.len(), 1);
         assert!((open[0].1 - 0.8).abs() < 1e-5);
     }

@@ -1,11 +1,11 @@
 //! Flat roof (rikuyane, RIK): a slab just above the wall plates, and an upstand on free edges.
 
+use super::facet::Corner;
 use super::frame::{Plane, metres};
 use super::outline::Outline;
 use super::plan::Plan;
 use super::sheet::{Coat, Piece, sheet};
 use super::triangulate::triangles;
-use super::facet::Corner;
 use crate::ast::RoofKind;
 use crate::building::{Face, Finish, Solid};
 use crate::roof::plan::Cell;
@@ -28,20 +28,47 @@ const MANY: usize = 2000;
 pub type Border = Vec<(DVec2, bool)>;
 
 /// The slab over cells that do not overlap.
-pub fn slab_of_cells(cells: &[Cell], unit: f64, base: f64, kind: RoofKind, thickness: f64) -> Vec<Solid> {
+pub fn slab_of_cells(
+    cells: &[Cell],
+    unit: f64,
+    base: f64,
+    kind: RoofKind,
+    thickness: f64,
+) -> Vec<Solid> {
     let piece = |c: &Cell| -> Piece {
         let at = |a: i64, b: i64| dvec2(-metres(a, unit), metres(b, unit));
-        let corners = [at(c.a1, c.b0), at(c.a0, c.b0), at(c.a0, c.b1), at(c.a1, c.b1)];
-        (corners.map(|at| Corner { at, rim: true }).to_vec(), Plane::level(base + LIFT))
+        let corners = [
+            at(c.a1, c.b0),
+            at(c.a0, c.b0),
+            at(c.a0, c.b1),
+            at(c.a1, c.b1),
+        ];
+        (
+            corners.map(|at| Corner { at, rim: true }).to_vec(),
+            Plane::level(base + LIFT),
+        )
     };
     let pieces: Vec<Piece> = cells.iter().map(piece).collect();
-    let part = if pieces.len() > MANY { 1 } else { pieces.len().max(1) };
+    let part = if pieces.len() > MANY {
+        1
+    } else {
+        pieces.len().max(1)
+    };
     let coat = coat(kind);
-    pieces.chunks(part).flat_map(|p| sheet(p, thickness, &coat, f64::MIN)).collect()
+    pieces
+        .chunks(part)
+        .flat_map(|p| sheet(p, thickness, &coat, f64::MIN))
+        .collect()
 }
 
 /// The slab over any simple outline (counter-clockwise in the house frame) with holes (clockwise).
-pub fn slab(outline: &[DVec2], holes: &[Vec<DVec2>], base: f64, kind: RoofKind, thickness: f64) -> Vec<Solid> {
+pub fn slab(
+    outline: &[DVec2],
+    holes: &[Vec<DVec2>],
+    base: f64,
+    kind: RoofKind,
+    thickness: f64,
+) -> Vec<Solid> {
     let corner = |at: DVec2| Corner { at, rim: true };
     let piece = |t: &[DVec2; 3]| (t.map(corner).to_vec(), Plane::level(base + LIFT));
     let pieces: Vec<Piece> = triangles(outline, holes).iter().map(piece).collect();
@@ -54,12 +81,20 @@ fn coat(kind: RoofKind) -> Coat {
         RoofKind::Metal => Finish::Covering(RoofKind::Metal),
         _ => Finish::Plaster,
     };
-    Coat { top, rim: Finish::Plaster, joint: Finish::Plaster, soffit: Finish::Soffit }
+    Coat {
+        top,
+        rim: Finish::Plaster,
+        joint: Finish::Plaster,
+        soffit: Finish::Soffit,
+    }
 }
 
 /// The borders of an orthogonal plan, free where they run along its storey's walls.
 pub fn borders(plan: &Plan, storey: &Outline, unit: f64) -> Vec<Border> {
-    plan.loops.iter().map(|corners| border(corners, storey, unit)).collect()
+    plan.loops
+        .iter()
+        .map(|corners| border(corners, storey, unit))
+        .collect()
 }
 
 fn border(corners: &[(i64, i64)], storey: &Outline, unit: f64) -> Border {
@@ -82,7 +117,14 @@ fn border(corners: &[(i64, i64)], storey: &Outline, unit: f64) -> Border {
         for pair in cuts.windows(2) {
             let (lo, hi) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
             let free = walls.iter().any(|w| w.0 <= lo && hi <= w.1);
-            border.push((at(if along_a { (pair[0], line) } else { (line, pair[0]) }), free));
+            border.push((
+                at(if along_a {
+                    (pair[0], line)
+                } else {
+                    (line, pair[0])
+                }),
+                free,
+            ));
         }
     }
     border
@@ -105,7 +147,9 @@ pub fn upstands(border: &Border, base: f64) -> Vec<Solid> {
         let edges = (start..start + n).take_while(|i| border[i % n].1).count();
         (start..=start + edges).map(at).collect::<Vec<_>>()
     });
-    chains.filter_map(|chain| upstand(&chain, false, base)).collect()
+    chains
+        .filter_map(|chain| upstand(&chain, false, base))
+        .collect()
 }
 
 /// Without corners in mid-edge and edges too short for an upstand's corner.
@@ -149,7 +193,12 @@ fn upstand(chain: &[DVec2], closed: bool, base: f64) -> Option<Solid> {
         let left = mitre(i);
         let (out, inn) = (*corner - left * OUT, *corner + left * IN);
         let (foot, top) = (base - LIFT, base + UPSTAND);
-        points.extend([out.extend(foot), out.extend(top), inn.extend(top), inn.extend(foot)]);
+        points.extend([
+            out.extend(foot),
+            out.extend(top),
+            inn.extend(top),
+            inn.extend(foot),
+        ]);
     }
     let turned = (0..edges).any(|i| {
         let j = (i + 1) % n;
@@ -171,13 +220,22 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
         let (p, q) = (4 * i as u32, 4 * ((i + 1) % n) as u32);
         for s in 0..4 {
             let t = (s + 1) % 4;
-            faces.push(Face { corners: vec![p + s, q + s, q + t, p + t], finish });
+            faces.push(Face {
+                corners: vec![p + s, q + s, q + t, p + t],
+                finish,
+            });
         }
     }
     if !closed {
         let last = 4 * (n as u32 - 1);
-        faces.push(Face { corners: vec![0, 1, 2, 3], finish });
-        faces.push(Face { corners: vec![last + 3, last + 2, last + 1, last], finish });
+        faces.push(Face {
+            corners: vec![0, 1, 2, 3],
+            finish,
+        });
+        faces.push(Face {
+            corners: vec![last + 3, last + 2, last + 1, last],
+            finish,
+        });
     }
     Solid { points, faces }
 }

@@ -20,6 +20,8 @@ pub struct Form {
     pub solids: Vec<Solid>,
     /// The roof whose eaves it is tucked under, as an index among its group.
     pub under: Option<usize>,
+    /// Whether it hangs on the outside of walls: the storey above takes nothing from it.
+    pub hung: bool,
 }
 
 /// A ridge from end to end on the upper surface, metres.

@@ -59,7 +59,11 @@ impl Context<'_> {
 
     /// The walls of the storey above.
     fn upper_outline(&self) -> &Outline {
-        self.upper_outline.get_or_init(|| self.upper.map(|u| Outline::of(&u.clean())).unwrap_or_default())
+        self.upper_outline.get_or_init(|| {
+            self.upper
+                .map(|u| Outline::of(&u.clean()))
+                .unwrap_or_default()
+        })
     }
 
     /// Whether a side stands in the open with its whole length.
@@ -90,12 +94,22 @@ impl Context<'_> {
 
     fn roof(&self, shape: RoofShape, look: &Look) -> Roof {
         let storey = self.level.storey.number;
-        Roof { storey, span: None, shape, kind: look.kind, solids: vec![] }
+        Roof {
+            storey,
+            span: None,
+            shape,
+            kind: look.kind,
+            solids: vec![],
+        }
     }
 
     /// The look of a gable over a cell.
     pub(super) fn gable_look(&self, cell: &Cell, ridge: Ridge, style: Option<&RoofStyle>) -> Look {
-        let span = if ridge == Ridge::A { cell.depth() } else { cell.width() };
+        let span = if ridge == Ridge::A {
+            cell.depth()
+        } else {
+            cell.width()
+        };
         Look::gable(style, self.style, self.metres(span), self.unit)
     }
 
@@ -108,13 +122,23 @@ impl Context<'_> {
             reach: 0.0,
             verge: look.verge,
             wall: true,
+            free: true,
             board: look.verge >= LEAST_VERGE && self.is_free(cell, side),
-            open: [self.open_at(cell, near, side), self.open_at(cell, near.opposite(), side)],
+            open: [
+                self.open_at(cell, near, side),
+                self.open_at(cell, near.opposite(), side),
+            ],
         }
     }
 
     /// A gable over a cell of its own.
-    pub(super) fn gable(&self, cell: Cell, ridge: Ridge, base: f64, style: Option<&RoofStyle>) -> Planned {
+    pub(super) fn gable(
+        &self,
+        cell: Cell,
+        ridge: Ridge,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
         let look = self.gable_look(&cell, ridge, style);
         let near = near_side(ridge);
         let ends = end_sides(near).map(|side| self.plain_end(&cell, near, side, &look));
@@ -122,14 +146,36 @@ impl Context<'_> {
     }
 
     /// A gable with given ends.
-    pub(super) fn gable_with(&self, cell: Cell, ridge: Ridge, base: f64, look: Look, ends: [End; 2]) -> Planned {
-        let gable = Gable { rect: self.rect(&cell), near: near_side(ridge), base, look, ends };
-        Planned { form: gable.form(), look, roof: self.roof(RoofShape::Gable, &look), base }
+    pub(super) fn gable_with(
+        &self,
+        cell: Cell,
+        ridge: Ridge,
+        base: f64,
+        look: Look,
+        ends: [End; 2],
+    ) -> Planned {
+        let gable = Gable {
+            rect: self.rect(&cell),
+            near: near_side(ridge),
+            base,
+            look,
+            ends,
+        };
+        Planned {
+            form: gable.form(),
+            look,
+            roof: self.roof(RoofShape::Gable, &look),
+            base,
+        }
     }
 
     /// The ridge that a shape gets where nobody says.
     pub(super) fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
-        let long = if cell.depth() > cell.width() { Ridge::B } else { Ridge::A };
+        let long = if cell.depth() > cell.width() {
+            Ridge::B
+        } else {
+            Ridge::A
+        };
         match (shape, long) {
             (RoofShape::BroadGable, Ridge::B) => Ridge::A,
             (RoofShape::BroadGable, Ridge::A) if cell.width() > cell.depth() => Ridge::B,
@@ -138,12 +184,21 @@ impl Context<'_> {
     }
 
     /// A single slope that stands on the plate and falls to `near`.
-    pub(super) fn lean_to(&self, cell: Cell, near: Side, base: f64, style: Option<&RoofStyle>) -> Planned {
+    pub(super) fn lean_to(
+        &self,
+        cell: Cell,
+        near: Side,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
         let (_, depth) = near.measure(&cell);
         let look = Look::lean_to(style, self.style, self.metres(depth));
         let flank = |side: Side| match self.is_walled(&cell, side) {
             true => Flank::default(),
-            false => Flank { over: look.verge, wall: true },
+            false => Flank {
+                over: look.verge,
+                wall: true,
+            },
         };
         let lean_to = LeanTo {
             rect: self.rect(&cell),
@@ -153,29 +208,62 @@ impl Context<'_> {
             ends: end_sides(near).map(flank),
             high: flank(near.opposite()),
         };
-        Planned { form: lean_to.form(), look, roof: self.roof(RoofShape::LeanTo, &look), base }
+        Planned {
+            form: lean_to.form(),
+            look,
+            roof: self.roof(RoofShape::LeanTo, &look),
+            base,
+        }
     }
 
     /// A roof of a form that is known already.
     pub(super) fn of_form(&self, form: Form, shape: RoofShape, look: Look, base: f64) -> Planned {
-        Planned { form, look, roof: self.roof(shape, &look), base }
+        Planned {
+            form,
+            look,
+            roof: self.roof(shape, &look),
+            base,
+        }
     }
 
     /// A pent roof, and the height of its upper edge.
-    pub(super) fn pent(&self, cell: Cell, near: Side, height: f64, style: Option<&RoofStyle>) -> (Planned, f64) {
+    pub(super) fn pent(
+        &self,
+        cell: Cell,
+        near: Side,
+        height: f64,
+        style: Option<&RoofStyle>,
+    ) -> (Planned, f64) {
         let depth = self.metres(near.measure(&cell).1);
         let mut look = Look::lean_to(style, self.style, depth);
         if style.and_then(|s| s.thickness).is_none() {
             // Small tiles on lath: thinner than the main roof.
             look.thickness = look.thickness.min(0.09);
         }
-        let pent = Pent { rect: self.rect(&cell), near, height, look, unit: self.unit };
-        let planned = Planned { form: pent.form(), look, roof: self.roof(RoofShape::Pent, &look), base: height };
+        let pent = Pent {
+            rect: self.rect(&cell),
+            near,
+            height,
+            look,
+            unit: self.unit,
+        };
+        let planned = Planned {
+            form: pent.form(),
+            look,
+            roof: self.roof(RoofShape::Pent, &look),
+            base: height,
+        };
         (planned, height + look.pitch * depth)
     }
 
     /// A flat roof over cells that make up `plan`.
-    pub(super) fn flat(&self, cells: &[Cell], plan: &Plan, base: f64, style: Option<&RoofStyle>) -> Planned {
+    pub(super) fn flat(
+        &self,
+        cells: &[Cell],
+        plan: &Plan,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
         let (look, thick) = self.flat_look(style);
         let mut solids = flat::slab_of_cells(cells, self.unit, base, look.kind, thick);
         if !self.level.parapet {
@@ -193,8 +281,21 @@ impl Context<'_> {
     }
 
     /// A flat roof of finished solids.
-    pub(super) fn flat_of(&self, solids: Vec<crate::building::Solid>, look: Look, base: f64) -> Planned {
-        let form = Form { solids, ..Form::default() };
-        Planned { form, look, roof: self.roof(RoofShape::Flat, &look), base }
+    pub(super) fn flat_of(
+        &self,
+        solids: Vec<crate::building::Solid>,
+        look: Look,
+        base: f64,
+    ) -> Planned {
+        let form = Form {
+            solids,
+            ..Form::default()
+        };
+        Planned {
+            form,
+            look,
+            roof: self.roof(RoofShape::Flat, &look),
+            base,
+        }
     }
 }

@@ -20,6 +20,8 @@ pub struct End {
     pub verge: f64,
     /// Whether a gable wall stands there.
     pub wall: bool,
+    /// Whether the ridge ends there in the open.
+    pub free: bool,
     /// Whether a barge board hangs there.
     pub board: bool,
     /// Whether the eaves at v = 0 and at v = depth reach this end in the open.
@@ -53,10 +55,19 @@ impl Gable {
         let mut solids = Vec::with_capacity(8);
         for (end, outward, u) in self.outer_ends(&frame) {
             if end.wall {
-                solids.push(gable_wall(&frame, u, outward, self.base, &self.look, end.verge));
+                solids.push(gable_wall(
+                    &frame, u, outward, self.base, &self.look, end.verge,
+                ));
             }
             if end.board {
-                solids.push(barge(&frame, u + outward * end.verge, outward, self.base, &self.look, end.open));
+                solids.push(barge(
+                    &frame,
+                    u + outward * end.verge,
+                    outward,
+                    self.base,
+                    &self.look,
+                    end.open,
+                ));
             }
         }
         let [start, end] = self.ends;
@@ -64,7 +75,7 @@ impl Gable {
         let ridge = RidgeLine {
             from: frame.point(-start.reach - start.verge, frame.depth / 2.0, top),
             to: frame.point(frame.length + end.reach + end.verge, frame.depth / 2.0, top),
-            free: [start.wall, end.wall],
+            free: [start.free, end.free],
         };
         Form {
             facets,
@@ -73,13 +84,17 @@ impl Gable {
             ridges: vec![ridge],
             solids,
             under: None,
+            hung: false,
         }
     }
 
     /// Both ends with the direction out of the roof along u and where their wall stands.
     fn outer_ends(&self, frame: &Frame) -> [(End, f64, f64); 2] {
         let [start, end] = self.ends;
-        [(start, -1.0, -start.reach), (end, 1.0, frame.length + end.reach)]
+        [
+            (start, -1.0, -start.reach),
+            (end, 1.0, frame.length + end.reach),
+        ]
     }
 
     /// The facets of the slope over v from 0 to the ridge, with its eaves.
@@ -90,12 +105,16 @@ impl Gable {
         let (u0, u1) = (-own(start), length + own(end));
         let outline = [
             (frame.at(u0, eaves), true),
-            (frame.at(u1, eaves), own(end) > 0.0),
+            (frame.at(u1, eaves), true),
             (frame.at(u1, ridge), false),
-            (frame.at(u0, ridge), own(start) > 0.0),
+            (frame.at(u0, ridge), true),
         ];
         let body = [(0.0, eaves), (length, eaves), (length, ridge), (0.0, ridge)];
-        facets.push(Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane));
+        facets.push(Facet::new(
+            &outline,
+            &body.map(|(u, v)| frame.at(u, v)),
+            plane,
+        ));
         // Beyond the wall rectangle it stands inside another roof: no eaves.
         if start.reach > 0.0 {
             let (outer, wall) = (-start.reach - start.verge, -start.reach);
@@ -106,7 +125,11 @@ impl Gable {
                 (frame.at(outer, ridge), start.verge > 0.0),
             ];
             let body = [(wall, 0.0), (0.0, 0.0), (0.0, ridge), (wall, ridge)];
-            facets.push(Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane));
+            facets.push(Facet::new(
+                &outline,
+                &body.map(|(u, v)| frame.at(u, v)),
+                plane,
+            ));
         }
         if end.reach > 0.0 {
             let (wall, outer) = (length + end.reach, length + end.reach + end.verge);
@@ -117,7 +140,11 @@ impl Gable {
                 (frame.at(length, ridge), false),
             ];
             let body = [(length, 0.0), (wall, 0.0), (wall, ridge), (length, ridge)];
-            facets.push(Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane));
+            facets.push(Facet::new(
+                &outline,
+                &body.map(|(u, v)| frame.at(u, v)),
+                plane,
+            ));
         }
     }
 }

@@ -13,7 +13,14 @@ pub const THICK: f64 = 0.07;
 pub const SUNK: f64 = 0.01;
 
 /// The triangle at the end of a gable roof: at `u`, `outward` +1 or -1 along u.
-pub fn gable_wall(frame: &Frame, u: f64, outward: f64, base: f64, look: &Look, verge: f64) -> Solid {
+pub fn gable_wall(
+    frame: &Frame,
+    u: f64,
+    outward: f64,
+    base: f64,
+    look: &Look,
+    verge: f64,
+) -> Solid {
     let (span, rise) = (frame.depth, look.pitch * frame.depth / 2.0);
     let profile = [
         (0.0, base - SUNK),
@@ -53,6 +60,11 @@ pub fn panel(from: DVec3, to: DVec3, tops: [f64; 2], finish: Finish) -> Solid {
     let across = (to - from).truncate().perp().normalize_or_zero() * THICK;
     let by = across.extend(0.0);
     let (p, q) = (from - by / 2.0, to - by / 2.0);
-    let profile = [p, q, q.truncate().extend(tops[1]), p.truncate().extend(tops[0])];
+    let profile = [
+        p,
+        q,
+        q.truncate().extend(tops[1]),
+        p.truncate().extend(tops[0]),
+    ];
     prism(&profile, by, finish)
 }

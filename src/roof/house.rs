@@ -30,7 +30,14 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
     for k in 0..levels.len() {
         let here: Vec<&Placed<'_>> = lines.iter().filter(|l| l.level == k).collect();
         let pent = pent.filter(|_| k == 0);
-        Storey { house, levels: &levels, k, lines: here, pent }.roof(&mut done, out);
+        Storey {
+            house,
+            levels: &levels,
+            k,
+            lines: here,
+            pent,
+        }
+        .roof(&mut done, out);
     }
     done
 }
@@ -38,7 +45,10 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
 /// What is odd about a house as a whole.
 fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
     let style = &house.roofs.style;
-    let wish = house.roofs.wished.or_else(|| house.roofs.lines.first().map(|l| l.span));
+    let wish = house
+        .roofs
+        .wished
+        .or_else(|| house.roofs.lines.first().map(|l| l.span));
     for level in levels {
         if let (Some(wish), true) = (wish, level.is_open())
             && let Some(ring) = level.storey.rings.iter().find(|r| is_facade(r))
@@ -66,11 +76,20 @@ fn report_overhang(lower: &Level<'_>, upper: &Level<'_>, out: &mut Diagnostics) 
         return;
     }
     let over = slabs::strips(&upper.plan.difference(&lower.plan));
-    let by = over.iter().map(|c| c.width().min(c.depth())).max().unwrap_or(0);
+    let by = over
+        .iter()
+        .map(|c| c.width().min(c.depth()))
+        .max()
+        .unwrap_or(0);
     let number = lower.storey.number;
     let units = by as f64 / STEPS as f64;
     if by > STEPS {
-        out.push(say::overhang(upper.storey.span, lower.storey.span, number, units));
+        out.push(say::overhang(
+            upper.storey.span,
+            lower.storey.span,
+            number,
+            units,
+        ));
     } else if by > 0 {
         out.push(say::jutting(upper.storey.span, number, units));
     }
@@ -78,24 +97,48 @@ fn report_overhang(lower: &Level<'_>, upper: &Level<'_>, out: &mut Diagnostics) 
 
 /// The rectangle of the pent roof that a two-storeyed street house gets by itself (domain.md 4.5).
 fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
-    let hisashi = |l: &crate::ast::RoofLine| l.style.shape.is_some_and(|s| s.value == RoofShape::Pent);
-    if !house.street || house.roofs.mode == RoofMode::Explicit || house.roofs.lines.iter().any(hisashi) {
+    let hisashi =
+        |l: &crate::ast::RoofLine| l.style.shape.is_some_and(|s| s.value == RoofShape::Pent);
+    if !house.street
+        || house.roofs.mode == RoofMode::Explicit
+        || house.roofs.lines.iter().any(hisashi)
+    {
         return None;
     }
-    let [ground, upper, ..] = levels else { return None };
+    let [ground, upper, ..] = levels else {
+        return None;
+    };
     let (p, q) = first_line(ground.storey)?;
     let (r, s) = first_line(upper.storey)?;
     let depth = (3.0 * crate::geometry::SHAKU / house.unit * STEPS as f64).round() as i64;
     // Outward of the walk: to its left, which the author's frame turns over.
     if p.1 == q.1 && r.1 == p.1 && s.1 == p.1 && p.0 != q.0 {
-        let (b0, b1) = if q.0 > p.0 { (p.1 - depth, p.1) } else { (p.1, p.1 + depth) };
+        let (b0, b1) = if q.0 > p.0 {
+            (p.1 - depth, p.1)
+        } else {
+            (p.1, p.1 + depth)
+        };
         let shared = r.0.min(s.0) < p.0.max(q.0) && p.0.min(q.0) < r.0.max(s.0);
-        return shared.then_some(Cell { a0: p.0.min(q.0), b0, a1: p.0.max(q.0), b1 });
+        return shared.then_some(Cell {
+            a0: p.0.min(q.0),
+            b0,
+            a1: p.0.max(q.0),
+            b1,
+        });
     }
     if p.0 == q.0 && r.0 == p.0 && s.0 == p.0 && p.1 != q.1 {
-        let (a0, a1) = if q.1 > p.1 { (p.0, p.0 + depth) } else { (p.0 - depth, p.0) };
+        let (a0, a1) = if q.1 > p.1 {
+            (p.0, p.0 + depth)
+        } else {
+            (p.0 - depth, p.0)
+        };
         let shared = r.1.min(s.1) < p.1.max(q.1) && p.1.min(q.1) < r.1.max(s.1);
-        return shared.then_some(Cell { a0, b0: p.1.min(q.1), a1, b1: p.1.max(q.1) });
+        return shared.then_some(Cell {
+            a0,
+            b0: p.1.min(q.1),
+            a1,
+            b1: p.1.max(q.1),
+        });
     }
     None
 }
@@ -120,17 +163,27 @@ impl Storey<'_, '_> {
             style: &self.house.roofs.style,
             level,
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
-            roof_top: self.levels.iter().map(|l| l.storey.z1).fold(f64::MIN, f64::max),
+            roof_top: self
+                .levels
+                .iter()
+                .map(|l| l.storey.z1)
+                .fold(f64::MIN, f64::max),
             lone: upper.is_none() && self.lines.is_empty() && level.plan.as_cell().is_some(),
             outline: OnceCell::new(),
             upper_outline: OnceCell::new(),
         };
         let mut planned = match level.is_open() {
             true => vec![],
-            false if plain(level) && upper.is_none_or(plain) => self.orthogonal(&context, done, out),
+            false if plain(level) && upper.is_none_or(plain) => {
+                self.orthogonal(&context, done, out)
+            }
             false => self.polygonal(&context, upper, done, out),
         };
-        planned.extend(self.lines.iter().map(|line| explicit::planned(line, &context, out)));
+        planned.extend(
+            self.lines
+                .iter()
+                .map(|line| explicit::planned(line, &context, out)),
+        );
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
         let walls = context.upper.map(|u| slabs::strips(u)).unwrap_or_default();
         let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
@@ -141,17 +194,29 @@ impl Storey<'_, '_> {
         let outward = explicit::away_from_wall(context, &cell);
         let depth = context.metres(outward.measure(&cell).1);
         let pitch = super::look::Look::lean_to(None, context.style, depth).pitch;
-        context.pent(cell, outward, context.level.storey.z1 - pitch * depth, None).0
+        context
+            .pent(cell, outward, context.level.storey.z1 - pitch * depth, None)
+            .0
     }
 
-    fn orthogonal(&self, context: &Context<'_>, done: &mut HouseRoofs, out: &mut Diagnostics) -> Vec<Planned> {
+    fn orthogonal(
+        &self,
+        context: &Context<'_>,
+        done: &mut HouseRoofs,
+        out: &mut Diagnostics,
+    ) -> Vec<Planned> {
         let level = context.level;
         let mut found = Vec::new();
         let open = self.open(context);
         if self.house.roofs.mode == RoofMode::Auto && !open.loops.is_empty() {
             found = self.regions(context, &open);
         }
-        let shape = self.house.roofs.style.shape.map_or(RoofShape::Gable, |s| s.value);
+        let shape = self
+            .house
+            .roofs
+            .style
+            .shape
+            .map_or(RoofShape::Gable, |s| s.value);
         let flat = shape == RoofShape::Flat;
         if shape == RoofShape::BroadGable {
             broaden(&mut found);
@@ -170,14 +235,23 @@ impl Storey<'_, '_> {
     /// What neither the storey above nor a roof line covers.
     fn open(&self, context: &Context<'_>) -> Plan {
         let plan = &context.level.plan;
-        let taken: Vec<Cell> = self.lines.iter().filter(|l| l.covers()).map(|l| l.cell).collect();
+        let taken: Vec<Cell> = self
+            .lines
+            .iter()
+            .filter(|l| l.covers())
+            .map(|l| l.cell)
+            .collect();
         let open = match context.upper {
             Some(upper) if upper == plan => Plan::default(),
             Some(upper) => plan.difference(upper),
             None if taken.is_empty() => return plan.clone(),
             None => plan.clone(),
         };
-        if taken.is_empty() { open } else { open.minus_cells(&taken) }
+        if taken.is_empty() {
+            open
+        } else {
+            open.minus_cells(&taken)
+        }
     }
 
     fn regions(&self, context: &Context<'_>, open: &Plan) -> Vec<Region> {
@@ -185,7 +259,11 @@ impl Storey<'_, '_> {
             RoofMethod::Kd => Method::Kd,
             RoofMethod::LeastCut => Method::LeastCut,
         };
-        let line = self.house.street.then(|| first_line(context.level.storey)).flatten();
+        let line = self
+            .house
+            .street
+            .then(|| first_line(context.level.storey))
+            .flatten();
         let front = line.and_then(|line| street::street_front(open, line));
         regions(open, context.upper, method, front, STEPS)
     }
@@ -202,7 +280,11 @@ impl Storey<'_, '_> {
         let level = context.level;
         let covered = upper.is_some_and(|u| same_plan(level, u));
         let wanted = self.house.roofs.mode == RoofMode::Auto && !covered && self.lines.is_empty();
-        let rings: Vec<&Ring> = if wanted { level.rings(false).collect() } else { vec![] };
+        let rings: Vec<&Ring> = if wanted {
+            level.rings(false).collect()
+        } else {
+            vec![]
+        };
         done.plans.push(report::polygons(level, &rings));
         if let Some(shape) = self.house.roofs.style.shape
             && shape.value != RoofShape::Flat
@@ -210,15 +292,26 @@ impl Storey<'_, '_> {
         {
             out.push(say::flat_only(shape.span, shape.value));
         }
-        rings.iter().map(|ring| self.polygon(context, ring, upper)).collect()
+        rings
+            .iter()
+            .map(|ring| self.polygon(context, ring, upper))
+            .collect()
     }
 
     fn polygon(&self, context: &Context<'_>, ring: &Ring, upper: Option<&Level<'_>>) -> Planned {
         let level = context.level;
         let base = level.storey.z1;
         let outline = self.corners(ring, 1.0);
-        let inside = |hole: &&Ring| hole.walls.first().is_some_and(|w| within(&ring.corners(), w.from));
-        let holes: Vec<Vec<DVec2>> = level.rings(true).filter(inside).map(|h| self.corners(h, -1.0)).collect();
+        let inside = |hole: &&Ring| {
+            hole.walls
+                .first()
+                .is_some_and(|w| within(&ring.corners(), w.from))
+        };
+        let holes: Vec<Vec<DVec2>> = level
+            .rings(true)
+            .filter(inside)
+            .map(|h| self.corners(h, -1.0))
+            .collect();
         let (look, thick) = context.flat_look(None);
         let mut solids = flat::slab(&outline, &holes, base, look.kind, thick);
         if !level.parapet && upper.is_none() {
@@ -232,8 +325,11 @@ impl Storey<'_, '_> {
 
     /// The corners of a ring in the house frame, turning counter-clockwise times `turn`.
     fn corners(&self, ring: &Ring, turn: f64) -> Vec<DVec2> {
-        let mut corners: Vec<DVec2> =
-            ring.corners().iter().map(|p| self.house.place(*p, 0.0).truncate()).collect();
+        let mut corners: Vec<DVec2> = ring
+            .corners()
+            .iter()
+            .map(|p| self.house.place(*p, 0.0).truncate())
+            .collect();
         if area2(&corners) * turn < 0.0 {
             corners.reverse();
         }
@@ -264,7 +360,10 @@ fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
     let (p, q) = (corners(lower), corners(upper));
     // A tenth of a millimetre: lowering spreads small errors over the corners.
     let near = |a: i64, b: i64| (a - b).abs() <= STEPS / 10_000;
-    p.len() == q.len() && p.iter().zip(&q).all(|(p, q)| near(p.0, q.0) && near(p.1, q.1))
+    p.len() == q.len()
+        && p.iter()
+            .zip(&q)
+            .all(|(p, q)| near(p.0, q.0) && near(p.1, q.1))
 }
 
 /// Whether a point lies inside a polygon (even-odd, half-open).

@@ -52,6 +52,7 @@ impl LeanTo {
             ridges: vec![],
             solids: self.walls(&frame),
             under: None,
+            hung: false,
         }
     }
 
@@ -66,11 +67,16 @@ impl LeanTo {
         let (u0, u1, high) = (-start.over, length + end.over, frame.depth + self.high.over);
         let outline = [
             (frame.at(u0, eaves), true),
-            (frame.at(u1, eaves), end.over > 0.0),
-            (frame.at(u1, high), self.high.over > 0.0),
-            (frame.at(u0, high), start.over > 0.0),
+            (frame.at(u1, eaves), true),
+            (frame.at(u1, high), true),
+            (frame.at(u0, high), true),
         ];
-        let body = [(0.0, eaves), (length, eaves), (length, frame.depth), (0.0, frame.depth)];
+        let body = [
+            (0.0, eaves),
+            (length, eaves),
+            (length, frame.depth),
+            (0.0, frame.depth),
+        ];
         let plane = self.soffit().raised(self.look.drop());
         Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane)
     }

@@ -30,7 +30,10 @@ impl Level<'_> {
 
     /// The closed rings, outer ones or courtyards.
     pub(super) fn rings(&self, holes: bool) -> impl Iterator<Item = &Ring> {
-        self.storey.rings.iter().filter(move |r| r.closed && r.hole == holes)
+        self.storey
+            .rings
+            .iter()
+            .filter(move |r| r.closed && r.hole == holes)
     }
 }
 
@@ -45,9 +48,16 @@ pub(super) fn levels(house: &House) -> Vec<Level<'_>> {
             }
             continue;
         }
-        let plan = Plan { loops: rings.map(corners).filter(|l| l.len() > 2).collect() };
+        let plan = Plan {
+            loops: rings.map(corners).filter(|l| l.len() > 2).collect(),
+        };
         let orthogonal = plan.is_orthogonal();
-        levels.push(Level { storey, plan, orthogonal, parapet: false });
+        levels.push(Level {
+            storey,
+            plan,
+            orthogonal,
+            parapet: false,
+        });
     }
     levels
 }
@@ -70,7 +80,11 @@ pub(super) fn first_line(storey: &Storey) -> Option<(Point, Point)> {
         w.direction.perp_dot(first.direction).abs() < 1e-9 && w.direction.dot(first.direction) > 0.0
     };
     let last = ring.walls.iter().take_while(straight).last()?;
-    let before = if ring.closed { ring.walls.iter().rev().take_while(straight).last() } else { None };
+    let before = if ring.closed {
+        ring.walls.iter().rev().take_while(straight).last()
+    } else {
+        None
+    };
     Some((point(before.unwrap_or(first).from), point(last.to)))
 }
 

@@ -26,7 +26,13 @@ pub struct Look {
 }
 
 /// Slope lengths in metres up to which tiles keep the rain out at a pitch (domain.md 4.3, S20).
-const TILE_PITCHES: [(f64, f64); 5] = [(8.0, 0.40), (10.0, 0.45), (12.0, 0.50), (15.0, 0.55), (17.0, 0.60)];
+const TILE_PITCHES: [(f64, f64); 5] = [
+    (8.0, 0.40),
+    (10.0, 0.45),
+    (12.0, 0.50),
+    (15.0, 0.55),
+    (17.0, 0.60),
+];
 
 /// The gentlest default of lean-tos (domain.md 4.3: geya 3 sun).
 const LEAN_TO_PITCH: f64 = 0.3;
@@ -41,7 +47,8 @@ impl Look {
             || (2.5 * SHAKU).min(SHAKU.max(span / 3.0)),
             |shaku| shaku * SHAKU,
         );
-        look.noshi = wish(line, house, |s| s.noshi).unwrap_or(if span > 8.0 * unit { 5 } else { 3 });
+        look.noshi =
+            wish(line, house, |s| s.noshi).unwrap_or(if span > 8.0 * unit { 5 } else { 3 });
         if own_pitch(line, house).is_none() && look.kind == RoofKind::Tiles {
             let run = span / 2.0 + look.eaves;
             look.pitch = raised(run);
@@ -117,7 +124,9 @@ fn wish<T: Copy>(
     house: &RoofStyle,
     option: fn(&RoofStyle) -> Option<Spanned<T>>,
 ) -> Option<T> {
-    line.and_then(option).or_else(|| option(house)).map(|s| s.value)
+    line.and_then(option)
+        .or_else(|| option(house))
+        .map(|s| s.value)
 }
 
 /// Pitch and thickness by covering (domain.md 6 and 4.4).
@@ -135,7 +144,9 @@ fn defaults(kind: RoofKind) -> (f64, f64) {
 /// The pitch of tiles over a horizontal run: the gentlest that suits the length of its slope.
 fn raised(run: f64) -> f64 {
     let slope = |pitch: f64| run * (1.0 + pitch * pitch).sqrt();
-    let fits = TILE_PITCHES.iter().find(|(length, pitch)| slope(*pitch) <= *length);
+    let fits = TILE_PITCHES
+        .iter()
+        .find(|(length, pitch)| slope(*pitch) <= *length);
     fits.map_or(0.60, |(_, pitch)| *pitch)
 }
 
@@ -176,7 +187,10 @@ mod tests {
 
     #[test]
     fn another_covering_does_not_take_the_pitch_of_the_house() {
-        let (house, line) = (style(RoofKind::Tiles, Some(5.0)), style(RoofKind::Thatch, None));
+        let (house, line) = (
+            style(RoofKind::Tiles, Some(5.0)),
+            style(RoofKind::Thatch, None),
+        );
         assert_eq!(Look::gable(Some(&line), &house, 5.4, 0.909).pitch, 1.0);
         let tiled = style(RoofKind::Tiles, None);
         assert_eq!(Look::gable(Some(&tiled), &house, 5.4, 0.909).pitch, 0.5);

@@ -20,7 +20,8 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<Ridge
     let walls: Vec<[DVec2; 4]> = walls.iter().map(Rect::corners).collect();
     let near = Near::new(&boxes, &walls);
     let kept = |n: usize| {
-        let cutters = cutters(n, forms, &near.roofs(n, &boxes), &near.walls(n, &boxes, &walls));
+        let walls = if forms[n].hung { vec![] } else { near.walls(n, &boxes, &walls) };
+        let cutters = cutters(n, forms, &near.roofs(n, &boxes), &walls);
         if cutters.is_empty() {
             return (whole(&forms[n]), forms[n].ridges.clone());
         }

@@ -85,7 +85,12 @@ mod tests {
     #[test]
     fn walls_and_gaps_of_a_side_add_up() {
         let l = Plan::from_loops(vec![vec![(0, 0), (6, 0), (6, 4), (4, 4), (4, 14), (0, 14)]]);
-        let front = Cell { a0: 0, b0: 0, a1: 6, b1: 4 };
+        let front = Cell {
+            a0: 0,
+            b0: 0,
+            a1: 6,
+            b1: 4,
+        };
         let outline = Outline::of(&l);
         assert!(outline.whole(&front, Side::Front));
         assert_eq!(outline.along(&front, Side::Back), vec![(4, 6)]);

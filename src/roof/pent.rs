@@ -38,7 +38,11 @@ pub struct Pent {
 impl Pent {
     /// The form of the roof with its arms and purlin.
     pub fn form(&self) -> Form {
-        let look = Look { eaves: 0.0, verge: 0.0, ..self.look };
+        let look = Look {
+            eaves: 0.0,
+            verge: 0.0,
+            ..self.look
+        };
         let low = self.height - look.drop();
         let slope = LeanTo {
             rect: self.rect,
@@ -46,10 +50,14 @@ impl Pent {
             low,
             look,
             ends: [Flank::default(); 2],
-            high: Flank { over: INTO, wall: false },
+            high: Flank {
+                over: INTO,
+                wall: false,
+            },
         };
         let mut form = slope.form();
         form.floor = f64::MIN;
+        form.hung = true;
         if Frame::new(&self.rect, self.near).depth > 2.0 * PURLIN {
             self.brackets(low, &mut form.solids);
         }
@@ -75,7 +83,11 @@ impl Pent {
             let (out, back) = (PURLIN - BEAM, frame.depth + INTO);
             let section = [(out, foot), (back, foot), (back, head), (out, head)];
             let profile = section.map(|(v, z)| frame.point(u, v, z));
-            solids.push(prism(&profile, (frame.along() * ARM).extend(0.0), Finish::Timber));
+            solids.push(prism(
+                &profile,
+                (frame.along() * ARM).extend(0.0),
+                Finish::Timber,
+            ));
         }
     }
 }

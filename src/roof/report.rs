@@ -23,7 +23,11 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], flat: bool) -> StoreyP
                 Role::Branch => "branch",
                 Role::LeanTo => "lean-to",
             },
-            shape: if r.role == Role::LeanTo { RoofShape::LeanTo } else { RoofShape::Gable },
+            shape: if r.role == Role::LeanTo {
+                RoofShape::LeanTo
+            } else {
+                RoofShape::Gable
+            },
             over: if r.role == Role::Branch { r.over } else { None },
         },
     };
@@ -39,13 +43,25 @@ pub(super) fn polygons(level: &Level<'_>, rings: &[&Ring]) -> StoreyPlan {
         flat_region([min.x, min.y, max.x, max.y], Some(corners))
     };
     let mut regions: Vec<PlanRegion> = rings.iter().map(region).collect();
-    regions.sort_by(|p, q| p.rect[1].total_cmp(&q.rect[1]).then(p.rect[0].total_cmp(&q.rect[0])));
+    regions.sort_by(|p, q| {
+        p.rect[1]
+            .total_cmp(&q.rect[1])
+            .then(p.rect[0].total_cmp(&q.rect[0]))
+    });
     with_regions(level, regions)
 }
 
 fn flat_region(rect: [f64; 4], polygon: Option<Vec<DVec2>>) -> PlanRegion {
     let shape = RoofShape::Flat;
-    PlanRegion { rect, polygon, ridge: None, fall: None, role: "main", shape, over: None }
+    PlanRegion {
+        rect,
+        polygon,
+        ridge: None,
+        fall: None,
+        role: "main",
+        shape,
+        over: None,
+    }
 }
 
 fn with_regions(level: &Level<'_>, regions: Vec<PlanRegion>) -> StoreyPlan {

@@ -51,7 +51,10 @@ pub fn ridge_cap(line: &RidgeLine, look: &Look, solids: &mut Vec<Solid>) {
     if look.kind != RoofKind::Tiles || !look.ends {
         return;
     }
-    for (free, at, out) in [(line.free[0], line.from, -along), (line.free[1], line.to, along)] {
+    for (free, at, out) in [
+        (line.free[0], line.from, -along),
+        (line.free[1], line.to, along),
+    ] {
         if free {
             solids.push(end_tile(at, out, look));
         }

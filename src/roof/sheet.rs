@@ -76,7 +76,11 @@ impl Mesh {
     /// Puts corners into the edges they lie on, then divides faces that got straight corners.
     fn conform(&mut self) {
         let mut by_x: Vec<u32> = (0..self.points.len() as u32).collect();
-        by_x.sort_by(|i, j| self.points[*i as usize].x.total_cmp(&self.points[*j as usize].x));
+        by_x.sort_by(|i, j| {
+            self.points[*i as usize]
+                .x
+                .total_cmp(&self.points[*j as usize].x)
+        });
         let faces = std::mem::take(&mut self.faces);
         for face in faces {
             let whole = self.with_corners(&face, &by_x);
@@ -172,7 +176,10 @@ impl Mesh {
         let mut root: Vec<usize> = (0..self.faces.len()).collect();
         for pair in self.edges().windows(2) {
             if (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1) {
-                let (a, b) = (find(&mut root, pair[0].2 as usize), find(&mut root, pair[1].2 as usize));
+                let (a, b) = (
+                    find(&mut root, pair[0].2 as usize),
+                    find(&mut root, pair[1].2 as usize),
+                );
                 root[a.max(b)] = a.min(b);
             }
         }
@@ -187,7 +194,9 @@ impl Mesh {
 
     fn reaches(&self, faces: &[usize]) -> f64 {
         let corners = faces.iter().flat_map(|f| &self.faces[*f]);
-        corners.map(|(id, _)| self.points[*id as usize].z).fold(f64::MIN, f64::max)
+        corners
+            .map(|(id, _)| self.points[*id as usize].z)
+            .fold(f64::MIN, f64::max)
     }
 
     /// The closed solid of one component; one for each face where it touches itself in a corner,
@@ -197,7 +206,10 @@ impl Mesh {
         let mut starts: Vec<u32> = rims.iter().map(|(p, _, _)| *p).collect();
         starts.sort_unstable();
         if faces.len() > 1 && starts.windows(2).any(|w| w[0] == w[1]) {
-            return faces.iter().flat_map(|f| self.close(&[*f], drop, coat)).collect();
+            return faces
+                .iter()
+                .flat_map(|f| self.close(&[*f], drop, coat))
+                .collect();
         }
         vec![self.solid(faces, &rims, drop, coat)]
     }
@@ -230,7 +242,10 @@ impl Mesh {
     fn solid(&self, faces: &[usize], rims: &[(u32, u32, bool)], drop: f64, coat: &Coat) -> Solid {
         let mut number = vec![u32::MAX; self.points.len()];
         let mut points = Vec::with_capacity(self.points.len() * 2);
-        let mut solid = Solid { points: vec![], faces: Vec::with_capacity(faces.len() * 2 + rims.len()) };
+        let mut solid = Solid {
+            points: vec![],
+            faces: Vec::with_capacity(faces.len() * 2 + rims.len()),
+        };
         for f in faces {
             for (id, _) in &self.faces[*f] {
                 let place = &mut number[*id as usize];
@@ -246,14 +261,27 @@ impl Mesh {
         let top = |id: &u32| number[*id as usize];
         for f in faces {
             let corners = self.faces[*f].iter().map(|(id, _)| top(id)).collect();
-            solid.faces.push(Face { corners, finish: coat.top });
-            let corners = self.faces[*f].iter().rev().map(|(id, _)| top(id) + 1).collect();
-            solid.faces.push(Face { corners, finish: coat.soffit });
+            solid.faces.push(Face {
+                corners,
+                finish: coat.top,
+            });
+            let corners = self.faces[*f]
+                .iter()
+                .rev()
+                .map(|(id, _)| top(id) + 1)
+                .collect();
+            solid.faces.push(Face {
+                corners,
+                finish: coat.soffit,
+            });
         }
         for (from, to, rim) in rims {
             let (p, q) = (top(from), top(to));
             let finish = if *rim { coat.rim } else { coat.joint };
-            solid.faces.push(Face { corners: vec![q, p, p + 1, q + 1], finish });
+            solid.faces.push(Face {
+                corners: vec![q, p, p + 1, q + 1],
+                finish,
+            });
         }
         solid
     }
@@ -289,11 +317,17 @@ impl Weld {
     fn id(&mut self, at: DVec2, plane: &Plane, points: &mut Vec<DVec3>) -> u32 {
         let same = |p: DVec2| (p - at).abs().max_element() < EPS;
         let known = match &mut self.sorted {
-            None => points.iter().position(|p| same(p.truncate())).map(|n| n as u32),
+            None => points
+                .iter()
+                .position(|p| same(p.truncate()))
+                .map(|n| n as u32),
             Some(sorted) => {
                 let start = sorted.partition_point(|p| p.0.x <= at.x - EPS);
-                let near = sorted[start..].iter_mut().take_while(|p| p.0.x < at.x + EPS);
-                let mut equal: Vec<&mut u32> = near.filter(|p| same(p.0)).map(|p| &mut p.1).collect();
+                let near = sorted[start..]
+                    .iter_mut()
+                    .take_while(|p| p.0.x < at.x + EPS);
+                let mut equal: Vec<&mut u32> =
+                    near.filter(|p| same(p.0)).map(|p| &mut p.1).collect();
                 let known = equal.iter().map(|n| **n).find(|n| *n != u32::MAX);
                 let id = known.unwrap_or(points.len() as u32);
                 equal.iter_mut().for_each(|n| **n = id);
@@ -327,13 +361,22 @@ mod tests {
 
     fn square(x0: f64, y0: f64, x1: f64, y1: f64) -> Piece {
         let corners = [dvec2(x0, y0), dvec2(x1, y0), dvec2(x1, y1), dvec2(x0, y1)];
-        (corners.iter().map(|at| Corner { at: *at, rim: true }).collect(), Plane::level(3.0))
+        (
+            corners
+                .iter()
+                .map(|at| Corner { at: *at, rim: true })
+                .collect(),
+            Plane::level(3.0),
+        )
     }
 
     #[test]
     fn corners_in_mid_edge_make_no_crack() {
-        let pieces =
-            [square(0.0, 0.0, 4.0, 2.0), square(0.0, 2.0, 1.0, 3.0), square(1.0, 2.0, 4.0, 4.0)];
+        let pieces = [
+            square(0.0, 0.0, 4.0, 2.0),
+            square(0.0, 2.0, 1.0, 3.0),
+            square(1.0, 2.0, 4.0, 4.0),
+        ];
         let solids = sheet(&pieces, 0.1, &COAT, 0.0);
         assert_eq!(solids.len(), 1);
         assert_eq!(solid_flaws(&solids[0]).collect::<Vec<_>>(), vec![]);

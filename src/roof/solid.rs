@@ -69,7 +69,11 @@ mod tests {
 
     #[test]
     fn prisms_are_closed_whatever_their_sweep() {
-        let profile = [dvec3(0.0, 0.0, 0.0), dvec3(2.0, 0.0, 0.0), dvec3(1.0, 0.0, 1.0)];
+        let profile = [
+            dvec3(0.0, 0.0, 0.0),
+            dvec3(2.0, 0.0, 0.0),
+            dvec3(1.0, 0.0, 1.0),
+        ];
         for by in [DVec3::Y, DVec3::NEG_Y] {
             assert_eq!(solid_flaws(&prism(&profile, by, Finish::Gable)).count(), 0);
         }
@@ -77,10 +81,17 @@ mod tests {
 
     #[test]
     fn bent_boards_are_closed_whatever_their_sweep() {
-        let upper = [dvec3(-2.0, 0.0, 1.0), dvec3(0.0, 0.0, 2.0), dvec3(2.0, 0.0, 1.0)];
+        let upper = [
+            dvec3(-2.0, 0.0, 1.0),
+            dvec3(0.0, 0.0, 2.0),
+            dvec3(2.0, 0.0, 1.0),
+        ];
         let lower = upper.map(|p| p - DVec3::Z * 0.2);
         for by in [DVec3::Y, DVec3::NEG_Y] {
-            assert_eq!(solid_flaws(&bent_board(&upper, &lower, by, Finish::Timber)).count(), 0);
+            assert_eq!(
+                solid_flaws(&bent_board(&upper, &lower, by, Finish::Timber)).count(),
+                0
+            );
         }
     }
 }

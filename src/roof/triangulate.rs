@@ -18,7 +18,9 @@ pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
             // Going on one further keeps fans from getting thin.
             at = (j + 1) % ring.len();
             missed = 0;
-        } else if turn(ring[i], ring[j], ring[k]).abs() < 1e-12 && straight(ring[i], ring[j], ring[k]) {
+        } else if turn(ring[i], ring[j], ring[k]).abs() < 1e-12
+            && straight(ring[i], ring[j], ring[k])
+        {
             ring.remove(j);
             at = j % ring.len();
             missed = 0;
@@ -50,7 +52,12 @@ fn is_ear(ring: &[DVec2], i: usize, j: usize, k: usize) -> bool {
     }
     let within = |s: DVec2| {
         // Bridges put corners twice: the same place is no obstacle.
-        s != p && s != q && s != r && turn(p, q, s) >= 0.0 && turn(q, r, s) >= 0.0 && turn(r, p, s) >= 0.0
+        s != p
+            && s != q
+            && s != r
+            && turn(p, q, s) >= 0.0
+            && turn(q, r, s) >= 0.0
+            && turn(r, p, s) >= 0.0
     };
     !ring.iter().any(|s| within(*s))
 }
@@ -64,15 +71,23 @@ fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
     rest.sort_by(|g, h| reach(h).total_cmp(&reach(g)));
     for n in 0..rest.len() {
         let hole = rest[n];
-        let start = (0..hole.len()).max_by(|i, j| hole[*i].x.total_cmp(&hole[*j].x)).unwrap_or(0);
+        let start = (0..hole.len())
+            .max_by(|i, j| hole[*i].x.total_cmp(&hole[*j].x))
+            .unwrap_or(0);
         let from = hole[start];
         let free = |to: DVec2| {
             let clear = |ring: &[DVec2]| !crosses_any(ring, from, to);
             clear(&ring) && rest[n..].iter().all(|h| clear(h))
         };
         let mut order: Vec<usize> = (0..ring.len()).collect();
-        order.sort_by(|i, j| from.distance_squared(ring[*i]).total_cmp(&from.distance_squared(ring[*j])));
-        let Some(&to) = order.iter().find(|i| free(ring[**i]) && opens_to(&ring, **i, from)) else {
+        order.sort_by(|i, j| {
+            from.distance_squared(ring[*i])
+                .total_cmp(&from.distance_squared(ring[*j]))
+        });
+        let Some(&to) = order
+            .iter()
+            .find(|i| free(ring[**i]) && opens_to(&ring, **i, from))
+        else {
             continue;
         };
         let around = (0..=hole.len()).map(|i| hole[(start + i) % hole.len()]);
@@ -88,7 +103,11 @@ fn opens_to(ring: &[DVec2], i: usize, from: DVec2) -> bool {
     let n = ring.len();
     let (p, q, r) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
     let (left_in, left_out) = (turn(p, q, from) > 0.0, turn(q, r, from) > 0.0);
-    if turn(p, q, r) >= 0.0 { left_in && left_out } else { left_in || left_out }
+    if turn(p, q, r) >= 0.0 {
+        left_in && left_out
+    } else {
+        left_in || left_out
+    }
 }
 
 fn crosses_any(ring: &[DVec2], from: DVec2, to: DVec2) -> bool {
@@ -109,17 +128,29 @@ mod tests {
     use glam::dvec2;
 
     fn area(triangles: &[[DVec2; 3]]) -> f64 {
-        triangles.iter().map(|[p, q, r]| turn(*p, *q, *r) / 2.0).sum()
+        triangles
+            .iter()
+            .map(|[p, q, r]| turn(*p, *q, *r) / 2.0)
+            .sum()
     }
 
     fn circle(n: usize, radius: f64) -> Vec<DVec2> {
         let at = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
-        (0..n).map(|i| radius * dvec2(libm::cos(at(i)), libm::sin(at(i)))).collect()
+        (0..n)
+            .map(|i| radius * dvec2(libm::cos(at(i)), libm::sin(at(i))))
+            .collect()
     }
 
     #[test]
     fn a_concave_polygon_keeps_its_area() {
-        let l = [(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (4.0, 4.0), (4.0, 14.0), (0.0, 14.0)];
+        let l = [
+            (0.0, 0.0),
+            (6.0, 0.0),
+            (6.0, 4.0),
+            (4.0, 4.0),
+            (4.0, 14.0),
+            (0.0, 14.0),
+        ];
         let l: Vec<DVec2> = l.iter().map(|(x, y)| dvec2(*x, *y)).collect();
         assert!((area(&triangles(&l, &[])) - 64.0).abs() < 1e-9);
     }
@@ -135,7 +166,13 @@ mod tests {
     #[test]
     fn two_holes_keep_their_area() {
         let outer = circle(40, 10.0);
-        let hole = |x: f64| circle(8, 2.0).into_iter().rev().map(|p| p + dvec2(x, 0.5)).collect::<Vec<_>>();
+        let hole = |x: f64| {
+            circle(8, 2.0)
+                .into_iter()
+                .rev()
+                .map(|p| p + dvec2(x, 0.5))
+                .collect::<Vec<_>>()
+        };
         let hole_area = area(&triangles(&circle(8, 2.0), &[]));
         let got = area(&triangles(&outer, &[hole(-4.0), hole(4.0)]));
         assert!((got - (area(&triangles(&outer, &[])) - 2.0 * hole_area)).abs() < 1e-9);

@@ -89,7 +89,7 @@ fn spans_in_lists_are_exact() {
     let said = said_of_list(r#"<random code="KTU,&#81;QQ"/>"#, "KTU,QQQ");
     assert_eq!(said, [(301, "KTU,&#81;QQ".into())]);
     let said = said_of_list(r#"<random code="TSH 2 TKD 2"/>"#, "TSH 2 TKD 2");
-    assert_eq!(said, [(327, "TSH 2".into()), (327, "TKD 2".into())]);
+    assert_eq!(said, [(314, "TSH 2".into()), (314, "TKD 2".into())]);
     assert_eq!(said_of_list(r#"<random code="TSH 2"/>"#, "TSH 2"), []);
     assert_eq!(said_of_list(r#"<random code="     "/>"#, "     "), []);
     let said = said_of_list(r#"<random code=""/>"#, "");
@@ -109,7 +109,8 @@ fn widths_and_heights_of_single_parts() {
     let units = &line(&program, 0, 0).units;
     assert_eq!((units[0].width, units[0].height), (1.5, Some(6.0)));
     assert_eq!(units[1].width, 0.0);
-    let (program, said) = run(one_row(vec![made(-1.0, 0.0)]));
-    assert_eq!(numbers(&said), [322, 322]);
-    assert_eq!(line(&program, 0, 0).units[0].width, 1.0);
+    // The readers report lengths below zero; here they only must do no harm.
+    let program = clean(one_row(vec![made(-1.0, 0.0)]));
+    let unit = &line(&program, 0, 0).units[0];
+    assert_eq!((unit.width, unit.height), (1.0, None));
 }

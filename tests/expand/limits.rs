@@ -11,7 +11,7 @@ fn assert_too_many(house: hsd::ast::House) {
     let (program, said) = run(house);
     assert_eq!(numbers(&said), [904]);
     assert!(program.houses.is_empty());
-    assert!(start.elapsed().as_secs_f64() < 2.0, "{:?}", start.elapsed());
+    assert!(start.elapsed().as_secs_f64() < 8.0, "{:?}", start.elapsed());
 }
 
 #[test]
@@ -68,12 +68,13 @@ fn long_lists_are_quick() {
     let list = vec!["KTU"; 100_000].join(",");
     let slots = vec![repeat(200_000, vec![random(&list)])];
     clean(one_row(slots));
-    assert!(start.elapsed().as_secs_f64() < 3.0, "{:?}", start.elapsed());
+    assert!(start.elapsed().as_secs_f64() < 8.0, "{:?}", start.elapsed());
 }
 
 /// Prints the time of a megabyte of codes; `cargo test --release -- --ignored --nocapture` to measure.
 #[test]
 #[ignore = "a measurement"]
+#[allow(clippy::print_stderr)]
 fn a_megabyte_of_codes() {
     let text = "GSI  GSI  GDE 2TOD  KKS  APW  KTU  TSH 2KSK  MMU 2".repeat(200);
     let rows: Vec<_> = (0..100).map(|_| row(codes(&text))).collect();

@@ -1,7 +1,7 @@
 //! repeat, split, random, replace.
 
 use crate::build::*;
-use hsd::ast::{Edit, House, Item, Piece, Random};
+use hsd::ast::{Edit, House, Item, Random};
 use hsd::expand::Options;
 use hsd::program::{Content, Program};
 
@@ -62,8 +62,8 @@ fn weights_count() {
 fn bad_weights_are_errors() {
     let slot = |weights| one_row(vec![weighted("KTU,KJU", Some(weights))]);
     assert_eq!(numbers(&run(slot(vec![1.0])).1), [305]);
-    assert_eq!(numbers(&run(slot(vec![1.0, -1.0])).1), [306]);
-    assert_eq!(numbers(&run(slot(vec![0.0, 0.0])).1), [306]);
+    // The readers report weights nobody can draw by; here they only must do no harm.
+    clean(slot(vec![0.0, 0.0]));
 }
 
 #[test]
@@ -94,39 +94,25 @@ fn splits_nest_and_must_fit() {
     let program = clean(one_row(vec![split(vec![inner], codes("NAP  "))]));
     assert_eq!(names(&program, 0, 0), "((NWI  /NSP  )/NAP  )");
     let (program, said) = run(one_row(vec![split(codes("NWI  NWI  "), codes("NSP  "))]));
-    assert_eq!(numbers(&said), [312]);
+    assert_eq!(numbers(&said), [311]);
     let Content::Split(made) = &line(&program, 0, 0).units[0].content else {
         panic!("a split is there");
     };
     assert_eq!((width(&made.upper), width(&made.lower)), (2.0, 2.0));
     let (program, said) = run(one_row(vec![split(codes("NWI  "), vec![])]));
-    assert_eq!(numbers(&said), [312]);
+    assert_eq!(numbers(&said), [311]);
     assert_eq!(names(&program, 0, 0), "(NWI  /.....)");
-}
-
-#[test]
-fn the_ratio_of_a_split_is_a_share() {
-    let Item::One(Piece::Split(mut made)) = split(codes("NWI  "), codes("NSP  ")) else {
-        unreachable!()
-    };
-    made.ratio = Some(put(1.0));
-    let (program, said) = run(one_row(vec![Item::One(Piece::Split(made))]));
-    assert_eq!(numbers(&said), [313]);
-    let Content::Split(made) = &line(&program, 0, 0).units[0].content else {
-        panic!("a split is there");
-    };
-    assert_eq!(made.ratio, 0.5);
 }
 
 #[test]
 fn a_row_keeps_its_width() {
     let (program, said) = run(one_row(vec![random("KTU, TSH 2"), part("APW")]));
-    assert_eq!(numbers(&said), [307]);
+    assert_eq!(numbers(&said), [306]);
     assert_eq!(width(&line(&program, 0, 0).units), 2.0);
     let mut pieces = codes("KTU  APW  ");
     pieces.push(replace("KTU", "TSH 2"));
     let (program, said) = run(one_row(pieces));
-    assert_eq!(numbers(&said), [308]);
+    assert_eq!(numbers(&said), [307]);
     assert_eq!(width(&line(&program, 0, 0).units), 2.0);
 }
 
@@ -138,14 +124,14 @@ fn idle_operations_are_reported_once() {
         replace_at("KTU", "KSK", &[(1, 1), (5, 7)]),
     ]);
     let (_, said) = run(one_row(vec![repeat(3, pieces)]));
-    assert_eq!(numbers(&said), [310, 311]);
+    assert_eq!(numbers(&said), [309, 310]);
     let mut ground = storey(vec![row(codes("KTU  "))]);
     ground.edits.push(Edit::Random(Random {
         span: at(),
         codes: put("GSI, GIT".into()),
         weights: None,
     }));
-    assert_eq!(numbers(&run(house(vec![ground])).1), [309]);
+    assert_eq!(numbers(&run(house(vec![ground])).1), [308]);
 }
 
 #[test]
@@ -153,7 +139,7 @@ fn with_is_one_code() {
     let mut pieces = codes("KTU  ");
     pieces.push(replace("KTU", "KJU KSK"));
     let (program, said) = run(one_row(pieces));
-    assert_eq!(numbers(&said), [326]);
+    assert_eq!(numbers(&said), [322]);
     assert_eq!(names(&program, 0, 0), "KJU  ");
 }
 
@@ -199,6 +185,7 @@ fn seed_and_name_change_the_draws() {
 #[test]
 fn two_draws_at_one_position_are_independent() {
     let mut pieces = codes(&"KTU  ".repeat(400));
+    pieces.push(part("KJU")); // So that the second draw has a code to find and is no slot.
     pieces.extend([random("KTU,KJU"), random("KJU,KSK")]);
     let program = clean(one_row(pieces));
     let units = &line(&program, 0, 0).units;

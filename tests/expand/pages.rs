@@ -1,24 +1,66 @@
-//! Every message has a page and a fixture.
+//! Every message has a page and a fixture, and the fixture triggers this message and no other.
 
+use crate::build::Pictures;
+use hsd::catalog::Catalog;
+use hsd::diagnostic::Diagnostics;
+use hsd::expand::{Options, expand};
+use hsd::parse::parse;
+use hsd::source::{FileId, Limits, Source};
 use std::path::Path;
 
+fn codes() -> impl Iterator<Item = u16> {
+    (301..=322).chain([904])
+}
+
+/// The fixture of a code: its name and bytes.
+fn fixture(code: u16) -> (String, Vec<u8>) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/diagnostics");
+    let prefix = format!("HSD{code:04}_");
+    let files = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap());
+    let mut found = files.filter(|f| f.file_name().to_string_lossy().starts_with(&prefix));
+    let file = found.next().unwrap_or_else(|| panic!("no {prefix}*.hsd"));
+    assert!(found.next().is_none(), "two of {prefix}");
+    let name = file.file_name().to_string_lossy().into_owned();
+    (name, std::fs::read(file.path()).unwrap())
+}
+
 #[test]
-fn every_message_has_a_page_and_a_fixture() {
+fn every_message_has_a_page() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    for code in (301..=327).chain([904]) {
+    for code in codes() {
         let page = root.join(format!("grammar/diagnostics/HSD{code:04}.md"));
         let text = std::fs::read_to_string(&page).unwrap_or_default();
-        assert!(
-            text.starts_with(&format!("# HSD{code:04}: ")),
-            "{}",
-            page.display()
+        let title = format!("# HSD{code:04}: ");
+        assert!(text.starts_with(&title), "{}", page.display());
+    }
+}
+
+#[test]
+fn every_fixture_triggers_its_message() {
+    let world = Pictures(vec![("f7f1f1u1", (8, 8))]);
+    for code in codes() {
+        let (name, bytes) = fixture(code);
+        let source = Source::new(FileId(0), name.as_str(), &bytes);
+        let mut out = Diagnostics::new();
+        let document = parse(&source, &Limits::default(), &mut out);
+        let documents = [(&source, &document)];
+        expand(
+            &documents,
+            Catalog::builtin(),
+            &world,
+            &Options::default(),
+            &mut out,
         );
-        let fixtures = std::fs::read_dir(root.join("tests/suite/diagnostics")).unwrap();
-        let prefix = format!("HSD{code:04}_");
-        let found = fixtures.filter(|f| {
-            let name = f.as_ref().unwrap().file_name();
-            name.to_string_lossy().starts_with(&prefix)
-        });
-        assert_eq!(found.count(), 1, "{prefix}");
+        let said = out.into_sorted();
+        assert!(!said.is_empty(), "{name} says nothing");
+        for one in &said {
+            assert_eq!(one.code.0, code, "{name}: {one:#?}");
+            let range = source.text_range(one.span);
+            let text = &source.text()[range];
+            assert!(
+                !text.contains('\n') && !one.help.is_empty(),
+                "{name}: {text}"
+            );
+        }
     }
 }

@@ -151,11 +151,6 @@ fn over([p, q, r]: [DVec3; 3], at: DVec2) -> Option<f64> {
     (s >= -1e-9 && t >= -1e-9 && s + t <= 1.0 + 1e-9).then(|| p.z + s * u.z + t * v.z)
 }
 
-/// The highest point of all.
-pub fn highest(building: &Building) -> f64 {
-    all_solids(building).flat_map(|s| &s.points).map(|p| p.z).fold(f64::MIN, f64::max)
-}
-
 pub fn explicit_only(mut house: House) -> House {
     house.roofs.mode = RoofMode::Explicit;
     house

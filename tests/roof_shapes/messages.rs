@@ -17,7 +17,11 @@ fn with(mut house: House, line: hsd::ast::RoofLine) -> House {
 }
 
 fn span(start: u32) -> Span {
-    Span { start, end: start + 3, ..Span::default() }
+    Span {
+        start,
+        end: start + 3,
+        ..Span::default()
+    }
 }
 
 fn said(house: House) -> Vec<u16> {
@@ -32,7 +36,11 @@ fn said(house: House) -> Vec<u16> {
 #[test]
 fn a_roof_on_an_open_facade_is_an_error_only_when_asked_for() {
     let walls = walk(&[(0.0, 0.0), (6.0, 0.0), (6.0, 8.0)], false);
-    let open = Ring { closed: false, walls, ..ring(&rect(0.0, 0.0, 6.0, 8.0)) };
+    let open = Ring {
+        closed: false,
+        walls,
+        ..ring(&rect(0.0, 0.0, 6.0, 8.0))
+    };
     let mut facade = house(vec![vec![open]]);
     assert_eq!(said(facade.clone()), NONE);
     facade.roofs.wished = Some(span(7));
@@ -52,15 +60,26 @@ fn rectangles_beside_the_walls_are_warned_about() {
 #[test]
 fn overlapping_roofs_are_noted() {
     let at = |corners| line(RoofShape::Gable, None, Some(9.0), corners);
-    let two = with(with(plain(), at([0.0, 0.0, 6.0, 5.0])), at([0.0, 3.0, 6.0, 8.0]));
+    let two = with(
+        with(plain(), at([0.0, 0.0, 6.0, 5.0])),
+        at([0.0, 3.0, 6.0, 8.0]),
+    );
     assert_eq!(said(two), vec![504]);
-    let same = with(with(plain(), at([0.0, 0.0, 6.0, 8.0])), at([0.0, 0.0, 6.0, 8.0]));
+    let same = with(
+        with(plain(), at([0.0, 0.0, 6.0, 8.0])),
+        at([0.0, 0.0, 6.0, 8.0]),
+    );
     assert_eq!(said(same), vec![504]);
 }
 
 #[test]
 fn overhangs_are_told_by_their_size() {
-    let storeys = |upper: Vec<(f64, f64)>| house(vec![vec![ring(&rect(0.0, 0.0, 6.0, 8.0))], vec![ring(&upper)]]);
+    let storeys = |upper: Vec<(f64, f64)>| {
+        house(vec![
+            vec![ring(&rect(0.0, 0.0, 6.0, 8.0))],
+            vec![ring(&upper)],
+        ])
+    };
     assert_eq!(said(storeys(rect(0.0, -0.5, 6.0, 8.0))), vec![506]);
     assert_eq!(said(storeys(rect(0.0, 0.0, 8.0, 8.0))), vec![505]);
     let (_, out) = build(storeys(rect(0.0, 0.0, 8.0, 8.0)));
@@ -75,11 +94,31 @@ fn odd_options_are_warned_about() {
     let first = out.iter().next().unwrap();
     assert_eq!((first.code.0, first.span), (507, span(3)));
     let gable = |d, h| line(RoofShape::Gable, d, h, [0.0, 0.0, 6.0, 8.0]);
-    assert_eq!(said(with(plain(), gable(Some(RoofDirection::AlongFront), Some(9.0)))), vec![508]);
-    assert_eq!(said(with(plain(), gable(Some(RoofDirection::AcrossFront), Some(9.0)))), NONE);
+    assert_eq!(
+        said(with(
+            plain(),
+            gable(Some(RoofDirection::AlongFront), Some(9.0))
+        )),
+        vec![508]
+    );
+    assert_eq!(
+        said(with(
+            plain(),
+            gable(Some(RoofDirection::AcrossFront), Some(9.0))
+        )),
+        NONE
+    );
     assert_eq!(said(with(plain(), gable(None, Some(12.5)))), vec![509]);
-    assert_eq!(said(with(plain(), gable(Some(RoofDirection::Left), Some(9.0)))), vec![514]);
-    let lean = line(RoofShape::LeanTo, Some(RoofDirection::AlongFront), None, [0.0, 0.0, 6.0, 8.0]);
+    assert_eq!(
+        said(with(plain(), gable(Some(RoofDirection::Left), Some(9.0)))),
+        vec![514]
+    );
+    let lean = line(
+        RoofShape::LeanTo,
+        Some(RoofDirection::AlongFront),
+        None,
+        [0.0, 0.0, 6.0, 8.0],
+    );
     assert_eq!(said(with(plain(), lean)), vec![514]);
     let hip = line(RoofShape::Hip, None, None, [0.0, 0.0, 6.0, 8.0]);
     assert_eq!(said(with(plain(), hip)), vec![510]);
@@ -87,15 +126,35 @@ fn odd_options_are_warned_about() {
 
 #[test]
 fn pent_roofs_hang_on_walls() {
-    let pent = |h, corners| line(RoofShape::Pent, Some(RoofDirection::Front), Some(h), corners);
+    let pent = |h, corners| {
+        line(
+            RoofShape::Pent,
+            Some(RoofDirection::Front),
+            Some(h),
+            corners,
+        )
+    };
     assert_eq!(said(with(plain(), pent(7.8, [0.0, 0.0, 6.0, -1.0]))), NONE);
-    assert_eq!(said(with(plain(), pent(7.8, [0.0, -2.0, 6.0, -3.0]))), vec![512]);
-    assert_eq!(said(with(plain(), pent(9.0, [0.0, 0.0, 6.0, -1.0]))), vec![513]);
+    assert_eq!(
+        said(with(plain(), pent(7.8, [0.0, -2.0, 6.0, -3.0]))),
+        vec![512]
+    );
+    assert_eq!(
+        said(with(plain(), pent(9.0, [0.0, 0.0, 6.0, -1.0]))),
+        vec![513]
+    );
 }
 
 #[test]
 fn a_wish_for_slopes_over_a_round_plan_is_answered() {
-    let hexagon = [(2.0, 0.0), (4.0, 0.0), (6.0, 3.0), (4.0, 6.0), (2.0, 6.0), (0.0, 3.0)];
+    let hexagon = [
+        (2.0, 0.0),
+        (4.0, 0.0),
+        (6.0, 3.0),
+        (4.0, 6.0),
+        (2.0, 6.0),
+        (0.0, 3.0),
+    ];
     let mut house = house(vec![vec![ring(&hexagon)]]);
     assert_eq!(said(house.clone()), NONE);
     house.roofs.style.shape = Some(spanned(RoofShape::Gable));

@@ -11,7 +11,10 @@ struct Draws(u64);
 
 impl Draws {
     fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
         (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd) >> 20
     }
 
@@ -27,17 +30,27 @@ fn rings(draws: &mut Draws, size: u64) -> Vec<Ring> {
     for _ in 0..count {
         let (a0, b0) = (draws.below(size) as i64, draws.below(size) as i64);
         let (w, d) = (2 + draws.below(size) as i64, 2 + draws.below(size) as i64);
-        plan = plan.union(&Plan::from_cells(&[Cell { a0, b0, a1: a0 + w, b1: b0 + d }]));
+        plan = plan.union(&Plan::from_cells(&[Cell {
+            a0,
+            b0,
+            a1: a0 + w,
+            b1: b0 + d,
+        }]));
     }
     // Pieces that meet in a corner only would be an error of the plan.
     let plan = plan.components().into_iter().next().unwrap();
     let corner = |p: &(i64, i64)| (p.0 as f64 / 2.0, p.1 as f64 / 2.0);
     let area = |l: &Vec<(i64, i64)>| -> i64 {
-        (0..l.len()).map(|i| l[i].0 * l[(i + 1) % l.len()].1 - l[(i + 1) % l.len()].0 * l[i].1).sum()
+        (0..l.len())
+            .map(|i| l[i].0 * l[(i + 1) % l.len()].1 - l[(i + 1) % l.len()].0 * l[i].1)
+            .sum()
     };
     plan.loops
         .iter()
-        .map(|l| Ring { hole: area(l) < 0, ..ring(&l.iter().map(corner).collect::<Vec<_>>()) })
+        .map(|l| Ring {
+            hole: area(l) < 0,
+            ..ring(&l.iter().map(corner).collect::<Vec<_>>())
+        })
         .collect()
 }
 
@@ -81,13 +94,20 @@ fn random_plans_with_plain_eaves_stay_within_bounds() {
 fn random_towers_are_closed() {
     let mut draws = Draws(13);
     for n in 0..120 {
-        let storeys = vec![rings(&mut draws, 20), rings(&mut draws, 14), rings(&mut draws, 8)];
+        let storeys = vec![
+            rings(&mut draws, 20),
+            rings(&mut draws, 14),
+            rings(&mut draws, 8),
+        ];
         let mut house = house(storeys);
         if n % 3 == 0 {
             house.roofs.style.shape = Some(spanned(RoofShape::Flat));
         }
         let (building, out) = build(house);
-        assert!(out.iter().all(|d| [505, 506, 511].contains(&d.code.0)), "{n}");
+        assert!(
+            out.iter().all(|d| [505, 506, 511].contains(&d.code.0)),
+            "{n}"
+        );
         assert_sound(&building);
     }
 }
@@ -98,6 +118,9 @@ fn the_same_house_has_the_same_roofs() {
     for _ in 0..10 {
         let house = house(vec![rings(&mut draws, 20)]);
         let json = |b| serde_json::to_string(&b).unwrap();
-        assert_eq!(json(build(house.clone()).0.roofs), json(build(house).0.roofs));
+        assert_eq!(
+            json(build(house.clone()).0.roofs),
+            json(build(house).0.roofs)
+        );
     }
 }

@@ -285,7 +285,7 @@ fn a_parapet_storey_stands_for_the_upstand() {
 #[test]
 fn a_flat_terrace_ends_at_the_upper_wall() {
     let building = flat(vec![vec![ring(&rect(0.0, 0.0, 6.0, 8.0))], vec![ring(&rect(0.0, 0.0, 6.0, 5.0))]]);
-    near(top_at(&building, 3.0, 5.04).unwrap(), H + 0.03);
+    near(top_at(&building, 3.0, 5.2).unwrap(), H + 0.03);
     near(top_at(&building, 3.0, 8.0).unwrap(), H + 0.4);
 }
 
@@ -335,4 +335,14 @@ fn explicit_lines_leave_the_rest_to_the_automatic() {
     let bare = quiet(explicit_only(house));
     assert_eq!(roofs(&bare).len(), 1);
     assert!(bare.roofs[0].plans[0].regions.is_empty());
+}
+
+#[test]
+fn a_wing_between_two_halls_dies_in_both() {
+    let court = vec![ring(&rect(0.0, 0.0, 20.0, 14.0)), hole(&rect(6.0, 4.5, 14.0, 9.5))];
+    let building = quiet(house(vec![court]));
+    let gables = |r: &Roof| r.solids.iter().filter(|s| s.faces[0].finish == Finish::Gable).count();
+    let mut walls: Vec<usize> = roofs(&building).iter().map(gables).collect();
+    walls.sort_unstable();
+    assert_eq!(walls, vec![0, 0, 2, 2]);
 }

@@ -67,20 +67,12 @@ pub fn weight_count(span: Span, weights: usize, codes: usize) -> Diagnostic {
         .help(format!("give {codes} weights, one for each code, or none"))
 }
 
-/// Weights nobody can draw by.
-#[cold]
-pub fn weights_unfit(span: Span) -> Diagnostic {
-    let message = "weights must not be negative, and one of them must be above zero";
-    Diagnostic::error(306, span, message)
-        .help("write how often each code shall come, for example weights=\"3 1\"")
-}
-
 /// A draw that would move the rest of the wall.
 #[cold]
 pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnostic {
     let (width, usual) = (units(width), units(usual));
     let message = format!("the codes of this draw differ in width: {usual} and {width}");
-    Diagnostic::error(307, span, message)
+    Diagnostic::error(306, span, message)
         .label(first, format!("{usual} wide; this width counts"))
         .help("choose codes of one width, so that the outline does not depend on the draw")
 }
@@ -90,7 +82,7 @@ pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnost
 pub fn replaced_width(span: Span, code: &str, new: f64, there: Span, old: f64) -> Diagnostic {
     let (new, old) = (units(new), units(old));
     let message = format!("`{code}` is {new} wide, but the part it replaces {old}");
-    Diagnostic::error(308, span, message)
+    Diagnostic::error(307, span, message)
         .label(there, format!("{old} wide"))
         .help(format!(
             "choose a part of {old}, so that the outline stays closed"
@@ -101,7 +93,7 @@ pub fn replaced_width(span: Span, code: &str, new: f64, there: Span, old: f64) -
 #[cold]
 pub fn idle_random(span: Span) -> Diagnostic {
     let message = "no code of this `random` stands in its element, so nothing is drawn";
-    Diagnostic::warning(309, span, message).help(
+    Diagnostic::warning(308, span, message).help(
         "beside parts, `random` draws again where a code of its list stands: put one of its codes \
          where the draw shall be",
     )
@@ -111,7 +103,7 @@ pub fn idle_random(span: Span) -> Diagnostic {
 #[cold]
 pub fn idle_replace(span: Span) -> Diagnostic {
     let message = "nothing in its element fits this `replace`, so nothing is replaced";
-    Diagnostic::warning(310, span, message)
+    Diagnostic::warning(309, span, message)
         .help("`code` names what stands there now, `with` what shall come instead")
 }
 
@@ -119,7 +111,7 @@ pub fn idle_replace(span: Span) -> Diagnostic {
 #[cold]
 pub fn beyond_the_row(span: Span, position: u32, longest: usize) -> Diagnostic {
     let message = format!("position {position} lies beyond the row, which has {longest} parts");
-    Diagnostic::warning(311, span, message).help(format!(
+    Diagnostic::warning(310, span, message).help(format!(
         "positions count from 1 to {longest}; a split counts as one"
     ))
 }
@@ -130,18 +122,10 @@ pub fn unequal_halves(span: Span, halves: (Span, Span), upper: f64, lower: f64) 
     let (above, below) = (units(upper), units(lower));
     let wide = units(upper.max(lower));
     let message = format!("the upper half of this split is {above} wide, the lower half {below}");
-    Diagnostic::error(312, span, message)
+    Diagnostic::error(311, span, message)
         .label(halves.0, format!("{above} wide"))
         .label(halves.1, format!("{below} wide"))
         .help(format!("give both halves parts of {wide} in all"))
-}
-
-/// A share that leaves no room for one of the halves.
-#[cold]
-pub fn split_ratio(span: Span, ratio: f64) -> Diagnostic {
-    let message = format!("{ratio} is no share of the upper half");
-    Diagnostic::error(313, span, message)
-        .help("write a number between 0 and 1, for example ratio=\"0.5\"")
 }
 
 /// Nobody says what stands in a floor.
@@ -151,7 +135,7 @@ pub fn floor_without_parts(span: Span, id: &str, picture: &str) -> Diagnostic {
         "floor `{id}` has no parts, no other floor `{id}` has any, and there is no picture \
          `{picture}.png`"
     );
-    Diagnostic::error(314, span, message).help(format!(
+    Diagnostic::error(312, span, message).help(format!(
         "write parts into the floor, or put `{picture}.png` and its neighbours into the folder of \
          this file, its `textures` folder, or the one named by --textures"
     ))
@@ -160,28 +144,17 @@ pub fn floor_without_parts(span: Span, id: &str, picture: &str) -> Diagnostic {
 /// Nobody can guess where a courtyard lies.
 #[cold]
 pub fn hole_without_start(span: Span) -> Diagnostic {
-    Diagnostic::error(315, span, "a hole must say where its walk starts").help(
+    Diagnostic::error(313, span, "a hole must say where its walk starts").help(
         "give the corner at its right and back, for example start=\"2 5\": a to the left and b to \
          the back, in units from the house's origin",
     )
-}
-
-/// More heights than storeys.
-#[cold]
-pub fn surplus_heights(span: Span, storeys: usize) -> Diagnostic {
-    let message = match storeys {
-        1 => "there is a height here for more than the one storey of this house".to_owned(),
-        n => format!("there are heights here for more than the {n} storeys of this house"),
-    };
-    Diagnostic::warning(316, span, message)
-        .help("take the surplus heights away, or add the storeys; `^` ends a storey")
 }
 
 /// The facades of a storey disagree.
 #[cold]
 pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagnostic {
     let message = format!("this floor is {height} shaku high, its storey elsewhere {other}");
-    Diagnostic::warning(317, span, message)
+    Diagnostic::warning(315, span, message)
         .label(there, format!("{other} shaku; the largest height counts"))
         .help("give all floors of a storey the same height")
 }
@@ -192,7 +165,7 @@ pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
     let interior = 180.0 - angle.abs();
     let message =
         format!("the walk turns by {angle} degrees here, nearly back to where it came from");
-    Diagnostic::note(318, span, message).help(format!(
+    Diagnostic::note(316, span, message).help(format!(
         "`angle` is the turn from the facade before; if {angle} is the angle between the two walls, \
          write {interior}"
     ))
@@ -202,36 +175,18 @@ pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
 #[cold]
 pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
     let message = format!("no part of this house is called `{code}`");
-    Diagnostic::warning(319, span, message).help(if near.is_empty() {
+    Diagnostic::warning(317, span, message).help(if near.is_empty() {
         "name a part or a part picture that stands in the house".to_owned()
     } else {
         format!("did you mean {}?", any_of(near))
     })
 }
 
-/// A share of reflection outside 0 to 1.
-#[cold]
-pub fn reflection(span: Span, given: f64, used: f64) -> Diagnostic {
-    let message = format!("{given} is no share of reflection; {used} is taken");
-    Diagnostic::warning(320, span, message).help(format!(
-        "write a number from 0 to 1, here reflection=\"{used}\""
-    ))
-}
-
 /// A house of nothing.
 #[cold]
 pub fn empty_house(span: Span) -> Diagnostic {
-    Diagnostic::error(321, span, "this house has no storey and no facade")
+    Diagnostic::error(318, span, "this house has no storey and no facade")
         .help("give it a Storey with Rows, or a Structure with Facades")
-}
-
-/// A length at or below zero.
-#[cold]
-pub fn not_positive(span: Span, what: &str, value: f64) -> Diagnostic {
-    let message = format!("the {what} {value} is not above zero");
-    Diagnostic::error(322, span, message).help(format!(
-        "write a positive number, or leave the {what} out for its default"
-    ))
 }
 
 /// Upper pictures without lower ones.
@@ -241,7 +196,7 @@ pub fn no_lower_picture(span: Span, name: &str) -> Diagnostic {
         "there is a picture `{name}u1.png` but no `{name}l1.png`: the upper pieces fill the whole \
          height"
     );
-    Diagnostic::note(323, span, message).help(format!(
+    Diagnostic::note(319, span, message).help(format!(
         "add `{name}l1.png` for what is below, or call the picture `{name}.png` if it is undivided"
     ))
 }
@@ -249,7 +204,7 @@ pub fn no_lower_picture(span: Span, name: &str) -> Diagnostic {
 /// A wall without a storey.
 #[cold]
 pub fn facade_without_floors(span: Span) -> Diagnostic {
-    Diagnostic::warning(324, span, "this facade has no floor; its side stays open")
+    Diagnostic::warning(320, span, "this facade has no floor; its side stays open")
         .help("write a Floor for each storey")
 }
 
@@ -257,7 +212,7 @@ pub fn facade_without_floors(span: Span) -> Diagnostic {
 #[cold]
 pub fn storeys_and_structure(span: Span, storey: Span) -> Diagnostic {
     let message = "a house is written by storeys or by facades, not both; the facades are left out";
-    Diagnostic::error(325, span, message)
+    Diagnostic::error(321, span, message)
         .label(storey, "the storeys begin here")
         .help("make two houses of it, or write the facades as Rows")
 }
@@ -266,14 +221,14 @@ pub fn storeys_and_structure(span: Span, storey: Span) -> Diagnostic {
 #[cold]
 pub fn several_withs(span: Span) -> Diagnostic {
     let message = "`with` takes one code; the first counts";
-    Diagnostic::error(326, span, message).help("use `random` to choose among several codes")
+    Diagnostic::error(322, span, message).help("use `random` to choose among several codes")
 }
 
 /// A code that white space tore in two.
 #[cold]
 pub fn torn_code(span: Span, code: &str) -> Diagnostic {
     let message = format!("white space divides this list, so `{code}` falls in two");
-    Diagnostic::error(327, span, message).help(format!(
+    Diagnostic::error(314, span, message).help(format!(
         "put commas between the codes, or write the blanks in a code as `_`: `{}`",
         code.replace(' ', "_")
     ))
@@ -283,5 +238,6 @@ pub fn torn_code(span: Span, code: &str) -> Diagnostic {
 #[cold]
 pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
     let message = format!("this house would exceed {limit} parts, or too much work on them");
-    Diagnostic::error(904, span, message).help("repeat less often; --limit-parts raises the limit")
+    Diagnostic::error(904, span, message)
+        .help("repeat less often, make several houses of it, or raise the limit for parts")
 }

@@ -40,7 +40,10 @@ pub fn over_no_wall(line: Span, shape: RoofShape) -> Diagnostic {
     Diagnostic::warning(
         502,
         line,
-        format!("this {} roof stands over no wall of its storey", shape.letters()),
+        format!(
+            "this {} roof stands over no wall of its storey",
+            shape.letters()
+        ),
     )
     .help(
         "give the rectangle in units from the house's origin: a to the left along the first line, \
@@ -54,7 +57,10 @@ pub fn partly_outside(line: Span, share: f64) -> Diagnostic {
     Diagnostic::warning(
         503,
         line,
-        format!("{} % of this roof's rectangle lies outside the walls", short((share * 100.0).round())),
+        format!(
+            "{} % of this roof's rectangle lies outside the walls",
+            short((share * 100.0).round())
+        ),
     )
     .help("the rectangle is that of the walls; eaves come on top of it by E, verges by G")
 }
@@ -62,9 +68,13 @@ pub fn partly_outside(line: Span, share: f64) -> Diagnostic {
 /// Two roof lines over each other at one height.
 #[cold]
 pub fn overlapping(line: Span, other: Span) -> Diagnostic {
-    Diagnostic::note(504, line, "this roof overlaps another one at the same height")
-        .help("where both stand, the higher one shows; change one rectangle if that is not meant")
-        .label(other, "the other roof")
+    Diagnostic::note(
+        504,
+        line,
+        "this roof overlaps another one at the same height",
+    )
+    .help("where both stand, the higher one shows; change one rectangle if that is not meant")
+    .label(other, "the other roof")
 }
 
 /// An upper storey that stands out far over the lower one.
@@ -103,13 +113,25 @@ pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
 /// A pitch that the covering does not bear.
 #[cold]
 pub fn odd_pitch(span: Span, pitch: f64, kind: RoofKind, band: (f64, f64)) -> Diagnostic {
-    let why = if pitch < band.0 { "too gentle: rain comes in" } else { "too steep: it slides off" };
+    let why = if pitch < band.0 {
+        "too gentle: rain comes in"
+    } else {
+        "too steep: it slides off"
+    };
     Diagnostic::warning(
         507,
         span,
-        format!("a pitch of {} sun for {} is {why}", short(pitch), covering(kind)),
+        format!(
+            "a pitch of {} sun for {} is {why}",
+            short(pitch),
+            covering(kind)
+        ),
     )
-    .help(format!("choose between {} and {} sun", short(band.0), short(band.1)))
+    .help(format!(
+        "choose between {} and {} sun",
+        short(band.0),
+        short(band.1)
+    ))
 }
 
 /// A ridge across a wide roof.
@@ -118,7 +140,10 @@ pub fn long_span(direction: Span, span: f64) -> Diagnostic {
     Diagnostic::note(
         508,
         direction,
-        format!("with this ridge the roof spans {} units, more than beams of 3 ken bear", short(span)),
+        format!(
+            "with this ridge the roof spans {} units, more than beams of 3 ken bear",
+            short(span)
+        ),
     )
     .help("turn the ridge (X or Y), or divide the roof; halls of palaces and temples do span more")
 }
@@ -141,8 +166,12 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
 /// A shape of a later version.
 #[cold]
 pub fn not_built_yet(span: Span, shape: RoofShape) -> Diagnostic {
-    Diagnostic::note(510, span, format!("{} is built as a gable by this version", shape.letters()))
-        .help("write KIR if a gable is meant")
+    Diagnostic::note(
+        510,
+        span,
+        format!("{} is built as a gable by this version", shape.letters()),
+    )
+    .help("write KIR if a gable is meant")
 }
 
 /// A lean-to whose outer wall gets too low.
@@ -151,7 +180,10 @@ pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
     Diagnostic::warning(
         511,
         storey,
-        format!("the lean-to on storey {number} leaves its outer wall only {} m high", short(left)),
+        format!(
+            "the lean-to on storey {number} leaves its outer wall only {} m high",
+            short(left)
+        ),
     )
     .help("make the storey higher or the strip shallower, or give the strip a roof line of its own")
 }
@@ -159,8 +191,9 @@ pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
 /// A pent roof away from every wall.
 #[cold]
 pub fn pent_in_the_air(line: Span) -> Diagnostic {
-    Diagnostic::warning(512, line, "this pent roof (HIS) touches no wall to hang on")
-        .help("let one side of its rectangle lie on a wall line: b from 0 to -1 along the first line")
+    Diagnostic::warning(512, line, "this pent roof (HIS) touches no wall to hang on").help(
+        "let one side of its rectangle lie on a wall line: b from 0 to -1 along the first line",
+    )
 }
 
 /// A pent roof above the wall it hangs on.
@@ -185,8 +218,14 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64) -> Diagnostic {
 #[cold]
 pub fn odd_direction(direction: Span, shape: RoofShape, one_sided: bool) -> Diagnostic {
     let (message, help) = match one_sided {
-        true => ("has one slope and no ridge to turn", "write the side it falls to: F, B, L or R"),
-        false => ("has a ridge and falls to both sides", "write X (ridge parallel to the first line) or Y"),
+        true => (
+            "has one slope and no ridge to turn",
+            "write the side it falls to: F, B, L or R",
+        ),
+        false => (
+            "has a ridge and falls to both sides",
+            "write X (ridge parallel to the first line) or Y",
+        ),
     };
     Diagnostic::warning(514, direction, format!("{} {message}", shape.letters())).help(help)
 }
@@ -197,7 +236,10 @@ pub fn flat_only(span: Span, shape: RoofShape) -> Diagnostic {
     Diagnostic::note(
         515,
         span,
-        format!("{} is built flat by this version where walls are not at right angles", shape.letters()),
+        format!(
+            "{} is built flat by this version where walls are not at right angles",
+            shape.letters()
+        ),
     )
     .help("write RIK if a flat roof is meant, or give roof lines for rectangles")
 }
@@ -208,7 +250,10 @@ pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
     Diagnostic::warning(
         516,
         line,
-        format!("this roof lies wholly inside storey {}: nothing of it is built", storey + 1),
+        format!(
+            "this roof lies wholly inside storey {}: nothing of it is built",
+            storey + 1
+        ),
     )
     .help("give it the height of the topmost storey there, or `*`")
     .label(upper, "this storey stands there")

@@ -1,0 +1,83 @@
+//! Back ends: a scene to the bytes of files. They know formats, not houses.
+//!
+//! Scene frame: x east, y north, z up, metres. glTF and OBJ: (x, y, z) = (east, up, -north), the frame of
+//! 000-33. STL keeps z upwards. No back end writes a file itself: each returns [`OutFile`]s, so that a shell
+//! can put all of them in place or none.
+
+pub mod dump;
+pub mod flat;
+pub mod gltf;
+pub mod number;
+pub mod obj;
+pub mod pictures;
+pub mod sound;
+pub mod stl;
+
+use std::borrow::Cow;
+
+/// Where back ends find the pictures of materials.
+pub trait Images {
+    /// The files of a drawn surface, by the name that [`crate::scene::Image::Surface`] carries.
+    fn files(&self, surface: &str) -> Option<SurfaceFiles<'_>>;
+
+    /// A part picture, by its index in [`crate::scene::Scene::pictures`]; PNG or JPEG.
+    fn picture(&self, index: u32) -> Option<PictureBytes<'_>>;
+}
+
+/// One picture as a file: its name without a folder, its bytes as PNG or JPEG.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PictureBytes<'a> {
+    /// For example `cedar_color.jpg`.
+    pub name: Cow<'a, str>,
+    /// The encoded picture.
+    pub bytes: &'a [u8],
+}
+
+/// The pictures of one surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurfaceFiles<'a> {
+    /// Width and height of one repeat, metres.
+    pub metres: f64,
+    /// Base colour, sRGB.
+    pub color: PictureBytes<'a>,
+    /// Unit normals in tangent space, green upwards.
+    pub normal: Option<PictureBytes<'a>>,
+    /// Green: roughness, blue: metalness.
+    pub orm: Option<PictureBytes<'a>>,
+}
+
+/// Shapes without pictures: plain colours.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoImages;
+
+impl Images for NoImages {
+    fn files(&self, _: &str) -> Option<SurfaceFiles<'_>> {
+        None
+    }
+
+    fn picture(&self, _: u32) -> Option<PictureBytes<'_>> {
+        None
+    }
+}
+
+/// A file to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct OutFile {
+    /// Path below the output's folder, with `/`.
+    pub name: String,
+    /// The whole content.
+    pub bytes: Vec<u8>,
+}
+
+/// The folder of pictures beside an output of this stem.
+fn picture_folder(stem: &str) -> String {
+    format!("{stem}_textures")
+}
+
+/// A name that formats divided by blanks and slashes take as one word.
+fn one_word(name: &str) -> String {
+    let fits = |c: char| !(c.is_whitespace() || c.is_control() || "/\\#\"".contains(c));
+    name.chars()
+        .map(|c| if fits(c) { c } else { '_' })
+        .collect()
+}

@@ -1,0 +1,182 @@
+//! The trees between the passes as JSON, for tests and other tools. Every document says its `version`; it
+//! changes when a field changes its meaning or goes.
+
+use super::number::Number;
+use crate::ast::{Document, RoofShape};
+use crate::building::{Building, HouseRoofs, PlanRegion, StoreyPlan};
+use crate::program::Program;
+use crate::scene::Scene;
+use crate::source::Source;
+use glam::DVec2;
+use serde::{Serialize, Serializer};
+
+const VERSION: u32 = 1;
+
+#[derive(Serialize)]
+struct Versioned<T> {
+    version: u32,
+    #[serde(flatten)]
+    content: T,
+}
+
+/// A line of JSON.
+fn line(content: impl Serialize) -> serde_json::Result<String> {
+    let version = VERSION;
+    let mut text = serde_json::to_string(&Versioned { version, content })?;
+    text.push('\n');
+    Ok(text)
+}
+
+#[derive(Serialize)]
+struct Files<'a> {
+    files: Vec<File<'a>>,
+}
+
+#[derive(Serialize)]
+struct File<'a> {
+    file: &'a str,
+    #[serde(flatten)]
+    document: &'a Document,
+}
+
+/// `--stage ast`: what is written, file by file.
+///
+/// # Errors
+/// Never for documents of the readers, whose numbers are finite; as for the other functions here.
+pub fn ast(sources: &[&Source], documents: &[Document]) -> serde_json::Result<String> {
+    let both = sources.iter().zip(documents);
+    let files = both.map(|(source, document)| File {
+        file: source.name(),
+        document,
+    });
+    let files = files.collect();
+    line(Files { files })
+}
+
+/// `--stage program`: what is left after expansion.
+///
+/// # Errors
+/// See [`ast`].
+pub fn program(program: &Program) -> serde_json::Result<String> {
+    line(program)
+}
+
+/// `--stage building`: walls with their places, roofs as solids.
+///
+/// # Errors
+/// See [`ast`].
+pub fn building(building: &Building) -> serde_json::Result<String> {
+    line(building)
+}
+
+/// `--stage scene`: meshes, materials, nodes.
+///
+/// # Errors
+/// See [`ast`].
+pub fn scene(scene: &Scene) -> serde_json::Result<String> {
+    line(scene)
+}
+
+/// `--stage regions`: the automatic roofs in plan (language.md 5), in U.
+///
+/// # Errors
+/// See [`ast`].
+pub fn regions(building: &Building) -> serde_json::Result<String> {
+    let none = HouseRoofs::default();
+    let shells = building.shell.houses.iter().enumerate();
+    let house = |(i, h): (usize, &'_ crate::building::House)| House {
+        name: h.name.clone(),
+        unit_m: Number(h.unit),
+        storeys: building
+            .roofs
+            .get(i)
+            .unwrap_or(&none)
+            .plans
+            .iter()
+            .map(storey)
+            .collect(),
+    };
+    line(Houses {
+        houses: shells.map(house).collect(),
+    })
+}
+
+#[derive(Serialize)]
+struct Houses {
+    houses: Vec<House>,
+}
+
+#[derive(Serialize)]
+struct House {
+    name: String,
+    unit_m: Number,
+    storeys: Vec<Storey>,
+}
+
+type Outline = Vec<[Number; 2]>;
+
+#[derive(Serialize)]
+struct Storey {
+    storey: u32,
+    z: Number,
+    /// The first outer ring.
+    outline: Outline,
+    /// All of them where a storey has several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    outlines: Vec<Outline>,
+    holes: Vec<Outline>,
+    regions: Vec<Region>,
+}
+
+#[derive(Serialize)]
+struct Region {
+    a0: Number,
+    b0: Number,
+    a1: Number,
+    b1: Number,
+    ridge: Option<&'static str>,
+    fall: Option<&'static str>,
+    role: &'static str,
+    #[serde(serialize_with = "letters")]
+    shape: RoofShape,
+    over: Option<usize>,
+    /// Only where it is no rectangle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    polygon: Option<Outline>,
+}
+
+fn letters<S: Serializer>(shape: &RoofShape, s: S) -> Result<S::Ok, S::Error> {
+    s.serialize_str(shape.letters())
+}
+
+fn outline(corners: &[DVec2]) -> Outline {
+    corners.iter().map(|p| [Number(p.x), Number(p.y)]).collect()
+}
+
+fn storey(plan: &StoreyPlan) -> Storey {
+    let outlines: Vec<Outline> = plan.outlines.iter().map(|o| outline(o)).collect();
+    Storey {
+        storey: plan.storey,
+        z: Number(plan.z),
+        outline: outlines.first().cloned().unwrap_or_default(),
+        outlines: if outlines.len() > 1 { outlines } else { vec![] },
+        holes: plan.holes.iter().map(|o| outline(o)).collect(),
+        regions: plan.regions.iter().map(region).collect(),
+    }
+}
+
+fn region(r: &PlanRegion) -> Region {
+    let [a0, b0, a1, b1] = r.rect.map(Number);
+    Region {
+        a0,
+        b0,
+        a1,
+        b1,
+        ridge: r.ridge,
+        fall: r.fall,
+        role: r.role,
+        shape: r.shape,
+        over: r.over,
+        polygon: r.polygon.as_ref().map(|o| outline(o)),
+    }
+}

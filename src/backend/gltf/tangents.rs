@@ -1,0 +1,36 @@
+//! Tangents: the direction in which u grows, for materials with relief. glTF wants them beside the normals,
+//! else each renderer guesses its own.
+
+use super::geometry::unit;
+use crate::scene::Primitive;
+use glam::{Vec2, Vec3};
+
+/// One a vertex, at right angles to its normal: x, y, z in the scene's frame, then 1 where v grows along
+/// normal x tangent and -1 where the picture is mirrored.
+pub(super) fn tangents(p: &Primitive) -> Vec<[f32; 4]> {
+    let mut sums = vec![(Vec3::ZERO, 0.0f32); p.positions.len()];
+    for triangle in p.indices.chunks_exact(3) {
+        let corner = [0, 1, 2].map(|k| triangle[k] as usize);
+        let [a, b, c] = corner.map(|i| Vec3::from(p.positions[i]));
+        let [ua, ub, uc] = corner.map(|i| Vec2::from(p.uvs[i]));
+        let (first, second) = (ub - ua, uc - ua);
+        let mirrored = first.perp_dot(second);
+        // Larger triangles count more where a vertex has several.
+        let along = ((b - a) * second.y - (c - a) * first.y) * 1f32.copysign(mirrored);
+        if mirrored != 0.0 {
+            for i in corner {
+                sums[i].0 += along;
+                sums[i].1 += mirrored;
+            }
+        }
+    }
+    let tangent = |((sum, mirrored), normal): (&(Vec3, f32), &[f32; 3])| {
+        let normal = Vec3::from(unit(*normal));
+        let flat = *sum - normal * normal.dot(*sum);
+        let t = flat
+            .try_normalize()
+            .unwrap_or_else(|| normal.any_orthonormal_vector());
+        [t.x, t.y, t.z, if *mirrored < 0.0 { -1.0 } else { 1.0 }]
+    };
+    sums.iter().zip(&p.normals).map(tangent).collect()
+}

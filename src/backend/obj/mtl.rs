@@ -1,0 +1,84 @@
+//! The material file of an OBJ (000-37 to 000-40).
+
+use crate::backend::number::Number;
+use crate::backend::{Images, OutFile, PictureBytes, one_word};
+use crate::scene::{Image, Material, Scene};
+use std::fmt::Write as _;
+
+/// Share of the colour in shadow, as in the sample of 000-39 (Ka 0.5, Kd 0.8).
+const SHADE: f64 = 0.5 / 0.8;
+
+/// The text, and the pictures it names in `folder`.
+pub(super) fn mtl(
+    scene: &Scene,
+    used: &[bool],
+    images: &dyn Images,
+    folder: &str,
+) -> (String, Vec<OutFile>) {
+    let mut out = format!("# hsd {}\n", env!("CARGO_PKG_VERSION"));
+    let mut files: Vec<OutFile> = vec![];
+    for (material, _) in scene.materials.iter().zip(used).filter(|(_, used)| **used) {
+        plain(&mut out, material);
+        let picture = match &material.image {
+            Image::None => None,
+            Image::Surface(name) => images.files(name).map(|f| f.color),
+            Image::Picture(index) => images.picture(*index),
+        };
+        if let Some(picture) = picture {
+            let name = file(&mut files, &picture, folder);
+            let _ = writeln!(out, "map_Kd {name}");
+        }
+    }
+    (out, files)
+}
+
+fn plain(out: &mut String, m: &Material) {
+    let [r, g, b, opacity] = m.tint.map(|x| f64::from(x).clamp(0.0, 1.0));
+    let color = [r, g, b].map(display);
+    let shine = 0.5 * (1.0 - f64::from(m.roughness).clamp(0.0, 1.0));
+    let _ = writeln!(out, "\nnewmtl {}", one_word(&m.name));
+    for (key, values) in [
+        ("Ka", color.map(|x| x * SHADE)),
+        ("Kd", color),
+        ("Ks", [shine; 3]),
+    ] {
+        // Three decimals tell more shades than a screen shows.
+        let [r, g, b] = values.map(|x| Number((x * 1000.0).round() / 1000.0));
+        let _ = writeln!(out, "{key} {r} {g} {b}");
+    }
+    let _ = writeln!(out, "d {}", Number(opacity));
+}
+
+/// A linear share as screens encode it (sRGB): MTL is older than linear light.
+fn display(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * libm::pow(linear, 1.0 / 2.4) - 0.055
+    }
+}
+
+/// The path of a picture, which is added to the files where it is new; another picture of the same name gets
+/// a number.
+fn file(files: &mut Vec<OutFile>, picture: &PictureBytes<'_>, folder: &str) -> String {
+    let mut k = 1;
+    loop {
+        let number = if k == 1 {
+            String::new()
+        } else {
+            format!("{k}_")
+        };
+        let name = format!("{folder}/{number}{}", one_word(&picture.name));
+        match files.iter().find(|f| f.name.eq_ignore_ascii_case(&name)) {
+            Some(same) if same.bytes == picture.bytes => return same.name.clone(),
+            Some(_) => k += 1,
+            None => {
+                files.push(OutFile {
+                    name: name.clone(),
+                    bytes: picture.bytes.to_vec(),
+                });
+                return name;
+            }
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! The pictures that outputs carry: those of the drawn surfaces, and part pictures made fit for glTF.
+//!
+//! glTF takes PNG and JPEG. A part picture in a sound file of either is copied byte by byte; one that only a
+//! patient decoder reads (printing colours, a missing end) is encoded anew as PNG; anything else is refused.
+
+use super::{Images, PictureBytes, SurfaceFiles};
+use crate::source::World;
+use crate::texture;
+use std::borrow::Cow;
+use std::io::Cursor;
+
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+const JPEG: &[u8] = b"\xff\xd8\xff";
+
+/// Why a part picture is not in the output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The file cannot be read; why.
+    Unreadable(String),
+    /// Neither PNG nor JPEG, or damaged.
+    NoPicture,
+    /// More pixels than the limit.
+    TooLarge(u64),
+}
+
+/// All pictures of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Library {
+    parts: Vec<Option<(String, Vec<u8>)>>,
+}
+
+impl Library {
+    /// Loads part pictures; `trouble` hears of each that cannot be shown, by its index.
+    pub fn load(
+        paths: &[String],
+        world: &dyn World,
+        pixels: u64,
+        mut trouble: impl FnMut(usize, Trouble),
+    ) -> Library {
+        let one = |(i, path): (usize, &String)| {
+            let read = world.picture_bytes(path);
+            let bytes = read.map_err(|e| Trouble::Unreadable(e.to_string()));
+            let file = bytes.and_then(|b| fit(path, b, pixels));
+            file.map_err(|t| trouble(i, t)).ok()
+        };
+        Library {
+            parts: paths.iter().enumerate().map(one).collect(),
+        }
+    }
+}
+
+impl Images for Library {
+    fn files(&self, surface: &str) -> Option<SurfaceFiles<'_>> {
+        let surface = texture::surface(surface)?;
+        let file = |name: String| {
+            Some(PictureBytes {
+                bytes: texture::embedded(&name)?,
+                name: Cow::Owned(name),
+            })
+        };
+        Some(SurfaceFiles {
+            metres: surface.metres,
+            color: file(surface.color_file())?,
+            normal: file(surface.normal_file()),
+            orm: file(surface.orm_file()),
+        })
+    }
+
+    fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
+        let (name, bytes) = self.parts.get(index as usize)?.as_ref()?;
+        Some(PictureBytes {
+            name: Cow::Borrowed(name),
+            bytes,
+        })
+    }
+}
+
+/// The media type of a picture by its first bytes.
+pub fn mime(bytes: &[u8]) -> Option<&'static str> {
+    if bytes.starts_with(PNG) {
+        Some("image/png")
+    } else if bytes.starts_with(JPEG) {
+        Some("image/jpeg")
+    } else {
+        None
+    }
+}
+
+/// A file as glTF takes it, named after its content.
+fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trouble> {
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let reader = image::ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
+    let size = reader.ok().and_then(|r| r.into_dimensions().ok());
+    let (width, height) = size.ok_or(Trouble::NoPicture)?;
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels > limit {
+        return Err(Trouble::TooLarge(pixels));
+    }
+    if whole_png(&bytes) {
+        return Ok((format!("{stem}.png"), bytes));
+    }
+    if whole_jpeg(&bytes) {
+        return Ok((format!("{stem}.jpg"), bytes));
+    }
+    let picture = image::load_from_memory(&bytes).map_err(|_| Trouble::NoPicture)?;
+    let mut encoded = Cursor::new(vec![]);
+    let written = picture.write_to(&mut encoded, image::ImageFormat::Png);
+    written.map_err(|_| Trouble::NoPicture)?;
+    Ok((format!("{stem}.png"), encoded.into_inner()))
+}
+
+/// Whether every chunk of a PNG is there.
+fn whole_png(bytes: &[u8]) -> bool {
+    let Some(mut rest) = bytes.strip_prefix(PNG) else {
+        return false;
+    };
+    loop {
+        let Some((length, after)) = rest.split_first_chunk::<4>() else {
+            return false;
+        };
+        // Type, data, checksum.
+        let size = u32::from_be_bytes(*length) as usize + 8;
+        if after.len() < size {
+            return false;
+        }
+        if after.starts_with(b"IEND") {
+            return true;
+        }
+        rest = &after[size..];
+    }
+}
+
+/// Whether a JPEG has one or three channels of eight bits and an end.
+fn whole_jpeg(bytes: &[u8]) -> bool {
+    let Some(mut rest) = bytes.strip_prefix(b"\xff\xd8") else {
+        return false;
+    };
+    let ends = bytes.windows(2).rev().take(4096).any(|w| w == b"\xff\xd9");
+    while let [0xff, marker, high, low, after @ ..] = rest {
+        let length = usize::from(u16::from_be_bytes([*high, *low]));
+        match marker {
+            0xff => rest = &rest[1..], // padding before a marker
+            0xc0..=0xc2 => {
+                let (depth, channels) = (after.first(), after.get(5));
+                return ends && depth == Some(&8) && matches!(channels, Some(1 | 3));
+            }
+            _ if length < 2 || rest.len() < length + 2 => return false,
+            _ => rest = &rest[length + 2..],
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn encoded(format: image::ImageFormat) -> Vec<u8> {
+        let mut out = Cursor::new(vec![]);
+        let picture = image::RgbImage::from_pixel(4, 2, image::Rgb([200, 100, 50]));
+        picture.write_to(&mut out, format).expect("memory takes it");
+        out.into_inner()
+    }
+
+    #[test]
+    fn sound_files_are_copied() {
+        let (png, jpeg) = (
+            encoded(image::ImageFormat::Png),
+            encoded(image::ImageFormat::Jpeg),
+        );
+        assert_eq!(
+            fit("a/戸.jpg", png.clone(), 8),
+            Ok(("戸.png".into(), png.clone()))
+        );
+        assert_eq!(fit("戸.PNG", jpeg.clone(), 8), Ok(("戸.jpg".into(), jpeg)));
+        assert_eq!(fit("戸.png", png, 7), Err(Trouble::TooLarge(8)));
+    }
+
+    #[test]
+    fn damaged_files_are_encoded_anew_or_refused() {
+        let mut open = encoded(image::ImageFormat::Jpeg);
+        open.truncate(open.len() - 2);
+        let mended = fit("a.jpg", open, 8);
+        assert!(
+            matches!(&mended, Ok((name, bytes)) if name == "a.png" && whole_png(bytes)),
+            "{mended:?}"
+        );
+        let mut cut = encoded(image::ImageFormat::Png);
+        cut.truncate(40);
+        assert_eq!(fit("a.png", cut, 8), Err(Trouble::NoPicture));
+        assert_eq!(
+            fit("a.png", b"BM not a picture".to_vec(), 8),
+            Err(Trouble::NoPicture)
+        );
+    }
+}

@@ -1,0 +1,57 @@
+//! What a back end must never write: numbers that are none, and indices that lead nowhere. The passes before
+//! leave no such thing; where one does after all, its shape is left out and named.
+
+use crate::scene::{Node, Primitive, Scene};
+use crate::source::Span;
+
+/// Coordinates stay below this, metres: f32 still tells a decimetre there, and no map is as large.
+const LARGEST: f64 = 1e7;
+
+/// A shape that is left out of every output.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Flaw {
+    /// The node's name.
+    pub name: String,
+    /// Its place in the source.
+    pub span: Option<Span>,
+}
+
+/// Everything of a scene that the back ends leave out.
+pub fn flaws(scene: &Scene) -> impl Iterator<Item = Flaw> + '_ {
+    let bad: Vec<bool> = scene
+        .meshes
+        .iter()
+        .map(|m| !m.primitives.iter().all(|p| primitive(p, scene)))
+        .collect();
+    let flawed = move |n: &&Node| {
+        let mesh = n.mesh.map(|m| bad.get(m.0 as usize).copied());
+        !node(n) || mesh.is_some_and(|b| b.unwrap_or(true))
+    };
+    scene.nodes.iter().filter(flawed).map(|n| Flaw {
+        name: n.name.clone(),
+        span: n.span,
+    })
+}
+
+/// Whether a node has a place.
+pub fn node(node: &Node) -> bool {
+    let turned = node.turn.length_squared();
+    node.at.to_array().iter().all(|x| x.abs() < LARGEST) && (0.5..2.0).contains(&turned)
+}
+
+/// Whether triangles can be written.
+pub fn primitive(p: &Primitive, scene: &Scene) -> bool {
+    let count = p.positions.len();
+    count > 0
+        && p.normals.len() == count
+        && p.uvs.len() == count
+        && !p.indices.is_empty()
+        && p.indices.len().is_multiple_of(3)
+        && p.indices.iter().all(|&i| (i as usize) < count)
+        && (p.material.0 as usize) < scene.materials.len()
+        && p.positions
+            .iter()
+            .all(|v| v.iter().all(|x| x.abs() < LARGEST as f32))
+        && p.normals.iter().all(|v| v.iter().all(|x| x.is_finite()))
+        && p.uvs.iter().all(|v| v.iter().all(|x| x.is_finite()))
+}

@@ -1,0 +1,113 @@
+//! The command line. One file a subcommand; what they share lies beside them.
+//!
+//! Exit status (language.md 5): 0 done, 1 the input has errors, 2 wrong usage, 3 input or output failed. A
+//! reader that closes its end of a pipe is no failure.
+
+mod build;
+mod check;
+mod completions;
+mod dump;
+mod explain;
+mod input;
+mod options;
+mod output;
+mod parts;
+mod terminal;
+mod textures;
+mod watch;
+pub mod world;
+
+use clap::{Parser, Subcommand};
+use std::ffi::OsString;
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Exit {
+    Done = 0,
+    Errors = 1,
+}
+
+/// Why a run went no further.
+#[derive(Debug)]
+enum Stop {
+    /// The command line makes no sense.
+    Usage(String),
+    /// A file could not be read or written.
+    Io(String),
+    /// Nobody reads on.
+    Pipe,
+}
+
+impl Stop {
+    /// A failure at a file.
+    fn at(what: impl std::fmt::Display, error: io::Error) -> Stop {
+        match error.kind() {
+            ErrorKind::BrokenPipe => Stop::Pipe,
+            _ => Stop::Io(format!("{what}: {error}")),
+        }
+    }
+}
+
+/// Failures at standard output and error.
+impl From<io::Error> for Stop {
+    fn from(error: io::Error) -> Self {
+        Stop::at("cannot write", error)
+    }
+}
+
+type Outcome = Result<Exit, Stop>;
+
+/// A compiler for houses: a text of part codes becomes a textured 3D model.
+#[derive(Debug, Parser)]
+#[command(name = "hsd", version, propagate_version = true, max_term_width = 100)]
+#[command(after_help = "\
+Examples:
+  hsd build examples/machiya.hsd -o machiya.glb    make a model and open it in any glTF viewer
+  hsd explain HSD0104                              what a message means, and how to mend it
+
+Exit status: 0 done, 1 the input has errors, 2 wrong usage, 3 a file cannot be read or written.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Build(build::Build),
+    Check(check::Check),
+    Dump(dump::Dump),
+    Parts(parts::Parts),
+    Explain(explain::Explain),
+    Textures(textures::Textures),
+    Completions(completions::Completions),
+}
+
+/// Runs the program with these arguments, the program's name first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => {
+            let _ = error.print(); // help for a closed pipe is lost, and nobody minds
+            return ExitCode::from(error.exit_code() as u8);
+        }
+    };
+    let outcome = match cli.command {
+        Command::Build(c) => c.run(),
+        Command::Check(c) => c.run(),
+        Command::Dump(c) => c.run(),
+        Command::Parts(c) => c.run(),
+        Command::Explain(c) => c.run(),
+        Command::Textures(c) => c.run(),
+        Command::Completions(c) => c.run(),
+    };
+    let (message, status) = match outcome {
+        Ok(exit) => return ExitCode::from(exit as u8),
+        Err(Stop::Pipe) => return ExitCode::SUCCESS,
+        Err(Stop::Usage(message)) => (message, 2),
+        Err(Stop::Io(message)) => (message, 3),
+    };
+    let _ = writeln!(io::stderr(), "hsd: {message}");
+    ExitCode::from(status)
+}

@@ -1,0 +1,346 @@
+//! `hsd build`: texts to models.
+
+use super::input::{Inputs, STDIN};
+use super::options::{Reading, exit, report};
+use super::output::{self, Model};
+use super::terminal::{bytes, counted};
+use super::{Outcome, Stop, watch};
+use crate::backend::OutFile;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::driver::{self, Compiled};
+use crate::report::{Format, Report};
+use crate::source::Source;
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::cell::OnceCell;
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// Make 3D models from texts of houses.
+///
+/// The ending of OUT says what is written: .glb (all in one file), .gltf, .obj or .stl. Without -o each
+/// model is written as .glb beside its text. Where a text has errors, nothing is written for it.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd build shop.hsd -o shop.glb          one house, textures inside
+  hsd build street/*.hsd -o models/       a model for each text, in the folder `models`")]
+pub(super) struct Build {
+    #[command(flatten)]
+    pub(super) reading: Reading,
+
+    /// The model's file, a folder (one model for each text), or `-` for standard output.
+    ///
+    /// Several texts and one file make one scene.
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// The format where OUT does not tell: a folder, or standard output.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    format: Option<Model>,
+
+    /// Write the pictures of a .glb into a folder beside it.
+    #[arg(long)]
+    textures_beside: bool,
+
+    /// Build again whenever a text or a picture changes, until interrupted.
+    #[arg(long)]
+    watch: bool,
+
+    /// Say how large the model is and how long each step took.
+    #[arg(long)]
+    stats: bool,
+
+    /// Say nothing unless something is wrong.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// Texts that make one model.
+#[derive(Debug)]
+pub(super) struct Job {
+    inputs: Vec<PathBuf>,
+    output: PathBuf,
+    model: Model,
+}
+
+impl Build {
+    pub(super) fn run(&self) -> Outcome {
+        self.reading.check_folders()?;
+        let jobs = self.jobs()?;
+        for job in &jobs {
+            job.keeps_its_texts()?;
+        }
+        if self.watch {
+            return watch::run(self, &jobs);
+        }
+        self.all(&jobs)
+    }
+
+    /// Runs all jobs. One that fails does not stop the others.
+    pub(super) fn all(&self, jobs: &[Job]) -> Outcome {
+        let status = Status::new(self.quiet, jobs.len());
+        let (mut spoiled, mut failure) = (0, None);
+        for job in jobs {
+            match self.one(job, &status) {
+                Ok(true) => spoiled += 1,
+                Ok(false) => {}
+                Err(Stop::Io(message)) => {
+                    if let Some(Stop::Io(before)) = failure.replace(Stop::Io(message)) {
+                        status.line(&format!("hsd: {before}"))?;
+                    }
+                }
+                Err(stop) => return Err(stop),
+            }
+            status.advance();
+        }
+        status.finish();
+        if let Some(stop) = failure {
+            return Err(stop);
+        }
+        if jobs.len() > 1 && !self.quiet {
+            let written = counted(jobs.len() - spoiled, "model");
+            let errors = match spoiled {
+                0 => String::new(),
+                n => format!(", {} not written", counted(n, "model")),
+            };
+            status.line(&format!("wrote {written}{errors}"))?;
+        }
+        Ok(exit(spoiled > 0))
+    }
+
+    /// Runs one job; whether its texts are spoiled.
+    fn one(&self, job: &Job, status: &Status) -> Result<bool, Stop> {
+        let start = Instant::now();
+        let mut out = Diagnostics::new();
+        let limits = self.reading.limits();
+        let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
+        let world = self.reading.world(&job.inputs);
+        let options = self.reading.options();
+        let mut compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);
+        let Compiled {
+            building, scene, ..
+        } = &compiled;
+        let paths = &scene.pictures;
+        let library = driver::pictures(paths, &building.shell, &world, &limits, &mut out);
+        driver::flaws(&compiled, &mut out);
+        let list = out.into_sorted();
+        status.report(&inputs.sources, &list)?;
+        if list.iter().any(|d| self.reading.spoils(d.severity)) {
+            return Ok(true);
+        }
+        let mut times = std::mem::take(&mut compiled.times);
+        let files = driver::timed(&mut times, "write the format", || {
+            let beside = self.textures_beside;
+            job.model
+                .files(&compiled.scene, &library, &job.output, beside)
+        })?;
+        driver::timed(&mut times, "write the files", || {
+            output::write(&job.output, &files)
+        })?;
+        if status.chatty || self.stats {
+            status.line(&told(&job.output, &compiled, &files, start.elapsed()))?;
+        }
+        if self.stats {
+            status.line(&statistics(&compiled, &times))?;
+        }
+        Ok(false)
+    }
+
+    /// What is to be made of what.
+    fn jobs(&self) -> Result<Vec<Job>, Stop> {
+        let inputs = &self.reading.inputs;
+        let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
+        if stdin > 1 || (stdin > 0 && self.watch) {
+            return Err(Stop::Usage("standard input can be read once only".into()));
+        }
+        let Some(output) = &self.output else {
+            let model = self.format.unwrap_or_default();
+            return each(inputs, model, |input| match input.as_os_str() == STDIN {
+                true => input.to_owned(),
+                false => input.with_extension(model.ending()),
+            });
+        };
+        let text = output.to_string_lossy();
+        if output.is_dir() || text.ends_with(['/', std::path::MAIN_SEPARATOR]) {
+            let made = std::fs::create_dir_all(output);
+            made.map_err(|e| Stop::at(output.display(), e))?;
+            let model = self.format.unwrap_or_default();
+            return each(inputs, model, |input| {
+                let stem = if input.as_os_str() == STDIN {
+                    Path::new("stdin")
+                } else {
+                    input
+                };
+                let name = stem.file_name().map(PathBuf::from).unwrap_or_default();
+                output.join(name.with_extension(model.ending()))
+            });
+        }
+        let stdout = output.as_os_str() == STDIN;
+        let model = match self.format {
+            Some(model) => model,
+            None if stdout => Model::Glb,
+            None => Model::of(output)?,
+        };
+        let several = self.textures_beside || matches!(model, Model::Gltf | Model::Obj);
+        if stdout && several {
+            let message = "standard output takes one file: .glb or .stl, textures inside";
+            return Err(Stop::Usage(message.into()));
+        }
+        Ok(vec![Job {
+            inputs: inputs.clone(),
+            output: output.clone(),
+            model,
+        }])
+    }
+}
+
+impl Job {
+    /// Fails where the model would take the place of a text.
+    fn keeps_its_texts(&self) -> Result<(), Stop> {
+        let real = |p: &Path| p.canonicalize().ok();
+        let output = real(&self.output);
+        let same = |input: &&PathBuf| output.is_some() && real(input) == output;
+        match self.inputs.iter().find(same) {
+            Some(text) if text.is_file() => {
+                let message = "is a text to be read; it would be overwritten";
+                Err(Stop::Usage(format!("{} {message}", text.display())))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The texts.
+    pub(super) fn inputs(&self) -> &[PathBuf] {
+        &self.inputs
+    }
+}
+
+/// A job for each input; two of one output are an error, on any system whatever letters are large.
+fn each(
+    inputs: &[PathBuf],
+    model: Model,
+    output: impl Fn(&Path) -> PathBuf,
+) -> Result<Vec<Job>, Stop> {
+    let mut jobs: Vec<Job> = vec![];
+    let mut taken = std::collections::HashMap::new();
+    for input in inputs {
+        let output = output(input);
+        let key = output.to_string_lossy().to_lowercase();
+        if let Some(other) = taken.insert(key, input) {
+            let (a, b, out) = (other.display(), input.display(), output.display());
+            return Err(Stop::Usage(format!("{a} and {b} would both become {out}")));
+        }
+        jobs.push(Job {
+            inputs: vec![input.clone()],
+            output,
+            model,
+        });
+    }
+    Ok(jobs)
+}
+
+/// `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
+fn told(output: &Path, compiled: &Compiled, files: &[OutFile], took: Duration) -> String {
+    let houses = counted(compiled.building.shell.houses.len(), "house");
+    let size = bytes(files.iter().map(|f| f.bytes.len()).sum());
+    let place = match output.as_os_str() == STDIN {
+        true => "the model".into(),
+        false => output.display().to_string(),
+    };
+    let triangles = counted(drawn(compiled), "triangle");
+    format!(
+        "wrote {place}: {houses}, {triangles}, {size} in {} ms",
+        took.as_millis()
+    )
+}
+
+/// Triangles on the screen: those of a mesh as often as nodes show it.
+fn drawn(compiled: &Compiled) -> usize {
+    let scene = &compiled.scene;
+    let triangles = |m: &crate::scene::Mesh| {
+        let all = m.primitives.iter().map(|p| p.indices.len() / 3);
+        all.sum::<usize>()
+    };
+    let sizes: Vec<usize> = scene.meshes.iter().map(triangles).collect();
+    let shown = scene.nodes.iter().filter_map(|n| n.mesh);
+    shown.filter_map(|m| sizes.get(m.0 as usize)).sum()
+}
+
+fn statistics(compiled: &Compiled, times: &[(&'static str, Duration)]) -> String {
+    let scene = &compiled.scene;
+    let (nodes, meshes) = (
+        counted(scene.nodes.len(), "node"),
+        counted(scene.meshes.len(), "mesh"),
+    );
+    let materials = counted(scene.materials.len(), "material");
+    let mut lines = vec![format!("  {nodes}, {meshes}, {materials}")];
+    let time = |(name, took): &(&str, Duration)| {
+        format!("  {name:<16} {:9.3} ms", took.as_secs_f64() * 1e3)
+    };
+    lines.extend(times.iter().map(time));
+    lines.join("\n")
+}
+
+/// What is said on standard error while jobs run: with a bar where many take long and somebody watches.
+struct Status {
+    /// Whether each model gets a line.
+    chatty: bool,
+    start: Instant,
+    jobs: usize,
+    done: std::cell::Cell<u64>,
+    bar: OnceCell<ProgressBar>,
+}
+
+impl Status {
+    fn new(quiet: bool, jobs: usize) -> Status {
+        Status {
+            chatty: !quiet && jobs == 1,
+            start: Instant::now(),
+            jobs,
+            done: 0.into(),
+            bar: OnceCell::new(),
+        }
+    }
+
+    fn line(&self, text: &str) -> Result<(), Stop> {
+        self.above(|| writeln!(io::stderr(), "{text}"))?;
+        Ok(())
+    }
+
+    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<(), Stop> {
+        if list.is_empty() {
+            return Ok(());
+        }
+        let written = Report::new(sources, list);
+        self.above(|| report(&written, Format::Human, &mut io::stderr()))
+    }
+
+    /// Writes above the bar.
+    fn above<T>(&self, write: impl FnOnce() -> T) -> T {
+        match self.bar.get() {
+            Some(bar) => bar.suspend(write),
+            None => write(),
+        }
+    }
+
+    fn advance(&self) {
+        self.done.set(self.done.get() + 1);
+        let long = self.start.elapsed() > Duration::from_secs(1);
+        if self.jobs > 1 && long && io::stderr().is_terminal() {
+            let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}");
+            let bar = self.bar.get_or_init(|| {
+                let bar = ProgressBar::new(self.jobs as u64);
+                style.map_or(bar.clone(), |style| bar.with_style(style))
+            });
+            bar.set_position(self.done.get());
+        }
+    }
+
+    fn finish(&self) {
+        if let Some(bar) = self.bar.get() {
+            bar.finish_and_clear();
+        }
+    }
+}

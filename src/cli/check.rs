@@ -1,0 +1,59 @@
+//! `hsd check`: what is wrong with texts, and nothing else.
+
+use super::Outcome;
+use super::input::Inputs;
+use super::options::{FormatArg, Reading, exit, report};
+use super::terminal::counted;
+use crate::diagnostic::Diagnostics;
+use crate::driver;
+use crate::report::{Format, Report};
+use clap::Args;
+use std::io::{self, Write};
+
+/// Say what is wrong with texts, without writing a model.
+///
+/// Exit status 1 where a text has errors (with `-D warnings`, errors or warnings).
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd check shop.hsd                        messages with the lines in question
+  hsd check -D warnings --format short *.hsd    a line for each message, warnings count as errors")]
+pub(super) struct Check {
+    #[command(flatten)]
+    reading: Reading,
+
+    /// How messages are written, to standard output.
+    #[arg(long, value_enum, default_value_t)]
+    format: FormatArg,
+}
+
+impl Check {
+    pub(super) fn run(&self) -> Outcome {
+        self.reading.check_folders()?;
+        let (limits, options) = (self.reading.limits(), self.reading.options());
+        let mut out = Diagnostics::new();
+        let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
+        let sources = inputs.accepted();
+        let world = self.reading.world(&self.reading.inputs);
+        let documents = driver::documents(&sources, &limits, &mut out);
+        let program = driver::program(&sources, &documents, &world, &options, &mut out);
+        let building = driver::building(program, &mut out);
+        let shell = &building.shell;
+        let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
+        driver::pictures(&paths, shell, &world, &limits, &mut out);
+        let list = out.into_sorted();
+        let format = Format::from(self.format);
+        if format == Format::Human && list.is_empty() {
+            let (files, houses) = (inputs.sources.len(), shell.houses.len());
+            let (files, houses) = (counted(files, "file"), counted(houses, "house"));
+            writeln!(io::stderr(), "{files}, {houses}: nothing to complain about")?;
+        } else {
+            report(
+                &Report::new(&inputs.sources, &list),
+                format,
+                &mut io::stdout(),
+            )?;
+        }
+        Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))
+    }
+}

@@ -1,0 +1,27 @@
+//! `hsd completions`: what a shell needs to complete our command line.
+
+use super::{Cli, Exit, Outcome};
+use clap::{Args, CommandFactory};
+use clap_complete::Shell;
+use std::io::{self, Write};
+
+/// Write a script that lets a shell complete `hsd` commands.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd completions bash > ~/.local/share/bash-completion/completions/hsd
+  hsd completions fish > ~/.config/fish/completions/hsd.fish")]
+pub(super) struct Completions {
+    /// The shell.
+    #[arg(value_enum)]
+    shell: Shell,
+}
+
+impl Completions {
+    pub(super) fn run(&self) -> Outcome {
+        let mut script = vec![]; // the generator panics where a pipe closes
+        clap_complete::generate(self.shell, &mut Cli::command(), "hsd", &mut script);
+        io::stdout().write_all(&script)?;
+        Ok(Exit::Done)
+    }
+}

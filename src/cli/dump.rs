@@ -1,0 +1,83 @@
+//! `hsd dump`: the trees between the passes.
+
+use super::input::Inputs;
+use super::options::{Reading, exit, report};
+use super::{Outcome, Stop};
+use crate::backend::dump;
+use crate::diagnostic::Diagnostics;
+use crate::driver;
+use crate::report::{Format, Report};
+use crate::source::Source;
+use clap::{Args, ValueEnum};
+use std::io::{self, Write};
+
+/// Show what the program makes of texts on the way to a model, as JSON.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd dump --stage regions shop.hsd                  how the plan is divided into roofs
+  hsd dump --stage program shop.hsd | jq .houses     codes looked up, repeats counted out")]
+pub(super) struct Dump {
+    #[command(flatten)]
+    reading: Reading,
+
+    /// After which step.
+    #[arg(long, value_enum)]
+    stage: Stage,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Stage {
+    /// As written.
+    Ast,
+    /// Steps only: no repeats, draws and substitutions.
+    Program,
+    /// Walls with their places, and roofs.
+    Building,
+    /// The automatic roofs in plan.
+    Regions,
+    /// Meshes, materials and nodes.
+    Scene,
+}
+
+impl Dump {
+    pub(super) fn run(&self) -> Outcome {
+        self.reading.check_folders()?;
+        let mut out = Diagnostics::new();
+        let limit = self.reading.limits().bytes;
+        let inputs = Inputs::read(&self.reading.inputs, limit, &mut out)?;
+        let text = self.text(&inputs.accepted(), &mut out);
+        let text = text.map_err(|e| Stop::Io(format!("cannot be written as JSON: {e}")))?;
+        let list = out.into_sorted();
+        if !list.is_empty() {
+            report(
+                &Report::new(&inputs.sources, &list),
+                Format::Human,
+                &mut io::stderr(),
+            )?;
+        }
+        let mut stdout = io::stdout().lock();
+        stdout.write_all(text.as_bytes())?;
+        stdout.flush()?;
+        Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))
+    }
+
+    fn text(&self, sources: &[&Source], out: &mut Diagnostics) -> serde_json::Result<String> {
+        let (limits, options) = (self.reading.limits(), self.reading.options());
+        let world = self.reading.world(&self.reading.inputs);
+        let documents = driver::documents(sources, &limits, out);
+        if let Stage::Ast = self.stage {
+            return dump::ast(sources, &documents);
+        }
+        let program = driver::program(sources, &documents, &world, &options, out);
+        if let Stage::Program = self.stage {
+            return dump::program(&program);
+        }
+        let building = driver::building(program, out);
+        match self.stage {
+            Stage::Regions => dump::regions(&building),
+            Stage::Scene => dump::scene(&driver::scene(&building)),
+            _ => dump::building(&building),
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! `hsd explain`: the page of a message.
+
+use super::{Exit, Outcome, Stop};
+use crate::diagnostic::{Code, pages};
+use crate::report::title;
+use clap::Args;
+use std::io::{self, Write};
+
+/// Explain a message: its cause, an example, and how to mend it.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd explain HSD0104    the page of one message
+  hsd explain            a list of all messages")]
+pub(super) struct Explain {
+    /// The code of a message, such as HSD0104; `hsd0104` and `104` will do.
+    code: Option<String>,
+}
+
+impl Explain {
+    pub(super) fn run(&self) -> Outcome {
+        let mut out = io::stdout().lock();
+        match &self.code {
+            None => {
+                for (code, page) in pages::PAGES {
+                    writeln!(out, "{code}  {}", title(page))?;
+                }
+            }
+            Some(text) => {
+                let page = number(text).and_then(|n| pages::page(Code(n)));
+                let page = page.ok_or_else(|| unknown(text))?;
+                writeln!(out, "{}", page.trim_end())?;
+            }
+        }
+        out.flush()?;
+        Ok(Exit::Done)
+    }
+}
+
+/// The number of a code, however it is written.
+fn number(text: &str) -> Option<u16> {
+    let text = text.trim();
+    let digits = match text.get(..3) {
+        Some(prefix) if prefix.eq_ignore_ascii_case("hsd") => &text[3..],
+        _ => text,
+    };
+    digits.parse().ok()
+}
+
+fn unknown(text: &str) -> Stop {
+    let Some(wanted) = number(text) else {
+        let message = "is no code of a message; codes look like HSD0104, `hsd explain` lists them";
+        return Stop::Usage(format!("{text:?} {message}"));
+    };
+    let mut near: Vec<Code> = pages::PAGES.iter().map(|(code, _)| *code).collect();
+    near.sort_by_key(|c| (c.0.abs_diff(wanted), c.0));
+    near.truncate(3);
+    near.sort_unstable();
+    let near: Vec<String> = near.iter().map(Code::to_string).collect();
+    let hint = if near.is_empty() {
+        String::new()
+    } else {
+        format!("; the nearest are {}", near.join(", "))
+    };
+    Stop::Usage(format!("there is no message {}{hint}", Code(wanted)))
+}

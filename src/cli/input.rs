@@ -1,0 +1,86 @@
+//! Reading the inputs.
+
+use super::Stop;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::file as say;
+use crate::source::{FileId, Source};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+/// The name that stands for standard input, and for standard output.
+pub(super) const STDIN: &str = "-";
+
+/// Files as they were read.
+#[derive(Debug)]
+pub(super) struct Inputs {
+    /// One a file, numbered in order.
+    pub(super) sources: Vec<Source>,
+    /// Whether a file is over the limit: its source is empty, and a message says so.
+    refused: Vec<bool>,
+}
+
+impl Inputs {
+    /// Reads files.
+    pub(super) fn read(
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        let mut inputs = Inputs {
+            sources: vec![],
+            refused: vec![],
+        };
+        for (path, number) in paths.iter().zip(0usize..) {
+            let id = u16::try_from(number).map_err(|_| {
+                Stop::Usage("too many inputs: 65,536 files can be read in one run".into())
+            })?;
+            let shown = if path.as_os_str() == STDIN {
+                "<stdin>".to_owned()
+            } else {
+                path.display().to_string()
+            };
+            let (bytes, size) = read(path, limit).map_err(|e| Stop::at(&shown, e))?;
+            let source = Source::new(FileId(id), shown, &bytes);
+            inputs.refused.push(size > limit);
+            if size > limit {
+                out.push(say::too_large(source.span(0..0), size, limit));
+            }
+            inputs.sources.push(source);
+        }
+        Ok(inputs)
+    }
+
+    /// The sources that are to be compiled.
+    pub(super) fn accepted(&self) -> Vec<&Source> {
+        let both = self.sources.iter().zip(&self.refused);
+        both.filter(|(_, refused)| !**refused)
+            .map(|(s, _)| s)
+            .collect()
+    }
+}
+
+/// The bytes of a file, and how many it has; none are read where they are too many.
+fn read(path: &Path, limit: usize) -> io::Result<(Vec<u8>, usize)> {
+    let mut bytes = vec![];
+    if path.as_os_str() == STDIN {
+        let stdin = io::stdin().lock();
+        stdin.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    } else {
+        let file = File::open(path)?;
+        let kind = file.metadata()?;
+        if kind.is_dir() {
+            return Err(io::Error::other("is a folder; name the texts in it"));
+        }
+        if kind.len() > limit as u64 {
+            return Ok((vec![], usize::try_from(kind.len()).unwrap_or(usize::MAX)));
+        }
+        // A pipe or a growing file says nothing of its size.
+        file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    }
+    let size = bytes.len();
+    if size > limit {
+        bytes.clear();
+    }
+    Ok((bytes, size))
+}

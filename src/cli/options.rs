@@ -1,0 +1,158 @@
+//! Options that several subcommands take.
+
+use super::input::STDIN;
+use super::world::FolderWorld;
+use super::{Exit, Stop};
+use crate::diagnostic::Severity;
+use crate::expand;
+use crate::report::{Format, Report};
+use crate::source::Limits;
+use clap::{Args, ValueEnum};
+use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+/// What is read, and how.
+#[derive(Clone, Debug, Args)]
+pub(super) struct Reading {
+    /// Texts of houses; `-` reads standard input.
+    #[arg(required = true, value_name = "IN")]
+    pub(super) inputs: Vec<PathBuf>,
+
+    /// Look for part pictures in this folder; may be given several times.
+    ///
+    /// Without it they are looked for in the folder of each text and in its folder `textures`.
+    #[arg(long, value_name = "DIR")]
+    textures: Vec<PathBuf>,
+
+    /// Draw everything random with this number instead of the seed of the house.
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+
+    /// Treat warnings as errors.
+    #[arg(short = 'D', value_name = "warnings", value_parser = ["warnings"])]
+    deny: Option<String>,
+
+    /// Refuse files with more bytes.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().bytes)]
+    max_bytes: usize,
+
+    /// Refuse elements nested deeper.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().nesting)]
+    max_nesting: usize,
+
+    /// Refuse houses with more parts, repeats counted out.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().parts)]
+    max_parts: usize,
+
+    /// Refuse pictures with more pixels.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
+    max_pixels: u64,
+}
+
+impl Reading {
+    pub(super) fn limits(&self) -> Limits {
+        Limits {
+            bytes: self.max_bytes.min(u32::MAX as usize), // spans count in 32 bits
+            nesting: self.max_nesting,
+            parts: self.max_parts,
+            pixels: self.max_pixels,
+        }
+    }
+
+    pub(super) fn options(&self) -> expand::Options {
+        expand::Options {
+            seed: self.seed,
+            limits: self.limits(),
+        }
+    }
+
+    /// The texture folders for some of the inputs.
+    pub(super) fn folders(&self, inputs: &[PathBuf]) -> Vec<PathBuf> {
+        if !self.textures.is_empty() {
+            return self.textures.clone();
+        }
+        let mut folders = vec![];
+        for input in inputs {
+            let own = match input.parent() {
+                _ if input.as_os_str() == STDIN => Path::new("."),
+                None => Path::new("."),
+                Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+                Some(parent) => parent,
+            };
+            for folder in [own.to_owned(), own.join("textures")] {
+                if !folders.contains(&folder) {
+                    folders.push(folder);
+                }
+            }
+        }
+        folders
+    }
+
+    /// The world of some of the inputs.
+    pub(super) fn world(&self, inputs: &[PathBuf]) -> FolderWorld {
+        FolderWorld::new(self.folders(inputs), self.max_pixels)
+    }
+
+    /// Fails for folders that were named and are none.
+    pub(super) fn check_folders(&self) -> Result<(), Stop> {
+        match self.textures.iter().find(|f| !f.is_dir()) {
+            Some(f) => Err(Stop::Io(format!(
+                "{}: there is no such folder",
+                f.display()
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether messages of this severity spoil a run.
+    pub(super) fn spoils(&self, severity: Severity) -> bool {
+        match severity {
+            Severity::Error => true,
+            Severity::Warning => self.deny.is_some(),
+            Severity::Note => false,
+        }
+    }
+}
+
+/// The formats of `--format`.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub(super) enum FormatArg {
+    /// With the lines in question.
+    #[default]
+    Human,
+    /// A line each, for editors.
+    Short,
+    /// One array, for programs.
+    Json,
+    /// SARIF 2.1.0, for code-scanning services.
+    Sarif,
+}
+
+impl From<FormatArg> for Format {
+    fn from(format: FormatArg) -> Format {
+        match format {
+            FormatArg::Human => Format::Human,
+            FormatArg::Short => Format::Short,
+            FormatArg::Json => Format::Json,
+            FormatArg::Sarif => Format::Sarif,
+        }
+    }
+}
+
+/// Writes a report to a stream.
+pub(super) fn report(
+    report: &Report<'_>,
+    format: Format,
+    stream: &mut (impl Write + IsTerminal),
+) -> Result<(), Stop> {
+    let style = super::terminal::style(stream);
+    let mut text = vec![];
+    report.write(format, style, &mut text)?;
+    stream.write_all(&text)?;
+    Ok(stream.flush()?)
+}
+
+/// 1 where the input is spoiled.
+pub(super) fn exit(spoiled: bool) -> Exit {
+    if spoiled { Exit::Errors } else { Exit::Done }
+}

@@ -1,0 +1,67 @@
+//! `hsd build --watch`: builds again when a text or a picture changes.
+
+use super::build::{Build, Job};
+use super::{Outcome, Stop};
+use notify_debouncer_full::notify::{EventKind, RecursiveMode};
+use notify_debouncer_full::{DebouncedEvent, new_debouncer};
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc;
+use std::time::Duration;
+
+/// Editors write a file in several steps.
+const QUIET: Duration = Duration::from_millis(50);
+
+/// Builds, waits, builds again; ends when the process is interrupted.
+pub(super) fn run(build: &Build, jobs: &[Job]) -> Outcome {
+    let (sender, events) = mpsc::channel();
+    let failed = |e: notify_debouncer_full::notify::Error| Stop::Io(format!("cannot watch: {e}"));
+    let mut debouncer = new_debouncer(QUIET, None, sender).map_err(failed)?;
+    let inputs: Vec<PathBuf> = jobs.iter().flat_map(|j| j.inputs()).cloned().collect();
+    let mut texts = BTreeSet::new();
+    let mut folders = BTreeSet::new();
+    for input in &inputs {
+        // The folder is watched, since editors put a new file in the place of the old one.
+        let folder = input.parent().filter(|p| !p.as_os_str().is_empty());
+        let folder = folder.unwrap_or(Path::new(".")).canonicalize();
+        let folder = folder.map_err(|e| Stop::at(input.display(), e))?;
+        texts.extend(input.file_name().map(|name| folder.join(name)));
+        folders.insert(folder);
+    }
+    let pictures = build.reading.folders(&inputs).into_iter();
+    folders.extend(pictures.filter_map(|f| f.canonicalize().ok()));
+    for folder in &folders {
+        debouncer
+            .watch(folder, RecursiveMode::NonRecursive)
+            .map_err(failed)?;
+    }
+    loop {
+        match build.all(jobs) {
+            Ok(_) => {}
+            Err(Stop::Io(message)) => writeln!(io::stderr(), "hsd: {message}")?,
+            Err(stop) => return Err(stop),
+        }
+        loop {
+            let batch = events
+                .recv()
+                .map_err(|e| Stop::Io(format!("cannot watch: {e}")))?;
+            let mut list = batch.into_iter().flatten();
+            if list.any(|e| matters(&e, &texts)) {
+                break;
+            }
+        }
+    }
+}
+
+/// Whether an event changes a text or a picture; outputs in the same folder do not count.
+fn matters(event: &DebouncedEvent, texts: &BTreeSet<PathBuf>) -> bool {
+    let picture = |p: &Path| {
+        let ending = p.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        ["png", "jpg", "jpeg"]
+            .iter()
+            .any(|e| ending.eq_ignore_ascii_case(e))
+    };
+    !matches!(event.kind, EventKind::Access(_))
+        && event.paths.iter().any(|p| texts.contains(p) || picture(p))
+}

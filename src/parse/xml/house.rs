@@ -1,0 +1,158 @@
+//! Houses: settings, storeys, loops and rows.
+
+use super::facades::KINDS;
+use super::pieces::Line;
+use super::read::{Attributes, Node, Reader};
+use super::schema::{self, Schema, Tag};
+use super::suggest::narrow_ascii;
+use super::tag::is_blank;
+use super::tree::Element;
+use super::values::{ANYWHERE, SIZE, TURN};
+use crate::ast::{Edit, House, Loop, Row, Settings, Storey, StoreyKind};
+use crate::diagnostic::messages::xml as say;
+use crate::source::{Span, Spanned};
+
+const TURNS: &[(&str, f64)] = &[("R", 90.0), ("L", -90.0)];
+
+impl<'t> Reader<'t, '_> {
+    /// Reads a house.
+    pub(super) fn house(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> House {
+        let of = self.attributes(schema, element);
+        let mut house = House {
+            span: self.whole(element),
+            name: self.text(&of, "name"),
+            settings: self.settings(&of),
+            ..House::default()
+        };
+        let mut roofs: Option<Span> = None;
+        for node in self.children(element, &schema::HOUSE) {
+            let Node::Element(schema, child) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::Structure => {
+                    let (structure, textures) = self.structure(schema, child);
+                    house.structures.push(structure);
+                    house.textures.extend(textures);
+                }
+                Tag::Texture => house.textures.extend(self.texture(schema, child)),
+                Tag::Roofs => {
+                    let read = self.roofs(schema, child);
+                    if let Some(first) = roofs {
+                        self.faults.at(&child.name_range, |s| {
+                            say::second_of(s, schema.name, element.name, first)
+                        });
+                        house.roofs.lines.extend(read.lines);
+                    } else {
+                        house.roofs = read;
+                        roofs = Some(self.faults.span(&child.name_range));
+                    }
+                }
+                _ => {
+                    let item = self.item(schema, child, &schema::STOREYS, Self::storey);
+                    house.storeys.extend(item);
+                }
+            }
+        }
+        house
+    }
+
+    fn settings(&mut self, of: &Attributes<'t>) -> Settings {
+        Settings {
+            x: self.number(of, "x", ANYWHERE),
+            y: self.number(of, "y", ANYWHERE),
+            z: self.number(of, "z", ANYWHERE),
+            azimuth: self.number(of, "azimuth", TURN),
+            unit: self.number(of, "unit", 0.1..=100.0),
+            seed: self.whole_number(of, "seed", 0..=u64::MAX),
+            street: self.yes_no(of, "street"),
+        }
+    }
+
+    /// Reads a structure that stands for a house of its own.
+    pub(super) fn lone_structure(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> House {
+        let (structure, textures) = self.structure(schema, element);
+        House {
+            span: self.whole(element),
+            structures: vec![structure],
+            textures,
+            ..House::default()
+        }
+    }
+
+    fn storey(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Storey {
+        let of = self.attributes(schema, element);
+        let kind = self.choice(&of, "kind", KINDS);
+        let mut storey = Storey {
+            span: self.whole(element),
+            height: self.number(&of, "height", SIZE),
+            start: self.point(&of, "start"),
+            kind: kind.map_or(StoreyKind::Storey, |k| k.value),
+            ..Storey::default()
+        };
+        // Rows that stand in the storey itself form its first loop.
+        let mut own = Loop {
+            span: storey.span,
+            ..Loop::default()
+        };
+        for node in self.children(element, &schema::STOREY) {
+            let Node::Element(schema, child) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::Loop => storey.loops.push(self.walk(schema, child)),
+                Tag::Random => {
+                    let edit = self.random(schema, child).map(Edit::Random);
+                    storey.edits.extend(edit);
+                }
+                Tag::Replace => {
+                    let edit = self.replace(schema, child).map(Edit::Replace);
+                    storey.edits.extend(edit);
+                }
+                _ => {
+                    let item = self.item(schema, child, &schema::ROWS, Self::row);
+                    own.rows.extend(item);
+                }
+            }
+        }
+        if !own.rows.is_empty() {
+            storey.loops.insert(0, own);
+        }
+        storey
+    }
+
+    fn walk(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Loop {
+        let of = self.attributes(schema, element);
+        let hole = self.yes_no(&of, "hole");
+        Loop {
+            span: self.whole(element),
+            hole: hole.is_some_and(|h| h.value),
+            start: self.point(&of, "start"),
+            rows: self.items(element, &schema::ROWS, Self::row),
+        }
+    }
+
+    fn row(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Row {
+        let of = self.attributes(schema, element);
+        let given = of.get("turn").is_some_and(|t| {
+            let text = t.value.as_str().trim_matches(is_blank);
+            let letter = text.chars().next().map(|c| narrow_ascii(c).unwrap_or(c));
+            letter.is_some_and(char::is_alphabetic)
+        });
+        let written: Option<Spanned<f64>> = if given {
+            self.choice(&of, "turn", TURNS)
+        } else {
+            self.number(&of, "turn", TURN)
+        };
+        let Line { pieces, turn } = self.line(element, &schema::PIECES, true);
+        Row {
+            span: self.whole(element),
+            pieces,
+            turn: written.or(turn),
+        }
+    }
+}

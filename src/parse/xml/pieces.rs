@@ -1,0 +1,260 @@
+//! What stands in a wall line: parts, codes, and the operations on them.
+
+use super::read::{Attributes, Node, Reader};
+use super::schema::{self, Content, Schema, Tag};
+use super::tag::is_blank;
+use super::tree::Element;
+use super::values::SIZE;
+use crate::ast::{CodeText, Half, Item, Part, Piece, Random, Repeat, Replace, Split};
+use crate::diagnostic::messages::xml as say;
+use crate::source::Spanned;
+
+/// Repetitions that anybody can mean.
+const MANY: u64 = 10_000_000;
+
+/// The content of a wall line.
+#[derive(Default)]
+pub(super) struct Line {
+    pub(super) pieces: Vec<Item<Piece>>,
+    /// The turn that a control letter asked for.
+    pub(super) turn: Option<Spanned<f64>>,
+}
+
+impl<'t> Reader<'t, '_> {
+    /// Reads the pieces of a row, a floor or a half; `turns` = the row has a `turn`.
+    pub(super) fn line(
+        &mut self,
+        element: &'t Element<'t>,
+        content: &'static Content,
+        turns: bool,
+    ) -> Line {
+        let mut line = Line::default();
+        for node in self.children(element, content) {
+            match node {
+                Node::Text(text) => {
+                    let turn = self.codes(text, turns, &mut line.pieces);
+                    line.turn = turn.or(line.turn);
+                }
+                Node::Element(schema, child) if schema.tag == Tag::Row => {
+                    let of = self.attributes(schema, child);
+                    if let Some(turn) = of.get("turn") {
+                        let name = turn.name_range.clone();
+                        self.faults.at(&name, say::turn_in_floor);
+                    }
+                    line.pieces
+                        .extend(self.line(child, &schema::PIECES, false).pieces);
+                }
+                Node::Element(schema, child) => {
+                    line.pieces.extend(self.piece(schema, child, turns));
+                }
+            }
+        }
+        line
+    }
+
+    fn piece(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        turns: bool,
+    ) -> Option<Item<Piece>> {
+        match schema.tag {
+            Tag::Part => Some(Item::One(Piece::Part(self.part(schema, element)))),
+            Tag::Split => {
+                let split = self.split(schema, element);
+                Some(Item::One(Piece::Split(Box::new(split))))
+            }
+            Tag::Repeat => {
+                let num = self.repeat_num(schema, element);
+                let line = self.line(element, &schema::PIECES, turns);
+                Some(Item::Repeat(Repeat {
+                    span: self.start(element),
+                    num,
+                    body: line.pieces,
+                }))
+            }
+            _ => self.operation(schema, element),
+        }
+    }
+
+    fn part(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Part {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        // A part without a code becomes a void, so that the row keeps its length.
+        let code = match self.text(&of, "code") {
+            Some(text) => Spanned::new(CodeText::new(&text.value), text.span),
+            None => Spanned::new(CodeText::new(""), self.start(element)),
+        };
+        Part {
+            code,
+            width: self.number(&of, "width", 0.0..=1e5),
+            height: self.number(&of, "height", SIZE),
+        }
+    }
+
+    fn split(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Split {
+        let of = self.attributes(schema, element);
+        let ratio = self.number(&of, "ratio", 0.001..=0.999);
+        let mut halves: [Option<Half>; 2] = [None, None];
+        for node in self.children(element, &schema::SPLIT) {
+            let Node::Element(schema, child) = node else {
+                continue;
+            };
+            self.attributes(schema, child);
+            let half = Half {
+                span: self.whole(child),
+                pieces: self.line(child, &schema::PIECES, false).pieces,
+            };
+            let place = &mut halves[usize::from(schema.tag == Tag::Lower)];
+            if let Some(first) = place {
+                let before = first.span;
+                self.faults.at(&child.name_range, |s| {
+                    say::second_of(s, schema.name, element.name, before)
+                });
+            } else {
+                *place = Some(half);
+            }
+        }
+        for (half, name) in halves.iter().zip(["upper", "lower"]) {
+            if half.is_none() && !element.cut {
+                self.faults.at(&element.name_range, |s| {
+                    say::child_missing(s, element.name, name)
+                });
+            }
+        }
+        let span = self.start(element);
+        let nothing = || Half {
+            span,
+            pieces: vec![],
+        };
+        let [upper, lower] = halves.map(|h| h.unwrap_or_else(nothing));
+        Split {
+            span,
+            ratio,
+            upper,
+            lower,
+        }
+    }
+
+    /// The number of a `repeat`; 1 where it is unusable.
+    pub(super) fn repeat_num(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Spanned<u32> {
+        let of = self.attributes(schema, element);
+        let num = self.whole_number(&of, "num", 0..=MANY);
+        num.map_or(Spanned::new(1, self.start(element)), |n| {
+            Spanned::new(u32::try_from(n.value).unwrap_or(u32::MAX), n.span)
+        })
+    }
+
+    /// Reads a `repeat` whose content is read by `each`.
+    pub(super) fn repeat<T>(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        content: &'static Content,
+        each: fn(&mut Self, &'static Schema, &'t Element<'t>) -> T,
+    ) -> Repeat<T> {
+        let num = self.repeat_num(schema, element);
+        Repeat {
+            span: self.start(element),
+            num,
+            body: self.items(element, content, each),
+        }
+    }
+
+    /// Reads things of a kind, and the operations among them.
+    pub(super) fn items<T>(
+        &mut self,
+        element: &'t Element<'t>,
+        content: &'static Content,
+        each: fn(&mut Self, &'static Schema, &'t Element<'t>) -> T,
+    ) -> Vec<Item<T>> {
+        let mut items = vec![];
+        for node in self.children(element, content) {
+            if let Node::Element(schema, child) = node {
+                items.extend(self.item(schema, child, content, each));
+            }
+        }
+        items
+    }
+
+    /// Reads a thing, or an operation beside it.
+    pub(super) fn item<T>(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        content: &'static Content,
+        each: fn(&mut Self, &'static Schema, &'t Element<'t>) -> T,
+    ) -> Option<Item<T>> {
+        match schema.tag {
+            Tag::Repeat => Some(Item::Repeat(self.repeat(schema, element, content, each))),
+            Tag::Random | Tag::Replace => self.operation(schema, element),
+            _ => Some(Item::One(each(self, schema, element))),
+        }
+    }
+
+    fn operation<T>(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Option<Item<T>> {
+        if schema.tag == Tag::Random {
+            self.random(schema, element).map(Item::Random)
+        } else {
+            self.replace(schema, element).map(Item::Replace)
+        }
+    }
+
+    /// Reads a `random`; nothing where it has no codes.
+    pub(super) fn random(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Option<Random> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        Some(Random {
+            span: self.whole(element),
+            weights: self.weights(&of),
+            codes: self.text(&of, "code")?,
+        })
+    }
+
+    fn weights(&mut self, of: &Attributes<'t>) -> Option<Spanned<Vec<f64>>> {
+        let weights = self.numbers(of, "weights", &(0.0..=1e9))?;
+        if weights.value.iter().any(|w| *w > 0.0) {
+            return Some(weights);
+        }
+        let span = weights.span;
+        self.faults.push(|| say::no_weight(span));
+        None
+    }
+
+    /// Reads a `replace`; nothing where it does not say by what.
+    pub(super) fn replace(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Option<Replace> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let bears = |name: &str| of.element.attributes.iter().any(|a| a.name == name);
+        if !["code", "texturecode", "at"].into_iter().any(bears) {
+            self.faults.at(&element.name_range, say::replaces_nothing);
+        }
+        let at = self.positions(&of, "at");
+        let codes = self.text(&of, "code");
+        let with = self.text(&of, "with")?;
+        let given = codes.is_some() || at.is_some();
+        debug_assert!(!with.value.starts_with(is_blank) || with.value == "     ");
+        given.then(|| Replace {
+            span: self.whole(element),
+            codes,
+            with,
+            at,
+        })
+    }
+}

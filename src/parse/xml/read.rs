@@ -1,0 +1,266 @@
+//! What every element's reader shares: its children and attributes, checked against the tables.
+
+use super::faults::Faults;
+use super::schema::{self, Content, Schema, Tag};
+use super::suggest::Suggest;
+use super::tag::{Attribute, is_blank};
+use super::text::Text;
+use super::tree::{Child, Element, Tree};
+use crate::diagnostic::messages::xml as say;
+use crate::source::Span;
+
+/// The state of the second step, from the tree to the document.
+pub(super) struct Reader<'t, 'a> {
+    pub(super) tree: &'t Tree<'t>,
+    pub(super) faults: &'t mut Faults<'a>,
+    pub(super) suggest: Suggest,
+}
+
+/// A child that may stand where it stands.
+pub(super) enum Node<'t> {
+    /// An element.
+    Element(&'static Schema, &'t Element<'t>),
+    /// Codes.
+    Text(&'t Text<'t>),
+}
+
+/// The attributes of an element that are usable or at least given, by their canonical names.
+pub(super) struct Attributes<'t> {
+    pub(super) element: &'t Element<'t>,
+    schema: &'static Schema,
+    list: Vec<(&'static str, &'t Attribute<'t>, bool)>,
+}
+
+impl<'t> Attributes<'t> {
+    /// A usable attribute.
+    pub(super) fn get(&self, name: &str) -> Option<&'t Attribute<'t>> {
+        debug_assert!(self.schema.attributes.contains(&name), "{name}");
+        let found = self
+            .list
+            .iter()
+            .find(|(n, _, usable)| *n == name && *usable);
+        found.map(|(_, attribute, _)| *attribute)
+    }
+}
+
+impl<'t> Reader<'t, '_> {
+    /// The span of a whole element.
+    pub(super) fn whole(&self, element: &Element<'_>) -> Span {
+        self.faults.span(&element.range)
+    }
+
+    /// The span of an element's start tag.
+    pub(super) fn start(&self, element: &Element<'_>) -> Span {
+        self.faults.span(&element.tag)
+    }
+
+    /// The outermost elements.
+    pub(super) fn roots(&mut self) -> Vec<Node<'t>> {
+        let mut nodes = vec![];
+        for root in &self.tree.roots {
+            self.element(&self.tree.elements[*root], None, &schema::ROOT, &mut nodes);
+        }
+        nodes
+    }
+
+    /// The children of an element that may stand in it. What may not is reported; the children of unknown
+    /// elements count as those of the element round them.
+    pub(super) fn children(
+        &mut self,
+        element: &'t Element<'t>,
+        content: &'static Content,
+    ) -> Vec<Node<'t>> {
+        let mut nodes = vec![];
+        self.collect(element, element.name, content, &mut nodes);
+        nodes
+    }
+
+    /// Reports whatever stands in an element that holds nothing.
+    pub(super) fn no_children(&mut self, element: &'t Element<'t>) {
+        self.children(element, &schema::NOTHING);
+    }
+
+    fn collect(
+        &mut self,
+        from: &'t Element<'t>,
+        parent: &'t str,
+        content: &'static Content,
+        nodes: &mut Vec<Node<'t>>,
+    ) {
+        for child in &from.children {
+            match child {
+                Child::Text(text) if content.text => nodes.push(Node::Text(text)),
+                Child::Text(text) => {
+                    let s = text.as_str();
+                    let start = s.len() - s.trim_start_matches(is_blank).len();
+                    let end = s.trim_end_matches(is_blank).len();
+                    let range = text.range(start..end);
+                    let quoted = &s[start..end];
+                    self.faults
+                        .at(&range, |s| say::text_not_allowed(s, quoted, parent));
+                }
+                Child::Element(index) => {
+                    let child = &self.tree.elements[*index];
+                    self.element(child, Some(parent), content, nodes);
+                }
+            }
+        }
+    }
+
+    /// Puts an element among the nodes if it may stand there.
+    fn element(
+        &mut self,
+        element: &'t Element<'t>,
+        parent: Option<&'t str>,
+        content: &'static Content,
+        nodes: &mut Vec<Node<'t>>,
+    ) {
+        let (name, range) = (element.name, &element.name_range);
+        match schema::named(name) {
+            Some(schema) if content.tags.contains(&schema.tag) => {
+                nodes.push(Node::Element(schema, element));
+            }
+            Some(schema) if schema.tag == Tag::Later => {
+                self.faults.at(range, |s| say::not_yet(s, name));
+            }
+            Some(schema) => {
+                self.faults
+                    .at(range, |s| say::wrong_place(s, name, parent, schema.home));
+            }
+            None => self.unknown(element, parent, content, nodes),
+        }
+    }
+
+    fn unknown(
+        &mut self,
+        element: &'t Element<'t>,
+        parent: Option<&'t str>,
+        content: &'static Content,
+        nodes: &mut Vec<Node<'t>>,
+    ) {
+        let all = schema::ELEMENTS.iter();
+        let here = all.clone().filter(|e| content.tags.contains(&e.tag));
+        let near = self.suggest.among(element.name, here.map(|e| e.name));
+        let near = near.or_else(|| self.suggest.among(element.name, all.map(|e| e.name)));
+        if is_name(element.name) {
+            self.faults.at(&element.name_range, |s| {
+                say::unknown_element(s, element.name, near, parent)
+            });
+        }
+        match near.and_then(schema::named) {
+            Some(schema) if content.tags.contains(&schema.tag) => {
+                nodes.push(Node::Element(schema, element));
+            }
+            Some(_) => {}
+            None => self.collect(element, parent.unwrap_or(element.name), content, nodes),
+        }
+    }
+
+    /// The attributes of an element, checked by name; what they say is checked when they are asked for.
+    pub(super) fn attributes(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Attributes<'t> {
+        let mut found = Attributes {
+            element,
+            schema,
+            list: vec![],
+        };
+        for attribute in &element.attributes {
+            if attribute.name.contains(':') || attribute.name == "xmlns" {
+                continue; // Other programs' business: name spaces, schema locations, xml:lang.
+            }
+            if let Some(name) = self.attribute_name(schema, attribute) {
+                self.add(&mut found, name, attribute);
+            }
+        }
+        for required in schema.required {
+            if !found.list.iter().any(|(n, ..)| n == required) {
+                self.faults.at(&element.name_range, |s| {
+                    say::attribute_missing(s, schema.name, required)
+                });
+            }
+        }
+        found
+    }
+
+    fn attribute_name(
+        &mut self,
+        schema: &'static Schema,
+        attribute: &Attribute<'_>,
+    ) -> Option<&'static str> {
+        let canonical = schema::canonical(attribute.name);
+        let known = schema.attributes.iter().find(|a| **a == canonical);
+        if known.is_some() {
+            return known.copied();
+        }
+        let bears = schema.attributes.iter().copied();
+        let code = bears.clone().find(|a| *a == "code").map(|_| "texturecode");
+        let near = self
+            .suggest
+            .among(attribute.name, bears.clone().chain(code));
+        if !attribute.faulty {
+            self.faults.at(&attribute.name_range, |s| {
+                say::unknown_attribute(s, attribute.name, schema.name, near, schema.attributes)
+            });
+        }
+        let near = schema::canonical(near?);
+        bears.into_iter().find(|a| *a == near)
+    }
+
+    fn add(
+        &mut self,
+        found: &mut Attributes<'t>,
+        name: &'static str,
+        attribute: &'t Attribute<'t>,
+    ) {
+        let first = found.list.iter().find(|(n, ..)| *n == name);
+        if let Some((_, first, _)) = first {
+            // Twins of the same spelling were reported by the tree.
+            if first.name != attribute.name && !attribute.faulty {
+                let before = self.faults.span(&first.name_range);
+                self.faults.at(&attribute.name_range, |s| {
+                    say::attribute_twice(s, attribute.name, first.name, before)
+                });
+            }
+            return;
+        }
+        let text = attribute.value.as_str();
+        let empty = text.trim_matches(is_blank).is_empty() && !void(text);
+        if empty && !attribute.faulty {
+            self.faults
+                .at(&attribute.range, |s| say::value_empty(s, attribute.name));
+        }
+        let expression = !empty && self.expression(name, attribute);
+        found.list.push((name, attribute, !empty && !expression));
+    }
+
+    /// Reports an expression in braces; only `{k}` in a code or an id is left to the next pass.
+    fn expression(&mut self, name: &str, attribute: &Attribute<'_>) -> bool {
+        let text = attribute.value.as_str();
+        let names = matches!(name, "code" | "with" | "id");
+        let mut from = 0;
+        while let Some(open) = text[from..].find('{').map(|i| from + i) {
+            let end = text[open..].find('}').map_or(text.len(), |i| open + i + 1);
+            if !(names && text[open..end].trim_matches(['{', '}', ' ']) == "k") {
+                let range = attribute.value.range(open..end);
+                let quoted = &text[open..end];
+                self.faults
+                    .at(&range, |s| say::expression_not_yet(s, quoted));
+                return true;
+            }
+            from = end;
+        }
+        false
+    }
+}
+
+/// Five blanks are the code of a void.
+fn void(text: &str) -> bool {
+    text == "     "
+}
+
+fn is_name(name: &str) -> bool {
+    name.starts_with(super::tag::is_name_start)
+}

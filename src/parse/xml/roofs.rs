@@ -1,0 +1,94 @@
+//! `Roofs` and `Roof`.
+
+use super::read::{Attributes, Node, Reader};
+use super::schema::{self, Schema};
+use super::tag::is_blank;
+use super::tree::Element;
+use super::values::{ANYWHERE, LENGTH, SIZE};
+use crate::ast::{
+    RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
+};
+use crate::source::Spanned;
+
+const DIRECTIONS: &[(&str, RoofDirection)] = &[
+    ("X", RoofDirection::AlongFront),
+    ("Y", RoofDirection::AcrossFront),
+    ("F", RoofDirection::Front),
+    ("B", RoofDirection::Back),
+    ("L", RoofDirection::Left),
+    ("R", RoofDirection::Right),
+];
+
+const KINDS: &[(&str, RoofKind)] = &[
+    ("K", RoofKind::Tiles),
+    ("I", RoofKind::Boards),
+    ("S", RoofKind::Shingles),
+    ("H", RoofKind::Bark),
+    ("Y", RoofKind::Thatch),
+    ("T", RoofKind::Metal),
+];
+
+const MODES: &[(&str, RoofMode)] = &[("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
+
+const METHODS: &[(&str, RoofMethod)] =
+    &[("least-cut", RoofMethod::LeastCut), ("kd", RoofMethod::Kd)];
+
+impl<'t> Reader<'t, '_> {
+    /// Reads a roof section.
+    pub(super) fn roofs(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Roofs {
+        let of = self.attributes(schema, element);
+        let mut roofs = Roofs {
+            mode: self.choice(&of, "mode", MODES),
+            method: self.choice(&of, "method", METHODS),
+            style: self.style(&of),
+            lines: vec![],
+        };
+        for node in self.children(element, &schema::ROOFS) {
+            if let Node::Element(schema, child) = node {
+                roofs.lines.extend(self.roof(schema, child));
+            }
+        }
+        roofs
+    }
+
+    /// Reads a roof; nothing where its rectangle is not known.
+    fn roof(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<RoofLine> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let style = self.style(&of);
+        let direction = self.choice(&of, "ridge", DIRECTIONS);
+        let star = |h: &str| h.trim_matches(is_blank) == "*";
+        let automatic = of.get("height").is_some_and(|h| star(h.value.as_str()));
+        let height = (!automatic).then(|| self.number(&of, "height", ANYWHERE));
+        let corners = ["a0", "b0", "a1", "b1"].map(|name| self.number(&of, name, ANYWHERE));
+        let [Some(a0), Some(b0), Some(a1), Some(b1)] = corners else {
+            return None;
+        };
+        let span = [b0, a1, b1].iter().fold(a0.span, |s, c| s.to(c.span));
+        let corners = [a0, b0, a1, b1].map(|c| c.value);
+        Some(RoofLine {
+            span: self.whole(element),
+            style,
+            direction,
+            height: height.flatten(),
+            corners: Spanned::new(corners, span),
+        })
+    }
+
+    fn style(&mut self, of: &Attributes<'t>) -> RoofStyle {
+        RoofStyle {
+            kind: self.choice(of, "kind", KINDS),
+            shape: self.choice(of, "shape", &RoofShape::ALL),
+            pitch: self.number(of, "pitch", 0.0..=100.0),
+            eaves: self.number(of, "eaves", LENGTH),
+            verge: self.number(of, "verge", LENGTH),
+            thickness: self.number(of, "thickness", SIZE),
+            noshi: self
+                .whole_number(of, "noshi", 0..=100)
+                .map(|n| Spanned::new(u32::try_from(n.value).unwrap_or(0), n.span)),
+            sori: self.number(of, "sori", -50.0..=50.0),
+            gable: self.number(of, "gable", 0.0..=0.5),
+            plain_ridge: self.yes_no(of, "plain_ridge"),
+        }
+    }
+}

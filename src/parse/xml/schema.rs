@@ -1,0 +1,172 @@
+//! The elements of the language: what each may bear and hold (language.md 3). Everything that the reader says about
+//! unknown words and wrong places comes from these tables.
+
+use super::tree::Habits;
+
+/// An element of the language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tag {
+    Houses,
+    House,
+    Storey,
+    Loop,
+    Row,
+    Part,
+    Structure,
+    Facades,
+    Facade,
+    Floor,
+    Repeat,
+    Split,
+    Upper,
+    Lower,
+    Random,
+    Replace,
+    Texture,
+    Roofs,
+    Roof,
+    /// Part of the language, but not read by this version.
+    Later,
+}
+
+/// What an element looks like.
+pub(super) struct Schema {
+    pub(super) tag: Tag,
+    pub(super) name: &'static str,
+    /// Attributes it may bear, `code` standing for `texturecode` too.
+    pub(super) attributes: &'static [&'static str],
+    /// Those of them that it must bear.
+    pub(super) required: &'static [&'static str],
+    /// Where it belongs, for the message when it stands elsewhere.
+    pub(super) home: &'static str,
+}
+
+/// What may stand somewhere.
+pub(super) struct Content {
+    pub(super) tags: &'static [Tag],
+    /// Whether text is codes there.
+    pub(super) text: bool,
+}
+
+const fn element(
+    tag: Tag,
+    name: &'static str,
+    attributes: &'static [&'static str],
+    required: &'static [&'static str],
+    home: &'static str,
+) -> Schema {
+    Schema {
+        tag,
+        name,
+        attributes,
+        required,
+        home,
+    }
+}
+
+const fn later(name: &'static str) -> Schema {
+    element(Tag::Later, name, &[], &[], "")
+}
+
+/// All elements.
+#[rustfmt::skip]
+pub(super) static ELEMENTS: &[Schema] = &[
+    element(Tag::Houses, "Houses", &[], &[], "nothing: it is the outermost element"),
+    element(Tag::House, "House", &["name", "unit", "seed", "azimuth", "x", "y", "z", "street"], &[],
+        "`Houses`, or is the outermost element"),
+    element(Tag::Storey, "Storey", &["height", "start", "kind"], &[], "`House`"),
+    element(Tag::Loop, "Loop", &["hole", "start"], &[], "`Storey`"),
+    element(Tag::Row, "Row", &["turn"], &[], "`Storey` or `Loop`"),
+    element(Tag::Part, "Part", &["code", "width", "height"], &["code"], "`Row`, `Floor`, `upper` or `lower`"),
+    element(Tag::Structure, "Structure", &["size", "scale", "order"], &[],
+        "`House`, or is the outermost element"),
+    element(Tag::Facades, "Facades", &[], &[], "`Structure`"),
+    element(Tag::Facade, "Facade", &["id", "ratio", "angle", "reflection"], &[], "`Facades`"),
+    element(Tag::Floor, "Floor", &["id", "height", "kind"], &[], "`Facade`"),
+    element(Tag::Repeat, "repeat", &["num"], &["num"],
+        "`House`, `Storey`, `Loop`, `Row`, `Facades`, `Facade`, `Floor`, `upper` or `lower`"),
+    element(Tag::Split, "split", &["ratio"], &[], "`Row`, `Floor`, `upper` or `lower`"),
+    element(Tag::Upper, "upper", &[], &[], "`split`"),
+    element(Tag::Lower, "lower", &[], &[], "`split`"),
+    element(Tag::Random, "random", &["code", "weights"], &["code"], "`Storey`, `Row`, `Facade` or `Floor`"),
+    element(Tag::Replace, "replace", &["code", "with", "at"], &["with"], "`Storey`, `Row`, `Facade` or `Floor`"),
+    element(Tag::Texture, "Texture", &["code", "reflection", "src"], &["code"], "`House` or `Structure`"),
+    element(Tag::Roofs, "Roofs", &["mode", "method", "kind", "shape", "pitch", "eaves", "verge", "thickness",
+        "noshi", "sori", "gable", "plain_ridge"], &[], "`House`"),
+    element(Tag::Roof, "Roof", &["a0", "b0", "a1", "b1", "ridge", "height", "kind", "shape", "pitch", "eaves",
+        "verge", "thickness", "noshi", "sori", "gable", "plain_ridge"], &["a0", "b0", "a1", "b1"], "`Roofs`"),
+    later("Param"), later("let"), later("define"), later("use"), later("if"), later("else"), later("include"),
+    later("Catalog"), later("PartDef"),
+];
+
+const fn content(tags: &'static [Tag]) -> Content {
+    Content { tags, text: false }
+}
+
+pub(super) static ROOT: Content = content(&[Tag::House, Tag::Houses, Tag::Structure]);
+pub(super) static HOUSES: Content = content(&[Tag::House]);
+pub(super) static HOUSE: Content = content(&[
+    Tag::Storey,
+    Tag::Repeat,
+    Tag::Random,
+    Tag::Replace,
+    Tag::Structure,
+    Tag::Texture,
+    Tag::Roofs,
+]);
+pub(super) static STOREYS: Content =
+    content(&[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace]);
+pub(super) static STOREY: Content =
+    content(&[Tag::Row, Tag::Loop, Tag::Repeat, Tag::Random, Tag::Replace]);
+pub(super) static ROWS: Content = content(&[Tag::Row, Tag::Repeat, Tag::Random, Tag::Replace]);
+pub(super) static PIECES: Content = Content {
+    tags: &[
+        Tag::Part,
+        Tag::Repeat,
+        Tag::Split,
+        Tag::Random,
+        Tag::Replace,
+    ],
+    text: true,
+};
+/// A floor may hold its base row as a `Row` too (domain.md 8).
+pub(super) static FLOOR: Content = Content {
+    tags: &[
+        Tag::Part,
+        Tag::Repeat,
+        Tag::Split,
+        Tag::Random,
+        Tag::Replace,
+        Tag::Row,
+    ],
+    text: true,
+};
+pub(super) static SPLIT: Content = content(&[Tag::Upper, Tag::Lower]);
+pub(super) static STRUCTURE: Content = content(&[Tag::Facades, Tag::Texture]);
+pub(super) static FACADES: Content =
+    content(&[Tag::Facade, Tag::Repeat, Tag::Random, Tag::Replace]);
+pub(super) static FACADE: Content = content(&[Tag::Floor, Tag::Repeat, Tag::Random, Tag::Replace]);
+pub(super) static ROOFS: Content = content(&[Tag::Roof]);
+pub(super) static NOTHING: Content = content(&[]);
+
+/// The element of a name.
+pub(super) fn named(name: &str) -> Option<&'static Schema> {
+    ELEMENTS.iter().find(|e| e.name == name)
+}
+
+/// The attribute that a name stands for.
+pub(super) fn canonical(attribute: &str) -> &str {
+    match attribute {
+        "texturecode" => "code",
+        other => other,
+    }
+}
+
+/// What the tree must know to recover well.
+pub(super) static HABITS: Habits = Habits {
+    leaf: |name| matches!(name, "Part" | "random" | "replace" | "Texture" | "Roof"),
+    alone: |name| {
+        let nests = matches!(name, "repeat" | "split" | "upper" | "lower");
+        !nests && named(name).is_some_and(|e| e.tag != Tag::Later)
+    },
+};

@@ -1,0 +1,119 @@
+//! Which known word the author may have meant.
+
+/// Searches cost time, and a file of 100,000 unknown words has no use for 100,000 suggestions.
+const SEARCHES: u32 = 500;
+/// Longer words are no misspellings of ours.
+const LONGEST: usize = 24;
+
+/// Finds known words that look like unknown ones.
+pub(super) struct Suggest {
+    left: u32,
+}
+
+impl Suggest {
+    pub(super) fn new() -> Self {
+        Suggest { left: SEARCHES }
+    }
+
+    /// The one of `known` that is nearest to `word`: the same but for case and full-width letters, or else within a
+    /// slip or two of the fingers.
+    pub(super) fn among<'k>(
+        &mut self,
+        word: &str,
+        known: impl Iterator<Item = &'k str> + Clone,
+    ) -> Option<&'k str> {
+        if word.is_empty() || word.len() > 3 * LONGEST {
+            return None;
+        }
+        let same = known.clone().find(|k| folds(k).eq(folds(word)));
+        if same.is_some() || self.left == 0 {
+            return same;
+        }
+        self.left -= 1;
+        let folded = fold(word);
+        let near = known.map(|k| (distance(&folded, &fold(k)), k));
+        near.filter(|(d, k)| *d <= allowance(k))
+            .min_by_key(|(d, _)| *d)
+            .map(|(_, k)| k)
+    }
+}
+
+/// Whether one word may be a misspelling of the other.
+pub(super) fn alike(word: &str, other: &str) -> bool {
+    let lengths = (word.chars().count(), other.chars().count());
+    if lengths.0.max(lengths.1) > LONGEST || lengths.0.abs_diff(lengths.1) > allowance(other) {
+        return false;
+    }
+    distance(&fold(word), &fold(other)) <= allowance(other)
+}
+
+/// Slips that a word of this length may have.
+fn allowance(word: &str) -> usize {
+    match word.chars().count() {
+        0..=2 => 0,
+        3..=5 => 1,
+        _ => 2,
+    }
+}
+
+/// Lower case, half width, and `-` for `_`.
+fn folds(word: &str) -> impl Iterator<Item = char> + '_ {
+    let narrow = word.chars().map(|c| narrow_ascii(c).unwrap_or(c));
+    let lower = narrow.map(|c| c.to_ascii_lowercase());
+    lower.map(|c| if c == '_' { '-' } else { c })
+}
+
+fn fold(word: &str) -> Vec<char> {
+    folds(word).collect()
+}
+
+/// The ASCII character that a full-width one looks like.
+pub(super) fn narrow_ascii(c: char) -> Option<char> {
+    match c {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0),
+        '\u{3000}' => Some(' '),
+        _ => None,
+    }
+}
+
+/// Letters to change, insert, leave out or swap with the next (optimal string alignment).
+fn distance(a: &[char], b: &[char]) -> usize {
+    let mut rows = [
+        vec![0; b.len() + 1],
+        vec![0; b.len() + 1],
+        vec![0; b.len() + 1],
+    ];
+    rows[1] = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let [before, last, now] = &mut rows;
+        now[0] = i;
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            now[j] = (last[j - 1] + change).min(last[j] + 1).min(now[j - 1] + 1);
+            let swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+            if swapped {
+                now[j] = now[j].min(before[j - 2] + 1);
+            }
+        }
+        rows.rotate_left(1);
+    }
+    rows[1][b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_recognised() {
+        let mut suggest = Suggest::new();
+        let known = ["Facade", "Facades", "Floor", "repeat", "Row"];
+        let mut find = |word| suggest.among(word, known.iter().copied());
+        assert_eq!(find("facade"), Some("Facade"));
+        assert_eq!(find("Repeat"), Some("repeat"));
+        assert_eq!(find("Ｒｏｗ"), Some("Row"));
+        assert_eq!(find("Flor"), Some("Floor"));
+        assert_eq!(find("repaet"), Some("repeat"));
+        assert_eq!(find("Window"), None);
+    }
+}

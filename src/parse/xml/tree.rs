@@ -1,0 +1,268 @@
+//! The elements of an XML file as a tree with places. It knows no element of the language but what [`Habits`]
+//! tells, and it is there whatever is wrong with the file.
+//!
+//! Invariants: ranges are of [`Source::text`](crate::source::Source::text) and lie within it; elements nest at most
+//! as deep as the limit says, so that later steps may recurse; children are in the order of the file; texts of
+//! white space only are left out. The tree itself is built and dropped without recursion.
+
+use super::faults::Faults;
+use super::scan::{EndTag, Scanner, StartTag, Token};
+use super::tag::{Attribute, is_blank};
+use super::text::{Run, Text};
+use crate::diagnostic::messages::xml as say;
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// What recovery must know of a language's elements.
+#[derive(Clone, Copy)]
+pub(super) struct Habits {
+    /// Never holds anything.
+    pub(super) leaf: fn(&str) -> bool,
+    /// Never stands directly in another of its name.
+    pub(super) alone: fn(&str) -> bool,
+}
+
+/// All elements of a file.
+pub(super) struct Tree<'a> {
+    pub(super) elements: Vec<Element<'a>>,
+    /// The outermost ones; one, unless something is wrong.
+    pub(super) roots: Vec<usize>,
+}
+
+/// One element.
+pub(super) struct Element<'a> {
+    pub(super) name: &'a str,
+    pub(super) name_range: Range<usize>,
+    /// The start tag.
+    pub(super) tag: Range<usize>,
+    /// From the start tag to the end tag.
+    pub(super) range: Range<usize>,
+    pub(super) attributes: Vec<Attribute<'a>>,
+    pub(super) children: Vec<Child<'a>>,
+    /// Whether children are left out since they nest too deep.
+    pub(super) cut: bool,
+}
+
+/// What stands in an element.
+pub(super) enum Child<'a> {
+    /// An element, by its index.
+    Element(usize),
+    /// A run of text.
+    Text(Text<'a>),
+}
+
+/// Reads a file.
+pub(super) fn read<'a>(faults: &mut Faults<'a>, nesting: usize, habits: Habits) -> Tree<'a> {
+    let mut builder = Builder {
+        tree: Tree {
+            elements: vec![],
+            roots: vec![],
+        },
+        open: vec![],
+        counts: HashMap::new(),
+        run: Run::default(),
+        nesting,
+        habits,
+    };
+    let mut scanner = Scanner::new(faults);
+    while let Some(token) = scanner.token() {
+        let (at, text) = (scanner.at, scanner.text);
+        let faults = &mut *scanner.faults;
+        match token {
+            Token::Text(range) => builder.text(range, true, faults),
+            Token::Verbatim(range) => builder.text(range, false, faults),
+            Token::Start(tag) => builder.start(tag, &text[at..], faults),
+            Token::End(tag) => builder.end(&tag, &text[at..], faults),
+        }
+    }
+    builder.finish(faults);
+    builder.tree
+}
+
+/// An element whose end tag has not come yet.
+struct Open<'a> {
+    name: &'a str,
+    name_range: Range<usize>,
+    /// `None` = nested too deep, or inside such a one: not in the tree.
+    element: Option<usize>,
+}
+
+struct Builder<'a> {
+    tree: Tree<'a>,
+    open: Vec<Open<'a>>,
+    /// How many of a name are open, so that a stray end tag costs no search.
+    counts: HashMap<&'a str, usize>,
+    run: Run<'a>,
+    nesting: usize,
+    habits: Habits,
+}
+
+impl<'a> Builder<'a> {
+    fn text(&mut self, range: Range<usize>, raw: bool, faults: &mut Faults<'a>) {
+        let inside = self.open.last().is_some_and(|o| o.element.is_some());
+        let whole = faults.source.text();
+        if inside && raw {
+            self.run.raw(range, faults);
+        } else if inside {
+            self.run.literal(whole, range);
+        } else if self.open.is_empty() {
+            let text = &whole[range.clone()];
+            let start = range.start + text.len() - text.trim_start_matches(is_blank).len();
+            let end = start + text.trim_matches(is_blank).len();
+            if start < end {
+                faults.at(&(start..end), say::text_outside);
+            }
+        }
+    }
+
+    /// Ends the run of text under way.
+    fn flush(&mut self) {
+        let text = self.run.take();
+        let Some(text) = text.filter(|t| !t.as_str().trim_matches(is_blank).is_empty()) else {
+            return;
+        };
+        if let Some(parent) = self.open.last().and_then(|o| o.element) {
+            self.tree.elements[parent].children.push(Child::Text(text));
+        }
+    }
+
+    fn start(&mut self, tag: StartTag<'a>, rest: &str, faults: &mut Faults<'a>) {
+        self.flush();
+        let twin = self.open.last().filter(|o| o.name == tag.name);
+        if twin.is_some() && (self.habits.alone)(tag.name) {
+            let next = faults.span(&tag.name_range);
+            self.close_unfinished(tag.range.start, faults, |s, name| {
+                say::not_closed(s, name, Some((next, name)))
+            });
+        }
+        let place = self.place(&tag, faults);
+        // A leaf whose `>` is missing would swallow what follows, unless its end tag does follow.
+        let own_end = rest
+            .strip_prefix("</")
+            .is_some_and(|r| r.starts_with(tag.name));
+        let empty = tag.empty || (!tag.closed && (self.habits.leaf)(tag.name) && !own_end);
+        let (name, name_range) = (tag.name, tag.name_range.clone());
+        let element = place.then(|| self.add(tag));
+        if !empty {
+            *self.counts.entry(name).or_default() += 1;
+            self.open.push(Open {
+                name,
+                name_range,
+                element,
+            });
+        }
+    }
+
+    /// Whether an element gets a place in the tree; what is wrong with it is reported.
+    fn place(&mut self, tag: &StartTag<'a>, faults: &mut Faults<'a>) -> bool {
+        let Some(parent) = self.open.last() else {
+            if let Some(first) = self.tree.roots.first() {
+                let first = faults.span(&self.tree.elements[*first].name_range);
+                faults.at(&tag.name_range, |s| say::second_root(s, tag.name, first));
+            }
+            return self.nesting > 0;
+        };
+        let fits = self.open.len() < self.nesting;
+        if let (false, Some(parent)) = (fits, parent.element) {
+            self.tree.elements[parent].cut = true;
+            faults.at(&tag.name_range, |s| say::nested_too_deep(s, self.nesting));
+        }
+        fits && parent.element.is_some()
+    }
+
+    fn add(&mut self, tag: StartTag<'a>) -> usize {
+        let index = self.tree.elements.len();
+        match self.open.last().and_then(|o| o.element) {
+            Some(parent) => self.tree.elements[parent]
+                .children
+                .push(Child::Element(index)),
+            None => self.tree.roots.push(index),
+        }
+        self.tree.elements.push(Element {
+            name: tag.name,
+            name_range: tag.name_range,
+            range: tag.range.clone(),
+            tag: tag.range,
+            attributes: tag.attributes,
+            children: vec![],
+            cut: false,
+        });
+        index
+    }
+
+    fn end(&mut self, tag: &EndTag<'a>, rest: &str, faults: &mut Faults<'a>) {
+        self.flush();
+        let known = self.counts.get(tag.name).is_some_and(|n| *n > 0);
+        if known {
+            let here = faults.span(&tag.range);
+            while self.open.last().is_some_and(|o| o.name != tag.name) {
+                self.close_unfinished(tag.range.start, faults, |s, name| {
+                    say::not_closed(s, name, Some((here, tag.name)))
+                });
+            }
+            self.pop(tag.range.end);
+        } else if self.is_misspelt(tag, rest) {
+            if let Some(open) = self.pop(tag.range.end) {
+                let start = faults.span(&open.name_range);
+                faults.at(&tag.range, |s| {
+                    say::end_differs(s, tag.name, open.name, start)
+                });
+            }
+        } else {
+            let inside = self.open.last();
+            let inside = inside.map(|o| (o.name, faults.span(&o.name_range)));
+            faults.at(&tag.range, |s| say::stray_end(s, tag.name, inside));
+        }
+    }
+
+    /// Whether an end tag that closes nothing was meant for the innermost element: it has no name, nearly that
+    /// element's name, or the end of the element round that follows.
+    fn is_misspelt(&self, tag: &EndTag<'_>, rest: &str) -> bool {
+        let Some(innermost) = self.open.last() else {
+            return false;
+        };
+        let rest = rest.trim_start();
+        let outer = match self.open.len() {
+            1 => rest.is_empty(),
+            n => rest
+                .strip_prefix("</")
+                .and_then(|r| r.strip_prefix(self.open[n - 2].name))
+                .is_some_and(|r| r.starts_with('>')),
+        };
+        tag.name.is_empty() || outer || super::suggest::alike(tag.name, innermost.name)
+    }
+
+    /// Closes the innermost element where its end tag is missing.
+    fn close_unfinished(
+        &mut self,
+        end: usize,
+        faults: &mut Faults<'a>,
+        message: impl FnOnce(crate::source::Span, &str) -> crate::diagnostic::Diagnostic,
+    ) {
+        if let Some(open) = self.pop(end) {
+            faults.at(&open.name_range, |s| message(s, open.name));
+        }
+    }
+
+    fn pop(&mut self, end: usize) -> Option<Open<'a>> {
+        let open = self.open.pop()?;
+        if let Some(count) = self.counts.get_mut(open.name) {
+            *count -= 1;
+        }
+        if let Some(element) = open.element {
+            self.tree.elements[element].range.end = end;
+        }
+        Some(open)
+    }
+
+    fn finish(&mut self, faults: &mut Faults<'a>) {
+        self.flush();
+        let end = faults.source.text().len();
+        while !self.open.is_empty() {
+            self.close_unfinished(end, faults, |s, name| say::not_closed(s, name, None));
+        }
+        if self.tree.roots.is_empty() {
+            faults.at(&(end..end), say::no_element);
+        }
+    }
+}

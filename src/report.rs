@@ -1,0 +1,142 @@
+//! Reports: diagnostics as text for people, lines for editors, JSON and SARIF for programs.
+//!
+//! Every format is linear in the files and in the number of messages: lines and characters are counted once a
+//! file. The report for people shows at most [`SHOWN`] messages, errors first.
+
+mod clean;
+mod excerpt;
+mod human;
+mod json;
+pub mod lines;
+mod sarif;
+mod short;
+
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::source::{FileId, Source, Span};
+use lines::{Lines, Position};
+use std::cell::OnceCell;
+use std::io::{self, Write};
+
+/// Messages that the report for people shows.
+pub const SHOWN: usize = 50;
+
+/// How a report is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Format {
+    /// With the lines in question.
+    #[default]
+    Human,
+    /// A line each: `file:line:column: error[HSD0104]: message (help: ...)`.
+    Short,
+    /// One array (language.md 5).
+    Json,
+    /// SARIF 2.1.0.
+    Sarif,
+}
+
+/// What a report for people may use.
+#[derive(Clone, Copy, Debug)]
+pub struct Style {
+    /// Whether the reader sees colours.
+    pub color: bool,
+    /// Columns of the screen.
+    pub width: usize,
+}
+
+impl Default for Style {
+    fn default() -> Self {
+        Style {
+            color: false,
+            width: 100,
+        }
+    }
+}
+
+/// Messages and the files they speak of.
+#[derive(Debug)]
+pub struct Report<'a> {
+    diagnostics: &'a [Diagnostic],
+    files: Vec<(&'a Source, OnceCell<Lines<'a>>)>,
+}
+
+impl<'a> Report<'a> {
+    /// A report on sorted diagnostics. Sources may come in any order.
+    pub fn new(sources: &'a [Source], diagnostics: &'a [Diagnostic]) -> Report<'a> {
+        let mut files: Vec<_> = sources.iter().map(|s| (s, OnceCell::new())).collect();
+        files.sort_by_key(|(source, _)| source.id());
+        Report { diagnostics, files }
+    }
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// When `out` takes no more.
+    pub fn write(&self, format: Format, style: Style, out: &mut dyn Write) -> io::Result<()> {
+        match format {
+            Format::Human => human::write(self, style, out),
+            Format::Short => short::write(self, out),
+            Format::Json => json::write(self, out),
+            Format::Sarif => sarif::write(self, out),
+        }
+    }
+
+    /// How many of what in which file: `2 errors, 1 warning in shop.hsd`; `None` without messages.
+    pub fn summary(&self) -> Option<String> {
+        let words = [
+            (Severity::Error, "error"),
+            (Severity::Warning, "warning"),
+            (Severity::Note, "note"),
+        ];
+        let count = |s| self.diagnostics.iter().filter(|d| d.severity == s).count();
+        let counts = words.map(|(severity, word)| (count(severity), word));
+        let counted = counts.iter().filter(|(n, _)| *n > 0);
+        let parts: Vec<String> = counted
+            .map(|(n, word)| format!("{n} {word}{}", if *n == 1 { "" } else { "s" }))
+            .collect();
+        let mut files: Vec<FileId> = self.diagnostics.iter().map(|d| d.span.file).collect();
+        files.sort_unstable();
+        files.dedup();
+        let place = match &files[..] {
+            [] => return None,
+            [one] => clean::line(self.name(*one)),
+            many => format!("{} files", many.len()),
+        };
+        Some(format!("{} in {place}", parts.join(", ")))
+    }
+
+    fn lines(&self, file: FileId) -> Option<&Lines<'a>> {
+        let at = self
+            .files
+            .binary_search_by_key(&file, |(s, _)| s.id())
+            .ok()?;
+        let (source, lines) = &self.files[at];
+        Some(lines.get_or_init(|| Lines::new(source)))
+    }
+
+    fn name(&self, file: FileId) -> &'a str {
+        let at = self.files.binary_search_by_key(&file, |(s, _)| s.id());
+        at.map_or("?", |at| self.files[at].0.name())
+    }
+
+    /// Where a span begins.
+    fn position(&self, span: Span) -> Position {
+        let lines = self.lines(span.file);
+        lines.map_or(Position::default(), |l| l.position(l.range(span).start))
+    }
+}
+
+/// The word of a severity in every format.
+fn word(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Error => "error",
+        Severity::Warning => "warning",
+        Severity::Note => "note",
+    }
+}
+
+/// The title of a page of `hsd explain`: its first line without the code.
+pub fn title(page: &str) -> &str {
+    let line = page.lines().next().unwrap_or_default();
+    line.split_once(": ")
+        .map_or(line, |(_, title)| title.trim())
+}

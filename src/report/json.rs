@@ -1,0 +1,77 @@
+//! One JSON array, an object a line (language.md 5).
+
+use super::{Report, word};
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+use serde::Serialize;
+use std::io::{self, Write};
+
+#[derive(Serialize)]
+struct Message<'a> {
+    code: String,
+    severity: &'static str,
+    message: &'a str,
+    file: &'a str,
+    line: usize,
+    column: usize,
+    span: Bytes,
+    help: &'a str,
+    labels: Vec<Label<'a>>,
+}
+
+#[derive(Serialize)]
+struct Label<'a> {
+    message: &'a str,
+    file: &'a str,
+    span: Bytes,
+}
+
+/// Bytes of the original file.
+#[derive(Serialize)]
+struct Bytes {
+    start: u32,
+    end: u32,
+}
+
+impl From<Span> for Bytes {
+    fn from(Span { start, end, .. }: Span) -> Self {
+        Bytes { start, end }
+    }
+}
+
+pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {
+    write!(out, "[")?;
+    for (i, d) in report.diagnostics.iter().enumerate() {
+        write!(out, "{}", if i == 0 { "\n" } else { ",\n" })?;
+        serde_json::to_writer(&mut *out, &message(report, d))?;
+    }
+    writeln!(
+        out,
+        "{}]",
+        if report.diagnostics.is_empty() {
+            ""
+        } else {
+            "\n"
+        }
+    )
+}
+
+fn message<'a>(report: &'a Report<'_>, d: &'a Diagnostic) -> Message<'a> {
+    let at = report.position(d.span);
+    let label = |l: &'a crate::diagnostic::Label| Label {
+        message: &l.message,
+        file: report.name(l.span.file),
+        span: l.span.into(),
+    };
+    Message {
+        code: d.code.to_string(),
+        severity: word(d.severity),
+        message: &d.message,
+        file: report.name(d.span.file),
+        line: at.line,
+        column: at.column,
+        span: d.span.into(),
+        help: &d.help,
+        labels: d.labels.iter().map(label).collect(),
+    }
+}

@@ -1,0 +1,210 @@
+//! SARIF 2.1.0, for code-scanning services. Rules come from the pages of `hsd explain`.
+
+use super::{Report, title, word};
+use crate::diagnostic::{Code, Diagnostic, pages};
+use crate::source::Span;
+use serde::Serialize;
+use std::io::{self, Write};
+
+const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
+
+#[derive(Serialize)]
+struct Log<'a> {
+    #[serde(rename = "$schema")]
+    schema: &'static str,
+    version: &'static str,
+    runs: [Run<'a>; 1],
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Run<'a> {
+    tool: Tool,
+    column_kind: &'static str,
+    results: Vec<Outcome<'a>>,
+}
+
+#[derive(Serialize)]
+struct Tool {
+    driver: Driver,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Driver {
+    name: &'static str,
+    semantic_version: &'static str,
+    rules: Vec<Rule>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Rule {
+    id: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    short_description: Option<Text<&'static str>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    help: Option<Page>,
+}
+
+#[derive(Serialize)]
+struct Text<T> {
+    text: T,
+}
+
+#[derive(Serialize)]
+struct Page {
+    text: &'static str,
+    markdown: &'static str,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Outcome<'a> {
+    rule_id: String,
+    rule_index: usize,
+    level: &'static str,
+    message: Text<String>,
+    locations: [Location<'a>; 1],
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    related_locations: Vec<Location<'a>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Location<'a> {
+    physical_location: Place,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    message: Option<Text<&'a str>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Place {
+    artifact_location: Artifact,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    region: Option<Region>,
+}
+
+#[derive(Serialize)]
+struct Artifact {
+    uri: String,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Region {
+    start_line: usize,
+    start_column: usize,
+    end_line: usize,
+    end_column: usize,
+    byte_offset: u32,
+    byte_length: u32,
+    char_offset: usize,
+    char_length: usize,
+}
+
+pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {
+    let mut codes: Vec<Code> = report.diagnostics.iter().map(|d| d.code).collect();
+    codes.sort_unstable();
+    codes.dedup();
+    let driver = Driver {
+        name: "hsd",
+        semantic_version: env!("CARGO_PKG_VERSION"),
+        rules: codes.iter().map(|c| rule(*c)).collect(),
+    };
+    let results = report
+        .diagnostics
+        .iter()
+        .map(|d| outcome(report, &codes, d));
+    let log = Log {
+        schema: SCHEMA,
+        version: "2.1.0",
+        runs: [Run {
+            tool: Tool { driver },
+            column_kind: "unicodeCodePoints",
+            results: results.collect(),
+        }],
+    };
+    serde_json::to_writer(&mut *out, &log)?;
+    writeln!(out)
+}
+
+/// A code with its page.
+fn rule(code: Code) -> Rule {
+    let page = pages::page(code);
+    Rule {
+        id: code.to_string(),
+        short_description: page.map(|p| Text { text: title(p) }),
+        help: page.map(|p| Page {
+            text: p,
+            markdown: p,
+        }),
+    }
+}
+
+fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcome<'a> {
+    let text = match &*d.help {
+        "" => d.message.clone(),
+        help => format!("{} (help: {help})", d.message),
+    };
+    let label = |l: &'a crate::diagnostic::Label| Location {
+        physical_location: place(report, l.span),
+        message: Some(Text { text: &*l.message }),
+    };
+    Outcome {
+        rule_id: d.code.to_string(),
+        rule_index: codes.binary_search(&d.code).unwrap_or(0),
+        level: word(d.severity),
+        message: Text { text },
+        locations: [Location {
+            physical_location: place(report, d.span),
+            message: None,
+        }],
+        related_locations: d.labels.iter().map(label).collect(),
+    }
+}
+
+fn place(report: &Report<'_>, span: Span) -> Place {
+    let region = report.lines(span.file).map(|lines| {
+        let range = lines.range(span);
+        let (from, to) = (lines.position(range.start), lines.position(range.end));
+        let before = lines.characters(range.start);
+        Region {
+            start_line: from.line,
+            start_column: from.column,
+            end_line: to.line,
+            end_column: to.column,
+            byte_offset: span.start,
+            byte_length: span.end - span.start,
+            char_offset: before,
+            char_length: lines.characters(range.end) - before,
+        }
+    });
+    Place {
+        artifact_location: Artifact {
+            uri: uri(report.name(span.file)),
+        },
+        region,
+    }
+}
+
+/// A path as a reference; a drive letter would read as a scheme.
+fn uri(path: &str) -> String {
+    let path = path.replace('\\', "/");
+    let drive = path.as_bytes().get(1) == Some(&b':');
+    let path = if drive {
+        format!("file:///{path}")
+    } else {
+        path
+    };
+    let mut out = String::with_capacity(path.len());
+    for byte in path.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~/:".contains(&byte) {
+            out.push(byte.into());
+        } else {
+            out.push_str(&format!("%{byte:02X}"));
+        }
+    }
+    out
+}

@@ -1,0 +1,489 @@
+//! Back ends on a scene made by hand: what they write is read back.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use glam::{dvec2, dvec3};
+use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles, dump, gltf, obj, sound, stl};
+use hsd::scene::{Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene};
+use hsd::source::{FileId, Span};
+use std::borrow::Cow;
+
+struct Pictures {
+    png: Vec<u8>,
+    jpeg: Vec<u8>,
+}
+
+impl Pictures {
+    fn new() -> Pictures {
+        let encode = |format| {
+            let mut out = std::io::Cursor::new(vec![]);
+            let picture = image::RgbImage::from_pixel(4, 4, image::Rgb([128, 128, 255]));
+            picture.write_to(&mut out, format).unwrap();
+            out.into_inner()
+        };
+        Pictures {
+            png: encode(image::ImageFormat::Png),
+            jpeg: encode(image::ImageFormat::Jpeg),
+        }
+    }
+
+    fn bytes<'a>(&self, name: &str, bytes: &'a [u8]) -> PictureBytes<'a> {
+        PictureBytes {
+            name: Cow::Owned(name.to_owned()),
+            bytes,
+        }
+    }
+}
+
+impl Images for Pictures {
+    fn files(&self, surface: &str) -> Option<SurfaceFiles<'_>> {
+        (surface == "cedar").then(|| SurfaceFiles {
+            metres: 2.0,
+            color: self.bytes("cedar_color.jpg", &self.jpeg),
+            normal: Some(self.bytes("cedar_normal.jpg", &self.jpeg)),
+            orm: Some(self.bytes("cedar_orm.png", &self.png)),
+        })
+    }
+
+    fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
+        (index == 0).then(|| self.bytes("看板 1.png", &self.png))
+    }
+}
+
+fn material(name: &str, image: Image) -> Material {
+    Material {
+        name: name.into(),
+        image,
+        tint: [1.0; 4],
+        roughness: 1.0,
+        metallic: 0.0,
+        double_sided: false,
+        reflection: None,
+    }
+}
+
+/// An upright rectangle `w` wide and `h` high that faces south.
+fn pane(material: u32, w: f32, h: f32) -> Primitive {
+    Primitive {
+        material: MaterialId(material),
+        positions: vec![[0.0, 0.0, 0.0], [w, 0.0, 0.0], [w, 0.0, h], [0.0, 0.0, h]],
+        normals: vec![[0.0, -1.0, 0.0]; 4],
+        uvs: vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]],
+        indices: vec![0, 1, 2, 0, 2, 3],
+    }
+}
+
+fn node(parent: Option<u32>, kind: Kind, name: &str, mesh: Option<u32>) -> Node {
+    Node {
+        parent: parent.map(NodeId),
+        kind,
+        name: name.into(),
+        at: dvec3(0.0, 0.0, 0.0),
+        turn: dvec2(1.0, 0.0),
+        mesh: mesh.map(MeshId),
+        code: None,
+        storey: None,
+        span: None,
+        shape: None,
+    }
+}
+
+/// A house turned by a quarter, with two doors of one mesh, a sign, a roof and an empty facade.
+fn scene() -> Scene {
+    let mesh = |name: &str, primitives| Mesh {
+        name: name.into(),
+        primitives,
+    };
+    let mut glass = material("glass", Image::None);
+    glass.tint[3] = 0.25;
+    glass.reflection = Some(0.5);
+    let part = |x: f64, start| Node {
+        at: dvec3(x, 0.0, 0.5),
+        code: Some("GDE 2".into()),
+        storey: Some(1),
+        span: Some(Span {
+            file: FileId(0),
+            start,
+            end: start + 5,
+        }),
+        ..node(Some(2), Kind::Part, "GDE 2", Some(0))
+    };
+    let sign = Primitive {
+        uvs: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+        ..pane(2, 1.0, 1.0)
+    };
+    Scene {
+        materials: vec![
+            material("cedar", Image::Surface("cedar")),
+            glass,
+            material("sign", Image::Picture(0)),
+            material("unused", Image::Surface("cedar")),
+        ],
+        meshes: vec![
+            mesh("door", vec![pane(0, 2.0, 4.0), pane(1, 1.0, 1.0)]),
+            mesh("sign", vec![sign]),
+            mesh("not shown", vec![pane(3, 1.0, 1.0)]),
+        ],
+        nodes: vec![
+            Node {
+                at: dvec3(100.0, 200.0, 3.0),
+                turn: dvec2(0.0, 1.0),
+                ..node(None, Kind::House, "町家", None)
+            },
+            node(Some(0), Kind::Storey, "storey 1", None),
+            node(Some(1), Kind::Facade, "facade 1", None),
+            part(1.0, 0),
+            part(4.0, 5),
+            node(Some(2), Kind::Part, "sign", Some(1)),
+            node(Some(1), Kind::Facade, "facade 2", None),
+            Node {
+                shape: Some("KIR"),
+                ..node(Some(0), Kind::Roof, "roof", Some(1))
+            },
+        ],
+        pictures: vec!["textures/看板 1.png".into()],
+    }
+}
+
+fn parsed(json: &[u8]) -> ::gltf::json::Root {
+    use ::gltf::json::validation::Validate;
+    let root: ::gltf::json::Root = ::gltf::json::deserialize::from_slice(json).unwrap();
+    let mut errors = vec![];
+    root.validate(&root, ::gltf::json::Path::new, &mut |path, error| {
+        errors.push(format!("{} {error}", path()));
+    });
+    assert!(errors.is_empty(), "{errors:?}");
+    root
+}
+
+fn read(glb: &[u8]) -> (::gltf::json::Root, Vec<u8>) {
+    let parts = ::gltf::binary::Glb::from_slice(glb).unwrap();
+    (
+        parsed(&parts.json),
+        parts.bin.map(|b| b.into_owned()).unwrap_or_default(),
+    )
+}
+
+fn floats(root: &::gltf::json::Root, bin: &[u8], accessor: usize, n: usize) -> Vec<f32> {
+    let a = &root.accessors[accessor];
+    let view = &root.buffer_views[a.buffer_view.unwrap().value()];
+    let at = view.byte_offset.map_or(0, |o| o.0) + a.byte_offset.map_or(0, |o| o.0);
+    let bytes = &bin[at as usize..][..n * 4 * a.count.0 as usize];
+    let floats = bytes.chunks_exact(4);
+    floats
+        .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
+        .collect()
+}
+
+#[test]
+fn glb_reads_back() {
+    let glb = gltf::glb(&scene(), &Pictures::new());
+    let (root, bin) = read(&glb);
+    let names: Vec<_> = root
+        .nodes
+        .iter()
+        .map(|n| n.name.as_deref().unwrap())
+        .collect();
+    let expected = [
+        "町家", "storey 1", "facade 1", "GDE 2", "GDE 2", "sign", "roof",
+    ];
+    assert_eq!(names, expected, "the empty facade is left out");
+    let children = |i: usize| -> Vec<usize> {
+        let list = root.nodes[i].children.iter().flatten();
+        list.map(|c| c.value()).collect()
+    };
+    assert_eq!(
+        (children(0), children(1), children(2)),
+        (vec![1, 6], vec![2], vec![3, 4, 5])
+    );
+    assert_eq!(root.nodes[0].translation, Some([100.0, 3.0, -200.0]));
+    let half = 0.5f32.sqrt();
+    assert_eq!(root.nodes[0].rotation.unwrap().0, [0.0, half, 0.0, half]);
+    assert_eq!(root.nodes[1].translation, None);
+    assert_eq!(
+        root.nodes[3].mesh, root.nodes[4].mesh,
+        "one mesh for both doors"
+    );
+    assert_eq!(
+        (root.meshes.len(), root.materials.len(), root.images.len()),
+        (2, 3, 4)
+    );
+    let extras = |i: usize| root.nodes[i].extras.as_ref().unwrap().get().to_owned();
+    assert_eq!(extras(0), r#"{"kind":"house"}"#);
+    assert_eq!(
+        extras(4),
+        r#"{"kind":"part","code":"GDE 2","storey":1,"span":[5,10]}"#
+    );
+    assert_eq!(extras(6), r#"{"kind":"roof","shape":"KIR"}"#);
+    let door = &root.meshes[0].primitives[0];
+    let index = |s| door.attributes[&::gltf::json::validation::Checked::Valid(s)].value();
+    use ::gltf::json::mesh::Semantic;
+    let positions = floats(&root, &bin, index(Semantic::Positions), 3);
+    assert_eq!(
+        positions[6..12],
+        [2.0, 4.0, 0.0, 0.0, 4.0, 0.0],
+        "z up to y up"
+    );
+    let normals = floats(&root, &bin, index(Semantic::Normals), 3);
+    assert_eq!(normals[..3], [0.0, 0.0, 1.0], "south is +z");
+    let uvs = floats(&root, &bin, index(Semantic::TexCoords(0)), 2);
+    assert_eq!(
+        uvs,
+        [0.0, 1.0, 1.0, 1.0, 1.0, -1.0, 0.0, -1.0],
+        "repeats of 2 m, v downwards"
+    );
+    let tangents = floats(&root, &bin, index(Semantic::Tangents), 4);
+    assert_eq!(tangents[..4], [1.0, 0.0, 0.0, 1.0], "along u");
+    let pane = &root.meshes[0].primitives[1];
+    assert_eq!(pane.attributes.len(), 2, "no coordinates without a picture");
+    assert!(root.buffer_views.len() == 5 + 4, "few views");
+}
+
+#[test]
+fn materials_are_physical() {
+    let glb = gltf::glb(&scene(), &Pictures::new());
+    let parts = ::gltf::binary::Glb::from_slice(&glb).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&parts.json).unwrap();
+    let [cedar, glass, sign] = &json["materials"].as_array().unwrap()[..] else {
+        panic!("three materials")
+    };
+    let pbr = &cedar["pbrMetallicRoughness"];
+    assert_eq!(pbr["baseColorTexture"]["index"], 0);
+    assert_eq!(cedar["normalTexture"]["index"], 1);
+    assert_eq!(pbr["metallicRoughnessTexture"]["index"], 2);
+    assert_eq!(pbr["metallicFactor"], 0.0);
+    assert_eq!(
+        (&cedar["alphaMode"], &glass["alphaMode"]),
+        (&serde_json::Value::Null, &"BLEND".into())
+    );
+    assert_eq!(glass["extras"]["reflection"], 0.5);
+    assert_eq!(glass["extensions"]["KHR_materials_ior"]["ior"], 1.5);
+    let used = ["KHR_materials_ior", "KHR_materials_specular"];
+    assert_eq!(json["extensionsUsed"], serde_json::json!(used));
+    let texture = |m: &serde_json::Value| {
+        let index = m["pbrMetallicRoughness"]["baseColorTexture"]["index"]
+            .as_u64()
+            .unwrap();
+        json["textures"][index as usize].clone()
+    };
+    let sampler = |m| json["samplers"][texture(m)["sampler"].as_u64().unwrap() as usize].clone();
+    assert_eq!(
+        (&sampler(cedar)["wrapS"], &sampler(sign)["wrapS"]),
+        (&10497.into(), &33071.into())
+    );
+    assert_eq!(
+        json["asset"]["generator"],
+        concat!("hsd ", env!("CARGO_PKG_VERSION"))
+    );
+}
+
+#[test]
+fn outputs_are_the_same_twice() {
+    let (scene, images) = (scene(), Pictures::new());
+    assert_eq!(gltf::glb(&scene, &images), gltf::glb(&scene, &images));
+    assert_eq!(
+        gltf::gltf(&scene, &images, "a"),
+        gltf::gltf(&scene, &images, "a")
+    );
+    assert_eq!(
+        obj::obj(&scene, &images, "a"),
+        obj::obj(&scene, &images, "a")
+    );
+    assert_eq!(stl::stl(&scene), stl::stl(&scene));
+}
+
+#[test]
+fn files_beside_have_escaped_names() {
+    let files = gltf::gltf(&scene(), &Pictures::new(), "my 家");
+    let names: Vec<_> = files.iter().map(|f| &*f.name).collect();
+    let expected = [
+        "my 家_textures/cedar_color.jpg",
+        "my 家_textures/cedar_normal.jpg",
+        "my 家_textures/cedar_orm.png",
+        "my 家_textures/看板 1.png",
+        "my 家.bin",
+        "my 家.gltf",
+    ];
+    assert_eq!(names, expected);
+    let root = parsed(&files[5].bytes);
+    assert_eq!(root.buffers[0].uri.as_deref(), Some("my%20%E5%AE%B6.bin"));
+    assert_eq!(root.buffers[0].byte_length.0, files[4].bytes.len() as u64);
+    let uri = root.images[3].uri.as_deref();
+    assert_eq!(
+        uri,
+        Some("my%20%E5%AE%B6_textures/%E7%9C%8B%E6%9D%BF%201.png")
+    );
+    let beside = gltf::glb_beside(&scene(), &Pictures::new(), "a");
+    let (root, bin) = read(&beside.last().unwrap().bytes);
+    assert_eq!(
+        root.images[0].uri.as_deref(),
+        Some("a_textures/cedar_color.jpg")
+    );
+    assert_eq!(bin.len(), files[4].bytes.len());
+}
+
+#[test]
+fn plain_colours_need_no_coordinates() {
+    let (root, _) = read(&gltf::glb(&scene(), &NoImages));
+    assert_eq!(
+        (root.images.len(), root.textures.len(), root.samplers.len()),
+        (0, 0, 0)
+    );
+    assert_eq!(root.buffer_views.len(), 3);
+    let indices = root.meshes[0].primitives[0].indices.unwrap();
+    assert_eq!(
+        root.accessors[indices.value()].buffer_view.unwrap().value(),
+        2
+    );
+}
+
+#[test]
+fn an_empty_scene_is_a_file() {
+    let (root, bin) = read(&gltf::glb(&Scene::default(), &NoImages));
+    assert_eq!((root.nodes.len(), root.buffers.len(), bin.len()), (0, 0, 0));
+    assert_eq!(stl::stl(&Scene::default()).len(), 84);
+}
+
+#[test]
+fn numbers_that_are_none_are_left_out() {
+    let mut scene = scene();
+    scene.meshes[0].primitives[0].positions[1][0] = f32::NAN;
+    scene.nodes[5].at.x = f64::INFINITY;
+    let (root, bin) = read(&gltf::glb(&scene, &Pictures::new()));
+    assert_eq!(root.meshes[0].primitives.len(), 1, "the glass stays");
+    assert!(!root.nodes.iter().any(|n| n.name.as_deref() == Some("sign")));
+    let view = &root.buffer_views[0];
+    let positions = &bin[..view.byte_length.0 as usize];
+    assert!(
+        positions
+            .chunks_exact(4)
+            .all(|b| f32::from_le_bytes(b.try_into().unwrap()).is_finite())
+    );
+    let names: Vec<_> = sound::flaws(&scene).map(|f| f.name).collect();
+    assert_eq!(names, ["GDE 2", "GDE 2", "sign"]);
+    let text = String::from_utf8(obj::obj(&scene, &NoImages, "a").pop().unwrap().bytes).unwrap();
+    assert!(!text.contains("NaN") && !text.contains("inf"));
+}
+
+#[test]
+fn many_vertices_have_long_indices() {
+    let mut scene = scene();
+    let count = 65_536;
+    scene.meshes[1].primitives[0] = Primitive {
+        material: MaterialId(2),
+        positions: (0..count)
+            .map(|i| [i as f32, 0.0, (i % 2) as f32])
+            .collect(),
+        normals: vec![[0.0, -2.0, 0.0]; count],
+        uvs: vec![[0.0; 2]; count],
+        indices: vec![0, 1, count as u32 - 1],
+    };
+    let (root, bin) = read(&gltf::glb(&scene, &Pictures::new()));
+    let view = root.buffer_views[4].byte_offset.unwrap().0 as usize;
+    let length = root.buffer_views[4].byte_length.0 as usize;
+    let last = &bin[view + length - 4..view + length];
+    assert_eq!(u32::from_le_bytes(last.try_into().unwrap()), 65_535);
+}
+
+#[test]
+fn obj_has_the_axes_of_the_paper() {
+    let files = obj::obj(&scene(), &Pictures::new(), "my house");
+    let text = |name: &str| {
+        let file = files.iter().find(|f| f.name == name).unwrap();
+        String::from_utf8(file.bytes.clone()).unwrap()
+    };
+    let obj = text("my_house.obj");
+    assert!(obj.contains("\nmtllib my_house.mtl\n"));
+    assert!(obj.contains("\no 町家/storey_1/facade_1/GDE_2\n"));
+    // The second door's lower left corner: 4 m along the house's x, which the quarter turn makes north.
+    assert!(obj.contains("\nv 100 3.5 -204\n"), "{obj}");
+    assert!(obj.contains("\nvt 1 2\n"), "v upwards, repeats of 2 m");
+    assert!(
+        obj.contains("\nusemtl cedar\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"),
+        "{obj}"
+    );
+    assert!(
+        obj.contains("\nusemtl glass\nf 1 5 6\n"),
+        "shared corner, no coordinates: {obj}"
+    );
+    let mtl = text("my_house.mtl");
+    assert!(mtl.contains("newmtl cedar\nKa 0.625 0.625 0.625\nKd 1 1 1\nKs 0 0 0\nd 1\n"));
+    assert!(mtl.contains("map_Kd my_house_textures/cedar_color.jpg\n"));
+    assert!(mtl.contains("map_Kd my_house_textures/看板_1.png\n"));
+    assert!(mtl.contains("newmtl glass") && mtl.contains("d 0.25\n") && !mtl.contains("unused"));
+    assert!(
+        files
+            .iter()
+            .any(|f| f.name == "my_house_textures/看板_1.png")
+    );
+}
+
+#[test]
+fn stl_is_in_millimetres() {
+    let stl = stl::stl(&scene());
+    assert_eq!(&stl[..4], b"hsd ");
+    let count = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
+    assert_eq!((count, stl.len()), (12, 84 + 12 * 50));
+    let float = |at: usize| f32::from_le_bytes(stl[at..at + 4].try_into().unwrap());
+    let triangle: Vec<f32> = (0..12).map(|k| float(84 + 4 * k)).collect();
+    // The front faces east after the quarter turn; the first door begins 1 m along it, 3.5 m up.
+    assert_eq!(triangle[..6], [1.0, 0.0, 0.0, 0.0, 1000.0, 3500.0]);
+}
+
+#[test]
+fn regions_are_written_as_documented() {
+    use hsd::ast::RoofShape;
+    use hsd::building::{Building, House, HouseRoofs, PlanRegion, Shell, StoreyPlan};
+    let house = House {
+        span: Span::default(),
+        name: String::new(),
+        origin: [0.0; 3],
+        azimuth: 180.0,
+        unit: 10.0 / 11.0,
+        street: false,
+        storeys: vec![],
+        roofs: Default::default(),
+    };
+    let plan = StoreyPlan {
+        storey: 1,
+        z: 30.0 / 11.0,
+        outlines: vec![
+            [(0.0, 0.0), (6.0, 0.0), (6.0, 8.5), (0.0, 8.5)]
+                .map(|(a, b)| dvec2(a, b))
+                .into(),
+        ],
+        holes: vec![],
+        regions: vec![PlanRegion {
+            rect: [0.0, 0.0, 6.0, 8.5],
+            polygon: None,
+            ridge: Some("a"),
+            fall: None,
+            role: "main",
+            shape: RoofShape::Gable,
+            over: None,
+        }],
+    };
+    let building = Building {
+        shell: Shell {
+            houses: vec![house],
+            pictures: vec![],
+        },
+        roofs: vec![HouseRoofs {
+            plans: vec![plan],
+            ..Default::default()
+        }],
+    };
+    let expected = concat!(
+        r#"{"version":1,"houses":[{"name":"","unit_m":0.909091,"storeys":[{"storey":1,"z":2.727273,"#,
+        r#""outline":[[0,0],[6,0],[6,8.5],[0,8.5]],"holes":[],"#,
+        r#""regions":[{"a0":0,"b0":0,"a1":6,"b1":8.5,"ridge":"a","fall":null,"role":"main","#,
+        r#""shape":"KIR","over":null}]}]}]}"#,
+        "\n"
+    );
+    assert_eq!(dump::regions(&building).unwrap(), expected);
+    let scene = dump::scene(&scene()).unwrap();
+    assert!(
+        scene.starts_with(r#"{"version":1,"materials":["#),
+        "{scene}"
+    );
+}

@@ -1,0 +1,438 @@
+//! The program as its users run it.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use hsd::cli::world::FolderWorld;
+use hsd::source::World;
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use tempfile::TempDir;
+
+const SOUND: &str = "0 0\n\n\nKSK  KSK\nKSK  KSK\nKSK  KSK\nKSK  KSK\n";
+/// A tab where blanks belong, in its second wall line.
+const BROKEN: &str = "0 0\n\n\nKSK  KSK\nKSK\tKSK\nKSK  KSK\nKSK  KSK\n";
+
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("sound.hsd"), SOUND).unwrap();
+    fs::write(folder.path().join("broken.hsd"), BROKEN).unwrap();
+    folder
+}
+
+fn hsd(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_hsd"));
+    command
+        .current_dir(folder)
+        .args(arguments)
+        .stdin(Stdio::null());
+    command.output().unwrap()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).unwrap()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn exit_status_tells_what_happened() {
+    let folder = folder();
+    for (arguments, expected) in [
+        (&["check", "sound.hsd"][..], 0),
+        (&["check", "broken.hsd"], 1),
+        (&["build", "broken.hsd", "-o", "x.glb"], 1),
+        (&["build", "sound.hsd", "-o", "x.glb"], 0),
+        (&["build"], 2),
+        (&["no-such-command"], 2),
+        (&["build", "sound.hsd", "-o", "x.fbx"], 2),
+        (&["check", "missing.hsd"], 3),
+        (&["check", "."], 3),
+        (&["build", "sound.hsd", "-o", "no/such/folder/x.glb"], 3),
+        (&["check", "--textures", "nowhere", "sound.hsd"], 3),
+        (&["explain", "HSD9999"], 2),
+        (&["--help"], 0),
+        (&["build", "--help"], 0),
+    ] {
+        let output = hsd(folder.path(), arguments);
+        assert_eq!(
+            code(&output),
+            expected,
+            "{arguments:?}: {}",
+            stderr(&output)
+        );
+    }
+}
+
+#[test]
+fn errors_leave_nothing_behind() {
+    let folder = folder();
+    fs::write(folder.path().join("x.glb"), "before").unwrap();
+    let output = hsd(folder.path(), &["build", "broken.hsd", "-o", "x.glb"]);
+    assert_eq!(code(&output), 1);
+    assert!(
+        stderr(&output).contains("broken.hsd:5:4"),
+        "{}",
+        stderr(&output)
+    );
+    assert!(!stderr(&output).contains('\u{1b}'), "no colours in a pipe");
+    assert_eq!(fs::read(folder.path().join("x.glb")).unwrap(), b"before");
+    assert_eq!(names(folder.path()), ["broken.hsd", "sound.hsd", "x.glb"]);
+}
+
+#[test]
+fn endings_choose_the_format() {
+    let folder = folder();
+    for (out, begins) in [
+        ("a.glb", &b"glTF"[..]),
+        ("a.gltf", b"{\"asset\""),
+        ("a.obj", b"# hsd "),
+        ("a.STL", b"hsd "),
+        ("plain", b"glTF"),
+    ] {
+        let output = hsd(folder.path(), &["build", "sound.hsd", "-o", out]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        assert!(stderr(&output).starts_with(&format!("wrote {out}: 1 house, ")));
+        assert!(output.stdout.is_empty());
+        assert!(
+            fs::read(folder.path().join(out))
+                .unwrap()
+                .starts_with(begins),
+            "{out}"
+        );
+    }
+    let files = names(folder.path());
+    for file in ["a.bin", "a.mtl", "a_textures"] {
+        assert!(files.iter().any(|f| f == file), "{file} in {files:?}");
+    }
+    assert!(!files.iter().any(|f| f.starts_with(".hsd")), "{files:?}");
+}
+
+#[test]
+fn the_same_text_makes_the_same_bytes() {
+    let folder = folder();
+    for out in ["a.glb", "b.glb"] {
+        assert_eq!(
+            code(&hsd(
+                folder.path(),
+                &["build", "sound.hsd", "-q", "-o", out]
+            )),
+            0
+        );
+    }
+    let read = |name: &str| fs::read(folder.path().join(name)).unwrap();
+    assert_eq!(read("a.glb"), read("b.glb"));
+}
+
+#[test]
+fn a_folder_takes_a_model_for_each_text() {
+    let folder = folder();
+    fs::write(folder.path().join("second.hsd"), SOUND).unwrap();
+    let output = hsd(
+        folder.path(),
+        &[
+            "build",
+            "sound.hsd",
+            "broken.hsd",
+            "second.hsd",
+            "-o",
+            "out/",
+        ],
+    );
+    assert_eq!(code(&output), 1, "one of them is broken");
+    assert_eq!(
+        names(&folder.path().join("out")),
+        ["second.glb", "sound.glb"]
+    );
+    assert!(
+        stderr(&output).ends_with("wrote 2 models, 1 model not written\n"),
+        "{}",
+        stderr(&output)
+    );
+    fs::create_dir(folder.path().join("other")).unwrap();
+    fs::write(folder.path().join("other/Sound.hsd"), SOUND).unwrap();
+    let output = hsd(
+        folder.path(),
+        &["build", "sound.hsd", "other/Sound.hsd", "-o", "out"],
+    );
+    assert_eq!(code(&output), 2);
+    assert!(
+        stderr(&output).contains("would both become"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+#[test]
+fn texts_of_one_scene_share_a_file() {
+    let folder = folder();
+    fs::write(folder.path().join("second.hsd"), SOUND).unwrap();
+    let output = hsd(
+        folder.path(),
+        &["build", "sound.hsd", "second.hsd", "-o", "both.glb"],
+    );
+    assert!(
+        stderr(&output).starts_with("wrote both.glb: 2 houses"),
+        "{}",
+        stderr(&output)
+    );
+}
+
+#[test]
+fn without_a_place_models_stand_beside_their_texts() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("street")).unwrap();
+    fs::write(folder.path().join("street/家.hsd"), SOUND).unwrap();
+    assert_eq!(code(&hsd(folder.path(), &["build", "street/家.hsd"])), 0);
+    assert_eq!(names(&folder.path().join("street")), ["家.glb", "家.hsd"]);
+}
+
+#[test]
+fn texts_are_not_overwritten() {
+    let folder = folder();
+    fs::write(folder.path().join("text.obj"), SOUND).unwrap();
+    let output = hsd(folder.path(), &["build", "text.obj", "-o", "text.obj"]);
+    assert_eq!(code(&output), 2, "{}", stderr(&output));
+    assert_eq!(
+        fs::read(folder.path().join("text.obj")).unwrap(),
+        SOUND.as_bytes()
+    );
+}
+
+fn piped(arguments: &[&str], input: &str) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_hsd"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child
+        .stdin
+        .take()
+        .unwrap()
+        .write_all(input.as_bytes())
+        .unwrap();
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn pipes_carry_models() {
+    let output = piped(&["build", "-", "-o", "-"], SOUND);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(output.stdout.starts_with(b"glTF"));
+    assert!(stderr(&output).starts_with("wrote the model: 1 house"));
+    assert_eq!(piped(&["build", "-"], SOUND).stdout, output.stdout);
+    let output = piped(&["build", "-", "-o", "-", "--format", "obj"], SOUND);
+    assert_eq!(code(&output), 2, "an OBJ has files beside it");
+    let output = piped(&["check", "--format", "short", "-"], BROKEN);
+    assert!(
+        stdout(&output).starts_with("<stdin>:5:4: error[HSD01"),
+        "{}",
+        stdout(&output)
+    );
+}
+
+#[test]
+fn closed_pipes_are_no_failure() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_hsd"))
+        .args(["parts", "--format", "json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((code(&output), stderr(&output)), (0, String::new()));
+}
+
+#[test]
+fn large_files_are_refused_unread() {
+    let folder = folder();
+    let output = hsd(
+        folder.path(),
+        &[
+            "check",
+            "--max-bytes",
+            "10",
+            "--format",
+            "json",
+            "sound.hsd",
+        ],
+    );
+    assert_eq!(code(&output), 1);
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(json.as_array().unwrap().len(), 1, "{json}");
+    assert_eq!(
+        (&json[0]["code"], &json[0]["span"]["end"]),
+        (&"HSD0901".into(), &0.into())
+    );
+}
+
+#[test]
+fn formats_of_check_go_to_standard_output() {
+    let folder = folder();
+    let run = |format| {
+        hsd(
+            folder.path(),
+            &["check", "--format", format, "broken.hsd", "sound.hsd"],
+        )
+    };
+    let json: serde_json::Value = serde_json::from_slice(&run("json").stdout).unwrap();
+    assert_eq!(
+        (&json[0]["line"], &json[0]["column"]),
+        (&5.into(), &4.into())
+    );
+    assert_eq!(json[0]["file"], "broken.hsd");
+    let sarif: serde_json::Value = serde_json::from_slice(&run("sarif").stdout).unwrap();
+    assert_eq!(sarif["runs"][0]["results"][0]["ruleId"], json[0]["code"]);
+    assert!(stdout(&run("human")).contains("╭─[broken.hsd:5:4]"));
+    let clean = hsd(folder.path(), &["check", "--format", "json", "sound.hsd"]);
+    assert_eq!((code(&clean), stdout(&clean)), (0, "[]\n".to_owned()));
+}
+
+#[test]
+fn dumps_are_json() {
+    let folder = folder();
+    for stage in ["ast", "program", "building", "regions", "scene"] {
+        let output = hsd(folder.path(), &["dump", "--stage", stage, "sound.hsd"]);
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(json["version"], 1, "{stage}");
+    }
+}
+
+#[test]
+fn the_catalogue_is_listed() {
+    let folder = folder();
+    let json = hsd(folder.path(), &["parts", "--format", "json", "GDE 2"]);
+    let list: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(list.as_array().unwrap().len(), 1);
+    assert_eq!(list[0]["code"], "GDE 2");
+    let lattices = stdout(&hsd(folder.path(), &["parts", "G"]));
+    assert!(lattices.lines().skip(1).all(|l| l.starts_with('G')) && lattices.lines().count() > 3);
+    let nothing = hsd(folder.path(), &["parts", "no such part"]);
+    assert!(stderr(&nothing).starts_with("no part has"));
+}
+
+#[test]
+fn shells_get_completions() {
+    let folder = folder();
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        let script = stdout(&hsd(folder.path(), &["completions", shell]));
+        assert!(script.contains("explain"), "{shell}");
+    }
+}
+
+#[test]
+fn pictures_come_from_texture_folders_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let inside = folder.path().join("house");
+    fs::create_dir_all(inside.join("textures/deep")).unwrap();
+    let picture = image::RgbImage::new(3, 2);
+    picture.save(inside.join("textures/noren.png")).unwrap();
+    picture.save(inside.join("textures/deep/low.png")).unwrap();
+    picture.save(inside.join("sign.JPG")).unwrap();
+    picture.save(folder.path().join("secret.png")).unwrap();
+    fs::write(inside.join("fake.png"), "no picture").unwrap();
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::symlink;
+        symlink("../secret.png", inside.join("link.png")).unwrap();
+        symlink("textures/noren.png", inside.join("near.png")).unwrap();
+        symlink("loop.png", inside.join("loop.png")).unwrap();
+    }
+    let world = FolderWorld::new(vec![inside.clone(), inside.join("textures")], 1 << 20);
+    let noren = world.picture("noren").unwrap();
+    assert_eq!(noren.size, (3, 2));
+    assert!(
+        world
+            .picture_bytes(&noren.path)
+            .unwrap()
+            .starts_with(b"\x89PNG")
+    );
+    assert!(world.picture("noren.png").is_some() && world.picture("sign").is_some());
+    assert_eq!(
+        world.picture("fake").unwrap().size,
+        (1, 1),
+        "found, to be complained about"
+    );
+    let secret = folder.path().join("secret.png");
+    let absolute = secret.to_str().unwrap();
+    for name in [
+        "../secret",
+        "../secret.png",
+        "..",
+        ".",
+        "",
+        "/",
+        "\\",
+        "textures/noren",
+        "deep/low",
+        "C:secret",
+        "./noren",
+        "noren\0",
+        "link",
+        "loop",
+        &absolute[..absolute.len() - 4],
+        absolute,
+    ] {
+        assert_eq!(world.picture(name), None, "{name:?}");
+        assert!(world.picture_bytes(name).is_err(), "{name:?}");
+    }
+    #[cfg(unix)]
+    {
+        assert!(world.picture("near").is_some(), "a link within the folder");
+        let link = inside.join("link.png");
+        assert!(world.picture_bytes(link.to_str().unwrap()).is_err());
+        let dots = inside.join("../secret.png");
+        assert!(world.picture_bytes(dots.to_str().unwrap()).is_err());
+    }
+}
+
+#[test]
+fn watching_builds_again() {
+    let folder = folder();
+    let text = folder.path().join("sound.hsd");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_hsd"))
+        .current_dir(folder.path())
+        .args(["build", "sound.hsd", "-o", "x.glb", "--watch"])
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let output = std::io::BufReader::new(child.stderr.take().unwrap());
+    let (sender, lines) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        std::io::BufRead::lines(output)
+            .map_while(Result::ok)
+            .try_for_each(|l| sender.send(l))
+    });
+    let next = || {
+        lines
+            .recv_timeout(std::time::Duration::from_secs(30))
+            .unwrap()
+    };
+    let first = next(); // printed when the folder is watched already
+    fs::write(&text, format!("{SOUND}%\n{SOUND}")).unwrap();
+    let second = next();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(first.starts_with("wrote x.glb: 1 house,"), "{first}");
+    assert!(second.starts_with("wrote x.glb: 2 houses,"), "{second}");
+}

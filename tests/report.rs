@@ -1,0 +1,290 @@
+//! Reports on small Japanese texts, and on large ones.
+
+#![allow(clippy::unwrap_used, missing_docs)]
+
+use hsd::diagnostic::{Diagnostic, Diagnostics};
+use hsd::report::{Format, Report, Style};
+use hsd::source::{FileId, Source, Span};
+
+fn source(text: &str) -> Source {
+    Source::new(FileId(0), "町家.hsd", text.as_bytes())
+}
+
+fn find(source: &Source, needle: &str) -> Span {
+    let at = source.text().find(needle).unwrap();
+    source.span(at..at + needle.len())
+}
+
+fn written(sources: &[Source], list: &[Diagnostic], format: Format) -> String {
+    let mut out = vec![];
+    let report = Report::new(sources, list);
+    report.write(format, Style::default(), &mut out).unwrap();
+    String::from_utf8(out).unwrap()
+}
+
+#[test]
+fn carets_stand_under_full_width_text() {
+    let source = source("# 町家\nGSI  外壁材　TSH  ＡＬＣ板\nKTU\n");
+    let d = Diagnostic::error(
+        104,
+        find(&source, "ＡＬＣ板"),
+        "no part is called \"ＡＬＣ板\"",
+    )
+    .help("write a code of five columns")
+    .label(find(&source, "TSH"), "the part before");
+    let expected = "\
+error[HSD0104]
+
+  × no part is called \"ＡＬＣ板\"
+   ╭─[町家.hsd:2:15]
+ 1 │ # 町家
+ 2 │ GSI  外壁材　TSH  ＡＬＣ板
+   ·              ─┬─  ────────
+   ·               ╰── the part before
+ 3 │ KTU
+   ╰────
+  help: write a code of five columns
+
+1 error in 町家.hsd
+`hsd explain HSD0104` tells more about it
+";
+    assert_eq!(written(&[source], &[d], Format::Human), expected);
+}
+
+#[test]
+fn voicing_marks_count_as_columns() {
+    let source = source("ｶﾞﾗｽﾊﾟﾈﾙ WIN01 x\n");
+    let d = Diagnostic::warning(301, find(&source, "WIN01"), "窓");
+    let expected = "\
+warning[HSD0301]
+
+  ⚠ 窓
+   ╭─[町家.hsd:1:10]
+ 1 │ ｶﾞﾗｽﾊﾟﾈﾙ WIN01 x
+   ·          ─────
+   ╰────
+
+1 warning in 町家.hsd
+`hsd explain HSD0301` tells more about it
+";
+    assert_eq!(written(&[source], &[d], Format::Human), expected);
+}
+
+#[test]
+fn distant_labels_get_their_own_snippets() {
+    let text: String = (1..=20).map(|i| format!("line {i}\r\n")).collect();
+    let source = source(&text);
+    let d = Diagnostic::note(1, find(&source, "line 15"), "far")
+        .label(find(&source, "line 3\r\n"), "here");
+    let expected = "\
+note[HSD0001]
+
+  ☞ far
+   ╭─[町家.hsd:3:1]
+ 2 │ line 2
+ 3 │ line 3
+   · ───┬──
+   ·    ╰── here
+ 4 │ line 4
+   ╰────
+    ╭─[町家.hsd:15:1]
+ 14 │ line 14
+ 15 │ line 15
+    · ───────
+ 16 │ line 16
+    ╰────
+
+1 note in 町家.hsd
+`hsd explain HSD0001` tells more about it
+";
+    assert_eq!(written(&[source], &[d], Format::Human), expected);
+}
+
+#[test]
+fn every_place_of_a_file_can_be_marked() {
+    for text in [
+        "",
+        "\n",
+        "a",
+        "a\n",
+        "a\r\n\r\nb",
+        "\u{3000}\n\n\n",
+        "\t\u{1b}[31m\r\u{202e}x",
+    ] {
+        let source = source(text);
+        let ends: Vec<usize> = (0..=text.len())
+            .filter(|i| text.is_char_boundary(*i))
+            .collect();
+        let pairs = ends.iter().flat_map(|a| ends.iter().map(move |b| (*a, *b)));
+        for (from, to) in pairs.filter(|(a, b)| a <= b) {
+            let d =
+                Diagnostic::error(1, source.span(from..to), "m").label(source.span(to..to), "l");
+            let report = written(std::slice::from_ref(&source), &[d], Format::Human);
+            assert!(
+                report.contains("╭─[町家.hsd:"),
+                "{text:?} {from}..{to}: {report}"
+            );
+            assert!(
+                !report.contains("Failed") && !report.contains('\u{1b}'),
+                "{report}"
+            );
+        }
+    }
+}
+
+#[test]
+fn tall_marks_show_their_first_line() {
+    let source = source(&"KTU  TSH\n".repeat(100));
+    let d = Diagnostic::error(401, source.span(0..900), "does not close");
+    let report = written(&[source], &[d], Format::Human);
+    assert!(report.lines().count() < 12, "{report}");
+    assert!(
+        report.contains(" 1 │ KTU  TSH\n   · ────────\n"),
+        "{report}"
+    );
+}
+
+#[test]
+fn long_lines_are_cut_round_the_marks() {
+    let text = format!(
+        "{}外{}WIN01{}\n",
+        "KTU  ".repeat(100_000),
+        " ".repeat(300),
+        "x".repeat(9999)
+    );
+    let source = source(&text);
+    let d = Diagnostic::error(104, find(&source, "WIN01"), "m").label(find(&source, "外"), "here");
+    let start = std::time::Instant::now();
+    let report = written(&[source], &[d], Format::Human);
+    assert!(start.elapsed().as_millis() < 1000, "{:?}", start.elapsed());
+    let line = report.lines().find(|l| l.contains("WIN01")).unwrap();
+    assert!(line.starts_with(" 1 │ …") && line.ends_with("x…") && line.chars().count() < 300);
+    assert_eq!(line.matches('…').count(), 3, "{line}");
+    assert!(report.contains("[町家.hsd:1:500302]"), "{report}");
+}
+
+#[test]
+fn colours_are_asked_for() {
+    let source = source("GSI\n");
+    let d = [Diagnostic::error(104, find(&source, "GSI"), "m")];
+    let sources = [source];
+    let style = Style {
+        color: true,
+        width: 80,
+    };
+    let mut out = vec![];
+    Report::new(&sources, &d)
+        .write(Format::Human, style, &mut out)
+        .unwrap();
+    assert!(String::from_utf8(out).unwrap().contains("\u{1b}[31m"));
+}
+
+#[test]
+fn at_most_fifty_are_shown_errors_first() {
+    let source = source(&"GSI\n".repeat(200));
+    let at = |i: usize| source.span(4 * i..4 * i + 3);
+    let mut all = Diagnostics::new();
+    (0..100).for_each(|i| all.push(Diagnostic::warning(301, at(i), "w")));
+    (100..140).for_each(|i| all.push(Diagnostic::error(104, at(i), "e")));
+    let list = all.into_sorted();
+    let sources = [source.clone()];
+    let report = written(&sources, &list, Format::Human);
+    assert_eq!(report.matches("error[HSD0104]").count(), 40);
+    assert_eq!(report.matches("warning[HSD0301]").count(), 10);
+    assert!(report.contains("... and 90 more; `--format short` lists all of them\n"));
+    assert!(report.contains("\n40 errors, 100 warnings in 町家.hsd\n"));
+    assert!(
+        report.ends_with("`hsd explain HSD0104` tells more, as for HSD0301\n"),
+        "{report}"
+    );
+    assert_eq!(written(&sources, &list, Format::Short).lines().count(), 140);
+}
+
+#[test]
+fn short_lines_are_for_editors() {
+    let source = source("# 町家\n家 GSI\u{1b}\n");
+    let wrong = find(&source, "GSI\u{1b}");
+    let d = [
+        Diagnostic::warning(6, find(&source, "家 "), "odd"),
+        Diagnostic::error(104, wrong, "unknown \"GSI\u{1b}\"").help("mend\nit"),
+    ];
+    let expected = "\
+町家.hsd:2:1: warning[HSD0006]: odd
+町家.hsd:2:3: error[HSD0104]: unknown \"GSI␛\" (help: mend␊it)
+";
+    assert_eq!(written(&[source], &d, Format::Short), expected);
+}
+
+#[test]
+fn json_has_the_fields_of_the_contract() {
+    let (bytes, ..) = encoding_rs::SHIFT_JIS.encode("# 町家\nGSI  \"\n");
+    let sources = [Source::new(FileId(0), "家.hsd", &bytes)];
+    let d = Diagnostic::error(104, find(&sources[0], "GSI  "), "a \u{1} \"quoted\" text")
+        .help("mend")
+        .label(find(&sources[0], "町家"), "name");
+    let text = written(&sources, &[d], Format::Json);
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let expected = serde_json::json!([{
+        "code": "HSD0104", "severity": "error", "message": "a \u{1} \"quoted\" text", "file": "家.hsd",
+        "line": 2, "column": 1, "span": {"start": 7, "end": 12}, "help": "mend",
+        "labels": [{"message": "name", "file": "家.hsd", "span": {"start": 2, "end": 6}}],
+    }]);
+    assert_eq!(json, expected);
+    assert_eq!(written(&sources, &[], Format::Json), "[]\n");
+}
+
+#[test]
+fn sarif_is_minimal_and_valid() {
+    let source = source("# 町家\nGSI  x\n");
+    let d = [
+        Diagnostic::error(104, find(&source, "GSI  "), "wrong").help("mend"),
+        Diagnostic::note(1, find(&source, "町家"), "name").label(find(&source, "x"), "there"),
+    ];
+    let text = written(&[source], &d, Format::Sarif);
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(json["version"], "2.1.0");
+    let run = &json["runs"][0];
+    let driver = &run["tool"]["driver"];
+    assert_eq!(
+        (&driver["name"], &driver["rules"][1]["id"]),
+        (&"hsd".into(), &"HSD0104".into())
+    );
+    let result = &run["results"][0];
+    assert_eq!(
+        result["ruleId"],
+        driver["rules"][result["ruleIndex"].as_u64().unwrap() as usize]["id"]
+    );
+    assert_eq!(
+        (&result["level"], &result["message"]["text"]),
+        (&"error".into(), &"wrong (help: mend)".into())
+    );
+    let location = &result["locations"][0]["physicalLocation"];
+    assert_eq!(
+        location["artifactLocation"]["uri"],
+        "%E7%94%BA%E5%AE%B6.hsd"
+    );
+    let region = serde_json::json!({
+        "startLine": 2, "startColumn": 1, "endLine": 2, "endColumn": 6,
+        "byteOffset": 9, "byteLength": 5, "charOffset": 5, "charLength": 5,
+    });
+    assert_eq!(location["region"], region);
+    let related = &run["results"][1]["relatedLocations"][0];
+    assert_eq!(related["message"]["text"], "there");
+    assert_eq!(related["physicalLocation"]["region"]["startColumn"], 6);
+}
+
+#[test]
+fn many_messages_on_one_line_take_linear_time() {
+    let count = 100_000;
+    let source = source(&"家GSI  ".repeat(count));
+    let span = |i: usize| source.span(8 * i..8 * i + 3);
+    let list: Vec<_> = (0..count)
+        .map(|i| Diagnostic::error(104, span(i), "m"))
+        .collect();
+    let sources = [source.clone()];
+    let start = std::time::Instant::now();
+    for format in [Format::Human, Format::Short, Format::Json, Format::Sarif] {
+        written(&sources, &list, format);
+    }
+    assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+}
