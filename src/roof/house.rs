@@ -185,7 +185,7 @@ impl Storey<'_, '_> {
                 .map(|line| explicit::planned(line, &context, out)),
         );
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
-        let walls = context.upper.map(|u| slabs::strips(u)).unwrap_or_default();
+        let walls = context.upper.map(slabs::strips).unwrap_or_default();
         let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
         assemble(planned, &walls, &mut done.roofs);
     }
