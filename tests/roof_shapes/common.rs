@@ -186,7 +186,7 @@ fn over([p, q, r]: [DVec3; 3], at: DVec2) -> Option<f64> {
     }
     let s = w.perp_dot(v.truncate()) / area;
     let t = u.truncate().perp_dot(w) / area;
-    (s >= -1e-9 && t >= -1e-9 && s + t <= 1.0 + 1e-9).then(|| p.z + s * u.z + t * v.z)
+    (s >= -1e-9 && t >= -1e-9 && s + t <= 1.0 + 1e-9).then_some(p.z + s * u.z + t * v.z)
 }
 
 pub fn explicit_only(mut house: House) -> House {
