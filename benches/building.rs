@@ -5,7 +5,6 @@ mod texts;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use hsd::backend::pictures::Library;
-use hsd::catalog::Catalog;
 use hsd::source::NoPictures;
 
 fn main() {
@@ -19,7 +18,7 @@ fn roofed_outlines(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::tessellate::tessellate(&building, Catalog::builtin())
+        hsd::driver::scene(&building)
     });
 }
 
@@ -30,7 +29,7 @@ fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        let scene = hsd::tessellate::tessellate(&building, Catalog::builtin());
+        let scene = hsd::driver::scene(&building);
         let images = Library::load(&scene.pictures, &NoPictures, u64::MAX, |_, _| {});
         hsd::backend::gltf::glb(&scene, &images)
     });
@@ -43,6 +42,6 @@ fn parts_of_one_house(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::tessellate::tessellate(&building, Catalog::builtin())
+        hsd::driver::scene(&building)
     });
 }

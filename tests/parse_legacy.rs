@@ -165,9 +165,8 @@ fn remainders_follow_the_rules() {
         "no roof, though HOG is a shape"
     );
     assert_eq!(rows("KSM     "), turn("KSM  ", None));
-    assert_eq!(
-        told(&with_walls("KSM     ")),
-        [],
+    assert!(
+        told(&with_walls("KSM     ")).is_empty(),
         "a remainder of blanks only is dropped"
     );
     assert_eq!(

@@ -2,21 +2,19 @@
 #![allow(dead_code, unreachable_pub)] // each bench uses its own share
 
 use hsd::building::Building;
-use hsd::catalog::Catalog;
 use hsd::diagnostic::Diagnostics;
-use hsd::source::{FileId, Limits, NoPictures, Source};
+use hsd::driver;
+use hsd::expand::Options;
+use hsd::source::{FileId, NoPictures, Source};
 
 /// Source to building, as `hsd check` does it.
 pub fn check(text: &str) -> (Building, Diagnostics) {
-    let (limits, catalog) = (Limits::default(), Catalog::builtin());
+    let options = Options::default();
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
-    let document = hsd::parse::parse(&source, &limits, &mut out);
-    let options = hsd::expand::Options { seed: None, limits };
-    let documents = [(&source, &document)];
-    let program = hsd::expand::expand(&documents, catalog, &NoPictures, &options, &mut out);
-    let shell = hsd::lower::lower(program, &mut out);
-    (hsd::roof::roof(shell, &mut out), out)
+    let documents = driver::documents(&[&source], &options.limits, &mut out);
+    let program = driver::program(&[&source], &documents, &NoPictures, &options, &mut out);
+    (driver::building(program, &mut out), out)
 }
 
 /// A building that must be free of errors, or the bench measures the wrong thing.

@@ -3,11 +3,11 @@
 #![allow(dead_code, unreachable_pub)] // each test file uses its own share
 
 use hsd::building::{Building, Solid};
-use hsd::catalog::Catalog;
 use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
+use hsd::expand::Options;
 use hsd::scene::{Kind, Mesh, Scene};
-use hsd::source::{FileId, Limits, NoPictures, PictureFile, Source, World};
+use hsd::source::{FileId, NoPictures, PictureFile, Source, World};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -91,21 +91,14 @@ pub fn compile_file(path: &Path) -> Run {
 }
 
 fn compile_in(world: &dyn World, name: &str, bytes: &[u8]) -> Run {
-    let (limits, catalog) = (Limits::default(), Catalog::builtin());
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), name, bytes);
-    let document = hsd::parse::parse(&source, &limits, &mut out);
-    let options = hsd::expand::Options { seed: None, limits };
-    let documents = [(&source, &document)];
-    let program = hsd::expand::expand(&documents, catalog, world, &options, &mut out);
-    let shell = hsd::lower::lower(program, &mut out);
-    let building = hsd::roof::roof(shell, &mut out);
-    let scene = hsd::tessellate::tessellate(&building, catalog);
+    let made = hsd::compile(&[&source], world, &Options::default(), &mut out);
     Run {
         source,
         diagnostics: out.into_sorted(),
-        building,
-        scene,
+        building: made.building,
+        scene: made.scene,
     }
 }
 
