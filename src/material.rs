@@ -114,7 +114,7 @@ const fn thin(surface: Surface) -> Surface {
 
 const WHITE: [f32; 3] = [1.0, 1.0, 1.0];
 
-static TABLE: [Surface; 46] = [
+static TABLE: [Surface; 47] = [
     // Wood. Bengara is iron red with soot in oil over cedar; hinoki is left bare and pale.
     drawn("cedar", "cedar", WHITE),
     drawn("hinoki", "cedar", [1.3, 1.22, 1.08]),
@@ -144,6 +144,7 @@ static TABLE: [Surface; 46] = [
     drawn("pebbles", "stone", [0.8, 0.78, 0.74]),
     // Paper, cloth, glass.
     thin(drawn("paper", "paper", WHITE)),
+    thin(drawn("paper_shade", "paper", [0.45, 0.43, 0.38])),
     thin(drawn("indigo", "cloth", [0.06, 0.09, 0.22])),
     thin(drawn("persimmon", "cloth", [0.36, 0.13, 0.05])),
     thin(drawn("cotton", "cloth", WHITE)),

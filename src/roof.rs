@@ -35,6 +35,7 @@ mod level;
 pub mod look;
 mod meet;
 pub mod merge;
+mod nearby;
 pub mod outline;
 pub mod partition;
 pub mod pent;

@@ -736,3 +736,12 @@ fn every_surface_has_a_name_of_its_own() {
         assert_eq!(hsd::material::SurfaceId::named(name).surface().name, name);
     }
 }
+
+#[test]
+fn every_picture_is_in_the_library() {
+    for surface in hsd::material::all() {
+        if let Some(picture) = surface.picture {
+            assert!(hsd::texture::surface(picture).is_some(), "{picture}");
+        }
+    }
+}

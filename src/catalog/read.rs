@@ -111,62 +111,81 @@ const KNOWN: [&str; 17] = [
     "fills",
 ];
 
-/// The head of a part.
-fn part(attributes: &Attributes) -> Result<PartDef, String> {
-    let get = |name: &str| {
-        let found = attributes.iter().find(|(n, _)| n == name);
-        found.map(|(_, text)| text.as_str())
-    };
-    let must = |name: &str| get(name).ok_or_else(|| format!("a part without `{name}`"));
-    let code = must("code")?;
-    let wrong = |name: &str, text: &str| format!("part {code:?}: {name}=\"{text}\"");
-    if let Some((name, text)) = attributes
-        .iter()
-        .find(|(n, _)| !KNOWN.contains(&n.as_str()))
-    {
-        return Err(wrong(name, text));
-    }
-    let five: [u8; 5] = code
-        .as_bytes()
-        .try_into()
-        .map_err(|_| wrong("code", code))?;
-    let width = must("width")?;
-    let height = |name| match get(name) {
-        Some(text) => shaku(text).map(Some).ok_or_else(|| wrong(name, text)),
-        None => Ok(None),
-    };
-    Ok(PartDef {
-        code: five,
-        ja: must("ja")?.into(),
-        romaji: must("romaji")?.into(),
-        en: must("en")?.into(),
-        width: f64::read(width).ok_or_else(|| wrong("width", width))?,
-        from: height("from")?,
-        to: height("to")?,
-        made: get("made").unwrap_or_default().into(),
-        era: optional(get("era"), Era::All, |t| wrong("era", t))?,
-        weathering: get("weathering").unwrap_or_default().into(),
-        finish: optional(get("finish"), None, |t| wrong("finish", t))?,
-        stance: optional(get("stance"), Stance::Posts, |t| wrong("stance", t))?,
-        below: optional(get("below"), Below::Dado, |t| wrong("below", t))?,
-        above: optional(get("above"), true, |t| wrong("above", t))?,
-        clear: optional(get("clear"), None, |t| wrong("clear", t))?,
-        reflection: optional(get("reflection"), None, |t| wrong("reflection", t))?,
-        fills: optional(get("fills"), false, |t| wrong("fills", t))?,
-        body: Vec::new(),
-    })
+/// The head of a part: its code and all that is written.
+struct Head<'a> {
+    code: &'a str,
+    attributes: &'a Attributes,
 }
 
-/// A value, or its default where nothing is written.
-fn optional<T: Value>(
-    text: Option<&str>,
-    default: T,
-    wrong: impl Fn(&str) -> String,
-) -> Result<T, String> {
-    match text {
-        Some(text) => T::read(text).ok_or_else(|| wrong(text)),
-        None => Ok(default),
+impl<'a> Head<'a> {
+    /// An attribute's text.
+    fn get(&self, name: &str) -> Option<&'a str> {
+        let found = self.attributes.iter().find(|(n, _)| n == name);
+        found.map(|(_, text)| text.as_str())
     }
+
+    /// Text that a part cannot do without.
+    fn must(&self, name: &str) -> Result<&'a str, String> {
+        let missing = || format!("part {:?} has no `{name}`", self.code);
+        self.get(name).ok_or_else(missing)
+    }
+
+    /// A value, or its default where nothing is written.
+    fn or<T: Value>(&self, name: &str, default: T) -> Result<T, String> {
+        match self.get(name) {
+            Some(text) => T::read(text).ok_or_else(|| self.wrong(name, T::FORM)),
+            None => Ok(default),
+        }
+    }
+
+    /// A height in shaku.
+    fn height(&self, name: &str) -> Result<Option<f64>, String> {
+        let wrong = || self.wrong(name, "shaku, or metres with `m`");
+        let read = |text| shaku(text).ok_or_else(wrong);
+        self.get(name).map(read).transpose()
+    }
+
+    /// What is wrong with an attribute.
+    fn wrong(&self, name: &str, form: &str) -> String {
+        let text = self.get(name).unwrap_or_default();
+        format!("part {:?}: {name}=\"{text}\" is not {form}", self.code)
+    }
+}
+
+/// A part without its bodies.
+fn part(attributes: &Attributes) -> Result<PartDef, String> {
+    let mut head = Head {
+        code: "",
+        attributes,
+    };
+    head.code = head.must("code")?;
+    let known = |name: &str| KNOWN.contains(&name);
+    if let Some((name, _)) = attributes.iter().find(|(n, _)| !known(n)) {
+        return Err(format!("part {:?} has no attribute `{name}`", head.code));
+    }
+    let five = head.code.as_bytes().try_into().ok();
+    let five = five.filter(|_| head.code.is_ascii());
+    head.must("width")?;
+    Ok(PartDef {
+        code: five.ok_or_else(|| head.wrong("code", "five columns of ASCII"))?,
+        ja: head.must("ja")?.into(),
+        romaji: head.must("romaji")?.into(),
+        en: head.must("en")?.into(),
+        width: head.or("width", 0.0)?,
+        from: head.height("from")?,
+        to: head.height("to")?,
+        made: head.get("made").unwrap_or_default().into(),
+        era: head.or("era", Era::All)?,
+        weathering: head.get("weathering").unwrap_or_default().into(),
+        finish: head.or("finish", None)?,
+        stance: head.or("stance", Stance::Posts)?,
+        below: head.or("below", Below::Dado)?,
+        above: head.or("above", true)?,
+        clear: head.or("clear", None)?,
+        reflection: head.or("reflection", None)?,
+        fills: head.or("fills", false)?,
+        body: Vec::new(),
+    })
 }
 
 /// A height in shaku, or in metres where `m` follows.
@@ -185,7 +204,7 @@ impl Value for Era {
 }
 
 impl Value for Stance {
-    const FORM: &'static str = "posts, bare, fence or none";
+    const FORM: &'static str = "posts, bare, modern, fence or none";
     fn read(text: &str) -> Option<Stance> {
         match text {
             "posts" => Some(Stance::Posts),

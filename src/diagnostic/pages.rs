@@ -2,164 +2,46 @@
 
 use super::Code;
 
+/// The page of a number of four digits, from the folder.
+macro_rules! pages {
+    ($($number:literal)*) => {
+        &[$((
+            Code(code($number)),
+            include_str!(concat!("../../grammar/diagnostics/HSD", $number, ".md")),
+        )),*]
+    };
+}
+
 /// All codes with their pages, ascending. A test compares the list with the folder.
-#[rustfmt::skip] // one page a line
-pub static PAGES: &[(Code, &str)] = &[
-    (Code(1), include_str!("../../grammar/diagnostics/HSD0001.md")),
-    (Code(2), include_str!("../../grammar/diagnostics/HSD0002.md")),
-    (Code(3), include_str!("../../grammar/diagnostics/HSD0003.md")),
-    (Code(4), include_str!("../../grammar/diagnostics/HSD0004.md")),
-    (Code(5), include_str!("../../grammar/diagnostics/HSD0005.md")),
-    (Code(6), include_str!("../../grammar/diagnostics/HSD0006.md")),
-    (Code(7), include_str!("../../grammar/diagnostics/HSD0007.md")),
-    (Code(101), include_str!("../../grammar/diagnostics/HSD0101.md")),
-    (Code(102), include_str!("../../grammar/diagnostics/HSD0102.md")),
-    (Code(103), include_str!("../../grammar/diagnostics/HSD0103.md")),
-    (Code(104), include_str!("../../grammar/diagnostics/HSD0104.md")),
-    (Code(105), include_str!("../../grammar/diagnostics/HSD0105.md")),
-    (Code(106), include_str!("../../grammar/diagnostics/HSD0106.md")),
-    (Code(107), include_str!("../../grammar/diagnostics/HSD0107.md")),
-    (Code(108), include_str!("../../grammar/diagnostics/HSD0108.md")),
-    (Code(109), include_str!("../../grammar/diagnostics/HSD0109.md")),
-    (Code(110), include_str!("../../grammar/diagnostics/HSD0110.md")),
-    (Code(111), include_str!("../../grammar/diagnostics/HSD0111.md")),
-    (Code(112), include_str!("../../grammar/diagnostics/HSD0112.md")),
-    (Code(113), include_str!("../../grammar/diagnostics/HSD0113.md")),
-    (Code(114), include_str!("../../grammar/diagnostics/HSD0114.md")),
-    (Code(115), include_str!("../../grammar/diagnostics/HSD0115.md")),
-    (Code(116), include_str!("../../grammar/diagnostics/HSD0116.md")),
-    (Code(117), include_str!("../../grammar/diagnostics/HSD0117.md")),
-    (Code(118), include_str!("../../grammar/diagnostics/HSD0118.md")),
-    (Code(120), include_str!("../../grammar/diagnostics/HSD0120.md")),
-    (Code(121), include_str!("../../grammar/diagnostics/HSD0121.md")),
-    (Code(122), include_str!("../../grammar/diagnostics/HSD0122.md")),
-    (Code(123), include_str!("../../grammar/diagnostics/HSD0123.md")),
-    (Code(124), include_str!("../../grammar/diagnostics/HSD0124.md")),
-    (Code(125), include_str!("../../grammar/diagnostics/HSD0125.md")),
-    (Code(126), include_str!("../../grammar/diagnostics/HSD0126.md")),
-    (Code(127), include_str!("../../grammar/diagnostics/HSD0127.md")),
-    (Code(128), include_str!("../../grammar/diagnostics/HSD0128.md")),
-    (Code(129), include_str!("../../grammar/diagnostics/HSD0129.md")),
-    (Code(130), include_str!("../../grammar/diagnostics/HSD0130.md")),
-    (Code(131), include_str!("../../grammar/diagnostics/HSD0131.md")),
-    (Code(132), include_str!("../../grammar/diagnostics/HSD0132.md")),
-    (Code(133), include_str!("../../grammar/diagnostics/HSD0133.md")),
-    (Code(134), include_str!("../../grammar/diagnostics/HSD0134.md")),
-    (Code(135), include_str!("../../grammar/diagnostics/HSD0135.md")),
-    (Code(136), include_str!("../../grammar/diagnostics/HSD0136.md")),
-    (Code(140), include_str!("../../grammar/diagnostics/HSD0140.md")),
-    (Code(141), include_str!("../../grammar/diagnostics/HSD0141.md")),
-    (Code(142), include_str!("../../grammar/diagnostics/HSD0142.md")),
-    (Code(143), include_str!("../../grammar/diagnostics/HSD0143.md")),
-    (Code(144), include_str!("../../grammar/diagnostics/HSD0144.md")),
-    (Code(145), include_str!("../../grammar/diagnostics/HSD0145.md")),
-    (Code(146), include_str!("../../grammar/diagnostics/HSD0146.md")),
-    (Code(147), include_str!("../../grammar/diagnostics/HSD0147.md")),
-    (Code(148), include_str!("../../grammar/diagnostics/HSD0148.md")),
-    (Code(149), include_str!("../../grammar/diagnostics/HSD0149.md")),
-    (Code(150), include_str!("../../grammar/diagnostics/HSD0150.md")),
-    (Code(151), include_str!("../../grammar/diagnostics/HSD0151.md")),
-    (Code(201), include_str!("../../grammar/diagnostics/HSD0201.md")),
-    (Code(202), include_str!("../../grammar/diagnostics/HSD0202.md")),
-    (Code(203), include_str!("../../grammar/diagnostics/HSD0203.md")),
-    (Code(204), include_str!("../../grammar/diagnostics/HSD0204.md")),
-    (Code(205), include_str!("../../grammar/diagnostics/HSD0205.md")),
-    (Code(206), include_str!("../../grammar/diagnostics/HSD0206.md")),
-    (Code(207), include_str!("../../grammar/diagnostics/HSD0207.md")),
-    (Code(208), include_str!("../../grammar/diagnostics/HSD0208.md")),
-    (Code(209), include_str!("../../grammar/diagnostics/HSD0209.md")),
-    (Code(210), include_str!("../../grammar/diagnostics/HSD0210.md")),
-    (Code(211), include_str!("../../grammar/diagnostics/HSD0211.md")),
-    (Code(212), include_str!("../../grammar/diagnostics/HSD0212.md")),
-    (Code(213), include_str!("../../grammar/diagnostics/HSD0213.md")),
-    (Code(214), include_str!("../../grammar/diagnostics/HSD0214.md")),
-    (Code(215), include_str!("../../grammar/diagnostics/HSD0215.md")),
-    (Code(216), include_str!("../../grammar/diagnostics/HSD0216.md")),
-    (Code(217), include_str!("../../grammar/diagnostics/HSD0217.md")),
-    (Code(218), include_str!("../../grammar/diagnostics/HSD0218.md")),
-    (Code(219), include_str!("../../grammar/diagnostics/HSD0219.md")),
-    (Code(220), include_str!("../../grammar/diagnostics/HSD0220.md")),
-    (Code(221), include_str!("../../grammar/diagnostics/HSD0221.md")),
-    (Code(222), include_str!("../../grammar/diagnostics/HSD0222.md")),
-    (Code(223), include_str!("../../grammar/diagnostics/HSD0223.md")),
-    (Code(224), include_str!("../../grammar/diagnostics/HSD0224.md")),
-    (Code(225), include_str!("../../grammar/diagnostics/HSD0225.md")),
-    (Code(226), include_str!("../../grammar/diagnostics/HSD0226.md")),
-    (Code(227), include_str!("../../grammar/diagnostics/HSD0227.md")),
-    (Code(228), include_str!("../../grammar/diagnostics/HSD0228.md")),
-    (Code(229), include_str!("../../grammar/diagnostics/HSD0229.md")),
-    (Code(230), include_str!("../../grammar/diagnostics/HSD0230.md")),
-    (Code(231), include_str!("../../grammar/diagnostics/HSD0231.md")),
-    (Code(232), include_str!("../../grammar/diagnostics/HSD0232.md")),
-    (Code(233), include_str!("../../grammar/diagnostics/HSD0233.md")),
-    (Code(234), include_str!("../../grammar/diagnostics/HSD0234.md")),
-    (Code(235), include_str!("../../grammar/diagnostics/HSD0235.md")),
-    (Code(236), include_str!("../../grammar/diagnostics/HSD0236.md")),
-    (Code(237), include_str!("../../grammar/diagnostics/HSD0237.md")),
-    (Code(238), include_str!("../../grammar/diagnostics/HSD0238.md")),
-    (Code(239), include_str!("../../grammar/diagnostics/HSD0239.md")),
-    (Code(240), include_str!("../../grammar/diagnostics/HSD0240.md")),
-    (Code(301), include_str!("../../grammar/diagnostics/HSD0301.md")),
-    (Code(302), include_str!("../../grammar/diagnostics/HSD0302.md")),
-    (Code(303), include_str!("../../grammar/diagnostics/HSD0303.md")),
-    (Code(304), include_str!("../../grammar/diagnostics/HSD0304.md")),
-    (Code(305), include_str!("../../grammar/diagnostics/HSD0305.md")),
-    (Code(306), include_str!("../../grammar/diagnostics/HSD0306.md")),
-    (Code(307), include_str!("../../grammar/diagnostics/HSD0307.md")),
-    (Code(308), include_str!("../../grammar/diagnostics/HSD0308.md")),
-    (Code(309), include_str!("../../grammar/diagnostics/HSD0309.md")),
-    (Code(310), include_str!("../../grammar/diagnostics/HSD0310.md")),
-    (Code(311), include_str!("../../grammar/diagnostics/HSD0311.md")),
-    (Code(312), include_str!("../../grammar/diagnostics/HSD0312.md")),
-    (Code(313), include_str!("../../grammar/diagnostics/HSD0313.md")),
-    (Code(314), include_str!("../../grammar/diagnostics/HSD0314.md")),
-    (Code(315), include_str!("../../grammar/diagnostics/HSD0315.md")),
-    (Code(316), include_str!("../../grammar/diagnostics/HSD0316.md")),
-    (Code(317), include_str!("../../grammar/diagnostics/HSD0317.md")),
-    (Code(318), include_str!("../../grammar/diagnostics/HSD0318.md")),
-    (Code(319), include_str!("../../grammar/diagnostics/HSD0319.md")),
-    (Code(320), include_str!("../../grammar/diagnostics/HSD0320.md")),
-    (Code(321), include_str!("../../grammar/diagnostics/HSD0321.md")),
-    (Code(322), include_str!("../../grammar/diagnostics/HSD0322.md")),
-    (Code(401), include_str!("../../grammar/diagnostics/HSD0401.md")),
-    (Code(402), include_str!("../../grammar/diagnostics/HSD0402.md")),
-    (Code(403), include_str!("../../grammar/diagnostics/HSD0403.md")),
-    (Code(404), include_str!("../../grammar/diagnostics/HSD0404.md")),
-    (Code(405), include_str!("../../grammar/diagnostics/HSD0405.md")),
-    (Code(406), include_str!("../../grammar/diagnostics/HSD0406.md")),
-    (Code(407), include_str!("../../grammar/diagnostics/HSD0407.md")),
-    (Code(408), include_str!("../../grammar/diagnostics/HSD0408.md")),
-    (Code(409), include_str!("../../grammar/diagnostics/HSD0409.md")),
-    (Code(410), include_str!("../../grammar/diagnostics/HSD0410.md")),
-    (Code(411), include_str!("../../grammar/diagnostics/HSD0411.md")),
-    (Code(412), include_str!("../../grammar/diagnostics/HSD0412.md")),
-    (Code(413), include_str!("../../grammar/diagnostics/HSD0413.md")),
-    (Code(417), include_str!("../../grammar/diagnostics/HSD0417.md")),
-    (Code(501), include_str!("../../grammar/diagnostics/HSD0501.md")),
-    (Code(502), include_str!("../../grammar/diagnostics/HSD0502.md")),
-    (Code(503), include_str!("../../grammar/diagnostics/HSD0503.md")),
-    (Code(504), include_str!("../../grammar/diagnostics/HSD0504.md")),
-    (Code(505), include_str!("../../grammar/diagnostics/HSD0505.md")),
-    (Code(506), include_str!("../../grammar/diagnostics/HSD0506.md")),
-    (Code(507), include_str!("../../grammar/diagnostics/HSD0507.md")),
-    (Code(508), include_str!("../../grammar/diagnostics/HSD0508.md")),
-    (Code(509), include_str!("../../grammar/diagnostics/HSD0509.md")),
-    (Code(510), include_str!("../../grammar/diagnostics/HSD0510.md")),
-    (Code(511), include_str!("../../grammar/diagnostics/HSD0511.md")),
-    (Code(512), include_str!("../../grammar/diagnostics/HSD0512.md")),
-    (Code(513), include_str!("../../grammar/diagnostics/HSD0513.md")),
-    (Code(514), include_str!("../../grammar/diagnostics/HSD0514.md")),
-    (Code(515), include_str!("../../grammar/diagnostics/HSD0515.md")),
-    (Code(516), include_str!("../../grammar/diagnostics/HSD0516.md")),
-    (Code(601), include_str!("../../grammar/diagnostics/HSD0601.md")),
-    (Code(602), include_str!("../../grammar/diagnostics/HSD0602.md")),
-    (Code(603), include_str!("../../grammar/diagnostics/HSD0603.md")),
-    (Code(901), include_str!("../../grammar/diagnostics/HSD0901.md")),
-    (Code(902), include_str!("../../grammar/diagnostics/HSD0902.md")),
-    (Code(904), include_str!("../../grammar/diagnostics/HSD0904.md")),
-    (Code(905), include_str!("../../grammar/diagnostics/HSD0905.md")),
-    (Code(909), include_str!("../../grammar/diagnostics/HSD0909.md")),
-];
+pub static PAGES: &[(Code, &str)] = pages! {
+    "0001" "0002" "0003" "0004" "0005" "0006" "0007"
+    "0101" "0102" "0103" "0104" "0105" "0106" "0107" "0108" "0109" "0110" "0111" "0112"
+    "0113" "0114" "0115" "0116" "0117" "0118" "0120" "0121" "0122" "0123" "0124" "0125"
+    "0126" "0127" "0128" "0129" "0130" "0131" "0132" "0133" "0134" "0135" "0136" "0140"
+    "0141" "0142" "0143" "0144" "0145" "0146" "0147" "0148" "0149" "0150" "0151"
+    "0201" "0202" "0203" "0204" "0205" "0206" "0207" "0208" "0209" "0210" "0211" "0212"
+    "0213" "0214" "0215" "0216" "0217" "0218" "0219" "0220" "0221" "0222" "0223" "0224"
+    "0225" "0226" "0227" "0228" "0229" "0230" "0231" "0232" "0233" "0234" "0235" "0236"
+    "0237" "0238" "0239" "0240"
+    "0301" "0302" "0303" "0304" "0305" "0306" "0307" "0308" "0309" "0310" "0311" "0312"
+    "0313" "0314" "0315" "0316" "0317" "0318" "0319" "0320" "0321" "0322"
+    "0401" "0402" "0403" "0404" "0405" "0406" "0407" "0408" "0409" "0410" "0411" "0412"
+    "0413" "0417"
+    "0501" "0502" "0503" "0504" "0505" "0506" "0507" "0508" "0509" "0510" "0511" "0512"
+    "0513" "0514" "0515" "0516"
+    "0601" "0602" "0603"
+    "0901" "0902" "0904" "0905" "0909"
+};
+
+/// The number that four digits say.
+const fn code(digits: &str) -> u16 {
+    let (mut number, mut i) = (0, 0);
+    while i < digits.len() {
+        number = number * 10 + (digits.as_bytes()[i] - b'0') as u16;
+        i += 1;
+    }
+    number
+}
 
 /// The page of a code.
 pub fn page(code: Code) -> Option<&'static str> {

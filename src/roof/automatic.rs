@@ -7,6 +7,7 @@ use super::gable::End;
 use super::gable_wall::{SUNK, panel};
 use super::lean_to::{Flank, LeanTo};
 use super::look::Look;
+use super::nearby::Nearby;
 use super::outline::piece;
 use super::plan::Cell;
 use super::ridge::{Region, Ridge, Side};
@@ -15,6 +16,8 @@ use crate::ast::RoofShape;
 use crate::building::{Ceiling, Finish, rect_of};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
+use std::cell::OnceCell;
+
 use glam::{DVec3, dvec2, dvec3};
 
 /// The least height that an outer wall keeps under a lean-to, metres.
@@ -30,8 +33,12 @@ pub(super) struct Automatic<'c, 'h> {
     pub(super) base: f64,
     /// Of each region.
     pub(super) looks: Vec<Look>,
+    /// Of each lean-to that fits under the eaves of its trunk: where it lies.
+    tucked: Vec<Option<LeanTo>>,
     /// Who lies beyond whole sides.
     sides: Option<Sides>,
+    /// Who lies beside whom, once somebody asks.
+    nearby: OnceCell<Nearby>,
 }
 
 impl<'c, 'h> Automatic<'c, 'h> {
@@ -46,15 +53,72 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let looks = regions.iter().map(look).collect();
         let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
         let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
-        Automatic { context, regions, base: context.level.storey.z1, looks, sides }
+        let base = context.level.storey.z1;
+        let mut this = Automatic {
+            context,
+            regions,
+            base,
+            looks,
+            tucked: vec![],
+            sides,
+            nearby: OnceCell::new(),
+        };
+        this.tuck_all();
+        this
+    }
+
+    /// Places the lean-tos under their trunks' eaves, trunks first: by falling area. What would leave
+    /// too little of its outer wall stays without a place and becomes a gable.
+    fn tuck_all(&mut self) {
+        let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
+        self.tucked = vec![None; self.regions.len()];
+        let mut order: Vec<usize> = (0..self.regions.len())
+            .filter(|n| leans(&self.regions[*n]))
+            .collect();
+        order.sort_by_key(|n| std::cmp::Reverse(self.regions[*n].cell.area()));
+        for n in order {
+            let Some(fall) = self.regions[n].fall else {
+                continue;
+            };
+            self.tucked[n] =
+                Some(self.tucked_slope(n, fall)).filter(|slope| self.left(slope) >= LEAST_WALL);
+        }
+    }
+
+    /// What a tucked lean-to leaves of its outer wall, metres.
+    fn left(&self, slope: &LeanTo) -> f64 {
+        slope.low - self.context.level.storey.z0
+    }
+
+    /// Tells of lean-tos that found no place, by the lowest.
+    pub(super) fn report(&self, out: &mut Diagnostics) {
+        let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
+        let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
+        let lowest = (0..self.regions.len())
+            .filter(leans)
+            .filter_map(left)
+            .reduce(f64::min);
+        if let Some(lowest) = lowest {
+            let storey = self.context.level.storey;
+            out.push(say::low_lean_to(
+                storey.span,
+                storey.number,
+                lowest.max(0.0),
+            ));
+        }
     }
 
     /// A roof for every region, in their order; ceilings where walls end lower.
-    pub(super) fn roofs(&self, ceilings: &mut Vec<Ceiling>, out: &mut Diagnostics) -> Vec<Planned> {
+    pub(super) fn roofs(&self, ceilings: &mut Vec<Ceiling>) -> Vec<Planned> {
         let roof = |n: usize| {
             let region = &self.regions[n];
             match (region.ridge, region.fall) {
-                (None, Some(fall)) if region.over.is_some() => self.tucked(n, fall, ceilings, out),
+                (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
+                    Some(slope) => self.tucked_roof(n, slope, ceilings),
+                    None => self
+                        .context
+                        .gable(region.cell, along(fall), self.base, None),
+                },
                 (None, Some(fall)) => self.context.lean_to(region.cell, fall, self.base, None),
                 (ridge, _) => self.gable(n, ridge.unwrap_or(Ridge::A)),
             }
@@ -70,34 +134,52 @@ impl<'c, 'h> Automatic<'c, 'h> {
             let joined = region.joins == Some(side) && ridge == side.ridge_into();
             match (region.through, region.over) {
                 (Some(other), _) if joined => {
-                    let across = self.context.metres(side.measure(&self.regions[other].cell).1);
-                    End { reach: across, board: false, ..plain }
+                    let across = self
+                        .context
+                        .metres(side.measure(&self.regions[other].cell).1);
+                    End {
+                        reach: across,
+                        board: false,
+                        ..plain
+                    }
                 }
                 (None, Some(trunk)) if joined => self.run_in(n, trunk, side, plain),
                 _ => self.other_end(n, side, plain),
             }
         });
-        self.context.gable_with(region.cell, ridge, self.base, look, ends)
+        self.context
+            .gable_with(region.cell, ridge, self.base, look, ends)
     }
 
     /// The end of gable `n` that joins no trunk. It may still lie on the slope of a roof that stands
     /// higher, as at the far end of a wing between two halls: then it dies there as well.
     fn other_end(&self, n: usize, side: Side, plain: End) -> End {
         let region = &self.regions[n];
-        let beyond = self.sides.as_ref().and_then(|s| s.beyond(&region.cell, side));
-        let Some(other) = beyond.filter(|_| plain.wall) else { return plain };
+        let beyond = self
+            .sides
+            .as_ref()
+            .and_then(|s| s.beyond(&region.cell, side));
+        let Some(other) = beyond.filter(|_| plain.wall) else {
+            return plain;
+        };
         let end = self.run_in(n, other, side, plain);
         if !end.wall {
             return end;
         }
         let neighbour = &self.regions[other];
-        let leans = neighbour.fall.is_some_and(|f| f != side && f != side.opposite());
+        let leans = neighbour
+            .fall
+            .is_some_and(|f| f != side && f != side.opposite());
         if leans && neighbour.over.is_none() {
             let rise = self.looks[other].pitch * self.context.metres(neighbour.span()) / 2.0;
             let own = self.looks[n].pitch * self.context.metres(region.span()) / 2.0;
             if own < rise {
                 // Its wall stands higher: a verge would stick into it.
-                return End { verge: 0.0, free: false, ..plain };
+                return End {
+                    verge: 0.0,
+                    free: false,
+                    ..plain
+                };
             }
         }
         plain
@@ -117,28 +199,35 @@ impl<'c, 'h> Automatic<'c, 'h> {
                 side.measure(&region.cell).1 as f64
             }
             // Against the trunk's gable, or over a lean-to that lies lower.
-            _ => return End { board: false, ..plain },
+            _ => {
+                return End {
+                    board: false,
+                    ..plain
+                };
+            }
         };
         let run = run / crate::geometry::STEPS as f64 * self.context.unit;
         let span = self.context.metres(self.regions[n].span());
         let height = own.pitch * span / 2.0 + own.drop() - other.drop();
         if height > other.pitch * run + 1e-6 {
-            return End { reach: run, board: false, ..plain };
+            return End {
+                reach: run,
+                board: false,
+                ..plain
+            };
         }
         let reach = (height / other.pitch + 0.02).clamp(0.02, run);
-        End { reach, ..End::default() }
+        End {
+            reach,
+            ..End::default()
+        }
     }
 
     /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
     /// at its lower surface.
-    fn tucked(&self, n: usize, fall: Side, ceilings: &mut Vec<Ceiling>, out: &mut Diagnostics) -> Planned {
+    fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> Planned {
         let region = &self.regions[n];
-        let lean_to = self.tucked_slope(n, fall);
         let storey = self.context.level.storey;
-        let left = lean_to.low - storey.z0;
-        if left < LEAST_WALL - 1e-6 {
-            out.push(say::low_lean_to(storey.span, storey.number, left));
-        }
         let soffit = lean_to.soffit();
         let unit = self.context.unit;
         ceilings.push(Ceiling {
@@ -149,8 +238,9 @@ impl<'c, 'h> Automatic<'c, 'h> {
         });
         let mut form = lean_to.form();
         form.under = region.over;
-        self.heads(n, &lean_to, &mut form.solids);
-        self.context.of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
+        self.heads(n, lean_to, &mut form.solids);
+        self.context
+            .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
     }
 
     /// Where a tucked lean-to lies: gentler where its outer wall would get too low.
@@ -165,7 +255,11 @@ impl<'c, 'h> Automatic<'c, 'h> {
             look.pitch = look.pitch.min(0.2);
         }
         let flank = |side: Side| {
-            let over = if self.context.outline().whole(&region.cell, side) { look.verge } else { 0.0 };
+            let over = if self.context.outline().whole(&region.cell, side) {
+                look.verge
+            } else {
+                0.0
+            };
             Flank { over, wall: false }
         };
         LeanTo {
@@ -174,32 +268,45 @@ impl<'c, 'h> Automatic<'c, 'h> {
             low: low(&look),
             look,
             ends: end_sides(fall).map(flank),
-            high: Flank { over: 0.03, wall: false },
+            high: Flank {
+                over: 0.03,
+                wall: false,
+            },
         }
     }
 
     /// How far below the joint the upper surface starts, so that it stays below the trunk's eaves.
     fn tuck(&self, n: usize, fall: Side, look: &Look) -> f64 {
-        let Some(trunk) = self.regions[n].over else { return TUCKED };
+        let Some(trunk) = self.regions[n].over else {
+            return TUCKED;
+        };
         let eaves_side = match self.regions[trunk].ridge {
             Some(ridge) => ridge != fall.ridge_into(),
             None => true,
         };
         let trunk = &self.looks[trunk];
         let under_eaves = trunk.eaves * (trunk.pitch - look.pitch) + 0.03;
-        if eaves_side { TUCKED.max(under_eaves) } else { TUCKED }
+        if eaves_side {
+            TUCKED.max(under_eaves)
+        } else {
+            TUCKED
+        }
     }
 
     /// Height of the trunk's plate along the joint; its own soffit where it is tucked as well.
     fn joint_height(&self, n: usize, side: Side) -> f64 {
-        let Some(trunk) = self.regions[n].over else { return self.base };
-        let region = &self.regions[trunk];
-        let (Some(fall), true) = (region.fall, region.over.is_some()) else {
+        let Some(trunk) = self.regions[n].over else {
             return self.base;
         };
-        let soffit = self.tucked_slope(trunk, fall).soffit();
+        let Some(slope) = &self.tucked[trunk] else {
+            return self.base;
+        };
+        let soffit = slope.soffit();
         let (from, to) = self.ends_of(n, side);
-        soffit.at(from.truncate()).min(soffit.at(to.truncate())).min(self.base)
+        soffit
+            .at(from.truncate())
+            .min(soffit.at(to.truncate()))
+            .min(self.base)
     }
 
     /// The ends of a whole side, at height 0.
@@ -241,10 +348,27 @@ impl<'c, 'h> Automatic<'c, 'h> {
 
     /// Whether another tucked lean-to lies beyond this piece of a side.
     fn tucked_beyond(&self, n: usize, side: Side, line: i64, (lo, hi): (i64, i64)) -> bool {
-        let tucked = |r: &Region| r.fall.is_some() && r.over.is_some();
-        self.regions.iter().enumerate().any(|(m, other)| {
-            let (theirs, from, to) = piece(&other.cell, side.opposite());
-            m != n && tucked(other) && theirs == line && from < hi && lo < to
-        })
+        let beyond = |m: &usize| {
+            let (theirs, from, to) = piece(&self.regions[*m].cell, side.opposite());
+            *m != n && self.tucked[*m].is_some() && theirs == line && from < hi && lo < to
+        };
+        let index = self.nearby.get_or_init(|| {
+            Nearby::new(
+                self.regions
+                    .iter()
+                    .map(|r| self.context.rect(&r.cell))
+                    .collect(),
+            )
+        });
+        let about = self.context.rect(&self.regions[n].cell).grown(0.01);
+        index.overlapping(&about).iter().any(beyond)
+    }
+}
+
+/// The run of a ridge along the low side of a lean-to.
+fn along(fall: Side) -> Ridge {
+    match fall.ridge_into() {
+        Ridge::A => Ridge::B,
+        Ridge::B => Ridge::A,
     }
 }

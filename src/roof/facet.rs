@@ -120,6 +120,13 @@ pub(super) fn cut(
     left
 }
 
+/// The parts of a piece with `axis . p` above and below a value; one may have no corners.
+pub(super) fn halves(piece: Vec<Corner>, axis: DVec2, at: f64) -> [Vec<Corner>; 2] {
+    let side = HalfPlane { normal: axis, at };
+    let depths: Vec<f64> = piece.iter().map(|c| side.depth(c.at)).collect();
+    [part(&piece, &depths, 1.0), part(&piece, &depths, -1.0)]
+}
+
 /// How a facet lies to a cutter's plane.
 enum Standing {
     Below,

@@ -229,7 +229,9 @@ impl Storey<'_, '_> {
             let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
             return vec![context.flat(&cells, &open.clean(), level.storey.z1, None)];
         }
-        Automatic::new(context, &found).roofs(&mut done.ceilings, out)
+        let automatic = Automatic::new(context, &found);
+        automatic.report(out);
+        automatic.roofs(&mut done.ceilings)
     }
 
     /// What neither the storey above nor a roof line covers.

@@ -4,9 +4,10 @@
 //! slopes cross; what remains of each roof is still a closed solid of its own, and no two overlap.
 //! Verges are the exception: they stand over a lower neighbour and take nothing from it.
 
-use super::facet::{Cutter, Facet, cut, open_shares};
+use super::facet::{Corner, Cutter, Facet, cut, halves, open_shares};
 use super::form::{Form, RidgeLine};
 use super::frame::Rect;
+use super::nearby::Nearby;
 use super::sheet::{Piece, has_area};
 use glam::DVec2;
 
@@ -17,23 +18,43 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<Ridge
         return vec![(whole(form), form.ridges.clone())];
     }
     let boxes: Vec<Rect> = forms.iter().map(bounds).collect();
+    let (roofs, storey) = (Nearby::new(boxes.clone()), Nearby::new(walls.to_vec()));
     let walls: Vec<[DVec2; 4]> = walls.iter().map(Rect::corners).collect();
-    let near = Near::new(&boxes, &walls);
     let kept = |n: usize| {
-        let walls = if forms[n].hung { vec![] } else { near.walls(n, &boxes, &walls) };
-        let cutters = cutters(n, forms, &near.roofs(n, &boxes), &walls);
+        let walls: Vec<&[DVec2]> = match forms[n].hung {
+            true => vec![],
+            false => storey
+                .overlapping(&boxes[n])
+                .into_iter()
+                .map(|i| &walls[i][..])
+                .collect(),
+        };
+        let mut near = roofs.overlapping(&boxes[n]);
+        near.retain(|i| *i != n);
+        let cutters = cutters(n, forms, &near, &walls);
         if cutters.is_empty() {
             return (whole(&forms[n]), forms[n].ridges.clone());
         }
-        let pieces = forms[n].facets.iter().flat_map(|f| remaining(f, &cutters)).collect();
-        let ridges = forms[n].ridges.iter().flat_map(|r| ridge_parts(r, &cutters)).collect();
+        let pieces = forms[n]
+            .facets
+            .iter()
+            .flat_map(|f| remaining(f, &cutters))
+            .collect();
+        let ridges = forms[n]
+            .ridges
+            .iter()
+            .flat_map(|r| ridge_parts(r, &cutters))
+            .collect();
         (pieces, ridges)
     };
     (0..forms.len()).map(kept).collect()
 }
 
 fn whole(form: &Form) -> Vec<Piece> {
-    form.facets.iter().map(|f| (f.outline.clone(), f.plane)).collect()
+    form.facets
+        .iter()
+        .map(|f| (f.outline.clone(), f.plane))
+        .collect()
 }
 
 fn bounds(form: &Form) -> Rect {
@@ -42,58 +63,27 @@ fn bounds(form: &Form) -> Rect {
         min: DVec2::MAX,
         max: DVec2::MIN,
     };
-    corners.fold(none, |r, p| Rect { min: r.min.min(p), max: r.max.max(p) })
-}
-
-/// Who lies near whom, by sweeping over the least x.
-struct Near {
-    /// Roofs by least x, and the greatest width among them.
-    roofs: (Vec<usize>, f64),
-    /// The same of the walls.
-    walls: (Vec<usize>, f64),
-}
-
-impl Near {
-    fn new(boxes: &[Rect], walls: &[[DVec2; 4]]) -> Near {
-        let sorted = |lo: &dyn Fn(usize) -> f64, hi: &dyn Fn(usize) -> f64, n: usize| {
-            let mut order: Vec<usize> = (0..n).collect();
-            order.sort_by(|i, j| lo(*i).total_cmp(&lo(*j)));
-            (order, (0..n).map(|i| hi(i) - lo(i)).fold(0.0, f64::max))
-        };
-        Near {
-            roofs: sorted(&|i| boxes[i].min.x, &|i| boxes[i].max.x, boxes.len()),
-            walls: sorted(&|i| walls[i][0].x, &|i| walls[i][2].x, walls.len()),
-        }
-    }
-
-    fn roofs(&self, n: usize, boxes: &[Rect]) -> Vec<usize> {
-        let mut found = self.among(&self.roofs, &boxes[n], |i| boxes[i]);
-        found.retain(|i| *i != n);
-        found.sort_unstable();
-        found
-    }
-
-    fn walls<'w>(&self, n: usize, boxes: &[Rect], walls: &'w [[DVec2; 4]]) -> Vec<&'w [DVec2]> {
-        let rect = |i: usize| Rect { min: walls[i][0], max: walls[i][2] };
-        self.among(&self.walls, &boxes[n], rect).into_iter().map(|i| &walls[i][..]).collect()
-    }
-
-    fn among(
-        &self,
-        (order, widest): &(Vec<usize>, f64),
-        of: &Rect,
-        rect: impl Fn(usize) -> Rect,
-    ) -> Vec<usize> {
-        let start = order.partition_point(|i| rect(*i).min.x < of.min.x - widest);
-        let ahead = order[start..].iter().copied().take_while(|i| rect(*i).min.x < of.max.x);
-        ahead.filter(|i| rect(*i).overlaps(of)).collect()
-    }
+    corners.fold(none, |r, p| Rect {
+        min: r.min.min(p),
+        max: r.max.max(p),
+    })
 }
 
 /// What may cut roof `n`.
-fn cutters<'f>(n: usize, forms: &'f [Form], near: &[usize], walls: &[&'f [DVec2]]) -> Vec<Cutter<'f>> {
-    let mut cutters: Vec<Cutter<'f>> =
-        walls.iter().map(|body| Cutter { body, plane: None, first: true }).collect();
+fn cutters<'f>(
+    n: usize,
+    forms: &'f [Form],
+    near: &[usize],
+    walls: &[&'f [DVec2]],
+) -> Vec<Cutter<'f>> {
+    let mut cutters: Vec<Cutter<'f>> = walls
+        .iter()
+        .map(|body| Cutter {
+            body,
+            plane: None,
+            first: true,
+        })
+        .collect();
     for &other in near {
         // A roof under the eaves of its trunk is no part of the surface that the others make: it
         // takes place from eaves that would pierce it, and gives none.
@@ -103,17 +93,58 @@ fn cutters<'f>(n: usize, forms: &'f [Form], near: &[usize], walls: &[&'f [DVec2]
         }
         let facets = forms[other].facets.iter();
         let first = other < n;
-        cutters.extend(facets.map(|f| Cutter { body: &f.body, plane: Some(f.plane), first }));
+        cutters.extend(facets.map(|f| Cutter {
+            body: &f.body,
+            plane: Some(f.plane),
+            first,
+        }));
     }
     cutters
 }
 
 fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
-    let mut pieces = vec![facet.outline.clone()];
-    for cutter in cutters {
-        pieces = cut(facet, pieces, cutter);
+    let mut pieces = Vec::new();
+    let all: Vec<&Cutter<'_>> = cutters.iter().collect();
+    cut_by(facet, facet.outline.clone(), &all, &mut pieces);
+    pieces
+        .into_iter()
+        .filter(|p| has_area(p))
+        .map(|p| (p, facet.plane))
+        .collect()
+}
+
+/// Cuts a piece by all cutters; with very many of them first in halves, each with those that it
+/// meets, since a piece would otherwise be tried against every one.
+fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut Vec<Vec<Corner>>) {
+    const MANY: usize = 48;
+    let bounds = |points: &mut dyn Iterator<Item = DVec2>| {
+        points.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| {
+            (lo.min(p), hi.max(p))
+        })
+    };
+    let (lo, hi) = bounds(&mut piece.iter().map(|c| c.at));
+    let size = hi - lo;
+    if cutters.len() <= MANY || size.max_element() < 0.5 {
+        let mut pieces = vec![piece];
+        for cutter in cutters {
+            pieces = cut(facet, pieces, cutter);
+        }
+        return done.extend(pieces);
     }
-    pieces.into_iter().filter(|p| has_area(p)).map(|p| (p, facet.plane)).collect()
+    let axis = if size.x > size.y { DVec2::X } else { DVec2::Y };
+    let middle = axis.dot(lo + hi) / 2.0;
+    for (half, sign) in halves(piece, axis, middle).into_iter().zip([1.0, -1.0]) {
+        let met = |c: &&&Cutter<'_>| {
+            let (lo, hi) = bounds(&mut c.body.iter().copied());
+            if sign > 0.0 {
+                axis.dot(hi) > middle
+            } else {
+                axis.dot(lo) < middle
+            }
+        };
+        let met: Vec<&Cutter<'_>> = cutters.iter().filter(met).copied().collect();
+        cut_by(facet, half, &met, done);
+    }
 }
 
 /// The open parts of a ridge, run on a little into what covers it.
@@ -124,8 +155,16 @@ fn ridge_parts(ridge: &RidgeLine, cutters: &[Cutter<'_>]) -> Vec<RidgeLine> {
     let open = open_shares(ridge.from, ridge.to, cutters).into_iter();
     open.filter(|(s, e)| (e - s) * length > 0.05)
         .map(|(s, e)| {
-            let start = if s > 0.0 { (s - INTO / length).max(0.0) } else { s };
-            let end = if e < 1.0 { (e + INTO / length).min(1.0) } else { e };
+            let start = if s > 0.0 {
+                (s - INTO / length).max(0.0)
+            } else {
+                s
+            };
+            let end = if e < 1.0 {
+                (e + INTO / length).min(1.0)
+            } else {
+                e
+            };
             RidgeLine {
                 from: ridge.from + way * start,
                 to: ridge.from + way * end,

@@ -33,8 +33,11 @@ impl Outline {
     /// The pieces of a line along a (or b) from `lo` to `hi` along which a wall runs, ascending.
     pub fn on(&self, along_a: bool, (line, lo, hi): (i64, i64, i64)) -> Vec<(i64, i64)> {
         let walls = &self.walls[usize::from(along_a)];
-        let start = walls.partition_point(|w| w.0 < line);
-        let on = walls[start..].iter().take_while(|w| w.0 == line);
+        // Walls of one line do not overlap, so they are sorted by their ends as well.
+        let start = walls.partition_point(|w| (w.0, w.2) <= (line, lo));
+        let on = walls[start..]
+            .iter()
+            .take_while(|w| w.0 == line && w.1 < hi);
         let clipped = on.map(|w| (w.1.max(lo), w.2.min(hi)));
         clipped.filter(|(from, to)| from < to).collect()
     }

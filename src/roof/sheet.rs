@@ -29,7 +29,14 @@ pub type Piece = (Vec<Corner>, Plane);
 /// The closed solids under these pieces, `drop` metres thick measured upright. Solids that reach
 /// nowhere higher than `floor` are left out: they are eaves without their roof.
 pub fn sheet(pieces: &[Piece], drop: f64, coat: &Coat, floor: f64) -> Vec<Solid> {
-    let mesh = Mesh::of(pieces);
+    let mut mesh = Mesh::of(pieces);
+    if mesh.is_gable() {
+        let both: Vec<usize> = (0..mesh.faces.len()).collect();
+        return mesh.close(&both, drop, coat);
+    }
+    if mesh.faces.len() > 1 {
+        mesh.conform();
+    }
     mesh.components()
         .into_iter()
         .filter(|faces| mesh.reaches(faces) > floor)
@@ -67,10 +74,19 @@ impl Mesh {
                 mesh.faces.push(face);
             }
         }
-        if mesh.faces.len() > 1 {
-            mesh.conform();
-        }
         mesh
+    }
+
+    /// Whether it is the commonest roof of all, two quadrilaterals that share an edge: nothing needs
+    /// to be matched there.
+    fn is_gable(&self) -> bool {
+        let [first, second] = &self.faces[..] else {
+            return false;
+        };
+        let edge = |face: &Loop, i: usize| (face[i].0, face[(i + 1) % 4].0);
+        let shared =
+            |i: usize| (0..4).any(|j| edge(second, j) == (edge(first, i).1, edge(first, i).0));
+        first.len() == 4 && second.len() == 4 && self.points.len() == 6 && (0..4).any(shared)
     }
 
     /// Puts corners into the edges they lie on, then divides faces that got straight corners.

@@ -2,7 +2,7 @@
 
 use super::bay::Layer;
 use super::facade::{Line, Stand};
-use super::mesh::{Bodies, Soup};
+use super::mesh::{Axis, Bodies, Soup};
 use super::store::{Key, Share, primitive, tenths};
 use super::{Level, Walker};
 use crate::catalog::Stance;
@@ -41,7 +41,7 @@ struct Beam {
 
 /// The members by their number in [`Key::Member`]. Each is a little shallower than posts (60.6 mm) or
 /// deeper than what stands on it, so that no two faces lie in one plane.
-const MEMBERS: [Beam; 4] = [
+static MEMBERS: [Beam; 4] = [
     Beam {
         name: "wall plate",
         finish: "cedar",
@@ -67,6 +67,12 @@ const MEMBERS: [Beam; 4] = [
         z: (-0.285, 0.0),
     },
 ];
+
+/// Numbers of the members.
+const PLATES: u8 = 0;
+const SILLS: u8 = 1;
+const STONES: u8 = 2;
+const PLINTHS: u8 = 3;
 
 /// Corners that bend less than this, in the sine of the turn, need no member of their own.
 const STRAIGHT: f64 = 1e-6;
@@ -150,57 +156,47 @@ impl Walker<'_> {
         if !level.framed() {
             return;
         }
+        let ends = [
+            before.map_or(0, |b| half_turn(b, line)),
+            after.map_or(0, |a| half_turn(line, a)),
+        ];
         let full = |s: &Stand<'_>| s.tops.0 == level.height && s.tops.1 == level.height;
         let posts = |s: &Stand<'_>| s.stance == Stance::Posts;
-        self.run(level, facade, line, 0, (0.0, 0.0), |s| posts(s) && full(s));
+        self.run(level, facade, line, PLATES, ends, |s| posts(s) && full(s));
         if !level.grounded() {
             return;
         }
-        let start = before.map_or(0.0, |b| bend_share(b, line));
-        let end = after.map_or(0.0, |a| bend_share(line, a));
+        // An earth wall is thicker than any foundation.
+        let deep = MEMBERS[usize::from(PLINTHS)].half;
         let heavy = |s: &Stand<'_>| matches!(s.stance, Stance::Bare | Stance::Modern);
-        self.run(level, facade, line, 1, (start, end), posts);
-        self.run(level, facade, line, 2, (start, end), posts);
-        self.run(level, facade, line, 3, (start, end), |s| {
-            heavy(s) && s.face < 0.118
+        self.run(level, facade, line, SILLS, ends, posts);
+        self.run(level, facade, line, STONES, ends, posts);
+        self.run(level, facade, line, PLINTHS, ends, |s| {
+            heavy(s) && s.face < deep
         });
     }
 
-    /// A member under or over each run of units that `wants` it. At convex corners the wall that starts
-    /// there takes the corner (`start`) and the one that ends there leaves it (`end`), as shares of half
-    /// the member's depth.
+    /// A member under or over each run of units that `wants` it, with these mitres where the wall starts
+    /// and ends.
     fn run(
         &mut self,
         level: Level<'_>,
         facade: NodeId,
         line: &Line<'_>,
-        kind: usize,
-        (start, end): (f64, f64),
+        kind: u8,
+        [start, end]: [i32; 2],
         wants: impl Fn(&Stand<'_>) -> bool,
     ) {
-        let half = MEMBERS[kind].half;
         let mut open: Option<f64> = None;
-        let last = line.length;
-        for i in 0..=line.stands.len() {
-            let stand = line.stands.get(i);
-            if stand.is_some_and(|s| s.is_post()) {
-                continue;
-            }
+        let wide = line.stands.iter().filter(|s| !s.is_post());
+        for stand in wide.map(Some).chain([None]) {
             match (open, stand.is_some_and(&wants)) {
                 (None, true) => open = stand.map(|s| s.offset),
                 (Some(from), false) => {
-                    let to = stand.map_or(last, |s| s.offset);
-                    let from = if from < SAME {
-                        from - half * start
-                    } else {
-                        from
-                    };
-                    let to = if to > last - SAME {
-                        to - half * end
-                    } else {
-                        to
-                    };
-                    self.member(level, facade, kind, from, to);
+                    let to = stand.map_or(line.length, |s| s.offset);
+                    let first = if from < SAME { start } else { 0 };
+                    let last = if stand.is_none() { end } else { 0 };
+                    self.member(level, facade, kind, (from, to), [first, last]);
                     open = None;
                 }
                 _ => {}
@@ -209,31 +205,52 @@ impl Walker<'_> {
     }
 
     /// One member between two offsets along the wall.
-    fn member(&mut self, level: Level<'_>, facade: NodeId, kind: usize, from: f64, to: f64) {
-        let member = &MEMBERS[kind];
-        if to - from < 0.01 {
-            return;
-        }
+    fn member(
+        &mut self,
+        level: Level<'_>,
+        facade: NodeId,
+        kind: u8,
+        (from, to): (f64, f64),
+        ends: [i32; 2],
+    ) {
+        let member = &MEMBERS[usize::from(kind)];
+        // A stub shorter than its mitres would turn inside out.
+        let ends = if to - from > 4.0 * member.half {
+            ends
+        } else {
+            [0, 0]
+        };
         let length = tenths(to - from);
-        let mesh = self.store.mesh(Key::Member(kind as u8, length), |store| {
-            let mut bodies = Bodies::default();
-            let x = f64::from(length) / 10_000.0;
-            let (lo, hi) = (
-                dvec3(-x, -member.half, member.z.0),
-                dvec3(0.0, member.half, member.z.1),
-            );
-            bodies.block(SurfaceId::named(member.finish), lo, hi);
-            store.finish(member.name.into(), bodies, Share::default())
+        let mesh = self.store.mesh(Key::Member(kind, length, ends), |store| {
+            store.finish(
+                member.name.into(),
+                member.bodies(length, ends),
+                Share::default(),
+            )
         });
-        let z = if kind == 0 { level.height } else { 0.0 };
-        let node = self.node(
-            Some(facade),
-            Kind::Member,
-            member.name.into(),
-            dvec3(-from, 0.0, z),
-        );
+        let z = if kind == PLATES { level.height } else { 0.0 };
+        let at = dvec3(-from, 0.0, z);
+        let node = self.node(Some(facade), Kind::Member, member.name.into(), at);
         node.mesh = Some(mesh);
         node.storey = Some(level.storey.number);
+    }
+}
+
+impl Beam {
+    /// A beam to the left of its right end, so many tenths of a millimetre long, its ends mitred.
+    fn bodies(&self, length: u32, ends: [i32; 2]) -> Bodies {
+        let length = f64::from(length) / 10_000.0;
+        let [start, end] = ends.map(|n| self.half * f64::from(n) / 10_000.0);
+        let outline = [
+            dvec2(start, -self.half),
+            dvec2(-start, self.half),
+            dvec2(end - length, self.half),
+            dvec2(-end - length, -self.half),
+        ];
+        let mut bodies = Bodies::default();
+        let finish = SurfaceId::named(self.finish);
+        bodies.prism(finish, &outline, Axis::Z, self.z.0, self.z.1);
+        bodies
     }
 }
 
@@ -242,17 +259,16 @@ fn bend(before: &Line<'_>, line: &Line<'_>) -> f64 {
     before.wall.direction.perp_dot(line.wall.direction)
 }
 
-/// How much of its half depth a member reaches round a convex corner: the tangent of half the turn, at
-/// most 1.
-fn bend_share(before: &Line<'_>, line: &Line<'_>) -> f64 {
-    let (sin, cos) = (
-        bend(before, line),
-        before.wall.direction.dot(line.wall.direction),
-    );
-    if sin <= STRAIGHT {
-        return 0.0;
+/// The mitre between two walls: the tangent of half the turn in ten-thousandths, positive at convex
+/// corners, where outer edges grow; none where walls turn back.
+fn half_turn(before: &Line<'_>, line: &Line<'_>) -> i32 {
+    let cos = before.wall.direction.dot(line.wall.direction);
+    let tangent = bend(before, line) / (1.0 + cos).max(1e-6);
+    if tangent.abs() < 1.5 {
+        (tangent * 10_000.0).round() as i32
+    } else {
+        0
     }
-    (sin / (1.0 + cos).max(1e-6)).min(1.0)
 }
 
 /// How high a post between two units is: as high as the higher one.

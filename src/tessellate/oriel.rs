@@ -11,56 +11,34 @@ pub(super) fn oriel(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: R
     let place = &element.place;
     let layer = Layer::from(place);
     let post = oriel.post.0;
-    // Posts lie a millimetre inside the planes of the front's rails, which run through.
+    // Posts lie a millimetre inside the planes of the front's rails, which run through; the sides' rails
+    // lie inside the posts.
     let front = Layer {
         front: layer.front - 0.001,
         thick: post - 0.001,
     };
-    bay.block(
-        place.finish,
-        rect.across(rect.x0 + 0.001, rect.x0 + post),
-        front,
-    );
-    bay.block(
-        place.finish,
-        rect.across(rect.x1 - post, rect.x1 - 0.001),
-        front,
-    );
-    side(
-        bay,
-        oriel,
-        element,
-        rect.across(rect.x0 + 0.002, rect.x0 + post - 0.004),
-    );
-    side(
-        bay,
-        oriel,
-        element,
-        rect.across(rect.x1 - post + 0.004, rect.x1 - 0.002),
-    );
+    let ends = [
+        (rect.x0 + 0.001, rect.x0 + post),
+        (rect.x1 - post, rect.x1 - 0.001),
+    ];
+    for (x0, x1) in ends {
+        bay.block(place.finish, rect.across(x0, x1), front);
+        side(bay, oriel, element, rect.across(x0, x1).shrunk(0.003, 0.0));
+    }
     let inner = Layer {
         front: layer.front - post,
         thick: layer.thick - post,
     };
+    let within = rect.shrunk(0.003, 0.0);
     if oriel.floor {
-        let board = rect
-            .shrunk(0.003, 0.0)
-            .between(rect.z0 + 0.008, rect.z0 + 0.032);
+        let board = within.between(rect.z0 + 0.008, rect.z0 + 0.032);
         bay.block(place.finish, board, inner);
     }
     if oriel.eaves.0 > 0.0 {
-        let board = rect
-            .shrunk(0.003, 0.0)
-            .between(rect.z1 - 0.032, rect.z1 - 0.008);
+        let board = within.between(rect.z1 - 0.032, rect.z1 - 0.008);
         bay.block(place.finish, board, inner);
-        let wall = layer.front - layer.thick;
-        shelter::lean_to(
-            bay,
-            oriel.roof,
-            rect,
-            (wall, layer.front + oriel.eaves.0),
-            0.3,
-        );
+        let run = (layer.front - layer.thick, layer.front + oriel.eaves.0);
+        shelter::lean_to(bay, oriel.roof, rect, run, 0.3);
     }
     elements(bay, &element.children, Some(rect));
 }

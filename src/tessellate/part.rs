@@ -4,6 +4,7 @@ use super::bay::{Bay, Layer, Rect};
 use super::mesh::Bodies;
 use super::{apron, bars, boards, cloth, kura, leaf, namako, oriel, shelter};
 use crate::catalog::body::{Element, Place, Shape};
+use crate::catalog::value::Level;
 use crate::catalog::{Below, PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
@@ -33,7 +34,9 @@ pub(super) fn wall_layer(stance: Stance) -> Layer {
 pub(super) fn face(part: &PartDef) -> f64 {
     let walls = part.body.iter().filter(|e| {
         let panels = matches!(e.shape, Shape::Wall(_) | Shape::Panels(_) | Shape::Frame(_));
-        panels && (part.from.is_none() || part.stance == Stance::Fence)
+        // Belts and plinths stand out farther, but not over the whole height.
+        let whole = e.place.from == Level::Start(0.0) && e.place.to == Level::End(0.0);
+        panels && whole && (part.from.is_none() || part.stance == Stance::Fence)
     });
     let front = walls.map(|e| e.place.front.0).reduce(f64::max);
     front.unwrap_or(wall_layer(part.stance).front)

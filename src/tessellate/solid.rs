@@ -8,22 +8,27 @@ use crate::material::SurfaceId;
 use glam::DVec3;
 use std::sync::LazyLock;
 
-/// The surface of every finish, looked up once.
-static SURFACES: LazyLock<Vec<(Finish, SurfaceId)>> = LazyLock::new(|| {
-    let mut table = vec![
-        (Finish::Soffit, SurfaceId::named("soffit")),
-        (Finish::Gable, SurfaceId::named("plaster")),
-        (Finish::Timber, SurfaceId::named("cedar")),
-        (Finish::Plaster, SurfaceId::named("plaster")),
-    ];
-    for (_, kind) in RoofKind::ALL {
-        let [covering, edge, ridge] = names(kind).map(SurfaceId::named);
-        table.push((Finish::Covering(kind), covering));
-        table.push((Finish::Edge(kind), edge));
-        table.push((Finish::Ridge(kind), ridge));
-    }
-    table
+/// The surfaces of all finishes, looked up once: soffit, gable, timber, plaster, then covering, edge and
+/// ridge of each kind.
+static SURFACES: LazyLock<Vec<SurfaceId>> = LazyLock::new(|| {
+    let plain = ["soffit", "plaster", "cedar", "plaster"];
+    let kinds = KINDS.into_iter().flat_map(names);
+    plain
+        .into_iter()
+        .chain(kinds)
+        .map(SurfaceId::named)
+        .collect()
 });
+
+/// The kinds in the order of the table.
+const KINDS: [RoofKind; 6] = [
+    RoofKind::Tiles,
+    RoofKind::Boards,
+    RoofKind::Shingles,
+    RoofKind::Bark,
+    RoofKind::Thatch,
+    RoofKind::Metal,
+];
 
 /// Covering, edge and ridge of a kind.
 fn names(kind: RoofKind) -> [&'static str; 3] {
@@ -38,46 +43,71 @@ fn names(kind: RoofKind) -> [&'static str; 3] {
 }
 
 /// The surface of a finish.
-pub(super) fn surface(finish: Finish) -> SurfaceId {
-    let found = SURFACES.iter().find(|(f, _)| *f == finish);
-    found.map_or(SurfaceId::named("plaster"), |(_, id)| *id)
+fn surface(finish: Finish) -> SurfaceId {
+    let of = |kind: RoofKind, which: usize| {
+        let row = KINDS.iter().position(|k| *k == kind).unwrap_or_default();
+        4 + 3 * row + which
+    };
+    SURFACES[match finish {
+        Finish::Soffit => 0,
+        Finish::Gable => 1,
+        Finish::Timber => 2,
+        Finish::Plaster => 3,
+        Finish::Covering(kind) => of(kind, 0),
+        Finish::Edge(kind) => of(kind, 1),
+        Finish::Ridge(kind) => of(kind, 2),
+    }]
 }
 
 /// The faces of all solids, a soup each surface in the order of first use.
 pub(super) fn soups(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
-    let mut soups: Vec<(Finish, SurfaceId, Soup)> = Vec::with_capacity(6);
+    let mut soups = rooms(roof);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
     for solid in &roof.solids {
         for face in &solid.faces {
-            let at = soups.iter().position(|(f, ..)| *f == face.finish);
-            let at = at.unwrap_or_else(|| {
-                soups.push(empty(face.finish, roof.solids.len()));
-                soups.len() - 1
-            });
             gather(solid, face, &mut corners);
-            add(&mut soups[at].2, &corners, face.finish);
+            let id = surface(face.finish);
+            if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
+                soup.face(&corners, has_grain(face.finish));
+            }
         }
     }
-    let mut merged: Vec<(SurfaceId, Soup)> = Vec::with_capacity(soups.len());
-    for (_, id, soup) in soups {
-        match merged.iter_mut().find(|(other, _)| *other == id) {
-            Some((_, into)) => append(into, soup),
-            None => merged.push((id, soup)),
-        }
-    }
-    merged
+    soups
 }
 
-/// An empty soup with room for some quadrangles of each solid.
-fn empty(finish: Finish, solids: usize) -> (Finish, SurfaceId, Soup) {
-    let room = 8 * solids.min(64);
-    let soup = Soup {
-        positions: Vec::with_capacity(room),
-        normals: Vec::with_capacity(room),
-        uvs: Vec::with_capacity(room),
-        indices: Vec::with_capacity(room * 3 / 2),
+/// Empty soups with room for all faces of each surface: roofs are never shared, so that they cost most.
+fn rooms(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
+    let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
+    for face in roof.solids.iter().flat_map(|s| &s.faces) {
+        let id = surface(face.finish);
+        let n = face.corners.len();
+        match rooms.iter_mut().find(|(s, ..)| *s == id) {
+            Some((_, corners, triangles)) => {
+                *corners += n;
+                *triangles += n.saturating_sub(2);
+            }
+            None => rooms.push((id, n, n.saturating_sub(2))),
+        }
+    }
+    let empty = |(id, corners, triangles): (SurfaceId, usize, usize)| {
+        let soup = Soup {
+            positions: Vec::with_capacity(corners),
+            normals: Vec::with_capacity(corners),
+            uvs: Vec::with_capacity(corners),
+            indices: Vec::with_capacity(3 * triangles),
+        };
+        (id, soup)
     };
-    (finish, surface(finish), soup)
+    rooms.into_iter().map(empty).collect()
+}
+
+/// Whether the grain follows the longer side: boards and barge boards; coverings keep up the slope.
+fn has_grain(finish: Finish) -> bool {
+    use RoofKind::Boards;
+    matches!(
+        finish,
+        Finish::Timber | Finish::Edge(Boards) | Finish::Ridge(Boards)
+    )
 }
 
 /// The corners of a face; indices out of range are left out.
@@ -85,23 +115,4 @@ fn gather(solid: &Solid, face: &Face, corners: &mut Vec<DVec3>) {
     corners.clear();
     let points = face.corners.iter();
     corners.extend(points.filter_map(|i| solid.points.get(*i as usize)));
-}
-
-/// One face.
-fn add(soup: &mut Soup, corners: &[DVec3], finish: Finish) {
-    // Boards and barge boards have their grain along them; coverings keep up the slope.
-    let grain = matches!(
-        finish,
-        Finish::Timber | Finish::Edge(RoofKind::Boards) | Finish::Ridge(RoofKind::Boards)
-    );
-    soup.face(corners, grain);
-}
-
-/// Two soups of one surface.
-fn append(into: &mut Soup, soup: Soup) {
-    let first = into.positions.len() as u32;
-    into.positions.extend(soup.positions);
-    into.normals.extend(soup.normals);
-    into.uvs.extend(soup.uvs);
-    into.indices.extend(soup.indices.iter().map(|i| first + i));
 }

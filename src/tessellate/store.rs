@@ -19,8 +19,8 @@ pub(super) enum Key {
     Picture([u32; 4]),
     /// A post: side, height.
     Post([u32; 2]),
-    /// A level member: kind and length.
-    Member(u8, u32),
+    /// A level member: kind, length, mitres of its ends.
+    Member(u8, u32, [i32; 2]),
 }
 
 /// What the mesh of a part depends on.
@@ -84,6 +84,10 @@ impl Hasher for Quick {
 
     fn write_u32(&mut self, n: u32) {
         self.write_u64(u64::from(n));
+    }
+
+    fn write_i32(&mut self, n: i32) {
+        self.write_u64(u64::from(n as u32));
     }
 
     fn write_usize(&mut self, n: usize) {

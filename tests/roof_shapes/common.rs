@@ -24,9 +24,17 @@ pub fn walk(corners: &[(f64, f64)], closed: bool) -> Vec<Wall> {
             let (p, q) = (corners[i], corners[(i + 1) % n]);
             let (from, to) = (dvec2(p.0, p.1), dvec2(q.0, q.1));
             let raw = (to - from).normalize();
-            let direction = if raw.x.abs() < 1e-12 || raw.y.abs() < 1e-12 { raw.round() } else { raw };
+            let direction = if raw.x.abs() < 1e-12 || raw.y.abs() < 1e-12 {
+                raw.round()
+            } else {
+                raw
+            };
             Wall {
-                span: Span { start: i as u32, end: i as u32 + 1, ..Span::default() },
+                span: Span {
+                    start: i as u32,
+                    end: i as u32 + 1,
+                    ..Span::default()
+                },
                 facade: i as u32 + 1,
                 from,
                 to,
@@ -39,12 +47,20 @@ pub fn walk(corners: &[(f64, f64)], closed: bool) -> Vec<Wall> {
 }
 
 pub fn ring(corners: &[(f64, f64)]) -> Ring {
-    Ring { span: Span::default(), hole: false, closed: true, walls: walk(corners, true) }
+    Ring {
+        span: Span::default(),
+        hole: false,
+        closed: true,
+        walls: walk(corners, true),
+    }
 }
 
 pub fn hole(corners: &[(f64, f64)]) -> Ring {
     let reversed: Vec<(f64, f64)> = corners.iter().rev().copied().collect();
-    Ring { hole: true, ..ring(&reversed) }
+    Ring {
+        hole: true,
+        ..ring(&reversed)
+    }
 }
 
 pub fn rect(a0: f64, b0: f64, a1: f64, b1: f64) -> Vec<(f64, f64)> {
@@ -54,7 +70,11 @@ pub fn rect(a0: f64, b0: f64, a1: f64, b1: f64) -> Vec<(f64, f64)> {
 /// A house of storeys, each of some rings, each 9 shaku high.
 pub fn house(storeys: Vec<Vec<Ring>>) -> House {
     let storeys = storeys.into_iter().enumerate().map(|(k, rings)| Storey {
-        span: Span { start: 100 + k as u32, end: 101 + k as u32, ..Span::default() },
+        span: Span {
+            start: 100 + k as u32,
+            end: 101 + k as u32,
+            ..Span::default()
+        },
         number: k as u32 + 1,
         kind: StoreyKind::Storey,
         z0: k as f64 * H,
@@ -73,9 +93,18 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
     }
 }
 
-pub fn line(shape: RoofShape, direction: Option<RoofDirection>, height: Option<f64>, corners: [f64; 4]) -> RoofLine {
+pub fn line(
+    shape: RoofShape,
+    direction: Option<RoofDirection>,
+    height: Option<f64>,
+    corners: [f64; 4],
+) -> RoofLine {
     RoofLine {
-        span: Span { start: 500, end: 540, ..Span::default() },
+        span: Span {
+            start: 500,
+            end: 540,
+            ..Span::default()
+        },
         style: RoofStyle {
             kind: Some(spanned(RoofKind::Tiles)),
             shape: Some(spanned(shape)),
@@ -89,7 +118,10 @@ pub fn line(shape: RoofShape, direction: Option<RoofDirection>, height: Option<f
 
 pub fn build(house: House) -> (Building, Diagnostics) {
     let mut out = Diagnostics::new();
-    let shell = Shell { houses: vec![house], pictures: vec![] };
+    let shell = Shell {
+        houses: vec![house],
+        pictures: vec![],
+    };
     (hsd::roof::roof(shell, &mut out), out)
 }
 
@@ -116,7 +148,11 @@ pub fn assert_sound(building: &Building) {
     for (n, roof) in roofs(building).iter().enumerate() {
         for (m, solid) in roof.solids.iter().enumerate() {
             let flaws: Vec<_> = solid_flaws(solid).collect();
-            assert!(flaws.is_empty(), "roof {n} ({:?}) solid {m}: {flaws:?}\n{solid:?}", roof.shape);
+            assert!(
+                flaws.is_empty(),
+                "roof {n} ({:?}) solid {m}: {flaws:?}\n{solid:?}",
+                roof.shape
+            );
         }
     }
 }
@@ -124,7 +160,9 @@ pub fn assert_sound(building: &Building) {
 /// The height of the topmost face over a plan point in U, if any.
 pub fn top_at(building: &Building, a: f64, b: f64) -> Option<f64> {
     let p = dvec2(-a * U, b * U);
-    all_solids(building).filter_map(|s| top_of(s, p)).reduce(f64::max)
+    all_solids(building)
+        .filter_map(|s| top_of(s, p))
+        .reduce(f64::max)
 }
 
 pub fn top_of(solid: &Solid, p: DVec2) -> Option<f64> {

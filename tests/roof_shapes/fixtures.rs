@@ -12,7 +12,10 @@ fn every_fixture_triggers_its_message() {
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        let Some(code) = name.strip_prefix("HSD05").and_then(|n| n.get(..2)?.parse::<u16>().ok()) else {
+        let Some(code) = name
+            .strip_prefix("HSD05")
+            .and_then(|n| n.get(..2)?.parse::<u16>().ok())
+        else {
             continue;
         };
         if !name.ends_with(".hsd") {
@@ -27,7 +30,11 @@ fn every_fixture_triggers_its_message() {
         let building = hsd::roof::roof(hsd::lower::lower(program, &mut out), &mut out);
         building.roofs.iter().for_each(|_| assert_sound(&building));
         // The plan itself says that it is open.
-        let codes: Vec<u16> = out.iter().map(|d| d.code.0).filter(|c| *c / 100 != 4).collect();
+        let codes: Vec<u16> = out
+            .iter()
+            .map(|d| d.code.0)
+            .filter(|c| *c / 100 != 4)
+            .collect();
         if !building.shell.houses.is_empty() {
             assert_eq!(codes, vec![500 + code], "{name}");
             seen += 1;

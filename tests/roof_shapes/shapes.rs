@@ -20,9 +20,15 @@ fn covering_top(roof: &Roof) -> f64 {
 
 /// Extent (min, max) of the sheet in the house frame.
 fn extent(roof: &Roof) -> (glam::DVec3, glam::DVec3) {
-    let covering = roof.solids.iter().filter(|s| s.faces.iter().any(|f| matches!(f.finish, Finish::Covering(_))));
+    let covering = roof.solids.iter().filter(|s| {
+        s.faces
+            .iter()
+            .any(|f| matches!(f.finish, Finish::Covering(_)))
+    });
     let points = covering.flat_map(|s| &s.points);
-    points.fold((glam::DVec3::MAX, glam::DVec3::MIN), |(lo, hi), p| (lo.min(*p), hi.max(*p)))
+    points.fold((glam::DVec3::MAX, glam::DVec3::MIN), |(lo, hi), p| {
+        (lo.min(*p), hi.max(*p))
+    })
 }
 
 fn near(p: f64, q: f64) {
@@ -38,7 +44,10 @@ fn a_machiya_gable_has_the_dimensions_of_the_formula() {
     let building = quiet(house(vec![vec![ring(&rect(0.0, 0.0, 8.0, 6.0))]]));
     assert_sound(&building);
     let [roof] = roofs(&building) else { panic!() };
-    assert_eq!((roof.shape, roof.kind, roof.storey), (RoofShape::Gable, RoofKind::Tiles, 1));
+    assert_eq!(
+        (roof.shape, roof.kind, roof.storey),
+        (RoofShape::Gable, RoofKind::Tiles, 1)
+    );
     let ridge = H + 0.4 * 3.0 * U + drop_of(0.12, 0.4);
     near(covering_top(roof), ridge);
     let (lo, hi) = extent(roof);
@@ -63,7 +72,10 @@ fn options_of_the_house_are_followed() {
     let building = quiet(house);
     assert_sound(&building);
     let roof = &roofs(&building)[0];
-    near(covering_top(roof), H + 0.9 * 3.0 * U + drop_of(2.5 * SHAKU, 0.9));
+    near(
+        covering_top(roof),
+        H + 0.9 * 3.0 * U + drop_of(2.5 * SHAKU, 0.9),
+    );
     let (lo, hi) = extent(roof);
     near(hi.x, 3.0 * SHAKU);
     near(lo.y, -2.0 * SHAKU);
@@ -76,7 +88,10 @@ fn the_broad_gable_turns_its_ridge() {
     let building = quiet(house);
     assert_sound(&building);
     assert_eq!(building.roofs[0].plans[0].regions[0].ridge, Some("b"));
-    near(covering_top(&roofs(&building)[0]), H + 0.4 * 3.0 * U + drop_of(0.12, 0.4));
+    near(
+        covering_top(&roofs(&building)[0]),
+        H + 0.4 * 3.0 * U + drop_of(0.12, 0.4),
+    );
 }
 
 #[test]
@@ -85,43 +100,82 @@ fn shapes_of_later_versions_are_gables_with_a_note() {
     house.roofs.style.shape = Some(spanned(RoofShape::Hip));
     let (building, out) = build(house);
     assert_eq!(codes(&out), vec![510]);
-    assert_eq!(building.roofs[0].plans[0].regions[0].shape, RoofShape::Gable);
+    assert_eq!(
+        building.roofs[0].plans[0].regions[0].shape,
+        RoofShape::Gable
+    );
     assert_sound(&building);
 }
 
 #[test]
 fn a_branch_dies_in_its_trunk_and_stands_lower() {
     // T: bar 18 x 5, stem 4 wide.
-    let t = [(0.0, 0.0), (18.0, 0.0), (18.0, 5.0), (11.0, 5.0), (11.0, 14.0), (7.0, 14.0), (7.0, 5.0), (0.0, 5.0)];
+    let t = [
+        (0.0, 0.0),
+        (18.0, 0.0),
+        (18.0, 5.0),
+        (11.0, 5.0),
+        (11.0, 14.0),
+        (7.0, 14.0),
+        (7.0, 5.0),
+        (0.0, 5.0),
+    ];
     let building = quiet(house(vec![vec![ring(&t)]]));
     assert_sound(&building);
     let plan = &building.roofs[0].plans[0];
     assert_eq!(plan.regions.len(), 2);
-    assert_eq!((plan.regions[1].role, plan.regions[1].over), ("branch", Some(0)));
+    assert_eq!(
+        (plan.regions[1].role, plan.regions[1].over),
+        ("branch", Some(0))
+    );
     let drop = drop_of(0.12, 0.4);
     let trunk = H + 0.4 * 2.5 * U + drop;
     let branch = H + 0.4 * 2.0 * U + drop;
     near(covering_top(&roofs(&building)[0]), trunk);
     near(covering_top(&roofs(&building)[1]), branch);
     // The branch's ridge meets the trunk's slope 2 units in, so the surface is level there.
-    near(top_at(&building, 8.9, 3.1).unwrap(), H + drop + 0.4 * 1.9 * U);
+    near(
+        top_at(&building, 8.9, 3.1).unwrap(),
+        H + drop + 0.4 * 1.9 * U,
+    );
     // Before the meeting point the branch's ridge is the highest (a cap stands on it).
     assert!(top_at(&building, 9.0, 4.0).unwrap() > branch);
     // Beyond the trunk's ridge nothing of the branch shows.
     near(top_at(&building, 9.0, 1.0).unwrap(), H + drop + 0.4 * U);
     // One gable wall less: none where it runs in.
-    let gables = |r: &Roof| r.solids.iter().filter(|s| s.faces[0].finish == Finish::Gable).count();
-    assert_eq!((gables(&roofs(&building)[0]), gables(&roofs(&building)[1])), (2, 1));
+    let gables = |r: &Roof| {
+        r.solids
+            .iter()
+            .filter(|s| s.faces[0].finish == Finish::Gable)
+            .count()
+    };
+    assert_eq!(
+        (gables(&roofs(&building)[0]), gables(&roofs(&building)[1])),
+        (2, 1)
+    );
 }
 
 #[test]
 fn eaves_of_a_trunk_stay_out_of_its_branch() {
-    let t = [(0.0, 0.0), (18.0, 0.0), (18.0, 5.0), (11.0, 5.0), (11.0, 14.0), (7.0, 14.0), (7.0, 5.0), (0.0, 5.0)];
+    let t = [
+        (0.0, 0.0),
+        (18.0, 0.0),
+        (18.0, 5.0),
+        (11.0, 5.0),
+        (11.0, 14.0),
+        (7.0, 14.0),
+        (7.0, 5.0),
+        (0.0, 5.0),
+    ];
     let building = quiet(house(vec![vec![ring(&t)]]));
-    let inside = |p: &glam::DVec3| p.x < -7.01 * U && p.x > -10.99 * U && p.y > 5.01 * U && p.y < 13.9 * U;
+    let inside =
+        |p: &glam::DVec3| p.x < -7.01 * U && p.x > -10.99 * U && p.y > 5.01 * U && p.y < 13.9 * U;
     let below = |p: &glam::DVec3| p.z < H - 1e-6;
     for solid in all_solids(&building) {
-        let sheet = solid.faces.iter().any(|f| matches!(f.finish, Finish::Covering(_)));
+        let sheet = solid
+            .faces
+            .iter()
+            .any(|f| matches!(f.finish, Finish::Covering(_)));
         if sheet {
             assert!(!solid.points.iter().any(|p| inside(p) && below(p)));
         }
@@ -131,12 +185,26 @@ fn eaves_of_a_trunk_stay_out_of_its_branch() {
 #[test]
 fn a_strip_becomes_a_lean_to_under_the_eaves_and_cuts_the_walls() {
     // GEYA: hall 8 x 6 and a strip 4 x 2 behind a part of it.
-    let plan = [(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (6.0, 6.0), (6.0, 8.0), (2.0, 8.0), (2.0, 6.0), (0.0, 6.0)];
+    let plan = [
+        (0.0, 0.0),
+        (8.0, 0.0),
+        (8.0, 6.0),
+        (6.0, 6.0),
+        (6.0, 8.0),
+        (2.0, 8.0),
+        (2.0, 6.0),
+        (0.0, 6.0),
+    ];
     let building = quiet(house(vec![vec![ring(&plan)]]));
     assert_sound(&building);
     let region = &building.roofs[0].plans[0].regions[1];
-    assert_eq!((region.role, region.fall, region.ridge), ("lean-to", Some("B"), None));
-    let [ceiling] = building.roofs[0].ceilings[..] else { panic!() };
+    assert_eq!(
+        (region.role, region.fall, region.ridge),
+        ("lean-to", Some("B"), None)
+    );
+    let [ceiling] = building.roofs[0].ceilings[..] else {
+        panic!()
+    };
     assert_eq!(ceiling.rect, [2.0, 6.0, 6.0, 8.0]);
     let low = ceiling.z + ceiling.slope.y * 8.0;
     let high = ceiling.z + ceiling.slope.y * 6.0;
@@ -146,7 +214,12 @@ fn a_strip_becomes_a_lean_to_under_the_eaves_and_cuts_the_walls() {
     let lean = &roofs(&building)[1];
     for (a, b) in [(3.0, 6.1), (4.0, 6.5), (5.0, 6.8)] {
         let p = glam::dvec2(-a * U, b * U);
-        let own = lean.solids.iter().filter_map(|s| top_of(s, p)).reduce(f64::max).unwrap();
+        let own = lean
+            .solids
+            .iter()
+            .filter_map(|s| top_of(s, p))
+            .reduce(f64::max)
+            .unwrap();
         let eaves = H - 0.4 * (b - 6.0) * U;
         assert!(own < eaves, "{own} {eaves}");
     }
@@ -154,7 +227,16 @@ fn a_strip_becomes_a_lean_to_under_the_eaves_and_cuts_the_walls() {
 
 #[test]
 fn a_low_storey_is_warned_about() {
-    let plan = [(0.0, 0.0), (8.0, 0.0), (8.0, 6.0), (6.0, 6.0), (6.0, 8.0), (2.0, 8.0), (2.0, 6.0), (0.0, 6.0)];
+    let plan = [
+        (0.0, 0.0),
+        (8.0, 0.0),
+        (8.0, 6.0),
+        (6.0, 6.0),
+        (6.0, 8.0),
+        (2.0, 8.0),
+        (2.0, 6.0),
+        (0.0, 6.0),
+    ];
     let mut house = house(vec![vec![ring(&plan)]]);
     house.storeys[0].z1 = 2.0;
     let (building, out) = build(house);
@@ -170,7 +252,10 @@ fn a_rear_strip_leans_against_the_upper_wall() {
     ]));
     assert_sound(&building);
     let plans = &building.roofs[0].plans;
-    assert_eq!((plans[0].regions[0].role, plans[0].regions[0].fall), ("lean-to", Some("B")));
+    assert_eq!(
+        (plans[0].regions[0].role, plans[0].regions[0].fall),
+        ("lean-to", Some("B"))
+    );
     let lean = &roofs(&building)[0];
     let drop = drop_of(0.12, 0.3);
     near(covering_top(lean), H + 0.3 * 3.0 * U + drop);
@@ -190,7 +275,11 @@ fn eaves_do_not_enter_the_storey_above() {
     let lower = &roofs(&building)[0];
     assert_eq!(lower.storey, 1);
     for solid in &lower.solids {
-        if solid.faces.iter().any(|f| matches!(f.finish, Finish::Covering(_) | Finish::Ridge(_))) {
+        if solid
+            .faces
+            .iter()
+            .any(|f| matches!(f.finish, Finish::Covering(_) | Finish::Ridge(_)))
+        {
             assert!(solid.points.iter().all(|p| p.x <= -5.0 * U + 1e-6));
         }
     }
@@ -201,21 +290,39 @@ fn the_example_of_the_domain_sheet_stands() {
     let plan = || ring(&rect(0.0, 0.0, 6.0, 8.0));
     let mut house = house(vec![vec![plan()], vec![plan()]]);
     house.storeys[1].z1 = 14.0 * SHAKU;
-    let mut pent = line(RoofShape::Pent, Some(RoofDirection::Front), Some(8.1), [0.0, 0.0, 6.0, -1.0]);
+    let mut pent = line(
+        RoofShape::Pent,
+        Some(RoofDirection::Front),
+        Some(8.1),
+        [0.0, 0.0, 6.0, -1.0],
+    );
     pent.style.pitch = Some(spanned(3.0));
-    let main = line(RoofShape::Gable, Some(RoofDirection::AlongFront), Some(14.0), [0.0, 0.0, 6.0, 8.0]);
+    let main = line(
+        RoofShape::Gable,
+        Some(RoofDirection::AlongFront),
+        Some(14.0),
+        [0.0, 0.0, 6.0, 8.0],
+    );
     house.roofs.lines = vec![main, pent];
     let (building, out) = build(house);
     // The ridge parallel to the street spans 8 units: good to know, no more.
     assert_eq!(codes(&out), vec![508]);
     assert_sound(&building);
-    let [pent, main] = roofs(&building) else { panic!() };
-    assert_eq!((pent.shape, pent.storey, main.shape, main.storey), (RoofShape::Pent, 1, RoofShape::Gable, 2));
+    let [pent, main] = roofs(&building) else {
+        panic!()
+    };
+    assert_eq!(
+        (pent.shape, pent.storey, main.shape, main.storey),
+        (RoofShape::Pent, 1, RoofShape::Gable, 2)
+    );
     let (lo, hi) = extent(pent);
     near(lo.y, -U);
     near(hi.y, 0.03);
     near(covering_top(pent), H + 0.03 * 0.3);
-    near(top_of(&pent.solids[0], glam::dvec2(-U, -U)).unwrap(), 8.1 * SHAKU);
+    near(
+        top_of(&pent.solids[0], glam::dvec2(-U, -U)).unwrap(),
+        8.1 * SHAKU,
+    );
     assert!(building.roofs[0].plans.iter().all(|p| p.regions.is_empty()));
 }
 
@@ -240,7 +347,10 @@ fn a_two_storeyed_street_house_gets_its_pent_roof() {
 
 #[test]
 fn a_street_house_set_back_above_gets_none() {
-    let mut shop = house(vec![vec![ring(&rect(0.0, 0.0, 6.0, 8.0))], vec![ring(&rect(0.0, 1.0, 6.0, 8.0))]]);
+    let mut shop = house(vec![
+        vec![ring(&rect(0.0, 0.0, 6.0, 8.0))],
+        vec![ring(&rect(0.0, 1.0, 6.0, 8.0))],
+    ]);
     shop.street = true;
     let building = quiet(shop);
     assert!(roofs(&building).iter().all(|r| r.shape != RoofShape::Pent));
@@ -257,7 +367,14 @@ fn flat(storeys: Vec<Vec<hsd::building::Ring>>) -> Building {
 
 #[test]
 fn a_flat_roof_has_a_slab_and_an_upstand() {
-    let l = [(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (4.0, 4.0), (4.0, 14.0), (0.0, 14.0)];
+    let l = [
+        (0.0, 0.0),
+        (6.0, 0.0),
+        (6.0, 4.0),
+        (4.0, 4.0),
+        (4.0, 14.0),
+        (0.0, 14.0),
+    ];
     let building = flat(vec![vec![ring(&l)]]);
     assert_eq!(roofs(&building).len(), 1);
     assert_eq!(roofs(&building)[0].solids.len(), 2);
@@ -265,7 +382,10 @@ fn a_flat_roof_has_a_slab_and_an_upstand() {
     near(top_at(&building, 0.0, 10.0).unwrap(), H + 0.4);
     assert_eq!(top_at(&building, 5.0, 10.0), None);
     let region = &building.roofs[0].plans[0].regions[0];
-    assert_eq!((region.shape, region.ridge, region.role), (RoofShape::Flat, None, "main"));
+    assert_eq!(
+        (region.shape, region.ridge, region.role),
+        (RoofShape::Flat, None, "main")
+    );
 }
 
 #[test]
@@ -284,7 +404,10 @@ fn a_parapet_storey_stands_for_the_upstand() {
 
 #[test]
 fn a_flat_terrace_ends_at_the_upper_wall() {
-    let building = flat(vec![vec![ring(&rect(0.0, 0.0, 6.0, 8.0))], vec![ring(&rect(0.0, 0.0, 6.0, 5.0))]]);
+    let building = flat(vec![
+        vec![ring(&rect(0.0, 0.0, 6.0, 8.0))],
+        vec![ring(&rect(0.0, 0.0, 6.0, 5.0))],
+    ]);
     near(top_at(&building, 3.0, 5.2).unwrap(), H + 0.03);
     near(top_at(&building, 3.0, 8.0).unwrap(), H + 0.4);
 }
@@ -293,44 +416,93 @@ fn a_flat_terrace_ends_at_the_upper_wall() {
 fn round_plans_are_flat_with_their_courts() {
     let circle = |n: usize, r: f64| -> Vec<(f64, f64)> {
         let at = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
-        (0..n).map(|i| (10.0 + r * at(i).cos(), 10.0 + r * at(i).sin())).collect()
+        (0..n)
+            .map(|i| (10.0 + r * at(i).cos(), 10.0 + r * at(i).sin()))
+            .collect()
     };
-    let building = quiet(house(vec![vec![ring(&circle(36, 9.0)), hole(&circle(24, 4.0))]]));
+    let building = quiet(house(vec![vec![
+        ring(&circle(36, 9.0)),
+        hole(&circle(24, 4.0)),
+    ]]));
     assert_sound(&building);
     near(top_at(&building, 10.0, 3.0).unwrap(), H + 0.03);
     assert_eq!(top_at(&building, 10.0, 10.0), None);
     let region = &building.roofs[0].plans[0].regions[0];
     assert_eq!(region.polygon.as_ref().unwrap().len(), 36);
     // Storeys that repeat the plan are covered.
-    let tower = quiet(house(vec![vec![ring(&circle(36, 9.0))], vec![ring(&circle(36, 9.0))]]));
-    assert_eq!(roofs(&tower).iter().map(|r| r.storey).collect::<Vec<_>>(), vec![2]);
+    let tower = quiet(house(vec![
+        vec![ring(&circle(36, 9.0))],
+        vec![ring(&circle(36, 9.0))],
+    ]));
+    assert_eq!(
+        roofs(&tower).iter().map(|r| r.storey).collect::<Vec<_>>(),
+        vec![2]
+    );
     assert_eq!(tower.roofs[0].plans.len(), 2);
 }
 
 #[test]
 fn a_free_lean_to_is_walled_up() {
-    for direction in [RoofDirection::Front, RoofDirection::Back, RoofDirection::Left, RoofDirection::Right] {
+    for direction in [
+        RoofDirection::Front,
+        RoofDirection::Back,
+        RoofDirection::Left,
+        RoofDirection::Right,
+    ] {
         let mut shed = house(vec![vec![ring(&rect(0.0, 0.0, 3.0, 4.0))]]);
-        shed.roofs.lines = vec![line(RoofShape::LeanTo, Some(direction), None, [0.0, 0.0, 3.0, 4.0])];
+        shed.roofs.lines = vec![line(
+            RoofShape::LeanTo,
+            Some(direction),
+            None,
+            [0.0, 0.0, 3.0, 4.0],
+        )];
         let building = quiet(shed);
         assert_sound(&building);
         let roof = &roofs(&building)[0];
-        assert_eq!(roof.solids.iter().filter(|s| s.faces[0].finish == Finish::Gable).count(), 3);
-        let depth = if matches!(direction, RoofDirection::Front | RoofDirection::Back) { 4.0 } else { 3.0 };
+        assert_eq!(
+            roof.solids
+                .iter()
+                .filter(|s| s.faces[0].finish == Finish::Gable)
+                .count(),
+            3
+        );
+        let depth = if matches!(direction, RoofDirection::Front | RoofDirection::Back) {
+            4.0
+        } else {
+            3.0
+        };
         let over = 0.5 * SHAKU;
-        near(covering_top(roof), H + 0.3 * (depth * U + over) + drop_of(0.12, 0.3));
+        near(
+            covering_top(roof),
+            H + 0.3 * (depth * U + over) + drop_of(0.12, 0.3),
+        );
     }
 }
 
 #[test]
 fn explicit_lines_leave_the_rest_to_the_automatic() {
-    let l = [(0.0, 0.0), (6.0, 0.0), (6.0, 4.0), (4.0, 4.0), (4.0, 14.0), (0.0, 14.0)];
+    let l = [
+        (0.0, 0.0),
+        (6.0, 0.0),
+        (6.0, 4.0),
+        (4.0, 4.0),
+        (4.0, 14.0),
+        (0.0, 14.0),
+    ];
     let mut house = house(vec![vec![ring(&l)]]);
-    house.roofs.lines = vec![line(RoofShape::Gable, Some(RoofDirection::AlongFront), None, [0.0, 0.0, 6.0, 4.0])];
+    house.roofs.lines = vec![line(
+        RoofShape::Gable,
+        Some(RoofDirection::AlongFront),
+        None,
+        [0.0, 0.0, 6.0, 4.0],
+    )];
     let building = quiet(house.clone());
     assert_sound(&building);
     assert_eq!(building.roofs[0].plans[0].regions.len(), 1);
-    assert_eq!(building.roofs[0].plans[0].regions[0].rect, [0.0, 4.0, 4.0, 14.0]);
+    assert_eq!(
+        building.roofs[0].plans[0].regions[0].rect,
+        [0.0, 4.0, 4.0, 14.0]
+    );
     assert_eq!(roofs(&building).len(), 2);
     let bare = quiet(explicit_only(house));
     assert_eq!(roofs(&bare).len(), 1);
@@ -339,9 +511,17 @@ fn explicit_lines_leave_the_rest_to_the_automatic() {
 
 #[test]
 fn a_wing_between_two_halls_dies_in_both() {
-    let court = vec![ring(&rect(0.0, 0.0, 20.0, 14.0)), hole(&rect(6.0, 4.5, 14.0, 9.5))];
+    let court = vec![
+        ring(&rect(0.0, 0.0, 20.0, 14.0)),
+        hole(&rect(6.0, 4.5, 14.0, 9.5)),
+    ];
     let building = quiet(house(vec![court]));
-    let gables = |r: &Roof| r.solids.iter().filter(|s| s.faces[0].finish == Finish::Gable).count();
+    let gables = |r: &Roof| {
+        r.solids
+            .iter()
+            .filter(|s| s.faces[0].finish == Finish::Gable)
+            .count()
+    };
     let mut walls: Vec<usize> = roofs(&building).iter().map(gables).collect();
     walls.sort_unstable();
     assert_eq!(walls, vec![0, 0, 2, 2]);

@@ -181,7 +181,7 @@ pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
         511,
         storey,
         format!(
-            "the lean-to on storey {number} leaves its outer wall only {} m high",
+            "a lean-to on storey {number} would leave its outer wall only {} m high, so a gable is built",
             short(left)
         ),
     )
