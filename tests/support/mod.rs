@@ -119,6 +119,15 @@ pub fn texts(folder: &str) -> Vec<PathBuf> {
     files
 }
 
+/// A grey picture as a PNG file.
+pub fn png(width: u32, height: u32) -> Vec<u8> {
+    let mut bytes = std::io::Cursor::new(vec![]);
+    image::GrayImage::new(width, height)
+        .write_to(&mut bytes, image::ImageFormat::Png)
+        .expect("memory can be written");
+    bytes.into_inner()
+}
+
 /// A file's name without its ending.
 pub fn stem(path: &Path) -> String {
     let stem = path.file_stem().expect("is a file");
