@@ -220,7 +220,8 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
         } else {
             (depth, width)
         };
-        if span > length && span > 6 * STEPS {
+        // Hira-iri houses are commonly somewhat deeper than wide; twice as deep is a slip.
+        if span >= 2 * length && span > 6 * STEPS {
             out.push(say::long_span(direction.span, span as f64 / STEPS as f64));
         }
     }

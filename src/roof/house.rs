@@ -219,12 +219,9 @@ impl Storey<'_, '_> {
         if self.house.roofs.mode == RoofMode::Auto && !open.loops.is_empty() {
             found = self.regions(context, &open);
         }
-        let shape = self
-            .house
-            .roofs
-            .style
-            .shape
-            .map_or(RoofShape::Gable, |s| s.value);
+        // A wall that rises round the roof on purpose hides a flat one.
+        let usual = if level.parapet { RoofShape::Flat } else { RoofShape::Gable };
+        let shape = self.house.roofs.style.shape.map_or(usual, |s| s.value);
         let flat = shape == RoofShape::Flat;
         if shape == RoofShape::BroadGable {
             broaden(&mut found);
