@@ -59,7 +59,7 @@ fn fixtures_say_what_they_should() {
 fn pages_there() -> BTreeMap<u16, String> {
     let folder = fs::read_dir(root().join(PAGES)).expect("pages are there");
     let page = |entry: std::io::Result<fs::DirEntry>| {
-        let path = entry.expect("can be pages").path();
+        let path = entry.expect("can be listed").path();
         let code = code_of(&stem(&path)).unwrap_or_else(|| panic!("{}: no code", path.display()));
         (code, fs::read_to_string(&path).expect("pages are UTF-8"))
     };
