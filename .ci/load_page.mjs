@@ -7,6 +7,12 @@ renderer.setSize(320, 240);
 document.body.append(renderer.domElement);
 const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 10000);
 
+/** Frees what a mesh keeps on the graphics card, so that the next count is its own. */
+function dispose({ geometry, material }) {
+  geometry?.dispose();
+  for (const value of Object.values(material ?? {})) if (value?.isTexture) value.dispose();
+}
+
 /** Draws the Nth model; what three.js counts while it draws. */
 window.show = async n => {
   try {
@@ -18,7 +24,9 @@ window.show = async n => {
     camera.lookAt(ball.center);
     model.traverse(node => { node.frustumCulled = false; });
     renderer.render(scene, camera);
-    return { triangles: renderer.info.render.triangles, textures: renderer.info.memory.textures };
+    const counts = { triangles: renderer.info.render.triangles, textures: renderer.info.memory.textures };
+    model.traverse(node => dispose(node));
+    return counts;
   } catch (error) {
     return { error: String(error) };
   }

@@ -146,54 +146,50 @@ function corners_of(model) {
   return corners;
 }
 
-/** Whether some corner lies outside of the picture or within its margin. */
-function overflows(camera, corners) {
+/** Bounds of the corners in the picture, from -1 to 1 where it holds them; `null` if one is behind the camera. */
+function bounds_in(camera, corners) {
+  camera.clearViewOffset();
   camera.updateMatrixWorld();
-  camera.updateProjectionMatrix();
   const whole = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-  const seen = new THREE.Vector4();
-  return corners.some(({ x, y, z }) => {
+  const seen = new THREE.Vector4(), bounds = new THREE.Box2();
+  for (const { x, y, z } of corners) {
     seen.set(x, y, z, 1).applyMatrix4(whole);
-    return seen.w < 0.1 || Math.abs(seen.x) > 0.92 * seen.w || Math.abs(seen.y) > 0.88 * seen.w;
-  });
+    if (seen.w < 0.1) return null;
+    bounds.expandByPoint(new THREE.Vector2(seen.x / seen.w, seen.y / seen.w));
+  }
+  return bounds;
 }
 
-/** A camera that looks at the middle of the model from a direction, as near as the whole of it allows. */
+/**
+ * A camera that sees the model from a direction, as near as the whole of it allows. With an eye height it looks level, so
+ * that posts stay parallel. Its lens is shifted so that the model stands in the middle.
+ */
 function camera_from({ box, corners }, way, eye) {
   const camera = new THREE.PerspectiveCamera(26, WIDTH / HEIGHT, 0.1, 100000);
   const middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3()).length();
-  const place = far => {
+  const bounds_from = far => {
     camera.position.copy(middle).addScaledVector(way, far);
     if (eye !== undefined) camera.position.y = eye;
-    camera.lookAt(middle);
-    if (eye !== undefined) level_out(camera, middle);
-    camera.updateMatrixWorld();
+    camera.lookAt(middle.x, eye ?? middle.y, middle.z);
+    return bounds_in(camera, corners);
   };
   let near = size * 0.3, far = size * 6;
   for (let step = 0; step < 24; step++) {
-    const half = (near + far) / 2;
-    place(half);
-    if (overflows(camera, corners)) near = half; else far = half;
+    const half = (near + far) / 2, extent = bounds_from(half)?.getSize(new THREE.Vector2());
+    if (!extent || extent.x > 2 * 0.9 || extent.y > 2 * 0.8) near = half; else far = half;
   }
-  place(far);
+  const centre = bounds_from(far).getCenter(new THREE.Vector2());
+  camera.userData.shift = new THREE.Vector2(centre.x * WIDTH / 2, -centre.y * HEIGHT / 2); // pixels
   camera.near = size / 200;
   camera.far = size * 80;
-  return camera;
-}
-
-/** An upright picture: the camera looks level and its lens is shifted, so that posts stay parallel. */
-function level_out(camera, middle) {
-  const flat = Math.hypot(middle.x - camera.position.x, middle.z - camera.position.z);
-  const rise = (middle.y - camera.position.y) / flat;
-  camera.lookAt(middle.x, camera.position.y, middle.z);
-  const half = Math.tan(THREE.MathUtils.degToRad(camera.fov / 2));
-  camera.userData.rise = rise / half * HEIGHT / 2; // pixels
   tremble(camera, 0, 0);
+  return camera;
 }
 
 /** Shifts the picture by a share of a pixel, beside the shift of its lens. */
 function tremble(camera, x, y) {
-  camera.setViewOffset(WIDTH, HEIGHT, x, y - (camera.userData.rise ?? 0), WIDTH, HEIGHT);
+  const { shift } = camera.userData;
+  camera.setViewOffset(WIDTH, HEIGHT, shift.x + x, shift.y + y, WIDTH, HEIGHT);
 }
 
 const copy = new THREE.ShaderMaterial({
