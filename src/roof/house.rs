@@ -220,7 +220,11 @@ impl Storey<'_, '_> {
             found = self.regions(context, &open);
         }
         // A wall that rises round the roof on purpose hides a flat one.
-        let usual = if level.parapet { RoofShape::Flat } else { RoofShape::Gable };
+        let usual = if level.parapet {
+            RoofShape::Flat
+        } else {
+            RoofShape::Gable
+        };
         let shape = self.house.roofs.style.shape.map_or(usual, |s| s.value);
         let flat = shape == RoofShape::Flat;
         if shape == RoofShape::BroadGable {
