@@ -103,6 +103,8 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
     let open = written <= OPEN_TURNS && !walk.hole;
     if let Some((line, is_left)) = wrong_turn(walk, written, gap) {
         out.push(plan::turn_to_flip(line, is_left, open));
+    } else if let Some((line, other, is_left)) = moved_turn(walk, written) {
+        out.push(plan::turn_to_move(line, other, is_left, open));
     } else if open {
         out.push(plan::open_facade(walk.span, gap));
     } else {
@@ -120,6 +122,20 @@ fn wrong_turn(walk: &Walk, written: f64, gap: DVec2) -> Option<(Span, bool)> {
         let flipped = corner * 2.0 - (start + gap);
         let fits = turn.abs() == 90.0 && closes_with(walk, written - 2.0 * turn);
         (fits && flipped.distance(start) < SAME).then(|| (walk.walls[i].span, turn < 0.0))
+    })
+}
+
+/// Two neighbouring line ends whose turns, exchanged, close the walk: the line between them then runs
+/// the other way. Left and right as they stand now.
+fn moved_turn(walk: &Walk, written: f64) -> Option<(Span, Span, bool)> {
+    let start = walk.walls[0].from;
+    let between = 0..walk.turns.len().saturating_sub(2);
+    between.into_iter().find_map(|i| {
+        let (turn, next, line) = (walk.turns[i], walk.turns[i + 1], &walk.walls[i + 1]);
+        let fits = turn.abs() == 90.0 && next == -turn && closes_with(walk, written);
+        let end = walk.end - (line.to - line.from) * 2.0;
+        let found = || (walk.walls[i].span, line.span, turn < 0.0);
+        (fits && end.distance(start) < SAME).then(found)
     })
 }
 

@@ -15,6 +15,10 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
         if !d.help.is_empty() {
             write!(out, " (help: {})", clean::line(&d.help))?;
         }
+        for label in &d.labels {
+            let at = report.position(label.span);
+            write!(out, " (line {}: {})", at.line, clean::line(&label.message))?;
+        }
         writeln!(out)?;
     }
     Ok(())

@@ -98,7 +98,7 @@ fn place_one<'h>(
     let (level, top) = tops
         .enumerate()
         .min_by(|p, q| gap(p.1).total_cmp(&gap(q.1)))?;
-    if gap(top) > 3.0 * SHAKU + 1e-6 {
+    if gap(top) > 3.0 * SHAKU + 1e-6 && shape != RoofShape::Pent {
         let number = levels[level].storey.number;
         out.push(say::far_from_top(
             height.span,
@@ -176,12 +176,18 @@ fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
 }
 
 fn check_pent(one: &Placed<'_>, level: &Level<'_>, out: &mut Diagnostics) {
+    let place = one.line.corners.span;
     let outline = Outline::of(&level.plan);
-    let touched = Side::ALL
-        .iter()
-        .any(|side| !outline.along(&one.cell, side.opposite()).is_empty());
-    if !touched {
-        out.push(say::pent_in_the_air(one.line.corners.span));
+    let hangs = |side: Side| !outline.along(&one.cell, side).is_empty();
+    let over_rooms = Plan::from_cells(&[one.cell]).intersection(&level.plan);
+    if !over_rooms.is_empty() {
+        out.push(say::pent_over_rooms(place));
+    } else if !Side::ALL.into_iter().any(hangs) {
+        out.push(say::pent_in_the_air(place));
+    } else if let Some(direction) = one.line.direction
+        && fall(direction.value).is_some_and(|near| !hangs(near.opposite()))
+    {
+        out.push(say::pent_falls_wrong(direction.span));
     }
 }
 
@@ -290,6 +296,7 @@ pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnos
                     height.span,
                     upper / SHAKU,
                     context.roof_top / SHAKU,
+                    (height.value * SHAKU - (upper - context.roof_top)) / SHAKU,
                 ));
             }
             planned

@@ -108,6 +108,30 @@ pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool) -> Diagnostic 
     ))
 }
 
+/// An `L` that stands one line too early or too late.
+#[cold]
+pub(crate) fn turn_to_move(line: Span, next: Span, is_left: bool, open: bool) -> Diagnostic {
+    let (here, there, way) = if is_left {
+        (line, next, "next")
+    } else {
+        (next, line, "previous")
+    };
+    let new = if open {
+        Diagnostic::warning
+    } else {
+        Diagnostic::error
+    };
+    new(
+        418,
+        here,
+        "the `L` stands at the wrong line: the walls do not close".to_owned(),
+    )
+    .label(there, "with the `L` here the walls close exactly")
+    .help(format!(
+        "move the `L` from the end of this line to the end of the {way} one"
+    ))
+}
+
 /// A facade that stands alone.
 #[cold]
 pub(crate) fn open_facade(span: Span, gap: DVec2) -> Diagnostic {

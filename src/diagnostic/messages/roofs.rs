@@ -194,7 +194,7 @@ pub fn pent_in_the_air(line: Span) -> Diagnostic {
 
 /// A pent roof above the wall it hangs on.
 #[cold]
-pub fn pent_too_high(height: Span, upper: f64, top: f64) -> Diagnostic {
+pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagnostic {
     Diagnostic::warning(
         513,
         height,
@@ -204,10 +204,24 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64) -> Diagnostic {
             short(top)
         ),
     )
-    .help(
-        "the height is that of the low edge: the walls' height less the depth in shaku times the pitch \
-         (9.0 - 3 x 0.3 = 8.1)",
-    )
+    .help(format!(
+        "the height is that of the low edge; {} or less fits this wall, depth and pitch",
+        short((fitting * 100.0).floor() / 100.0)
+    ))
+}
+
+/// A pent roof over the rooms.
+#[cold]
+pub fn pent_over_rooms(place: Span) -> Diagnostic {
+    Diagnostic::warning(517, place, "this pent roof (HIS) lies over the rooms instead of outside the walls")
+        .help("its rectangle is the strip outside the wall: along a front of 6 units, `0 0 6 -1`; units, not shaku")
+}
+
+/// A pent roof that slopes towards its wall, or along it.
+#[cold]
+pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
+    Diagnostic::warning(518, direction, "this pent roof (HIS) does not fall away from the wall it hangs on")
+        .help("F falls to the front, B to the back, L to the left, R to the right; `*` leaves it to the wall")
 }
 
 /// A fall for a two-sided roof, or a ridge for a single slope.
