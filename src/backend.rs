@@ -62,11 +62,12 @@ impl Images for NoImages {
 
 /// A file to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct OutFile {
+pub struct OutFile<'a> {
     /// Path below the output's folder, with `/`.
     pub name: String,
-    /// The whole content.
-    pub bytes: Vec<u8>,
+    /// The whole content; pictures are borrowed, since copying a megabyte of them takes longer than making
+    /// the model.
+    pub bytes: Cow<'a, [u8]>,
 }
 
 /// The folder of pictures beside an output of this stem.

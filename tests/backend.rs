@@ -294,7 +294,8 @@ fn outputs_are_the_same_twice() {
 
 #[test]
 fn files_beside_have_escaped_names() {
-    let files = gltf::gltf(&scene(), &Pictures::new(), "my 家");
+    let (scene, images) = (scene(), Pictures::new());
+    let files = gltf::gltf(&scene, &images, "my 家");
     let names: Vec<_> = files.iter().map(|f| &*f.name).collect();
     let expected = [
         "my 家_textures/cedar_color.jpg",
@@ -313,7 +314,7 @@ fn files_beside_have_escaped_names() {
         uri,
         Some("my%20%E5%AE%B6_textures/%E7%9C%8B%E6%9D%BF%201.png")
     );
-    let beside = gltf::glb_beside(&scene(), &Pictures::new(), "a");
+    let beside = gltf::glb_beside(&scene, &images, "a");
     let (root, bin) = read(&beside.last().unwrap().bytes);
     assert_eq!(
         root.images[0].uri.as_deref(),
@@ -361,7 +362,14 @@ fn numbers_that_are_none_are_left_out() {
     );
     let names: Vec<_> = sound::flaws(&scene).map(|f| f.name).collect();
     assert_eq!(names, ["GDE 2", "GDE 2", "sign"]);
-    let text = String::from_utf8(obj::obj(&scene, &NoImages, "a").pop().unwrap().bytes).unwrap();
+    let text = String::from_utf8(
+        obj::obj(&scene, &NoImages, "a")
+            .pop()
+            .unwrap()
+            .bytes
+            .to_vec(),
+    )
+    .unwrap();
     assert!(!text.contains("NaN") && !text.contains("inf"));
 }
 
@@ -387,10 +395,11 @@ fn many_vertices_have_long_indices() {
 
 #[test]
 fn obj_has_the_axes_of_the_paper() {
-    let files = obj::obj(&scene(), &Pictures::new(), "my house");
+    let (scene, images) = (scene(), Pictures::new());
+    let files = obj::obj(&scene, &images, "my house");
     let text = |name: &str| {
         let file = files.iter().find(|f| f.name == name).unwrap();
-        String::from_utf8(file.bytes.clone()).unwrap()
+        String::from_utf8(file.bytes.to_vec()).unwrap()
     };
     let obj = text("my_house.obj");
     assert!(obj.contains("\nmtllib my_house.mtl\n"));

@@ -422,6 +422,7 @@ fn files(folder: &str) -> Vec<(u16, std::path::PathBuf)> {
     let mut found: Vec<_> = std::fs::read_dir(folder)
         .expect("the folder is part of the repository")
         .filter_map(|entry| entry.ok().map(|e| e.path()))
+        .filter(|path| path.extension().is_none_or(|e| e != "txt"))
         .filter_map(|path| own_code(&path).map(|code| (code, path)))
         .collect();
     found.sort();

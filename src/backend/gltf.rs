@@ -32,21 +32,21 @@ pub fn glb(scene: &Scene, images: &dyn Images) -> Vec<u8> {
 }
 
 /// A `.glb` named `stem.glb` and its pictures in the folder `stem_textures`.
-pub fn glb_beside(scene: &Scene, images: &dyn Images, stem: &str) -> Vec<OutFile> {
+pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let made = Made::new(scene, images);
     let (views, length) = made.views(false);
     let json = made.json(&views, length, Some((stem, false)), |_| None);
     let mut files = made.picture_files(stem);
     files.push(OutFile {
         name: format!("{stem}.glb"),
-        bytes: made.container(&json, length, false),
+        bytes: made.container(&json, length, false).into(),
     });
     files
 }
 
 /// A `.gltf` named `stem.gltf`, its `stem.bin`, and its pictures in the folder `stem_textures`. The file that
 /// refers to the others comes last.
-pub fn gltf(scene: &Scene, images: &dyn Images, stem: &str) -> Vec<OutFile> {
+pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let made = Made::new(scene, images);
     let (views, length) = made.views(false);
     let json = made.json(&views, length, Some((stem, true)), |_| None);
@@ -56,12 +56,12 @@ pub fn gltf(scene: &Scene, images: &dyn Images, stem: &str) -> Vec<OutFile> {
         made.geometry.write(&mut bytes);
         files.push(OutFile {
             name: format!("{stem}.bin"),
-            bytes,
+            bytes: bytes.into(),
         });
     }
     files.push(OutFile {
         name: format!("{stem}.gltf"),
-        bytes: json,
+        bytes: json.into(),
     });
     files
 }
@@ -163,11 +163,11 @@ impl<'a> Made<'a> {
         out
     }
 
-    fn picture_files(&self, stem: &str) -> Vec<OutFile> {
+    fn picture_files(&self, stem: &str) -> Vec<OutFile<'a>> {
         let folder = picture_folder(stem);
-        let file = |i: &materials::Picture<'_>| OutFile {
+        let file = |i: &materials::Picture<'a>| OutFile {
             name: format!("{folder}/{}", i.name),
-            bytes: i.bytes.to_vec(),
+            bytes: i.bytes.into(),
         };
         self.looks.images.iter().map(file).collect()
     }

@@ -15,7 +15,7 @@ use std::fmt::Write as _;
 
 /// `stem.obj`, `stem.mtl` and the pictures in the folder `stem_textures`; the file that refers to the others
 /// comes last. Blanks in the names of the files become `_`.
-pub fn obj(scene: &Scene, images: &dyn Images, stem: &str) -> Vec<OutFile> {
+pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let stem = &one_word(stem);
     let mut writer = Writer::new(scene, images);
     let _ = writeln!(
@@ -29,11 +29,11 @@ pub fn obj(scene: &Scene, images: &dyn Images, stem: &str) -> Vec<OutFile> {
     let (mtl, mut files) = mtl::mtl(scene, &writer.used, images, &folder);
     files.push(OutFile {
         name: format!("{stem}.mtl"),
-        bytes: mtl.into_bytes(),
+        bytes: mtl.into_bytes().into(),
     });
     files.push(OutFile {
         name: format!("{stem}.obj"),
-        bytes: writer.out.into_bytes(),
+        bytes: writer.out.into_bytes().into(),
     });
     files
 }

@@ -242,7 +242,7 @@ fn each(
 }
 
 /// `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
-fn told(output: &Path, compiled: &Compiled, files: &[OutFile], took: Duration) -> String {
+fn told(output: &Path, compiled: &Compiled, files: &[OutFile<'_>], took: Duration) -> String {
     let houses = counted(compiled.building.shell.houses.len(), "house");
     let size = bytes(files.iter().map(|f| f.bytes.len()).sum());
     let place = match output.as_os_str() == STDIN {

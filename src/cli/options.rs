@@ -79,7 +79,13 @@ impl Reading {
                 Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
                 Some(parent) => parent,
             };
-            for folder in [own.to_owned(), own.join("textures")] {
+            // Joined to ".", names in messages would begin with "./".
+            let below = if own == Path::new(".") {
+                Path::new("")
+            } else {
+                own
+            };
+            for folder in [own.to_owned(), below.join("textures")] {
                 if !folders.contains(&folder) {
                     folders.push(folder);
                 }

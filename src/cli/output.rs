@@ -51,20 +51,20 @@ impl Model {
     }
 
     /// All files of a model, the main one last. `path` names the main one.
-    pub(super) fn files(
+    pub(super) fn files<'a>(
         self,
-        scene: &Scene,
-        images: &dyn Images,
+        scene: &'a Scene,
+        images: &'a dyn Images,
         path: &Path,
         beside: bool,
-    ) -> Result<Vec<OutFile>, Stop> {
+    ) -> Result<Vec<OutFile<'a>>, Stop> {
         let stem = path
             .file_stem()
             .map(|s| s.to_string_lossy())
             .unwrap_or_default();
-        let one = |bytes| OutFile {
+        let one = |bytes: Vec<u8>| OutFile {
             name: String::new(),
-            bytes,
+            bytes: bytes.into(),
         };
         let mut files = match self {
             Model::Glb if beside => gltf::glb_beside(scene, images, &stem),
@@ -88,7 +88,7 @@ impl Model {
 }
 
 /// Puts the files of a model beside `path`.
-pub(super) fn write(path: &Path, files: &[OutFile]) -> Result<(), Stop> {
+pub(super) fn write(path: &Path, files: &[OutFile<'_>]) -> Result<(), Stop> {
     if path.as_os_str() == STDIN {
         let mut out = io::stdout().lock();
         for file in files {

@@ -70,6 +70,9 @@ pub(super) struct Found {
 
 const RECENT: usize = 256;
 
+/// A search costs time, and a text of 100,000 unknown codes has no use for 100,000 suggestions.
+const SEARCHES: u32 = 500;
+
 /// The catalogue and the pictures, with what was looked up before.
 pub(super) struct Codes<'a> {
     pub(super) catalog: &'a Catalog,
@@ -78,6 +81,8 @@ pub(super) struct Codes<'a> {
     names: BTreeMap<String, Option<PictureId>>,
     /// Codes seen lately: old texts repeat a dozen codes hundreds of thousands of times.
     recent: Vec<Option<([u8; 5], Found)>>,
+    /// Searches for near spellings that are left.
+    searches: u32,
 }
 
 impl<'a> Codes<'a> {
@@ -88,6 +93,7 @@ impl<'a> Codes<'a> {
             pictures: vec![],
             names: BTreeMap::new(),
             recent: vec![None; RECENT],
+            searches: SEARCHES,
         }
     }
 
@@ -190,8 +196,12 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The nearest spellings of the catalogue.
-    pub(super) fn nearest(&self, code: &str) -> Vec<String> {
+    /// The nearest spellings of the catalogue, as long as there is use in more of them.
+    pub(super) fn nearest(&mut self, code: &str) -> Vec<String> {
+        if self.searches == 0 {
+            return vec![];
+        }
+        self.searches -= 1;
         let near = self.catalog.nearest(code).into_iter();
         near.map(|id| self.catalog.part(id).code().to_owned())
             .collect()

@@ -81,20 +81,21 @@ fn place_one<'h>(
     out: &mut Diagnostics,
 ) -> Option<Placed<'h>> {
     let shape = line.style.shape.map_or(RoofShape::Gable, |s| s.value);
-    let tops = || levels.iter().map(|l| l.storey.z1);
+    let placed = |(level, base): (usize, f64)| Placed {
+        line,
+        level,
+        cell,
+        base,
+        shape,
+    };
     let Some(height) = line.height else {
-        let (level, base) = topmost(house, line, &cell, shape, levels)?;
-        return Some(Placed {
-            line,
-            level,
-            cell,
-            base,
-            shape,
-        });
+        let place = topmost(house, line, &cell, shape, levels)?;
+        return Some(placed(place));
     };
     let base = height.value * SHAKU;
     let gap = |top: f64| (top - base).abs();
-    let (level, top) = tops()
+    let tops = levels.iter().map(|l| l.storey.z1);
+    let (level, top) = tops
         .enumerate()
         .min_by(|p, q| gap(p.1).total_cmp(&gap(q.1)))?;
     if gap(top) > 3.0 * SHAKU + 1e-6 {
@@ -106,13 +107,7 @@ fn place_one<'h>(
             top / SHAKU,
         ));
     }
-    Some(Placed {
-        line,
-        level,
-        cell,
-        base,
-        shape,
-    })
+    Some(placed((level, base)))
 }
 
 /// Level and height of a line with `*`.
@@ -159,7 +154,7 @@ fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
     let may_stand_out = matches!(one.shape, RoofShape::LeanTo | RoofShape::Karahafu);
     if inside == 0 {
         if !may_stand_out {
-            out.push(say::over_no_wall(place, one.shape));
+            out.push(say::over_no_wall(place, one.shape.letters()));
         }
     } else if inside < whole && !may_stand_out {
         out.push(say::partly_outside(
@@ -202,14 +197,18 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
     if let Some(shape) = style.shape
         && !is_built(shape.value)
     {
-        out.push(say::not_built_yet(shape.span, shape.value));
+        out.push(say::not_built_yet(shape.span, shape.value.letters()));
     }
     let Some(direction) = line.direction else {
         return;
     };
     let one_sided = matches!(one.shape, RoofShape::LeanTo | RoofShape::Pent);
     if one.shape != RoofShape::Flat && one_sided != fall(direction.value).is_some() {
-        out.push(say::odd_direction(direction.span, one.shape, one_sided));
+        out.push(say::odd_direction(
+            direction.span,
+            one.shape.letters(),
+            one_sided,
+        ));
     }
     if let Some(ridge) = ridge(direction.value)
         && !one_sided
@@ -221,7 +220,8 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
         } else {
             (depth, width)
         };
-        if span > length && span > 6 * STEPS {
+        // Hira-iri houses are commonly somewhat deeper than wide; twice as deep is a slip.
+        if span >= 2 * length && span > 6 * STEPS {
             out.push(say::long_span(direction.span, span as f64 / STEPS as f64));
         }
     }
@@ -235,7 +235,12 @@ pub(super) fn check_pitch(
 ) {
     let band = band(kind);
     if pitch.value < band.0 - 1e-9 || pitch.value > band.1 + 1e-9 {
-        out.push(say::odd_pitch(pitch.span, pitch.value, kind, band));
+        let of = |k: &&(char, crate::ast::RoofKind)| k.1 == kind;
+        let letter = crate::ast::RoofKind::ALL
+            .iter()
+            .find(of)
+            .map_or('K', |k| k.0);
+        out.push(say::odd_pitch(pitch.span, pitch.value, letter, band));
     }
 }
 

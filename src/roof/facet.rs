@@ -81,41 +81,33 @@ pub(super) fn cut(
     pieces: Vec<Vec<Corner>>,
     cutter: &Cutter<'_>,
 ) -> Vec<Vec<Corner>> {
-    let mut left = Vec::with_capacity(pieces.len());
-    match standing(facet.plane, cutter.plane) {
-        Standing::Below => {
-            let sides = edges(cutter.body);
-            pieces
-                .into_iter()
-                .for_each(|p| subtract(p, &sides, &mut left));
-        }
+    let sides = match standing(facet.plane, cutter.plane) {
+        Standing::Above => return pieces,
+        Standing::Level if !cutter.first => return cut_verges(facet, pieces, cutter),
+        Standing::Below | Standing::Level => edges(cutter.body),
         Standing::Crossing(higher) => {
             let mut sides = vec![higher];
             sides.extend(edges(cutter.body));
-            pieces
-                .into_iter()
-                .for_each(|p| subtract(p, &sides, &mut left));
+            sides
         }
-        Standing::Level if cutter.first => {
-            let sides = edges(cutter.body);
-            pieces
-                .into_iter()
-                .for_each(|p| subtract(p, &sides, &mut left));
-        }
-        // At the same height the other's body wins over a verge.
-        Standing::Level => {
-            let (mine, sides) = (edges(&facet.body), edges(cutter.body));
-            for piece in pieces {
-                let mut verges = Vec::new();
-                if let Some(body) = split_off(piece, &mine, &mut verges) {
-                    left.push(body);
-                }
-                verges
-                    .into_iter()
-                    .for_each(|p| subtract(p, &sides, &mut left));
-            }
-        }
-        Standing::Above => return pieces,
+    };
+    let mut left = Vec::with_capacity(pieces.len());
+    pieces
+        .into_iter()
+        .for_each(|p| subtract(p, &sides, &mut left));
+    left
+}
+
+/// At the same height a facet keeps its body, and its verges give way to the other's body.
+fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> Vec<Vec<Corner>> {
+    let (mine, sides) = (edges(&facet.body), edges(cutter.body));
+    let mut left = Vec::with_capacity(pieces.len());
+    for piece in pieces {
+        let mut verges = Vec::new();
+        left.extend(split_off(piece, &mine, &mut verges));
+        verges
+            .into_iter()
+            .for_each(|p| subtract(p, &sides, &mut left));
     }
     left
 }

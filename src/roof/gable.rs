@@ -6,10 +6,11 @@
 use super::barge::barge;
 use super::facet::Facet;
 use super::form::{Form, RidgeLine};
-use super::frame::{Frame, Rect};
+use super::frame::{Frame, Plane, Rect};
 use super::gable_wall::gable_wall;
 use super::look::Look;
 use super::ridge::Side;
+use crate::building::Solid;
 
 /// What a gable does at one end of its ridge.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -52,24 +53,6 @@ impl Gable {
         self.slope(&frame, self.ends, &mut facets);
         let far = Frame::new(&self.rect, self.near.opposite());
         self.slope(&far, [self.ends[1], self.ends[0]], &mut facets);
-        let mut solids = Vec::with_capacity(8);
-        for (end, outward, u) in self.outer_ends(&frame) {
-            if end.wall {
-                solids.push(gable_wall(
-                    &frame, u, outward, self.base, &self.look, end.verge,
-                ));
-            }
-            if end.board {
-                solids.push(barge(
-                    &frame,
-                    u + outward * end.verge,
-                    outward,
-                    self.base,
-                    &self.look,
-                    end.open,
-                ));
-            }
-        }
         let [start, end] = self.ends;
         let top = self.base + drop + self.look.pitch * frame.depth / 2.0;
         let ridge = RidgeLine {
@@ -82,10 +65,33 @@ impl Gable {
             drop,
             floor: self.base + drop + 1e-4,
             ridges: vec![ridge],
-            solids,
+            solids: self.walls(&frame),
             under: None,
             hung: false,
         }
+    }
+
+    /// Gable walls and barge boards.
+    fn walls(&self, frame: &Frame) -> Vec<Solid> {
+        let mut solids = Vec::with_capacity(8);
+        for (end, outward, u) in self.outer_ends(frame) {
+            if end.wall {
+                solids.push(gable_wall(
+                    frame, u, outward, self.base, &self.look, end.verge,
+                ));
+            }
+            if end.board {
+                solids.push(barge(
+                    frame,
+                    u + outward * end.verge,
+                    outward,
+                    self.base,
+                    &self.look,
+                    end.open,
+                ));
+            }
+        }
+        solids
     }
 
     /// Both ends with the direction out of the roof along u and where their wall stands.
@@ -115,36 +121,34 @@ impl Gable {
             &body.map(|(u, v)| frame.at(u, v)),
             plane,
         ));
-        // Beyond the wall rectangle it stands inside another roof: no eaves.
         if start.reach > 0.0 {
-            let (outer, wall) = (-start.reach - start.verge, -start.reach);
-            let outline = [
-                (frame.at(outer, 0.0), false),
-                (frame.at(0.0, 0.0), false),
-                (frame.at(0.0, ridge), false),
-                (frame.at(outer, ridge), start.verge > 0.0),
-            ];
-            let body = [(wall, 0.0), (0.0, 0.0), (0.0, ridge), (wall, ridge)];
-            facets.push(Facet::new(
-                &outline,
-                &body.map(|(u, v)| frame.at(u, v)),
-                plane,
-            ));
+            let (wall, outer) = (-start.reach, -start.reach - start.verge);
+            facets.push(extension(frame, [outer, 0.0], [wall, 0.0], plane));
         }
         if end.reach > 0.0 {
-            let (wall, outer) = (length + end.reach, length + end.reach + end.verge);
-            let outline = [
-                (frame.at(length, 0.0), false),
-                (frame.at(outer, 0.0), end.verge > 0.0),
-                (frame.at(outer, ridge), false),
-                (frame.at(length, ridge), false),
-            ];
-            let body = [(length, 0.0), (wall, 0.0), (wall, ridge), (length, ridge)];
-            facets.push(Facet::new(
-                &outline,
-                &body.map(|(u, v)| frame.at(u, v)),
+            let wall = length + end.reach;
+            facets.push(extension(
+                frame,
+                [length, wall + end.verge],
+                [length, wall],
                 plane,
             ));
         }
     }
+}
+
+/// A slope beyond its wall rectangle, over u from and to: it stands inside another roof, so it has no
+/// eaves. `body` is the part without verge.
+fn extension(frame: &Frame, outer: [f64; 2], body: [f64; 2], plane: Plane) -> Facet {
+    let ridge = frame.depth / 2.0;
+    let [from, to] = outer;
+    let outline = [
+        (frame.at(from, 0.0), false),
+        (frame.at(to, 0.0), to > body[1]),
+        (frame.at(to, ridge), false),
+        (frame.at(from, ridge), from < body[0]),
+    ];
+    let [from, to] = body;
+    let body = [(from, 0.0), (to, 0.0), (to, ridge), (from, ridge)];
+    Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane)
 }

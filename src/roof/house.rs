@@ -7,7 +7,7 @@ use super::explicit::{self, Placed};
 use super::flat;
 use super::forms::{Context, Planned};
 use super::frame::Rect;
-use super::level::{Level, first_line, is_facade, levels};
+use super::level::{Level, Point, first_line, is_facade, levels};
 use super::partition::Method;
 use super::plan::{Cell, Plan};
 use super::ridge::{Region, Ridge, Role, regions};
@@ -64,7 +64,7 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
         && !explicit::is_built(shape.value)
         && levels.iter().any(|l| l.orthogonal && !l.is_open())
     {
-        out.push(say::not_built_yet(shape.span, shape.value));
+        out.push(say::not_built_yet(shape.span, shape.value.letters()));
     }
     for pair in levels.windows(2) {
         report_overhang(&pair[0], &pair[1], out);
@@ -111,36 +111,44 @@ fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
     let (p, q) = first_line(ground.storey)?;
     let (r, s) = first_line(upper.storey)?;
     let depth = (3.0 * crate::geometry::SHAKU / house.unit * STEPS as f64).round() as i64;
-    // Outward of the walk: to its left, which the author's frame turns over.
-    if p.1 == q.1 && r.1 == p.1 && s.1 == p.1 && p.0 != q.0 {
-        let (b0, b1) = if q.0 > p.0 {
-            (p.1 - depth, p.1)
-        } else {
-            (p.1, p.1 + depth)
-        };
-        let shared = r.0.min(s.0) < p.0.max(q.0) && p.0.min(q.0) < r.0.max(s.0);
-        return shared.then_some(Cell {
-            a0: p.0.min(q.0),
-            b0,
-            a1: p.0.max(q.0),
-            b1,
-        });
+    before_line([p, q, r, s], depth)
+}
+
+/// The rectangle before the line from p to q, if the one from r to s lies on it.
+fn before_line([p, q, r, s]: [Point; 4], depth: i64) -> Option<Cell> {
+    let (lines, turned) = match (p.1 == q.1, p.0 == q.0) {
+        (true, false) => ([p, q, r, s], false),
+        (false, true) => ([p, q, r, s].map(|(a, b)| (b, a)), true),
+        _ => return None,
+    };
+    let [p, q, r, s] = lines;
+    let overlap = r.0.min(s.0) < p.0.max(q.0) && p.0.min(q.0) < r.0.max(s.0);
+    if r.1 != p.1 || s.1 != p.1 || !overlap {
+        return None;
     }
-    if p.0 == q.0 && r.0 == p.0 && s.0 == p.0 && p.1 != q.1 {
-        let (a0, a1) = if q.1 > p.1 {
-            (p.0, p.0 + depth)
-        } else {
-            (p.0 - depth, p.0)
-        };
-        let shared = r.1.min(s.1) < p.1.max(q.1) && p.1.min(q.1) < r.1.max(s.1);
-        return shared.then_some(Cell {
-            a0,
-            b0: p.1.min(q.1),
-            a1,
-            b1: p.1.max(q.1),
-        });
-    }
-    None
+    // Outward of a walk with the interior on its right; exchanging the axes mirrors it.
+    let before = (q.0 > p.0) != turned;
+    let (b0, b1) = if before {
+        (p.1 - depth, p.1)
+    } else {
+        (p.1, p.1 + depth)
+    };
+    let cell = Cell {
+        a0: p.0.min(q.0),
+        b0,
+        a1: p.0.max(q.0),
+        b1,
+    };
+    Some(if turned {
+        Cell {
+            a0: cell.b0,
+            b0: cell.a0,
+            a1: cell.b1,
+            b1: cell.a1,
+        }
+    } else {
+        cell
+    })
 }
 
 /// One storey on its way to roofs.
@@ -211,12 +219,13 @@ impl Storey<'_, '_> {
         if self.house.roofs.mode == RoofMode::Auto && !open.loops.is_empty() {
             found = self.regions(context, &open);
         }
-        let shape = self
-            .house
-            .roofs
-            .style
-            .shape
-            .map_or(RoofShape::Gable, |s| s.value);
+        // A wall that rises round the roof on purpose hides a flat one.
+        let usual = if level.parapet {
+            RoofShape::Flat
+        } else {
+            RoofShape::Gable
+        };
+        let shape = self.house.roofs.style.shape.map_or(usual, |s| s.value);
         let flat = shape == RoofShape::Flat;
         if shape == RoofShape::BroadGable {
             broaden(&mut found);
@@ -292,7 +301,7 @@ impl Storey<'_, '_> {
             && shape.value != RoofShape::Flat
             && !rings.is_empty()
         {
-            out.push(say::flat_only(shape.span, shape.value));
+            out.push(say::flat_only(shape.span, shape.value.letters()));
         }
         rings
             .iter()

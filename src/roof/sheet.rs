@@ -256,50 +256,41 @@ impl Mesh {
     }
 
     fn solid(&self, faces: &[usize], rims: &[(u32, u32, bool)], drop: f64, coat: &Coat) -> Solid {
-        let mut number = vec![u32::MAX; self.points.len()];
-        let mut points = Vec::with_capacity(self.points.len() * 2);
-        let mut solid = Solid {
-            points: vec![],
-            faces: Vec::with_capacity(faces.len() * 2 + rims.len()),
-        };
-        for f in faces {
-            for (id, _) in &self.faces[*f] {
-                let place = &mut number[*id as usize];
-                if *place == u32::MAX {
-                    *place = points.len() as u32;
-                    let top = self.points[*id as usize];
-                    points.push(top);
-                    points.push(top - DVec3::Z * drop);
-                }
-            }
-        }
-        solid.points = points;
+        let (points, number) = self.doubled(faces, drop);
+        let mut all = Vec::with_capacity(faces.len() * 2 + rims.len());
         let top = |id: &u32| number[*id as usize];
+        let mut face = |corners: Vec<u32>, finish: Finish| all.push(Face { corners, finish });
         for f in faces {
-            let corners = self.faces[*f].iter().map(|(id, _)| top(id)).collect();
-            solid.faces.push(Face {
-                corners,
-                finish: coat.top,
-            });
-            let corners = self.faces[*f]
-                .iter()
-                .rev()
-                .map(|(id, _)| top(id) + 1)
-                .collect();
-            solid.faces.push(Face {
-                corners,
-                finish: coat.soffit,
-            });
+            let face_of = &self.faces[*f];
+            face(face_of.iter().map(|(id, _)| top(id)).collect(), coat.top);
+            face(
+                face_of.iter().rev().map(|(id, _)| top(id) + 1).collect(),
+                coat.soffit,
+            );
         }
         for (from, to, rim) in rims {
             let (p, q) = (top(from), top(to));
-            let finish = if *rim { coat.rim } else { coat.joint };
-            solid.faces.push(Face {
-                corners: vec![q, p, p + 1, q + 1],
-                finish,
-            });
+            face(
+                vec![q, p, p + 1, q + 1],
+                if *rim { coat.rim } else { coat.joint },
+            );
         }
-        solid
+        Solid { points, faces: all }
+    }
+
+    /// The points of some faces, each followed by the one below it, and their new numbers.
+    fn doubled(&self, faces: &[usize], drop: f64) -> (Vec<DVec3>, Vec<u32>) {
+        let mut number = vec![u32::MAX; self.points.len()];
+        let mut points = Vec::with_capacity(self.points.len() * 2);
+        for (id, _) in faces.iter().flat_map(|f| &self.faces[*f]) {
+            let place = &mut number[*id as usize];
+            if *place == u32::MAX {
+                *place = points.len() as u32;
+                let top = self.points[*id as usize];
+                points.extend([top, top - DVec3::Z * drop]);
+            }
+        }
+        (points, number)
     }
 }
 

@@ -17,7 +17,10 @@ fn fixture(code: u16) -> (String, Vec<u8>) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/diagnostics");
     let prefix = format!("HSD{code:04}_");
     let files = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap());
-    let mut found = files.filter(|f| f.file_name().to_string_lossy().starts_with(&prefix));
+    let mut found = files.filter(|f| {
+        let name = f.file_name().to_string_lossy().into_owned();
+        name.starts_with(&prefix) && name.ends_with(".hsd")
+    });
     let file = found.next().unwrap_or_else(|| panic!("no {prefix}*.hsd"));
     assert!(found.next().is_none(), "two of {prefix}");
     let name = file.file_name().to_string_lossy().into_owned();

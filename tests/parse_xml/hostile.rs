@@ -177,6 +177,13 @@ fn a_heap_of_anything_is_read_at_once() {
         "<Rwo>\n</Rwo",
         "<a x='\n<",
         "<a\nb\nc",
+        "＜/a",
+        "<!D",
+        "<!-",
+        "<![",
+        "<?>",
+        "<!DOCTYPE>",
+        "&a b ",
     ];
     for bit in bits {
         for (before, after) in [

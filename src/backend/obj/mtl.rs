@@ -9,14 +9,14 @@ use std::fmt::Write as _;
 const SHADE: f64 = 0.5 / 0.8;
 
 /// The text, and the pictures it names in `folder`.
-pub(super) fn mtl(
+pub(super) fn mtl<'a>(
     scene: &Scene,
     used: &[bool],
-    images: &dyn Images,
+    images: &'a dyn Images,
     folder: &str,
-) -> (String, Vec<OutFile>) {
+) -> (String, Vec<OutFile<'a>>) {
     let mut out = format!("# hsd {}\n", env!("CARGO_PKG_VERSION"));
-    let mut files: Vec<OutFile> = vec![];
+    let mut files = vec![];
     for (material, _) in scene.materials.iter().zip(used).filter(|(_, used)| **used) {
         plain(&mut out, material);
         let picture = match &material.image {
@@ -60,7 +60,7 @@ fn display(linear: f64) -> f64 {
 
 /// The path of a picture, which is added to the files where it is new; another picture of the same name gets
 /// a number.
-fn file(files: &mut Vec<OutFile>, picture: &PictureBytes<'_>, folder: &str) -> String {
+fn file<'a>(files: &mut Vec<OutFile<'a>>, picture: &PictureBytes<'a>, folder: &str) -> String {
     let mut k = 1;
     loop {
         let number = if k == 1 {
@@ -70,12 +70,12 @@ fn file(files: &mut Vec<OutFile>, picture: &PictureBytes<'_>, folder: &str) -> S
         };
         let name = format!("{folder}/{number}{}", one_word(&picture.name));
         match files.iter().find(|f| f.name.eq_ignore_ascii_case(&name)) {
-            Some(same) if same.bytes == picture.bytes => return same.name.clone(),
+            Some(same) if *same.bytes == *picture.bytes => return same.name.clone(),
             Some(_) => k += 1,
             None => {
                 files.push(OutFile {
                     name: name.clone(),
-                    bytes: picture.bytes.to_vec(),
+                    bytes: picture.bytes.into(),
                 });
                 return name;
             }

@@ -1,18 +1,17 @@
 //! Messages about roofs (HSD05xx).
 
-use crate::ast::{RoofKind, RoofShape};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 
-/// The Japanese name and the letter of a covering.
-fn covering(kind: RoofKind) -> &'static str {
+/// The name and the letter of a covering.
+fn covering(kind: char) -> &'static str {
     match kind {
-        RoofKind::Tiles => "tiles (K)",
-        RoofKind::Boards => "boards (I)",
-        RoofKind::Shingles => "shingles (S)",
-        RoofKind::Bark => "bark (H)",
-        RoofKind::Thatch => "thatch (Y)",
-        RoofKind::Metal => "metal (T)",
+        'K' => "tiles (K)",
+        'I' => "boards (I)",
+        'S' => "shingles (S)",
+        'H' => "bark (H)",
+        'Y' => "thatch (Y)",
+        _ => "metal (T)",
     }
 }
 
@@ -36,14 +35,11 @@ pub fn open_facade(wished: Span, walk: Span, storey: u32) -> Diagnostic {
 
 /// A roof line beside the house.
 #[cold]
-pub fn over_no_wall(line: Span, shape: RoofShape) -> Diagnostic {
+pub fn over_no_wall(line: Span, shape: &str) -> Diagnostic {
     Diagnostic::warning(
         502,
         line,
-        format!(
-            "this {} roof stands over no wall of its storey",
-            shape.letters()
-        ),
+        format!("this {} roof stands over no wall of its storey", shape),
     )
     .help(
         "give the rectangle in units from the house's origin: a to the left along the first line, \
@@ -112,7 +108,7 @@ pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
 
 /// A pitch that the covering does not bear.
 #[cold]
-pub fn odd_pitch(span: Span, pitch: f64, kind: RoofKind, band: (f64, f64)) -> Diagnostic {
+pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagnostic {
     let why = if pitch < band.0 {
         "too gentle: rain comes in"
     } else {
@@ -165,11 +161,11 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
 
 /// A shape of a later version.
 #[cold]
-pub fn not_built_yet(span: Span, shape: RoofShape) -> Diagnostic {
+pub fn not_built_yet(span: Span, shape: &str) -> Diagnostic {
     Diagnostic::note(
         510,
         span,
-        format!("{} is built as a gable by this version", shape.letters()),
+        format!("{} is built as a gable by this version", shape),
     )
     .help("write KIR if a gable is meant")
 }
@@ -216,7 +212,7 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64) -> Diagnostic {
 
 /// A fall for a two-sided roof, or a ridge for a single slope.
 #[cold]
-pub fn odd_direction(direction: Span, shape: RoofShape, one_sided: bool) -> Diagnostic {
+pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnostic {
     let (message, help) = match one_sided {
         true => (
             "has one slope and no ridge to turn",
@@ -227,18 +223,18 @@ pub fn odd_direction(direction: Span, shape: RoofShape, one_sided: bool) -> Diag
             "write X (ridge parallel to the first line) or Y",
         ),
     };
-    Diagnostic::warning(514, direction, format!("{} {message}", shape.letters())).help(help)
+    Diagnostic::warning(514, direction, format!("{} {message}", shape)).help(help)
 }
 
 /// A sloped roof wished for a plan that has no rectangles.
 #[cold]
-pub fn flat_only(span: Span, shape: RoofShape) -> Diagnostic {
+pub fn flat_only(span: Span, shape: &str) -> Diagnostic {
     Diagnostic::note(
         515,
         span,
         format!(
             "{} is built flat by this version where walls are not at right angles",
-            shape.letters()
+            shape
         ),
     )
     .help("write RIK if a flat roof is meant, or give roof lines for rectangles")

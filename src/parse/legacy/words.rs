@@ -114,24 +114,9 @@ pub(super) fn nearest<'c>(word: &str, candidates: &[&'c str]) -> Option<&'c str>
     if lower.len() > 32 {
         return None;
     }
-    let score = |c: &&'c str| (distance(&lower, &c.to_ascii_lowercase()), *c);
+    let score = |c: &&'c str| (strsim::osa_distance(&lower, &c.to_ascii_lowercase()), *c);
     let (edits, best) = candidates.iter().map(score).min()?;
     (edits * 3 <= best.len().max(3) + 1).then_some(best)
-}
-
-/// Insertions, deletions and changes from one word to the other (Levenshtein).
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, ca) in a.chars().enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, cb) in b.iter().enumerate() {
-            let change = diagonal + usize::from(ca != *cb);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(diagonal + 1).min(row[j] + 1);
-        }
-    }
-    row.last().copied().unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -1,14 +1,23 @@
-//! The text of an XML file as tokens: start tags, end tags, text. Nothing stops it.
+//! The markup of an XML file as tokens: what quick-xml reads in it, and how to go on where that is not well-formed.
 //!
-//! A general XML reader runs to the end of the file after an unclosed quote, tag or comment, and starting it again
-//! there is quadratic in a file full of them. This scanner knows that `<` cannot stand inside a tag: whatever is
-//! left open ends at the next line that begins with `<`, and every byte is looked at a bounded number of times.
-//! The tests hold its tokens of well-formed texts against quick-xml's.
+//! Left to itself quick-xml runs to the end of the file after an unclosed quote or tag, and starting it again is
+//! quadratic in a file full of them. No tag holds a `<`, so quick-xml is asked for one event at a time and sees a
+//! tag no further than the next `<`; a comment and its like may hold one and get the rest of the file, until an end
+//! of their kind was looked for in vain. Whatever is left open ends at the next line that begins with `<`.
 
 use super::faults::Faults;
 use super::tag::{Attribute, is_blank, is_name_start, narrow};
 use crate::diagnostic::messages::xml as say;
+use quick_xml::{Reader, events::Event};
 use std::ops::Range;
+
+/// What may hold a `<`: how it begins, what it is, how it ends. A document type is refused, ended or not.
+const ENCLOSED: [(&str, &str, &str); 4] = [
+    ("<!--", "comment `<!--`", "-->"),
+    ("<![CDATA[", "text section `<![CDATA[`", "]]>"),
+    ("<?", "processing instruction `<?`", "?>"),
+    ("<!DOCTYPE", "", ">"),
+];
 
 /// A piece of the file.
 pub(super) enum Token<'a> {
@@ -44,8 +53,8 @@ pub(super) struct Scanner<'a, 'f> {
     pub(super) faults: &'f mut Faults<'a>,
     pub(super) text: &'a str,
     pub(super) at: usize,
-    /// Ends that were looked for in vain, so that nobody looks again.
-    missing: Vec<&'static str>,
+    /// Which of [`ENCLOSED`] were without an end, so that nobody looks for one again.
+    endless: [bool; ENCLOSED.len()],
 }
 
 impl<'a, 'f> Scanner<'a, 'f> {
@@ -54,26 +63,68 @@ impl<'a, 'f> Scanner<'a, 'f> {
             text: faults.source.text(),
             faults,
             at: 0,
-            missing: vec![],
+            endless: [false; ENCLOSED.len()],
         }
     }
 
     /// The next token.
     pub(super) fn token(&mut self) -> Option<Token<'a>> {
-        loop {
-            let start = self.at;
-            if start >= self.text.len() {
-                return None;
-            }
-            if !self.opens_markup() {
-                self.at = self.text_end();
-                self.check_text(start..self.at);
-                return Some(Token::Text(start..self.at));
-            }
-            if let Some(token) = self.markup() {
-                return Some(token);
+        while self.at < self.text.len() {
+            let token = if self.opens_markup() {
+                self.markup()
+            } else {
+                Some(Token::Text(self.plain()))
+            };
+            if token.is_some() {
+                return token;
             }
         }
+        None
+    }
+
+    /// The next token, if the markup here is one and no comment or the like.
+    fn markup(&mut self) -> Option<Token<'a>> {
+        let start = self.at;
+        let token = match self.event() {
+            Some(Event::Start(tag) | Event::Empty(tag)) => {
+                self.sound_start(start, &tag).map(Token::Start)
+            }
+            Some(Event::End(tag)) => self.sound_end(start, &tag).map(Token::End),
+            Some(Event::CData(text)) => {
+                let range = start + 9..self.at - 3;
+                return (!text.is_empty()).then_some(Token::Verbatim(range));
+            }
+            Some(Event::Comment(_)) => return self.check_comment(start..self.at),
+            Some(Event::DocType(_)) => return self.refuse(start),
+            event => return event.map_or_else(|| self.unsound(), |_| None),
+        };
+        token.or_else(|| {
+            self.at = start;
+            self.unsound()
+        })
+    }
+
+    /// What quick-xml makes of the markup here; it is stepped over then.
+    fn event(&mut self) -> Option<Event<'a>> {
+        let rest = self.rest();
+        let inner = rest.strip_prefix('<')?;
+        let kind = ENCLOSED.iter().position(|k| rest.starts_with(k.0));
+        let end = match kind {
+            Some(kind) if self.endless[kind] => return None,
+            Some(_) => rest.len(),
+            None => inner.find('<').map_or(rest.len(), |i| 1 + i),
+        };
+        let mut reader = Reader::from_str(&rest[..end]);
+        reader.config_mut().check_end_names = false;
+        reader.config_mut().allow_unmatched_ends = true;
+        let event = reader.read_event().ok();
+        let read = reader.buffer_position() as usize;
+        if event.is_some() {
+            self.at += read;
+        } else if let (Some(kind), true) = (kind, read == end) {
+            self.endless[kind] = true;
+        }
+        event
     }
 
     /// The text from here on.
@@ -88,13 +139,12 @@ impl<'a, 'f> Scanner<'a, 'f> {
 
     /// Steps over a character, and reports it if it is a full-width one.
     pub(super) fn bump(&mut self) {
-        if let Some(c) = self.peek() {
-            let range = self.at..self.at + c.len_utf8();
-            if let Some(narrow) = narrow(c) {
-                self.faults
-                    .at(&range, |s| say::full_width_markup(s, c, narrow));
-            }
-            self.at = range.end;
+        let Some(c) = self.peek() else { return };
+        let range = self.at..self.at + c.len_utf8();
+        self.at = range.end;
+        if let Some(narrow) = narrow(c) {
+            let message = |s| say::full_width_markup(s, c, narrow);
+            self.faults.at(&range, message);
         }
     }
 
@@ -119,7 +169,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
             Some('<') => true,
             Some('＜') => rest
                 .next()
-                .is_some_and(|c| matches!(c, '/' | '／' | '!' | '?') || c.is_ascii_alphabetic()),
+                .is_some_and(|c| matches!(c, '/' | '／') || c.is_ascii_alphabetic()),
             _ => false,
         }
     }
@@ -138,43 +188,28 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.text.len()
     }
 
-    fn text_end(&self) -> usize {
-        let rest = self.rest();
-        let mut marks = rest.match_indices(['<', '＜']).map(|(i, _)| self.at + i);
-        let first = marks.next().unwrap_or(self.text.len());
-        // A full-width sign that opens nothing is a text of its own, so that it is never gone over twice.
-        if first == self.at {
-            first + self.peek().map_or(0, char::len_utf8)
-        } else {
-            first
+    /// Steps over text up to the next markup.
+    fn plain(&mut self) -> Range<usize> {
+        let (start, rest) = (self.at, self.rest());
+        // The first character opens no markup, even if it is a full-width sign.
+        let first = self.peek().map_or(0, char::len_utf8);
+        let end = rest[first..].find(['<', '＜']);
+        self.at += end.map_or(rest.len(), |i| first + i);
+        for (i, end) in self.text[start..self.at].match_indices("]]>") {
+            let range = start + i..start + i + end.len();
+            self.faults.at(&range, say::stray_cdata_end);
         }
+        start..self.at
     }
 
-    fn check_text(&mut self, range: Range<usize>) {
-        let mut from = range.start;
-        while let Some(found) = self.text[from..range.end].find("]]>") {
-            let at = from + found;
-            self.faults.at(&(at..at + 3), say::stray_cdata_end);
-            from = at + 3;
-        }
-    }
-
-    fn markup(&mut self) -> Option<Token<'a>> {
+    /// Reads markup that is not well-formed; what is wrong with it is reported.
+    fn unsound(&mut self) -> Option<Token<'a>> {
         let start = self.at;
         let open = self.peek().map_or(1, char::len_utf8);
         let inner = &self.text[start + open..];
         let next = inner.trim_start_matches(is_blank).chars().next();
-        if inner.starts_with("!--") {
-            self.comment(start, open);
-            None
-        } else if inner.starts_with("![CDATA[") {
-            self.cdata(start, open)
-        } else if inner.starts_with('!') {
-            self.declaration(start);
-            None
-        } else if inner.starts_with('?') {
-            self.enclosed(start, open + 1, "?>", "processing instruction `<?`");
-            None
+        if inner.starts_with(['!', '?']) {
+            self.endless(start)
         } else if inner.starts_with('>') {
             self.at += open + 1;
             self.faults.at(&(start..self.at), say::nameless_tag);
@@ -212,12 +247,14 @@ impl<'a, 'f> Scanner<'a, 'f> {
         let name_end = self.at;
         self.blanks();
         let junk = self.at;
-        while self
-            .peek()
-            .is_some_and(|c| !matches!(c, '>' | '＞' | '<' | '\n'))
-        {
-            self.at += self.peek().map_or(0, char::len_utf8);
-        }
+        let rest = self.rest();
+        // Stopping at every end tag keeps a line full of full-width ones linear.
+        let stops = |&(i, c): &(usize, char)| match c {
+            '＜' => rest[i + c.len_utf8()..].starts_with(['/', '／']),
+            c => matches!(c, '>' | '＞' | '<' | '\n'),
+        };
+        let stop = rest.char_indices().find(stops);
+        self.at += stop.map_or(rest.len(), |(i, _)| i);
         if matches!(self.peek(), Some('>' | '＞')) {
             if self.at > junk {
                 self.faults.at(&(junk..self.at), say::junk_in_end_tag);
@@ -232,96 +269,50 @@ impl<'a, 'f> Scanner<'a, 'f> {
         Some(Token::End(EndTag { name, range }))
     }
 
-    fn comment(&mut self, start: usize, open: usize) {
-        let from = start + open + 3;
-        if !self.enclosed(start, open + 3, "-->", "comment `<!--`") {
-            return;
-        }
-        let inside = &self.text[from..self.at - 3];
-        if let Some(found) = inside.find("--").or(inside.ends_with('-').then(|| {
-            // `--->`: the last dash touches the end.
-            inside.len() - 1
-        })) {
-            let at = from + found;
-            let open = start..from;
-            if self.text[..at].ends_with("<!") {
-                let open = self.faults.span(&open);
-                self.faults
-                    .at(&(at - 2..at + 2), |s| say::comment_in_comment(s, open));
-            } else {
-                self.faults.at(&(at..at + 2), say::dashes_in_comment);
-            }
-        }
-    }
-
-    fn cdata(&mut self, start: usize, open: usize) -> Option<Token<'a>> {
-        let from = start + open + 8;
-        let done = self.enclosed(start, open + 8, "]]>", "text section `<![CDATA[`");
-        let range = from..self.at.saturating_sub(3);
-        (done && !range.is_empty()).then_some(Token::Verbatim(range))
-    }
-
-    /// Steps over something up to its end mark; without one, up to the next line that begins with `<`.
-    fn enclosed(&mut self, start: usize, open: usize, end: &'static str, what: &str) -> bool {
-        self.at = start + open;
-        let found = (!self.missing.contains(&end)).then(|| self.rest().find(end));
-        if let Some(Some(found)) = found {
-            self.at += found + end.len();
-            return true;
-        }
-        self.give_up(end);
-        self.faults
-            .at(&(start..self.at), |s| say::not_ended(s, what, end));
-        self.at = self.resumption();
-        false
-    }
-
-    fn give_up(&mut self, end: &'static str) {
-        if !self.missing.contains(&end) {
-            self.missing.push(end);
-        }
-    }
-
-    /// Steps over `<!DOCTYPE ...>`, which is refused whatever it holds.
-    fn declaration(&mut self, start: usize) {
-        let keyword = self.rest().find(|c: char| is_blank(c) || c == '>');
-        let word = start..start + keyword.unwrap_or(self.rest().len());
-        self.faults.at(&word, say::document_type);
-        let end = (!self.missing.contains(&"doctype"))
-            .then(|| declaration_end(self.rest()))
-            .flatten();
-        if let Some(end) = end {
-            self.at += end;
+    /// Steps over something without an end.
+    fn endless(&mut self, start: usize) -> Option<Token<'a>> {
+        let kind = ENCLOSED.iter().find(|k| self.rest().starts_with(k.0));
+        if let Some((open, what, end)) = kind.filter(|k| !k.1.is_empty()) {
+            self.at += open.len();
+            let range = start..self.at;
+            self.faults.at(&range, |s| say::not_ended(s, what, end));
         } else {
-            self.give_up("doctype");
-            self.at = word.end;
-            self.at = self.resumption();
+            self.refuse(start);
+            let rest = self.rest();
+            let stop = rest.find(['<', '>']).unwrap_or(rest.len());
+            if rest[stop..].starts_with('>') {
+                self.at += stop + 1;
+                return None;
+            }
         }
+        self.at = self.resumption();
+        None
     }
-}
 
-/// Where a declaration ends that the text begins with: quotes and the brackets of its inside are passed.
-fn declaration_end(text: &str) -> Option<usize> {
-    let bytes = text.as_bytes();
-    let (mut at, mut depth) = (0, 0usize);
-    while at < bytes.len() {
-        match bytes[at] {
-            b'<' if bytes[at..].starts_with(b"<!--") => at += text[at..].find("-->")? + 2,
-            b'<' if bytes[at..].starts_with(b"<?") => at += text[at..].find("?>")? + 1,
-            b'<' | b'[' => depth += 1,
-            b']' => depth = depth.saturating_sub(1),
-            quote @ (b'"' | b'\'') => {
-                at += 1 + bytes[at + 1..].iter().position(|b| *b == quote)?;
-            }
-            b'>' => {
-                depth = depth.saturating_sub(1);
-                if depth == 0 {
-                    return Some(at + 1);
-                }
-            }
-            _ => {}
-        }
-        at += 1;
+    /// Reports `<!DOCTYPE ...>`, whatever it holds.
+    fn refuse(&mut self, start: usize) -> Option<Token<'a>> {
+        let word = &self.text[start..];
+        let end = word.find(|c| is_blank(c) || c == '>');
+        let range = start..start + end.unwrap_or(word.len());
+        self.at = self.at.max(range.end);
+        self.faults.at(&range, say::document_type);
+        None
     }
-    None
+
+    /// Reports dashes inside a comment, which quick-xml finds too but not where they are.
+    fn check_comment(&mut self, comment: Range<usize>) -> Option<Token<'a>> {
+        let (from, to) = (comment.start + 4, comment.end - 3);
+        let inside = &self.text[from..to];
+        // `--->`: the last dash touches the end.
+        let touching = inside.ends_with('-').then(|| inside.len() - 1);
+        let at = from + inside.find("--").or(touching)?;
+        if self.text[..at].ends_with("<!") {
+            let open = self.faults.span(&(comment.start..from));
+            self.faults
+                .at(&(at - 2..at + 2), |s| say::comment_in_comment(s, open));
+        } else {
+            self.faults.at(&(at..at + 2), say::dashes_in_comment);
+        }
+        None
+    }
 }

@@ -1,5 +1,7 @@
 //! Which known word the author may have meant.
 
+use strsim::osa_distance;
+
 /// Searches cost time, and a file of 100,000 unknown words has no use for 100,000 suggestions.
 const SEARCHES: u32 = 500;
 /// Longer words are no misspellings of ours.
@@ -31,7 +33,7 @@ impl Suggest {
         }
         self.left -= 1;
         let folded = fold(word);
-        let near = known.map(|k| (distance(&folded, &fold(k)), k));
+        let near = known.map(|k| (osa_distance(&folded, &fold(k)), k));
         near.filter(|(d, k)| *d <= allowance(k))
             .min_by_key(|(d, _)| *d)
             .map(|(_, k)| k)
@@ -44,7 +46,7 @@ pub(super) fn alike(word: &str, other: &str) -> bool {
     if lengths.0.max(lengths.1) > LONGEST || lengths.0.abs_diff(lengths.1) > allowance(other) {
         return false;
     }
-    distance(&fold(word), &fold(other)) <= allowance(other)
+    osa_distance(&fold(word), &fold(other)) <= allowance(other)
 }
 
 /// Slips that a word of this length may have.
@@ -63,7 +65,7 @@ fn folds(word: &str) -> impl Iterator<Item = char> + '_ {
     lower.map(|c| if c == '_' { '-' } else { c })
 }
 
-fn fold(word: &str) -> Vec<char> {
+fn fold(word: &str) -> String {
     folds(word).collect()
 }
 
@@ -74,30 +76,6 @@ pub(super) fn narrow_ascii(c: char) -> Option<char> {
         '\u{3000}' => Some(' '),
         _ => None,
     }
-}
-
-/// Letters to change, insert, leave out or swap with the next (optimal string alignment).
-fn distance(a: &[char], b: &[char]) -> usize {
-    let mut rows = [
-        vec![0; b.len() + 1],
-        vec![0; b.len() + 1],
-        vec![0; b.len() + 1],
-    ];
-    rows[1] = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        let [before, last, now] = &mut rows;
-        now[0] = i;
-        for j in 1..=b.len() {
-            let change = usize::from(a[i - 1] != b[j - 1]);
-            now[j] = (last[j - 1] + change).min(last[j] + 1).min(now[j - 1] + 1);
-            let swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-            if swapped {
-                now[j] = now[j].min(before[j - 2] + 1);
-            }
-        }
-        rows.rotate_left(1);
-    }
-    rows[1][b.len()]
 }
 
 #[cfg(test)]

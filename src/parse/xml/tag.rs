@@ -1,9 +1,11 @@
-//! Start tags: names and attributes, with everything that can be wrong inside `<` and `>`.
+//! Tags: those that quick-xml reads and nothing is wrong with, and everything that can be wrong inside `<` and `>`.
 
 use super::faults::Faults;
-use super::scan::{Scanner, StartTag};
+use super::scan::{EndTag, Scanner, StartTag};
 use super::text::{Run, Text};
 use crate::diagnostic::messages::xml as say;
+use quick_xml::events::{BytesEnd, BytesStart};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// `name="value"`.
@@ -68,16 +70,61 @@ fn is_name(name: &str) -> bool {
     name.starts_with(is_name_start) && name.chars().all(fits)
 }
 
-/// Reports a name that XML does not allow; whether it is one.
-fn check_name(name: &str, range: &Range<usize>, faults: &mut Faults<'_>) -> bool {
-    let good = is_name(name);
-    if !good {
-        faults.at(range, |s| say::bad_name(s, name));
-    }
-    good
-}
-
 impl<'a> Scanner<'a, '_> {
+    /// The tag that quick-xml has read, if nothing is wrong with it.
+    pub(super) fn sound_start(
+        &mut self,
+        start: usize,
+        tag: &BytesStart<'_>,
+    ) -> Option<StartTag<'a>> {
+        let name_range = self.sound_name(tag.name().as_ref())?;
+        let mut places = vec![];
+        for attribute in tag.attributes() {
+            let attribute = attribute.ok()?;
+            let name = self.sound_name(attribute.key.as_ref())?;
+            self.text[..name.start].ends_with(is_blank).then_some(())?;
+            places.push((name, self.range(&attribute.value)));
+        }
+        let places = places.into_iter();
+        Some(StartTag {
+            name: &self.text[name_range.clone()],
+            name_range,
+            range: start..self.at,
+            attributes: places
+                .map(|(n, v)| self.resolved(n, v.end + 1, v))
+                .collect(),
+            empty: self.text[..self.at].ends_with("/>"),
+            closed: true,
+        })
+    }
+
+    /// The end tag that quick-xml has read, if nothing is wrong with it.
+    pub(super) fn sound_end(&self, start: usize, tag: &BytesEnd<'_>) -> Option<EndTag<'a>> {
+        let name = &self.text[self.sound_name(tag.name().as_ref())?];
+        let range = start..self.at;
+        Some(EndTag { name, range })
+    }
+
+    /// Where a name stands that quick-xml has found, if it is one.
+    fn sound_name(&self, name: &str) -> Option<Range<usize>> {
+        (is_name(name) && !name.contains(ends_name)).then(|| self.range(name))
+    }
+
+    /// Where a part of the text stands in it.
+    fn range(&self, part: &str) -> Range<usize> {
+        let start = part.as_ptr() as usize - self.text.as_ptr() as usize;
+        start..start + part.len()
+    }
+
+    /// Reports a name that XML does not allow; whether it is one.
+    fn check_name(&mut self, range: &Range<usize>) -> bool {
+        let name = self.faults.quote(range);
+        if !is_name(name) {
+            self.faults.at(range, |s| say::bad_name(s, name));
+        }
+        is_name(name)
+    }
+
     /// The end of a name that begins here.
     pub(super) fn name_end(&self) -> usize {
         let rest = self.rest();
@@ -89,7 +136,7 @@ impl<'a> Scanner<'a, '_> {
         self.open(1);
         let name_range = self.at..self.name_end();
         let name = &self.text[name_range.clone()];
-        check_name(name, &name_range, self.faults);
+        self.check_name(&name_range);
         self.at = name_range.end;
         let mut attributes = vec![];
         let (empty, closed) = match self.attributes(&mut attributes) {
@@ -181,51 +228,53 @@ impl<'a> Scanner<'a, '_> {
         }
         let name = &self.text[name_range.clone()];
         self.at = name_range.end;
-        let mut faulty = !check_name(name, &name_range, self.faults);
-        let value = self.value(name, &name_range, &mut faulty);
-        let mut run = Run::default();
-        run.raw(value.clone(), self.faults);
+        let good = self.check_name(&name_range);
+        let (value, whole) = self.value(name, &name_range);
+        let attribute = self.resolved(name_range, self.at, value);
+        let faulty = !(good && whole);
         Some(Attribute {
-            name,
-            range: name_range.start..self.at,
-            name_range,
-            value: run.value(value.start),
             faulty,
+            ..attribute
         })
     }
 
-    /// Reads `=` and a value, or what stands in their place; the range within the quotes.
-    fn value(
-        &mut self,
-        name: &'a str,
-        name_range: &Range<usize>,
-        faulty: &mut bool,
-    ) -> Range<usize> {
-        self.skip_plain_blanks();
+    /// The attribute of a name and a value that stand here, up to its end.
+    fn resolved(&mut self, name: Range<usize>, end: usize, value: Range<usize>) -> Attribute<'a> {
+        let mut run = Run::default();
+        run.raw(value.clone(), self.faults);
+        Attribute {
+            name: &self.text[name.clone()],
+            range: name.start..end,
+            name_range: name,
+            value: run.value(value.start),
+            faulty: false,
+        }
+    }
+
+    /// Reads `=` and a value, or what stands in their place; the range within the quotes, and whether all is there.
+    fn value(&mut self, name: &'a str, place: &Range<usize>) -> (Range<usize>, bool) {
+        self.blanks();
         let equals = matches!(self.peek(), Some('=' | '＝'));
         if equals {
             self.bump();
-            self.skip_plain_blanks();
+            self.blanks();
         }
         let quote = self.peek().filter(|c| "\"'“”„＂‘’＇".contains(*c));
-        match (equals, quote) {
-            (true, Some(quote)) => self.quoted(name, quote),
-            (false, Some(quote)) => {
-                *faulty = true;
-                self.faults.at(name_range, |s| say::equals_missing(s, name));
+        let value = match (equals, quote) {
+            (true, None) => self.unquoted(name, place),
+            (_, Some(quote)) => {
+                if !equals {
+                    self.faults.at(place, |s| say::equals_missing(s, name));
+                }
                 self.quoted(name, quote)
             }
-            (true, None) => {
-                *faulty = true;
-                self.unquoted(name, name_range)
-            }
             (false, None) => {
-                *faulty = true;
-                self.at = name_range.end;
-                self.faults.at(name_range, |s| say::value_missing(s, name));
+                self.at = place.end;
+                self.faults.at(place, |s| say::value_missing(s, name));
                 self.at..self.at
             }
-        }
+        };
+        (value, equals && quote.is_some())
     }
 
     /// Steps over something that cannot begin an attribute.
@@ -247,12 +296,6 @@ impl<'a> Scanner<'a, '_> {
         let range = start..self.at;
         let junk = self.faults.quote(&range);
         self.faults.at(&range, |s| say::stray_in_tag(s, junk));
-    }
-
-    fn skip_plain_blanks(&mut self) {
-        if self.peek().is_some_and(is_blank) {
-            self.blanks();
-        }
     }
 
     /// Reads a value up to its closing quote; the range within the quotes.
@@ -342,19 +385,17 @@ impl<'a> Scanner<'a, '_> {
         self.at
     }
 
-    fn unquoted(&mut self, name: &'a str, name_range: &Range<usize>) -> Range<usize> {
-        let start = self.at;
-        while let Some(c) = self.peek() {
-            let slash =
-                matches!(c, '/' | '／') && self.rest()[c.len_utf8()..].starts_with(['>', '＞']);
-            if slash || is_blank(c) || matches!(c, '<' | '＜' | '>' | '＞') {
-                break;
-            }
-            self.at += c.len_utf8();
-        }
+    fn unquoted(&mut self, name: &'a str, place: &Range<usize>) -> Range<usize> {
+        let (start, rest) = (self.at, self.rest());
+        let stops = |(i, c): &(usize, char)| match c {
+            '/' | '／' => rest[i + c.len_utf8()..].starts_with(['>', '＞']),
+            c => is_blank(*c) || matches!(c, '<' | '＜' | '>' | '＞'),
+        };
+        let stop = rest.char_indices().find(stops);
+        self.at += stop.map_or(rest.len(), |(i, _)| i);
         let value = start..self.at;
         if value.is_empty() {
-            self.faults.at(name_range, |s| say::value_missing(s, name));
+            self.faults.at(place, |s| say::value_missing(s, name));
         } else {
             let text = self.faults.quote(&value).trim_matches(['"', '\'', '”']);
             self.faults
@@ -372,20 +413,13 @@ fn names_attribute(text: &str) -> bool {
 
 /// Reports attributes of the same name and keeps the first of them.
 fn report_twins(attributes: &mut [Attribute<'_>], faults: &mut Faults<'_>) {
-    let mut order: Vec<usize> = (0..attributes.len()).collect();
-    order.sort_by_key(|i| (attributes[*i].name, *i));
-    let mut first = 0;
-    for pair in 1..order.len() {
-        if attributes[order[first]].name != attributes[order[pair]].name {
-            first = pair;
-            continue;
+    let mut first = HashMap::new();
+    for twin in attributes {
+        let (name, span) = (twin.name, faults.span(&twin.name_range));
+        let before = *first.entry(name).or_insert(span);
+        if before != span {
+            twin.faulty = true;
+            faults.push(|| say::attribute_twice(span, name, name, before));
         }
-        let before = faults.span(&attributes[order[first]].name_range);
-        let twin = &mut attributes[order[pair]];
-        twin.faulty = true;
-        let name = twin.name;
-        faults.at(&twin.name_range, |s| {
-            say::attribute_twice(s, name, name, before)
-        });
     }
 }

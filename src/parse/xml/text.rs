@@ -5,6 +5,9 @@
 
 use super::faults::Faults;
 use crate::diagnostic::messages::{file, xml as say};
+use quick_xml::escape::resolve_predefined_entity;
+use quick_xml::events::{BytesRef, Event};
+use quick_xml::reader::Reader;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -37,22 +40,11 @@ impl Text<'_> {
 
     /// Where a range of the text stands in the file's text.
     pub(super) fn range(&self, range: Range<usize>) -> Range<usize> {
-        let first = self.piece(range.start);
-        let start = if first.atom {
-            first.from
-        } else {
-            first.from + (range.start - first.at)
-        };
+        let start = self.place(range.start).start;
         if range.end <= range.start {
             return start..start;
         }
-        let last = self.piece(range.end - 1);
-        let end = if last.atom {
-            last.to
-        } else {
-            last.from + (range.end - last.at)
-        };
-        start..end.max(start)
+        start..self.place(range.end - 1).end.max(start)
     }
 
     /// Where the whole text stands.
@@ -60,11 +52,17 @@ impl Text<'_> {
         self.range(0..self.text.len())
     }
 
-    fn piece(&self, at: usize) -> Piece {
-        match self.more.partition_point(|p| p.at <= at) {
+    /// Where a byte of the text comes from.
+    fn place(&self, at: usize) -> Range<usize> {
+        let piece = match self.more.partition_point(|p| p.at <= at) {
             0 => self.first,
             n => self.more[n - 1],
+        };
+        if piece.atom {
+            return piece.from..piece.to;
         }
+        let from = piece.from + (at - piece.at);
+        from..from + 1
     }
 }
 
@@ -99,22 +97,28 @@ impl<'a> Run<'a> {
         self.text.to_mut().push(character);
     }
 
-    /// Adds a range of the file with its references resolved; bad ones are reported.
+    /// Adds a range of the file with its references, as quick-xml finds them, resolved; bad ones are reported.
     pub(super) fn raw(&mut self, range: Range<usize>, faults: &mut Faults<'a>) {
         let whole = faults.source.text();
         let mut from = range.start;
-        while let Some(found) = whole.as_bytes()[from..range.end]
-            .iter()
-            .position(|&b| b == b'&' || (b < b' ' && !matches!(b, b'\t' | b'\n' | b'\r')))
-        {
-            let at = from + found;
-            if at > from {
-                self.literal(whole, from..at);
+        // Only a value can hold `<`, which was reported then.
+        for (i, part) in whole[range].split('<').enumerate() {
+            if i > 0 {
+                self.literal(whole, from..from + 1);
+                from += 1;
             }
-            from = self.special(at, range.end, faults);
-        }
-        if from < range.end {
-            self.literal(whole, from..range.end);
+            let end = from + part.len();
+            let mut reader = Reader::from_str(part);
+            reader.config_mut().allow_dangling_amp = true;
+            while from < end {
+                let event = reader.read_event();
+                let to = end - reader.get_ref().len();
+                match event {
+                    Ok(Event::GeneralRef(body)) => self.reference(&body, from..to, faults),
+                    _ => self.plain(from..to, faults),
+                }
+                from = to;
+            }
         }
     }
 
@@ -146,36 +150,45 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Handles the `&` or control character at `at`; returns where reading goes on.
-    fn special(&mut self, at: usize, end: usize, faults: &mut Faults<'a>) -> usize {
+    /// Adds a range without references; an `&` that begins it and control characters are reported.
+    fn plain(&mut self, range: Range<usize>, faults: &mut Faults<'a>) {
         let whole = faults.source.text();
-        let rest = &whole[at..end];
-        let Some(body) = reference(rest) else {
-            let range = at..at + 1;
-            if rest.starts_with('&') {
-                faults.at(&range, say::bare_ampersand);
-                self.literal(whole, range);
-            } else {
-                let character = char::from(whole.as_bytes()[at]);
-                faults.at(&range, |s| file::control_character(s, character));
-                self.atom(REPORTED, range);
+        if whole[range.clone()].starts_with('&') {
+            faults.at(&(range.start..range.start + 1), say::bare_ampersand);
+        }
+        let mut from = range.start;
+        let control = |c: char| c < ' ' && !matches!(c, '\t' | '\n' | '\r');
+        for (i, found) in whole[range.clone()].match_indices(control) {
+            let here = range.start + i..range.start + i + 1;
+            if from < here.start {
+                self.literal(whole, from..here.start);
             }
-            return at + 1;
-        };
-        let range = at..at + body.len() + 2;
-        let character = match body {
-            "lt" => Some('<'),
-            "gt" => Some('>'),
-            "amp" => Some('&'),
-            "quot" => Some('"'),
-            "apos" => Some('\''),
-            _ => numbered(body),
+            let character = char::from(found.as_bytes()[0]);
+            faults.at(&here, |s| file::control_character(s, character));
+            from = here.end;
+            self.atom(REPORTED, here);
+        }
+        if from < range.end {
+            self.literal(whole, from..range.end);
+        }
+    }
+
+    /// Adds the character of a reference; what only happens to stand between `&` and `;` is none.
+    fn reference(&mut self, body: &BytesRef<'_>, range: Range<usize>, faults: &mut Faults<'a>) {
+        let fits = |c: char| c.is_alphanumeric() || matches!(c, '#' | '_' | '-' | '.' | ':');
+        if body.is_empty() || body.len() >= 40 || !body.chars().all(fits) {
+            return self.plain(range, faults);
+        }
+        let allowed = |c: &char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..);
+        let character = match body.resolve_char_ref() {
+            Ok(None) => resolve_predefined_entity(body).and_then(|c| c.chars().next()),
+            number => number.ok().flatten().filter(allowed),
         };
         if character.is_none() {
-            faults.at(&range, |s| say::unknown_entity(s, &rest[..body.len() + 2]));
+            let quoted = faults.quote(&range);
+            faults.at(&range, |s| say::unknown_entity(s, quoted));
         }
-        self.atom(character.unwrap_or(REPORTED), range.clone());
-        range.end
+        self.atom(character.unwrap_or(REPORTED), range);
     }
 
     fn piece(&mut self, range: Range<usize>, atom: bool) {
@@ -190,26 +203,4 @@ impl<'a> Run<'a> {
             Some(_) => self.more.push(piece),
         }
     }
-}
-
-/// What stands between `&` and `;` at the start of a text, if it looks like a reference.
-fn reference(rest: &str) -> Option<&str> {
-    let body = rest.strip_prefix('&')?;
-    let semicolon = body.bytes().take(40).position(|b| b == b';')?;
-    let body = body.get(..semicolon)?;
-    let fits = |c: char| c.is_alphanumeric() || matches!(c, '#' | '_' | '-' | '.' | ':');
-    (!body.is_empty() && body.chars().all(fits)).then_some(body)
-}
-
-/// The character of `#12` or `#x1F`, if XML allows it.
-fn numbered(body: &str) -> Option<char> {
-    let digits = body.strip_prefix('#')?;
-    let number = match digits.strip_prefix('x') {
-        Some(hex) if !hex.starts_with('+') => u32::from_str_radix(hex, 16),
-        None if !digits.starts_with('+') => digits.parse(),
-        _ => return None,
-    };
-    let character = char::from_u32(number.ok()?)?;
-    let allowed = matches!(character, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..);
-    allowed.then_some(character)
 }

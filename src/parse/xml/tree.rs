@@ -10,6 +10,7 @@ use super::scan::{EndTag, Scanner, StartTag, Token};
 use super::tag::{Attribute, is_blank};
 use super::text::{Run, Text};
 use crate::diagnostic::messages::xml as say;
+use crate::source::Span;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -131,9 +132,7 @@ impl<'a> Builder<'a> {
         let twin = self.open.last().filter(|o| o.name == tag.name);
         if twin.is_some() && (self.habits.alone)(tag.name) {
             let next = faults.span(&tag.name_range);
-            self.close_unfinished(tag.range.start, faults, |s, name| {
-                say::not_closed(s, name, Some((next, name)))
-            });
+            self.unfinished(tag.range.start, Some((next, tag.name)), faults);
         }
         let place = self.place(&tag, faults);
         // A leaf whose `>` is missing would swallow what follows, unless its end tag does follow.
@@ -196,9 +195,7 @@ impl<'a> Builder<'a> {
         if known {
             let here = faults.span(&tag.range);
             while self.open.last().is_some_and(|o| o.name != tag.name) {
-                self.close_unfinished(tag.range.start, faults, |s, name| {
-                    say::not_closed(s, name, Some((here, tag.name)))
-                });
+                self.unfinished(tag.range.start, Some((here, tag.name)), faults);
             }
             self.pop(tag.range.end);
         } else if self.is_misspelt(tag, rest) {
@@ -232,23 +229,16 @@ impl<'a> Builder<'a> {
         tag.name.is_empty() || outer || super::suggest::alike(tag.name, innermost.name)
     }
 
-    /// Closes the innermost element where its end tag is missing.
-    fn close_unfinished(
-        &mut self,
-        end: usize,
-        faults: &mut Faults<'a>,
-        message: impl FnOnce(crate::source::Span, &str) -> crate::diagnostic::Diagnostic,
-    ) {
+    /// Closes the innermost element where its end tag is missing; `before` = the tag that shows it.
+    fn unfinished(&mut self, end: usize, before: Option<(Span, &str)>, faults: &mut Faults<'a>) {
         if let Some(open) = self.pop(end) {
-            faults.at(&open.name_range, |s| message(s, open.name));
+            faults.at(&open.name_range, |s| say::not_closed(s, open.name, before));
         }
     }
 
     fn pop(&mut self, end: usize) -> Option<Open<'a>> {
         let open = self.open.pop()?;
-        if let Some(count) = self.counts.get_mut(open.name) {
-            *count -= 1;
-        }
+        self.counts.entry(open.name).and_modify(|n| *n -= 1);
         if let Some(element) = open.element {
             self.tree.elements[element].range.end = end;
         }
@@ -259,7 +249,7 @@ impl<'a> Builder<'a> {
         self.flush();
         let end = faults.source.text().len();
         while !self.open.is_empty() {
-            self.close_unfinished(end, faults, |s, name| say::not_closed(s, name, None));
+            self.unfinished(end, None, faults);
         }
         if self.tree.roots.is_empty() {
             faults.at(&(end..end), say::no_element);
