@@ -169,9 +169,14 @@ impl<'a, 'c> Pass<'a, 'c> {
 
     /// Says something once for a place, however often its content is repeated.
     fn once(&mut self, code: u16, span: Span, say: impl FnOnce() -> Diagnostic) {
-        if self.said.insert((code, span)) {
+        if self.is_news(code, span) {
             self.out.push(say());
         }
+    }
+
+    /// Whether nothing was said with this code of this place; from now on it was.
+    fn is_news(&mut self, code: u16, span: Span) -> bool {
+        self.said.insert((code, span))
     }
 
     /// The first line of a long construct: a whole house underlined tells nothing.

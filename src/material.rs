@@ -119,7 +119,7 @@ static TABLE: [Surface; 47] = [
     drawn("cedar", "cedar", WHITE),
     drawn("hinoki", "cedar", [1.3, 1.22, 1.08]),
     drawn("keyaki", "cedar", [0.62, 0.45, 0.33]),
-    drawn("bengara", "cedar", [0.55, 0.22, 0.16]),
+    drawn("bengara", "cedar", [0.34, 0.12, 0.09]),
     drawn("sooted", "cedar", [0.24, 0.18, 0.15]),
     drawn("boards", "cedar_board", WHITE),
     drawn("boards_dark", "cedar_board", [0.5, 0.4, 0.33]),
@@ -155,7 +155,7 @@ static TABLE: [Surface; 47] = [
         ..drawn("glass", "glass", WHITE)
     },
     Surface {
-        tint: [0.3, 0.38, 0.4, 0.9],
+        tint: [0.62, 0.74, 0.78, 0.9],
         roughness: 0.08,
         glass: true,
         ..drawn("glass_dark", "glass", WHITE)

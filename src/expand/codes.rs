@@ -261,14 +261,14 @@ impl Pass<'_, '_> {
             self.once(302, span, || say::lost_blanks(span, bare, &code, control));
             return found;
         }
-        let named = matches!(code, CodeText::Name(_));
-        let near = if named {
-            vec![]
-        } else {
-            self.codes.nearest(bare)
-        };
+        if self.is_news(301, span) {
+            let near = match code {
+                CodeText::Name(_) => vec![],
+                CodeText::Five(_) => self.codes.nearest(bare),
+            };
+            self.out.push(say::unknown_code(span, bare, &near));
+        }
         let found = self.codes.stand_in(bare);
-        self.once(301, span, || say::unknown_code(span, bare, &near));
         found
     }
 }
