@@ -94,6 +94,6 @@ fn wall_text(walls: &[(usize, bool)]) -> String {
 pub fn parts(parts: usize) -> String {
     let walls = [(30, false), (20, false), (30, false), (20, false)];
     let storey = walls.map(|(n, left)| wall(n, left)).concat();
-    let storeys = vec![storey.trim_end(); parts / 100].join("^\n");
+    let storeys = vec![storey.trim_end_matches('\n'); parts / 100].join("^\n");
     format!("0 0\n\n{storeys}\n")
 }

@@ -27,14 +27,19 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
     let lines = explicit::place(house, &levels, out);
     report_house(house, &levels, out);
     let pent = street_pent(house, &levels);
-    for k in 0..levels.len() {
-        let here: Vec<&Placed<'_>> = lines.iter().filter(|l| l.level == k).collect();
+    let top = levels.iter().map(|l| l.storey.z1).fold(f64::MIN, f64::max);
+    let mut on_level: Vec<Vec<&Placed<'_>>> = vec![vec![]; levels.len()];
+    for line in &lines {
+        on_level[line.level].push(line);
+    }
+    for (k, lines) in on_level.into_iter().enumerate() {
         let pent = pent.filter(|_| k == 0);
         Storey {
             house,
             levels: &levels,
             k,
-            lines: here,
+            top,
+            lines,
             pent,
         }
         .roof(&mut done, out);
@@ -156,6 +161,8 @@ struct Storey<'a, 'h> {
     house: &'a House,
     levels: &'a [Level<'h>],
     k: usize,
+    /// Top of the house's walls, metres.
+    top: f64,
     lines: Vec<&'a Placed<'a>>,
     /// The street's pent roof.
     pent: Option<Cell>,
@@ -171,11 +178,7 @@ impl Storey<'_, '_> {
             style: &self.house.roofs.style,
             level,
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
-            roof_top: self
-                .levels
-                .iter()
-                .map(|l| l.storey.z1)
-                .fold(f64::MIN, f64::max),
+            roof_top: self.top,
             lone: upper.is_none() && self.lines.is_empty() && level.plan.as_cell().is_some(),
             outline: OnceCell::new(),
             upper_outline: OnceCell::new(),
