@@ -234,7 +234,7 @@ impl Storey<'_, '_> {
             out.push(say::too_intricate(level.storey.span, level.storey.number));
         }
         let open = open.unwrap_or_default();
-        let corners = open.loops.iter().map(Vec::len).sum::<usize>();
+        let corners = open.corners();
         let many = corners > MOST_CORNERS;
         if many {
             let (span, number) = (level.storey.span, level.storey.number);
@@ -260,7 +260,9 @@ impl Storey<'_, '_> {
         }
         if flat {
             let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
-            return vec![context.flat(&cells, &open.clean(), level.storey.z1, None)];
+            // One loop is clean as it is but for corners in mid-wall, which an upstand leaves out.
+            let border = if many && open.loops.len() == 1 { open } else { open.clean() };
+            return vec![context.flat(&cells, &border, level.storey.z1, None)];
         }
         let automatic = Automatic::new(context, &found);
         automatic.report(out);
@@ -283,11 +285,16 @@ impl Storey<'_, '_> {
             Some(upper) => plan.difference(upper),
             None => plan.clone(),
         };
-        match taken.is_empty() {
-            true => Some(open),
-            false if !open.fits(Some(&Plan::from_cells(&taken))) => None,
-            false => Some(open.minus_cells(&taken)),
-        }
+        let covering = Plan::from_cells(&taken);
+        let open = match taken.is_empty() {
+            true => open,
+            false if !open.fits(Some(&covering)) => return None,
+            false => open.minus_cells(&taken),
+        };
+        // Combs laid across each other leave a piece for every two of their teeth.
+        let written = [Some(plan), context.upper, Some(&covering)];
+        let written: usize = written.into_iter().flatten().map(Plan::corners).sum();
+        (open.corners() <= 2 * written + MOST_CORNERS).then_some(open)
     }
 
     fn regions(&self, context: &Context<'_>, open: &Plan) -> Vec<Region> {

@@ -91,6 +91,11 @@ impl Plan {
             .flat_map(|l| (0..l.len()).map(move |i| (l[i], l[(i + 1) % l.len()])))
     }
 
+    /// How many corners its loops have, as written.
+    pub fn corners(&self) -> usize {
+        self.loops.iter().map(Vec::len).sum()
+    }
+
     /// Whether every edge is parallel to an axis.
     pub fn is_orthogonal(&self) -> bool {
         self.edges().all(|(p, q)| p.0 == q.0 || p.1 == q.1)
