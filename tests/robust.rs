@@ -317,6 +317,38 @@ fn a_file_beyond_the_limit_is_refused() {
     assert_refused("more than 16 MiB", &bytes);
 }
 
+/// A storey of so many teeth in a row.
+fn comb(teeth: usize) -> Vec<u8> {
+    let side = "KSK  \nKSK  L\nKSK  L\nKSK  \n".repeat(teeth - 1);
+    let front = "KSK  ".repeat(2 * teeth - 1);
+    format!("0 0\n9\n\n{front}\nKSK  KSK  \n{side}KSK  \nKSK  KSK  \n").into_bytes()
+}
+
+/// A house with more roof lines than anybody means, each in others' way.
+fn pile_of_roofs() -> Vec<u8> {
+    let wall = "KSK  ".repeat(200);
+    let line = |n: usize| {
+        let (a, b) = (n * 37 % 190, n * 61 % 193);
+        format!("K X * KIR {a} {b} {} {}\n", a + 1 + n % 5, b + 1 + n % 4)
+    };
+    let lines: String = (0..40_000).map(line).collect();
+    format!("0 0\n9\n\n{wall}\n{wall}\n{wall}\n{wall}\n\n{lines}").into_bytes()
+}
+
+#[test]
+fn more_than_can_be_roofed_is_told() {
+    let inputs = [("comb", comb(20_000)), ("pile", pile_of_roofs())];
+    assert_none(&on_all_processors(inputs.len(), |index| {
+        let (name, bytes) = &inputs[index];
+        let (run, mut findings) = findings_of(name, bytes);
+        let told = |d: &hsd::diagnostic::Diagnostic| d.code == hsd::diagnostic::Code(906);
+        if !run.diagnostics.iter().any(told) {
+            findings.push("HSD0906 is missing".into());
+        }
+        findings
+    }));
+}
+
 /// A text of 1 MiB made of one piece again and again.
 fn mebibyte(head: &str, piece: &str) -> Vec<u8> {
     let count = ((1 << 20) - head.len()) / piece.len();
