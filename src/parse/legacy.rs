@@ -149,10 +149,7 @@ impl<'a> Reader<'a> {
         }
         match house.section {
             Section::Header => house.header.read(line, &mut house.house, &mut self.talk),
-            Section::Walls => {
-                self.talk.mended_walls(line);
-                house.walls.read(line, &mut self.talk);
-            }
+            Section::Walls => house.walls.read(line, &mut self.talk),
             Section::Roofs => {
                 let roof = roofs::read(line, &mut self.talk);
                 house.house.roofs.lines.extend(roof);
@@ -266,6 +263,7 @@ impl<'a> Reader<'a> {
             self.talk
                 .say(say::surplus_heights(span, house.heights.len(), storeys));
         }
+        draft.header.judge(&house, storeys, &mut self.talk);
         self.document.houses.push(house);
     }
 }
