@@ -271,6 +271,9 @@ fn one_slip_makes_one_message() {
         ("KSM町 KSM", 124, "町"),
         (" GSI  GSI  GDE 2TOD", 131, " "),
         ("GSI GSI  GDE 2TOD  KKS", 132, "GSI  GDE 2TOD  KKS"),
+        ("GKO  ANO ANO  ANO  AKI  TTB", 132, "ANO  ANO  AKI  TTB"),
+        ("GKO, ANO, TTB", 132, "GKO, ANO, TTB"),
+        ("GKO,ANO,TTB", 132, "ANO,TTB"),
         ("KSM       ", 133, "     "),
         ("KSM  X", 126, "X"),
         ("APW  APW L", 127, "L"),
@@ -374,6 +377,16 @@ fn heights_left_out_or_in_another_unit_are_told() {
         assert_eq!(all_told(&with(header)), expected, "{header}");
     }
     assert_eq!(all_told("KSM\n"), [(101, "")]);
+}
+
+#[test]
+fn what_belongs_to_other_languages_is_told_once() {
+    assert_eq!(all_told("# x\n<House>\n<Row/>\n"), [(139, "<House>")]);
+    assert_eq!(all_told("0 0\n<House>\n"), [(139, "<House>")]);
+    for sign in ["//", ";"] {
+        let text = format!("{sign} front\n0 0\n9\n\nKSM\n{sign} 壁\nKSM\n");
+        assert_eq!(all_told(&text), [(113, sign), (113, sign)]);
+    }
 }
 
 #[test]

@@ -170,6 +170,13 @@ pub fn comment_column(span: Span) -> Diagnostic {
         .help("put the comment on a line of its own, with `#` as its first character")
 }
 
+/// A comment as other languages write it.
+#[cold]
+pub fn comment_sign(span: Span, sign: &str) -> Diagnostic {
+    Diagnostic::error(113, span, format!("`{sign}` begins no comment"))
+        .help("a comment begins with `#` in the first column")
+}
+
 /// Text beside `%`.
 #[cold]
 pub fn after_separator(span: Span) -> Diagnostic {
@@ -370,6 +377,15 @@ pub fn inner_turn(span: Span, letter: &str, leads: bool) -> Diagnostic {
     };
     let message = format!("the turn `{letter}` stands before codes, but a turn ends its line");
     Diagnostic::error(138, span, message).help(help)
+}
+
+/// A tag after legacy lines.
+#[cold]
+pub fn xml_after_text(span: Span) -> Diagnostic {
+    let message = "the XML form begins here, but lines of the legacy form stand before it";
+    Diagnostic::error(139, span, message).help(
+        "delete the lines before the first tag, or write comments as `<!-- ... -->`; nothing is read from here on",
+    )
 }
 
 /// `l` or `r` for `L` or `R`.
