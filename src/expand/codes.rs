@@ -268,8 +268,7 @@ impl Pass<'_, '_> {
             };
             self.out.push(say::unknown_code(span, bare, &near));
         }
-        let found = self.codes.stand_in(bare);
-        found
+        self.codes.stand_in(bare)
     }
 }
 
