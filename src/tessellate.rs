@@ -29,8 +29,8 @@ use crate::building::{Building, Ceiling, House, HouseRoofs, Ring, Roof, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Kind, Node, NodeId, Scene};
-use facade::Line;
 use compact_str::{CompactString, format_compact};
+use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use store::Store;
 
@@ -99,7 +99,13 @@ const STRAIGHT: DVec2 = DVec2::X;
 
 impl Walker<'_> {
     /// Adds a node without a label.
-    fn node(&mut self, parent: Option<NodeId>, kind: Kind, name: CompactString, at: DVec3) -> &mut Node {
+    fn node(
+        &mut self,
+        parent: Option<NodeId>,
+        kind: Kind,
+        name: CompactString,
+        at: DVec3,
+    ) -> &mut Node {
         self.nodes.push(Node {
             parent,
             kind,

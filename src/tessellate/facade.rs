@@ -263,7 +263,12 @@ impl Walker<'_> {
             let mesh = self.store.finish("wedge".into(), bodies, Share::default());
             let mesh = self.store.push(mesh);
             let at = dvec3(slot.x, 0.0, 0.0);
-            let node = self.node(Some(facade), Kind::Member, format_compact!("wedge {number}"), at);
+            let node = self.node(
+                Some(facade),
+                Kind::Member,
+                format_compact!("wedge {number}"),
+                at,
+            );
             node.mesh = Some(mesh);
             node.storey = Some(level.storey.number);
         }
