@@ -67,6 +67,10 @@ fn exit_status_tells_what_happened() {
         (&["build", "sound.hsd", "-o", "no/such/folder/x.glb"], 3),
         (&["check", "--textures", "nowhere", "sound.hsd"], 3),
         (&["explain", "HSD9999"], 2),
+        (&["build", "sound.hsd", "-o", "plain"], 2),
+        (&["build", "sound.hsd", "-o", "plain", "--format", "stl"], 0),
+        (&["build", "sound.hsd", "new.glb"], 2),
+        (&["sound.hsd"], 2),
         (&["--help"], 0),
         (&["build", "--help"], 0),
     ] {
@@ -77,6 +81,32 @@ fn exit_status_tells_what_happened() {
             "{arguments:?}: {}",
             stderr(&output)
         );
+    }
+}
+
+#[test]
+fn wrong_usage_is_told_the_right_one() {
+    let folder = folder();
+    for (arguments, expected) in [
+        (
+            &["sound.hsd"][..],
+            "to make a model of it: hsd build sound.hsd",
+        ),
+        (
+            &["build", "sound.hsd", "new.glb"],
+            "the model's name goes after -o, as in `-o new.glb`",
+        ),
+        (
+            &["build", "sound.hsd", "-o", "m"],
+            "or .stl; if it is to be a folder, write `m/`",
+        ),
+        (
+            &["build", "sound.hsd", "-o", "no/x.glb"],
+            "hsd: no/x.glb: there is no folder no\n",
+        ),
+    ] {
+        let said = stderr(&hsd(folder.path(), arguments));
+        assert!(said.contains(expected) && !said.contains(".hsd-"), "{said}");
     }
 }
 
@@ -104,7 +134,6 @@ fn endings_choose_the_format() {
         ("a.gltf", b"{\"asset\""),
         ("a.obj", b"# hsd "),
         ("a.STL", b"hsd "),
-        ("plain", b"glTF"),
     ] {
         let output = hsd(folder.path(), &["build", "sound.hsd", "-o", out]);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
