@@ -351,9 +351,22 @@ fn the_catalogue_is_listed() {
     assert_eq!(list.as_array().unwrap().len(), 1);
     assert_eq!(list[0]["code"], "GDE 2");
     let lattices = stdout(&hsd(folder.path(), &["parts", "G"]));
-    assert!(lattices.lines().skip(1).all(|l| l.starts_with('G')) && lattices.lines().count() > 3);
+    let (table, legend) = lattices.split_once("\n\n").unwrap();
+    assert!(table.lines().skip(1).all(|l| l.starts_with('G')) && table.lines().count() > 3);
+    assert!(legend.contains("shaku") && legend.contains("E Edo"));
+    let list = |filter| stdout(&hsd(folder.path(), &["parts", filter]));
+    for (filter, found) in [
+        ("koushi", "格子戸引違い"),
+        ("koshi", "格子戸引違い"),
+        ("shouji", "障子二枚"),
+        ("shoji", "障子二枚"),
+        ("void", "\n.....  1 "),
+        ("NAD", "  7.26 "),
+    ] {
+        assert!(list(filter).contains(found), "{filter}: {}", list(filter));
+    }
     let nothing = hsd(folder.path(), &["parts", "no such part"]);
-    assert!(stderr(&nothing).starts_with("no part has"));
+    assert!(stderr(&nothing).starts_with("no part has") && nothing.stdout.is_empty());
 }
 
 #[test]
