@@ -220,7 +220,9 @@ fn check_nesting(rings: &mut [Ring], out: &mut Diagnostics) {
 /// The least and the greatest coordinates of a ring.
 fn bounds(ring: &Ring) -> (DVec2, DVec2) {
     let corners = ring.walls.iter().map(|w| w.from);
-    corners.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| (lo.min(p), hi.max(p)))
+    corners.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| {
+        (lo.min(p), hi.max(p))
+    })
 }
 
 fn surrounds(ring: &Ring, p: DVec2) -> bool {

@@ -206,7 +206,10 @@ impl Storey<'_, '_> {
         let walls = context.upper.map(slabs::strips).unwrap_or_default();
         let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
         if !assemble(planned, &walls, &mut done.roofs) {
-            let place = self.lines.first().map_or(level.storey.span, |l| l.line.span);
+            let place = self
+                .lines
+                .first()
+                .map_or(level.storey.span, |l| l.line.span);
             out.push(say::too_many_meet(place, level.storey.number));
         }
     }
@@ -261,7 +264,11 @@ impl Storey<'_, '_> {
         if flat {
             let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
             // One loop is clean as it is but for corners in mid-wall, which an upstand leaves out.
-            let border = if many && open.loops.len() == 1 { open } else { open.clean() };
+            let border = if many && open.loops.len() == 1 {
+                open
+            } else {
+                open.clean()
+            };
             return vec![context.flat(&cells, &border, level.storey.z1, None)];
         }
         let automatic = Automatic::new(context, &found);

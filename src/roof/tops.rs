@@ -30,7 +30,10 @@ impl<'l, 'h> Tops<'l, 'h> {
     /// The area of a storey's plan inside a cell, square steps.
     pub(super) fn inside(&self, k: usize, cell: &Cell) -> i128 {
         let plan = &self.levels[k].plan;
-        common(self.known[k].whole.get_or_init(|| slabs::strips(plan)), cell)
+        common(
+            self.known[k].whole.get_or_init(|| slabs::strips(plan)),
+            cell,
+        )
     }
 
     /// Whether a storey lies in the open anywhere inside a cell.

@@ -272,7 +272,8 @@ pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
 /// More roof lines than anybody means.
 #[cold]
 pub fn too_many_lines(first: Span, count: usize, limit: usize) -> Diagnostic {
-    let message = format!("the house has {count} roof lines; those after the first {limit} are left out");
+    let message =
+        format!("the house has {count} roof lines; those after the first {limit} are left out");
     Diagnostic::warning(906, first, message)
         .help("make one roof of what lies side by side, or several houses")
 }
@@ -283,8 +284,9 @@ pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
     let message = format!(
         "so many roofs of storey {storey} stand in each other's way that no valleys are made between them"
     );
-    Diagnostic::warning(906, place, message)
-        .help("write one roof line for each rectangle, beside each other rather than one in another")
+    Diagnostic::warning(906, place, message).help(
+        "write one roof line for each rectangle, beside each other rather than one in another",
+    )
 }
 
 /// A plan of very many corners.
@@ -303,6 +305,7 @@ pub fn too_intricate(storey: Span, number: u32) -> Diagnostic {
     let message = format!(
         "what is open of storey {number} falls into too many pieces: it gets no automatic roof"
     );
-    Diagnostic::warning(906, storey, message)
-        .help("let the walls of the storey above, and the roof lines, stand over walls of this storey")
+    Diagnostic::warning(906, storey, message).help(
+        "let the walls of the storey above, and the roof lines, stand over walls of this storey",
+    )
 }
