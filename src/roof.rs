@@ -50,6 +50,7 @@ mod sides;
 mod slabs;
 pub mod solid;
 pub mod street;
+mod tops;
 pub mod triangulate;
 
 /// Roofs all houses.

@@ -194,6 +194,9 @@ fn properly_cross(p: DVec2, q: DVec2, r: DVec2, s: DVec2) -> bool {
 
 /// Courtyards lie in an outer ring; outer rings lie side by side.
 fn check_nesting(rings: &mut [Ring], out: &mut Diagnostics) {
+    // A look at the bounds first: a thousand courtyards have a million pairs.
+    let boxes: Vec<(DVec2, DVec2)> = rings.iter().map(bounds).collect();
+    let about = |j: usize, p: DVec2| p.cmpge(boxes[j].0).all() && p.cmple(boxes[j].1).all();
     for i in 0..rings.len() {
         if !rings[i].closed {
             continue;
@@ -202,7 +205,7 @@ fn check_nesting(rings: &mut [Ring], out: &mut Diagnostics) {
         let outer = rings
             .iter()
             .enumerate()
-            .filter(|(j, r)| *j != i && r.closed && !r.hole);
+            .filter(|(j, r)| *j != i && about(*j, probe) && r.closed && !r.hole);
         let around = outer.filter(|(_, r)| surrounds(r, probe)).count();
         if rings[i].hole && around == 0 {
             out.push(plan::hole_outside(rings[i].span));
@@ -212,6 +215,14 @@ fn check_nesting(rings: &mut [Ring], out: &mut Diagnostics) {
             rings[i].closed = false;
         }
     }
+}
+
+/// The least and the greatest coordinates of a ring.
+fn bounds(ring: &Ring) -> (DVec2, DVec2) {
+    let corners = ring.walls.iter().map(|w| w.from);
+    corners.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| {
+        (lo.min(p), hi.max(p))
+    })
 }
 
 fn surrounds(ring: &Ring, p: DVec2) -> bool {

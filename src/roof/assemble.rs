@@ -2,14 +2,15 @@
 
 use super::forms::Planned;
 use super::frame::Rect;
-use super::meet::meet;
+use super::meet::{apart, meet};
 use super::ridge_cap::ridge_cap;
 use super::sheet::sheet;
 use crate::building::Roof;
 
 /// The roofs of one storey, in order. `walls` are rectangles of the storey above, which roofs do not
-/// enter.
-pub(super) fn assemble(mut planned: Vec<Planned>, walls: &[Rect], roofs: &mut Vec<Roof>) {
+/// enter. Returns whether all met; where too many stand in each other's way they stay as they are.
+pub(super) fn assemble(mut planned: Vec<Planned>, walls: &[Rect], roofs: &mut Vec<Roof>) -> bool {
+    let mut all_met = true;
     let mut start = 0;
     // Stable, so that indices of trunks keep their meaning within a height.
     let first = planned.first().map_or(0.0, |p| p.base);
@@ -24,17 +25,21 @@ pub(super) fn assemble(mut planned: Vec<Planned>, walls: &[Rect], roofs: &mut Ve
             .iter()
             .take_while(|p| (p.base - base).abs() < 1e-6)
             .count();
-        group(&mut planned[start..start + count], walls, roofs);
+        all_met &= group(&mut planned[start..start + count], walls, roofs);
         start += count;
     }
+    all_met
 }
 
-fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) {
+fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) -> bool {
     let forms: Vec<_> = planned
         .iter_mut()
         .map(|p| std::mem::take(&mut p.form))
         .collect();
-    let met = meet(&forms, walls);
+    let (met, all_met) = match meet(&forms, walls) {
+        Some(met) => (met, true),
+        None => (apart(&forms), false),
+    };
     for ((planned, form), (pieces, ridges)) in planned.iter_mut().zip(forms).zip(met) {
         let mut solids = sheet(&pieces, form.drop, &planned.look.coat(), form.floor);
         solids.extend(form.solids);
@@ -48,4 +53,5 @@ fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) {
         };
         roofs.push(std::mem::replace(&mut planned.roof, empty));
     }
+    all_met
 }

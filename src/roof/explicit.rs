@@ -3,14 +3,17 @@
 use super::forms::{Context, Planned};
 use super::level::Level;
 use super::look::{Look, band};
-use super::outline::Outline;
 use super::plan::{Cell, Plan};
 use super::ridge::{Ridge, Side};
+use super::tops::Tops;
 use crate::ast::{RoofDirection, RoofLine, RoofShape};
 use crate::building::House;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::{SHAKU, STEPS, steps};
+
+/// Roof lines of one house beyond this are left out: what so many cover has no roofs a person could mean.
+const MOST_LINES: usize = 2000;
 
 /// A roof line with its place.
 #[derive(Clone, Copy, Debug)]
@@ -40,13 +43,18 @@ pub(super) fn place<'h>(
     levels: &[Level<'h>],
     out: &mut Diagnostics,
 ) -> Vec<Placed<'h>> {
-    let mut placed: Vec<Placed<'h>> = Vec::with_capacity(house.roofs.lines.len());
-    for line in &house.roofs.lines {
+    let lines = &house.roofs.lines;
+    if let Some(beyond) = lines.get(MOST_LINES) {
+        out.push(say::too_many_lines(beyond.span, lines.len(), MOST_LINES));
+    }
+    let tops = Tops::of(levels);
+    let mut placed: Vec<Placed<'h>> = Vec::with_capacity(lines.len().min(MOST_LINES));
+    for line in lines.iter().take(MOST_LINES) {
         let Some(cell) = cell(line) else { continue };
-        let Some(one) = place_one(house, line, cell, levels, out) else {
+        let Some(one) = place_one(house, line, cell, &tops, out) else {
             continue;
         };
-        check_place(&one, levels, out);
+        check_place(&one, &tops, out);
         check_options(house, &one, out);
         let same = |p: &&Placed<'_>| {
             p.covers()
@@ -77,9 +85,10 @@ fn place_one<'h>(
     house: &House,
     line: &'h RoofLine,
     cell: Cell,
-    levels: &[Level<'_>],
+    tops: &Tops<'_, '_>,
     out: &mut Diagnostics,
 ) -> Option<Placed<'h>> {
+    let levels = tops.levels;
     let shape = line.style.shape.map_or(RoofShape::Gable, |s| s.value);
     let placed = |(level, base): (usize, f64)| Placed {
         line,
@@ -89,7 +98,7 @@ fn place_one<'h>(
         shape,
     };
     let Some(height) = line.height else {
-        let place = topmost(house, line, &cell, shape, levels)?;
+        let place = topmost(house, line, &cell, shape, tops)?;
         return Some(placed(place));
     };
     let base = height.value * SHAKU;
@@ -116,8 +125,9 @@ fn topmost(
     line: &RoofLine,
     cell: &Cell,
     shape: RoofShape,
-    levels: &[Level<'_>],
+    tops: &Tops<'_, '_>,
 ) -> Option<(usize, f64)> {
+    let levels = tops.levels;
     if shape == RoofShape::Pent {
         // Its upper edge at the foot of the upper wall, or well under the eaves of the only one.
         let look = Look::lean_to(Some(&line.style), &house.roofs.style, 0.9);
@@ -125,14 +135,7 @@ fn topmost(
         let foot = levels.first()?.storey.z1 - if levels.len() > 1 { 0.0 } else { 0.5 };
         return Some((0, foot - look.pitch * depth));
     }
-    let here = Plan::from_cells(&[*cell]);
-    let open = |k: usize| {
-        let left = match levels.get(k + 1) {
-            Some(upper) if upper.orthogonal => here.difference(&upper.plan),
-            _ => here.clone(),
-        };
-        levels[k].orthogonal && levels[k].plan.intersects(&left)
-    };
+    let open = |k: usize| levels[k].orthogonal && tops.is_open(k, cell);
     let level = (0..levels.len())
         .rev()
         .find(|k| open(*k))
@@ -140,17 +143,16 @@ fn topmost(
     Some((level, levels[level].storey.z1))
 }
 
-fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
-    let level = &levels[one.level];
+fn check_place(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
+    let level = &tops.levels[one.level];
     let (line, place) = (one.line, one.line.corners.span);
     if level.is_open() || !level.orthogonal {
         return;
     }
     if one.shape == RoofShape::Pent {
-        return check_pent(one, level, out);
+        return check_pent(one, tops, out);
     }
-    let here = Plan::from_cells(&[one.cell]);
-    let (inside, whole) = (here.intersection(&level.plan).area(), one.cell.area());
+    let (inside, whole) = (tops.inside(one.level, &one.cell), one.cell.area());
     let may_stand_out = matches!(one.shape, RoofShape::LeanTo | RoofShape::Karahafu);
     if inside == 0 {
         if !may_stand_out {
@@ -162,10 +164,10 @@ fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
             1.0 - inside as f64 / whole as f64,
         ));
     }
-    if let Some(upper) = levels.get(one.level + 1)
+    if let Some(upper) = tops.levels.get(one.level + 1)
         && upper.orthogonal
         && inside > 0
-        && here.difference(&upper.plan).is_empty()
+        && tops.inside(one.level + 1, &one.cell) == whole
     {
         out.push(say::under_storey(
             line.span,
@@ -175,12 +177,11 @@ fn check_place(one: &Placed<'_>, levels: &[Level<'_>], out: &mut Diagnostics) {
     }
 }
 
-fn check_pent(one: &Placed<'_>, level: &Level<'_>, out: &mut Diagnostics) {
+fn check_pent(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
     let place = one.line.corners.span;
-    let outline = Outline::of(&level.plan);
+    let outline = tops.outline(one.level);
     let hangs = |side: Side| !outline.along(&one.cell, side).is_empty();
-    let over_rooms = Plan::from_cells(&[one.cell]).intersection(&level.plan);
-    if !over_rooms.is_empty() {
+    if tops.inside(one.level, &one.cell) > 0 {
         out.push(say::pent_over_rooms(place));
     } else if !Side::ALL.into_iter().any(hangs) {
         out.push(say::pent_in_the_air(place));

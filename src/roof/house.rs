@@ -20,6 +20,10 @@ use crate::geometry::{STEPS, area2};
 use glam::DVec2;
 use std::cell::OnceCell;
 
+/// A storey with more corners under the open sky, or round its rings where they are not at right angles,
+/// gets one flat roof: no sloped roofs over so many parts could be told from a mistake, nor be waited for.
+const MOST_CORNERS: usize = 1000;
+
 /// The roofs of a house.
 pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
     let levels = levels(house);
@@ -78,6 +82,9 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
 
 fn report_overhang(lower: &Level<'_>, upper: &Level<'_>, out: &mut Diagnostics) {
     if lower.is_open() || !lower.orthogonal || !upper.orthogonal || lower.plan == upper.plan {
+        return;
+    }
+    if !upper.plan.fits(Some(&lower.plan)) {
         return;
     }
     let over = slabs::strips(&upper.plan.difference(&lower.plan));
@@ -198,7 +205,13 @@ impl Storey<'_, '_> {
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
         let walls = context.upper.map(slabs::strips).unwrap_or_default();
         let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
-        assemble(planned, &walls, &mut done.roofs);
+        if !assemble(planned, &walls, &mut done.roofs) {
+            let place = self
+                .lines
+                .first()
+                .map_or(level.storey.span, |l| l.line.span);
+            out.push(say::too_many_meet(place, level.storey.number));
+        }
     }
 
     fn hang_pent(&self, context: &Context<'_>, cell: Cell) -> Planned {
@@ -218,8 +231,19 @@ impl Storey<'_, '_> {
     ) -> Vec<Planned> {
         let level = context.level;
         let mut found = Vec::new();
-        let open = self.open(context);
-        if self.house.roofs.mode == RoofMode::Auto && !open.loops.is_empty() {
+        let wanted = self.house.roofs.mode == RoofMode::Auto;
+        let open = self.open(context).filter(|_| wanted);
+        if wanted && open.is_none() {
+            out.push(say::too_intricate(level.storey.span, level.storey.number));
+        }
+        let open = open.unwrap_or_default();
+        let corners = open.corners();
+        let many = corners > MOST_CORNERS;
+        if many {
+            let (span, number) = (level.storey.span, level.storey.number);
+            out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
+            found = strips(&open);
+        } else if !open.loops.is_empty() {
             found = self.regions(context, &open);
         }
         // A wall that rises round the roof on purpose hides a flat one.
@@ -229,7 +253,7 @@ impl Storey<'_, '_> {
             RoofShape::Gable
         };
         let shape = self.house.roofs.style.shape.map_or(usual, |s| s.value);
-        let flat = shape == RoofShape::Flat;
+        let flat = many || shape == RoofShape::Flat;
         if shape == RoofShape::BroadGable {
             broaden(&mut found);
         }
@@ -239,15 +263,22 @@ impl Storey<'_, '_> {
         }
         if flat {
             let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
-            return vec![context.flat(&cells, &open.clean(), level.storey.z1, None)];
+            // One loop is clean as it is but for corners in mid-wall, which an upstand leaves out.
+            let border = if many && open.loops.len() == 1 {
+                open
+            } else {
+                open.clean()
+            };
+            return vec![context.flat(&cells, &border, level.storey.z1, None)];
         }
         let automatic = Automatic::new(context, &found);
         automatic.report(out);
         automatic.roofs(&mut done.ceilings)
     }
 
-    /// What neither the storey above nor a roof line covers.
-    fn open(&self, context: &Context<'_>) -> Plan {
+    /// What neither the storey above nor a roof line covers; none where their walls and this storey's
+    /// cross in too many places to be told apart.
+    fn open(&self, context: &Context<'_>) -> Option<Plan> {
         let plan = &context.level.plan;
         let taken: Vec<Cell> = self
             .lines
@@ -256,16 +287,21 @@ impl Storey<'_, '_> {
             .map(|l| l.cell)
             .collect();
         let open = match context.upper {
-            Some(upper) if upper == plan => Plan::default(),
+            Some(upper) if upper == plan => return Some(Plan::default()),
+            Some(upper) if !plan.fits(Some(upper)) => return None,
             Some(upper) => plan.difference(upper),
-            None if taken.is_empty() => return plan.clone(),
             None => plan.clone(),
         };
-        if taken.is_empty() {
-            open
-        } else {
-            open.minus_cells(&taken)
-        }
+        let covering = Plan::from_cells(&taken);
+        let open = match taken.is_empty() {
+            true => open,
+            false if !open.fits(Some(&covering)) => return None,
+            false => open.minus_cells(&taken),
+        };
+        // Combs laid across each other leave a piece for every two of their teeth.
+        let written = [Some(plan), context.upper, Some(&covering)];
+        let written: usize = written.into_iter().flatten().map(Plan::corners).sum();
+        (open.corners() <= 2 * written + MOST_CORNERS).then_some(open)
     }
 
     fn regions(&self, context: &Context<'_>, open: &Plan) -> Vec<Region> {
@@ -349,6 +385,13 @@ impl Storey<'_, '_> {
         }
         corners
     }
+}
+
+/// Regions of a plan that nobody ranks: strips along a.
+fn strips(open: &Plan) -> Vec<Region> {
+    let mut cells = slabs::strips(open);
+    cells.sort_unstable_by_key(Cell::key);
+    cells.into_iter().map(Region::main).collect()
 }
 
 /// Main roofs with their ridges along the short side (YOK).

@@ -11,14 +11,31 @@ use super::nearby::Nearby;
 use super::sheet::{Piece, has_area};
 use glam::DVec2;
 
-/// What remains of each form: the pieces of its surface and of its ridges. `walls` are rectangles
-/// that nothing may enter: the upper storey.
-pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<RidgeLine>)> {
-    if let ([form], []) = (forms, walls) {
-        return vec![(whole(form), form.ridges.clone())];
+/// What is left of one form: the pieces of its surface and of its ridges.
+pub(super) type Met = (Vec<Piece>, Vec<RidgeLine>);
+
+/// How many others stand in a roof's way on the average before roofs are left as they are. Roofs side by
+/// side have up to two dozen, the smallest with the widest eaves; only piles of them have more.
+const MOST_NEAR: usize = 32;
+
+/// The forms as they are.
+pub(super) fn apart(forms: &[Form]) -> Vec<Met> {
+    let own = |form: &Form| (whole(form), form.ridges.clone());
+    forms.iter().map(own).collect()
+}
+
+/// What remains of each form. `walls` are rectangles that nothing may enter: the upper storey. None
+/// where too many stand in each other's way.
+pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Option<Vec<Met>> {
+    if let ([_], []) = (forms, walls) {
+        return Some(apart(forms));
     }
     let boxes: Vec<Rect> = forms.iter().map(bounds).collect();
     let (roofs, storey) = (Nearby::new(boxes.clone()), Nearby::new(walls.to_vec()));
+    let mut left = forms.len().saturating_mul(MOST_NEAR) + 1000;
+    for of in &boxes {
+        left = left.checked_sub(roofs.overlapping(of).len())?;
+    }
     let walls: Vec<[DVec2; 4]> = walls.iter().map(Rect::corners).collect();
     let kept = |n: usize| {
         let walls: Vec<&[DVec2]> = match forms[n].hung {
@@ -47,7 +64,7 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Vec<(Vec<Piece>, Vec<Ridge
             .collect();
         (pieces, ridges)
     };
-    (0..forms.len()).map(kept).collect()
+    Some((0..forms.len()).map(kept).collect())
 }
 
 fn whole(form: &Form) -> Vec<Piece> {
@@ -127,6 +144,9 @@ fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut
     if cutters.len() <= MANY || size.max_element() < 0.5 {
         let mut pieces = vec![piece];
         for cutter in cutters {
+            if pieces.is_empty() {
+                break;
+            }
             pieces = cut(facet, pieces, cutter);
         }
         return done.extend(pieces);

@@ -91,6 +91,11 @@ impl Plan {
             .flat_map(|l| (0..l.len()).map(move |i| (l[i], l[(i + 1) % l.len()])))
     }
 
+    /// How many corners its loops have, as written.
+    pub fn corners(&self) -> usize {
+        self.loops.iter().map(Vec::len).sum()
+    }
+
     /// Whether every edge is parallel to an axis.
     pub fn is_orthogonal(&self) -> bool {
         self.edges().all(|(p, q)| p.0 == q.0 || p.1 == q.1)
@@ -143,10 +148,17 @@ impl Plan {
 
     /// This region without some cells, which may overlap each other.
     pub fn minus_cells(&self, cells: &[Cell]) -> Plan {
-        let covered = cells.iter().fold(Plan::default(), |sum, c| {
-            sum.union(&Plan::from_cells(&[*c]))
-        });
-        self.difference(&covered)
+        let covering = Plan::from_cells(cells);
+        let Some(mut raster) = Raster::joint(&[self, &covering]) else {
+            let sum = |sum: Plan, c: &Cell| sum.union(&Plan::from_cells(&[*c]));
+            return self.difference(&cells.iter().fold(Plan::default(), sum));
+        };
+        let (mine, covered) = (raster.fill(self), raster.covered(cells));
+        let open = mine.iter().zip(&covered).map(|(m, c)| *m && !c);
+        raster.inside = open.collect();
+        Plan {
+            loops: raster.loops(),
+        }
     }
 
     /// Whether the two regions share more than walls.

@@ -141,6 +141,28 @@ impl Raster {
         inside
     }
 
+    /// Which fields of this grid any of some cells covers, overlapping or not.
+    pub(super) fn covered(&self, cells: &[Cell]) -> Vec<bool> {
+        let cols = self.cols();
+        // How many cells begin less how many end, along a, then summed up.
+        let mut count = vec![0i32; (cols + 1) * self.rows()];
+        for c in cells {
+            for j in self.b.line(c.b0)..self.b.line(c.b1) {
+                count[j * (cols + 1) + self.a.line(c.a0)] += 1;
+                count[j * (cols + 1) + self.a.line(c.a1)] -= 1;
+            }
+        }
+        let mut covered = Vec::with_capacity(cols * self.rows());
+        for row in count.chunks_exact(cols + 1) {
+            let mut open = 0;
+            covered.extend(row[..cols].iter().map(|n| {
+                open += n;
+                open > 0
+            }));
+        }
+        covered
+    }
+
     /// Whether the field left of line `i` (towards smaller a) in row `j` is inside.
     fn before(&self, i: usize, j: usize) -> bool {
         i > 0 && self.inside[j * self.cols() + i - 1]

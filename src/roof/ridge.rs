@@ -110,7 +110,7 @@ pub struct Region {
 }
 
 impl Region {
-    fn main(cell: Cell) -> Self {
+    pub(super) fn main(cell: Cell) -> Self {
         let ridge = if cell.depth() > cell.width() {
             Ridge::B
         } else {

@@ -268,3 +268,44 @@ pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
     .help("give it the height of the topmost storey there, or `*`")
     .label(upper, "this storey stands there")
 }
+
+/// More roof lines than anybody means.
+#[cold]
+pub fn too_many_lines(first: Span, count: usize, limit: usize) -> Diagnostic {
+    let message =
+        format!("the house has {count} roof lines; those after the first {limit} are left out");
+    Diagnostic::warning(906, first, message)
+        .help("make one roof of what lies side by side, or several houses")
+}
+
+/// Roofs piled into each other.
+#[cold]
+pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
+    let message = format!(
+        "so many roofs of storey {storey} stand in each other's way that no valleys are made between them"
+    );
+    Diagnostic::warning(906, place, message).help(
+        "write one roof line for each rectangle, beside each other rather than one in another",
+    )
+}
+
+/// A plan of very many corners.
+#[cold]
+pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize) -> Diagnostic {
+    let message = format!(
+        "storey {number} has {corners} corners to be roofed, more than {limit}: it gets a flat roof"
+    );
+    Diagnostic::warning(906, storey, message)
+        .help("divide the house into several, or give it fewer corners")
+}
+
+/// A storey, the one above and the roof lines cut each other into too many fields.
+#[cold]
+pub fn too_intricate(storey: Span, number: u32) -> Diagnostic {
+    let message = format!(
+        "what is open of storey {number} falls into too many pieces: it gets no automatic roof"
+    );
+    Diagnostic::warning(906, storey, message).help(
+        "let the walls of the storey above, and the roof lines, stand over walls of this storey",
+    )
+}
