@@ -134,6 +134,8 @@ impl PartDef {
 impl Serialize for PartDef {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
+        // Heights given in metres come to shaku with the dust of the division.
+        let rounded = |h: Option<f64>| h.map(|h| (h * 1e3).round() / 1e3);
         let mut out = s.serialize_struct("PartDef", 11)?;
         out.serialize_field("code", self.code())?;
         out.serialize_field("class", &self.class())?;
@@ -141,8 +143,8 @@ impl Serialize for PartDef {
         out.serialize_field("romaji", &self.romaji)?;
         out.serialize_field("en", &self.en)?;
         out.serialize_field("width", &self.width)?;
-        out.serialize_field("from", &self.from)?;
-        out.serialize_field("to", &self.to)?;
+        out.serialize_field("from", &rounded(self.from))?;
+        out.serialize_field("to", &rounded(self.to))?;
         out.serialize_field("made", &self.made)?;
         out.serialize_field("era", &self.era)?;
         out.serialize_field("weathering", &self.weathering)?;

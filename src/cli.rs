@@ -17,9 +17,11 @@ mod textures;
 mod watch;
 pub mod world;
 
+use clap::error::{ContextKind, ContextValue, ErrorKind as Wrong};
 use clap::{Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
+use std::path::Path;
 use std::process::ExitCode;
 
 /// How a run ended.
@@ -89,6 +91,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(error) => {
+            if let Some(text) = text_for_command(&error) {
+                let hint = format!("`{text}` is a file; to make a model of it: hsd build {text}");
+                let _ = writeln!(io::stderr(), "hsd: {hint}");
+                return ExitCode::from(2);
+            }
             let _ = error.print(); // help for a closed pipe is lost, and nobody minds
             return ExitCode::from(error.exit_code() as u8);
         }
@@ -110,4 +117,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let _ = writeln!(io::stderr(), "hsd: {message}");
     ExitCode::from(status)
+}
+
+/// The file that was named in the place of a subcommand.
+fn text_for_command(error: &clap::Error) -> Option<&str> {
+    let word = match error.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(word)) if error.kind() == Wrong::InvalidSubcommand => word,
+        _ => return None,
+    };
+    Path::new(word).is_file().then_some(word)
 }

@@ -10,6 +10,7 @@ mod stats;
 pub use stats::Stats;
 
 use crate::source::Span;
+use compact_str::CompactString;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
@@ -134,8 +135,8 @@ pub struct Node {
     pub parent: Option<NodeId>,
     /// What it stands for.
     pub kind: Kind,
-    /// A readable name.
-    pub name: String,
+    /// A readable name; most are short enough to stand in place.
+    pub name: CompactString,
     /// Where its origin lies in its parent's frame, metres.
     pub at: DVec3,
     /// Its rotation about the vertical: (cos, sin), counter-clockwise seen from above; (1, 0) = none.
@@ -143,7 +144,7 @@ pub struct Node {
     /// What it shows.
     pub mesh: Option<MeshId>,
     /// `extras.code` of a part.
-    pub code: Option<Box<str>>,
+    pub code: Option<CompactString>,
     /// `extras.storey`.
     pub storey: Option<u32>,
     /// `extras.span`: bytes of the source.

@@ -29,6 +29,7 @@ use crate::building::{Building, Ceiling, House, HouseRoofs, Ring, Roof, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Kind, Node, NodeId, Scene};
+use compact_str::{CompactString, format_compact};
 use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use store::Store;
@@ -98,7 +99,13 @@ const STRAIGHT: DVec2 = DVec2::X;
 
 impl Walker<'_> {
     /// Adds a node without a label.
-    fn node(&mut self, parent: Option<NodeId>, kind: Kind, name: String, at: DVec3) -> &mut Node {
+    fn node(
+        &mut self,
+        parent: Option<NodeId>,
+        kind: Kind,
+        name: CompactString,
+        at: DVec3,
+    ) -> &mut Node {
         self.nodes.push(Node {
             parent,
             kind,
@@ -121,8 +128,8 @@ impl Walker<'_> {
 
     fn house(&mut self, house: &House, roofs: &HouseRoofs, number: usize) {
         let name = match house.name.as_str() {
-            "" => format!("house {number}"),
-            name => format!("house {name}"),
+            "" => format_compact!("house {number}"),
+            name => format_compact!("house {name}"),
         };
         let [x, y, z] = house.origin;
         let node = self.node(None, Kind::House, name, dvec3(x, y, z));
@@ -143,7 +150,7 @@ impl Walker<'_> {
             StoreyKind::Storey => "storey",
             StoreyKind::Parapet => "parapet",
         };
-        let name = format!("{word} {}", storey.number);
+        let name = format_compact!("{word} {}", storey.number);
         let at = dvec3(0.0, 0.0, storey.z0);
         let node = self.node(Some(root), Kind::Storey, name, at);
         node.storey = Some(storey.number);
@@ -180,7 +187,7 @@ impl Walker<'_> {
 
     fn roof(&mut self, root: NodeId, roof: &Roof, number: usize) {
         let mesh = self.store.roof(roof, number);
-        let name = format!("roof {number}");
+        let name = format_compact!("roof {number}");
         let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(roof.storey);

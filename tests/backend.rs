@@ -254,7 +254,7 @@ fn materials_are_physical() {
     assert_eq!(pbr["metallicFactor"], 0.0);
     assert_eq!(
         (&cedar["alphaMode"], &glass["alphaMode"]),
-        (&serde_json::Value::Null, &"BLEND".into())
+        (&"OPAQUE".into(), &"BLEND".into())
     );
     assert_eq!(glass["extras"]["reflection"], 0.5);
     assert_eq!(glass["extensions"]["KHR_materials_ior"]["ior"], 1.5);

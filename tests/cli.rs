@@ -67,6 +67,10 @@ fn exit_status_tells_what_happened() {
         (&["build", "sound.hsd", "-o", "no/such/folder/x.glb"], 3),
         (&["check", "--textures", "nowhere", "sound.hsd"], 3),
         (&["explain", "HSD9999"], 2),
+        (&["build", "sound.hsd", "-o", "plain"], 2),
+        (&["build", "sound.hsd", "-o", "plain", "--format", "stl"], 0),
+        (&["build", "sound.hsd", "new.glb"], 2),
+        (&["sound.hsd"], 2),
         (&["--help"], 0),
         (&["build", "--help"], 0),
     ] {
@@ -77,6 +81,32 @@ fn exit_status_tells_what_happened() {
             "{arguments:?}: {}",
             stderr(&output)
         );
+    }
+}
+
+#[test]
+fn wrong_usage_is_told_the_right_one() {
+    let folder = folder();
+    for (arguments, expected) in [
+        (
+            &["sound.hsd"][..],
+            "to make a model of it: hsd build sound.hsd",
+        ),
+        (
+            &["build", "sound.hsd", "new.glb"],
+            "the model's name goes after -o, as in `-o new.glb`",
+        ),
+        (
+            &["build", "sound.hsd", "-o", "m"],
+            "or .stl; if it is to be a folder, write `m/`",
+        ),
+        (
+            &["build", "sound.hsd", "-o", "no/x.glb"],
+            "hsd: no/x.glb: there is no folder no\n",
+        ),
+    ] {
+        let said = stderr(&hsd(folder.path(), arguments));
+        assert!(said.contains(expected) && !said.contains(".hsd-"), "{said}");
     }
 }
 
@@ -101,10 +131,9 @@ fn endings_choose_the_format() {
     let folder = folder();
     for (out, begins) in [
         ("a.glb", &b"glTF"[..]),
-        ("a.gltf", b"{\"asset\""),
+        ("a.gltf", b"{\"accessors\""),
         ("a.obj", b"# hsd "),
         ("a.STL", b"hsd "),
-        ("plain", b"glTF"),
     ] {
         let output = hsd(folder.path(), &["build", "sound.hsd", "-o", out]);
         assert_eq!(code(&output), 0, "{}", stderr(&output));
@@ -223,12 +252,8 @@ fn piped(arguments: &[&str], input: &str) -> Output {
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    child
-        .stdin
-        .take()
-        .unwrap()
-        .write_all(input.as_bytes())
-        .unwrap();
+    // A program that refuses its arguments is gone before it reads.
+    let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
     child.wait_with_output().unwrap()
 }
 
@@ -326,9 +351,22 @@ fn the_catalogue_is_listed() {
     assert_eq!(list.as_array().unwrap().len(), 1);
     assert_eq!(list[0]["code"], "GDE 2");
     let lattices = stdout(&hsd(folder.path(), &["parts", "G"]));
-    assert!(lattices.lines().skip(1).all(|l| l.starts_with('G')) && lattices.lines().count() > 3);
+    let (table, legend) = lattices.split_once("\n\n").unwrap();
+    assert!(table.lines().skip(1).all(|l| l.starts_with('G')) && table.lines().count() > 3);
+    assert!(legend.contains("shaku") && legend.contains("E Edo"));
+    let list = |filter| stdout(&hsd(folder.path(), &["parts", filter]));
+    for (filter, found) in [
+        ("koushi", "格子戸引違い"),
+        ("koshi", "格子戸引違い"),
+        ("shouji", "障子二枚"),
+        ("shoji", "障子二枚"),
+        ("void", "\n.....  1 "),
+        ("NAD", "  7.26 "),
+    ] {
+        assert!(list(filter).contains(found), "{filter}: {}", list(filter));
+    }
     let nothing = hsd(folder.path(), &["parts", "no such part"]);
-    assert!(stderr(&nothing).starts_with("no part has"));
+    assert!(stderr(&nothing).starts_with("no part has") && nothing.stdout.is_empty());
 }
 
 #[test]

@@ -260,6 +260,69 @@ fn broken_markup_is_named_exactly() {
 }
 
 #[test]
+fn tags_that_nearly_match_get_one_message() {
+    let storey = "<House><Story height=\"8.5\"><Row>KTU  </Row></Storey></House>";
+    assert_eq!(faults(storey), vec![(221, "Story")]);
+    let cases = [
+        (
+            "KTU  <repeat num=\"5\">KTU  <repeat>",
+            vec![(241, "<repeat>")],
+        ),
+        (
+            "<repeat num=\"5\">KTU  <repeat>KSM  </repeat></repeat>",
+            vec![(224, "repeat")],
+        ),
+        (
+            "KTU  <Row></Storey><Storey><Row>KTU  ",
+            vec![(241, "<Row>")],
+        ),
+        ("KTU  <Row>KTU  ", vec![(204, "Row")]),
+        ("KTU  <Row turn=\"L\">KTU  ", vec![(204, "Row")]),
+    ];
+    for (content, expected) in cases {
+        let text = row(content);
+        assert_eq!(faults(&text), expected, "{content}");
+    }
+}
+
+/// The only message, and the document.
+fn only(text: &str) -> (Document, Diagnostic) {
+    let (document, mut list) = read(text);
+    assert_eq!(list.len(), 1, "{list:#?}");
+    (document, list.remove(0))
+}
+
+#[test]
+fn words_of_other_programs_are_understood() {
+    let (document, d) = only("<House name=「裏長屋」><Storey><Row>KTU  </Row></Storey></House>");
+    assert_eq!(d.code.0, 211);
+    assert!(d.help.ends_with("`name=\"裏長屋\"`"), "{}", d.help);
+    let name = document.houses[0].name.as_ref();
+    assert_eq!(name.map(|n| n.value.as_str()), Some("裏長屋"));
+    let (document, d) = only(&row("<repeat count=\"5\">KTU  </repeat>"));
+    assert_eq!((d.code.0, d.help.as_str()), (222, "write `num`"));
+    let Item::Repeat(repeat) = &first_row(&document).pieces[0] else {
+        panic!("no repeat")
+    };
+    assert_eq!(repeat.num.value, 5);
+    let (document, d) = only("<House><Roof kind=\"I\"/></House>");
+    assert_eq!((d.code.0, d.help.as_str()), (223, "write `Roofs`"));
+    let kind = document.houses[0].roofs.style.kind.map(|k| k.value);
+    assert_eq!(kind, Some(RoofKind::Boards));
+    let (_, d) = only(&row("<repeat num=\"5\"/>"));
+    assert_eq!((d.code.0, d.severity), (242, Severity::Warning));
+    let (document, d) = only(&row("KTU  KSM\tKTU  "));
+    assert!(
+        d.help
+            .starts_with("replace it by 2 blanks, so that the next code begins in column 11")
+    );
+    assert_eq!(
+        codes_of(&first_row(&document).pieces),
+        ["KTU  ", "KSM  ", "KTU  "]
+    );
+}
+
+#[test]
 fn both_places_are_named() {
     let label = |text: &str| {
         let (_, list) = read(text);

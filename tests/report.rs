@@ -227,7 +227,9 @@ fn json_has_the_fields_of_the_contract() {
     let expected = serde_json::json!([{
         "code": "HSD0104", "severity": "error", "message": "a \u{1} \"quoted\" text", "file": "家.hsd",
         "line": 2, "column": 1, "span": {"start": 7, "end": 12}, "help": "mend",
-        "labels": [{"message": "name", "file": "家.hsd", "span": {"start": 2, "end": 6}}],
+        "labels": [
+            {"message": "name", "file": "家.hsd", "line": 1, "column": 3, "span": {"start": 2, "end": 6}},
+        ],
     }]);
     assert_eq!(json, expected);
     assert_eq!(written(&sources, &[], Format::Json), "[]\n");

@@ -28,7 +28,7 @@ pub fn flaws(scene: &Scene) -> impl Iterator<Item = Flaw> + '_ {
         !node(n) || mesh.is_some_and(|b| b.unwrap_or(true))
     };
     scene.nodes.iter().filter(flawed).map(|n| Flaw {
-        name: n.name.clone(),
+        name: n.name.to_string(),
         span: n.span,
     })
 }

@@ -30,7 +30,7 @@ pub(super) struct Build {
     #[command(flatten)]
     pub(super) reading: Reading,
 
-    /// The model's file, a folder (one model for each text), or `-` for standard output.
+    /// The model's file, a folder (`models/`, one model for each text), or `-` for standard output.
     ///
     /// Several texts and one file make one scene.
     #[arg(short, long, value_name = "OUT")]
@@ -68,9 +68,11 @@ pub(super) struct Job {
 impl Build {
     pub(super) fn run(&self) -> Outcome {
         self.reading.check_folders()?;
+        self.check_inputs()?;
         let jobs = self.jobs()?;
         for job in &jobs {
             job.keeps_its_texts()?;
+            job.spares_the_screen()?;
         }
         if self.watch {
             return watch::run(self, &jobs);
@@ -148,6 +150,19 @@ impl Build {
         Ok(false)
     }
 
+    /// Fails for models among the texts: what was meant is `-o`.
+    fn check_inputs(&self) -> Result<(), Stop> {
+        let is_model = |i: &&PathBuf| Model::of_ending(i).is_some();
+        match self.reading.inputs.iter().find(is_model) {
+            Some(model) => {
+                let shown = model.display();
+                let message = format!("{shown} is no text: the model's name goes after -o");
+                Err(Stop::Usage(format!("{message}, as in `-o {shown}`")))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// What is to be made of what.
     fn jobs(&self) -> Result<Vec<Job>, Stop> {
         let inputs = &self.reading.inputs;
@@ -209,6 +224,16 @@ impl Job {
             }
             _ => Ok(()),
         }
+    }
+
+    /// Fails where the bytes of a model would be poured on the screen.
+    fn spares_the_screen(&self) -> Result<(), Stop> {
+        if self.output.as_os_str() == STDIN && io::stdout().is_terminal() {
+            let message =
+                "a model is no text for the screen; give a file by -o, as in `-o house.glb`";
+            return Err(Stop::Usage(message.into()));
+        }
+        Ok(())
     }
 
     /// The texts.

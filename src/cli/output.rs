@@ -35,19 +35,29 @@ impl Model {
         }
     }
 
-    /// The format of a file name; `.glb` where it has no ending.
+    /// The format that the ending of a file name stands for.
+    pub(super) fn of_ending(path: &Path) -> Option<Model> {
+        let ending = path.extension()?;
+        let mut all = [Model::Glb, Model::Gltf, Model::Obj, Model::Stl].into_iter();
+        all.find(|m| ending.eq_ignore_ascii_case(m.ending()))
+    }
+
+    /// The format of an output; `.glb` for a device or a pipe, whose name has no ending.
     pub(super) fn of(path: &Path) -> Result<Model, Stop> {
-        let Some(ending) = path.extension() else {
+        let device = || fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir());
+        if let Some(model) = Model::of_ending(path) {
+            return Ok(model);
+        }
+        if path.extension().is_none() && device() {
             return Ok(Model::Glb);
+        }
+        let shown = path.display();
+        let folder = match path.extension() {
+            None => format!("; if it is to be a folder, write `{shown}/`"),
+            Some(_) => String::new(),
         };
-        let all = [Model::Glb, Model::Gltf, Model::Obj, Model::Stl];
-        let found = all
-            .into_iter()
-            .find(|m| ending.eq_ignore_ascii_case(m.ending()));
-        found.ok_or_else(|| {
-            let shown = path.display();
-            Stop::Usage(format!("{shown}: models end in .glb, .gltf, .obj or .stl"))
-        })
+        let message = format!("{shown}: models end in .glb, .gltf, .obj or .stl{folder}");
+        Err(Stop::Usage(message))
     }
 
     /// All files of a model, the main one last. `path` names the main one.
@@ -140,8 +150,13 @@ fn prepare(target: &Path, bytes: &[u8]) -> io::Result<Option<(NamedTempFile, Pat
     if folder.to_string_lossy().ends_with("_textures") && !folder.exists() {
         fs::create_dir(folder)?;
     }
-    let mut file = temporary(folder)?;
-    file.write_all(bytes)?;
+    if !folder.is_dir() {
+        let message = format!("there is no folder {}", folder.display());
+        return Err(io::Error::new(io::ErrorKind::NotFound, message));
+    }
+    // The temporary name, which these errors would tell, is nothing to the reader.
+    let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
+    file.as_file_mut().write_all(bytes)?;
     Ok(Some((file, target)))
 }
 

@@ -22,6 +22,8 @@ pub(super) struct Parts {
     format: List,
 
     /// Only parts with this in their code or a name; one capital letter means a class.
+    ///
+    /// Long vowels may be written in any way: `koshi`, `koushi` and `kōshi` find the same.
     filter: Option<String>,
 }
 
@@ -71,7 +73,48 @@ impl Parts {
             &part.en,
             class_word(part.class()),
         ];
+        let sound = folded(filter);
         fields.iter().any(|f| f.to_lowercase().contains(&wanted))
+            || (!sound.is_empty() && folded(&part.romaji).contains(&sound))
+    }
+}
+
+/// A reading without what romanisations differ in: long vowels, hyphens, blanks.
+fn folded(reading: &str) -> String {
+    let mut out = String::new();
+    for c in reading.to_lowercase().chars() {
+        let plain = match c {
+            'ā' | 'â' => 'a',
+            'ī' | 'î' => 'i',
+            'ū' | 'û' => 'u',
+            'ē' | 'ê' => 'e',
+            'ō' | 'ô' => 'o',
+            '-' | ' ' | '\'' | '\u{304}' | '\u{302}' => continue,
+            c => c,
+        };
+        let long = match plain {
+            'u' => out.ends_with(['o', 'u']),
+            'o' | 'a' => out.ends_with(plain),
+            _ => false,
+        };
+        if !long {
+            out.push(plain);
+        }
+    }
+    out
+}
+
+/// A number of at most three decimals.
+fn rounded(number: f64) -> String {
+    let text = format!("{number:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// A code that can be seen: the void's is five blanks.
+fn visible(code: &str) -> String {
+    match code.trim().is_empty() {
+        true => ".".repeat(code.len()),
+        false => code.to_owned(),
     }
 }
 
@@ -88,13 +131,32 @@ fn class_word(class: char) -> &'static str {
     }
 }
 
+/// What the columns and letters of the table mean.
+const LEGEND: &str = "
+Width in U (0.909 m), from and to in shaku (0.303 m) above the storey's floor.
+Era: E Edo, M Meiji to early Shōwa, N modern, all: any. `.....` stands for a code of five blanks.
+";
+
 fn table(parts: &[&PartDef]) -> String {
-    let head = ["code", "U", "from", "to", "era", "name", "", ""].map(str::to_owned);
-    let height = |h: Option<f64>| h.map_or(String::new(), |h| format!("{h}"));
+    if parts.is_empty() {
+        return String::new();
+    }
+    let head = [
+        "code",
+        "width U",
+        "from shaku",
+        "to shaku",
+        "era",
+        "name",
+        "",
+        "",
+    ]
+    .map(str::to_owned);
+    let height = |h: Option<f64>| h.map_or(String::new(), rounded);
     let row = |p: &&PartDef| {
         [
-            p.code().to_owned(),
-            format!("{}", p.width()),
+            visible(p.code()),
+            rounded(p.width()),
             height(p.from),
             height(p.to),
             p.era.word().to_owned(),
@@ -115,5 +177,5 @@ fn table(parts: &[&PartDef]) -> String {
         out.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
         out.push('\n');
     }
-    out
+    out + LEGEND
 }

@@ -2,7 +2,7 @@
 
 use super::Pass;
 use crate::ast::CodeText;
-use crate::catalog::{Catalog, PartId};
+use crate::catalog::{Catalog, PartDef, PartId};
 use crate::diagnostic::messages::parts as say;
 use crate::program::{Content, Picture, PictureId, Program, Unit};
 use crate::source::{Span, World};
@@ -207,6 +207,20 @@ impl<'a> Codes<'a> {
             .collect()
     }
 
+    /// The code of the part that has this Japanese or romanised name.
+    fn called(&mut self, name: &str) -> Option<&'a str> {
+        let name = name.trim();
+        if self.searches == 0 || name.is_empty() {
+            return None;
+        }
+        self.searches -= 1;
+        let same = |part: &&'a PartDef| {
+            name == &*part.ja || name.to_lowercase() == part.romaji.to_lowercase()
+        };
+        let catalog: &'a Catalog = self.catalog;
+        catalog.parts().iter().find(same).map(PartDef::code)
+    }
+
     /// Stands in for an unknown code: a plain part of its class, in the width that its fifth column
     /// tells, so that the outline stays right.
     fn stand_in(&self, text: &str) -> Found {
@@ -266,10 +280,13 @@ impl Pass<'_, '_> {
                 CodeText::Name(_) => vec![],
                 CodeText::Five(_) => self.codes.nearest(bare),
             };
-            self.out.push(say::unknown_code(span, bare, &near));
+            let called = self.codes.called(bare);
+            self.out.push(match called {
+                Some(part) => say::part_name(span, bare, part),
+                None => say::unknown_code(span, bare, &near),
+            });
         }
-        let found = self.codes.stand_in(bare);
-        found
+        self.codes.stand_in(bare)
     }
 }
 

@@ -40,16 +40,25 @@ pub fn parse(source: &Source, _limits: &Limits, out: &mut Diagnostics) -> Docume
         house: Draft::default(),
         old_line_ends: false,
     };
+    let mut xml = false;
     let text = source.text();
     for (line, end) in line::lines(text) {
         reader.line_end(end.clone());
+        xml = is_tag(&text[line.clone()]);
+        if xml {
+            let span = source.span(line.clone());
+            reader.talk.say(say::xml_after_text(span));
+            break;
+        }
         reader.line(&text[line.clone()], line.start, end);
     }
-    reader.finish_house();
+    if !xml || reader.house.walls.begun() {
+        reader.finish_house();
+    }
     let Reader {
         mut talk, document, ..
     } = reader;
-    if document.houses.is_empty() {
+    if document.houses.is_empty() && !xml {
         talk.say(file::no_house(source.span(0..0)));
     }
     talk.finish();
@@ -121,7 +130,15 @@ impl<'a> Reader<'a> {
                 let span = line.whole(self.talk.source);
                 self.talk.say(say::comment_column(span));
             }
-            Some(_) => self.content(&line),
+            Some(_) => match other_comment(text) {
+                Some(sign) => {
+                    let start = raw.len() - raw.trim_start().len();
+                    let start = at + start;
+                    let span = self.talk.source.span(start..start + sign.len());
+                    self.talk.say(say::comment_sign(span, sign));
+                }
+                None => self.content(&line),
+            },
         }
     }
 
@@ -149,10 +166,7 @@ impl<'a> Reader<'a> {
         }
         match house.section {
             Section::Header => house.header.read(line, &mut house.house, &mut self.talk),
-            Section::Walls => {
-                self.talk.mended_walls(line);
-                house.walls.read(line, &mut self.talk);
-            }
+            Section::Walls => house.walls.read(line, &mut self.talk),
             Section::Roofs => {
                 let roof = roofs::read(line, &mut self.talk);
                 house.house.roofs.lines.extend(roof);
@@ -266,8 +280,24 @@ impl<'a> Reader<'a> {
             self.talk
                 .say(say::surplus_heights(span, house.heights.len(), storeys));
         }
+        draft.header.judge(&house, storeys, &mut self.talk);
         self.document.houses.push(house);
     }
+}
+
+/// Whether a line begins with a tag of the XML form; no line of a legacy text begins so.
+fn is_tag(line: &str) -> bool {
+    let mut chars = line.trim_start().chars();
+    chars.next() == Some('<')
+        && chars
+            .next()
+            .is_some_and(|c| c.is_ascii_alphabetic() || matches!(c, '?' | '!'))
+}
+
+/// What other languages begin a comment with, at the start of a line.
+fn other_comment(text: &str) -> Option<&str> {
+    let signs = ["//", "/*", ";"];
+    signs.into_iter().find(|sign| text.starts_with(sign))
 }
 
 /// Two capitals, points, a control letter, or whole voids before them: the beginning of a wall line.

@@ -19,6 +19,7 @@ mod read;
 mod roofs;
 mod scan;
 mod schema;
+mod slash;
 mod suggest;
 mod tag;
 mod text;

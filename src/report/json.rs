@@ -1,4 +1,4 @@
-//! One JSON array, an object a line (language.md 5).
+//! One JSON array, an object a line (language.md 5). Beyond the contract a label has a line and a column too.
 
 use super::{Report, word};
 use crate::diagnostic::Diagnostic;
@@ -23,6 +23,8 @@ struct Message<'a> {
 struct Label<'a> {
     message: &'a str,
     file: &'a str,
+    line: usize,
+    column: usize,
     span: Bytes,
 }
 
@@ -58,10 +60,15 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
 
 fn message<'a>(report: &'a Report<'_>, d: &'a Diagnostic) -> Message<'a> {
     let at = report.position(d.span);
-    let label = |l: &'a crate::diagnostic::Label| Label {
-        message: &l.message,
-        file: report.name(l.span.file),
-        span: l.span.into(),
+    let label = |l: &'a crate::diagnostic::Label| {
+        let at = report.position(l.span);
+        Label {
+            message: &l.message,
+            file: report.name(l.span.file),
+            line: at.line,
+            column: at.column,
+            span: l.span.into(),
+        }
     };
     Message {
         code: d.code.to_string(),

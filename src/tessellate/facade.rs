@@ -11,6 +11,7 @@ use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
 use crate::scene::{Kind, Mesh, MeshId, NodeId};
+use compact_str::format_compact;
 use glam::dvec3;
 
 /// A wall with what its units have to know of each other.
@@ -212,7 +213,7 @@ impl Walker<'_> {
         after: Option<&Line<'_>>,
     ) {
         let wall = line.wall;
-        let name = format!("facade {}", wall.facade);
+        let name = format_compact!("facade {}", wall.facade);
         let at = level.house.place(wall.from, 0.0);
         let node = self.node(Some(level.node), Kind::Facade, name, at);
         node.turn = turn_of(wall.direction);
@@ -262,7 +263,12 @@ impl Walker<'_> {
             let mesh = self.store.finish("wedge".into(), bodies, Share::default());
             let mesh = self.store.push(mesh);
             let at = dvec3(slot.x, 0.0, 0.0);
-            let node = self.node(Some(facade), Kind::Member, format!("wedge {number}"), at);
+            let node = self.node(
+                Some(facade),
+                Kind::Member,
+                format_compact!("wedge {number}"),
+                at,
+            );
             node.mesh = Some(mesh);
             node.storey = Some(level.storey.number);
         }
@@ -283,7 +289,7 @@ impl Walker<'_> {
             Content::Picture(id) => (self.picture(slot, unit, *id), "picture"),
         };
         let (number, half) = slot.number;
-        let name = format!("{}{half} {number}", code.trim_end());
+        let name = format_compact!("{}{half} {number}", code.trim_end());
         let at = dvec3(slot.x, 0.0, slot.z.0);
         let is_part = !matches!(unit.content, Content::Picture(_));
         let node = self.node(Some(slot.facade), Kind::Part, name, at);

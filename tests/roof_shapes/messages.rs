@@ -94,10 +94,11 @@ fn odd_options_are_warned_about() {
     let first = out.iter().next().unwrap();
     assert_eq!((first.code.0, first.span), (507, span(3)));
     let gable = |d, h| line(RoofShape::Gable, d, h, [0.0, 0.0, 6.0, 8.0]);
+    let slim = |d, h| line(RoofShape::Gable, d, h, [0.0, 0.0, 4.0, 8.0]);
     assert_eq!(
         said(with(
             plain(),
-            gable(Some(RoofDirection::AlongFront), Some(9.0))
+            slim(Some(RoofDirection::AlongFront), Some(9.0))
         )),
         vec![508]
     );

@@ -305,8 +305,8 @@ fn the_example_of_the_domain_sheet_stands() {
     );
     house.roofs.lines = vec![main, pent];
     let (building, out) = build(house);
-    // The ridge parallel to the street spans 8 units: good to know, no more.
-    assert_eq!(codes(&out), vec![508]);
+    // The ridge parallel to the street spans 8 units over 6: usual in a street.
+    assert!(codes(&out).is_empty());
     assert_sound(&building);
     let [pent, main] = roofs(&building) else {
         panic!()

@@ -1,14 +1,15 @@
-//! Meshes: which are shown, their accessors, and their bytes. The bytes are written straight into the file.
+//! Meshes: which are shown, their accessors, and their bytes. Accessors and views go into the root, the bytes into the buffer.
 
-use super::document::{Accessor, Attributes, BufferView, Mesh, Primitive};
 use super::materials::{Look, Looks};
 use super::tangents::tangents;
 use crate::backend::sound;
 use crate::scene::{self, Scene};
-
-const FLOAT: u32 = 5126;
-const UNSIGNED_SHORT: u32 = 5123;
-const UNSIGNED_INT: u32 = 5125;
+use gltf::json::accessor::{ComponentType, GenericComponentType, Type};
+use gltf::json::buffer::{Stride, Target, View};
+use gltf::json::mesh::{Mode, Primitive, Semantic};
+use gltf::json::validation::Checked::Valid;
+use gltf::json::{Accessor, Index, Mesh, Root};
+use std::collections::BTreeMap;
 
 /// What nodes show, by the scene's numbers: other meshes and materials would only make the file larger.
 pub(super) struct Shown<'a> {
@@ -50,7 +51,7 @@ struct Piece<'a> {
     look: Look,
 }
 
-/// What the buffer holds, in this order.
+/// What the buffer holds, in this order; each kind that occurs has one view.
 const POSITIONS: usize = 0;
 const NORMALS: usize = 1;
 const TANGENTS: usize = 2;
@@ -59,138 +60,169 @@ const INDICES: usize = 4;
 
 /// All meshes.
 pub(super) struct Geometry<'a> {
-    pub(super) meshes: Vec<Mesh<'a>>,
-    pub(super) accessors: Vec<Accessor>,
     /// The glTF number of each mesh of the scene.
-    pub(super) numbers: Vec<Option<u32>>,
+    pub(super) numbers: Vec<Option<Index<Mesh>>>,
     pieces: Vec<Piece<'a>>,
-    /// Bytes of each kind.
-    lengths: [usize; 5],
+    views: [Option<Index<View>>; 5],
 }
 
 impl<'a> Geometry<'a> {
-    pub(super) fn new(scene: &'a Scene, shown: &Shown<'a>, looks: &Looks<'a>) -> Geometry<'a> {
+    pub(super) fn new(
+        scene: &'a Scene,
+        shown: &Shown<'a>,
+        looks: &Looks<'a>,
+        root: &mut Root,
+    ) -> Geometry<'a> {
         let mut geometry = Geometry {
-            meshes: vec![],
-            accessors: vec![],
             numbers: vec![None; scene.meshes.len()],
             pieces: vec![],
-            lengths: [0; 5],
+            views: [None; 5],
         };
-        for (i, list) in shown
-            .primitives
-            .iter()
-            .enumerate()
-            .filter(|(_, l)| !l.is_empty())
-        {
-            geometry.numbers[i] = Some(geometry.meshes.len() as u32);
-            let add = |p: &&'a scene::Primitive| geometry.add(p, looks.look(p.material));
+        let shown = shown.primitives.iter().enumerate();
+        for (i, list) in shown.filter(|(_, l)| !l.is_empty()) {
+            let name = &scene.meshes[i].name;
+            let add = |p: &&'a scene::Primitive| geometry.add(root, p, looks.look(p.material));
             let primitives = list.iter().map(add).collect();
-            geometry.meshes.push(Mesh {
-                name: &scene.meshes[i].name,
+            geometry.numbers[i] = Some(root.push(Mesh {
+                name: (!name.is_empty()).then(|| name.clone()),
                 primitives,
-            });
-        }
-        // Empty views are not written, so the later ones move up.
-        let empty = geometry.lengths.map(|l| l == 0);
-        for accessor in &mut geometry.accessors {
-            let before = &empty[..accessor.buffer_view as usize];
-            accessor.buffer_view -= before.iter().filter(|e| **e).count() as u32;
+                weights: None,
+                extensions: None,
+                extras: None,
+            }));
         }
         geometry
     }
 
-    fn add(&mut self, p: &'a scene::Primitive, look: Look) -> Primitive {
+    fn add(&mut self, root: &mut Root, p: &'a scene::Primitive, look: Look) -> Primitive {
         let count = p.positions.len();
-        let position = self.accessor(POSITIONS, FLOAT, "VEC3", count, 12 * count);
-        let (min, max) = bounds(&p.positions);
-        let bounded = &mut self.accessors[position as usize];
-        (bounded.min, bounded.max) = (Some(min), Some(max));
-        let normal = self.accessor(NORMALS, FLOAT, "VEC3", count, 12 * count);
-        let relief = look.relief;
-        let tangent = relief.then(|| self.accessor(TANGENTS, FLOAT, "VEC4", count, 16 * count));
-        let shows = look.metres.is_some();
-        let uv = shows.then(|| self.accessor(UVS, FLOAT, "VEC2", count, 8 * count));
-        let number = p.indices.len();
-        let indices = if short(count) {
-            self.accessor(INDICES, UNSIGNED_SHORT, "SCALAR", number, 2 * number)
-        } else {
-            self.accessor(INDICES, UNSIGNED_INT, "SCALAR", number, 4 * number)
+        let mut add = |view, semantic, kind| {
+            let number = self.accessor(root, view, ComponentType::F32, kind, count);
+            (Valid(semantic), number)
         };
+        let position = add(POSITIONS, Semantic::Positions, Type::Vec3);
+        let normal = add(NORMALS, Semantic::Normals, Type::Vec3);
+        let first = position.1.value();
+        let mut attributes = BTreeMap::from([position, normal]);
+        attributes.extend(
+            look.relief
+                .then(|| add(TANGENTS, Semantic::Tangents, Type::Vec4)),
+        );
+        attributes.extend(
+            look.metres
+                .map(|_| add(UVS, Semantic::TexCoords(0), Type::Vec2)),
+        );
+        let (min, max) = bounds(&p.positions);
+        let bounded = &mut root.accessors[first];
+        (bounded.min, bounded.max) = (Some(min.into()), Some(max.into()));
+        let component = if short(count) {
+            ComponentType::U16
+        } else {
+            ComponentType::U32
+        };
+        let indices = self.accessor(root, INDICES, component, Type::Scalar, p.indices.len());
         self.pieces.push(Piece { source: p, look });
         Primitive {
-            attributes: Attributes {
-                position,
-                normal,
-                tangent,
-                uv,
-            },
-            indices,
-            material: look.number,
+            attributes,
+            indices: Some(indices),
+            material: Some(look.number),
+            mode: Valid(Mode::Triangles),
+            targets: None,
+            extensions: None,
+            extras: None,
         }
     }
 
+    /// Lengthens the view by the bytes of the accessor.
     fn accessor(
         &mut self,
-        view: usize,
-        component_type: u32,
-        kind: &'static str,
+        root: &mut Root,
+        kind: usize,
+        component: ComponentType,
+        elements: Type,
         count: usize,
-        bytes: usize,
-    ) -> u32 {
-        self.accessors.push(Accessor {
-            buffer_view: view as u32,
-            byte_offset: self.lengths[view],
-            component_type,
-            count,
-            kind,
+    ) -> Index<Accessor> {
+        let size = component.size() * elements.multiplicity();
+        let vertices = kind != INDICES;
+        let index = *self.views[kind].get_or_insert_with(|| {
+            let target = if vertices {
+                Target::ArrayBuffer
+            } else {
+                Target::ElementArrayBuffer
+            };
+            root.push(View {
+                target: Some(Valid(target)),
+                // Many accessors share it.
+                byte_stride: vertices.then_some(Stride(size)),
+                ..view(0, 0)
+            })
+        });
+        let length = &mut root.buffer_views[index.value()].byte_length;
+        let byte_offset = Some(*length);
+        length.0 += (size * count).next_multiple_of(4) as u64;
+        root.push(Accessor {
+            buffer_view: Some(index),
+            byte_offset,
+            count: count.into(),
+            component_type: Valid(GenericComponentType(component)),
+            type_: Valid(elements),
             min: None,
             max: None,
-        });
-        self.lengths[view] += bytes.next_multiple_of(4);
-        self.accessors.len() as u32 - 1
+            name: None,
+            normalized: false,
+            sparse: None,
+            extensions: None,
+            extras: None,
+        })
     }
 
-    /// The views of what [`Geometry::write`] writes, and its length.
-    pub(super) fn views(&self) -> (Vec<BufferView>, usize) {
-        let (mut views, mut at) = (vec![], 0);
-        for (kind, &length) in self.lengths.iter().enumerate().filter(|(_, l)| **l > 0) {
-            views.push(match kind {
-                POSITIONS | NORMALS => BufferView::vertices(at, length, 12),
-                TANGENTS => BufferView::vertices(at, length, 16),
-                UVS => BufferView::vertices(at, length, 8),
-                _ => BufferView::indices(at, length),
-            });
-            at += length;
-        }
-        (views, at)
-    }
-
-    /// Appends positions, normals, tangents, texture coordinates and indices.
-    pub(super) fn write(&self, out: &mut Vec<u8>) {
-        for piece in &self.pieces {
-            write_floats(out, &piece.source.positions, turned);
-        }
-        for piece in &self.pieces {
-            write_floats(out, &piece.source.normals, |n| turned(unit(n)));
-        }
-        for piece in self.pieces.iter().filter(|p| p.look.relief) {
-            let tangents = tangents(piece.source);
-            write_floats(out, &tangents, |[x, y, z, w]| {
-                let [x, y, z] = turned([x, y, z]);
-                [x, y, z, w]
-            });
-        }
-        for piece in &self.pieces {
-            if let Some(metres) = piece.look.metres {
-                // v of glTF runs downwards.
-                let uv = |[u, v]: [f32; 2]| [u / metres, 1.0 - v / metres];
-                write_floats(out, &piece.source.uvs, uv);
+    /// Appends positions, normals, tangents, texture coordinates and indices, and tells the views where they are.
+    pub(super) fn write(&self, root: &mut Root, out: &mut Vec<u8>) {
+        let lengths = root.buffer_views.iter().map(|v| v.byte_length.0 as usize);
+        out.reserve(lengths.sum());
+        for (kind, view) in self.views.iter().enumerate() {
+            if let Some(view) = view {
+                root.buffer_views[view.value()].byte_offset = Some(out.len().into());
+                let pieces = self.pieces.iter();
+                pieces.for_each(|piece| piece.write(kind, out));
             }
         }
-        for piece in &self.pieces {
-            write_indices(out, &piece.source.indices, piece.source.positions.len());
+    }
+}
+
+impl Piece<'_> {
+    fn write(&self, kind: usize, out: &mut Vec<u8>) {
+        let p = self.source;
+        match (kind, self.look.metres) {
+            (POSITIONS, _) => write_floats(out, &p.positions, turned),
+            (NORMALS, _) => write_floats(out, &p.normals, |n| turned(unit(n))),
+            (TANGENTS, _) if self.look.relief => {
+                write_floats(out, &tangents(p), |[x, y, z, w]| {
+                    let [x, y, z] = turned([x, y, z]);
+                    [x, y, z, w]
+                });
+            }
+            // v of glTF runs downwards.
+            (UVS, Some(metres)) => {
+                write_floats(out, &p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]);
+            }
+            (INDICES, _) => write_indices(out, &p.indices, p.positions.len()),
+            _ => (),
         }
+    }
+}
+
+/// Of the one buffer.
+pub(super) fn view(offset: usize, length: usize) -> View {
+    View {
+        buffer: Index::new(0),
+        byte_length: length.into(),
+        byte_offset: Some(offset.into()),
+        byte_stride: None,
+        name: None,
+        target: None,
+        extensions: None,
+        extras: None,
     }
 }
 

@@ -1,27 +1,33 @@
 //! Materials with their textures, pictures and samplers.
 
-use super::document::{
-    Glass, Image, Ior, Material, Pbr, Reflection, Sampler, Specular, Texture, TextureRef,
-};
 use super::escaped;
-use super::geometry::Shown;
+use super::geometry::{Shown, view};
 use crate::backend::pictures::mime;
-use crate::backend::{Images, PictureBytes};
+use crate::backend::{Images, OutFile, PictureBytes, picture_folder};
 use crate::scene::{self, MaterialId, Scene};
+use gltf::json::extensions::material::{
+    IndexOfRefraction, Ior, Material as Extensions, Specular, SpecularFactor,
+};
+use gltf::json::image::MimeType;
+use gltf::json::material::{
+    AlphaMode, NormalTexture, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor,
+};
+use gltf::json::texture::{Info, MagFilter, MinFilter, Sampler, WrappingMode};
+use gltf::json::validation::Checked::Valid;
+use gltf::json::{Image, Index, Material, Root, Texture};
+use serde_json::value::to_raw_value;
 use std::borrow::Cow;
 
-const LINEAR: u32 = 9729;
-const LINEAR_MIPMAP_LINEAR: u32 = 9987;
-const REPEAT: u32 = 10497;
-const CLAMP_TO_EDGE: u32 = 33071;
+/// The extensions of a pane.
+const GLASS: [&str; 2] = ["KHR_materials_ior", "KHR_materials_specular"];
 
 /// Window glass; what the share of mirrored light adds is the specular factor.
 const IOR: f32 = 1.5;
 
 /// A picture in use.
-pub(super) struct Picture<'a> {
-    pub(super) name: Cow<'a, str>,
-    pub(super) bytes: &'a [u8],
+struct Picture<'a> {
+    name: Cow<'a, str>,
+    bytes: &'a [u8],
     mime: &'static str,
 }
 
@@ -29,16 +35,16 @@ pub(super) struct Picture<'a> {
 struct Drawn<'a> {
     image: &'a scene::Image,
     metres: f32,
-    color: TextureRef,
-    normal: Option<TextureRef>,
-    orm: Option<TextureRef>,
+    color: Index<Texture>,
+    normal: Option<Index<Texture>>,
+    orm: Option<Index<Texture>>,
 }
 
 /// What the geometry needs to know of a material.
 #[derive(Clone, Copy)]
 pub(super) struct Look {
     /// Its glTF number.
-    pub(super) number: u32,
+    pub(super) number: Index<Material>,
     /// Metres of one repeat if it shows a picture.
     pub(super) metres: Option<f32>,
     /// Whether it has normals, which need tangents.
@@ -48,32 +54,36 @@ pub(super) struct Look {
 /// How everything looks.
 #[derive(Default)]
 pub(super) struct Looks<'a> {
-    pub(super) extensions: Vec<&'static str>,
-    pub(super) materials: Vec<Material<'a>>,
-    pub(super) textures: Vec<Texture>,
-    pub(super) images: Vec<Picture<'a>>,
-    pub(super) samplers: Vec<Sampler>,
+    pictures: Vec<Picture<'a>>,
     /// By the scene's number.
     looks: Vec<Look>,
     drawn: Vec<Drawn<'a>>,
 }
 
 impl<'a> Looks<'a> {
-    pub(super) fn new(scene: &'a Scene, shown: &Shown<'_>, images: &'a dyn Images) -> Looks<'a> {
+    pub(super) fn new(
+        scene: &'a Scene,
+        shown: &Shown<'_>,
+        images: &'a dyn Images,
+        root: &mut Root,
+    ) -> Looks<'a> {
         let mut looks = Looks::default();
         for (material, &used) in scene.materials.iter().zip(&shown.materials) {
-            let number = looks.materials.len() as u32;
-            let drawn = used.then(|| looks.drawn(&material.image, images)).flatten();
-            let shows = drawn.map(|d| &looks.drawn[d]);
+            let number = Index::new(root.materials.len() as u32);
+            let image = &material.image;
+            let drawn = used.then(|| looks.drawn(image, images, root)).flatten();
+            let drawn = drawn.map(|d| &looks.drawn[d]);
             looks.looks.push(Look {
                 number,
-                metres: shows.map(|d| d.metres),
-                relief: shows.is_some_and(|d| d.normal.is_some()),
+                metres: drawn.map(|d| d.metres),
+                relief: drawn.is_some_and(|d| d.normal.is_some()),
             });
             if used {
-                let made = looks.material(material, drawn);
-                looks.materials.push(made);
+                root.push(made(material, drawn));
             }
+        }
+        if root.materials.iter().any(|m| m.extensions.is_some()) {
+            root.extensions_used = GLASS.map(str::to_owned).into();
         }
         looks
     }
@@ -83,62 +93,47 @@ impl<'a> Looks<'a> {
         self.looks[id.0 as usize]
     }
 
-    /// The JSON of the pictures, in a folder or in the views `view_of`.
-    pub(super) fn images<'b>(
-        &'b self,
-        folder: Option<&str>,
-        view_of: impl Fn(usize) -> Option<usize>,
-    ) -> Vec<Image<'b>> {
-        let image = |(k, picture): (usize, &'b Picture<'a>)| Image {
-            name: picture
-                .name
-                .rsplit_once('.')
-                .map_or(&*picture.name, |(stem, _)| stem),
-            buffer_view: view_of(k),
-            mime_type: view_of(k).map(|_| picture.mime),
-            uri: folder.map(|f| escaped(&format!("{f}/{}", picture.name))),
-        };
-        self.images.iter().enumerate().map(image).collect()
+    /// Appends the pictures to the buffer.
+    pub(super) fn write(&self, root: &mut Root, out: &mut Vec<u8>) {
+        out.reserve(self.pictures.iter().map(|p| p.bytes.len() + 3).sum());
+        for picture in &self.pictures {
+            let inside = root.push(view(out.len(), picture.bytes.len()));
+            root.images.push(Image {
+                buffer_view: Some(inside),
+                mime_type: Some(MimeType(picture.mime.into())),
+                ..picture.image()
+            });
+            out.extend_from_slice(picture.bytes);
+            out.resize(out.len().next_multiple_of(4), 0);
+        }
     }
 
-    fn material(&mut self, m: &'a scene::Material, drawn: Option<usize>) -> Material<'a> {
-        let drawn = drawn.map(|d| &self.drawn[d]);
-        let factor = |x: f32| {
-            if x.is_finite() {
-                x.clamp(0.0, 1.0)
-            } else {
-                1.0
-            }
+    /// The pictures as files in the folder of the model.
+    pub(super) fn files(&self, root: &mut Root, stem: &str) -> Vec<OutFile<'a>> {
+        let folder = picture_folder(stem);
+        let file = |picture: &Picture<'a>| {
+            let name = format!("{folder}/{}", picture.name);
+            root.images.push(Image {
+                uri: Some(escaped(&name)),
+                ..picture.image()
+            });
+            let bytes = picture.bytes.into();
+            OutFile { name, bytes }
         };
-        let reflection = m.reflection.map(factor);
-        if reflection.is_some() && self.extensions.is_empty() {
-            self.extensions = vec!["KHR_materials_ior", "KHR_materials_specular"];
-        }
-        Material {
-            name: &m.name,
-            pbr_metallic_roughness: Pbr {
-                base_color_factor: m.tint.map(factor),
-                base_color_texture: drawn.map(|d| d.color),
-                metallic_factor: factor(m.metallic),
-                roughness_factor: factor(m.roughness),
-                metallic_roughness_texture: drawn.and_then(|d| d.orm),
-            },
-            normal_texture: drawn.and_then(|d| d.normal),
-            alpha_mode: (factor(m.tint[3]) < 1.0).then_some("BLEND"),
-            double_sided: m.double_sided,
-            extensions: reflection.map(|specular_factor| Glass {
-                ior: Ior { ior: IOR },
-                specular: Specular { specular_factor },
-            }),
-            extras: reflection.map(|reflection| Reflection { reflection }),
-        }
+        self.pictures.iter().map(file).collect()
     }
 
     /// Index into `drawn`.
-    fn drawn(&mut self, image: &'a scene::Image, images: &'a dyn Images) -> Option<usize> {
+    fn drawn(
+        &mut self,
+        image: &'a scene::Image,
+        images: &'a dyn Images,
+        root: &mut Root,
+    ) -> Option<usize> {
         if let Some(known) = self.drawn.iter().position(|d| d.image == image) {
             return Some(known);
         }
+        let mut texture = |picture, wrap| self.texture(picture, wrap, root);
         let made = match image {
             scene::Image::None => return None,
             scene::Image::Surface(name) => {
@@ -146,15 +141,15 @@ impl<'a> Looks<'a> {
                 Drawn {
                     image,
                     metres: files.metres as f32,
-                    color: self.texture(files.color, REPEAT)?,
-                    normal: files.normal.and_then(|f| self.texture(f, REPEAT)),
-                    orm: files.orm.and_then(|f| self.texture(f, REPEAT)),
+                    color: texture(files.color, WrappingMode::Repeat)?,
+                    normal: files.normal.and_then(|f| texture(f, WrappingMode::Repeat)),
+                    orm: files.orm.and_then(|f| texture(f, WrappingMode::Repeat)),
                 }
             }
             scene::Image::Picture(index) => Drawn {
                 image,
                 metres: 1.0,
-                color: self.texture(images.picture(*index)?, CLAMP_TO_EDGE)?,
+                color: texture(images.picture(*index)?, WrappingMode::ClampToEdge)?,
                 normal: None,
                 orm: None,
             },
@@ -163,41 +158,124 @@ impl<'a> Looks<'a> {
         Some(self.drawn.len() - 1)
     }
 
-    fn texture(&mut self, picture: PictureBytes<'a>, wrap: u32) -> Option<TextureRef> {
+    fn texture(
+        &mut self,
+        picture: PictureBytes<'a>,
+        wrap: WrappingMode,
+        root: &mut Root,
+    ) -> Option<Index<Texture>> {
         let mime = mime(picture.bytes)?;
-        let sampler = Sampler {
-            mag_filter: LINEAR,
-            min_filter: LINEAR_MIPMAP_LINEAR,
-            wrap_s: wrap,
-            wrap_t: wrap,
-        };
-        let known = self.samplers.iter().position(|s| *s == sampler);
-        let number = known.unwrap_or(self.samplers.len()) as u32;
-        if known.is_none() {
-            self.samplers.push(sampler);
-        }
-        self.textures.push(Texture {
-            sampler: number,
-            source: self.images.len() as u32,
-        });
-        self.images.push(Picture {
+        let known = root.samplers.iter().position(|s| s.wrap_s == Valid(wrap));
+        let sampler = known.map_or_else(
+            || {
+                root.push(Sampler {
+                    mag_filter: Some(Valid(MagFilter::Linear)),
+                    min_filter: Some(Valid(MinFilter::LinearMipmapLinear)),
+                    wrap_s: Valid(wrap),
+                    wrap_t: Valid(wrap),
+                    ..Sampler::default()
+                })
+            },
+            |k| Index::new(k as u32),
+        );
+        let source = Index::new(self.pictures.len() as u32);
+        self.pictures.push(Picture {
             name: self.free_name(picture.name),
             bytes: picture.bytes,
             mime,
         });
-        Some(TextureRef {
-            index: self.textures.len() as u32 - 1,
-        })
+        Some(root.push(Texture {
+            sampler: Some(sampler),
+            source,
+            name: None,
+            extensions: None,
+            extras: None,
+        }))
     }
 
     /// Two pictures of one name (from two folders) must not overwrite each other.
     fn free_name(&self, name: Cow<'a, str>) -> Cow<'a, str> {
-        let taken = |n: &str| self.images.iter().any(|i| i.name.eq_ignore_ascii_case(n));
+        let taken = |n: &str| self.pictures.iter().any(|p| p.name.eq_ignore_ascii_case(n));
         let numbered = |k: usize| format!("{k}_{name}");
         if !taken(&name) {
             return name;
         }
         let free = (2..).map(numbered).find(|n| !taken(n));
         Cow::Owned(free.unwrap_or_default())
+    }
+}
+
+impl Picture<'_> {
+    /// Its JSON but for the place.
+    fn image(&self) -> Image {
+        let stem = self.name.rsplit_once('.').map(|(stem, _)| stem);
+        Image {
+            name: Some(stem.unwrap_or(&self.name).to_owned()),
+            buffer_view: None,
+            mime_type: None,
+            uri: None,
+            extensions: None,
+            extras: None,
+        }
+    }
+}
+
+fn made(m: &scene::Material, drawn: Option<&Drawn<'_>>) -> Material {
+    let factor = |x: f32| {
+        if x.is_finite() {
+            x.clamp(0.0, 1.0)
+        } else {
+            1.0
+        }
+    };
+    let reflection = m.reflection.map(factor);
+    Material {
+        name: Some(m.name.clone()),
+        pbr_metallic_roughness: PbrMetallicRoughness {
+            base_color_factor: PbrBaseColorFactor(m.tint.map(factor)),
+            base_color_texture: drawn.map(|d| info(d.color)),
+            metallic_factor: StrengthFactor(factor(m.metallic)),
+            roughness_factor: StrengthFactor(factor(m.roughness)),
+            metallic_roughness_texture: drawn.and_then(|d| d.orm).map(info),
+            ..PbrMetallicRoughness::default()
+        },
+        normal_texture: drawn.and_then(|d| d.normal).map(|index| NormalTexture {
+            index,
+            scale: 1.0,
+            tex_coord: 0,
+            extensions: None,
+            extras: None,
+        }),
+        alpha_mode: Valid(if factor(m.tint[3]) < 1.0 {
+            AlphaMode::Blend
+        } else {
+            AlphaMode::Opaque
+        }),
+        double_sided: m.double_sided,
+        extensions: reflection.map(glass),
+        extras: reflection.and_then(|r| to_raw_value(&serde_json::json!({ "reflection": r })).ok()),
+        ..Material::default()
+    }
+}
+
+fn glass(reflection: f32) -> Extensions {
+    Extensions {
+        ior: Some(Ior {
+            ior: IndexOfRefraction(IOR),
+            extras: None,
+        }),
+        specular: Some(Specular {
+            specular_factor: SpecularFactor(reflection),
+            ..Specular::default()
+        }),
+    }
+}
+
+fn info(index: Index<Texture>) -> Info {
+    Info {
+        index,
+        tex_coord: 0,
+        extensions: None,
+        extras: None,
     }
 }

@@ -1,139 +1,107 @@
 //! The tree of nodes: house, storey, facade, part; house, roof.
 
-use super::document::{Extras, Node};
 use super::geometry::Geometry;
 use crate::backend::number::Number;
 use crate::backend::sound;
 use crate::scene::{self, Scene};
+use crate::source::Span;
 use glam::DVec2;
+use gltf::json::scene::UnitQuaternion;
+use gltf::json::{self, Index, Mesh, Node, Root};
+use serde::Serialize;
+use serde_json::value::to_raw_value;
 
-/// The nodes that are written, and who stands below whom.
-pub(super) struct Tree<'a> {
-    scene: &'a Scene,
-    geometry: &'a Geometry<'a>,
-    /// glTF numbers of the roots.
-    pub(super) roots: Vec<u32>,
-    /// The glTF number of each node of the scene.
-    numbers: Vec<Option<u32>>,
-    /// glTF numbers of children, those of one parent together.
-    children: Vec<u32>,
-    /// Where the children of a node of the scene begin; one more at the end.
-    starts: Vec<u32>,
+/// language.md 6.
+#[derive(Serialize)]
+struct Extras<'a> {
+    kind: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    code: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    storey: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    span: Option<Span>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shape: Option<&'static str>,
 }
 
-impl<'a> Tree<'a> {
-    pub(super) fn new(scene: &'a Scene, geometry: &'a Geometry<'a>) -> Tree<'a> {
-        let count = scene.nodes.len();
-        let parent = |i: usize| {
-            scene.nodes[i]
-                .parent
-                .map(|p| p.0 as usize)
-                .filter(|&p| p < i)
-        };
-        let numbers = numbers(scene, geometry, &parent);
-        let mut starts = vec![0u32; count + 1];
-        for p in (0..count)
-            .filter(|&i| numbers[i].is_some())
-            .filter_map(parent)
-        {
-            starts[p + 1] += 1;
-        }
-        for i in 0..count {
-            starts[i + 1] += starts[i];
-        }
-        let mut next = starts.clone();
-        let mut children = vec![0; starts[count] as usize];
-        let mut roots = vec![];
-        for (i, number) in numbers
-            .iter()
-            .enumerate()
-            .filter_map(|(i, n)| Some((i, (*n)?)))
-        {
-            match parent(i) {
-                Some(p) => {
-                    children[next[p] as usize] = number;
-                    next[p] += 1;
-                }
-                None => roots.push(number),
-            }
-        }
-        Tree {
-            scene,
-            geometry,
-            roots,
-            numbers,
-            children,
-            starts,
+/// Adds the nodes in preorder, and the scene of the roots if there are any.
+pub(super) fn add(scene: &Scene, geometry: &Geometry<'_>, root: &mut Root) {
+    let kept = kept(scene, geometry);
+    let mut numbers = vec![None; scene.nodes.len()];
+    let mut roots = vec![];
+    for (i, node) in scene.nodes.iter().enumerate().filter(|(i, _)| kept[*i]) {
+        let number = root.push(made(node, mesh(geometry, node)));
+        numbers[i] = Some(number);
+        match parent(scene, i).and_then(|p| numbers[p]) {
+            Some(p) => root.nodes[p.value()]
+                .children
+                .get_or_insert_default()
+                .push(number),
+            None => roots.push(number),
         }
     }
-
-    /// In preorder.
-    pub(super) fn nodes(&self) -> Vec<Node<'_>> {
-        let all = self.scene.nodes.iter().enumerate();
-        let kept = all.filter(|(i, _)| self.numbers[*i].is_some());
-        kept.map(|(i, node)| self.node(i, node)).collect()
-    }
-
-    fn node(&self, i: usize, node: &'a scene::Node) -> Node<'_> {
-        let word = node.kind.word();
-        let at = [node.at.x, node.at.z, -node.at.y].map(Number);
-        Node {
-            name: if node.name.is_empty() {
-                word
-            } else {
-                &node.name
-            },
-            translation: at.iter().any(|n| n.millionths() != 0).then_some(at),
-            rotation: rotation(node.turn),
-            mesh: self.mesh(node),
-            children: &self.children[self.starts[i] as usize..self.starts[i + 1] as usize],
-            extras: Extras {
-                kind: word,
-                code: node.code.as_deref(),
-                storey: node.storey,
-                span: node.span,
-                shape: node.shape,
-            },
-        }
-    }
-
-    fn mesh(&self, node: &scene::Node) -> Option<u32> {
-        mesh(self.geometry, node)
+    if !roots.is_empty() {
+        root.scene = Some(root.push(json::Scene {
+            nodes: roots,
+            name: None,
+            extensions: None,
+            extras: None,
+        }));
     }
 }
 
-fn mesh(geometry: &Geometry<'_>, node: &scene::Node) -> Option<u32> {
+fn made(node: &scene::Node, mesh: Option<Index<Mesh>>) -> Node {
+    let kind = node.kind.word();
+    let name = if node.name.is_empty() {
+        kind
+    } else {
+        &node.name
+    };
+    let at = [node.at.x, node.at.z, -node.at.y].map(|x| Number(x).millionths());
+    let extras = Extras {
+        kind,
+        code: node.code.as_deref(),
+        storey: node.storey,
+        span: node.span,
+        shape: node.shape,
+    };
+    Node {
+        name: Some(name.to_owned()),
+        translation: (at != [0; 3]).then(|| at.map(|x| (x as f64 / 1e6) as f32)),
+        rotation: rotation(node.turn).map(UnitQuaternion),
+        mesh,
+        extras: to_raw_value(&extras).ok(),
+        ..Node::default()
+    }
+}
+
+fn mesh(geometry: &Geometry<'_>, node: &scene::Node) -> Option<Index<Mesh>> {
     node.mesh
         .and_then(|m| geometry.numbers.get(m.0 as usize).copied().flatten())
 }
 
-/// Numbers the nodes that show something, or stand above one that does, and the houses.
-fn numbers(
-    scene: &Scene,
-    geometry: &Geometry<'_>,
-    parent: &impl Fn(usize) -> Option<usize>,
-) -> Vec<Option<u32>> {
+fn parent(scene: &Scene, i: usize) -> Option<usize> {
+    let parent = scene.nodes[i].parent.map(|p| p.0 as usize);
+    parent.filter(|&p| p < i)
+}
+
+/// Which nodes show something, or stand above one that does, or are houses.
+fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
     let count = scene.nodes.len();
     let mut sound = vec![true; count];
     for (i, node) in scene.nodes.iter().enumerate() {
-        sound[i] = sound::node(node) && parent(i).is_none_or(|p| sound[p]);
+        sound[i] = sound::node(node) && parent(scene, i).is_none_or(|p| sound[p]);
     }
     let mut keep = vec![false; count];
     for (i, node) in scene.nodes.iter().enumerate().rev() {
-        keep[i] |= parent(i).is_none() || mesh(geometry, node).is_some();
+        keep[i] |= parent(scene, i).is_none() || mesh(geometry, node).is_some();
         keep[i] &= sound[i];
-        if let Some(p) = parent(i).filter(|_| keep[i]) {
+        if let Some(p) = parent(scene, i).filter(|_| keep[i]) {
             keep[p] = true;
         }
     }
-    let mut next = 0;
-    let mut number = |keep: bool| {
-        keep.then(|| {
-            next += 1;
-            next - 1
-        })
-    };
-    keep.into_iter().map(&mut number).collect()
+    keep
 }
 
 /// The quaternion of a turn (cos, sin) about the vertical by half-angle formulas: square roots are exact to

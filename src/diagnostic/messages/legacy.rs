@@ -1,5 +1,5 @@
 //! Messages about the legacy text (HSD01xx): 0101 to 0119 the header and the sections, 0120 to 0139 the
-//! walls, 0140 and on the roof lines.
+//! walls (and 0137 heights), 0140 and on the roof lines.
 
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
@@ -170,6 +170,13 @@ pub fn comment_column(span: Span) -> Diagnostic {
         .help("put the comment on a line of its own, with `#` as its first character")
 }
 
+/// A comment as other languages write it.
+#[cold]
+pub fn comment_sign(span: Span, sign: &str) -> Diagnostic {
+    Diagnostic::error(113, span, format!("`{sign}` begins no comment"))
+        .help("a comment begins with `#` in the first column")
+}
+
 /// Text beside `%`.
 #[cold]
 pub fn after_separator(span: Span) -> Diagnostic {
@@ -216,6 +223,44 @@ pub fn missing_value(span: Span, key: &str) -> Diagnostic {
 pub fn bad_seed(span: Span, text: &str) -> Diagnostic {
     Diagnostic::error(118, span, format!("{} cannot be a seed", quote(text)))
         .help(format!("write a whole number from 0 to {}", u64::MAX))
+}
+
+/// One line of numbers, which is the place; the heights were left out or taken for it.
+#[cold]
+pub fn no_heights(place: Span) -> Diagnostic {
+    Diagnostic::note(
+        119,
+        place,
+        "only one line of numbers: it is read as the place, and every storey is 9 shaku high",
+    )
+    .help("write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them")
+}
+
+/// Storeys above those with a height.
+#[cold]
+pub fn few_heights(heights: Span, given: usize, storeys: usize) -> Diagnostic {
+    let message = format!(
+        "the storey heights are {given}, but the storeys {storeys}: the others are 9 shaku high"
+    );
+    Diagnostic::note(119, heights, message)
+        .help(format!("write {storeys} heights, from the ground up"))
+}
+
+/// A height that is likely given in metres (below), in sun or in centimetres (above).
+#[cold]
+pub fn odd_height(span: Span, height: f64) -> Diagnostic {
+    let tenths = |value: f64| (value * 10.0).round() / 10.0;
+    let metres = (height * 1000.0 / 33.0).round() / 100.0;
+    let (unit, shaku) = match height {
+        h if h < 40.0 => ("metres", h * 3.3),
+        h if h <= 150.0 => ("sun", h / 10.0),
+        h => ("centimetres", h * 0.033),
+    };
+    let message = format!("a storey of {height} shaku is {metres} m high");
+    Diagnostic::warning(137, span, message).help(format!(
+        "heights are in shaku, and 1 m is 3.3 shaku: write `{:?}` if {unit} are meant",
+        tenths(shaku)
+    ))
 }
 
 /// U+3000 in a wall line.
@@ -295,24 +340,52 @@ pub fn one_over(span: Span, text: &str) -> Diagnostic {
     )
 }
 
-/// A turn letter that does not stand right after the last column of a code.
+/// A turn letter that does not stand right after the last column of a code: `before` columns stand before
+/// it, and `codes` without the blanks at their end.
 #[cold]
-pub fn misplaced_control(span: Span, letter: &str, before: usize) -> Diagnostic {
-    let whole = before.div_ceil(5) * 5;
+pub fn misplaced_control(span: Span, letter: &str, before: usize, codes: usize) -> Diagnostic {
+    let (missing, surplus) = (before.next_multiple_of(5) - before, before % 5);
+    let blanks = |n: usize| if n == 1 { "blank" } else { "blanks" };
     let message = format!(
         "the `{letter}` stands in column {} and so inside a code",
         before + 1
     );
-    let help = match whole - before {
-        0 => format!("put the `{letter}` right after the five columns of the last code"),
-        1 => format!(
-            "write one more blank before the `{letter}`, so that the last code has five columns"
-        ),
-        n => format!(
-            "write {n} more blanks before the `{letter}`, or as many less as leave the last code five columns"
-        ),
+    // Blanks can be deleted only as far as there are any after the codes.
+    let help = if surplus < missing && before - surplus >= codes {
+        let blanks = blanks(surplus);
+        format!(
+            "delete {surplus} {blanks} before the `{letter}`: it stands right after the five columns of the last code"
+        )
+    } else {
+        let blanks = blanks(missing);
+        format!(
+            "write {missing} more {blanks} before the `{letter}`, so that the last code has five columns"
+        )
     };
     Diagnostic::error(127, span, message).help(help)
+}
+
+/// A turn letter with codes after it; `leads` tells that it begins its line.
+#[cold]
+pub fn inner_turn(span: Span, letter: &str, leads: bool) -> Diagnostic {
+    let help = if leads {
+        format!(
+            "put the `{letter}` at the end of the line before, right after the five columns of its last code"
+        )
+    } else {
+        format!("begin a new line after the `{letter}`")
+    };
+    let message = format!("the turn `{letter}` stands before codes, but a turn ends its line");
+    Diagnostic::error(138, span, message).help(help)
+}
+
+/// A tag after legacy lines.
+#[cold]
+pub fn xml_after_text(span: Span) -> Diagnostic {
+    let message = "the XML form begins here, but lines of the legacy form stand before it";
+    Diagnostic::error(139, span, message).help(
+        "delete the lines before the first tag, or write comments as `<!-- ... -->`; nothing is read from here on",
+    )
 }
 
 /// `l` or `r` for `L` or `R`.

@@ -24,6 +24,15 @@ pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
     Diagnostic::error(301, span, message).help(help)
 }
 
+/// The name of a part where its code should stand.
+#[cold]
+pub fn part_name(span: Span, name: &str, code: &str) -> Diagnostic {
+    let message = format!("`{name}` is the name of a part, not its code");
+    Diagnostic::error(301, span, message).help(format!(
+        "`{name}` is the part `{code}`: write its code in five columns"
+    ))
+}
+
 fn any_of(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
     match quoted.split_last() {

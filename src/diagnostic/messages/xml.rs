@@ -81,6 +81,15 @@ pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnosti
         .label(start, format!("`{open}` begins here"))
 }
 
+/// `<Row>` for `</Row>`.
+#[cold]
+pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
+    let name = quote(name).replace('`', "");
+    Diagnostic::error(241, span, format!("`<{name}>` should be `</{name}>`"))
+        .help(format!("write the slash: `</{name}>`"))
+        .label(start, format!("this `{name}` is still open"))
+}
+
 /// An end tag that closes nothing; `inside` = the element it stands in.
 #[cold]
 pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagnostic {
@@ -135,6 +144,17 @@ pub fn value_not_quoted(span: Span, name: &str, value: &str) -> Diagnostic {
     let (plain, inner) = (name.replace('`', ""), value.replace('`', ""));
     Diagnostic::error(211, span, format!("the value of {name} has no quotes"))
         .help(format!("write `{plain}=\"{inner}\"`"))
+}
+
+/// `name=「裏長屋」`.
+#[cold]
+pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
+    let (name, inner) = (quote(name), quote(value).replace('`', ""));
+    let plain = name.replace('`', "");
+    let text = format!("the value of {name} stands in brackets, not in quotes");
+    Diagnostic::error(211, span, text).help(format!(
+        "replace the brackets by quotes: `{plain}=\"{inner}\"`"
+    ))
 }
 
 /// `<Loop hole>`.

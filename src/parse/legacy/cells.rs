@@ -32,18 +32,25 @@ pub(super) fn pieces(
     range.start += leading_shift(line, range.clone(), talk);
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
-    let (mut rest, mut at, mut odd) = (text, range.start, false);
+    let (mut rest, mut at, mut odd, mut doubtful) = (text, range.start, false, false);
     let ascii = text.is_ascii();
     while let Ok((next, cell)) = if ascii { five_bytes(rest) } else { five(rest) } {
         odd |= !regular(cell);
+        doubtful |= !plain(cell);
         pieces.push(piece(line, at..at + cell.len(), cell, talk));
         (rest, at) = (next, at + cell.len());
     }
     // A last code cut short begins like any other.
-    if odd || !regular(rest.trim_end_matches(' ')) {
-        if let Some(cells) = in_step(text, range.start) {
+    let last = rest.trim_end_matches(' ');
+    odd |= !regular(last);
+    doubtful |= !plain(last);
+    if odd || doubtful {
+        let words = in_step(text, range.start);
+        if let Some(cells) = words.filter(|c| odd || c.iter().all(|c| plain(c.text))) {
             return mended(line, range, &cells, talk);
         }
+    }
+    if odd {
         point_voids(line, range.clone(), &mut pieces, talk);
     }
     remainder(line, at..range.end, rest, &mut pieces, talk);
@@ -88,6 +95,21 @@ fn regular(cell: &str) -> bool {
         [b'.', ..] => cell == POINTS,
         [first, ..] => class(*first),
         [] => true,
+    }
+}
+
+/// Whether a cell looks like a code of the catalogue through and through: three capitals, then letters,
+/// and a width. Own parts need not, so a cell that does not is doubtful only.
+fn plain(cell: &str) -> bool {
+    match *cell.as_bytes() {
+        [] | [b' ' | b'.', ..] => true,
+        [first, second, third, ref tail @ ..] => {
+            let capitals = second.is_ascii_uppercase() && third.is_ascii_uppercase();
+            // A letter after a blank is the first one of the next code.
+            let torn = matches!(tail, [b' ', letter] if letter.is_ascii_uppercase());
+            class(first) && capitals && !torn && !tail.iter().any(|b| matches!(b, b',' | b';'))
+        }
+        _ => false,
     }
 }
 
@@ -188,7 +210,8 @@ fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
     for (i, &start) in starts.iter().enumerate() {
         let end = starts.get(i + 1).copied();
         let segment = &text[start..end.unwrap_or(text.len())];
-        let written = segment.trim_end_matches(' ');
+        // Some part the codes as they would part words.
+        let written = segment.trim_end_matches([' ', ',', ';']);
         if written.len() > CELL {
             return None;
         }

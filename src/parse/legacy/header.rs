@@ -13,6 +13,13 @@ const KEYS: [&str; 6] = ["unit", "seed", "roofs", "method", "street", "name"];
 /// Height of a storey whose own cannot be read, shaku (language.md 1).
 const HEIGHT: f64 = 9.0;
 
+/// Least heights of a ground storey and of an upper one, shaku. Nobody stands upright below them, but a
+/// tsushi-nikai may be 5 shaku high.
+const LOW: (f64, f64) = (5.0, 4.0);
+
+/// Greatest height of a storey that was surely meant in shaku; the hall of a great temple has less.
+const HIGH: f64 = 40.0;
+
 /// First numbers of a header; a whole country fits into the bounds.
 const PLACE: [Range64; 3] = [
     Range64 {
@@ -100,6 +107,26 @@ impl Header {
                 }
             }
             (_, Some(heights)) => talk.say(say::third_numbers(span, heights)),
+        }
+    }
+
+    /// Looks at the heights once the number of storeys is known: those left out, and those that seem to be
+    /// given in another unit.
+    pub(super) fn judge(&self, house: &House, storeys: usize, talk: &mut Talk<'_>) {
+        let heights = &house.heights;
+        let placed = self.place.filter(|_| house.settings.y.is_some());
+        match (placed, self.heights) {
+            (Some(place), None) if storeys > 0 => talk.say(say::no_heights(place)),
+            (_, Some(span)) if heights.len() < storeys => {
+                talk.say(say::few_heights(span, heights.len(), storeys));
+            }
+            _ => {}
+        }
+        for (storey, height) in heights.iter().enumerate().take(storeys) {
+            let least = if storey == 0 { LOW.0 } else { LOW.1 };
+            if height.value < least || height.value > HIGH {
+                talk.say(say::odd_height(height.span, height.value));
+            }
         }
     }
 

@@ -87,6 +87,71 @@ const DIRECTIONS: [(char, RoofDirection); 6] = [
     ('R', RoofDirection::Right),
 ];
 
+/// What authors call the shapes who write them out.
+const SHAPE_NAMES: [(&str, &[&str]); 10] = [
+    ("KIR", &["切妻", "切妻造", "切妻屋根", "kirizuma", "gable"]),
+    ("YOS", &["寄棟", "寄棟造", "寄棟屋根", "yosemune", "hip"]),
+    (
+        "YOK",
+        &["横長切妻", "妻入", "yokonaga-kirizuma", "yokonaga"],
+    ),
+    ("IRI", &["入母屋", "入母屋造", "入母屋屋根", "irimoya"]),
+    (
+        "HOG",
+        &[
+            "宝形",
+            "宝形造",
+            "方形",
+            "方形造",
+            "hogyo",
+            "hōgyō",
+            "pyramid",
+        ],
+    ),
+    (
+        "KAT",
+        &["片流れ", "片流", "片流れ屋根", "katanagare", "lean-to"],
+    ),
+    ("HIS", &["庇", "廂", "ひさし", "hisashi", "pent"]),
+    ("TER", &["寺", "寺院", "tera", "temple"]),
+    ("KAR", &["唐破風", "karahafu"]),
+    ("RIK", &["陸屋根", "陸", "平屋根", "rikuyane", "flat"]),
+];
+
+/// The same for the kinds.
+const KIND_NAMES: [(&str, &[&str]); 6] = [
+    (
+        "K",
+        &[
+            "瓦",
+            "瓦葺",
+            "瓦葺き",
+            "本瓦",
+            "桟瓦",
+            "kawara",
+            "tile",
+            "tiles",
+        ],
+    ),
+    ("I", &["板", "板葺", "板葺き", "ita", "board", "boards"]),
+    (
+        "S",
+        &[
+            "柿",
+            "杮",
+            "柿葺",
+            "杮葺",
+            "こけら",
+            "kokera",
+            "shingle",
+            "shingles",
+        ],
+    ),
+    ("H", &["檜皮", "桧皮", "檜皮葺", "hiwada", "bark"]),
+    ("Y", &["茅", "萱", "茅葺", "茅葺き", "藁", "kaya", "thatch"]),
+    ("T", &["トタン", "鉄板", "totan", "metal"]),
+];
+
 /// Whether a line has the form of a roof line rather than of part codes: a letter and a short field, or
 /// a shape and two numbers in a row. Codes have their letters first, so numbers never follow each other.
 pub(super) fn looks_like_roof(text: &str) -> bool {
@@ -108,6 +173,7 @@ pub(super) fn read(line: &Line<'_>, talk: &mut Talk<'_>) -> Option<RoofLine> {
         rest: &words,
         end: line.whole(talk.source).after(),
         lower: None,
+        strange: false,
         talk,
     };
     let mut style = RoofStyle::default();
@@ -120,13 +186,16 @@ pub(super) fn read(line: &Line<'_>, talk: &mut Talk<'_>) -> Option<RoofLine> {
     if let Some(lower) = fields.lower {
         fields.talk.say(say::lower_roof(lower));
     }
+    // A roof of another shape than its author meant would only bring on more messages.
+    let strange = fields.strange;
     let direction = fitting(direction, style.shape, talk);
+    let corners = corners.filter(|_| !strange)?;
     Some(RoofLine {
         span: line.whole(talk.source),
         style,
         direction,
         height,
-        corners: corners?,
+        corners,
     })
 }
 
@@ -136,6 +205,8 @@ struct Fields<'w, 't, 's> {
     end: Span,
     /// The words in lower case, reported together.
     lower: Option<Span>,
+    /// Whether the shape is none that exists.
+    strange: bool,
     talk: &'t mut Talk<'s>,
 }
 
@@ -178,7 +249,8 @@ impl<'w> Fields<'w, '_, '_> {
         let kind = RoofKind::from_letter(first).map(|k| Spanned::new(k, word.span));
         match second {
             None if kind.is_none() && first != '*' => {
-                self.talk.say(say::unknown_kind(word.span, word.text));
+                let near = named(word.text, &KIND_NAMES);
+                self.talk.say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
             }
             None => (kind, self.direction()),
@@ -187,7 +259,8 @@ impl<'w> Fields<'w, '_, '_> {
                 (kind, direction(d).map(|d| Spanned::new(d, word.span)))
             }
             Some(_) => {
-                self.talk.say(say::unknown_kind(word.span, word.text));
+                let near = named(word.text, &KIND_NAMES);
+                self.talk.say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
             }
         }
@@ -243,12 +316,11 @@ impl<'w> Fields<'w, '_, '_> {
         let text = self.capital(word);
         let found = RoofShape::from_letters(&text);
         if found.is_none() && text != "*" {
+            self.strange = true;
             let letters = RoofShape::ALL.map(|(letters, _)| letters);
-            self.talk.say(say::unknown_shape(
-                word.span,
-                word.text,
-                nearest(&text, &letters),
-            ));
+            let near = named(word.text, &SHAPE_NAMES).or_else(|| nearest(&text, &letters));
+            self.talk
+                .say(say::unknown_shape(word.span, word.text, near));
         }
         found.map(|s| Spanned::new(s, word.span))
     }
@@ -384,6 +456,13 @@ fn fitting(
         ));
     }
     direction.filter(|_| fits)
+}
+
+/// The letters of a shape or kind that is written out.
+fn named(word: &str, names: &[(&'static str, &[&str])]) -> Option<&'static str> {
+    let same = |names: &[&str]| names.iter().any(|n| n.eq_ignore_ascii_case(word));
+    let found = names.iter().find(|(_, names)| same(names));
+    found.map(|(letters, _)| *letters)
 }
 
 fn alphabetic(c: char) -> bool {

@@ -50,10 +50,13 @@ impl<'a> Talk<'a> {
         }
     }
 
-    /// Reports what was mended in a wall line, where every character stands for a column.
-    pub(super) fn mended_walls(&mut self, line: &Line<'_>) {
-        for i in 0..line.findings.len() {
-            self.mended(line, i);
+    /// Reports what was mended in a wall line up to `end`, an offset in `raw` where a comment may begin:
+    /// every character before it stands for a column.
+    pub(super) fn mended_walls(&mut self, line: &Line<'_>, end: usize) {
+        for (i, finding) in line.findings.iter().enumerate() {
+            if finding.range.start < end {
+                self.mended(line, i);
+            }
         }
     }
 

@@ -36,10 +36,16 @@ impl Walls {
     /// Reads one line of codes.
     pub(super) fn read(&mut self, line: &Line<'_>, talk: &mut Talk<'_>) {
         let end = comment(line, talk);
+        talk.mended_walls(line, line.written(end));
         let mut next = 0..end;
         while !next.is_empty() {
-            let this = before_reset(line, next.clone(), talk);
-            self.wall(line, this.clone(), talk);
+            let this = match first_turn(&line.text[next.clone()]) {
+                Some(at) => next.start..next.start + at + 1,
+                None => before_reset(line, next.clone(), talk),
+            };
+            if !self.inner_turn(line, this.clone(), end, talk) {
+                self.wall(line, this.clone(), talk);
+            }
             let rest = &line.text[this.end..end];
             next = end - rest.trim_start_matches(' ').len()..end;
         }
@@ -78,6 +84,30 @@ impl Walls {
         self.reset = reset;
     }
 
+    /// Reports a turn that ends `range` but not its line. One before all codes is given to the line
+    /// before, where it belongs, and `true` tells that nothing is left of the range.
+    fn inner_turn(
+        &mut self,
+        line: &Line<'_>,
+        range: Range<usize>,
+        end: usize,
+        talk: &mut Talk<'_>,
+    ) -> bool {
+        let rest = line.text[range.end..end].trim_start_matches(' ');
+        let text = line.text[range.clone()].trim_start_matches(' ');
+        if rest.is_empty() || !text.ends_with(['L', 'R']) {
+            return false;
+        }
+        let span = line.span(talk.source, range.end - 1..range.end);
+        let (letter, leads) = (&text[text.len() - 1..], text.len() == 1);
+        talk.say(say::inner_turn(span, letter, leads));
+        if let Some(Item::One(row)) = self.rows.last_mut().filter(|_| leads) {
+            let degrees = if letter == "L" { -90.0 } else { 90.0 };
+            row.turn.get_or_insert(Spanned::new(degrees, span));
+        }
+        leads
+    }
+
     fn close(&mut self) {
         let span = self.span.take().unwrap_or_default();
         let rows = std::mem::take(&mut self.rows);
@@ -112,6 +142,23 @@ fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
     let span = line.span(talk.source, at..text.trim_end().len());
     talk.say(say::comment_column(span));
     text[..at].trim_end_matches(' ').len()
+}
+
+/// Where an `L` or `R` stands as a word of its own with codes after it. In the fifth column of a code it is
+/// left alone: own parts may be called so.
+fn first_turn(text: &str) -> Option<usize> {
+    let bytes = text.as_bytes();
+    let mut at = 0;
+    while let Some(found) = bytes[at..].iter().position(|b| matches!(b, b'L' | b'R')) {
+        at += found;
+        let alone = (at == 0 || bytes[at - 1] == b' ') && bytes.get(at + 1) == Some(&b' ');
+        if alone && columns(&text[..at]) % CELL != CELL - 1 {
+            let more = text[at + 1..].trim_start_matches(' ');
+            return (!more.is_empty()).then_some(at);
+        }
+        at += 1;
+    }
+    None
 }
 
 /// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
@@ -157,8 +204,13 @@ fn ending(
         return (range.end, None);
     }
     let letter = &text[before.len()..];
-    talk.say(say::misplaced_control(span, letter, columns(before)));
     let mut codes = before.trim_end_matches(' ');
+    talk.say(say::misplaced_control(
+        span,
+        letter,
+        columns(before),
+        columns(codes),
+    ));
     if columns(codes) % CELL == 1 && codes.ends_with(['L', 'R']) {
         codes = &codes[..codes.len() - 1]; // `L^`: the turn before a reset counts for nothing
     }

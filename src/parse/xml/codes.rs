@@ -93,10 +93,12 @@ impl Reader<'_, '_> {
         let place = text.range(range.clone());
         match quoted.chars().next() {
             Some('\t') => {
-                self.faults.at(&place, say::tab_in_codes);
-                // To the end of the code under way, as it looks in an editor.
-                let next = 5 - line.columns.len() % 5;
-                for _ in 0..next {
+                // To the end of the code under way; each further tab is a void.
+                let from = line.columns.len() - line.breaks.last().copied().unwrap_or(0);
+                let blanks = 5 * quoted.len() - from % 5;
+                self.faults
+                    .at(&place, |s| say::tab_in_codes(s, from + 1, blanks));
+                for _ in 0..blanks {
                     line.push(Some(b' '), range.clone());
                 }
             }

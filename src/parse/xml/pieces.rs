@@ -144,6 +144,9 @@ impl<'t> Reader<'t, '_> {
     ) -> Spanned<u32> {
         let of = self.attributes(schema, element);
         let num = self.whole_number(&of, "num", 0..=MANY);
+        if num.is_some() && element.children.is_empty() && !element.cut {
+            self.faults.at(&element.range, say::repeats_nothing);
+        }
         num.map_or(Spanned::new(1, self.start(element)), |n| {
             Spanned::new(u32::try_from(n.value).unwrap_or(u32::MAX), n.span)
         })

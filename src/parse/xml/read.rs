@@ -123,6 +123,15 @@ impl<'t> Reader<'t, '_> {
             Some(schema) if schema.tag == Tag::Later => {
                 self.faults.at(range, |s| say::not_yet(s, name));
             }
+            // A roof without a rectangle says how all roofs are to be.
+            Some(schema)
+                if schema.tag == Tag::Roof
+                    && content.tags.contains(&Tag::Roofs)
+                    && !element.bears(schema.required) =>
+            {
+                self.faults.at(range, say::roof_for_roofs);
+                nodes.extend(schema::named("Roofs").map(|s| Node::Element(s, element)));
+            }
             Some(schema) => {
                 self.faults
                     .at(range, |s| say::wrong_place(s, name, parent, schema.home));
@@ -197,9 +206,10 @@ impl<'t> Reader<'t, '_> {
         }
         let bears = schema.attributes.iter().copied();
         let code = bears.clone().find(|a| *a == "code").map(|_| "texturecode");
-        let near = self
-            .suggest
-            .among(attribute.name, bears.clone().chain(code));
+        let near = schema::meant(schema.tag, attribute.name).or_else(|| {
+            let words = bears.clone().chain(code);
+            self.suggest.among(attribute.name, words)
+        });
         if !attribute.faulty {
             self.faults.at(&attribute.name_range, |s| {
                 say::unknown_attribute(s, attribute.name, schema.name, near, schema.attributes)

@@ -162,6 +162,12 @@ pub(super) fn canonical(attribute: &str) -> &str {
     }
 }
 
+/// The attribute meant by a word that other programs use for it.
+pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
+    let counts = ["count", "times", "n", "number", "repeat"];
+    (tag == Tag::Repeat && counts.iter().any(|c| word.eq_ignore_ascii_case(c))).then_some("num")
+}
+
 /// What the tree must know to recover well.
 pub(super) static HABITS: Habits = Habits {
     leaf: |name| matches!(name, "Part" | "random" | "replace" | "Texture" | "Roof"),
@@ -169,4 +175,5 @@ pub(super) static HABITS: Habits = Habits {
         let nests = matches!(name, "repeat" | "split" | "upper" | "lower");
         !nests && named(name).is_some_and(|e| e.tag != Tag::Later)
     },
+    known: |name| named(name).is_some(),
 };

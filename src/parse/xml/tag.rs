@@ -387,6 +387,15 @@ impl<'a> Scanner<'a, '_> {
 
     fn unquoted(&mut self, name: &'a str, place: &Range<usize>) -> Range<usize> {
         let (start, rest) = (self.at, self.rest());
+        if let Some(inner) = bracketed(rest) {
+            let value = start + inner.start..start + inner.end;
+            let close = self.text[value.end..].chars().next();
+            self.at = value.end + close.map_or(0, char::len_utf8);
+            let text = self.faults.quote(&value);
+            self.faults
+                .at(&(start..self.at), |s| say::value_in_brackets(s, name, text));
+            return value;
+        }
         let stops = |(i, c): &(usize, char)| match c {
             '/' | '／' => rest[i + c.len_utf8()..].starts_with(['>', '＞']),
             c => is_blank(*c) || matches!(c, '<' | '＜' | '>' | '＞'),
@@ -403,6 +412,22 @@ impl<'a> Scanner<'a, '_> {
         }
         value
     }
+}
+
+/// The range within the brackets that begin a text, if they are quotation marks of another script and end soon.
+fn bracketed(text: &str) -> Option<Range<usize>> {
+    const PAIRS: [(char, &[char]); 5] = [
+        ('「', &['」']),
+        ('『', &['』']),
+        ('｢', &['｣']),
+        ('«', &['»']),
+        ('〝', &['〟', '〞']),
+    ];
+    let open = text.chars().next()?;
+    let (_, close) = PAIRS.iter().find(|(o, _)| *o == open)?;
+    let from = open.len_utf8();
+    let line = text[from..].split(['\n', '<', '>']).next()?;
+    Some(from..from + line.find(*close)?)
 }
 
 /// Whether a text goes on with `name=`.

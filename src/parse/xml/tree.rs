@@ -7,6 +7,8 @@
 
 use super::faults::Faults;
 use super::scan::{EndTag, Scanner, StartTag, Token};
+use super::slash::Slashes;
+use super::suggest::alike;
 use super::tag::{Attribute, is_blank};
 use super::text::{Run, Text};
 use crate::diagnostic::messages::xml as say;
@@ -21,6 +23,8 @@ pub(super) struct Habits {
     pub(super) leaf: fn(&str) -> bool,
     /// Never stands directly in another of its name.
     pub(super) alone: fn(&str) -> bool,
+    /// An element of the language.
+    pub(super) known: fn(&str) -> bool,
 }
 
 /// All elements of a file.
@@ -44,6 +48,13 @@ pub(super) struct Element<'a> {
     pub(super) cut: bool,
 }
 
+impl Element<'_> {
+    /// Whether it bears one of these attributes.
+    pub(super) fn bears(&self, names: &[&str]) -> bool {
+        self.attributes.iter().any(|a| names.contains(&a.name))
+    }
+}
+
 /// What stands in an element.
 pub(super) enum Child<'a> {
     /// An element, by its index.
@@ -64,6 +75,7 @@ pub(super) fn read<'a>(faults: &mut Faults<'a>, nesting: usize, habits: Habits) 
         run: Run::default(),
         nesting,
         habits,
+        slashes: Slashes::new(),
     };
     let mut scanner = Scanner::new(faults);
     while let Some(token) = scanner.token() {
@@ -96,6 +108,7 @@ struct Builder<'a> {
     run: Run<'a>,
     nesting: usize,
     habits: Habits,
+    slashes: Slashes,
 }
 
 impl<'a> Builder<'a> {
@@ -129,8 +142,15 @@ impl<'a> Builder<'a> {
 
     fn start(&mut self, tag: StartTag<'a>, rest: &str, faults: &mut Faults<'a>) {
         self.flush();
-        let twin = self.open.last().filter(|o| o.name == tag.name);
-        if twin.is_some() && (self.habits.alone)(tag.name) {
+        let twin = self.open.last().is_some_and(|o| o.name == tag.name);
+        if twin && self.is_end_without_slash(&tag, rest) {
+            if let Some(open) = self.pop(tag.range.end) {
+                let start = faults.span(&open.name_range);
+                faults.at(&tag.range, |s| say::slash_forgotten(s, tag.name, start));
+            }
+            return;
+        }
+        if twin && (self.habits.alone)(tag.name) {
             let next = faults.span(&tag.name_range);
             self.unfinished(tag.range.start, Some((next, tag.name)), faults);
         }
@@ -150,6 +170,15 @@ impl<'a> Builder<'a> {
                 element,
             });
         }
+    }
+
+    /// Whether a start tag directly in an element of its name was meant to close that one.
+    fn is_end_without_slash(&mut self, tag: &StartTag<'a>, rest: &str) -> bool {
+        if tag.empty || !tag.closed || !tag.attributes.is_empty() {
+            return false;
+        }
+        let open = self.open.iter().map(|o| o.name);
+        self.slashes.forgotten(tag.name, rest, open, self.habits)
     }
 
     /// Whether an element gets a place in the tree; what is wrong with it is reported.
@@ -200,10 +229,14 @@ impl<'a> Builder<'a> {
             self.pop(tag.range.end);
         } else if self.is_misspelt(tag, rest) {
             if let Some(open) = self.pop(tag.range.end) {
-                let start = faults.span(&open.name_range);
-                faults.at(&tag.range, |s| {
-                    say::end_differs(s, tag.name, open.name, start)
-                });
+                // Where the end tag is right and the start tag wrong, the next step says so of that one.
+                let known = self.habits.known;
+                if known(open.name) || !known(tag.name) || !alike(open.name, tag.name) {
+                    let start = faults.span(&open.name_range);
+                    faults.at(&tag.range, |s| {
+                        say::end_differs(s, tag.name, open.name, start)
+                    });
+                }
             }
         } else {
             let inside = self.open.last();
@@ -226,7 +259,7 @@ impl<'a> Builder<'a> {
                 .and_then(|r| r.strip_prefix(self.open[n - 2].name))
                 .is_some_and(|r| r.starts_with('>')),
         };
-        tag.name.is_empty() || outer || super::suggest::alike(tag.name, innermost.name)
+        tag.name.is_empty() || outer || alike(tag.name, innermost.name)
     }
 
     /// Closes the innermost element where its end tag is missing; `before` = the tag that shows it.

@@ -6,9 +6,13 @@ use crate::source::Span;
 
 /// A kind letter that does not exist.
 #[cold]
-pub fn unknown_kind(span: Span, text: &str) -> Diagnostic {
-    Diagnostic::error(140, span, format!("{} is no kind of roof", quote(text)))
-        .help("write K tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`")
+pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
+    let all = "K tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`";
+    let help = match near {
+        Some(kind) => format!("write `{kind}`; the kinds are {all}"),
+        None => format!("write {all}"),
+    };
+    Diagnostic::error(140, span, format!("{} is no kind of roof", quote(text))).help(help)
 }
 
 /// A direction letter that does not exist.

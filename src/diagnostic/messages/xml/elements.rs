@@ -71,6 +71,13 @@ pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> 
         .help(format!("`{name}` belongs in {home}; it is not read here"))
 }
 
+/// `Roof` without a rectangle beside the storeys.
+#[cold]
+pub fn roof_for_roofs(span: Span) -> Diagnostic {
+    let text = "`Roof` has no place in `House`; the element for all roofs of a house is `Roofs`";
+    Diagnostic::error(223, span, text).help("write `Roofs`")
+}
+
 /// An attribute that must be there.
 #[cold]
 pub fn attribute_missing(span: Span, element: &str, name: &str) -> Diagnostic {
@@ -200,11 +207,16 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
     }
 }
 
-/// A tab among codes.
+/// A tab among codes: in which column, from the first code of the line, and how many blanks reach the next code.
 #[cold]
-pub fn tab_in_codes(span: Span) -> Diagnostic {
-    Diagnostic::error(233, span, "a tab stands among the codes")
-        .help("replace it by blanks up to the next column that is a multiple of five")
+pub fn tab_in_codes(span: Span, column: usize, blanks: usize) -> Diagnostic {
+    let text = format!("a tab stands among the codes, in column {column} of this line of codes");
+    let plural = if blanks == 1 { "" } else { "s" };
+    let found = Diagnostic::error(233, span, text);
+    found.help(format!(
+        "replace it by {blanks} blank{plural}, so that the next code begins in column {}",
+        column + blanks
+    ))
 }
 
 /// A share above 1.
@@ -256,4 +268,12 @@ pub fn replaces_nothing(span: Span) -> Diagnostic {
         "`replace` says neither which code nor which position",
     )
     .help("write `code=\"...\"`, `at=\"...\"` or both")
+}
+
+/// A `repeat` without content.
+#[cold]
+pub fn repeats_nothing(span: Span) -> Diagnostic {
+    Diagnostic::warning(242, span, "`repeat` holds nothing to repeat").help(
+        "put the parts between `<repeat num=\"...\">` and `</repeat>`; a void is `<Part code=\"     \"/>`",
+    )
 }
