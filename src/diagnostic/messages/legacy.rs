@@ -236,16 +236,6 @@ pub fn no_heights(place: Span) -> Diagnostic {
     .help("write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them")
 }
 
-/// Storeys above those with a height.
-#[cold]
-pub fn few_heights(heights: Span, given: usize, storeys: usize) -> Diagnostic {
-    let message = format!(
-        "the storey heights are {given}, but the storeys {storeys}: the others are 9 shaku high"
-    );
-    Diagnostic::note(119, heights, message)
-        .help(format!("write {storeys} heights, from the ground up"))
-}
-
 /// A height that is likely given in metres (below), in sun or in centimetres (above).
 #[cold]
 pub fn odd_height(span: Span, height: f64) -> Diagnostic {

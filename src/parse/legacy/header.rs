@@ -114,13 +114,17 @@ impl Header {
     /// given in another unit.
     pub(super) fn judge(&self, house: &House, storeys: usize, talk: &mut Talk<'_>) {
         let heights = &house.heights;
-        let placed = self.place.filter(|_| house.settings.y.is_some());
-        match (placed, self.heights) {
-            (Some(place), None) if storeys > 0 => talk.say(say::no_heights(place)),
-            (_, Some(span)) if heights.len() < storeys => {
-                talk.say(say::few_heights(span, heights.len(), storeys));
-            }
-            _ => {}
+        // Missing heights are the default by contract; numbers that look like heights are worth a word.
+        let numbers = [&house.settings.x, &house.settings.y];
+        let like_heights = numbers.iter().all(|n| {
+            n.as_ref()
+                .is_some_and(|n| (LOW.1..=HIGH).contains(&n.value))
+        });
+        if let (Some(place), None) = (self.place, self.heights)
+            && like_heights
+            && storeys > 0
+        {
+            talk.say(say::no_heights(place));
         }
         for (storey, height) in heights.iter().enumerate().take(storeys) {
             let least = if storey == 0 { LOW.0 } else { LOW.1 };
