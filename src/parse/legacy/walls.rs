@@ -147,14 +147,20 @@ fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
 /// Where an `L` or `R` stands as a word of its own with codes after it. In the fifth column of a code it is
 /// left alone: own parts may be called so.
 fn first_turn(text: &str) -> Option<usize> {
-    let bytes = text.as_bytes();
-    let mut at = 0;
+    // No farther than the next `^`, and each column counted once: a line may be a megabyte of either.
+    let bytes = &text.as_bytes()[..text.find('^').unwrap_or(text.len())];
+    let (mut at, mut counted, mut column) = (0, 0, 0);
     while let Some(found) = bytes[at..].iter().position(|b| matches!(b, b'L' | b'R')) {
         at += found;
-        let alone = (at == 0 || bytes[at - 1] == b' ') && bytes.get(at + 1) == Some(&b' ');
-        if alone && columns(&text[..at]) % CELL != CELL - 1 {
-            let more = text[at + 1..].trim_start_matches(' ');
-            return (!more.is_empty()).then_some(at);
+        let alone =
+            (at == 0 || bytes[at - 1] == b' ') && text.as_bytes().get(at + 1) == Some(&b' ');
+        if alone {
+            column += columns(&text[counted..at]);
+            counted = at;
+            if column % CELL != CELL - 1 {
+                let more = text[at + 1..].trim_start_matches(' ');
+                return (!more.is_empty()).then_some(at);
+            }
         }
         at += 1;
     }
