@@ -4,7 +4,7 @@ use divan::{Bencher, counter::ItemsCount};
 use hsd::backend::pictures::Library;
 use hsd::backend::{NoImages, gltf, obj, stl};
 use hsd::diagnostic::Diagnostics;
-use hsd::expand::Options;
+use hsd::Options;
 use hsd::scene::Scene;
 use hsd::source::{FileId, NoPictures, Source};
 

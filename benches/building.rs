@@ -5,6 +5,7 @@ mod texts;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use hsd::backend::pictures::Library;
+use hsd::scene::Detail;
 use hsd::source::NoPictures;
 
 fn main() {
@@ -18,7 +19,7 @@ fn roofed_outlines(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::driver::scene(&building)
+        hsd::driver::scene(&building, Detail::Everything)
     });
 }
 
@@ -29,7 +30,7 @@ fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        let scene = hsd::driver::scene(&building);
+        let scene = hsd::driver::scene(&building, Detail::Everything);
         let images = Library::load(&scene.pictures, &NoPictures, u64::MAX, |_, _| {});
         hsd::backend::gltf::glb(&scene, &images)
     });
@@ -42,6 +43,6 @@ fn parts_of_one_house(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::driver::scene(&building)
+        hsd::driver::scene(&building, Detail::Everything)
     });
 }

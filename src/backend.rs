@@ -22,6 +22,9 @@ pub trait Images {
 
     /// A part picture, by its index in [`crate::scene::Scene::pictures`]; PNG or JPEG.
     fn picture(&self, index: u32) -> Option<PictureBytes<'_>>;
+
+    /// A page of baked pictures, by its index in [`crate::scene::Scene::baked`].
+    fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>>;
 }
 
 /// One picture as a file: its name without a folder, its bytes as PNG or JPEG.
@@ -56,6 +59,10 @@ impl Images for NoImages {
     }
 
     fn picture(&self, _: u32) -> Option<PictureBytes<'_>> {
+        None
+    }
+
+    fn baked(&self, _: u32) -> Option<SurfaceFiles<'_>> {
         None
     }
 }

@@ -10,15 +10,24 @@ use crate::building::{Building, Shell};
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::pictures as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::expand::{self, Options};
+use crate::expand;
 use crate::lower;
 use crate::parse;
 use crate::program::{Content, PictureId, Program, Unit};
 use crate::roof;
-use crate::scene::Scene;
+use crate::scene::{Detail, Scene};
 use crate::source::{FileId, Limits, NoPictures, Source, Span, World};
 use crate::tessellate;
 use std::time::{Duration, Instant};
+
+/// What a shell may ask of a run.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Options {
+    /// Seed and limits.
+    pub expand: expand::Options,
+    /// How much of the joinery is shape.
+    pub detail: Detail,
+}
 
 /// What a run made, and how long each step took.
 #[derive(Debug, Default)]
@@ -40,13 +49,15 @@ pub fn compile(
 ) -> Compiled {
     let mut times = vec![];
     let documents = timed(&mut times, "parse", || {
-        documents(sources, &options.limits, out)
+        documents(sources, &options.expand.limits, out)
     });
     let program = timed(&mut times, "expand", || {
-        program(sources, &documents, world, options, out)
+        program(sources, &documents, world, &options.expand, out)
     });
     let building = timed(&mut times, "lower and roof", || building(program, out));
-    let scene = timed(&mut times, "tessellate", || scene(&building));
+    let scene = timed(&mut times, "tessellate", || {
+        scene(&building, options.detail)
+    });
     Compiled {
         building,
         scene,
@@ -64,8 +75,12 @@ pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
         parts: 20_000,
         ..Limits::default()
     };
-    let options = Options {
+    let expand = expand::Options {
         limits,
+        ..expand::Options::default()
+    };
+    let options = Options {
+        expand,
         ..Options::default()
     };
     let compiled = compile(&[&source], &NoPictures, &options, &mut out);
@@ -96,7 +111,7 @@ pub fn program(
     sources: &[&Source],
     documents: &[Document],
     world: &dyn World,
-    options: &Options,
+    options: &expand::Options,
     out: &mut Diagnostics,
 ) -> Program {
     let pairs: Vec<(&Source, &Document)> = sources.iter().copied().zip(documents).collect();
@@ -110,8 +125,8 @@ pub fn building(program: Program, out: &mut Diagnostics) -> Building {
 }
 
 /// What is to be seen.
-pub fn scene(building: &Building) -> Scene {
-    tessellate::tessellate(building, Catalog::builtin())
+pub fn scene(building: &Building, detail: Detail) -> Scene {
+    tessellate::tessellate(building, Catalog::builtin(), detail)
 }
 
 /// Loads the pictures of a building, and says which of them cannot be shown. `paths` are those of

@@ -57,4 +57,4 @@ pub mod driver;
 pub mod cli;
 pub mod report;
 
-pub use driver::{Compiled, compile, compile_bytes};
+pub use driver::{Compiled, Options, compile, compile_bytes};

@@ -25,6 +25,48 @@ pub struct Scene {
     pub nodes: Vec<Node>,
     /// Part pictures: paths that the world finds.
     pub pictures: Vec<String>,
+    /// Pictures of joinery, made where the detail asks for pictures in place of shapes.
+    pub baked: Vec<Baked>,
+}
+
+/// How much of the joinery is shape and how much is picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub enum Detail {
+    /// 0: walls and roofs.
+    Body,
+    /// 1: a flat picture for each part, and what stands out far before the wall.
+    Flat,
+    /// 2: openings, leaves and heavy bars as shapes, the fine ones as pictures.
+    Openings,
+    /// 3: everything as shapes.
+    #[default]
+    Everything,
+}
+
+impl Detail {
+    /// All of them by their numbers.
+    pub const ALL: [Detail; 4] = [
+        Detail::Body,
+        Detail::Flat,
+        Detail::Openings,
+        Detail::Everything,
+    ];
+}
+
+/// A page of baked pictures: square, side by side, upright as seen from outside.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Baked {
+    /// Base colour, sRGB, and whether there is anything.
+    #[serde(skip)]
+    pub color: image::RgbaImage,
+    /// Unit normals in the plane of the picture: red to the right, green up.
+    #[serde(skip)]
+    pub normal: image::RgbImage,
+    /// Red: occlusion. Green: roughness. Blue: metalness.
+    #[serde(skip)]
+    pub orm: image::RgbImage,
+    /// Whether its pictures have holes.
+    pub holes: bool,
 }
 
 /// Index into [`Scene::materials`].
@@ -54,6 +96,8 @@ pub struct Material {
     pub metallic: f32,
     /// Whether both sides show (cloth, paper).
     pub double_sided: bool,
+    /// Whether its picture has holes: what it leaves out is not there.
+    pub cutout: bool,
     /// Share of the neighbourhood that glass mirrors, 0 to 1 (003-13, 003-14).
     pub reflection: Option<f32>,
 }
@@ -67,6 +111,8 @@ pub enum Image {
     Surface(&'static str),
     /// Index into [`Scene::pictures`]; texture coordinates run from 0 to 1, v upwards.
     Picture(u32),
+    /// Index into [`Scene::baked`]; texture coordinates run from 0 to 1, v upwards.
+    Baked(u32),
 }
 
 /// A shape, in one or more materials.

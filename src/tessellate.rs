@@ -5,12 +5,16 @@
 //! somewhere: the cache lives through all houses of a run.
 
 mod apron;
+mod atlas;
+mod bake;
 mod bars;
 mod bay;
 mod boards;
+mod body;
 mod ceiling;
 mod cloth;
 mod corner;
+mod detail;
 mod facade;
 mod kura;
 mod leaf;
@@ -28,17 +32,18 @@ use crate::ast::StoreyKind;
 use crate::building::{Building, Ceiling, House, HouseRoofs, Ring, Roof, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
-use crate::scene::{Kind, Node, NodeId, Scene};
+use crate::scene::{Detail, Kind, Node, NodeId, Scene};
 use compact_str::{CompactString, format_compact};
 use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use store::Store;
 
 /// Every house of a building as a scene. Pure; shares meshes among all houses.
-pub fn tessellate(building: &Building, catalog: &Catalog) -> Scene {
+pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
     let mut walker = Walker {
         catalog,
-        store: Store::default(),
+        detail,
+        store: Store::new(detail),
         nodes: Vec::with_capacity(nodes(building)),
     };
     let none = HouseRoofs::default();
@@ -51,6 +56,7 @@ pub fn tessellate(building: &Building, catalog: &Catalog) -> Scene {
         meshes: walker.store.meshes,
         nodes: walker.nodes,
         pictures: pictures.map(|p| p.path.clone()).collect(),
+        baked: walker.store.atlas.pages,
     }
 }
 
@@ -66,6 +72,7 @@ fn nodes(building: &Building) -> usize {
 /// Walks over the building and writes nodes.
 struct Walker<'a> {
     catalog: &'a Catalog,
+    detail: Detail,
     store: Store,
     nodes: Vec<Node>,
 }
@@ -162,25 +169,32 @@ impl Walker<'_> {
             height: storey.z1 - storey.z0,
             node: self.last(),
         };
+        if self.detail == Detail::Body {
+            let mesh = self.body(level);
+            self.nodes[level.node.0 as usize].mesh = mesh;
+            return;
+        }
         for ring in &storey.rings {
             self.ring(level, ring);
         }
     }
 
+    /// The walls of a ring with their units in place.
+    fn lines<'b>(&self, level: Level<'b>, ring: &'b Ring) -> Vec<Line<'b>>
+    where
+        Self: 'b,
+    {
+        let walls = ring.walls.iter();
+        walls
+            .map(|wall| Line::new(self.catalog, level, wall))
+            .collect()
+    }
+
     /// The walls of a ring; each draws the corner at its start.
     fn ring(&mut self, level: Level<'_>, ring: &Ring) {
-        let lines: Vec<Line<'_>> = ring
-            .walls
-            .iter()
-            .map(|wall| Line::new(self.catalog, level, wall))
-            .collect();
-        let n = lines.len();
+        let lines = self.lines(level, ring);
         for (i, line) in lines.iter().enumerate() {
-            let before = &lines[(i + n - 1) % n];
-            let after = &lines[(i + 1) % n];
-            let meets = |a: &Line<'_>, b: &Line<'_>| a.wall.to.distance(b.wall.from) < SAME;
-            let before = meets(before, line).then_some(before);
-            let after = meets(line, after).then_some(after);
+            let (before, after) = Line::beside(&lines, i);
             self.facade(level, line, before, after);
         }
     }

@@ -7,7 +7,7 @@
 //!
 //! The kernel is `noise` (random fields), `cells` (joints, grains and straws), `color` (ramps),
 //! `grain` (wood) and `paint` (sampling, relief); the materials are built from it; `files` turns
-//! pictures into the files of `textures/`.
+//! pictures into the files of `textures/`, `samples` looks points up in them.
 //!
 //! Orientation: `u` runs to the right in the picture, `v` upwards (towards its top edge). On a
 //! roof `v` points up the slope.
@@ -22,12 +22,13 @@ mod ground;
 mod noise;
 mod paint;
 mod plaster;
+pub mod samples;
 mod sheet;
 mod shingles;
 mod tiles;
 mod weave;
 
-pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, write_all};
+pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, jpeg, png, write_all};
 
 use std::fmt;
 

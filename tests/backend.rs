@@ -48,6 +48,10 @@ impl Images for Pictures {
     fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
         (index == 0).then(|| self.bytes("看板 1.png", &self.png))
     }
+
+    fn baked(&self, _: u32) -> Option<SurfaceFiles<'_>> {
+        None
+    }
 }
 
 fn material(name: &str, image: Image) -> Material {
@@ -57,6 +61,7 @@ fn material(name: &str, image: Image) -> Material {
         tint: [1.0; 4],
         roughness: 1.0,
         metallic: 0.0,
+        cutout: false,
         double_sided: false,
         reflection: None,
     }
@@ -142,6 +147,7 @@ fn scene() -> Scene {
             },
         ],
         pictures: vec!["textures/看板 1.png".into()],
+        baked: vec![],
     }
 }
 

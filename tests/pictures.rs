@@ -4,7 +4,7 @@ mod support;
 
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::{self, Compiled};
-use hsd::expand::Options;
+use hsd::Options;
 use hsd::source::{FileId, Limits, PictureFile, Source, World};
 use support::png;
 

@@ -8,7 +8,7 @@ use hsd::building::{
 use hsd::catalog::{Catalog, PartId};
 use hsd::geometry::SHAKU;
 use hsd::program::{Content, Picture, PictureId, Roofs, Split, Unit};
-use hsd::scene::{Image, Kind, Mesh, Node, Scene};
+use hsd::scene::{Detail, Image, Kind, Mesh, Node, Scene};
 use hsd::source::Span;
 use hsd::tessellate::tessellate;
 use std::collections::BTreeMap;
@@ -120,7 +120,7 @@ fn building(storeys: Vec<Storey>) -> Building {
 }
 
 fn scene(building: &Building) -> Scene {
-    let scene = tessellate(building, Catalog::builtin());
+    let scene = tessellate(building, Catalog::builtin(), Detail::Everything);
     for mesh in &scene.meshes {
         sound(mesh);
     }
@@ -696,7 +696,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         kind: RoofKind::Tiles,
         solids: vec![solid],
     });
-    let scene = tessellate(&building, Catalog::builtin());
+    let scene = tessellate(&building, Catalog::builtin(), Detail::Everything);
     let slope = &scene.meshes[0].primitives[0];
     let close = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-5;
     assert!(

@@ -55,6 +55,7 @@ impl<'a> Writer<'a> {
             Image::None => None,
             Image::Surface(name) => images.files(name).map(|f: SurfaceFiles<'_>| f.metres),
             Image::Picture(index) => images.picture(*index).map(|_| 1.0),
+            Image::Baked(index) => images.baked(*index).map(|f| f.metres),
         };
         Writer {
             scene,

@@ -4,6 +4,7 @@
 //! patient decoder reads (printing colours, a missing end) is encoded anew as PNG; anything else is refused.
 
 use super::{Images, PictureBytes, SurfaceFiles};
+use crate::scene::Baked;
 use crate::source::World;
 use crate::texture;
 use std::borrow::Cow;
@@ -27,7 +28,11 @@ pub enum Trouble {
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     parts: Vec<Option<(String, Vec<u8>)>>,
+    baked: Vec<Page>,
 }
+
+/// The files of a page of baked pictures: colour, normals, gloss.
+type Page = [(String, Vec<u8>); 3];
 
 impl Library {
     /// Loads part pictures; `trouble` hears of each that cannot be shown, by its index.
@@ -45,8 +50,38 @@ impl Library {
         };
         Library {
             parts: paths.iter().enumerate().map(one).collect(),
+            baked: vec![],
         }
     }
+
+    /// Takes the pictures that were baked for a scene.
+    pub fn bake(&mut self, pages: &[Baked]) {
+        self.baked = pages.iter().enumerate().map(page).collect();
+    }
+}
+
+/// The files of a page; pictures with holes need a format that has them.
+fn page((index, baked): (usize, &Baked)) -> Page {
+    let stem = format!("joinery_{}", index + 1);
+    let color = image::DynamicImage::ImageRgba8(baked.color.clone());
+    let color = match baked.holes {
+        true => (format!("{stem}_color.png"), texture::png(color, false)),
+        false => (
+            format!("{stem}_color.jpg"),
+            texture::jpeg(&color.into_rgb8(), 90),
+        ),
+    };
+    [
+        color,
+        (
+            format!("{stem}_normal.jpg"),
+            texture::jpeg(&baked.normal, 92),
+        ),
+        (
+            format!("{stem}_orm.png"),
+            texture::png(baked.orm.clone().into(), false),
+        ),
+    ]
 }
 
 impl Images for Library {
@@ -63,6 +98,20 @@ impl Images for Library {
             color: file(surface.color_file())?,
             normal: file(surface.normal_file()),
             orm: file(surface.orm_file()),
+        })
+    }
+
+    fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>> {
+        let page = self.baked.get(index as usize)?;
+        let [color, normal, orm] = page.each_ref().map(|(name, bytes)| PictureBytes {
+            name: Cow::Borrowed(name),
+            bytes,
+        });
+        Some(SurfaceFiles {
+            metres: 1.0,
+            color,
+            normal: Some(normal),
+            orm: Some(orm),
         })
     }
 

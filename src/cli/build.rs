@@ -9,6 +9,7 @@ use crate::backend::OutFile;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};
+use crate::scene::Detail;
 use crate::source::Source;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -43,6 +44,11 @@ pub(super) struct Build {
     /// Write the pictures of a .glb into a folder beside it.
     #[arg(long)]
     textures_beside: bool,
+
+    /// How much of the joinery is shape: 0 walls and roofs, 1 a picture for each part, 2 openings and heavy
+    /// bars as shapes, 3 everything.
+    #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
+    detail: u8,
 
     /// Build again whenever a text or a picture changes, until interrupted.
     #[arg(long)]
@@ -119,13 +125,17 @@ impl Build {
         let limits = self.reading.limits();
         let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
         let world = self.reading.world(&job.inputs);
-        let options = self.reading.options();
+        let options = driver::Options {
+            expand: self.reading.options(),
+            detail: Detail::ALL[usize::from(self.detail)],
+        };
         let mut compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let Compiled {
             building, scene, ..
         } = &compiled;
         let paths = &scene.pictures;
-        let library = driver::pictures(paths, &building.shell, &world, &limits, &mut out);
+        let mut library = driver::pictures(paths, &building.shell, &world, &limits, &mut out);
+        library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
         let list = out.into_sorted();
         status.report(&inputs.sources, &list)?;

@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostics;
 use crate::driver;
 use crate::report::{Format, Report};
 use crate::source::Source;
+use crate::scene::Detail;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 
@@ -76,7 +77,7 @@ impl Dump {
         let building = driver::building(program, out);
         match self.stage {
             Stage::Regions => dump::regions(&building),
-            Stage::Scene => dump::scene(&driver::scene(&building)),
+            Stage::Scene => dump::scene(&driver::scene(&building, Detail::default())),
             _ => dump::building(&building),
         }
     }

@@ -6,6 +6,7 @@ use crate::catalog::body::Place;
 use crate::catalog::value::Area;
 use crate::catalog::{PartDef, Stance};
 use crate::material::SurfaceId;
+use crate::scene::Detail;
 use glam::{DVec2, dvec2, dvec3};
 
 /// Half a post of four sun: how far joinery keeps from the ends of its bay.
@@ -68,6 +69,8 @@ pub(super) struct Bay<'a> {
     pub(super) opening: Rect,
     /// What small walls look like.
     pub(super) around: SurfaceId,
+    /// How much of it is shape.
+    pub(super) detail: Detail,
     pub(super) bodies: Bodies,
 }
 
@@ -78,6 +81,7 @@ impl<'a> Bay<'a> {
         (width, height): (f64, f64),
         (z0, z1): (f64, f64),
         around: SurfaceId,
+        detail: Detail,
     ) -> Bay<'a> {
         let post = match part.stance {
             Stance::Posts => HALF_POST.min(width / 4.0),
@@ -105,6 +109,7 @@ impl<'a> Bay<'a> {
             clear,
             opening,
             around,
+            detail,
             bodies: Bodies::default(),
         }
     }

@@ -7,7 +7,7 @@ use super::store::{Key, PartKey, Share, tenths};
 use super::{Level, Walker, ceiling, part, turn_of};
 use crate::building::Wall;
 use crate::catalog::{Catalog, Era, PartDef, PartId, Stance};
-use crate::geometry::SHAKU;
+use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
 use crate::scene::{Kind, Mesh, MeshId, NodeId};
@@ -89,6 +89,20 @@ impl<'a> Line<'a> {
             stands,
             length: offset * unit_m,
         }
+    }
+
+    /// The walls that meet the ends of one of a ring.
+    pub(super) fn beside<'l>(
+        lines: &'l [Line<'a>],
+        i: usize,
+    ) -> (Option<&'l Line<'a>>, Option<&'l Line<'a>>) {
+        let n = lines.len();
+        let (before, line, after) = (&lines[(i + n - 1) % n], &lines[i], &lines[(i + 1) % n]);
+        let meets = |a: &Line<'_>, b: &Line<'_>| a.wall.to.distance(b.wall.from) < SAME;
+        (
+            meets(before, line).then_some(before),
+            meets(line, after).then_some(after),
+        )
     }
 
     /// The first unit with a wall, seen from the right end, or from the left.

@@ -8,7 +8,7 @@ use super::{Level, Walker};
 use crate::catalog::Stance;
 use crate::geometry::SAME;
 use crate::material::SurfaceId;
-use crate::scene::{Kind, MaterialId, NodeId, Primitive};
+use crate::scene::{Detail, Kind, MaterialId, NodeId, Primitive};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// Side of a post: four sun (domain.md 5).
@@ -107,7 +107,9 @@ impl Walker<'_> {
                 continue;
             }
             let inner = stand.offset > SAME;
-            if inner && !set && (shows(previous) || shows(Some(stand))) {
+            // Flat parts have the halves of their posts in their pictures.
+            let drawn = self.detail > Detail::Flat && !set;
+            if inner && drawn && (shows(previous) || shows(Some(stand))) {
                 let height = height(previous, Some(stand));
                 self.post(level, facade, -stand.offset, (0.0, height), POST);
             }

@@ -1,6 +1,8 @@
 //! Closed bodies from polygons: boxes, prisms, polyhedra. Every face is flat, has its own vertices, a unit
 //! normal, and texture coordinates in metres.
 
+use super::bay::Rect;
+use super::detail::Panel;
 use super::polygon;
 use crate::material::SurfaceId;
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -18,6 +20,8 @@ pub(super) struct Soup {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bodies {
     pub(super) soups: Vec<(SurfaceId, Soup)>,
+    /// What is to become pictures.
+    pub(super) panels: Vec<Panel>,
 }
 
 /// Faces thinner than this, in metres, are left out of a body.
@@ -124,6 +128,28 @@ impl Soup {
         polygon::triangulate(corners, normal, |triangle| {
             self.indices.extend(triangle.map(|i| first + i));
         });
+    }
+}
+
+impl Soup {
+    /// A rectangle that looks out of the house, `front` before the centre line; `uv` are its lower left and upper
+    /// right corners in the picture.
+    pub(super) fn front(&mut self, rect: Rect, front: f64, uv: [[f32; 2]; 2]) {
+        let first = self.positions.len() as u32;
+        let corners = [
+            (rect.x0, rect.z0, uv[0][0], uv[0][1]),
+            (rect.x1, rect.z0, uv[1][0], uv[0][1]),
+            (rect.x1, rect.z1, uv[1][0], uv[1][1]),
+            (rect.x0, rect.z1, uv[0][0], uv[1][1]),
+        ];
+        for (x, z, u, v) in corners {
+            self.positions
+                .push(dvec3(x, -front, z).as_vec3().to_array());
+            self.normals.push([0.0, -1.0, 0.0]);
+            self.uvs.push([u, v]);
+        }
+        let quad = [0, 1, 2, 0, 2, 3];
+        self.indices.extend(quad.map(|i: u32| first + i));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::bars::middles;
 use super::bay::{Bay, Layer, Rect};
-use super::part::elements;
+use super::detail::elements;
 use super::shelter;
 use crate::catalog::body::{Element, Oriel};
 

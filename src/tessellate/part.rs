@@ -2,7 +2,7 @@
 
 use super::bay::{Bay, Layer, Rect};
 use super::mesh::Bodies;
-use super::{apron, bars, boards, cloth, kura, leaf, namako, oriel, shelter};
+use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, shelter};
 use crate::catalog::body::{Element, Place, Shape};
 use crate::catalog::value::Level;
 use crate::catalog::{Below, PartDef, Stance};
@@ -42,27 +42,23 @@ pub(super) fn face(part: &PartDef) -> f64 {
     front.unwrap_or(wall_layer(part.stance).front)
 }
 
+/// What one sees most of in a part: of a wall its finish, of an opening what fills it.
+pub(super) fn main_surface(part: &PartDef) -> Option<SurfaceId> {
+    let first = part.body.first().map(|e| match &e.shape {
+        Shape::Leaf(leaf) => leaf.pane,
+        _ => e.place.finish,
+    });
+    part.finish.or(first)
+}
+
 /// All bodies of a part in its bay.
 pub(super) fn build(mut bay: Bay<'_>) -> Bodies {
-    if bay.part.from.is_some() {
-        surround(&mut bay);
-    }
-    let part = bay.part;
-    elements(&mut bay, &part.body, None);
+    detail::build(&mut bay);
     bay.bodies
 }
 
-/// The elements of a list, inside a rectangle where their parent has one.
-pub(super) fn elements(bay: &mut Bay<'_>, list: &[Element], inside: Option<Rect>) {
-    for element in list {
-        if let Some(rect) = bay.rect(&element.place, inside) {
-            one(bay, element, rect);
-        }
-    }
-}
-
 /// One element, by its builder.
-fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
+pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
     let place = &element.place;
     let layer = Layer::from(place);
     match &element.shape {
@@ -91,7 +87,7 @@ fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
 }
 
 /// Walls above, below and beside an opening.
-fn surround(bay: &mut Bay<'_>) {
+pub(super) fn surround(bay: &mut Bay<'_>) {
     let part = bay.part;
     let (whole, opening, finish) = (bay.whole(), bay.opening, bay.around);
     let layer = wall_layer(part.stance);

@@ -1,12 +1,14 @@
 //! Meshes and materials of the scene, each made once.
 
+use super::atlas::Atlas;
+use super::bake::bake;
 use super::bay::Bay;
 use super::mesh::{Bodies, Soup};
-use super::part;
+use super::{detail, part};
 use crate::building::Roof;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
-use crate::scene::{Image, Material, MaterialId, Mesh, MeshId, Primitive};
+use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Primitive};
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
@@ -95,11 +97,15 @@ impl Hasher for Quick {
     }
 }
 
+/// How far panes lie behind the picture of what holds them, metres.
+const BEHIND: f64 = 0.010;
+
 /// What a material shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Look {
     Surface(SurfaceId, Share),
     Picture(u32, Share),
+    Baked(u32),
 }
 
 /// Meshes and materials.
@@ -107,11 +113,21 @@ enum Look {
 pub(super) struct Store {
     pub(super) materials: Vec<Material>,
     pub(super) meshes: Vec<Mesh>,
+    pub(super) atlas: Atlas,
+    detail: Detail,
     looks: Vec<Look>,
     cache: HashMap<Key, MeshId, BuildHasherDefault<Quick>>,
 }
 
 impl Store {
+    /// An empty store for meshes of this detail.
+    pub(super) fn new(detail: Detail) -> Store {
+        Store {
+            detail,
+            ..Store::default()
+        }
+    }
+
     /// The mesh of a key, made if it is new.
     pub(super) fn mesh(&mut self, key: Key, make: impl FnOnce(&mut Store) -> Mesh) -> MeshId {
         if let Some(id) = self.cache.get(&key) {
@@ -135,7 +151,7 @@ impl Store {
         self.mesh(Key::Part(key), |store| {
             // The mesh is made from the key alone, so that it cannot depend on anything else.
             let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
-            let bay = Bay::new(part, (width, height), (z0, z1), key.around);
+            let bay = Bay::new(part, (width, height), (z0, z1), key.around, store.detail);
             let name = part.code().trim_end().to_owned();
             store.finish(name, part::build(bay), key.share)
         })
@@ -143,11 +159,40 @@ impl Store {
 
     /// Bodies as a mesh of the scene; their glass mirrors this share.
     pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
-        let primitives = bodies.soups.into_iter().map(|(finish, soup)| {
+        let Bodies { mut soups, panels } = bodies;
+        let mut pictures: Vec<(MaterialId, Soup)> = vec![];
+        for panel in panels {
+            for (glass, rect) in detail::panes(&panel) {
+                let at = soups.iter().position(|(id, _)| *id == glass);
+                let at = at.unwrap_or_else(|| {
+                    soups.push((glass, Soup::default()));
+                    soups.len() - 1
+                });
+                let metres = [[rect.x0, rect.z0], [rect.x1, rect.z1]];
+                let uv = metres.map(|corner| corner.map(|t| t as f32));
+                soups[at].1.front(rect, panel.front - BEHIND, uv);
+            }
+            if let Some(picture) = bake(&panel.soups, panel.rect) {
+                let spot = self.atlas.place(&picture);
+                let material = self.baked(spot.page);
+                let at = pictures.iter().position(|(id, _)| *id == material);
+                let at = at.unwrap_or_else(|| {
+                    pictures.push((material, Soup::default()));
+                    pictures.len() - 1
+                });
+                pictures[at].1.front(panel.rect, panel.front, spot.uv);
+            }
+        }
+        let mut primitives: Vec<Primitive> = Vec::with_capacity(soups.len() + pictures.len());
+        for (finish, soup) in soups {
             let material = self.surface(finish, share);
-            primitive(material, soup)
-        });
-        let primitives = primitives.collect();
+            primitives.push(primitive(material, soup));
+        }
+        primitives.extend(
+            pictures
+                .into_iter()
+                .map(|(material, soup)| primitive(material, soup)),
+        );
         Mesh { name, primitives }
     }
 
@@ -184,6 +229,7 @@ impl Store {
             roughness: surface.roughness,
             metallic: surface.metallic,
             double_sided: surface.thin,
+            cutout: false,
             reflection: surface.glass.then(|| share.value()),
         })
     }
@@ -200,7 +246,23 @@ impl Store {
             roughness: if share.0 == 0 { 0.8 } else { 0.3 },
             metallic: 0.0,
             double_sided: false,
+            cutout: false,
             reflection: (share.0 > 0).then(|| share.value()),
+        })
+    }
+
+    /// The material of a page of baked pictures.
+    fn baked(&mut self, page: u32) -> MaterialId {
+        let cutout = self.atlas.pages[page as usize].holes;
+        self.material(Look::Baked(page), || Material {
+            name: format!("joinery {}", page + 1),
+            image: Image::Baked(page),
+            tint: [1.0; 4],
+            roughness: 1.0,
+            metallic: 1.0,
+            double_sided: false,
+            cutout,
+            reflection: None,
         })
     }
 

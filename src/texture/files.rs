@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
-use image::{Rgb as Pixel, RgbImage};
+use image::{DynamicImage, Rgb as Pixel, RgbImage};
 
 use super::{SURFACES, Surface};
 
@@ -25,7 +25,7 @@ pub fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
     vec![
         (surface.color_file(), jpeg(&maps.color, 88)),
         (surface.normal_file(), jpeg(&maps.normal, 92)),
-        (surface.orm_file(), png(&halve(&maps.orm))),
+        (surface.orm_file(), png(halve(&maps.orm).into(), true)),
     ]
 }
 
@@ -75,26 +75,34 @@ static EMBEDDED: &[(&str, &[u8])] = embed! {
     "stone" "earth"
 };
 
-fn jpeg(picture: &RgbImage, quality: u8) -> Vec<u8> {
+/// A picture as JPEG.
+pub fn jpeg(picture: &RgbImage, quality: u8) -> Vec<u8> {
     let mut bytes = Vec::new();
     picture
         .write_with_encoder(JpegEncoder::new_with_quality(&mut bytes, quality))
-        .expect("a picture of 512 px fits a JPEG, and memory takes it");
+        .expect("pictures of the program fit a JPEG, and memory takes it");
     bytes
 }
 
-fn png(picture: &RgbImage) -> Vec<u8> {
+/// A picture as PNG, as small as it gets, or quickly.
+pub fn png(picture: DynamicImage, small: bool) -> Vec<u8> {
     let mut bytes = Vec::new();
-    let encoder =
-        PngEncoder::new_with_quality(&mut bytes, CompressionType::Best, FilterType::Adaptive);
+    let (compression, filter) = match small {
+        true => (CompressionType::Best, FilterType::Adaptive),
+        false => (CompressionType::Fast, FilterType::Up),
+    };
     picture
-        .write_with_encoder(encoder)
-        .expect("a picture of 256 px fits a PNG, and memory takes it");
+        .write_with_encoder(PngEncoder::new_with_quality(
+            &mut bytes,
+            compression,
+            filter,
+        ))
+        .expect("pictures of the program fit a PNG, and memory takes it");
     bytes
 }
 
 /// Half the size, each pixel the mean of four.
-fn halve(picture: &RgbImage) -> RgbImage {
+pub(super) fn halve(picture: &RgbImage) -> RgbImage {
     RgbImage::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
         let four = [(0, 0), (1, 0), (0, 1), (1, 1)]
             .map(|(i, j)| picture.get_pixel(2 * x + i, 2 * y + j).0);

@@ -2,10 +2,10 @@
 //! numbers that look random.
 #![allow(dead_code, unreachable_pub)] // each test file uses its own share
 
+use hsd::Options;
 use hsd::building::{Building, Solid};
 use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
-use hsd::expand::Options;
 use hsd::scene::{Kind, Mesh, Scene};
 use hsd::source::{FileId, NoPictures, PictureFile, Source, World};
 use std::collections::BTreeMap;

@@ -146,6 +146,20 @@ impl<'a> Looks<'a> {
                     orm: files.orm.and_then(|f| texture(f, WrappingMode::Repeat)),
                 }
             }
+            scene::Image::Baked(index) => {
+                let files = images.baked(*index)?;
+                Drawn {
+                    image,
+                    metres: files.metres as f32,
+                    color: texture(files.color, WrappingMode::ClampToEdge)?,
+                    normal: files
+                        .normal
+                        .and_then(|f| texture(f, WrappingMode::ClampToEdge)),
+                    orm: files
+                        .orm
+                        .and_then(|f| texture(f, WrappingMode::ClampToEdge)),
+                }
+            }
             scene::Image::Picture(index) => Drawn {
                 image,
                 metres: 1.0,
@@ -246,7 +260,9 @@ fn made(m: &scene::Material, drawn: Option<&Drawn<'_>>) -> Material {
             extensions: None,
             extras: None,
         }),
-        alpha_mode: Valid(if factor(m.tint[3]) < 1.0 {
+        alpha_mode: Valid(if m.cutout {
+            AlphaMode::Mask
+        } else if factor(m.tint[3]) < 1.0 {
             AlphaMode::Blend
         } else {
             AlphaMode::Opaque

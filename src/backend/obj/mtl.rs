@@ -23,6 +23,7 @@ pub(super) fn mtl<'a>(
             Image::None => None,
             Image::Surface(name) => images.files(name).map(|f| f.color),
             Image::Picture(index) => images.picture(*index),
+            Image::Baked(index) => images.baked(*index).map(|f| f.color),
         };
         if let Some(picture) = picture {
             let name = file(&mut files, &picture, folder);

@@ -1,0 +1,356 @@
+//! Joinery as a picture: what one sees of it from straight ahead, as colours, normals, roughness and holes.
+//!
+//! The viewer stands before the wall (y < 0) and looks along y. Every pixel is the mean of [`FINE`] x
+//! [`FINE`] rays. What lies deep beside something that stands out is darkened, as daylight would do it.
+
+use super::bay::Rect;
+use super::mesh::Soup;
+use crate::material::{Surface, SurfaceId};
+use crate::texture::samples::{self, Samples};
+use glam::{DVec2, DVec3, dvec2, dvec3};
+use image::{Rgb, RgbImage, Rgba, RgbaImage};
+
+/// Pixels a metre: two for the finest bars and gaps.
+const DENSITY: f64 = 120.0;
+
+/// Rays a pixel in each direction.
+const FINE: usize = 2;
+
+/// Most pixels of a picture in each direction; larger things are drawn less finely.
+const LARGEST: f64 = 500.0;
+
+/// Share of rays that must hit something, or a pixel is a hole.
+const COVERED: f64 = 0.5;
+
+/// How far before its surroundings something stands out that darkens them most, metres.
+const DEEP: f64 = 0.070;
+
+/// Light that is left in the deepest corner.
+const DARKEST: f64 = 0.45;
+
+/// What is seen of some joinery.
+pub(super) struct Picture {
+    pub(super) color: RgbaImage,
+    pub(super) normal: RgbImage,
+    pub(super) orm: RgbImage,
+    /// Whether some pixel shows nothing.
+    pub(super) holes: bool,
+}
+
+/// What a ray hits.
+#[derive(Clone, Copy)]
+struct Hit {
+    depth: f64,
+    surface: usize,
+    normal: DVec3,
+    right: DVec3,
+    uv: DVec2,
+}
+
+/// The rays over a rectangle.
+struct Rays {
+    rect: Rect,
+    width: usize,
+    height: usize,
+    hits: Vec<Option<Hit>>,
+}
+
+/// The picture of soups in a rectangle; `None` where nothing of them is seen. Glass is a hole that hides what
+/// lies behind it: panes stay shapes, so that they can mirror.
+pub(super) fn bake(soups: &[(SurfaceId, Soup)], rect: Rect) -> Option<Picture> {
+    let rays = Rays::cast(soups, rect);
+    let shown: Vec<Shown> = soups.iter().map(|(id, _)| Shown::new(*id)).collect();
+    let pixels = (rays.width / FINE, rays.height / FINE);
+    let (w, h) = (pixels.0 as u32, pixels.1 as u32);
+    let mut picture = Picture {
+        color: RgbaImage::new(w, h),
+        normal: RgbImage::from_pixel(w, h, Rgb([128, 128, 255])),
+        orm: RgbImage::from_pixel(w, h, Rgb([255, 255, 0])),
+        holes: false,
+    };
+    let mut empty = true;
+    for y in 0..pixels.1 {
+        for x in 0..pixels.0 {
+            let pixel = rays.pixel(x, y, &shown);
+            picture.holes |= pixel.is_none();
+            let Some(pixel) = pixel else { continue };
+            empty = false;
+            let [r, g, b] = pixel.color.map(samples::encoded);
+            picture
+                .color
+                .put_pixel(x as u32, y as u32, Rgba([r, g, b, 255]));
+            let byte = |t: f64| (t.clamp(0.0, 1.0) * 255.0).round() as u8;
+            let n = pixel.normal * 0.5 + 0.5;
+            picture
+                .normal
+                .put_pixel(x as u32, y as u32, Rgb([byte(n.x), byte(n.y), byte(n.z)]));
+            let [roughness, metallic] = pixel.gloss.map(|t| byte(f64::from(t)));
+            picture
+                .orm
+                .put_pixel(x as u32, y as u32, Rgb([255, roughness, metallic]));
+        }
+    }
+    if empty {
+        return None;
+    }
+    fill_holes(&mut picture);
+    Some(picture)
+}
+
+/// A surface with its pictures.
+struct Shown {
+    surface: &'static Surface,
+    samples: Option<&'static Samples>,
+}
+
+impl Shown {
+    fn new(id: SurfaceId) -> Shown {
+        let surface = id.surface();
+        Shown {
+            surface,
+            samples: surface.picture.and_then(samples::samples),
+        }
+    }
+}
+
+/// The mean of what the rays of a pixel hit.
+struct Pixel {
+    color: [f32; 3],
+    normal: DVec3,
+    /// Roughness and metalness.
+    gloss: [f32; 2],
+}
+
+impl Rays {
+    fn cast(soups: &[(SurfaceId, Soup)], rect: Rect) -> Rays {
+        let size = |metres: f64| (metres * DENSITY).ceil().clamp(1.0, LARGEST) as usize * FINE;
+        let (width, height) = (size(rect.width()), size(rect.height()));
+        let mut rays = Rays {
+            rect,
+            width,
+            height,
+            hits: vec![None; width * height],
+        };
+        for (i, (_, soup)) in soups.iter().enumerate() {
+            for triangle in soup.indices.chunks_exact(3) {
+                rays.triangle(i, soup, [triangle[0], triangle[1], triangle[2]]);
+            }
+        }
+        rays
+    }
+
+    /// Rays that hit this triangle before anything else.
+    fn triangle(&mut self, surface: usize, soup: &Soup, corners: [u32; 3]) {
+        let point = |i: u32| soup.positions[i as usize].map(f64::from);
+        let normal = DVec3::from(soup.normals[corners[0] as usize].map(f64::from));
+        // Seen edge-on or from behind.
+        if normal.y > -1e-6 {
+            return;
+        }
+        let p = corners.map(|i| DVec3::from(point(i)));
+        let uv = corners.map(|i| DVec2::from(soup.uvs[i as usize].map(f64::from)));
+        let flat = p.map(|p| self.ray_of(p));
+        let area = (flat[1] - flat[0]).perp_dot(flat[2] - flat[0]);
+        if area.abs() < 1e-9 {
+            return;
+        }
+        let right = right_of(p, uv);
+        let lo = flat[0].min(flat[1]).min(flat[2]).max(DVec2::ZERO);
+        let hi = flat[0].max(flat[1]).max(flat[2]);
+        let last = dvec2(self.width as f64, self.height as f64) - 1.0;
+        let hi = hi.min(last + 0.5);
+        for y in lo.y.floor() as usize..=hi.y.max(0.0) as usize {
+            for x in lo.x.floor() as usize..=hi.x.max(0.0) as usize {
+                let at = dvec2(x as f64, y as f64) + 0.5;
+                let b = (at - flat[0]).perp_dot(flat[2] - flat[0]) / area;
+                let c = (flat[1] - flat[0]).perp_dot(at - flat[0]) / area;
+                let a = 1.0 - b - c;
+                if a < 0.0 || b < 0.0 || c < 0.0 {
+                    continue;
+                }
+                let depth = a * p[0].y + b * p[1].y + c * p[2].y;
+                let Some(hit) = self.hits.get_mut(y * self.width + x) else {
+                    continue;
+                };
+                if hit.is_none_or(|h| depth < h.depth) {
+                    *hit = Some(Hit {
+                        depth,
+                        surface,
+                        normal,
+                        right,
+                        uv: uv[0] * a + uv[1] * b + uv[2] * c,
+                    });
+                }
+            }
+        }
+    }
+
+    /// A point in rays, y down.
+    fn ray_of(&self, p: DVec3) -> DVec2 {
+        let x = (p.x - self.rect.x0) / self.rect.width() * self.width as f64;
+        let y = (self.rect.z1 - p.z) / self.rect.height() * self.height as f64;
+        dvec2(x, y)
+    }
+
+    /// The mean of a pixel; `None` where most of its rays hit nothing or glass.
+    fn pixel(&self, x: usize, y: usize, shown: &[Shown]) -> Option<Pixel> {
+        let mut color = [0.0; 3];
+        let mut gloss = [0.0; 2];
+        let (mut normal, mut count) = (DVec3::ZERO, 0.0);
+        for j in 0..FINE {
+            for i in 0..FINE {
+                let (u, v) = (x * FINE + i, y * FINE + j);
+                let Some(hit) = self.hits[v * self.width + u] else {
+                    continue;
+                };
+                let of = &shown[hit.surface];
+                if of.surface.glass {
+                    continue;
+                }
+                count += 1.0;
+                let light = self.light(u, v, hit.depth) as f32;
+                let sample = of.samples.map(|s| s.at(hit.uv.x, hit.uv.y));
+                let drawn = sample.map_or([1.0; 3], |s| s.color);
+                for k in 0..3 {
+                    color[k] += drawn[k] * of.surface.tint[k] * light;
+                }
+                let (rough, metal) = sample.map_or((1.0, 1.0), |s| (s.roughness, s.metallic));
+                gloss[0] += rough * of.surface.roughness;
+                gloss[1] += metal * of.surface.metallic;
+                normal += seen(&hit, sample.map_or([0.0, 0.0, 1.0], |s| s.normal));
+            }
+        }
+        let rays = (FINE * FINE) as f64;
+        (count >= rays * COVERED).then(|| {
+            let n = count as f32;
+            Pixel {
+                color: color.map(|c| c / n),
+                normal: normal.normalize_or(DVec3::Z),
+                gloss: gloss.map(|g| g / n),
+            }
+        })
+    }
+
+    /// Share of daylight at a point: less where its neighbours stand out before it.
+    fn light(&self, u: usize, v: usize, depth: f64) -> f64 {
+        const REACH: isize = 4 * FINE as isize;
+        const ROUND: [(isize, isize); 8] = [
+            (1, 0),
+            (-1, 0),
+            (0, -1),
+            (0, -2),
+            (1, -1),
+            (-1, -1),
+            (0, 1),
+            (0, -3),
+        ];
+        let mut shade = 0.0;
+        for (du, dv) in ROUND {
+            let (x, y) = (u as isize + du * REACH, v as isize + dv * REACH);
+            if x < 0 || y < 0 || x >= self.width as isize || y >= self.height as isize {
+                continue;
+            }
+            if let Some(hit) = &self.hits[y as usize * self.width + x as usize] {
+                shade += ((depth - hit.depth) / DEEP).clamp(0.0, 1.0);
+            }
+        }
+        1.0 - (1.0 - DARKEST) * shade / ROUND.len() as f64
+    }
+}
+
+/// Where the picture's u axis runs on a triangle.
+fn right_of(p: [DVec3; 3], uv: [DVec2; 3]) -> DVec3 {
+    let (e1, e2) = (p[1] - p[0], p[2] - p[0]);
+    let (d1, d2) = (uv[1] - uv[0], uv[2] - uv[0]);
+    let det = d1.perp_dot(d2);
+    ((e1 * d2.y - e2 * d1.y) / det).normalize_or(DVec3::X)
+}
+
+/// A normal of a drawn surface on a hit, in the plane of the picture: right, up, out.
+fn seen(hit: &Hit, drawn: [f32; 3]) -> DVec3 {
+    let [x, y, z] = drawn.map(f64::from);
+    let up = hit.normal.cross(hit.right);
+    let n = hit.right * x + up * y + hit.normal * z;
+    dvec3(n.x, n.z, -n.y).normalize_or(DVec3::Z)
+}
+
+/// Gives holes the colour of their nearest neighbours in a few steps, so that edges do not darken from afar.
+fn fill_holes(picture: &mut Picture) {
+    if !picture.holes {
+        return;
+    }
+    let (w, h) = picture.color.dimensions();
+    let mut known: Vec<bool> = picture.color.pixels().map(|p| p.0[3] > 0).collect();
+    for _ in 0..8 {
+        let before = known.clone();
+        for y in 0..h {
+            for x in 0..w {
+                let at = (y * w + x) as usize;
+                if before[at] {
+                    continue;
+                }
+                let near = [
+                    (x.wrapping_sub(1), y),
+                    (x + 1, y),
+                    (x, y.wrapping_sub(1)),
+                    (x, y + 1),
+                ];
+                let mut near = near.into_iter().filter(|(x, y)| *x < w && *y < h);
+                if let Some((i, j)) = near.find(|(x, y)| before[(y * w + x) as usize]) {
+                    let [r, g, b, _] = picture.color.get_pixel(i, j).0;
+                    picture.color.put_pixel(x, y, Rgba([r, g, b, 0]));
+                    known[at] = true;
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tessellate::mesh::Bodies;
+
+    const RECT: Rect = Rect {
+        x0: 0.0,
+        x1: 1.0,
+        z0: 0.0,
+        z1: 1.0,
+    };
+
+    fn wall(name: &str, x1: f64, y: f64) -> Bodies {
+        let mut bodies = Bodies::default();
+        let surface = SurfaceId::named(name);
+        bodies.block(surface, dvec3(0.0, y, 0.0), dvec3(x1, y + 0.1, 1.0));
+        bodies
+    }
+
+    #[test]
+    fn what_is_not_there_is_a_hole() {
+        let picture = bake(&wall("plaster", 0.5, 0.0).soups, RECT).expect("half a wall is seen");
+        let shows = |x: u32| picture.color.get_pixel(x, 60).0[3] > 0;
+        assert!(picture.holes && shows(10) && !shows(110));
+        assert!(bake(&[], RECT).is_none());
+    }
+
+    #[test]
+    fn the_nearer_one_hides_the_farther() {
+        let mut soups = wall("plaster", 1.0, 0.0).soups;
+        soups.extend(wall("charred", 0.5, -0.2).soups);
+        let picture = bake(&soups, RECT).expect("a wall is seen");
+        let bright = |x: u32| picture.color.get_pixel(x, 60).0[0];
+        assert!(!picture.holes && bright(20) < 80 && bright(110) > 160);
+    }
+
+    #[test]
+    fn flat_walls_look_out() {
+        let picture = bake(&wall("aluminium", 1.0, 0.0).soups, RECT).expect("a wall is seen");
+        let mean: f64 = picture
+            .normal
+            .pixels()
+            .map(|p| f64::from(p.0[2]))
+            .sum::<f64>()
+            / f64::from(picture.normal.width() * picture.normal.height());
+        assert!(mean > 240.0, "{mean}");
+    }
+}

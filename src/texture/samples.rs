@@ -1,0 +1,139 @@
+//! Drawn surfaces in small, to be looked up point by point: what baked pictures are composed of.
+//!
+//! Read from the embedded files once a run, and halved until they are about as fine as a baked picture.
+
+use super::{SURFACES, Surface, embedded};
+use image::RgbImage;
+use std::sync::{LazyLock, OnceLock};
+
+/// Pixels a metre that are left at least.
+const DENSITY: f64 = 200.0;
+
+/// A surface at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Base colour, linear RGB.
+    pub color: [f32; 3],
+    /// Normal in tangent space: to the right, up, out.
+    pub normal: [f32; 3],
+    /// 0 mirror-smooth to 1 dull.
+    pub roughness: f32,
+    /// 0 or 1.
+    pub metallic: f32,
+}
+
+/// The pictures of one surface.
+#[derive(Debug)]
+pub struct Samples {
+    metres: f64,
+    color: RgbImage,
+    normal: RgbImage,
+    orm: RgbImage,
+}
+
+/// The samples of the surface of that name.
+pub fn samples(name: &str) -> Option<&'static Samples> {
+    static READ: LazyLock<Vec<OnceLock<Option<Samples>>>> =
+        LazyLock::new(|| SURFACES.iter().map(|_| OnceLock::new()).collect());
+    let at = SURFACES.iter().position(|surface| surface.name == name)?;
+    READ[at]
+        .get_or_init(|| Samples::read(&SURFACES[at]))
+        .as_ref()
+}
+
+impl Samples {
+    fn read(surface: &Surface) -> Option<Samples> {
+        let small = |file: String| {
+            let mut picture = image::load_from_memory(embedded(&file)?).ok()?.into_rgb8();
+            while f64::from(picture.width()) >= 2.0 * DENSITY * surface.metres
+                && picture.width() > 8
+            {
+                picture = super::files::halve(&picture);
+            }
+            Some(picture)
+        };
+        Some(Samples {
+            metres: surface.metres,
+            color: small(surface.color_file())?,
+            normal: small(surface.normal_file())?,
+            orm: small(surface.orm_file())?,
+        })
+    }
+
+    /// The sample at a point; metres, u to the right, v up.
+    pub fn at(&self, u: f64, v: f64) -> Sample {
+        let pixel = |picture: &RgbImage| {
+            picture
+                .get_pixel(
+                    self.index(u, picture.width()),
+                    self.index(-v, picture.height()),
+                )
+                .0
+        };
+        let [_, roughness, metallic] = pixel(&self.orm).map(|c| f32::from(c) / 255.0);
+        Sample {
+            color: pixel(&self.color).map(linear),
+            normal: pixel(&self.normal).map(|c| f32::from(c) / 127.5 - 1.0),
+            roughness,
+            metallic,
+        }
+    }
+
+    fn index(&self, t: f64, size: u32) -> u32 {
+        let share = (t / self.metres).rem_euclid(1.0);
+        ((share * f64::from(size)) as u32).min(size - 1)
+    }
+}
+
+/// A channel of sRGB as light.
+pub fn linear(channel: u8) -> f32 {
+    static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
+        std::array::from_fn(|c| {
+            let c = c as f64 / 255.0;
+            let light = match c <= 0.040_45 {
+                true => c / 12.92,
+                false => libm::pow((c + 0.055) / 1.055, 2.4),
+            };
+            light as f32
+        })
+    });
+    LIGHT[usize::from(channel)]
+}
+
+/// Light as a channel of sRGB.
+pub fn encoded(light: f32) -> u8 {
+    // The table is finer than a step of the darkest channel values.
+    static CHANNEL: LazyLock<Vec<u8>> = LazyLock::new(|| {
+        let one = |i: u32| {
+            let light = f64::from(i) / f64::from(STEPS);
+            let c = match light <= 0.003_130_8 {
+                true => light * 12.92,
+                false => 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055,
+            };
+            (c * 255.0).round() as u8
+        };
+        (0..=STEPS).map(one).collect()
+    });
+    const STEPS: u32 = 4096;
+    CHANNEL[(light.clamp(0.0, 1.0) * STEPS as f32).round() as usize]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn light_and_channels_are_inverse() {
+        for channel in 0..=255 {
+            assert!(encoded(linear(channel)).abs_diff(channel) <= 1, "{channel}");
+        }
+    }
+
+    #[test]
+    fn samples_repeat_every_so_many_metres() {
+        let cedar = samples("cedar").expect("cedar is drawn");
+        let metres = cedar.metres;
+        assert_eq!(cedar.at(0.1, 0.2), cedar.at(0.1 + metres, 0.2 - metres));
+        assert_eq!(samples("no such surface").map(|s| s.metres), None);
+    }
+}

@@ -1,0 +1,194 @@
+//! Levels of detail: the same house with less and less shape, never another outline.
+
+mod support;
+
+use glam::{DVec3, dvec3};
+use hsd::backend::{flat, sound};
+use hsd::driver;
+use hsd::scene::{Detail, Image, Kind, Scene};
+use std::fmt::Write as _;
+use support::{compile, compile_file, stem, texts};
+
+/// How far the outlines of two details may lie apart, metres: flat parts lie in the plane of their wall, and
+/// gutters, studs and the like vanish.
+const OUTLINE: f64 = 0.35;
+
+/// The scenes of an example at all details.
+fn scenes(run: &support::Run) -> [Scene; 4] {
+    Detail::ALL.map(|detail| driver::scene(&run.building, detail))
+}
+
+/// Triangles on the screen.
+fn triangles(scene: &Scene) -> usize {
+    let shown = scene.nodes.iter();
+    let primitives = shown.flat_map(|node| flat::primitives(scene, node));
+    primitives.map(|p| p.indices.len() / 3).sum()
+}
+
+/// Least and largest coordinates of what is shown.
+fn extent(scene: &Scene) -> (DVec3, DVec3) {
+    let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for (node, place) in scene.nodes.iter().zip(flat::places(scene)) {
+        for primitive in flat::primitives(scene, node) {
+            for p in &primitive.positions {
+                let p = place.point(flat::point(*p));
+                (lo, hi) = (lo.min(p), hi.max(p));
+            }
+        }
+    }
+    (lo, hi)
+}
+
+#[test]
+fn every_example_is_sound_at_every_detail() {
+    for path in texts("examples") {
+        let run = compile_file(&path);
+        for (detail, scene) in Detail::ALL.into_iter().zip(scenes(&run)) {
+            let name = stem(&path);
+            assert_eq!(sound::flaws(&scene).count(), 0, "{name} {detail:?}");
+            for mesh in &scene.meshes {
+                for p in &mesh.primitives {
+                    assert!(slivers(p) == 0, "{name} {detail:?} {}", mesh.name);
+                    assert!(crossed(p) == 0, "{name} {detail:?} {}", mesh.name);
+                }
+            }
+        }
+    }
+}
+
+/// Triangles without area.
+fn slivers(p: &hsd::scene::Primitive) -> usize {
+    let area = |t: &[u32]| normal(p, t).length();
+    p.indices.chunks_exact(3).filter(|t| area(t) < 1e-9).count()
+}
+
+/// Triangles that look another way than their vertices say.
+fn crossed(p: &hsd::scene::Primitive) -> usize {
+    let told = |i: u32| flat::point(p.normals[i as usize]);
+    let wrong = |t: &&[u32]| normal(p, t).dot(told(t[0])) <= 0.0;
+    p.indices.chunks_exact(3).filter(wrong).count()
+}
+
+fn normal(p: &hsd::scene::Primitive, t: &[u32]) -> DVec3 {
+    let [a, b, c] = [0, 1, 2].map(|k| flat::point(p.positions[t[k] as usize]));
+    (b - a).cross(c - a)
+}
+
+#[test]
+fn less_detail_has_fewer_triangles_and_the_same_outline() {
+    for path in texts("examples") {
+        let run = compile_file(&path);
+        let all = scenes(&run);
+        let counts = all.each_ref().map(triangles);
+        let name = stem(&path);
+        assert!(counts.is_sorted(), "{name}: {counts:?}");
+        let (lo, hi) = extent(&all[3]);
+        for (detail, scene) in Detail::ALL.into_iter().zip(&all).skip(1) {
+            let (least, most) = extent(scene);
+            let apart = (least - lo).abs().max((most - hi).abs());
+            assert!(apart.max_element() < OUTLINE, "{name} {detail:?}: {apart}");
+        }
+        // Bodies leave out what stands before the walls, but keep their walls and roofs.
+        let (least, most) = extent(&all[0]);
+        let tall = (most.z - hi.z).abs().max((least.z - lo.z).abs());
+        assert!(tall < OUTLINE, "{name}: {tall}");
+    }
+}
+
+#[test]
+fn pictures_of_parts_are_shared_and_only_made_where_they_show() {
+    let text = "0 0\n9\n\n".to_owned() + &"GIT  KSK  \n".repeat(4);
+    let run = compile("shop.hsd", text.as_bytes());
+    let all = scenes(&run);
+    assert!(all[3].baked.is_empty() && all[0].baked.is_empty());
+    for scene in &all[1..3] {
+        assert!(!scene.baked.is_empty());
+        let baked = |m: &hsd::scene::Material| matches!(m.image, Image::Baked(_));
+        assert!(scene.materials.iter().any(baked));
+        let parts = scene.nodes.iter().filter(|n| n.kind == Kind::Part);
+        let mut meshes: Vec<_> = parts.filter_map(|n| n.mesh).collect();
+        meshes.sort();
+        meshes.dedup();
+        assert_eq!(meshes.len(), 2);
+    }
+}
+
+#[test]
+fn a_lattice_keeps_its_bars_as_a_picture() {
+    // What stands behind an itoya lattice shows through: bars and gaps alternate along a level row of the picture.
+    let run = compile("shop.hsd", b"0 0\n9\n\nGIT  \nGIT  \nGIT  \nGIT  \n");
+    let scene = driver::scene(&run.building, Detail::Flat);
+    let page = &scene.baked[0];
+    let row: Vec<i32> = (0..110)
+        .map(|x| {
+            let p = page.color.get_pixel(4 + x, 150).0;
+            i32::from(p[3] > 0) * (i32::from(p[0]) + i32::from(p[1]) + i32::from(p[2]))
+        })
+        .collect();
+    let middle = row.iter().sum::<i32>() / row.len() as i32;
+    let changes = row
+        .windows(2)
+        .filter(|w| (w[0] < middle) != (w[1] < middle))
+        .count();
+    assert!(changes >= 8, "{changes} changes in {row:?}");
+}
+
+#[test]
+fn the_same_pictures_every_time() {
+    let run = compile(
+        "shop.hsd",
+        b"0 0\n9\n\nGIT  TOD  \nKSM  KSK  \nGIT  MMU  \nKSK  NCW  \n",
+    );
+    let told = |scene: &Scene| {
+        let mut out = String::new();
+        for page in &scene.baked {
+            let sum = |bytes: &[u8]| {
+                bytes
+                    .iter()
+                    .fold(0_u64, |s, b| s.wrapping_mul(31) + u64::from(*b))
+            };
+            let _ = write!(
+                out,
+                "{} {} {} ",
+                sum(&page.color),
+                sum(&page.normal),
+                sum(&page.orm)
+            );
+        }
+        out
+    };
+    let once = driver::scene(&run.building, Detail::Flat);
+    let again = driver::scene(&run.building, Detail::Flat);
+    assert_eq!(told(&once), told(&again));
+    assert!(!told(&once).is_empty());
+}
+
+#[test]
+fn walls_of_a_body_meet_at_their_corners() {
+    let run = compile(
+        "box.hsd",
+        b"0 0\n9\n\nKSKO KSKO \nKSKO \nKSKO KSKO \nKSKO \n",
+    );
+    let scene = driver::scene(&run.building, Detail::Body);
+    let storey = scene
+        .nodes
+        .iter()
+        .find(|n| n.kind == Kind::Storey && n.mesh.is_some());
+    let mesh = storey
+        .and_then(|n| n.mesh)
+        .expect("the storey shows its walls");
+    let points = scene.meshes[mesh.0 as usize]
+        .primitives
+        .iter()
+        .flat_map(|p| &p.positions);
+    let mut corners: Vec<[i64; 3]> = points
+        .map(|p| p.map(|x| (f64::from(x) * 1000.0).round() as i64))
+        .collect();
+    corners.sort_unstable();
+    // Four corners, each with a foot, a top of the stones and a top; every one belongs to two walls.
+    corners
+        .chunk_by(|a, b| a == b)
+        .for_each(|same| assert!(same.len() >= 2, "{same:?}"));
+    let (lo, hi) = extent(&scene);
+    assert!(hi.cmpgt(lo + dvec3(1.0, 0.5, 2.0)).all());
+}
