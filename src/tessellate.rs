@@ -24,6 +24,7 @@ mod namako;
 mod oriel;
 mod part;
 mod polygon;
+pub mod sheet;
 mod shelter;
 mod solid;
 mod store;

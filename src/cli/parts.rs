@@ -1,10 +1,13 @@
 //! `hsd parts`: the catalogue.
 
+mod sheet;
+
 use super::terminal::{padded, width};
 use super::{Exit, Outcome, Stop};
 use crate::catalog::{Catalog, PartDef};
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
+use std::path::PathBuf;
 
 /// List the parts a wall can be made of.
 ///
@@ -14,12 +17,17 @@ use std::io::{self, Write};
 Examples:
   hsd parts lattice            every part with `lattice` in a name
   hsd parts --format json K    all walls, for a program
+  hsd parts --sheet parts.html a page with a picture of each part
 
 Classes: K wall, T door, M window, G lattice, H post, A opening, N modern.")]
 pub(super) struct Parts {
     /// How the list is written.
     #[arg(long, value_enum, default_value_t)]
     format: List,
+
+    /// Write pictures: .html is a page with all names and sizes, .glb a model of the parts in rows.
+    #[arg(long, value_name = "OUT", conflicts_with = "format")]
+    sheet: Option<PathBuf>,
 
     /// Only parts with this in their code or a name; one capital letter means a class.
     ///
@@ -40,6 +48,9 @@ impl Parts {
     pub(super) fn run(&self) -> Outcome {
         let all = Catalog::builtin().parts().iter();
         let parts: Vec<&PartDef> = all.filter(|p| self.takes(p)).collect();
+        if let Some(output) = &self.sheet {
+            return sheet::write(&parts, output);
+        }
         let text = match self.format {
             List::Table => table(&parts),
             List::Json => {

@@ -10,8 +10,20 @@ use crate::texture::samples::{self, Samples};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use image::{Rgb, RgbImage, Rgba, RgbaImage};
 
-/// Pixels a metre: two for the finest bars and gaps.
-const DENSITY: f64 = 120.0;
+/// How a picture is taken.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lens {
+    /// Pixels a metre.
+    pub(super) density: f64,
+    /// Whether panes show. Else they are holes that hide what lies behind them.
+    pub(super) panes: bool,
+}
+
+/// For pictures on walls: two pixels for the finest bars and gaps; panes stay shapes, so that they can mirror.
+pub(super) const WALL: Lens = Lens {
+    density: 120.0,
+    panes: false,
+};
 
 /// Rays a pixel in each direction.
 const FINE: usize = 2;
@@ -53,12 +65,12 @@ struct Rays {
     width: usize,
     height: usize,
     hits: Vec<Option<Hit>>,
+    panes: bool,
 }
 
-/// The picture of soups in a rectangle; `None` where nothing of them is seen. Glass is a hole that hides what
-/// lies behind it: panes stay shapes, so that they can mirror.
-pub(super) fn bake(soups: &[(SurfaceId, Soup)], rect: Rect) -> Option<Picture> {
-    let rays = Rays::cast(soups, rect);
+/// The picture of soups in a rectangle; `None` where nothing of them is seen.
+pub(super) fn bake(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Option<Picture> {
+    let rays = Rays::cast(soups, rect, lens);
     let shown: Vec<Shown> = soups.iter().map(|(id, _)| Shown::new(*id)).collect();
     let pixels = (rays.width / FINE, rays.height / FINE);
     let (w, h) = (pixels.0 as u32, pixels.1 as u32);
@@ -122,14 +134,15 @@ struct Pixel {
 }
 
 impl Rays {
-    fn cast(soups: &[(SurfaceId, Soup)], rect: Rect) -> Rays {
-        let size = |metres: f64| (metres * DENSITY).ceil().clamp(1.0, LARGEST) as usize * FINE;
+    fn cast(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Rays {
+        let size = |metres: f64| (metres * lens.density).ceil().clamp(1.0, LARGEST) as usize * FINE;
         let (width, height) = (size(rect.width()), size(rect.height()));
         let mut rays = Rays {
             rect,
             width,
             height,
             hits: vec![None; width * height],
+            panes: lens.panes,
         };
         for (i, (_, soup)) in soups.iter().enumerate() {
             for triangle in soup.indices.chunks_exact(3) {
@@ -204,7 +217,7 @@ impl Rays {
                     continue;
                 };
                 let of = &shown[hit.surface];
-                if of.surface.glass {
+                if of.surface.glass && !self.panes {
                     continue;
                 }
                 count += 1.0;
@@ -327,24 +340,25 @@ mod tests {
 
     #[test]
     fn what_is_not_there_is_a_hole() {
-        let picture = bake(&wall("plaster", 0.5, 0.0).soups, RECT).expect("half a wall is seen");
+        let picture =
+            bake(&wall("plaster", 0.5, 0.0).soups, RECT, WALL).expect("half a wall is seen");
         let shows = |x: u32| picture.color.get_pixel(x, 60).0[3] > 0;
         assert!(picture.holes && shows(10) && !shows(110));
-        assert!(bake(&[], RECT).is_none());
+        assert!(bake(&[], RECT, WALL).is_none());
     }
 
     #[test]
     fn the_nearer_one_hides_the_farther() {
         let mut soups = wall("plaster", 1.0, 0.0).soups;
         soups.extend(wall("charred", 0.5, -0.2).soups);
-        let picture = bake(&soups, RECT).expect("a wall is seen");
+        let picture = bake(&soups, RECT, WALL).expect("a wall is seen");
         let bright = |x: u32| picture.color.get_pixel(x, 60).0[0];
         assert!(!picture.holes && bright(20) < 80 && bright(110) > 160);
     }
 
     #[test]
     fn flat_walls_look_out() {
-        let picture = bake(&wall("aluminium", 1.0, 0.0).soups, RECT).expect("a wall is seen");
+        let picture = bake(&wall("aluminium", 1.0, 0.0).soups, RECT, WALL).expect("a wall is seen");
         let mean: f64 = picture
             .normal
             .pixels()

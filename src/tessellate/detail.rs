@@ -159,7 +159,7 @@ fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)
 }
 
 /// What soups cover, and how far they reach before the centre line; `None` where they have no extent.
-fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
+pub(super) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
     let points = || soups.iter().flat_map(|(_, s)| &s.positions);
     let least = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::min);
     let most = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::max);

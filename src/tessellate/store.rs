@@ -1,7 +1,7 @@
 //! Meshes and materials of the scene, each made once.
 
 use super::atlas::Atlas;
-use super::bake::bake;
+use super::bake::{WALL, bake};
 use super::bay::Bay;
 use super::mesh::{Bodies, Soup};
 use super::{detail, part};
@@ -172,7 +172,7 @@ impl Store {
                 let uv = metres.map(|corner| corner.map(|t| t as f32));
                 soups[at].1.front(rect, panel.front - BEHIND, uv);
             }
-            if let Some(picture) = bake(&panel.soups, panel.rect) {
+            if let Some(picture) = bake(&panel.soups, panel.rect, WALL) {
                 let spot = self.atlas.place(&picture);
                 let material = self.baked(spot.page);
                 let at = pictures.iter().position(|(id, _)| *id == material);
