@@ -95,7 +95,7 @@ fn row(row: &Item<Row>) -> (String, Option<f64>) {
         panic!("{row:?}")
     };
     let code = |piece: &Item<Piece>| match piece {
-        Item::One(Piece::Part(part)) => part.code.value.as_str().to_owned(),
+        Item::One(piece) => piece.code().expect("a code").value.as_str().to_owned(),
         other => panic!("{other:?}"),
     };
     let codes: Vec<String> = row.pieces.iter().map(code).collect();
@@ -214,8 +214,9 @@ fn short_codes_cover_what_is_written() {
         .pieces
         .iter()
         .map(|p| match p {
-            Item::One(Piece::Part(p)) => {
-                &text[p.code.span.start as usize..p.code.span.end as usize]
+            Item::One(piece) => {
+                let span = piece.code().expect("a code").span;
+                &text[span.start as usize..span.end as usize]
             }
             _ => panic!(),
         })

@@ -54,9 +54,9 @@ fn first_row(document: &Document) -> &Row {
     row
 }
 
-fn codes_of(pieces: &[Item<Piece>]) -> Vec<&str> {
-    let part = |p| match p {
-        &Item::One(Piece::Part(ref part)) => Some(part.code.value.as_str()),
+fn codes_of(pieces: &[Item<Piece>]) -> Vec<String> {
+    let part = |p: &Item<Piece>| match p {
+        Item::One(piece) => Some(piece.code()?.value.as_str().to_owned()),
         _ => None,
     };
     pieces.iter().filter_map(part).collect()
@@ -67,9 +67,6 @@ fn codes(content: &str) -> Vec<String> {
     let (document, _) = read(&row(content));
     let row = first_row(&document);
     codes_of(&row.pieces)
-        .into_iter()
-        .map(str::to_owned)
-        .collect()
 }
 
 const FIGURE_4: &str = r#"<!--壁面構造情報-->
@@ -579,10 +576,11 @@ fn spans_of_codes_are_exact() {
     let text = row("\n  A&amp;B&lt;&#x44;GD\n  TSH");
     let document = clean(&text);
     let span = |i: usize| {
-        let Item::One(Piece::Part(part)) = &first_row(&document).pieces[i] else {
+        let Item::One(piece) = &first_row(&document).pieces[i] else {
             panic!("a part")
         };
-        &text[part.code.span.start as usize..part.code.span.end as usize]
+        let span = piece.code().expect("a code").span;
+        &text[span.start as usize..span.end as usize]
     };
     assert_eq!(
         (span(0), span(1), span(2)),
@@ -693,12 +691,12 @@ fn well_formed_texts_are_read_as_quick_xml_does() {
     assert_eq!(names, ["House", "Storey", "Row", "repeat", "Part"]);
     assert_eq!(values, ["2", ">\"/"]);
     let document = clean(&text);
-    let [_, Item::Repeat(repeat), Item::One(Piece::Part(part)), _] =
+    let [_, Item::Repeat(repeat), Item::One(Piece::Code(code, _)), _] =
         &first_row(&document).pieces[..]
     else {
         panic!("four pieces")
     };
     assert_eq!(repeat.num.value, 2);
     assert_eq!(codes_of(&repeat.body), ["A<<& "]);
-    assert_eq!(part.code.value.as_str(), ">\"/  ");
+    assert_eq!(code, b">\"/  ");
 }

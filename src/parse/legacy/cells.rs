@@ -6,9 +6,8 @@
 
 use super::line::{CELL, Line};
 use super::talk::Talk;
-use crate::ast::{CodeText, Item, Part, Piece};
+use crate::ast::{CodeText, Item, Piece};
 use crate::diagnostic::messages::legacy as say;
-use crate::source::Spanned;
 use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
@@ -118,11 +117,7 @@ fn piece(line: &Line<'_>, range: Range<usize>, text: &str, talk: &Talk<'_>) -> I
         Ok(five) if text.is_ascii() && five != *b"....." => CodeText::Five(five),
         _ => CodeText::new(if text == POINTS { "" } else { text }),
     };
-    Item::One(Piece::Part(Part {
-        code: Spanned::new(code, line.span(talk.source, range)),
-        width: None,
-        height: None,
-    }))
+    Item::One(Piece::new(code, line.span(talk.source, range)))
 }
 
 /// Blanks before the first code that are no whole voids shift every code of the line.
