@@ -37,7 +37,7 @@ pub struct House {
     pub storeys: Vec<Item<Storey>>,
     /// Walls given facade by facade (the `Structure` of 003), if the house is written that way.
     pub structures: Vec<Structure>,
-    /// Gloss and pictures of single textures (003-13).
+    /// Gloss of single textures (003-13).
     pub textures: Vec<Texture>,
     /// The roof section.
     pub roofs: Roofs,
@@ -218,7 +218,7 @@ pub struct Floor {
     pub pieces: Vec<Item<Piece>>,
 }
 
-/// `<Texture texturecode="x" reflection="0.5" src="x.png"/>`.
+/// `<Texture texturecode="x" reflection="0.5"/>`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Texture {
     /// The element.
@@ -227,6 +227,4 @@ pub struct Texture {
     pub code: Spanned<String>,
     /// Share of light that it mirrors, 0 to 1.
     pub reflection: Option<Spanned<f64>>,
-    /// The picture's file, relative to the source.
-    pub src: Option<Spanned<String>>,
 }

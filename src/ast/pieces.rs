@@ -14,6 +14,8 @@ pub enum Piece {
     Part(Box<Part>),
     /// One storey part divided above and below (003-09).
     Split(Box<Split>),
+    /// What the reader could not take, and has reported: a part of 1 U whose looks nobody knows.
+    Error(Span),
 }
 
 impl Piece {
@@ -29,12 +31,12 @@ impl Piece {
         }
     }
 
-    /// Its code; a split has none.
+    /// Its code, if it has one.
     pub fn code(&self) -> Option<Spanned<CodeText>> {
         match self {
             Piece::Code(five, span) => Some(Spanned::new(CodeText::Five(*five), *span)),
             Piece::Part(part) => Some(part.code.clone()),
-            Piece::Split(_) => None,
+            Piece::Split(_) | Piece::Error(_) => None,
         }
     }
 }

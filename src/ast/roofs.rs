@@ -26,6 +26,8 @@ pub enum RoofMethod {
 /// The roof section of a house.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Roofs {
+    /// The start tag of the section, if it has one.
+    pub span: Option<Span>,
     /// Automatic roofs or not.
     pub mode: Option<Spanned<RoofMode>>,
     /// The method of the automatic ones.

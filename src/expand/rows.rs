@@ -148,7 +148,10 @@ impl Pass<'_, '_> {
                 Item::Repeat(repeat) if repeat.num.value > 0 => {
                     self.codes_of(&repeat.body, codes);
                 }
-                Item::Repeat(_) | Item::Random(_) | Item::Replace(_) => {}
+                Item::One(Piece::Error(_))
+                | Item::Repeat(_)
+                | Item::Random(_)
+                | Item::Replace(_) => {}
             }
         }
     }
@@ -158,6 +161,10 @@ impl Pass<'_, '_> {
             match item {
                 Item::One(Piece::Code(five, span)) => self.code(*five, *span, strip),
                 Item::One(Piece::Part(part)) => self.part(part, strip),
+                Item::One(Piece::Error(span)) => {
+                    let plain = self.codes.plain_part();
+                    self.push(bare_unit(*span, 1.0, plain), false, strip);
+                }
                 Item::One(Piece::Split(split)) => {
                     let place = strip.place.at(strip.units.len() as u64);
                     let (unit, natural) = self.split(split, place, strip.mode);

@@ -33,35 +33,41 @@ use talk::Talk;
 use walls::Walls;
 
 /// Reads a file of the legacy form.
-pub fn parse(source: &Source, _limits: &Limits, out: &mut Diagnostics) -> Document {
+pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
     let mut reader = Reader {
         talk: Talk::new(source, out),
         document: Document::default(),
         house: Draft::default(),
         old_line_ends: false,
     };
-    let mut xml = false;
+    let mut xml = None;
     let text = source.text();
     for (line, end) in line::lines(text) {
         reader.line_end(end.clone());
-        xml = is_tag(&text[line.clone()]);
-        if xml {
+        if is_tag(&text[line.clone()]) {
+            xml = Some(line.start);
             let span = source.span(line.clone());
             reader.talk.say(say::xml_after_text(span));
             break;
         }
         reader.line(&text[line.clone()], line.start, end);
     }
-    if !xml || reader.house.walls.begun() {
+    if xml.is_none() || reader.house.walls.begun() {
         reader.finish_house();
     }
     let Reader {
-        mut talk, document, ..
+        mut talk,
+        mut document,
+        ..
     } = reader;
-    if document.houses.is_empty() && !xml {
+    if document.houses.is_empty() && xml.is_none() {
         talk.say(file::no_house(source.span(0..0)));
     }
     talk.finish();
+    if let Some(tag) = xml {
+        let rest = super::xml::parse_from(source, tag, limits, out);
+        document.houses.extend(rest.houses);
+    }
     document
 }
 

@@ -374,7 +374,7 @@ pub fn inner_turn(span: Span, letter: &str, leads: bool) -> Diagnostic {
 pub fn xml_after_text(span: Span) -> Diagnostic {
     let message = "the XML form begins here, but lines of the legacy form stand before it";
     Diagnostic::error(139, span, message).help(
-        "delete the lines before the first tag, or write comments as `<!-- ... -->`; nothing is read from here on",
+        "delete the lines before the first tag, or write comments as `<!-- ... -->`; the XML form is read from here on",
     )
 }
 

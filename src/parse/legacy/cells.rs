@@ -113,11 +113,15 @@ fn plain(cell: &str) -> bool {
 }
 
 fn piece(line: &Line<'_>, range: Range<usize>, text: &str, talk: &Talk<'_>) -> Item<Piece> {
+    let span = line.span(talk.source, range);
+    if !text.is_ascii() {
+        return Item::One(Piece::Error(span));
+    }
     let code = match <[u8; CELL]>::try_from(text.as_bytes()) {
-        Ok(five) if text.is_ascii() && five != *b"....." => CodeText::Five(five),
+        Ok(five) if five != *b"....." => CodeText::Five(five),
         _ => CodeText::new(if text == POINTS { "" } else { text }),
     };
-    Item::One(Piece::new(code, line.span(talk.source, range)))
+    Item::One(Piece::new(code, span))
 }
 
 /// Blanks before the first code that are no whole voids shift every code of the line.
@@ -151,7 +155,9 @@ fn remainder(
         talk.say(say::few_points(span, trimmed));
         pieces.push(piece(line, range, POINTS, talk));
     } else if columns(rest) == 1 {
-        talk.say(say::one_over(span, trimmed));
+        if trimmed.is_ascii() {
+            talk.say(say::one_over(span, trimmed));
+        }
     } else {
         pieces.push(piece(line, range, trimmed, talk));
     }

@@ -4,7 +4,8 @@
 //! [`ENOUGH`] the rest is counted only; the last message says how many there were.
 
 use super::line::{Line, Odd};
-use crate::diagnostic::messages::{file, legacy as say};
+use crate::catalog::{Catalog, PartDef};
+use crate::diagnostic::messages::{file, legacy as say, parts};
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::source::{Source, Span};
 use std::ops::Range;
@@ -93,6 +94,10 @@ impl<'a> Talk<'a> {
             Odd::Wide => say::wide_letters(span, written),
             Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first),
             Odd::Control => file::control_character(span, first),
+            Odd::PartName => {
+                let part = Catalog::builtin().called(written);
+                parts::part_name(span, written, part.map_or("", PartDef::code))
+            }
             Odd::Foreign => say::foreign(span, written),
             Odd::Replacement => return,
         });

@@ -58,11 +58,11 @@ pub(super) struct Scanner<'a, 'f> {
 }
 
 impl<'a, 'f> Scanner<'a, 'f> {
-    pub(super) fn new(faults: &'f mut Faults<'a>) -> Self {
+    pub(super) fn new(faults: &'f mut Faults<'a>, at: usize) -> Self {
         Scanner {
             text: faults.source.text(),
             faults,
-            at: 0,
+            at,
             endless: [false; ENCLOSED.len()],
         }
     }

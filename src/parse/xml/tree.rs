@@ -63,8 +63,13 @@ pub(super) enum Child<'a> {
     Text(Text<'a>),
 }
 
-/// Reads a file.
-pub(super) fn read<'a>(faults: &mut Faults<'a>, nesting: usize, habits: Habits) -> Tree<'a> {
+/// Reads a file from an offset on.
+pub(super) fn read<'a>(
+    faults: &mut Faults<'a>,
+    at: usize,
+    nesting: usize,
+    habits: Habits,
+) -> Tree<'a> {
     let mut builder = Builder {
         tree: Tree {
             elements: vec![],
@@ -77,7 +82,7 @@ pub(super) fn read<'a>(faults: &mut Faults<'a>, nesting: usize, habits: Habits) 
         habits,
         slashes: Slashes::new(),
     };
-    let mut scanner = Scanner::new(faults);
+    let mut scanner = Scanner::new(faults, at);
     while let Some(token) = scanner.token() {
         let (at, text) = (scanner.at, scanner.text);
         let faults = &mut *scanner.faults;
