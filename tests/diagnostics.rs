@@ -6,7 +6,7 @@ mod support;
 use hsd::diagnostic::{Code, pages};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use support::{assert_none, compile_file, expect, flaws_of_diagnostics, root, stem, texts};
+use support::{assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts};
 
 const FIXTURES: &str = "tests/suite/diagnostics";
 const PAGES: &str = "grammar/diagnostics";
@@ -24,6 +24,9 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
         "more than 500 messages: tests/parse_legacy.rs, tests/parse_xml",
     ),
 ];
+
+/// Codes whose page shows no text that can be run, and why.
+const WITHOUT_EXAMPLE: &[(u16, &str)] = &[];
 
 /// The code at the beginning of a name such as `HSD0401_perimeter_open`.
 fn code_of(name: &str) -> Option<u16> {
@@ -144,5 +147,41 @@ fn messages_fixtures_and_pages_belong_together() {
     }
     findings.sort();
     findings.dedup();
+    assert_none(&findings);
+}
+
+/// The examples of a page: what stands between fences that name a form of the language.
+fn examples(page: &str) -> Vec<String> {
+    let mut found = vec![];
+    let mut rest = page;
+    while let Some((_, fenced)) = rest.split_once("\n```") {
+        let (language, body) = fenced.split_once('\n').unwrap_or_default();
+        let (example, after) = body.split_once("\n```").unwrap_or((body, ""));
+        if matches!(language, "hsd" | "xml") {
+            found.push(format!("{example}\n"));
+        }
+        rest = after;
+    }
+    found
+}
+
+#[test]
+fn the_first_example_of_a_page_triggers_its_code() {
+    let mut findings = vec![];
+    for (code, text) in pages_there() {
+        let name = Code(code);
+        let reason = WITHOUT_EXAMPLE.iter().find(|(c, _)| *c == code);
+        let Some(example) = examples(&text).into_iter().next() else {
+            if reason.is_none() {
+                findings.push(format!("{name}: without an example to run"));
+            }
+            continue;
+        };
+        let run = compile("example.hsd", example.as_bytes());
+        let triggers = run.diagnostics.iter().any(|d| d.code == name);
+        if triggers == reason.is_some() {
+            findings.push(format!("{name}: does not say what it should\n{example}{}", run.short()));
+        }
+    }
     assert_none(&findings);
 }

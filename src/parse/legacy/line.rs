@@ -180,25 +180,26 @@ fn narrow(c: char) -> char {
     char::from_u32(u32::from(c) - 0xff01 + 0x21).unwrap_or(c)
 }
 
-/// The ranges of the lines of a text and of their line ends: LF, CR LF (with any number of CR), or CR.
+/// Carriage returns before a line feed that make one line end with it. A file may be a megabyte of them.
+const RETURNS: usize = 8;
+
+/// The ranges of the lines of a text and of their line ends: LF, CR LF (with several CR), or CR.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
     let bytes = text.as_bytes();
-    let (mut at, mut feed) = (0, None);
+    let mut at = 0;
     std::iter::from_fn(move || {
         let start = (at < bytes.len()).then_some(at)?;
-        // The next line feed is kept, for there may be many lines that end with CR before it.
-        let limit = *feed
-            .filter(|&f| f >= start)
-            .get_or_insert_with(|| text[start..].find('\n').map_or(bytes.len(), |i| start + i));
-        feed = Some(limit);
-        let end = text[start..limit].find('\r').map_or(limit, |i| start + i);
+        let ends = |b: &u8| matches!(b, b'\n' | b'\r');
+        let end = bytes[start..].iter().position(ends);
+        let end = end.map_or(bytes.len(), |i| start + i);
         at = after_line_end(bytes, end);
         Some((start..end, end..at))
     })
 }
 
 fn after_line_end(bytes: &[u8], end: usize) -> usize {
-    let returns = bytes[end..].iter().take_while(|&&b| b == b'\r').count();
+    let returns = bytes[end..].iter().take(RETURNS);
+    let returns = returns.take_while(|&&b| b == b'\r').count();
     match bytes.get(end + returns) {
         Some(b'\n') => end + returns + 1, // CR CR LF comes from a file converted twice
         _ => end + returns.min(1),

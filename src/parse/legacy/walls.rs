@@ -148,7 +148,8 @@ fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
 /// left alone: own parts may be called so.
 fn first_turn(text: &str) -> Option<usize> {
     // No farther than the next `^`, and each column counted once: a line may be a megabyte of either.
-    let bytes = &text.as_bytes()[..text.find('^').unwrap_or(text.len())];
+    let end = text.bytes().position(|b| b == b'^').unwrap_or(text.len());
+    let bytes = &text.as_bytes()[..end];
     let (mut at, mut counted, mut column) = (0, 0, 0);
     while let Some(found) = bytes[at..].iter().position(|b| matches!(b, b'L' | b'R')) {
         at += found;
@@ -170,7 +171,7 @@ fn first_turn(text: &str) -> Option<usize> {
 /// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
 fn before_reset(line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) -> Range<usize> {
     let text = &line.text[range.clone()];
-    let Some(at) = text.find('^') else {
+    let Some(at) = text.bytes().position(|b| b == b'^') else {
         return range;
     };
     let rest = text[at + 1..].trim_start_matches(' ');
