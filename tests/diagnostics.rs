@@ -1,12 +1,15 @@
 //! Every message has a fixture that triggers it, with its output beside it, and a page for `hsd explain`.
-//! `HSD_UPDATE=1 cargo test --test diagnostics` writes the outputs anew.
+//! The first example of a page triggers its code too. `HSD_UPDATE=1 cargo test --test diagnostics` writes the outputs
+//! anew.
 
 mod support;
 
 use hsd::diagnostic::{Code, pages};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use support::{assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts};
+use support::{
+    assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts,
+};
 
 const FIXTURES: &str = "tests/suite/diagnostics";
 const PAGES: &str = "grammar/diagnostics";
@@ -26,7 +29,24 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
 ];
 
 /// Codes whose page shows no text that can be run, and why.
-const WITHOUT_EXAMPLE: &[(u16, &str)] = &[];
+const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
+    (2, "the bytes are Shift_JIS"),
+    (3, "the bytes are of another encoding"),
+    (4, "the bytes are of no encoding"),
+    (5, "the file is no text"),
+    (6, "a control character cannot be seen"),
+    (7, "the line ends cannot be seen"),
+    (8, "the file is not there"),
+    (319, "the pictures are not there"),
+    (601, "the picture is not there"),
+    (602, "the picture is none"),
+    (603, "a fault of the program"),
+    (901, "the file is too long to print"),
+    (902, "the nesting is too deep to print"),
+    (905, "the picture is too large"),
+    (906, "the roofs are too many to print"),
+    (909, "the messages are too many to print"),
+];
 
 /// The code at the beginning of a name such as `HSD0401_perimeter_open`.
 fn code_of(name: &str) -> Option<u16> {
@@ -180,7 +200,10 @@ fn the_first_example_of_a_page_triggers_its_code() {
         let run = compile("example.hsd", example.as_bytes());
         let triggers = run.diagnostics.iter().any(|d| d.code == name);
         if triggers == reason.is_some() {
-            findings.push(format!("{name}: does not say what it should\n{example}{}", run.short()));
+            findings.push(format!(
+                "{name}: does not say what it should\n{example}{}",
+                run.short()
+            ));
         }
     }
     assert_none(&findings);
