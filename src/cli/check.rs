@@ -37,6 +37,7 @@ impl Check {
         let world = self.reading.world(&self.reading.inputs);
         let documents = driver::documents(&sources, &limits, &mut out);
         let program = driver::program(&sources, &documents, &world, &options, &mut out);
+        drop(documents); // the next steps take their room
         let building = driver::building(program, &mut out);
         let shell = &building.shell;
         let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();

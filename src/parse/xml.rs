@@ -12,7 +12,6 @@
 
 mod codes;
 mod facades;
-mod faults;
 mod house;
 mod pieces;
 mod read;
@@ -26,6 +25,7 @@ mod text;
 mod tree;
 mod values;
 
+use super::faults::Faults;
 use crate::ast::{Document, House};
 use crate::diagnostic::Diagnostics;
 use crate::source::{Limits, Source};
@@ -47,7 +47,7 @@ pub(super) fn parse_from(
     limits: &Limits,
     out: &mut Diagnostics,
 ) -> Document {
-    let mut faults = faults::Faults::new(source, out);
+    let mut faults = Faults::new(source, out);
     let nesting = limits.nesting.min(DEEPEST);
     let tree = tree::read(&mut faults, at, nesting, schema::HABITS);
     let mut reader = Reader {

@@ -82,8 +82,14 @@ impl<'a> Line<'a> {
 
     /// The span of the whole line, without blanks at its ends.
     pub(super) fn whole(&self, source: &Source) -> Span {
-        let start = self.raw.len() - self.raw.trim_start().len();
-        let end = self.raw.trim_end().len().max(start);
+        let (mut start, mut end) = (0, self.raw.len());
+        // Most lines have no white space at their ends, and looking for all kinds of it takes time.
+        if self.raw.starts_with(|c: char| !c.is_ascii_graphic()) {
+            start = end - self.raw.trim_start().len();
+        }
+        if self.raw.ends_with(|c: char| !c.is_ascii_graphic()) {
+            end = self.raw.trim_end().len().max(start);
+        }
         source.span(self.at + start..self.at + end)
     }
 

@@ -5,9 +5,9 @@
 //! tag no further than the next `<`; a comment and its like may hold one and get the rest of the file, until an end
 //! of their kind was looked for in vain. Whatever is left open ends at the next line that begins with `<`.
 
-use super::faults::Faults;
 use super::tag::{Attribute, is_blank, is_name_start, narrow};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::faults::Faults;
 use quick_xml::{Reader, events::Event};
 use std::ops::Range;
 

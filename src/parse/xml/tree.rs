@@ -5,13 +5,13 @@
 //! as deep as the limit says, so that later steps may recurse; children are in the order of the file; texts of
 //! white space only are left out. The tree itself is built and dropped without recursion.
 
-use super::faults::Faults;
 use super::scan::{EndTag, Scanner, StartTag, Token};
 use super::slash::Slashes;
 use super::suggest::alike;
 use super::tag::{Attribute, is_blank};
 use super::text::{Run, Text};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::faults::Faults;
 use crate::source::Span;
 use std::collections::HashMap;
 use std::ops::Range;

@@ -1,56 +1,13 @@
-//! Where the reader of the legacy text sends its messages.
-//!
-//! A file of a million broken lines must not make a million messages (language.md 7), so after
-//! [`ENOUGH`] the rest is counted only; the last message says how many there were.
+//! What is said of characters that were mended in a line: how much of it depends on what the line is.
 
 use super::line::{Line, Odd};
 use crate::catalog::{Catalog, PartDef};
 use crate::diagnostic::messages::{file, legacy as say, parts};
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::source::{Source, Span};
+use crate::parse::faults::Faults;
+use crate::source::Span;
 use std::ops::Range;
 
-/// Messages on one file that are passed on.
-const ENOUGH: usize = 500;
-
-/// The source under way and the messages on it.
-pub(super) struct Talk<'a> {
-    pub(super) source: &'a Source,
-    out: &'a mut Diagnostics,
-    said: usize,
-    /// The worst of those left out.
-    worst: Option<Severity>,
-}
-
-impl<'a> Talk<'a> {
-    pub(super) fn new(source: &'a Source, out: &'a mut Diagnostics) -> Self {
-        Talk {
-            source,
-            out,
-            said: 0,
-            worst: None,
-        }
-    }
-
-    pub(super) fn say(&mut self, diagnostic: Diagnostic) {
-        self.said += 1;
-        if self.said <= ENOUGH {
-            self.out.push(diagnostic);
-        } else {
-            self.worst = self.worst.max(Some(diagnostic.severity));
-        }
-    }
-
-    /// Says how much was left out.
-    pub(super) fn finish(self) {
-        if let Some(worst) = self.worst {
-            let end = self.source.text().len();
-            let span = self.source.span(end..end);
-            self.out
-                .push(file::more_messages(span, self.said - ENOUGH, worst));
-        }
-    }
-
+impl Faults<'_> {
     /// Reports what was mended in a wall line up to `end`, an offset in `raw` where a comment may begin:
     /// every character before it stands for a column.
     pub(super) fn mended_walls(&mut self, line: &Line<'_>, end: usize) {
