@@ -161,8 +161,13 @@ fn heights_left_out_or_in_another_unit_are_told() {
 
 #[test]
 fn what_belongs_to_other_languages_is_told_once() {
-    assert_eq!(all_told("# x\n<House>\n<Row/>\n"), [(139, "<House>")]);
-    assert_eq!(all_told("0 0\n<House>\n"), [(139, "<House>")]);
+    // What stands after the first tag is read, so that its faults are told as well.
+    let told = all_told("# x\n<House>\n<Row/>\n</House>\n");
+    assert_eq!(told, [(139, "<House>"), (223, "Row")]);
+    assert_eq!(
+        all_told("0 0\n<House></House>\n"),
+        [(139, "<House></House>")]
+    );
     for sign in ["//", ";"] {
         let text = format!("{sign} front\n0 0\n9\n\nKSM\n{sign} 壁\nKSM\n");
         assert_eq!(all_told(&text), [(113, sign), (113, sign)]);
