@@ -265,7 +265,9 @@ impl Catalog {
 
     /// The part whose Japanese name a text begins with, the longest such name, and its length in the text.
     pub fn named_at(&self, text: &str) -> Option<(&PartDef, usize)> {
-        let names = self.parts.iter().flat_map(|p| p.ja_names().map(|n| (p, n)));
+        let first = text.chars().next()?;
+        let parts = self.parts.iter().filter(|p| p.ja.starts_with(first));
+        let names = parts.flat_map(|p| p.ja_names().map(|n| (p, n)));
         let found = names.filter(|(_, n)| !n.is_empty() && text.starts_with(n));
         // The first of equal names: the plain one stands before the wide one.
         let longest = found.reduce(|best, next| {

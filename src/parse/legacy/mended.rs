@@ -42,11 +42,13 @@ impl Faults<'_> {
     fn mended(&mut self, line: &Line<'_>, finding: usize) {
         let finding = &line.findings[finding];
         let written = &line.raw[finding.range.clone()];
-        let count = written.chars().count();
+        if finding.kind == Odd::Replacement {
+            return; // Said once of the whole file.
+        }
         let first = written.chars().next().unwrap_or(' ');
         let span = self.raw_span(line, finding.range.clone());
-        self.say(match finding.kind {
-            Odd::WideBlank => say::wide_blank(span, count),
+        self.push(|| match finding.kind {
+            Odd::WideBlank => say::wide_blank(span, written.chars().count()),
             Odd::Tab => say::tab(span),
             Odd::Wide => say::wide_letters(span, written),
             Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first),
@@ -55,8 +57,7 @@ impl Faults<'_> {
                 let part = Catalog::builtin().called(written);
                 parts::part_name(span, written, part.map_or("", PartDef::code))
             }
-            Odd::Foreign => say::foreign(span, written),
-            Odd::Replacement => return,
+            Odd::Foreign | Odd::Replacement => say::foreign(span, written),
         });
     }
 
