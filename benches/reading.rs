@@ -1,11 +1,13 @@
-//! How many megabytes of text a second: reading alone, and everything that `hsd check` does.
+//! How many megabytes of text a second: reading alone, expanding alone, and everything that `hsd check` does.
 
 mod texts;
 
 use divan::counter::BytesCount;
 use divan::{Bencher, black_box};
 use hsd::diagnostic::Diagnostics;
-use hsd::source::{FileId, Limits, Source};
+use hsd::driver;
+use hsd::expand::Options;
+use hsd::source::{FileId, Limits, NoPictures, Source};
 
 fn main() {
     divan::main();
@@ -18,6 +20,18 @@ fn parse_a_megabyte(bencher: Bencher<'_, '_>) {
     bencher.counter(BytesCount::of_str(&text)).bench_local(|| {
         let mut out = Diagnostics::new();
         hsd::parse::parse(black_box(&source), &Limits::default(), &mut out)
+    });
+}
+
+#[divan::bench(sample_count = 20)]
+fn expand_a_megabyte(bencher: Bencher<'_, '_>) {
+    let text = texts::legacy(1_000_000);
+    let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
+    let (options, mut out) = (Options::default(), Diagnostics::new());
+    let documents = driver::documents(&[&source], &options.limits, &mut out);
+    bencher.counter(BytesCount::of_str(&text)).bench_local(|| {
+        let (sources, documents) = (&[&source], black_box(&documents));
+        driver::program(sources, documents, &NoPictures, &options, &mut out)
     });
 }
 

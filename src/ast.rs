@@ -4,6 +4,14 @@
 //! out); elements nest at most `Limits::nesting` deep. Codes are still text: whether a part exists is the
 //! business of `expand`, the only pass that opens the catalogue for them.
 
+mod pieces;
+mod roofs;
+
+pub use pieces::{CodeText, Half, Part, Piece, Split};
+pub use roofs::{
+    RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
+};
+
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
@@ -29,7 +37,7 @@ pub struct House {
     pub storeys: Vec<Item<Storey>>,
     /// Walls given facade by facade (the `Structure` of 003), if the house is written that way.
     pub structures: Vec<Structure>,
-    /// Gloss and pictures of single textures (003-13).
+    /// Gloss of single textures (003-13).
     pub textures: Vec<Texture>,
     /// The roof section.
     pub roofs: Roofs,
@@ -54,17 +62,18 @@ pub struct Settings {
     pub street: Option<Spanned<bool>>,
 }
 
-/// Something of a kind, or an operation on the things beside it.
+/// Something of a kind, or an operation on the things beside it. Operations are rare and stand in boxes: a list of
+/// things should not take the room of a list of operations.
 #[derive(Clone, Debug, Serialize)]
 pub enum Item<T> {
     /// The thing itself.
     One(T),
     /// The content several times (003-08).
-    Repeat(Repeat<T>),
+    Repeat(Box<Repeat<T>>),
     /// A draw (003-10).
-    Random(Random),
+    Random(Box<Random>),
     /// A substitution (003-11).
-    Replace(Replace),
+    Replace(Box<Replace>),
 }
 
 /// `<repeat num="8">`.
@@ -162,89 +171,6 @@ pub struct Row {
     pub turn: Option<Spanned<f64>>,
 }
 
-/// What stands in a wall line.
-#[derive(Clone, Debug, Serialize)]
-pub enum Piece {
-    /// One part.
-    Part(Part),
-    /// One storey part divided above and below (003-09).
-    Split(Box<Split>),
-}
-
-/// A code with what was said about this one use of it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Part {
-    /// The code as written, `span` on it. Shorter than 5 where blanks were lost.
-    pub code: Spanned<CodeText>,
-    /// Width in U instead of the catalogue's.
-    pub width: Option<Spanned<f64>>,
-    /// Height in shaku instead of the storey's.
-    pub height: Option<Spanned<f64>>,
-}
-
-/// `<split ratio="0.5"><upper/><lower/></split>`.
-#[derive(Clone, Debug, Serialize)]
-pub struct Split {
-    /// The start tag.
-    pub span: Span,
-    /// Share of the upper half in the height, 0 to 1.
-    pub ratio: Option<Spanned<f64>>,
-    /// Above.
-    pub upper: Half,
-    /// Below.
-    pub lower: Half,
-}
-
-/// One half of a split.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Half {
-    /// The element.
-    pub span: Span,
-    /// From right to left as seen from outside.
-    pub pieces: Vec<Item<Piece>>,
-}
-
-/// The text of a code: up to five bytes in place, since texts hold hundreds of thousands of them.
-#[derive(Clone, PartialEq, Eq, Hash)]
-pub enum CodeText {
-    /// A code of the catalogue's form, padded with blanks.
-    Five([u8; 5]),
-    /// A name of any other length: an own part or a part picture.
-    Name(Box<str>),
-}
-
-impl CodeText {
-    /// ASCII of at most five bytes is padded to a code; everything else is a name.
-    pub fn new(text: &str) -> CodeText {
-        if text.len() > 5 || !text.is_ascii() {
-            return CodeText::Name(text.into());
-        }
-        let mut five = [b' '; 5];
-        five[..text.len()].copy_from_slice(text.as_bytes());
-        CodeText::Five(five)
-    }
-
-    /// The text, with its padding.
-    pub fn as_str(&self) -> &str {
-        match self {
-            CodeText::Five(five) => std::str::from_utf8(five).unwrap_or_default(),
-            CodeText::Name(name) => name,
-        }
-    }
-}
-
-impl std::fmt::Debug for CodeText {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{:?}", self.as_str())
-    }
-}
-
-impl Serialize for CodeText {
-    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        s.serialize_str(self.as_str())
-    }
-}
-
 /// Walls given facade by facade (003-12, 003-15).
 #[derive(Clone, Debug, Serialize)]
 pub struct Structure {
@@ -292,7 +218,7 @@ pub struct Floor {
     pub pieces: Vec<Item<Piece>>,
 }
 
-/// `<Texture texturecode="x" reflection="0.5" src="x.png"/>`.
+/// `<Texture texturecode="x" reflection="0.5"/>`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Texture {
     /// The element.
@@ -301,190 +227,4 @@ pub struct Texture {
     pub code: Spanned<String>,
     /// Share of light that it mirrors, 0 to 1.
     pub reflection: Option<Spanned<f64>>,
-    /// The picture's file, relative to the source.
-    pub src: Option<Spanned<String>>,
-}
-
-/// Which roofs stand: the written ones, and automatic ones for the rest or none.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub enum RoofMode {
-    /// The lines, and automatic roofs for what they leave open.
-    #[default]
-    Auto,
-    /// The lines only.
-    Explicit,
-}
-
-/// How a plan is divided into roofs (language.md 4).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub enum RoofMethod {
-    /// Least roof is cut.
-    #[default]
-    LeastCut,
-    /// The published method (001-15 to 001-19).
-    Kd,
-}
-
-/// The roof section of a house.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Roofs {
-    /// Automatic roofs or not.
-    pub mode: Option<Spanned<RoofMode>>,
-    /// The method of the automatic ones.
-    pub method: Option<Spanned<RoofMethod>>,
-    /// What the automatic ones look like.
-    pub style: RoofStyle,
-    /// Roofs with a place of their own.
-    pub lines: Vec<RoofLine>,
-}
-
-/// What covers a roof (`domain.md` 6, column 1).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-pub enum RoofKind {
-    /// K, kawara-buki: tiles.
-    Tiles,
-    /// I, ita-buki: boards.
-    Boards,
-    /// S, kokera: shingles.
-    Shingles,
-    /// H, hiwada: bark.
-    Bark,
-    /// Y, kaya: thatch.
-    Thatch,
-    /// T, totan: metal.
-    Metal,
-}
-
-/// The form of a roof (`domain.md` 6).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum RoofShape {
-    /// KIR, kirizuma: gable.
-    Gable,
-    /// YOS, yosemune: hip.
-    Hip,
-    /// YOK, yokonaga-kirizuma: gable with its ridge along the short side.
-    BroadGable,
-    /// IRI, irimoya: hip and gable.
-    HipAndGable,
-    /// HOG, hogyo: pyramid.
-    Pyramid,
-    /// KAT, katanagare: lean-to.
-    LeanTo,
-    /// HIS, hisashi: pent roof outside the walls.
-    Pent,
-    /// TER, tera: temple.
-    Temple,
-    /// KAR, karahafu: undulating gable.
-    Karahafu,
-    /// RIK, rikuyane: flat, with a parapet.
-    Flat,
-}
-
-impl RoofShape {
-    /// Every shape with its letters.
-    pub const ALL: [(&'static str, RoofShape); 10] = [
-        ("KIR", RoofShape::Gable),
-        ("YOS", RoofShape::Hip),
-        ("YOK", RoofShape::BroadGable),
-        ("IRI", RoofShape::HipAndGable),
-        ("HOG", RoofShape::Pyramid),
-        ("KAT", RoofShape::LeanTo),
-        ("HIS", RoofShape::Pent),
-        ("TER", RoofShape::Temple),
-        ("KAR", RoofShape::Karahafu),
-        ("RIK", RoofShape::Flat),
-    ];
-
-    /// The shape of three letters.
-    pub fn from_letters(letters: &str) -> Option<RoofShape> {
-        Self::ALL
-            .iter()
-            .find(|(l, _)| *l == letters)
-            .map(|(_, shape)| *shape)
-    }
-
-    /// Its three letters.
-    pub fn letters(self) -> &'static str {
-        Self::ALL
-            .iter()
-            .find(|(_, shape)| *shape == self)
-            .map_or("KIR", |(letters, _)| letters)
-    }
-}
-
-impl RoofKind {
-    /// Every kind with its letter.
-    pub const ALL: [(char, RoofKind); 6] = [
-        ('K', RoofKind::Tiles),
-        ('I', RoofKind::Boards),
-        ('S', RoofKind::Shingles),
-        ('H', RoofKind::Bark),
-        ('Y', RoofKind::Thatch),
-        ('T', RoofKind::Metal),
-    ];
-
-    /// The kind of a letter.
-    pub fn from_letter(letter: char) -> Option<RoofKind> {
-        Self::ALL
-            .iter()
-            .find(|(l, _)| *l == letter)
-            .map(|(_, kind)| *kind)
-    }
-}
-
-/// The run of a ridge, or the fall of a single slope.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub enum RoofDirection {
-    /// X: ridge parallel to the first line.
-    AlongFront,
-    /// Y: ridge at right angles to it.
-    AcrossFront,
-    /// F: falls to the front (-b).
-    Front,
-    /// B: falls to the back (+b).
-    Back,
-    /// L: falls to the left (+a).
-    Left,
-    /// R: falls to the right (-a).
-    Right,
-}
-
-/// Options of a roof; `None` = by kind, shape and span.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct RoofStyle {
-    /// Covering.
-    pub kind: Option<Spanned<RoofKind>>,
-    /// Form.
-    pub shape: Option<Spanned<RoofShape>>,
-    /// P: rise in sun per shaku (4.0 = 4/10).
-    pub pitch: Option<Spanned<f64>>,
-    /// E: horizontal overhang beyond the wall line, shaku.
-    pub eaves: Option<Spanned<f64>>,
-    /// G: overhang beyond the gable wall, shaku.
-    pub verge: Option<Spanned<f64>>,
-    /// T: thickness, shaku.
-    pub thickness: Option<Spanned<f64>>,
-    /// M: courses of ridge tiles.
-    pub noshi: Option<Spanned<u32>>,
-    /// S: sagitta of the slope in per cent of its length; negative is convex (mukuri).
-    pub sori: Option<Spanned<f64>>,
-    /// C: place of an irimoya's gable, share of the span.
-    pub gable: Option<Spanned<f64>>,
-    /// O: no onigawara.
-    pub plain_ridge: Option<Spanned<bool>>,
-}
-
-/// One roof line, or one `Roof` element.
-#[derive(Clone, Debug, Serialize)]
-pub struct RoofLine {
-    /// The whole line.
-    pub span: Span,
-    /// Options.
-    pub style: RoofStyle,
-    /// Ridge or fall; `None` = automatic.
-    pub direction: Option<Spanned<RoofDirection>>,
-    /// Eaves height in shaku above z = 0; `None` = the top of the topmost uncovered storey there.
-    pub height: Option<Spanned<f64>>,
-    /// a0 b0 a1 b1 in U, any two opposite corners.
-    pub corners: Spanned<[f64; 4]>,
 }

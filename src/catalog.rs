@@ -119,6 +119,12 @@ impl PartDef {
         std::str::from_utf8(&self.code).unwrap_or_default()
     }
 
+    /// Its Japanese name, whole and without what stands in parentheses.
+    fn ja_names(&self) -> [&str; 2] {
+        let head = self.ja.split('(').next().unwrap_or_default();
+        [&self.ja, head]
+    }
+
     /// Its width in U: 0, 1/2, 1 or 2.
     pub fn width(&self) -> f64 {
         self.width
@@ -246,6 +252,32 @@ impl Catalog {
     /// Whether a part is the void: the walk goes on, no wall is built.
     pub fn is_void(&self, id: PartId) -> bool {
         self.void == Some(id)
+    }
+
+    /// The part of this Japanese or romanised name; what a name has in parentheses may be left out.
+    pub fn called(&self, name: &str) -> Option<&PartDef> {
+        let lower = name.to_lowercase();
+        let named = |part: &&PartDef| part.ja_names().contains(&name);
+        let romaji = |part: &&PartDef| !name.is_empty() && part.romaji.to_lowercase() == lower;
+        let parts = || self.parts.iter();
+        parts().find(named).or_else(|| parts().find(romaji))
+    }
+
+    /// The part whose Japanese name a text begins with, the longest such name, and its length in the text.
+    pub fn named_at(&self, text: &str) -> Option<(&PartDef, usize)> {
+        let first = text.chars().next()?;
+        let parts = self.parts.iter().filter(|p| p.ja.starts_with(first));
+        let names = parts.flat_map(|p| p.ja_names().map(|n| (p, n)));
+        let found = names.filter(|(_, n)| !n.is_empty() && text.starts_with(n));
+        // The first of equal names: the plain one stands before the wide one.
+        let longest = found.reduce(|best, next| {
+            if next.1.len() > best.1.len() {
+                next
+            } else {
+                best
+            }
+        });
+        longest.map(|(part, name)| (part, name.len()))
     }
 
     /// Up to three parts that an unknown code may mean, best first; nothing farther than three letters.

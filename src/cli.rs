@@ -29,6 +29,8 @@ use std::process::ExitCode;
 enum Exit {
     Done = 0,
     Errors = 1,
+    /// The rest was done, but a file could not be read.
+    Unread = 3,
 }
 
 /// Why a run went no further.

@@ -54,6 +54,7 @@ pub fn compile(
     let program = timed(&mut times, "expand", || {
         program(sources, &documents, world, &options.expand, out)
     });
+    drop(documents); // the next steps take their room
     let building = timed(&mut times, "lower and roof", || building(program, out));
     let scene = timed(&mut times, "tessellate", || {
         scene(&building, options.detail)

@@ -12,6 +12,7 @@ use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::file as say;
 use crate::source::{Limits, Source};
 
+mod faults;
 pub mod legacy;
 pub mod xml;
 

@@ -141,7 +141,7 @@ enum Offsets {
 
 impl Source {
     /// Decodes a file. A byte order mark decides; then an XML declaration's label; then whatever is
-    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS (domain.md 2.6, A13).
+    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS or EUC-JP, whichever makes sense (domain.md 2.6, A13).
     pub fn new(id: FileId, name: impl Into<String>, bytes: &[u8]) -> Source {
         let (encoding, bom) = detect(bytes);
         let utf8 = (encoding == encoding_rs::UTF_8).then(|| std::str::from_utf8(&bytes[bom..]));
@@ -267,10 +267,21 @@ fn detect(bytes: &[u8]) -> (&'static encoding_rs::Encoding, usize) {
     let encoding = match declared {
         Some(e) if e.is_ascii_compatible() => e,
         _ if std::str::from_utf8(bytes).is_ok() => encoding_rs::UTF_8,
-        _ if encoding_rs::SHIFT_JIS.decode_without_bom_handling(bytes).1 => encoding_rs::UTF_8,
-        _ => encoding_rs::SHIFT_JIS,
+        _ => japanese(bytes).unwrap_or(encoding_rs::UTF_8),
     };
     (encoding, 0)
+}
+
+/// The old Japanese encoding in which all bytes mean something. Where both would do, the one with fewer
+/// half-width kana: people wrote few of them, and EUC-JP read as Shift_JIS is full of them.
+fn japanese(bytes: &[u8]) -> Option<&'static encoding_rs::Encoding> {
+    let candidates = [encoding_rs::SHIFT_JIS, encoding_rs::EUC_JP];
+    let readable = candidates.into_iter().filter_map(|encoding| {
+        let (text, malformed) = encoding.decode_without_bom_handling(bytes);
+        let narrow = |c: &char| ('\u{ff61}'..='\u{ff9f}').contains(c);
+        (!malformed).then(|| (text.chars().filter(narrow).count(), encoding))
+    });
+    readable.min_by_key(|(narrow, _)| *narrow).map(|(_, e)| e)
 }
 
 /// Decodes byte by byte, noting where text and file part; slow, but old files are small.
@@ -333,6 +344,23 @@ mod tests {
                 end: 6
             }
         );
+    }
+
+    #[test]
+    fn old_japanese_encodings_are_told_apart() {
+        let texts = [
+            "# 町家 大戸\nGSI  ",
+            "# カタカナ",
+            "# 表の間は格子",
+            "# 京都市",
+        ];
+        for text in texts {
+            for encoding in [encoding_rs::SHIFT_JIS, encoding_rs::EUC_JP] {
+                let (bytes, ..) = encoding.encode(text);
+                let source = Source::new(FileId(0), "家.hsd", &bytes);
+                assert_eq!((source.encoding(), source.text()), (encoding.name(), text));
+            }
+        }
     }
 
     #[test]

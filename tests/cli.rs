@@ -85,6 +85,30 @@ fn exit_status_tells_what_happened() {
 }
 
 #[test]
+fn a_missing_file_hides_no_other() {
+    let folder = folder();
+    let files = ["missing.hsd", "broken.hsd", "nowhere/x.hsd"];
+    let output = hsd(
+        folder.path(),
+        &[&["check", "--format", "json"], &files[..]].concat(),
+    );
+    assert_eq!(code(&output), 3);
+    let told: serde_json::Value = serde_json::from_str(&stdout(&output)).unwrap();
+    let told = told.as_array().unwrap();
+    let of = |file: &str| told.iter().filter(|t| t["file"] == file).count();
+    assert_eq!((of("missing.hsd"), of("nowhere/x.hsd")), (1, 1));
+    assert!(of("broken.hsd") > 0);
+    assert_eq!(told[0]["code"], "HSD0008");
+    let output = hsd(folder.path(), &["check", "sound.hsd", "missing.hsd"]);
+    assert_eq!(code(&output), 3);
+    assert!(
+        stdout(&output).contains("missing.hsd"),
+        "{}",
+        stdout(&output)
+    );
+}
+
+#[test]
 fn wrong_usage_is_told_the_right_one() {
     let folder = folder();
     for (arguments, expected) in [

@@ -1,18 +1,22 @@
 //! Every message has a fixture that triggers it, with its output beside it, and a page for `hsd explain`.
-//! `HSD_UPDATE=1 cargo test --test diagnostics` writes the outputs anew.
+//! The first example of a page triggers its code too. `HSD_UPDATE=1 cargo test --test diagnostics` writes the outputs
+//! anew.
 
 mod support;
 
 use hsd::diagnostic::{Code, pages};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use support::{assert_none, compile_file, expect, flaws_of_diagnostics, root, stem, texts};
+use support::{
+    assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts,
+};
 
 const FIXTURES: &str = "tests/suite/diagnostics";
 const PAGES: &str = "grammar/diagnostics";
 
 /// Codes that no small text can trigger, and where they are tested.
 const WITHOUT_FIXTURE: &[(u16, &str)] = &[
+    (8, "a file that is not there: tests/cli.rs"),
     (601, "a file that cannot be read: tests/pictures.rs"),
     (602, "a file that is no picture: tests/pictures.rs"),
     (603, "a fault of the program: tests/pictures.rs"),
@@ -22,6 +26,26 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
         909,
         "more than 500 messages: tests/parse_legacy.rs, tests/parse_xml",
     ),
+];
+
+/// Codes whose page shows no text that can be run, and why.
+const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
+    (2, "the bytes are Shift_JIS"),
+    (3, "the bytes are of another encoding"),
+    (4, "the bytes are of no encoding"),
+    (5, "the file is no text"),
+    (6, "a control character cannot be seen"),
+    (7, "the line ends cannot be seen"),
+    (8, "the file is not there"),
+    (319, "the pictures are not there"),
+    (601, "the picture is not there"),
+    (602, "the picture is none"),
+    (603, "a fault of the program"),
+    (901, "the file is too long to print"),
+    (902, "the nesting is too deep to print"),
+    (905, "the picture is too large"),
+    (906, "the roofs are too many to print"),
+    (909, "the messages are too many to print"),
 ];
 
 /// The code at the beginning of a name such as `HSD0401_perimeter_open`.
@@ -143,5 +167,44 @@ fn messages_fixtures_and_pages_belong_together() {
     }
     findings.sort();
     findings.dedup();
+    assert_none(&findings);
+}
+
+/// The examples of a page: what stands between fences that name a form of the language.
+fn examples(page: &str) -> Vec<String> {
+    let mut found = vec![];
+    let mut rest = page;
+    while let Some((_, fenced)) = rest.split_once("\n```") {
+        let (language, body) = fenced.split_once('\n').unwrap_or_default();
+        let (example, after) = body.split_once("\n```").unwrap_or((body, ""));
+        if matches!(language, "hsd" | "xml") {
+            found.push(format!("{example}\n"));
+        }
+        rest = after;
+    }
+    found
+}
+
+#[test]
+fn the_first_example_of_a_page_triggers_its_code() {
+    let mut findings = vec![];
+    for (code, text) in pages_there() {
+        let name = Code(code);
+        let reason = WITHOUT_EXAMPLE.iter().find(|(c, _)| *c == code);
+        let Some(example) = examples(&text).into_iter().next() else {
+            if reason.is_none() {
+                findings.push(format!("{name}: without an example to run"));
+            }
+            continue;
+        };
+        let run = compile("example.hsd", example.as_bytes());
+        let triggers = run.diagnostics.iter().any(|d| d.code == name);
+        if triggers == reason.is_some() {
+            findings.push(format!(
+                "{name}: does not say what it should\n{example}{}",
+                run.short()
+            ));
+        }
+    }
     assert_none(&findings);
 }

@@ -29,11 +29,7 @@ mod build {
     }
 
     pub(crate) fn part(code: &str) -> Item<Piece> {
-        Item::One(Piece::Part(Part {
-            code: put(CodeText::new(code)),
-            width: None,
-            height: None,
-        }))
+        Item::One(Piece::new(CodeText::new(code), at()))
     }
 
     pub(crate) fn codes(text: &str) -> Vec<Item<Piece>> {
@@ -47,20 +43,20 @@ mod build {
     }
 
     pub(crate) fn weighted<T>(list: &str, weights: Option<Vec<f64>>) -> Item<T> {
-        Item::Random(Random {
+        Item::Random(Box::new(Random {
             span: at(),
             codes: put(list.into()),
             weights: weights.map(put),
-        })
+        }))
     }
 
     pub(crate) fn replace<T>(list: &str, with: &str) -> Item<T> {
-        Item::Replace(Replace {
+        Item::Replace(Box::new(Replace {
             span: at(),
             codes: (!list.is_empty()).then(|| put(list.into())),
             with: put(with.into()),
             at: None,
-        })
+        }))
     }
 
     pub(crate) fn replace_at<T>(list: &str, with: &str, at: &[(u32, u32)]) -> Item<T> {
@@ -72,11 +68,11 @@ mod build {
     }
 
     pub(crate) fn repeat<T>(num: u32, body: Vec<Item<T>>) -> Item<T> {
-        Item::Repeat(Repeat {
+        Item::Repeat(Box::new(Repeat {
             span: at(),
             num: put(num),
             body,
-        })
+        }))
     }
 
     pub(crate) fn split(upper: Vec<Item<Piece>>, lower: Vec<Item<Piece>>) -> Item<Piece> {

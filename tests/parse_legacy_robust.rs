@@ -110,7 +110,7 @@ fn no_mutation_disturbs_the_reader() {
 fn long_lines_of_anything_take_no_time() {
     for piece in [
         "A#BCD", "^", "^ ", "KSM ", "町", "#", "\u{1}\n", "L\n", "seed 1\n", "KX ", ".", "　",
-        "K X ",
+        "K X ", "\r", "\r\r\n", "大戸 ",
     ] {
         for before in ["", "0 0\n\n", "0 0\n\nKSM\n\nK X * KIR 0 0 1 1 "] {
             let text = format!("{before}{}", piece.repeat(300_000 / piece.len()));

@@ -14,6 +14,7 @@ pub fn check(text: &str) -> (Building, Diagnostics) {
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
     let documents = driver::documents(&[&source], &options.limits, &mut out);
     let program = driver::program(&[&source], &documents, &NoPictures, &options, &mut out);
+    drop(documents);
     (driver::building(program, &mut out), out)
 }
 

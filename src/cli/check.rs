@@ -1,9 +1,9 @@
 //! `hsd check`: what is wrong with texts, and nothing else.
 
-use super::Outcome;
 use super::input::Inputs;
 use super::options::{FormatArg, Reading, exit, report};
 use super::terminal::counted;
+use super::{Exit, Outcome};
 use crate::diagnostic::Diagnostics;
 use crate::driver;
 use crate::report::{Format, Report};
@@ -12,7 +12,7 @@ use std::io::{self, Write};
 
 /// Say what is wrong with texts, without writing a model.
 ///
-/// Exit status 1 where a text has errors (with `-D warnings`, errors or warnings).
+/// Exit status 1 where a text has errors (with `-D warnings`, errors or warnings), 3 where one cannot be read.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
@@ -32,11 +32,12 @@ impl Check {
         self.reading.check_folders()?;
         let (limits, options) = (self.reading.limits(), self.reading.options());
         let mut out = Diagnostics::new();
-        let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
+        let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
         let sources = inputs.accepted();
         let world = self.reading.world(&self.reading.inputs);
         let documents = driver::documents(&sources, &limits, &mut out);
         let program = driver::program(&sources, &documents, &world, &options, &mut out);
+        drop(documents); // the next steps take their room
         let building = driver::building(program, &mut out);
         let shell = &building.shell;
         let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
@@ -53,6 +54,9 @@ impl Check {
                 format,
                 &mut io::stdout(),
             )?;
+        }
+        if inputs.failed() {
+            return Ok(Exit::Unread);
         }
         Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))
     }

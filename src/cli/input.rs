@@ -16,13 +16,30 @@ pub(super) const STDIN: &str = "-";
 pub(super) struct Inputs {
     /// One a file, numbered in order.
     pub(super) sources: Vec<Source>,
-    /// Whether a file is over the limit: its source is empty, and a message says so.
+    /// Whether a file is over the limit or cannot be read: its source is empty, and a message says so.
     refused: Vec<bool>,
+    /// The first file that could not be read.
+    failure: Option<Stop>,
 }
 
 impl Inputs {
-    /// Reads files.
+    /// Reads files; all of them must be readable.
     pub(super) fn read(
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        let mut inputs = Inputs::readable(paths, limit, out)?;
+        inputs.failure.take().map_or(Ok(inputs), Err)
+    }
+
+    /// Whether a file could not be read.
+    pub(super) fn failed(&self) -> bool {
+        self.failure.is_some()
+    }
+
+    /// Reads what can be read; a message tells of each file that cannot.
+    pub(super) fn readable(
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
@@ -30,6 +47,7 @@ impl Inputs {
         let mut inputs = Inputs {
             sources: vec![],
             refused: vec![],
+            failure: None,
         };
         for (path, number) in paths.iter().zip(0usize..) {
             let id = u16::try_from(number).map_err(|_| {
@@ -40,11 +58,19 @@ impl Inputs {
             } else {
                 path.display().to_string()
             };
-            let (bytes, size) = read(path, limit).map_err(|e| Stop::at(&shown, e))?;
-            let source = Source::new(FileId(id), shown, &bytes);
-            inputs.refused.push(size > limit);
+            let (bytes, size, failure) = match read(path, limit) {
+                Ok((bytes, size)) => (bytes, size, None),
+                Err(error) => (vec![], 0, Some(error)),
+            };
+            let source = Source::new(FileId(id), shown.as_str(), &bytes);
+            let start = source.span(0..0);
+            inputs.refused.push(size > limit || failure.is_some());
             if size > limit {
-                out.push(say::too_large(source.span(0..0), size, limit));
+                out.push(say::too_large(start, size, limit));
+            }
+            if let Some(error) = failure {
+                out.push(say::unreadable(start, &error.to_string()));
+                inputs.failure.get_or_insert(Stop::at(&shown, error));
             }
             inputs.sources.push(source);
         }

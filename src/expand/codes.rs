@@ -209,16 +209,17 @@ impl<'a> Codes<'a> {
 
     /// The code of the part that has this Japanese or romanised name.
     fn called(&mut self, name: &str) -> Option<&'a str> {
-        let name = name.trim();
-        if self.searches == 0 || name.is_empty() {
+        if self.searches == 0 {
             return None;
         }
         self.searches -= 1;
-        let same = |part: &&'a PartDef| {
-            name == &*part.ja || name.to_lowercase() == part.romaji.to_lowercase()
-        };
         let catalog: &'a Catalog = self.catalog;
-        catalog.parts().iter().find(same).map(PartDef::code)
+        catalog.called(name.trim()).map(PartDef::code)
+    }
+
+    /// What stands where nothing is known but that something stands there.
+    pub(super) fn plain_part(&self) -> Which {
+        self.stand_in("").which
     }
 
     /// Stands in for an unknown code: a plain part of its class, in the width that its fifth column

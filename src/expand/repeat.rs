@@ -21,7 +21,7 @@ impl Weigh for Piece {
     const SLOT: u64 = 1;
     fn weigh(&self) -> u64 {
         match self {
-            Piece::Part(_) => 1,
+            Piece::Code(..) | Piece::Part(_) | Piece::Error(_) => 1,
             Piece::Split(split) => weigh_all(&split.upper.pieces)
                 .saturating_add(weigh_all(&split.lower.pieces))
                 .saturating_add(1),

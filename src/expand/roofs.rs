@@ -44,7 +44,7 @@ fn wished(roofs: &ast::Roofs) -> Option<Span> {
                 style.gable.as_ref().map(|s| s.span),
                 style.plain_ridge.as_ref().map(|s| s.span),
             ];
-            spans.into_iter().flatten().reduce(Span::to)
+            spans.into_iter().flatten().reduce(Span::to).or(roofs.span)
         }
     }
 }

@@ -8,7 +8,7 @@ use super::codes::{Mode, Which};
 use super::draw::Place;
 use super::edits::{EditRef, Strip, numbered};
 use super::{Pass, positive};
-use crate::ast::{Half, Item, Part, Piece, Random};
+use crate::ast::{CodeText, Half, Item, Part, Piece, Random};
 use crate::program::Unit;
 use crate::source::Span;
 use std::collections::HashMap;
@@ -135,6 +135,9 @@ impl Pass<'_, '_> {
     fn codes_of(&mut self, pieces: &[Item<Piece>], codes: &mut Vec<Which>) {
         for item in pieces {
             match item {
+                Item::One(Piece::Code(five, span)) => {
+                    codes.push(self.resolve(&CodeText::Five(*five), *span).which);
+                }
                 Item::One(Piece::Part(part)) => {
                     codes.push(self.resolve(&part.code.value, part.code.span).which);
                 }
@@ -145,7 +148,10 @@ impl Pass<'_, '_> {
                 Item::Repeat(repeat) if repeat.num.value > 0 => {
                     self.codes_of(&repeat.body, codes);
                 }
-                Item::Repeat(_) | Item::Random(_) | Item::Replace(_) => {}
+                Item::One(Piece::Error(_))
+                | Item::Repeat(_)
+                | Item::Random(_)
+                | Item::Replace(_) => {}
             }
         }
     }
@@ -153,7 +159,12 @@ impl Pass<'_, '_> {
     fn pieces(&mut self, pieces: &[Item<Piece>], edits: &RowEdits<'_>, strip: &mut Strip) {
         for item in pieces {
             match item {
+                Item::One(Piece::Code(five, span)) => self.code(*five, *span, strip),
                 Item::One(Piece::Part(part)) => self.part(part, strip),
+                Item::One(Piece::Error(span)) => {
+                    let plain = self.codes.plain_part();
+                    self.push(bare_unit(*span, 1.0, plain), false, strip);
+                }
                 Item::One(Piece::Split(split)) => {
                     let place = strip.place.at(strip.units.len() as u64);
                     let (unit, natural) = self.split(split, place, strip.mode);
@@ -178,6 +189,13 @@ impl Pass<'_, '_> {
     }
 
     #[inline]
+    fn code(&mut self, five: [u8; 5], span: Span, strip: &mut Strip) {
+        let found = self.resolve(&CodeText::Five(five), span);
+        let natural = found.width.is_none() && !strip.mode.is_row();
+        let width = self.codes.own_width_of(&found, strip.mode);
+        self.push(bare_unit(span, width, found.which), natural, strip);
+    }
+
     fn part(&mut self, part: &Part, strip: &mut Strip) {
         let found = self.resolve(&part.code.value, part.code.span);
         let given = part.width.as_ref().map(|width| width.value);

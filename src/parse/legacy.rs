@@ -8,7 +8,7 @@
 //! | file | reads |
 //! |---|---|
 //! | `line` | lines, and stand-ins for characters that do not belong |
-//! | `talk` | where messages go |
+//! | `mended` | what is said of those stand-ins |
 //! | `words` | words and numbers |
 //! | `header` | place, heights, keys |
 //! | `walls`, `cells` | storeys and rows; the codes of a row |
@@ -18,10 +18,11 @@ mod cells;
 mod header;
 mod line;
 mod roofs;
-mod talk;
+mod mended;
 mod walls;
 mod words;
 
+use super::faults::Faults;
 use crate::ast::{Document, House};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::{file, legacy as say};
@@ -29,39 +30,45 @@ use crate::source::{Limits, Source, Span};
 use header::Header;
 use line::Line;
 use std::ops::Range;
-use talk::Talk;
+
 use walls::Walls;
 
 /// Reads a file of the legacy form.
-pub fn parse(source: &Source, _limits: &Limits, out: &mut Diagnostics) -> Document {
+pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
     let mut reader = Reader {
-        talk: Talk::new(source, out),
+        faults: Faults::new(source, out),
         document: Document::default(),
         house: Draft::default(),
         old_line_ends: false,
     };
-    let mut xml = false;
+    let mut xml = None;
     let text = source.text();
     for (line, end) in line::lines(text) {
         reader.line_end(end.clone());
-        xml = is_tag(&text[line.clone()]);
-        if xml {
+        if is_tag(&text[line.clone()]) {
+            xml = Some(line.start);
             let span = source.span(line.clone());
-            reader.talk.say(say::xml_after_text(span));
+            reader.faults.say(say::xml_after_text(span));
             break;
         }
         reader.line(&text[line.clone()], line.start, end);
     }
-    if !xml || reader.house.walls.begun() {
+    if xml.is_none() || reader.house.walls.begun() {
         reader.finish_house();
     }
     let Reader {
-        mut talk, document, ..
+        mut faults,
+        mut document,
+        ..
     } = reader;
-    if document.houses.is_empty() && !xml {
-        talk.say(file::no_house(source.span(0..0)));
+    if document.houses.is_empty() && xml.is_none() {
+        faults.say(file::no_house(source.span(0..0)));
     }
-    talk.finish();
+    faults.finish();
+    if let Some(tag) = xml {
+        let rest = super::xml::parse_from(source, tag, limits, out);
+        document.houses.extend(rest.houses);
+    }
     document
 }
 
@@ -88,7 +95,7 @@ struct Draft {
 }
 
 struct Reader<'a> {
-    talk: Talk<'a>,
+    faults: Faults<'a>,
     document: Document,
     house: Draft,
     old_line_ends: bool,
@@ -97,16 +104,16 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// Notes line ends that editors of today do not count.
     fn line_end(&mut self, end: Range<usize>) {
-        if !self.old_line_ends && self.talk.source.text()[end.clone()] == *"\r" {
+        if !self.old_line_ends && self.faults.source.text()[end.clone()] == *"\r" {
             self.old_line_ends = true;
-            let span = self.talk.source.span(end);
-            self.talk.say(file::old_line_ends(span));
+            let span = self.faults.source.span(end);
+            self.faults.say(file::old_line_ends(span));
         }
     }
 
     fn line(&mut self, raw: &'a str, at: usize, end: Range<usize>) {
         // Some programs of the time end a file with Ctrl-Z.
-        let last = end.end == self.talk.source.text().len();
+        let last = end.end == self.faults.source.text().len();
         let raw = if last {
             raw.trim_end_matches('\u{1a}')
         } else {
@@ -115,7 +122,7 @@ impl<'a> Reader<'a> {
         if raw.starts_with('#') {
             return;
         }
-        if raw.trim().is_empty() {
+        if raw.trim_start().is_empty() {
             self.house.header.gap = self.house.header.begun();
             self.house.blank = Some(at..end.end);
             return;
@@ -123,19 +130,19 @@ impl<'a> Reader<'a> {
         let line = Line::new(raw, at);
         let text = line.text.trim();
         match text.as_bytes().first() {
-            None => self.talk.mended_fields(&line),
+            None => self.faults.mended_fields(&line),
             Some(b'%') => self.separator(&line, text),
             Some(b'#') => {
-                self.talk.mended_before(&line, 0);
-                let span = line.whole(self.talk.source);
-                self.talk.say(say::comment_column(span));
+                self.faults.mended_before(&line, 0);
+                let span = line.whole(self.faults.source);
+                self.faults.say(say::comment_column(span));
             }
             Some(_) => match other_comment(text) {
                 Some(sign) => {
                     let start = raw.len() - raw.trim_start().len();
                     let start = at + start;
-                    let span = self.talk.source.span(start..start + sign.len());
-                    self.talk.say(say::comment_sign(span, sign));
+                    let span = self.faults.source.span(start..start + sign.len());
+                    self.faults.say(say::comment_sign(span, sign));
                 }
                 None => self.content(&line),
             },
@@ -143,12 +150,12 @@ impl<'a> Reader<'a> {
     }
 
     fn separator(&mut self, line: &Line<'_>, text: &str) {
-        self.talk.mended_fields(line);
+        self.faults.mended_fields(line);
         if text != "%" {
             let start = line.text.find('%').unwrap_or(0) + 1;
             let rest = start..line.text.trim_end().len();
-            let span = line.span(self.talk.source, rest);
-            self.talk.say(say::after_separator(span));
+            let span = line.span(self.faults.source, rest);
+            self.faults.say(say::after_separator(span));
         }
         self.finish_house();
     }
@@ -156,19 +163,19 @@ impl<'a> Reader<'a> {
     fn content(&mut self, line: &Line<'_>) {
         let section = self.section_of(line);
         let house = &mut self.house;
-        let span = line.whole(self.talk.source);
+        let span = line.whole(self.faults.source);
         house.span = Some(house.span.map_or(span, |s| s.to(span)));
         house.blank = None;
         match section {
             Some(section) => house.section = section,
             // A key among walls or roofs is read there and then.
-            None => return house.header.read(line, &mut house.house, &mut self.talk),
+            None => return house.header.read(line, &mut house.house, &mut self.faults),
         }
         match house.section {
-            Section::Header => house.header.read(line, &mut house.house, &mut self.talk),
-            Section::Walls => house.walls.read(line, &mut self.talk),
+            Section::Header => house.header.read(line, &mut house.house, &mut self.faults),
+            Section::Walls => house.walls.read(line, &mut self.faults),
             Section::Roofs => {
-                let roof = roofs::read(line, &mut self.talk);
+                let roof = roofs::read(line, &mut self.faults);
                 house.house.roofs.lines.extend(roof);
             }
         }
@@ -181,8 +188,8 @@ impl<'a> Reader<'a> {
             _ if header::is_key_line(&line.text) => {
                 let key = words::plain_words(&line.text).next().unwrap_or_default();
                 let start = line.text.find(key).unwrap_or(0);
-                let span = line.span(self.talk.source, start..start + key.len());
-                self.talk.say(say::late_key(span, key));
+                let span = line.span(self.faults.source, start..start + key.len());
+                self.faults.say(say::late_key(span, key));
                 None
             }
             Section::Walls => Some(self.after_walls(line)),
@@ -191,7 +198,7 @@ impl<'a> Reader<'a> {
     }
 
     fn after_header(&mut self, line: &Line<'_>) -> Section {
-        let (house, source) = (&self.house, self.talk.source);
+        let (house, source) = (&self.house, self.faults.source);
         let roof = roofs::looks_like_roof(&line.text);
         if !roof && house.header.owns(&line.text) {
             return Section::Header;
@@ -202,9 +209,9 @@ impl<'a> Reader<'a> {
             ..start
         };
         if !house.header.placed() {
-            self.talk.say(say::no_header(start));
+            self.faults.say(say::no_header(start));
         } else if house.blank.is_none() {
-            self.talk.say(say::no_blank_line(
+            self.faults.say(say::no_blank_line(
                 start,
                 "header",
                 if roof { "roofs" } else { "walls" },
@@ -215,7 +222,7 @@ impl<'a> Reader<'a> {
 
     fn after_walls(&mut self, line: &Line<'_>) -> Section {
         let text = &*line.text;
-        let span = line.whole(self.talk.source);
+        let span = line.whole(self.faults.source);
         let Some(blank) = self.house.blank.clone() else {
             // Part codes have no blank in their second column, so most lines end here.
             let roof = text.as_bytes().get(1) == Some(&b' ') && roofs::looks_like_roof(text);
@@ -224,7 +231,7 @@ impl<'a> Reader<'a> {
                     end: span.start,
                     ..span
                 };
-                self.talk.say(say::no_blank_line(start, "walls", "roofs"));
+                self.faults.say(say::no_blank_line(start, "walls", "roofs"));
             }
             return if roof { Section::Roofs } else { Section::Walls };
         };
@@ -232,8 +239,8 @@ impl<'a> Reader<'a> {
             self.new_house(span);
             Section::Header
         } else if looks_like_codes(text) && !roofs::looks_like_roof(text) {
-            let blank = self.talk.source.span(blank);
-            self.talk.say(say::blank_in_walls(blank, span));
+            let blank = self.faults.source.span(blank);
+            self.faults.say(say::blank_in_walls(blank, span));
             Section::Walls
         } else {
             Section::Roofs
@@ -245,7 +252,7 @@ impl<'a> Reader<'a> {
             .next()
             .is_some_and(words::numeric);
         if header && self.house.blank.is_some() {
-            self.new_house(line.whole(self.talk.source));
+            self.new_house(line.whole(self.faults.source));
             return Section::Header;
         }
         Section::Roofs
@@ -253,7 +260,7 @@ impl<'a> Reader<'a> {
 
     /// A header after walls or roofs: the line between two houses was forgotten.
     fn new_house(&mut self, header: Span) {
-        self.talk.say(say::no_separator(header));
+        self.faults.say(say::no_separator(header));
         self.finish_house();
     }
 
@@ -264,10 +271,10 @@ impl<'a> Reader<'a> {
             return;
         };
         if !walls.begun() {
-            self.talk.say(say::no_walls(span));
+            self.faults.say(say::no_walls(span));
         }
         house.span = span;
-        house.storeys = walls.finish(&mut self.talk);
+        house.storeys = walls.finish(&mut self.faults);
         let storeys = house.storeys.len();
         if let Some(surplus) = house
             .heights
@@ -277,10 +284,10 @@ impl<'a> Reader<'a> {
             let span = surplus
                 .iter()
                 .fold(surplus[0].span, |all, h| all.to(h.span));
-            self.talk
+            self.faults
                 .say(say::surplus_heights(span, house.heights.len(), storeys));
         }
-        draft.header.judge(&house, storeys, &mut self.talk);
+        draft.header.judge(&house, storeys, &mut self.faults);
         self.document.houses.push(house);
     }
 }

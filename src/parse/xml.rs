@@ -12,7 +12,6 @@
 
 mod codes;
 mod facades;
-mod faults;
 mod house;
 mod pieces;
 mod read;
@@ -26,6 +25,7 @@ mod text;
 mod tree;
 mod values;
 
+use super::faults::Faults;
 use crate::ast::{Document, House};
 use crate::diagnostic::Diagnostics;
 use crate::source::{Limits, Source};
@@ -37,9 +37,19 @@ const DEEPEST: usize = 256;
 
 /// Reads a file in the XML form. Whatever is wrong with it is reported, and the rest of it read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    let mut faults = faults::Faults::new(source, out);
+    parse_from(source, 0, limits, out)
+}
+
+/// Reads what stands from this offset of the text on.
+pub(super) fn parse_from(
+    source: &Source,
+    at: usize,
+    limits: &Limits,
+    out: &mut Diagnostics,
+) -> Document {
+    let mut faults = Faults::new(source, out);
     let nesting = limits.nesting.min(DEEPEST);
-    let tree = tree::read(&mut faults, nesting, schema::HABITS);
+    let tree = tree::read(&mut faults, at, nesting, schema::HABITS);
     let mut reader = Reader {
         tree: &tree,
         faults: &mut faults,

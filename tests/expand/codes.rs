@@ -55,11 +55,11 @@ fn said_of_list(text: &str, list: &str) -> Vec<(u16, String)> {
     let start = text.find('"').unwrap() + 1;
     let end = text.rfind('"').unwrap();
     let span = source.span(start..end);
-    let item: Item<Piece> = Item::Random(Random {
+    let item: Item<Piece> = Item::Random(Box::new(Random {
         span: source.span(0..text.len()),
         codes: Spanned::new(list.into(), span),
         weights: None,
-    });
+    }));
     let document = Document {
         houses: vec![one_row(vec![item])],
     };
@@ -99,11 +99,11 @@ fn spans_in_lists_are_exact() {
 #[test]
 fn widths_and_heights_of_single_parts() {
     let made = |width, height| {
-        Item::One(Piece::Part(Part {
+        Item::One(Piece::Part(Box::new(Part {
             code: put(CodeText::new("KTU")),
             width: Some(put(width)),
             height: Some(put(height)),
-        }))
+        })))
     };
     let program = clean(one_row(vec![made(1.5, 6.0), made(0.0, 1.0)]));
     let units = &line(&program, 0, 0).units;

@@ -70,34 +70,3 @@ fn long_lists_are_quick() {
     clean(one_row(slots));
     assert!(start.elapsed().as_secs_f64() < 8.0, "{:?}", start.elapsed());
 }
-
-/// Prints the time of a megabyte of codes; `cargo test --release -- --ignored --nocapture` to measure.
-#[test]
-#[ignore = "a measurement"]
-#[allow(clippy::print_stderr)]
-fn a_megabyte_of_codes() {
-    let text = "GSI  GSI  GDE 2TOD  KKS  APW  KTU  TSH 2KSK  MMU 2".repeat(200);
-    let rows: Vec<_> = (0..100).map(|_| row(codes(&text))).collect();
-    let made = house(vec![storey(rows)]);
-    let source = hsd::source::Source::new(hsd::source::FileId(0), "a", b"");
-    let document = hsd::ast::Document { houses: vec![made] };
-    let (mut least, mut copy) = (f64::INFINITY, f64::INFINITY);
-    for _ in 0..100 {
-        let mut out = hsd::diagnostic::Diagnostics::new();
-        let start = Instant::now();
-        let program = hsd::expand::expand(
-            &[(&source, &document)],
-            hsd::catalog::Catalog::builtin(),
-            &NoPictures,
-            &Options::default(),
-            &mut out,
-        );
-        least = least.min(start.elapsed().as_secs_f64());
-        let start = Instant::now();
-        let copied = program.clone();
-        copy = copy.min(start.elapsed().as_secs_f64());
-        assert_eq!(copied.houses[0].storeys[0].loops[0].lines.len(), 100);
-    }
-    let (made, copied) = (least * 1e3, copy * 1e3);
-    eprintln!("{made:.2} ms for 200,000 parts; copying the program takes {copied:.2} ms");
-}

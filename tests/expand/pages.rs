@@ -12,19 +12,19 @@ fn codes() -> impl Iterator<Item = u16> {
     (301..=322).chain([904])
 }
 
-/// The fixture of a code: its name and bytes.
-fn fixture(code: u16) -> (String, Vec<u8>) {
+/// The fixtures of a code: their names and bytes.
+fn fixtures(code: u16) -> Vec<(String, Vec<u8>)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/diagnostics");
     let prefix = format!("HSD{code:04}_");
     let files = std::fs::read_dir(folder).unwrap().map(|f| f.unwrap());
-    let mut found = files.filter(|f| {
+    let found = files.filter_map(|f| {
         let name = f.file_name().to_string_lossy().into_owned();
-        name.starts_with(&prefix) && name.ends_with(".hsd")
+        let own = name.starts_with(&prefix) && name.ends_with(".hsd");
+        own.then(|| (name, std::fs::read(f.path()).unwrap()))
     });
-    let file = found.next().unwrap_or_else(|| panic!("no {prefix}*.hsd"));
-    assert!(found.next().is_none(), "two of {prefix}");
-    let name = file.file_name().to_string_lossy().into_owned();
-    (name, std::fs::read(file.path()).unwrap())
+    let found: Vec<_> = found.collect();
+    assert!(!found.is_empty(), "no {prefix}*.hsd");
+    found
 }
 
 #[test]
@@ -41,8 +41,8 @@ fn every_message_has_a_page() {
 #[test]
 fn every_fixture_triggers_its_message() {
     let world = Pictures(vec![("f7f1f1u1", (8, 8))]);
-    for code in codes() {
-        let (name, bytes) = fixture(code);
+    let all = codes().flat_map(|code| fixtures(code).into_iter().map(move |f| (code, f)));
+    for (code, (name, bytes)) in all {
         let source = Source::new(FileId(0), name.as_str(), &bytes);
         let mut out = Diagnostics::new();
         let document = parse(&source, &Limits::default(), &mut out);

@@ -193,3 +193,7 @@ pub fn explicit_only(mut house: House) -> House {
     house.roofs.mode = RoofMode::Explicit;
     house
 }
+
+pub fn near(p: f64, q: f64) {
+    assert!((p - q).abs() < 1e-6, "{p} is not {q}");
+}

@@ -4,6 +4,7 @@
 
 mod common;
 mod fixtures;
+mod flat;
 mod messages;
 mod plans;
 mod random;

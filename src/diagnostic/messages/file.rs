@@ -18,7 +18,7 @@ pub fn shift_jis(span: Span) -> Diagnostic {
         .help("nothing has to be done; save it as UTF-8 if you like (positions count the bytes of the file as it is)")
 }
 
-/// A byte order mark or a declaration names another encoding.
+/// A byte order mark or a declaration names another encoding, or the bytes make sense in no other.
 #[cold]
 pub fn other_encoding(span: Span, encoding: &str) -> Diagnostic {
     Diagnostic::note(3, span, format!("the file is read as {encoding}"))
@@ -64,6 +64,14 @@ pub fn control_character(span: Span, character: char) -> Diagnostic {
 pub fn old_line_ends(span: Span) -> Diagnostic {
     Diagnostic::note(7, span, "lines end with a carriage return alone, as on very old Macintoshes")
         .help("nothing has to be done; save the file with line feeds so that line numbers agree with your editor")
+}
+
+/// A file that was named is not there, or not for us.
+#[cold]
+pub fn unreadable(span: Span, why: &str) -> Diagnostic {
+    Diagnostic::error(8, span, format!("the file cannot be read: {why}")).help(
+        "see that its name is spelled right, that it is a text file, and that you may read it",
+    )
 }
 
 /// More bytes than the limit.

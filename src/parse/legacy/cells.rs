@@ -5,10 +5,9 @@
 //! would be unknown; so the words are looked at once, and one message proposes the line as it was meant.
 
 use super::line::{CELL, Line};
-use super::talk::Talk;
-use crate::ast::{CodeText, Item, Part, Piece};
+use crate::ast::{CodeText, Item, Piece};
 use crate::diagnostic::messages::legacy as say;
-use crate::source::Spanned;
+use crate::parse::faults::Faults;
 use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
@@ -27,9 +26,9 @@ pub(super) fn pieces(
     line: &Line<'_>,
     mut range: Range<usize>,
     turned: bool,
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) -> Vec<Item<Piece>> {
-    range.start += leading_shift(line, range.clone(), talk);
+    range.start += leading_shift(line, range.clone(), faults);
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
     let (mut rest, mut at, mut odd, mut doubtful) = (text, range.start, false, false);
@@ -37,7 +36,7 @@ pub(super) fn pieces(
     while let Ok((next, cell)) = if ascii { five_bytes(rest) } else { five(rest) } {
         odd |= !regular(cell);
         doubtful |= !plain(cell);
-        pieces.push(piece(line, at..at + cell.len(), cell, talk));
+        pieces.push(piece(line, at..at + cell.len(), cell, faults));
         (rest, at) = (next, at + cell.len());
     }
     // A last code cut short begins like any other.
@@ -47,15 +46,15 @@ pub(super) fn pieces(
     if odd || doubtful {
         let words = in_step(text, range.start);
         if let Some(cells) = words.filter(|c| odd || c.iter().all(|c| plain(c.text))) {
-            return mended(line, range, &cells, talk);
+            return mended(line, range, &cells, faults);
         }
     }
     if odd {
-        point_voids(line, range.clone(), &mut pieces, talk);
+        point_voids(line, range.clone(), &mut pieces, faults);
     }
-    remainder(line, at..range.end, rest, &mut pieces, talk);
+    remainder(line, at..range.end, rest, &mut pieces, faults);
     if !turned && text.ends_with("     ") {
-        trailing_voids(line, text, range.start, talk);
+        trailing_voids(line, text, range.start, faults);
     }
     pieces
 }
@@ -113,28 +112,28 @@ fn plain(cell: &str) -> bool {
     }
 }
 
-fn piece(line: &Line<'_>, range: Range<usize>, text: &str, talk: &Talk<'_>) -> Item<Piece> {
+fn piece(line: &Line<'_>, range: Range<usize>, text: &str, faults: &Faults<'_>) -> Item<Piece> {
+    let span = line.span(faults.source, range);
+    if !text.is_ascii() {
+        return Item::One(Piece::Error(span));
+    }
     let code = match <[u8; CELL]>::try_from(text.as_bytes()) {
-        Ok(five) if text.is_ascii() && five != *b"....." => CodeText::Five(five),
+        Ok(five) if five != *b"....." => CodeText::Five(five),
         _ => CodeText::new(if text == POINTS { "" } else { text }),
     };
-    Item::One(Piece::Part(Part {
-        code: Spanned::new(code, line.span(talk.source, range)),
-        width: None,
-        height: None,
-    }))
+    Item::One(Piece::new(code, span))
 }
 
 /// Blanks before the first code that are no whole voids shift every code of the line.
-fn leading_shift(line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) -> usize {
+fn leading_shift(line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) -> usize {
     let text = &line.text[range.clone()];
     let lead = text.len() - text.trim_start_matches(' ').len();
     let shift = lead % CELL;
     if shift == 0 || lead == text.len() {
         return 0;
     }
-    let span = line.span(talk.source, range.start..range.start + lead);
-    talk.say(say::shifted(span, lead, lead - shift));
+    let span = line.span(faults.source, range.start..range.start + lead);
+    faults.say(say::shifted(span, lead, lead - shift));
     shift
 }
 
@@ -144,21 +143,23 @@ fn remainder(
     range: Range<usize>,
     rest: &str,
     pieces: &mut Vec<Item<Piece>>,
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) {
     let trimmed = rest.trim_end_matches(' ');
     let range = range.start..range.start + trimmed.len();
     if trimmed.is_empty() {
         return;
     }
-    let span = line.span(talk.source, range.clone());
+    let span = line.span(faults.source, range.clone());
     if trimmed.bytes().all(|b| b == b'.' || b == b' ') {
-        talk.say(say::few_points(span, trimmed));
-        pieces.push(piece(line, range, POINTS, talk));
+        faults.say(say::few_points(span, trimmed));
+        pieces.push(piece(line, range, POINTS, faults));
     } else if columns(rest) == 1 {
-        talk.say(say::one_over(span, trimmed));
+        if trimmed.is_ascii() {
+            faults.say(say::one_over(span, trimmed));
+        }
     } else {
-        pieces.push(piece(line, range, trimmed, talk));
+        pieces.push(piece(line, range, trimmed, faults));
     }
 }
 
@@ -167,7 +168,7 @@ fn point_voids(
     line: &Line<'_>,
     range: Range<usize>,
     pieces: &mut [Item<Piece>],
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) {
     let (mut rest, mut at) = (&line.text[range.clone()], range.start);
     for slot in pieces {
@@ -175,22 +176,25 @@ fn point_voids(
         let range = at..at + cell.len();
         let points = cell.bytes().all(|b| b == b'.' || b == b' ') && cell.contains('.');
         if points && cell != POINTS {
-            talk.say(say::few_points(line.span(talk.source, range.clone()), cell));
-            *slot = piece(line, range, POINTS, talk);
+            faults.say(say::few_points(
+                line.span(faults.source, range.clone()),
+                cell,
+            ));
+            *slot = piece(line, range, POINTS, faults);
         }
         (rest, at) = (next, at + cell.len());
     }
 }
 
 /// Voids at a line end that an editor may trim away (domain.md 2.6, A4).
-fn trailing_voids(line: &Line<'_>, text: &str, at: usize, talk: &mut Talk<'_>) {
+fn trailing_voids(line: &Line<'_>, text: &str, at: usize, faults: &mut Faults<'_>) {
     let written = text.trim_end_matches(' ');
     let missing = (CELL - columns(written) % CELL) % CELL;
     let start = written.len() + missing;
     let count = text.len().saturating_sub(start) / CELL;
     if count > 0 {
-        let span = line.span(talk.source, at + start..at + start + count * CELL);
-        talk.say(say::trailing_void(span, count));
+        let span = line.span(faults.source, at + start..at + start + count * CELL);
+        faults.say(say::trailing_void(span, count));
     }
 }
 
@@ -258,7 +262,7 @@ fn mended(
     line: &Line<'_>,
     range: Range<usize>,
     cells: &[Cell<'_>],
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) -> Vec<Item<Piece>> {
     let text = &line.text[range.clone()];
     // The slip is where a code first stands off its column.
@@ -268,13 +272,13 @@ fn mended(
         .find(off)
         .map_or(range.start, |c| c.range.start);
     let end = range.start + text.trim_end_matches(' ').len();
-    let span = line.span(talk.source, slip..end);
+    let span = line.span(faults.source, slip..end);
     let meant: String = cells.iter().map(|c| format!("{:5}", c.text)).collect();
-    talk.say(say::out_of_step(
+    faults.say(say::out_of_step(
         span,
         slip - range.start + 1,
         meant.trim_end(),
     ));
-    let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, talk);
+    let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, faults);
     cells.iter().map(part).collect()
 }

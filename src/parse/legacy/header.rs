@@ -1,10 +1,10 @@
 //! The header: where the house stands, how high its storeys are, and its settings.
 
 use super::line::Line;
-use super::talk::Talk;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{House, RoofMethod, RoofMode};
 use crate::diagnostic::messages::legacy as say;
+use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
 
 /// Keys of header lines.
@@ -84,35 +84,35 @@ impl Header {
     }
 
     /// Reads a line of the header into the house.
-    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, talk: &mut Talk<'_>) {
+    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Faults<'_>) {
         let first = plain_words(&line.text).next().unwrap_or_default();
         if !numeric(first) {
-            return self.key(line, house, talk);
+            return self.key(line, house, faults);
         }
-        talk.mended_fields(line);
-        let words = words(line, talk);
-        let span = all(&words, talk.source);
+        faults.mended_fields(line);
+        let words = words(line, faults);
+        let span = all(&words, faults.source);
         match (self.place, self.heights) {
             (None, _) => {
                 self.place = Some(span);
-                place(&words, house, talk);
+                place(&words, house, faults);
             }
             (_, None) => {
                 self.heights = Some(span);
                 for word in &words {
-                    let height = within(word.text, word.span, &STOREY, talk);
+                    let height = within(word.text, word.span, &STOREY, faults);
                     // A height that cannot be read must not move the ones after it.
                     let kept = height.unwrap_or(Spanned::new(HEIGHT, word.span));
                     house.heights.push(kept);
                 }
             }
-            (_, Some(heights)) => talk.say(say::third_numbers(span, heights)),
+            (_, Some(heights)) => faults.say(say::third_numbers(span, heights)),
         }
     }
 
     /// Looks at the heights once the number of storeys is known: those left out, and those that seem to be
     /// given in another unit.
-    pub(super) fn judge(&self, house: &House, storeys: usize, talk: &mut Talk<'_>) {
+    pub(super) fn judge(&self, house: &House, storeys: usize, faults: &mut Faults<'_>) {
         let heights = &house.heights;
         // Missing heights are the default by contract; numbers that look like heights are worth a word.
         let numbers = [&house.settings.x, &house.settings.y];
@@ -124,31 +124,31 @@ impl Header {
             && like_heights
             && storeys > 0
         {
-            talk.say(say::no_heights(place));
+            faults.say(say::no_heights(place));
         }
         for (storey, height) in heights.iter().enumerate().take(storeys) {
             let least = if storey == 0 { LOW.0 } else { LOW.1 };
             if height.value < least || height.value > HIGH {
-                talk.say(say::odd_height(height.span, height.value));
+                faults.say(say::odd_height(height.span, height.value));
             }
         }
     }
 
-    fn key(&mut self, line: &Line<'_>, house: &mut House, talk: &mut Talk<'_>) {
+    fn key(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Faults<'_>) {
         let text = &*line.text;
         let start = text.len() - text.trim_start().len();
         let first = plain_words(text).next().unwrap_or_default();
         let (key, len) = key_of(first).unwrap_or(("", first.len()));
-        let span = line.span(talk.source, start..start + len);
+        let span = line.span(faults.source, start..start + len);
         let free = line.written(start + len);
         if key == "name" {
-            talk.mended_before(line, free);
+            faults.mended_before(line, free);
         } else {
-            talk.mended_fields(line);
+            faults.mended_fields(line);
         }
         if first != key {
-            talk.say(say::unknown_key(
-                line.span(talk.source, start..start + first.len()),
+            faults.say(say::unknown_key(
+                line.span(faults.source, start..start + first.len()),
                 first,
                 nearest(key_word(first), &KEYS),
                 &KEYS,
@@ -158,14 +158,14 @@ impl Header {
             return;
         }
         if let Some((_, before)) = self.keys.iter().find(|(k, _)| *k == key) {
-            talk.say(say::twice(span, key, *before));
+            faults.say(say::twice(span, key, *before));
         }
         self.keys.push((key, span));
         if key == "name" {
-            name(line, free, span, house, talk);
+            name(line, free, span, house, faults);
         } else {
-            let words = words(line, talk);
-            setting(key, span, value(&words), house, talk);
+            let words = words(line, faults);
+            setting(key, span, value(&words), house, faults);
         }
     }
 }
@@ -202,29 +202,29 @@ fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
         .collect()
 }
 
-fn place(words: &[Word<'_>], house: &mut House, talk: &mut Talk<'_>) {
+fn place(words: &[Word<'_>], house: &mut House, faults: &mut Faults<'_>) {
     let settings = &mut house.settings;
     let slots = [&mut settings.x, &mut settings.y, &mut settings.azimuth];
     for ((word, range), slot) in words.iter().zip(&PLACE).zip(slots) {
-        *slot = within(word.text, word.span, range, talk);
+        *slot = within(word.text, word.span, range, faults);
     }
     if let [only] = words {
-        talk.say(say::missing_number(only.span.after(), "y"));
+        faults.say(say::missing_number(only.span.after(), "y"));
     }
     if let Some(surplus) = words.get(PLACE.len()..).filter(|w| !w.is_empty()) {
-        talk.say(say::surplus(all(surplus, talk.source), "the azimuth"));
+        faults.say(say::surplus(all(surplus, faults.source), "the azimuth"));
     }
 }
 
 /// The rest of the line as written, since a name may hold any character.
-fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, talk: &mut Talk<'_>) {
+fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, faults: &mut Faults<'_>) {
     let rest = line.raw[free..].trim_start_matches(['=', ':']);
     let text = rest.trim();
     if text.is_empty() {
-        return talk.say(say::missing_value(key, "name"));
+        return faults.say(say::missing_value(key, "name"));
     }
     let start = line.at + line.raw.len() - rest.trim_start().len();
-    let span = talk.source.span(start..start + text.len());
+    let span = faults.source.span(start..start + text.len());
     house.name = Some(Spanned::new(text.to_owned(), span));
 }
 
@@ -233,22 +233,22 @@ fn setting(
     at: Span,
     value: Vec<(&str, Span)>,
     house: &mut House,
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) {
     let Some(&(text, span)) = value.first() else {
-        return talk.say(say::missing_value(at, key));
+        return faults.say(say::missing_value(at, key));
     };
     if let [_, second, ..] = value[..] {
         let last = value.last().map_or(second.1, |v| v.1);
-        talk.say(say::surplus(second.1.to(last), key));
+        faults.say(say::surplus(second.1.to(last), key));
     }
     let (settings, roofs) = (&mut house.settings, &mut house.roofs);
     match key {
-        "unit" => settings.unit = within(text, span, &UNIT, talk),
-        "seed" => settings.seed = seed(text, span, talk),
-        "street" => settings.street = choice(key, text, span, &STREET, talk),
-        "roofs" => roofs.mode = choice(key, text, span, &MODES, talk),
-        _ => roofs.method = choice(key, text, span, &METHODS, talk),
+        "unit" => settings.unit = within(text, span, &UNIT, faults),
+        "seed" => settings.seed = seed(text, span, faults),
+        "street" => settings.street = choice(key, text, span, &STREET, faults),
+        "roofs" => roofs.mode = choice(key, text, span, &MODES, faults),
+        _ => roofs.method = choice(key, text, span, &METHODS, faults),
     }
 }
 
@@ -262,22 +262,22 @@ fn choice<T: Copy>(
     text: &str,
     span: Span,
     choices: &[(&'static str, T)],
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) -> Option<Spanned<T>> {
     let find = |word: &str| choices.iter().find(|(w, _)| *w == word).map(|(_, v)| *v);
     let words: Vec<&str> = choices.iter().map(|(w, _)| *w).collect();
     let value = find(text).or_else(|| {
         let near = nearest(text, &words);
-        talk.say(say::bad_choice(span, key, text, near, &words));
+        faults.say(say::bad_choice(span, key, text, near, &words));
         near.and_then(find)
     })?;
     Some(Spanned::new(value, span))
 }
 
-fn seed(text: &str, span: Span, talk: &mut Talk<'_>) -> Option<Spanned<u64>> {
+fn seed(text: &str, span: Span, faults: &mut Faults<'_>) -> Option<Spanned<u64>> {
     let value = text.parse().ok().filter(|_| !text.starts_with('+'));
     if value.is_none() {
-        talk.say(match number(text) {
+        faults.say(match number(text) {
             Some(_) => say::bad_seed(span, text),
             None => say::not_a_number(span, text, "the seed"),
         });

@@ -4,6 +4,7 @@
 //! blanks and tabs become blanks, full-width letters become plain ones, so that the rest of the reader
 //! sees what the author meant. A map leads back, so spans always cover what is written.
 
+use crate::catalog::Catalog;
 use crate::source::{Source, Span};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -50,6 +51,8 @@ pub(super) enum Odd {
     Control,
     /// The stand-in for bytes without a meaning; reported for the file already.
     Replacement,
+    /// The Japanese name of a part, taken for its code.
+    PartName,
     /// Everything else; kept.
     Foreign,
 }
@@ -79,8 +82,14 @@ impl<'a> Line<'a> {
 
     /// The span of the whole line, without blanks at its ends.
     pub(super) fn whole(&self, source: &Source) -> Span {
-        let start = self.raw.len() - self.raw.trim_start().len();
-        let end = self.raw.trim_end().len().max(start);
+        let (mut start, mut end) = (0, self.raw.len());
+        // Most lines have no white space at their ends, and looking for all kinds of it takes time.
+        if self.raw.starts_with(|c: char| !c.is_ascii_graphic()) {
+            start = end - self.raw.trim_start().len();
+        }
+        if self.raw.ends_with(|c: char| !c.is_ascii_graphic()) {
+            end = self.raw.trim_end().len().max(start);
+        }
         source.span(self.at + start..self.at + end)
     }
 
@@ -92,8 +101,20 @@ impl<'a> Line<'a> {
     fn mend(&mut self) {
         let mut text = String::with_capacity(self.raw.len() + CELL);
         let (mut column, mut wide_run) = (0, false);
-        for (at, c) in self.raw.char_indices() {
+        let mut chars = self.raw.char_indices();
+        while let Some((at, c)) = chars.next() {
             let kind = odd(c);
+            if kind == Some(Odd::Foreign)
+                && column % CELL == 0
+                && let Some((code, end)) = part_name(self.raw, at)
+            {
+                text.push_str(code);
+                self.map.extend([at as u32; CELL]);
+                column += CELL;
+                self.find(Odd::PartName, at..end);
+                chars = after_name(self.raw, at, end);
+                continue;
+            }
             let before = text.len();
             match kind {
                 Some(Odd::WideBlank) => text.push_str(if wide_run { " " } else { "  " }),
@@ -101,7 +122,7 @@ impl<'a> Line<'a> {
                 Some(Odd::OtherBlank | Odd::Control) => text.push(' '),
                 Some(Odd::Wide) => text.push(narrow(c)),
                 Some(Odd::Invisible) => {}
-                Some(Odd::Replacement | Odd::Foreign) | None => text.push(c),
+                Some(Odd::Replacement | Odd::Foreign | Odd::PartName) | None => text.push(c),
             }
             // A blank typed among full-width letters stands in one of their columns.
             wide_run = matches!(kind, Some(Odd::Wide)) || wide_run && c == '\u{3000}';
@@ -124,6 +145,28 @@ impl<'a> Line<'a> {
     }
 }
 
+/// The code of the part whose name stands here as a word, and where the name ends.
+fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
+    let foreign = |c: char| odd(c) == Some(Odd::Foreign);
+    if raw[..at].ends_with(foreign) {
+        return None;
+    }
+    let (part, len) = Catalog::builtin().named_at(&raw[at..])?;
+    let end = at + len;
+    (!raw[end..].starts_with(foreign)).then_some((part.code(), end))
+}
+
+/// What follows a name and the blanks that fill it up to whole codes.
+fn after_name(raw: &str, at: usize, end: usize) -> std::str::CharIndices<'_> {
+    let written = raw[at..end].chars().count();
+    let missing = written.next_multiple_of(CELL) - written;
+    let blanks = raw[end..].bytes().take(missing);
+    let blanks = blanks.take_while(|b| *b == b' ').count();
+    let mut rest = raw.char_indices();
+    while rest.offset() < end + blanks && rest.next().is_some() {}
+    rest
+}
+
 fn odd(c: char) -> Option<Odd> {
     Some(match c {
         ' '..='~' => return None,
@@ -143,25 +186,26 @@ fn narrow(c: char) -> char {
     char::from_u32(u32::from(c) - 0xff01 + 0x21).unwrap_or(c)
 }
 
-/// The ranges of the lines of a text and of their line ends: LF, CR LF (with any number of CR), or CR.
+/// Carriage returns before a line feed that make one line end with it. A file may be a megabyte of them.
+const RETURNS: usize = 8;
+
+/// The ranges of the lines of a text and of their line ends: LF, CR LF (with several CR), or CR.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
     let bytes = text.as_bytes();
-    let (mut at, mut feed) = (0, None);
+    let mut at = 0;
     std::iter::from_fn(move || {
         let start = (at < bytes.len()).then_some(at)?;
-        // The next line feed is kept, for there may be many lines that end with CR before it.
-        let limit = *feed
-            .filter(|&f| f >= start)
-            .get_or_insert_with(|| text[start..].find('\n').map_or(bytes.len(), |i| start + i));
-        feed = Some(limit);
-        let end = text[start..limit].find('\r').map_or(limit, |i| start + i);
+        let ends = |b: &u8| matches!(b, b'\n' | b'\r');
+        let end = bytes[start..].iter().position(ends);
+        let end = end.map_or(bytes.len(), |i| start + i);
         at = after_line_end(bytes, end);
         Some((start..end, end..at))
     })
 }
 
 fn after_line_end(bytes: &[u8], end: usize) -> usize {
-    let returns = bytes[end..].iter().take_while(|&&b| b == b'\r').count();
+    let returns = bytes[end..].iter().take(RETURNS);
+    let returns = returns.take_while(|&&b| b == b'\r').count();
     match bytes.get(end + returns) {
         Some(b'\n') => end + returns + 1, // CR CR LF comes from a file converted twice
         _ => end + returns.min(1),
@@ -195,6 +239,19 @@ mod tests {
         assert_eq!(source.text_range(line.span(&source, 5..6)), 6..9);
         assert_eq!(source.text_range(line.span(&source, 10..11)), 10..11);
         assert_eq!(line.findings.len(), 3);
+    }
+
+    #[test]
+    fn names_of_parts_are_read_as_their_codes() {
+        let text = |raw| Line::new(raw, 0).text.into_owned();
+        assert_eq!(text("GSI  大戸   KSM  "), "GSI  TOD  KSM  ");
+        assert_eq!(text("大戸 KSM  "), "TOD  KSM  ");
+        assert_eq!(text("ガラスカーテンウォールKSM"), "NGC  KSM");
+        assert_eq!(text("格子戸引違い    KSM"), "TKD 2KSM");
+        assert_eq!(text("大戸前  KSM"), "大戸前  KSM");
+        let source = Source::new(Default::default(), "a.hsd", "大戸   KSM".as_bytes());
+        let line = Line::new(source.text(), 0);
+        assert_eq!(source.text_range(line.span(&source, 5..8)), 9..12);
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! Roof lines: kind, direction, height, shape, two corners, options (domain.md 6).
 
 use super::line::Line;
-use super::talk::Talk;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
 use crate::diagnostic::messages::legacy as say;
+use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
 
 const HEIGHT: Range64 = Range64 {
@@ -166,15 +166,15 @@ pub(super) fn looks_like_roof(text: &str) -> bool {
 }
 
 /// Reads one line; without its corners a roof has no place and is left out.
-pub(super) fn read(line: &Line<'_>, talk: &mut Talk<'_>) -> Option<RoofLine> {
-    talk.mended_fields(line);
-    let words = words(line, talk);
+pub(super) fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<RoofLine> {
+    faults.mended_fields(line);
+    let words = words(line, faults);
     let mut fields = Fields {
         rest: &words,
-        end: line.whole(talk.source).after(),
+        end: line.whole(faults.source).after(),
         lower: None,
         strange: false,
-        talk,
+        faults,
     };
     let mut style = RoofStyle::default();
     let (kind, direction) = fields.kind_and_direction();
@@ -184,14 +184,14 @@ pub(super) fn read(line: &Line<'_>, talk: &mut Talk<'_>) -> Option<RoofLine> {
     let corners = fields.corners();
     fields.options(&mut style);
     if let Some(lower) = fields.lower {
-        fields.talk.say(say::lower_roof(lower));
+        fields.faults.say(say::lower_roof(lower));
     }
     // A roof of another shape than its author meant would only bring on more messages.
     let strange = fields.strange;
-    let direction = fitting(direction, style.shape, talk);
+    let direction = fitting(direction, style.shape, faults);
     let corners = corners.filter(|_| !strange)?;
     Some(RoofLine {
-        span: line.whole(talk.source),
+        span: line.whole(faults.source),
         style,
         direction,
         height,
@@ -207,7 +207,7 @@ struct Fields<'w, 't, 's> {
     lower: Option<Span>,
     /// Whether the shape is none that exists.
     strange: bool,
-    talk: &'t mut Talk<'s>,
+    faults: &'t mut Faults<'s>,
 }
 
 impl<'w> Fields<'w, '_, '_> {
@@ -250,17 +250,19 @@ impl<'w> Fields<'w, '_, '_> {
         match second {
             None if kind.is_none() && first != '*' => {
                 let near = named(word.text, &KIND_NAMES);
-                self.talk.say(say::unknown_kind(word.span, word.text, near));
+                self.faults
+                    .say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
             }
             None => (kind, self.direction()),
             Some(d) if letters.next().is_none() && kind.is_some() && direction(d).is_some() => {
-                self.talk.say(say::glued(word.span, word.text));
+                self.faults.say(say::glued(word.span, word.text));
                 (kind, direction(d).map(|d| Spanned::new(d, word.span)))
             }
             Some(_) => {
                 let near = named(word.text, &KIND_NAMES);
-                self.talk.say(say::unknown_kind(word.span, word.text, near));
+                self.faults
+                    .say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
             }
         }
@@ -275,7 +277,8 @@ impl<'w> Fields<'w, '_, '_> {
             .and_then(direction)
             .filter(|_| letters.next().is_none());
         if found.is_none() && text != "*" {
-            self.talk.say(say::unknown_direction(word.span, word.text));
+            self.faults
+                .say(say::unknown_direction(word.span, word.text));
         }
         found.map(|d| Spanned::new(d, word.span))
     }
@@ -285,7 +288,7 @@ impl<'w> Fields<'w, '_, '_> {
         match self.peek() {
             Some(w) if !numeric(w.text) && shape(w.text).is_none() => self.next(),
             _ => {
-                self.talk.say(say::missing_field(self.gap(), what));
+                self.faults.say(say::missing_field(self.gap(), what));
                 None
             }
         }
@@ -298,10 +301,11 @@ impl<'w> Fields<'w, '_, '_> {
                 if word.text == "*" {
                     return None;
                 }
-                within(word.text, word.span, &HEIGHT, self.talk)
+                within(word.text, word.span, &HEIGHT, self.faults)
             }
             _ => {
-                self.talk.say(say::missing_field(self.gap(), "its height"));
+                self.faults
+                    .say(say::missing_field(self.gap(), "its height"));
                 None
             }
         }
@@ -309,7 +313,7 @@ impl<'w> Fields<'w, '_, '_> {
 
     fn shape(&mut self) -> Option<Spanned<RoofShape>> {
         let Some(word) = self.peek().filter(|w| !numeric(w.text)) else {
-            self.talk.say(say::missing_field(self.gap(), "its shape"));
+            self.faults.say(say::missing_field(self.gap(), "its shape"));
             return None;
         };
         self.next();
@@ -319,7 +323,7 @@ impl<'w> Fields<'w, '_, '_> {
             self.strange = true;
             let letters = RoofShape::ALL.map(|(letters, _)| letters);
             let near = named(word.text, &SHAPE_NAMES).or_else(|| nearest(&text, &letters));
-            self.talk
+            self.faults
                 .say(say::unknown_shape(word.span, word.text, near));
         }
         found.map(|s| Spanned::new(s, word.span))
@@ -337,14 +341,14 @@ impl<'w> Fields<'w, '_, '_> {
         let mut values = [0.0; 4];
         let mut good = count == 4;
         for (word, value) in corners.iter().zip(&mut values) {
-            match within(word.text, word.span, &CORNER, self.talk) {
+            match within(word.text, word.span, &CORNER, self.faults) {
                 Some(read) => *value = read.value,
                 None => good = false,
             }
         }
         if count < 4 {
             let at = corners.last().map_or(self.gap(), |w| w.span.after());
-            self.talk.say(say::missing_corners(at, count));
+            self.faults.say(say::missing_corners(at, count));
         }
         let [a0, b0, a1, b1] = corners else {
             return None;
@@ -357,25 +361,25 @@ impl<'w> Fields<'w, '_, '_> {
             ('b', b0, b1, values[1] == values[3]),
         ] {
             if same {
-                self.talk
+                self.faults
                     .say(say::no_extent(to.span, from.span, axis, to.text));
                 good = false;
             }
         }
-        good.then(|| Spanned::new(values, all(corners, self.talk.source)))
+        good.then(|| Spanned::new(values, all(corners, self.faults.source)))
     }
 
     fn options(&mut self, style: &mut RoofStyle) {
         let mut seen: Vec<(char, Span)> = vec![];
         while let Some(word) = self.next() {
             if numeric(word.text) {
-                self.talk.say(say::surplus(word.span, "the corners"));
+                self.faults.say(say::surplus(word.span, "the corners"));
                 continue;
             }
             let text = self.capital(word);
             let letter = text.chars().next().unwrap_or(' ');
             if let Some((_, before)) = seen.iter().find(|(l, _)| *l == letter) {
-                self.talk
+                self.faults
                     .say(say::twice(word.span, &letter.to_string(), *before));
             } else {
                 seen.push((letter, word.span));
@@ -393,12 +397,12 @@ impl<'w> Fields<'w, '_, '_> {
         let known = OPTIONS.iter().find(|(l, _)| *l == letter);
         let Some((_, range)) = known.filter(|_| rest.is_empty() || !rest.starts_with(alphabetic))
         else {
-            return self.talk.say(say::unknown_option(word.span, word.text));
+            return self.faults.say(say::unknown_option(word.span, word.text));
         };
         let (text, span) = if rest.is_empty() {
             let apart = self.peek().filter(|w| numeric(w.text));
             let value = apart.map(|w| w.text);
-            self.talk
+            self.faults
                 .say(say::bare_option(word.span, letter, range.what, value));
             let Some(apart) = self.next().filter(|_| value.is_some()) else {
                 return;
@@ -407,7 +411,7 @@ impl<'w> Fields<'w, '_, '_> {
         } else {
             (rest, word.span)
         };
-        let Some(value) = within(text, span, range, self.talk) else {
+        let Some(value) = within(text, span, range, self.faults) else {
             return;
         };
         self.store(letter, value, text, style);
@@ -424,7 +428,7 @@ impl<'w> Fields<'w, '_, '_> {
             _ if value.value.fract() == 0.0 => {
                 style.noshi = Some(Spanned::new(value.value as u32, value.span));
             }
-            _ => self.talk.say(say::no_whole_number(value.span, text)),
+            _ => self.faults.say(say::no_whole_number(value.span, text)),
         }
     }
 }
@@ -433,7 +437,7 @@ impl<'w> Fields<'w, '_, '_> {
 fn fitting(
     direction: Option<Spanned<RoofDirection>>,
     shape: Option<Spanned<RoofShape>>,
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) -> Option<Spanned<RoofDirection>> {
     let (Some(d), Some(s)) = (direction, shape) else {
         return direction;
@@ -448,7 +452,7 @@ fn fitting(
         _ => ridge,
     };
     if !fits {
-        talk.say(say::direction_misfit(
+        faults.say(say::direction_misfit(
             d.span,
             s.span,
             s.value.letters(),

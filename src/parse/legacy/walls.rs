@@ -2,9 +2,9 @@
 
 use super::cells::{columns, pieces};
 use super::line::{CELL, Line};
-use super::talk::Talk;
 use crate::ast::{Item, Loop, Row, Storey};
 use crate::diagnostic::messages::legacy as say;
+use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
 use std::ops::Range;
 
@@ -34,17 +34,17 @@ impl Walls {
     }
 
     /// Reads one line of codes.
-    pub(super) fn read(&mut self, line: &Line<'_>, talk: &mut Talk<'_>) {
-        let end = comment(line, talk);
-        talk.mended_walls(line, line.written(end));
+    pub(super) fn read(&mut self, line: &Line<'_>, faults: &mut Faults<'_>) {
+        let end = comment(line, faults);
+        faults.mended_walls(line, line.written(end));
         let mut next = 0..end;
         while !next.is_empty() {
             let this = match first_turn(&line.text[next.clone()]) {
                 Some(at) => next.start..next.start + at + 1,
-                None => before_reset(line, next.clone(), talk),
+                None => before_reset(line, next.clone(), faults),
             };
-            if !self.inner_turn(line, this.clone(), end, talk) {
-                self.wall(line, this.clone(), talk);
+            if !self.inner_turn(line, this.clone(), end, faults) {
+                self.wall(line, this.clone(), faults);
             }
             let rest = &line.text[this.end..end];
             next = end - rest.trim_start_matches(' ').len()..end;
@@ -52,19 +52,19 @@ impl Walls {
     }
 
     /// Closes the last storey and hands the storeys over.
-    pub(super) fn finish(&mut self, talk: &mut Talk<'_>) -> Vec<Item<Storey>> {
+    pub(super) fn finish(&mut self, faults: &mut Faults<'_>) -> Vec<Item<Storey>> {
         if let Some(reset) = self.reset.filter(|_| !self.storeys.is_empty()) {
-            talk.say(say::last_reset(reset));
+            faults.say(say::last_reset(reset));
         }
         self.close();
         std::mem::take(&mut self.storeys)
     }
 
-    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) {
-        let (codes, control) = ending(line, range.clone(), talk);
-        let pieces = pieces(line, range.start..codes, control.is_some(), talk);
-        let span = line.span(talk.source, range);
-        let control = control.map(|(c, at)| (c, line.span(talk.source, at)));
+    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) {
+        let (codes, control) = ending(line, range.clone(), faults);
+        let pieces = pieces(line, range.start..codes, control.is_some(), faults);
+        let span = line.span(faults.source, range);
+        let control = control.map(|(c, at)| (c, line.span(faults.source, at)));
         let turn = control.and_then(|(c, at)| match c {
             Control::Left => Some(Spanned::new(-90.0, at)),
             Control::Right => Some(Spanned::new(90.0, at)),
@@ -75,7 +75,7 @@ impl Walls {
         if reset.is_none() || !pieces.is_empty() {
             self.rows.push(Item::One(Row { span, pieces, turn }));
         } else if self.rows.is_empty() {
-            talk.say(say::empty_storey(span, self.storeys.len() + 1));
+            faults.say(say::empty_storey(span, self.storeys.len() + 1));
         }
         self.span = Some(self.span.map_or(span, |s| s.to(span)));
         if reset.is_some() {
@@ -91,16 +91,16 @@ impl Walls {
         line: &Line<'_>,
         range: Range<usize>,
         end: usize,
-        talk: &mut Talk<'_>,
+        faults: &mut Faults<'_>,
     ) -> bool {
         let rest = line.text[range.end..end].trim_start_matches(' ');
         let text = line.text[range.clone()].trim_start_matches(' ');
         if rest.is_empty() || !text.ends_with(['L', 'R']) {
             return false;
         }
-        let span = line.span(talk.source, range.end - 1..range.end);
+        let span = line.span(faults.source, range.end - 1..range.end);
         let (letter, leads) = (&text[text.len() - 1..], text.len() == 1);
-        talk.say(say::inner_turn(span, letter, leads));
+        faults.say(say::inner_turn(span, letter, leads));
         if let Some(Item::One(row)) = self.rows.last_mut().filter(|_| leads) {
             let degrees = if letter == "L" { -90.0 } else { 90.0 };
             row.turn.get_or_insert(Spanned::new(degrees, span));
@@ -126,7 +126,7 @@ impl Walls {
 }
 
 /// The end of what is no comment. A `#` inside a code is a character like any other.
-fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
+fn comment(line: &Line<'_>, faults: &mut Faults<'_>) -> usize {
     let text = &*line.text;
     if !text.as_bytes().contains(&b'#') {
         return text.len();
@@ -139,8 +139,8 @@ fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
     }) else {
         return text.len();
     };
-    let span = line.span(talk.source, at..text.trim_end().len());
-    talk.say(say::comment_column(span));
+    let span = line.span(faults.source, at..text.trim_end().len());
+    faults.say(say::comment_column(span));
     text[..at].trim_end_matches(' ').len()
 }
 
@@ -148,7 +148,8 @@ fn comment(line: &Line<'_>, talk: &mut Talk<'_>) -> usize {
 /// left alone: own parts may be called so.
 fn first_turn(text: &str) -> Option<usize> {
     // No farther than the next `^`, and each column counted once: a line may be a megabyte of either.
-    let bytes = &text.as_bytes()[..text.find('^').unwrap_or(text.len())];
+    let end = text.bytes().position(|b| b == b'^').unwrap_or(text.len());
+    let bytes = &text.as_bytes()[..end];
     let (mut at, mut counted, mut column) = (0, 0, 0);
     while let Some(found) = bytes[at..].iter().position(|b| matches!(b, b'L' | b'R')) {
         at += found;
@@ -168,17 +169,17 @@ fn first_turn(text: &str) -> Option<usize> {
 }
 
 /// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
-fn before_reset(line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) -> Range<usize> {
+fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) -> Range<usize> {
     let text = &line.text[range.clone()];
-    let Some(at) = text.find('^') else {
+    let Some(at) = text.bytes().position(|b| b == b'^') else {
         return range;
     };
     let rest = text[at + 1..].trim_start_matches(' ');
     if rest.is_empty() {
         return range;
     }
-    let span = line.span(talk.source, range.end - rest.len()..range.end);
-    talk.say(say::after_reset(span));
+    let span = line.span(faults.source, range.end - rest.len()..range.end);
+    faults.say(say::after_reset(span));
     range.start..range.start + at + 1
 }
 
@@ -186,7 +187,7 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, talk: &mut Talk<'_>) -> Ra
 fn ending(
     line: &Line<'_>,
     range: Range<usize>,
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) -> (usize, Option<(Control, Range<usize>)>) {
     let text = line.text[range.clone()].trim_end_matches(' ');
     let Some((control, lower)) = text.chars().next_back().and_then(control) else {
@@ -194,14 +195,14 @@ fn ending(
     };
     let before = &text[..text.len() - 1];
     let at = range.start + before.len()..range.start + text.len();
-    let span = line.span(talk.source, at.clone());
+    let span = line.span(faults.source, at.clone());
     if columns(before).is_multiple_of(CELL) {
         if lower {
-            talk.say(say::lower_control(span, &text[before.len()..]));
+            faults.say(say::lower_control(span, &text[before.len()..]));
         }
         if at.end < range.end {
-            let blanks = line.span(talk.source, at.end..range.end);
-            talk.say(say::blanks_after(blanks, &text[before.len()..]));
+            let blanks = line.span(faults.source, at.end..range.end);
+            faults.say(say::blanks_after(blanks, &text[before.len()..]));
         }
         return (at.start, Some((control, at)));
     }
@@ -211,7 +212,7 @@ fn ending(
     }
     let letter = &text[before.len()..];
     let mut codes = before.trim_end_matches(' ');
-    talk.say(say::misplaced_control(
+    faults.say(say::misplaced_control(
         span,
         letter,
         columns(before),

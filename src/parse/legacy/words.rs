@@ -1,8 +1,8 @@
 //! Words and numbers: what header and roof lines are made of.
 
 use super::line::Line;
-use super::talk::Talk;
 use crate::diagnostic::messages::legacy as say;
+use crate::parse::faults::Faults;
 use crate::source::{Source, Span, Spanned};
 use nom::bytes::complete::{take_till1, take_while};
 use nom::combinator::{all_consuming, consumed};
@@ -18,18 +18,18 @@ pub(super) struct Word<'l> {
 }
 
 /// The words of a line, up to a comment that does not belong there.
-pub(super) fn words<'l>(line: &'l Line<'_>, talk: &mut Talk<'_>) -> Vec<Word<'l>> {
+pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Faults<'_>) -> Vec<Word<'l>> {
     let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
     while let Ok((next, (read, word))) = word(rest) {
         let end = at + read.len();
         let start = end - word.len();
         let text = &line.text[start..end];
         if text.starts_with('#') {
-            let comment = line.span(talk.source, start..line.text.trim_end().len());
-            talk.say(say::comment_column(comment));
+            let comment = line.span(faults.source, start..line.text.trim_end().len());
+            faults.say(say::comment_column(comment));
             break;
         }
-        let span = line.span(talk.source, start..end);
+        let span = line.span(faults.source, start..end);
         found.push(Word { text, span });
         (rest, at) = (next, end);
     }
@@ -79,10 +79,10 @@ pub(super) fn within(
     text: &str,
     span: Span,
     range: &Range64,
-    talk: &mut Talk<'_>,
+    faults: &mut Faults<'_>,
 ) -> Option<Spanned<f64>> {
     let value = number(text).or_else(|| {
-        talk.say(say::not_a_number(span, text, range.what));
+        faults.say(say::not_a_number(span, text, range.what));
         number(
             text.trim_end_matches([',', ';'])
                 .trim_start_matches(['=', ':']),
@@ -93,7 +93,7 @@ pub(super) fn within(
         return Some(Spanned::new(value, span));
     }
     let (least, most) = (*range.bounds.start(), *range.bounds.end());
-    talk.say(say::out_of_range(
+    faults.say(say::out_of_range(
         span, text, range.what, least, most, range.unit,
     ));
     None

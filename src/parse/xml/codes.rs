@@ -8,7 +8,7 @@ use super::read::Reader;
 use super::suggest::narrow_ascii;
 use super::tag::is_blank;
 use super::text::{REPORTED, Text};
-use crate::ast::{CodeText, Item, Part, Piece};
+use crate::ast::{Item, Piece};
 use crate::diagnostic::messages::xml as say;
 use crate::source::Spanned;
 use std::ops::Range;
@@ -167,11 +167,7 @@ impl Reader<'_, '_> {
         }
         let range = columns.first()?.range.start..columns.last()?.range.end;
         let span = self.faults.span(&text.range(range));
-        Some(Item::One(Piece::Part(Part {
-            code: Spanned::new(CodeText::Five(five), span),
-            width: None,
-            height: None,
-        })))
+        Some(Item::One(Piece::Code(five, span)))
     }
 }
 

@@ -81,11 +81,17 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         self.no_children(element);
         let reflection = self.number(&of, "reflection", 0.0..=100.0);
+        let code = self.text(&of, "code");
+        if let Some(src) = of.get("src") {
+            let name = code.as_ref().map_or("", |c| c.value.as_str());
+            self.faults.at(&src.range, |s| {
+                say::src_not_yet(s, src.value.as_str(), name)
+            });
+        }
         Some(Texture {
             span: self.whole(element),
             reflection: reflection.map(|r| self.share(r)),
-            src: self.text(&of, "src"),
-            code: self.text(&of, "code")?,
+            code: code?,
         })
     }
 

@@ -59,7 +59,7 @@ impl<'t> Reader<'t, '_> {
         turns: bool,
     ) -> Option<Item<Piece>> {
         match schema.tag {
-            Tag::Part => Some(Item::One(Piece::Part(self.part(schema, element)))),
+            Tag::Part => Some(Item::One(self.part(schema, element))),
             Tag::Split => {
                 let split = self.split(schema, element);
                 Some(Item::One(Piece::Split(Box::new(split))))
@@ -67,17 +67,17 @@ impl<'t> Reader<'t, '_> {
             Tag::Repeat => {
                 let num = self.repeat_num(schema, element);
                 let line = self.line(element, &schema::PIECES, turns);
-                Some(Item::Repeat(Repeat {
+                Some(Item::Repeat(Box::new(Repeat {
                     span: self.start(element),
                     num,
                     body: line.pieces,
-                }))
+                })))
             }
             _ => self.operation(schema, element),
         }
     }
 
-    fn part(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Part {
+    fn part(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Piece {
         let of = self.attributes(schema, element);
         self.no_children(element);
         // A part without a code becomes a void, so that the row keeps its length.
@@ -85,11 +85,16 @@ impl<'t> Reader<'t, '_> {
             Some(text) => Spanned::new(CodeText::new(&text.value), text.span),
             None => Spanned::new(CodeText::new(""), self.start(element)),
         };
-        Part {
-            code,
-            width: self.number(&of, "width", 0.0..=1e5),
-            height: self.number(&of, "height", SIZE),
+        let width = self.number(&of, "width", 0.0..=1e5);
+        let height = self.number(&of, "height", SIZE);
+        if width.is_none() && height.is_none() {
+            return Piece::new(code.value, code.span);
         }
+        Piece::Part(Box::new(Part {
+            code,
+            width,
+            height,
+        }))
     }
 
     fn split(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Split {
@@ -193,7 +198,10 @@ impl<'t> Reader<'t, '_> {
         each: fn(&mut Self, &'static Schema, &'t Element<'t>) -> T,
     ) -> Option<Item<T>> {
         match schema.tag {
-            Tag::Repeat => Some(Item::Repeat(self.repeat(schema, element, content, each))),
+            Tag::Repeat => {
+                let repeat = self.repeat(schema, element, content, each);
+                Some(Item::Repeat(Box::new(repeat)))
+            }
             Tag::Random | Tag::Replace => self.operation(schema, element),
             _ => Some(Item::One(each(self, schema, element))),
         }
@@ -205,9 +213,11 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
     ) -> Option<Item<T>> {
         if schema.tag == Tag::Random {
-            self.random(schema, element).map(Item::Random)
+            let random = self.random(schema, element);
+            random.map(|r| Item::Random(Box::new(r)))
         } else {
-            self.replace(schema, element).map(Item::Replace)
+            let replace = self.replace(schema, element);
+            replace.map(|r| Item::Replace(Box::new(r)))
         }
     }
 

@@ -1,12 +1,12 @@
 //! What every element's reader shares: its children and attributes, checked against the tables.
 
-use super::faults::Faults;
 use super::schema::{self, Content, Schema, Tag};
 use super::suggest::Suggest;
 use super::tag::{Attribute, is_blank};
 use super::text::Text;
 use super::tree::{Child, Element, Tree};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::faults::Faults;
 use crate::source::Span;
 
 /// The state of the second step, from the tree to the document.

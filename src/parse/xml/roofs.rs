@@ -38,6 +38,7 @@ impl<'t> Reader<'t, '_> {
     pub(super) fn roofs(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Roofs {
         let of = self.attributes(schema, element);
         let mut roofs = Roofs {
+            span: Some(self.start(element)),
             mode: self.choice(&of, "mode", MODES),
             method: self.choice(&of, "method", METHODS),
             style: self.style(&of),

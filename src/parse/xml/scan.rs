@@ -5,9 +5,9 @@
 //! tag no further than the next `<`; a comment and its like may hold one and get the rest of the file, until an end
 //! of their kind was looked for in vain. Whatever is left open ends at the next line that begins with `<`.
 
-use super::faults::Faults;
 use super::tag::{Attribute, is_blank, is_name_start, narrow};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::faults::Faults;
 use quick_xml::{Reader, events::Event};
 use std::ops::Range;
 
@@ -58,11 +58,11 @@ pub(super) struct Scanner<'a, 'f> {
 }
 
 impl<'a, 'f> Scanner<'a, 'f> {
-    pub(super) fn new(faults: &'f mut Faults<'a>) -> Self {
+    pub(super) fn new(faults: &'f mut Faults<'a>, at: usize) -> Self {
         Scanner {
             text: faults.source.text(),
             faults,
-            at: 0,
+            at,
             endless: [false; ENCLOSED.len()],
         }
     }

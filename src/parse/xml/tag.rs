@@ -1,9 +1,9 @@
 //! Tags: those that quick-xml reads and nothing is wrong with, and everything that can be wrong inside `<` and `>`.
 
-use super::faults::Faults;
 use super::scan::{EndTag, Scanner, StartTag};
 use super::text::{Run, Text};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::faults::Faults;
 use quick_xml::events::{BytesEnd, BytesStart};
 use std::collections::HashMap;
 use std::ops::Range;

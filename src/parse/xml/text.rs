@@ -3,8 +3,8 @@
 //! `&amp;` is one character of the text and five of the file, a comment is none of the text; so a text
 //! carries pieces that map its offsets back.
 
-use super::faults::Faults;
 use crate::diagnostic::messages::{file, xml as say};
+use crate::parse::faults::Faults;
 use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::{BytesRef, Event};
 use quick_xml::reader::Reader;

@@ -5,13 +5,13 @@
 //! as deep as the limit says, so that later steps may recurse; children are in the order of the file; texts of
 //! white space only are left out. The tree itself is built and dropped without recursion.
 
-use super::faults::Faults;
 use super::scan::{EndTag, Scanner, StartTag, Token};
 use super::slash::Slashes;
 use super::suggest::alike;
 use super::tag::{Attribute, is_blank};
 use super::text::{Run, Text};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::faults::Faults;
 use crate::source::Span;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -63,8 +63,13 @@ pub(super) enum Child<'a> {
     Text(Text<'a>),
 }
 
-/// Reads a file.
-pub(super) fn read<'a>(faults: &mut Faults<'a>, nesting: usize, habits: Habits) -> Tree<'a> {
+/// Reads a file from an offset on.
+pub(super) fn read<'a>(
+    faults: &mut Faults<'a>,
+    at: usize,
+    nesting: usize,
+    habits: Habits,
+) -> Tree<'a> {
     let mut builder = Builder {
         tree: Tree {
             elements: vec![],
@@ -77,7 +82,7 @@ pub(super) fn read<'a>(faults: &mut Faults<'a>, nesting: usize, habits: Habits) 
         habits,
         slashes: Slashes::new(),
     };
-    let mut scanner = Scanner::new(faults);
+    let mut scanner = Scanner::new(faults, at);
     while let Some(token) = scanner.token() {
         let (at, text) = (scanner.at, scanner.text);
         let faults = &mut *scanner.faults;

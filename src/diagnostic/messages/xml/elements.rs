@@ -277,3 +277,13 @@ pub fn repeats_nothing(span: Span) -> Diagnostic {
         "put the parts between `<repeat num=\"...\">` and `</repeat>`; a void is `<Part code=\"     \"/>`",
     )
 }
+
+/// The file of a texture, which this version finds by its name.
+#[cold]
+pub fn src_not_yet(span: Span, file: &str, code: &str) -> Diagnostic {
+    let ending = file.rsplit_once('.').map_or("png", |(_, ending)| ending);
+    let message = "`src` is not read by this version: a part picture is found by its name";
+    Diagnostic::warning(243, span, message).help(format!(
+        "name the file `{code}.{ending}` and put it into the folder of this file or its `textures` folder, or take `src` away"
+    ))
+}

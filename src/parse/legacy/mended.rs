@@ -1,55 +1,13 @@
-//! Where the reader of the legacy text sends its messages.
-//!
-//! A file of a million broken lines must not make a million messages (language.md 7), so after
-//! [`ENOUGH`] the rest is counted only; the last message says how many there were.
+//! What is said of characters that were mended in a line: how much of it depends on what the line is.
 
 use super::line::{Line, Odd};
-use crate::diagnostic::messages::{file, legacy as say};
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
-use crate::source::{Source, Span};
+use crate::catalog::{Catalog, PartDef};
+use crate::diagnostic::messages::{file, legacy as say, parts};
+use crate::parse::faults::Faults;
+use crate::source::Span;
 use std::ops::Range;
 
-/// Messages on one file that are passed on.
-const ENOUGH: usize = 500;
-
-/// The source under way and the messages on it.
-pub(super) struct Talk<'a> {
-    pub(super) source: &'a Source,
-    out: &'a mut Diagnostics,
-    said: usize,
-    /// The worst of those left out.
-    worst: Option<Severity>,
-}
-
-impl<'a> Talk<'a> {
-    pub(super) fn new(source: &'a Source, out: &'a mut Diagnostics) -> Self {
-        Talk {
-            source,
-            out,
-            said: 0,
-            worst: None,
-        }
-    }
-
-    pub(super) fn say(&mut self, diagnostic: Diagnostic) {
-        self.said += 1;
-        if self.said <= ENOUGH {
-            self.out.push(diagnostic);
-        } else {
-            self.worst = self.worst.max(Some(diagnostic.severity));
-        }
-    }
-
-    /// Says how much was left out.
-    pub(super) fn finish(self) {
-        if let Some(worst) = self.worst {
-            let end = self.source.text().len();
-            let span = self.source.span(end..end);
-            self.out
-                .push(file::more_messages(span, self.said - ENOUGH, worst));
-        }
-    }
-
+impl Faults<'_> {
     /// Reports what was mended in a wall line up to `end`, an offset in `raw` where a comment may begin:
     /// every character before it stands for a column.
     pub(super) fn mended_walls(&mut self, line: &Line<'_>, end: usize) {
@@ -84,17 +42,22 @@ impl<'a> Talk<'a> {
     fn mended(&mut self, line: &Line<'_>, finding: usize) {
         let finding = &line.findings[finding];
         let written = &line.raw[finding.range.clone()];
-        let count = written.chars().count();
+        if finding.kind == Odd::Replacement {
+            return; // Said once of the whole file.
+        }
         let first = written.chars().next().unwrap_or(' ');
         let span = self.raw_span(line, finding.range.clone());
-        self.say(match finding.kind {
-            Odd::WideBlank => say::wide_blank(span, count),
+        self.push(|| match finding.kind {
+            Odd::WideBlank => say::wide_blank(span, written.chars().count()),
             Odd::Tab => say::tab(span),
             Odd::Wide => say::wide_letters(span, written),
             Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first),
             Odd::Control => file::control_character(span, first),
-            Odd::Foreign => say::foreign(span, written),
-            Odd::Replacement => return,
+            Odd::PartName => {
+                let part = Catalog::builtin().called(written);
+                parts::part_name(span, written, part.map_or("", PartDef::code))
+            }
+            Odd::Foreign | Odd::Replacement => say::foreign(span, written),
         });
     }
 

@@ -1,14 +1,15 @@
-//! Where the reader's messages go: spans are made here, and a flood of them ends here.
+//! Where the readers' messages go: spans are made here, and a flood of them ends here.
 //!
-//! A file that is no XML at all can hold a fault a byte. Nobody reads a million messages, and keeping them would take
-//! more memory than a file is allowed to (language.md 7); so after [`ENOUGH`] the rest is counted only.
+//! A file of a million broken lines, or one that is no XML at all, can hold a fault a byte. Nobody reads a million
+//! messages, and keeping them would take more memory than a file is allowed to (language.md 7); so after [`ENOUGH`]
+//! the rest is counted only, and the last message says how many there were.
 
 use crate::diagnostic::messages::file;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::source::{Source, Span};
 use std::ops::Range;
 
-/// Messages on one file that are passed on, as many as on legacy text.
+/// Messages on one file that are passed on.
 const ENOUGH: usize = 500;
 
 /// The faults found in one source.
@@ -54,6 +55,11 @@ impl<'a> Faults<'a> {
         } else if self.worst < Some(Severity::Error) {
             self.worst = self.worst.max(Some(message().severity));
         }
+    }
+
+    /// Takes a message that is made already.
+    pub(super) fn say(&mut self, message: Diagnostic) {
+        self.push(|| message);
     }
 
     /// Says how much was left out.

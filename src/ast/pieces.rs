@@ -1,0 +1,120 @@
+//! What stands in a wall line.
+
+use super::Item;
+use crate::source::{Span, Spanned};
+use serde::Serialize;
+
+/// What stands in a wall line. Texts hold hundreds of thousands of codes, so a code takes as little room as it
+/// can, and what is rare stands in a box.
+#[derive(Clone, Debug, Serialize)]
+pub enum Piece {
+    /// A code of five columns of which nothing more is said; the span is on it, and may be shorter.
+    Code(#[serde(serialize_with = "as_text")] [u8; 5], Span),
+    /// A part with a name of another length, a width or a height.
+    Part(Box<Part>),
+    /// One storey part divided above and below (003-09).
+    Split(Box<Split>),
+    /// What the reader could not take, and has reported: a part of 1 U whose looks nobody knows.
+    Error(Span),
+}
+
+impl Piece {
+    /// A code of which nothing more is said.
+    pub fn new(code: CodeText, span: Span) -> Piece {
+        match code {
+            CodeText::Five(five) => Piece::Code(five, span),
+            name => Piece::Part(Box::new(Part {
+                code: Spanned::new(name, span),
+                width: None,
+                height: None,
+            })),
+        }
+    }
+
+    /// Its code, if it has one.
+    pub fn code(&self) -> Option<Spanned<CodeText>> {
+        match self {
+            Piece::Code(five, span) => Some(Spanned::new(CodeText::Five(*five), *span)),
+            Piece::Part(part) => Some(part.code.clone()),
+            Piece::Split(_) | Piece::Error(_) => None,
+        }
+    }
+}
+
+fn as_text<S: serde::Serializer>(five: &[u8; 5], s: S) -> Result<S::Ok, S::Error> {
+    CodeText::Five(*five).serialize(s)
+}
+
+/// A code with what was said about this one use of it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Part {
+    /// The code as written, `span` on it. Shorter than 5 where blanks were lost.
+    pub code: Spanned<CodeText>,
+    /// Width in U instead of the catalogue's.
+    pub width: Option<Spanned<f64>>,
+    /// Height in shaku instead of the storey's.
+    pub height: Option<Spanned<f64>>,
+}
+
+/// `<split ratio="0.5"><upper/><lower/></split>`.
+#[derive(Clone, Debug, Serialize)]
+pub struct Split {
+    /// The start tag.
+    pub span: Span,
+    /// Share of the upper half in the height, 0 to 1.
+    pub ratio: Option<Spanned<f64>>,
+    /// Above.
+    pub upper: Half,
+    /// Below.
+    pub lower: Half,
+}
+
+/// One half of a split.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Half {
+    /// The element.
+    pub span: Span,
+    /// From right to left as seen from outside.
+    pub pieces: Vec<Item<Piece>>,
+}
+
+/// The text of a code: up to five bytes in place, since texts hold hundreds of thousands of them.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub enum CodeText {
+    /// A code of the catalogue's form, padded with blanks.
+    Five([u8; 5]),
+    /// A name of any other length: an own part or a part picture.
+    Name(Box<str>),
+}
+
+impl CodeText {
+    /// ASCII of at most five bytes is padded to a code; everything else is a name.
+    pub fn new(text: &str) -> CodeText {
+        if text.len() > 5 || !text.is_ascii() {
+            return CodeText::Name(text.into());
+        }
+        let mut five = [b' '; 5];
+        five[..text.len()].copy_from_slice(text.as_bytes());
+        CodeText::Five(five)
+    }
+
+    /// The text, with its padding.
+    pub fn as_str(&self) -> &str {
+        match self {
+            CodeText::Five(five) => std::str::from_utf8(five).unwrap_or_default(),
+            CodeText::Name(name) => name,
+        }
+    }
+}
+
+impl std::fmt::Debug for CodeText {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:?}", self.as_str())
+    }
+}
+
+impl Serialize for CodeText {
+    fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.serialize_str(self.as_str())
+    }
+}

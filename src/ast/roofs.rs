@@ -1,0 +1,190 @@
+//! The roof section of a house (`domain.md` 6).
+
+use crate::source::{Span, Spanned};
+use serde::Serialize;
+
+/// Which roofs stand: the written ones, and automatic ones for the rest or none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub enum RoofMode {
+    /// The lines, and automatic roofs for what they leave open.
+    #[default]
+    Auto,
+    /// The lines only.
+    Explicit,
+}
+
+/// How a plan is divided into roofs (language.md 4).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub enum RoofMethod {
+    /// Least roof is cut.
+    #[default]
+    LeastCut,
+    /// The published method (001-15 to 001-19).
+    Kd,
+}
+
+/// The roof section of a house.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Roofs {
+    /// The start tag of the section, if it has one.
+    pub span: Option<Span>,
+    /// Automatic roofs or not.
+    pub mode: Option<Spanned<RoofMode>>,
+    /// The method of the automatic ones.
+    pub method: Option<Spanned<RoofMethod>>,
+    /// What the automatic ones look like.
+    pub style: RoofStyle,
+    /// Roofs with a place of their own.
+    pub lines: Vec<RoofLine>,
+}
+
+/// What covers a roof (`domain.md` 6, column 1).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
+pub enum RoofKind {
+    /// K, kawara-buki: tiles.
+    Tiles,
+    /// I, ita-buki: boards.
+    Boards,
+    /// S, kokera: shingles.
+    Shingles,
+    /// H, hiwada: bark.
+    Bark,
+    /// Y, kaya: thatch.
+    Thatch,
+    /// T, totan: metal.
+    Metal,
+}
+
+/// The form of a roof (`domain.md` 6).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum RoofShape {
+    /// KIR, kirizuma: gable.
+    Gable,
+    /// YOS, yosemune: hip.
+    Hip,
+    /// YOK, yokonaga-kirizuma: gable with its ridge along the short side.
+    BroadGable,
+    /// IRI, irimoya: hip and gable.
+    HipAndGable,
+    /// HOG, hogyo: pyramid.
+    Pyramid,
+    /// KAT, katanagare: lean-to.
+    LeanTo,
+    /// HIS, hisashi: pent roof outside the walls.
+    Pent,
+    /// TER, tera: temple.
+    Temple,
+    /// KAR, karahafu: undulating gable.
+    Karahafu,
+    /// RIK, rikuyane: flat, with a parapet.
+    Flat,
+}
+
+impl RoofShape {
+    /// Every shape with its letters.
+    pub const ALL: [(&'static str, RoofShape); 10] = [
+        ("KIR", RoofShape::Gable),
+        ("YOS", RoofShape::Hip),
+        ("YOK", RoofShape::BroadGable),
+        ("IRI", RoofShape::HipAndGable),
+        ("HOG", RoofShape::Pyramid),
+        ("KAT", RoofShape::LeanTo),
+        ("HIS", RoofShape::Pent),
+        ("TER", RoofShape::Temple),
+        ("KAR", RoofShape::Karahafu),
+        ("RIK", RoofShape::Flat),
+    ];
+
+    /// The shape of three letters.
+    pub fn from_letters(letters: &str) -> Option<RoofShape> {
+        Self::ALL
+            .iter()
+            .find(|(l, _)| *l == letters)
+            .map(|(_, shape)| *shape)
+    }
+
+    /// Its three letters.
+    pub fn letters(self) -> &'static str {
+        Self::ALL
+            .iter()
+            .find(|(_, shape)| *shape == self)
+            .map_or("KIR", |(letters, _)| letters)
+    }
+}
+
+impl RoofKind {
+    /// Every kind with its letter.
+    pub const ALL: [(char, RoofKind); 6] = [
+        ('K', RoofKind::Tiles),
+        ('I', RoofKind::Boards),
+        ('S', RoofKind::Shingles),
+        ('H', RoofKind::Bark),
+        ('Y', RoofKind::Thatch),
+        ('T', RoofKind::Metal),
+    ];
+
+    /// The kind of a letter.
+    pub fn from_letter(letter: char) -> Option<RoofKind> {
+        Self::ALL
+            .iter()
+            .find(|(l, _)| *l == letter)
+            .map(|(_, kind)| *kind)
+    }
+}
+
+/// The run of a ridge, or the fall of a single slope.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum RoofDirection {
+    /// X: ridge parallel to the first line.
+    AlongFront,
+    /// Y: ridge at right angles to it.
+    AcrossFront,
+    /// F: falls to the front (-b).
+    Front,
+    /// B: falls to the back (+b).
+    Back,
+    /// L: falls to the left (+a).
+    Left,
+    /// R: falls to the right (-a).
+    Right,
+}
+
+/// Options of a roof; `None` = by kind, shape and span.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct RoofStyle {
+    /// Covering.
+    pub kind: Option<Spanned<RoofKind>>,
+    /// Form.
+    pub shape: Option<Spanned<RoofShape>>,
+    /// P: rise in sun per shaku (4.0 = 4/10).
+    pub pitch: Option<Spanned<f64>>,
+    /// E: horizontal overhang beyond the wall line, shaku.
+    pub eaves: Option<Spanned<f64>>,
+    /// G: overhang beyond the gable wall, shaku.
+    pub verge: Option<Spanned<f64>>,
+    /// T: thickness, shaku.
+    pub thickness: Option<Spanned<f64>>,
+    /// M: courses of ridge tiles.
+    pub noshi: Option<Spanned<u32>>,
+    /// S: sagitta of the slope in per cent of its length; negative is convex (mukuri).
+    pub sori: Option<Spanned<f64>>,
+    /// C: place of an irimoya's gable, share of the span.
+    pub gable: Option<Spanned<f64>>,
+    /// O: no onigawara.
+    pub plain_ridge: Option<Spanned<bool>>,
+}
+
+/// One roof line, or one `Roof` element.
+#[derive(Clone, Debug, Serialize)]
+pub struct RoofLine {
+    /// The whole line.
+    pub span: Span,
+    /// Options.
+    pub style: RoofStyle,
+    /// Ridge or fall; `None` = automatic.
+    pub direction: Option<Spanned<RoofDirection>>,
+    /// Eaves height in shaku above z = 0; `None` = the top of the topmost uncovered storey there.
+    pub height: Option<Spanned<f64>>,
+    /// a0 b0 a1 b1 in U, any two opposite corners.
+    pub corners: Spanned<[f64; 4]>,
+}

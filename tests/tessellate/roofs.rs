@@ -1,0 +1,131 @@
+//! Roofs over the walls.
+
+use super::*;
+
+#[test]
+fn low_walls_under_a_lean_to() {
+    let height = 9.0 * SHAKU;
+    let mut building = simple(&["KSK  KSK  ", "GSI  KSK  ", "KSK  KSK  ", "KSK  KSK  "]);
+    building.roofs[0].ceilings.push(Ceiling {
+        storey: 1,
+        rect: [0.0, 0.0, 2.0, 2.0],
+        z: height,
+        slope: dvec2(0.0, -0.3),
+    });
+    let scene = scene(&building);
+    let top = |name: &str| {
+        let facade = scene
+            .nodes
+            .iter()
+            .position(|n| n.name == name)
+            .expect("a facade");
+        let here = |n: &&Node| n.parent.is_some_and(|p| p.0 as usize == facade);
+        let nodes = scene
+            .nodes
+            .iter()
+            .filter(here)
+            .filter_map(|n| Some((n, n.mesh?)));
+        let tops =
+            nodes.map(|(n, m)| n.at.z as f32 + bounds(&triangles(&scene.meshes[m.0 as usize])).1.z);
+        tops.fold(0.0, f32::max)
+    };
+    assert!((f64::from(top("facade 1")) - height).abs() < 2e-3);
+    assert!((f64::from(top("facade 2")) - height).abs() < 2e-3);
+    assert!((f64::from(top("facade 3")) - (height - 0.6)).abs() < 2e-3);
+    assert_eq!(
+        scene
+            .nodes
+            .iter()
+            .filter(|n| n.name.starts_with("wedge"))
+            .count(),
+        4
+    );
+}
+
+/// A prism whose cross-section is not convex, as a flat roof of an L.
+fn flat_roof() -> Solid {
+    let plan = [
+        (0.0, 0.0),
+        (4.0, 0.0),
+        (4.0, 2.0),
+        (2.0, 2.0),
+        (2.0, 4.0),
+        (1.0, 4.0),
+        (0.0, 4.0),
+    ];
+    let n = plan.len() as u32;
+    let at = |z: f64| plan.iter().map(move |(x, y)| glam::dvec3(*x, *y, z));
+    let mut faces = vec![
+        Face {
+            corners: (0..n).rev().collect(),
+            finish: Finish::Soffit,
+        },
+        Face {
+            corners: (n..2 * n).collect(),
+            finish: Finish::Covering(RoofKind::Metal),
+        },
+    ];
+    for i in 0..n {
+        let j = (i + 1) % n;
+        faces.push(Face {
+            corners: vec![i, j, n + j, n + i],
+            finish: Finish::Edge(RoofKind::Metal),
+        });
+    }
+    Solid {
+        points: at(3.0).chain(at(3.2)).collect(),
+        faces,
+    }
+}
+
+#[test]
+fn roofs_become_one_mesh() {
+    let mut building = simple(&["KSK  ", "KSK  ", "KSK  ", "KSK  "]);
+    building.roofs[0].roofs.push(Roof {
+        storey: 1,
+        span: None,
+        shape: RoofShape::Flat,
+        kind: RoofKind::Metal,
+        solids: vec![flat_roof()],
+    });
+    let scene = scene(&building);
+    let roof = named(&scene, "roof 1");
+    assert_eq!((roof.kind, roof.shape), (Kind::Roof, Some("RIK")));
+    let mesh = &scene.meshes[roof.mesh.expect("a mesh").0 as usize];
+    // Metal's edge has the covering's surface.
+    assert_eq!(mesh.primitives.len(), 2);
+    assert_eq!(triangles(mesh).len(), 2 * 5 + 7 * 2);
+}
+
+#[test]
+fn courses_lie_level_and_run_up_the_slope() {
+    let points = [
+        (0.0, 0.0, 0.0),
+        (3.0, 0.0, 0.0),
+        (3.0, 4.0, 3.0),
+        (0.0, 4.0, 3.0),
+    ];
+    let solid = Solid {
+        points: points.map(|(x, y, z)| glam::dvec3(x, y, z)).to_vec(),
+        faces: vec![Face {
+            corners: vec![0, 1, 2, 3],
+            finish: Finish::Covering(RoofKind::Tiles),
+        }],
+    };
+    let mut building = building(Vec::new());
+    building.roofs[0].roofs.push(Roof {
+        storey: 1,
+        span: None,
+        shape: RoofShape::LeanTo,
+        kind: RoofKind::Tiles,
+        solids: vec![solid],
+    });
+    let scene = tessellate(&building, Catalog::builtin());
+    let slope = &scene.meshes[0].primitives[0];
+    let close = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-5;
+    assert!(
+        close(slope.uvs[0], [0.0, 0.0]) && close(slope.uvs[2], [3.0, 5.0]),
+        "{:?}",
+        slope.uvs
+    );
+}
