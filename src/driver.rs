@@ -45,6 +45,7 @@ pub fn compile(
     let program = timed(&mut times, "expand", || {
         program(sources, &documents, world, options, out)
     });
+    drop(documents);
     let building = timed(&mut times, "lower and roof", || building(program, out));
     let scene = timed(&mut times, "tessellate", || scene(&building));
     Compiled {
