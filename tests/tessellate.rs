@@ -707,6 +707,31 @@ fn courses_lie_level_and_run_up_the_slope() {
 }
 
 #[test]
+fn roofs_that_are_alike_share_a_mesh() {
+    let text = "0 0\n9\n\nKSK  KSK  KSK  \nKSK  KSK  \nKSK  KSK  KSK  \nKSK  KSK  \n";
+    let longer = text.replace("KSK  KSK  KSK  ", "KSK  KSK  KSK  KSK  ");
+    let scene = |houses: &[&str]| {
+        let text = houses.join("%\n");
+        let source = hsd::source::Source::new(hsd::source::FileId(0), "row.hsd", text.as_bytes());
+        let mut out = hsd::diagnostic::Diagnostics::new();
+        let options = hsd::expand::Options::default();
+        hsd::compile(&[&source], &hsd::source::NoPictures, &options, &mut out).scene
+    };
+    let roofs = |scene: &Scene| -> Vec<_> {
+        let nodes = scene.nodes.iter().filter(|n| n.kind == Kind::Roof);
+        nodes.map(|n| n.mesh).collect()
+    };
+    let (one, row) = (scene(&[text]), scene(&[text, &longer, text]));
+    assert_eq!(roofs(&one).len(), 1);
+    let [first, second, third] = roofs(&row)[..] else {
+        panic!("a roof each")
+    };
+    assert!(first.is_some() && first == third && first != second);
+    let twice = scene(&[text, text]);
+    assert_eq!(twice.meshes, one.meshes, "a second house adds no mesh");
+}
+
+#[test]
 fn every_surface_has_a_name_of_its_own() {
     let mut names: Vec<&str> = hsd::material::all().iter().map(|s| s.name).collect();
     let n = names.len();

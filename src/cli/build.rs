@@ -268,12 +268,7 @@ fn each(
 }
 
 /// `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
-fn told(
-    output: &Path,
-    (houses, triangles): (usize, usize),
-    size: u64,
-    took: Duration,
-) -> String {
+fn told(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> String {
     let place = match output.as_os_str() == STDIN {
         true => "the model".into(),
         false => output.display().to_string(),

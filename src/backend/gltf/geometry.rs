@@ -31,7 +31,8 @@ impl<'a> Shown<'a> {
         let mut materials = vec![false; scene.materials.len()];
         let mut primitives = vec![];
         for (i, mesh) in scene.meshes.iter().enumerate().filter(|(i, _)| used[*i]) {
-            for p in mesh.primitives.iter().filter(|p| sound::primitive(p, scene)) {
+            let sound = |p: &&scene::Primitive| sound::primitive(p, scene);
+            for p in mesh.primitives.iter().filter(sound) {
                 materials[p.material.0 as usize] = true;
                 primitives.push((i, p));
             }
