@@ -1,9 +1,10 @@
 //! The building in triangles: walls and parts in the tree house > storey > facade > part, roofs beside the
 //! storeys. After this no code, unit or region is left, only meshes with names.
 //!
-//! A mesh is made once for each part, width, height and neighbourhood, and shown as often as it stands
-//! somewhere: the cache lives through all houses of a run.
+//! A mesh is made once for each part, width, height and neighbourhood, and once for roofs that are alike; it is
+//! shown as often as it stands somewhere: the caches live through all houses of a run.
 
+mod alike;
 mod apron;
 mod atlas;
 mod bake;
@@ -34,6 +35,7 @@ use crate::building::{Building, Ceiling, House, HouseRoofs, Ring, Roof, Storey};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
+use alike::{Alike, Roofs};
 use compact_str::{CompactString, format_compact};
 use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -45,6 +47,7 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         catalog,
         detail,
         store: Store::new(detail),
+        roofs: Roofs::default(),
         nodes: Vec::with_capacity(nodes(building)),
     };
     let none = HouseRoofs::default();
@@ -75,6 +78,7 @@ struct Walker<'a> {
     catalog: &'a Catalog,
     detail: Detail,
     store: Store,
+    roofs: Roofs<'a>,
     nodes: Vec<Node>,
 }
 
@@ -105,7 +109,7 @@ impl Level<'_> {
 /// No turn.
 const STRAIGHT: DVec2 = DVec2::X;
 
-impl Walker<'_> {
+impl<'a> Walker<'a> {
     /// Adds a node without a label.
     fn node(
         &mut self,
@@ -134,7 +138,7 @@ impl Walker<'_> {
         NodeId(self.nodes.len() as u32 - 1)
     }
 
-    fn house(&mut self, house: &House, roofs: &HouseRoofs, number: usize) {
+    fn house(&mut self, house: &House, roofs: &'a HouseRoofs, number: usize) {
         let name = match house.name.as_str() {
             "" => format_compact!("house {number}"),
             name => format_compact!("house {name}"),
@@ -200,8 +204,9 @@ impl Walker<'_> {
         }
     }
 
-    fn roof(&mut self, root: NodeId, roof: &Roof, number: usize) {
-        let mesh = self.store.roof(roof, number);
+    fn roof(&mut self, root: NodeId, roof: &'a Roof, number: usize) {
+        let known = self.roofs.entry(Alike::new(roof, number));
+        let mesh = *known.or_insert_with(|| self.store.roof(roof, number));
         let name = format_compact!("roof {number}");
         let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
         node.mesh = mesh;

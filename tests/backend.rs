@@ -299,6 +299,37 @@ fn outputs_are_the_same_twice() {
 }
 
 #[test]
+fn a_container_is_written_where_the_file_stands() {
+    use std::io::{Cursor, Seek, SeekFrom};
+    let (scene, images) = (scene(), Pictures::new());
+    let whole = gltf::glb(&scene, &images);
+    let mut file = Cursor::new(b"before".to_vec());
+    file.seek(SeekFrom::End(0)).unwrap();
+    let length = gltf::Glb::inside(&scene, &images).write(&mut file);
+    assert_eq!(length.unwrap(), whole.len() as u64);
+    assert_eq!(file.position(), file.get_ref().len() as u64);
+    assert_eq!(file.get_ref()[..6], *b"before");
+    assert!(file.get_ref()[6..] == whole);
+}
+
+#[test]
+fn far_houses_keep_their_micrometres() {
+    let mut scene = scene();
+    scene.nodes[0].at = dvec3(123_456.789_012, -98_765.432_109, 0.000_001);
+    let glb = gltf::glb(&scene, &NoImages);
+    let parts = ::gltf::binary::Glb::from_slice(&glb).unwrap();
+    let json: serde_json::Value = serde_json::from_slice(&parts.json).unwrap();
+    let expected = serde_json::json!([123_456.789_012, 0.000_001, 98_765.432_109]);
+    assert_eq!(json["nodes"][0]["translation"], expected);
+}
+
+#[test]
+fn a_node_is_small() {
+    // A town has half a million.
+    assert!(size_of::<Node>() <= 152, "{}", size_of::<Node>());
+}
+
+#[test]
 fn files_beside_have_escaped_names() {
     let (scene, images) = (scene(), Pictures::new());
     let files = gltf::gltf(&scene, &images, "my 家");

@@ -2,38 +2,41 @@
 //!
 //! Frame: (x, y, z) = (east, up, -north); a south front looks along +Z. Vertices are written once a mesh and
 //! shared by all nodes that show it. There are at most five buffer views whatever the size of the scene: positions,
-//! normals, tangents, texture coordinates and indices; accessors differ by their offset only. Everything is of
-//! the types of the `gltf` crate, which writes what it also reads back in the tests.
+//! normals, tangents, texture coordinates and indices; accessors differ by their offset only. Everything but the
+//! nodes is of the types of the `gltf` crate, which reads all of it back in the tests.
 //!
 //! Texture coordinates of drawn surfaces are metres in the scene; they are divided here by the metres of one
 //! repeat, since a primitive has one material.
 
+mod arrays;
+mod container;
+mod document;
 mod geometry;
 mod materials;
 mod nodes;
 mod tangents;
 
+pub use container::Glb;
+
 use super::{Images, OutFile};
 use crate::scene::Scene;
 use geometry::{Geometry, Shown};
-use gltf::binary::{Glb, Header};
 use gltf::json::{Asset, Buffer, Root};
 use materials::Looks;
+use nodes::Tree;
+use std::io::{self, Write};
 
 /// A `.glb` with everything inside.
 pub fn glb(scene: &Scene, images: &dyn Images) -> Vec<u8> {
-    let mut made = Made::new(scene, images);
-    made.looks.write(&mut made.root, &mut made.bin);
-    made.container()
+    Glb::inside(scene, images).bytes()
 }
 
 /// A `.glb` named `stem.glb` and its pictures in the folder `stem_textures`.
 pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
-    let mut made = Made::new(scene, images);
-    let mut files = made.looks.files(&mut made.root, stem);
+    let (glb, mut files) = Glb::beside(scene, images, stem);
     files.push(OutFile {
         name: format!("{stem}.glb"),
-        bytes: made.container().into(),
+        bytes: glb.bytes().into(),
     });
     files
 }
@@ -41,14 +44,17 @@ pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> V
 /// A `.gltf` named `stem.gltf`, its `stem.bin`, and its pictures in the folder `stem_textures`. The file that
 /// refers to the others comes last.
 pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
-    let mut made = Made::new(scene, images);
-    let mut files = made.looks.files(&mut made.root, stem);
+    let mut model = Model::new(scene, images);
+    let mut files = model.files(stem);
     let name = format!("{stem}.bin");
-    let json = made.json(Some(escaped(&name)));
-    if !made.bin.is_empty() {
+    model.add_buffer(Some(escaped(&name)));
+    let (mut json, mut bin) = (vec![], Vec::with_capacity(model.length));
+    let written = model.json(&mut json).and_then(|()| model.buffer(&mut bin));
+    written.expect("memory takes every byte");
+    if !bin.is_empty() {
         files.push(OutFile {
             name,
-            bytes: made.bin.into(),
+            bytes: bin.into(),
         });
     }
     files.push(OutFile {
@@ -58,55 +64,78 @@ pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<Out
     files
 }
 
-/// What is in the scene, but for pictures.
-struct Made<'a> {
+/// What is in the scene, laid out but not yet written.
+struct Model<'a> {
+    /// All but the long lists of the geometry and the tree.
     root: Root,
-    bin: Vec<u8>,
     looks: Looks<'a>,
+    geometry: Geometry<'a>,
+    tree: Tree<'a>,
+    /// Whether the pictures are in the buffer.
+    embedded: bool,
+    /// Bytes of the buffer.
+    length: usize,
 }
 
-impl<'a> Made<'a> {
-    fn new(scene: &'a Scene, images: &'a dyn Images) -> Made<'a> {
-        let (mut root, mut bin) = (Root::default(), vec![]);
-        root.asset = Asset {
-            generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
-            ..Asset::default()
+impl<'a> Model<'a> {
+    fn new(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
+        let mut root = Root {
+            asset: Asset {
+                generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
+                ..Asset::default()
+            },
+            ..Root::default()
         };
         let shown = Shown::new(scene);
         let looks = Looks::new(scene, &shown, images, &mut root);
-        let geometry = Geometry::new(scene, &shown, &looks, &mut root);
-        geometry.write(&mut root, &mut bin);
-        nodes::add(scene, &geometry, &mut root);
-        Made { root, bin, looks }
+        let geometry = Geometry::new(scene, shown, &looks, &mut root);
+        let tree = Tree::new(scene, &geometry, &mut root);
+        Model {
+            length: geometry.length(),
+            root,
+            looks,
+            geometry,
+            tree,
+            embedded: false,
+        }
     }
 
-    /// The JSON, with the buffer in the file `uri` or in the container.
-    fn json(&mut self, uri: Option<String>) -> Vec<u8> {
-        if !self.bin.is_empty() {
+    /// Puts the pictures into the buffer.
+    fn embed(&mut self) {
+        self.embedded = true;
+        self.length = self.looks.embed(&mut self.root, self.length);
+    }
+
+    /// The pictures as files in the folder of the model.
+    fn files(&mut self, stem: &str) -> Vec<OutFile<'a>> {
+        self.looks.files(&mut self.root, stem)
+    }
+
+    /// Adds the buffer, in the file `uri` or in the container.
+    fn add_buffer(&mut self, uri: Option<String>) {
+        if self.length > 0 {
             self.root.push(Buffer {
-                byte_length: self.bin.len().into(),
+                byte_length: self.length.into(),
                 uri,
                 name: None,
                 extensions: None,
                 extras: None,
             });
         }
-        gltf::json::serialize::to_vec(&self.root)
-            .expect("maps have string keys and memory takes every byte")
     }
 
-    fn container(mut self) -> Vec<u8> {
-        let glb = Glb {
-            // The writer knows the length.
-            header: Header {
-                magic: *b"glTF",
-                version: 2,
-                length: 0,
-            },
-            json: self.json(None).into(),
-            bin: (!self.bin.is_empty()).then_some(self.bin.into()),
-        };
-        glb.to_vec().expect("memory takes every byte")
+    /// Writes the JSON.
+    fn json(&self, out: &mut impl Write) -> io::Result<()> {
+        document::write(&self.root, &self.geometry, &self.tree, out)
+    }
+
+    /// Writes the buffer.
+    fn buffer(&self, out: &mut impl Write) -> io::Result<()> {
+        self.geometry.write(out)?;
+        if self.embedded {
+            self.looks.write(out)?;
+        }
+        Ok(())
     }
 }
 

@@ -5,11 +5,10 @@ use super::options::{Reading, exit, report};
 use super::output::{self, Model};
 use super::terminal::{bytes, counted};
 use super::{Outcome, Stop, watch};
-use crate::backend::OutFile;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};
-use crate::scene::Detail;
+use crate::scene::{Detail, Scene};
 use crate::source::Source;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -143,19 +142,20 @@ impl Build {
             return Ok(true);
         }
         let mut times = std::mem::take(&mut compiled.times);
-        let files = driver::timed(&mut times, "write the format", || {
+        // Only the scene is written; a town's walls and roofs make room.
+        let houses = std::mem::take(&mut compiled.building).shell.houses.len();
+        let scene = &compiled.scene;
+        let size = driver::timed(&mut times, "write", || {
             let beside = self.textures_beside;
-            job.model
-                .files(&compiled.scene, &library, &job.output, beside)
-        })?;
-        driver::timed(&mut times, "write the files", || {
-            output::write(&job.output, &files)
+            let files = job.model.files(scene, &library, &job.output, beside);
+            output::write(&job.output, files)
         })?;
         if status.chatty || self.stats {
-            status.line(&told(&job.output, &compiled, &files, start.elapsed()))?;
+            let counts = (houses, scene.stats().triangles);
+            status.line(&told(&job.output, counts, size, start.elapsed()))?;
         }
         if self.stats {
-            status.line(&statistics(&compiled, &times))?;
+            status.line(&statistics(scene, &times))?;
         }
         Ok(false)
     }
@@ -277,34 +277,21 @@ fn each(
 }
 
 /// `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
-fn told(output: &Path, compiled: &Compiled, files: &[OutFile<'_>], took: Duration) -> String {
-    let houses = counted(compiled.building.shell.houses.len(), "house");
-    let size = bytes(files.iter().map(|f| f.bytes.len()).sum());
+fn told(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> String {
     let place = match output.as_os_str() == STDIN {
         true => "the model".into(),
         false => output.display().to_string(),
     };
-    let triangles = counted(drawn(compiled), "triangle");
     format!(
-        "wrote {place}: {houses}, {triangles}, {size} in {} ms",
+        "wrote {place}: {}, {}, {} in {} ms",
+        counted(houses, "house"),
+        counted(triangles, "triangle"),
+        bytes(size as usize),
         took.as_millis()
     )
 }
 
-/// Triangles on the screen: those of a mesh as often as nodes show it.
-fn drawn(compiled: &Compiled) -> usize {
-    let scene = &compiled.scene;
-    let triangles = |m: &crate::scene::Mesh| {
-        let all = m.primitives.iter().map(|p| p.indices.len() / 3);
-        all.sum::<usize>()
-    };
-    let sizes: Vec<usize> = scene.meshes.iter().map(triangles).collect();
-    let shown = scene.nodes.iter().filter_map(|n| n.mesh);
-    shown.filter_map(|m| sizes.get(m.0 as usize)).sum()
-}
-
-fn statistics(compiled: &Compiled, times: &[(&'static str, Duration)]) -> String {
-    let scene = &compiled.scene;
+fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> String {
     let (nodes, meshes) = (
         counted(scene.nodes.len(), "node"),
         counted(scene.meshes.len(), "mesh"),

@@ -3,9 +3,11 @@
 
 use super::Stop;
 use super::input::STDIN;
-use crate::backend::{Images, OutFile, gltf, obj, stl};
+use crate::backend::gltf::{self, Glb};
+use crate::backend::{Images, OutFile, obj, stl};
 use crate::scene::Scene;
 use clap::ValueEnum;
+use std::borrow::Cow;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -60,84 +62,137 @@ impl Model {
         Err(Stop::Usage(message))
     }
 
-    /// All files of a model, the main one last. `path` names the main one.
+    /// All files of a model; `path` names the main one.
     pub(super) fn files<'a>(
         self,
         scene: &'a Scene,
         images: &'a dyn Images,
         path: &Path,
         beside: bool,
-    ) -> Result<Vec<OutFile<'a>>, Stop> {
+    ) -> Files<'a> {
         let stem = path
             .file_stem()
             .map(|s| s.to_string_lossy())
             .unwrap_or_default();
-        let one = |bytes: Vec<u8>| OutFile {
-            name: String::new(),
-            bytes: bytes.into(),
-        };
-        let mut files = match self {
-            Model::Glb if beside => gltf::glb_beside(scene, images, &stem),
-            Model::Glb => vec![one(gltf::glb(scene, images))],
-            Model::Gltf => gltf::gltf(scene, images, &stem),
-            Model::Obj => obj::obj(scene, images, &stem),
-            Model::Stl => vec![one(stl::stl(scene))],
-        };
-        if let Some(main) = files.last_mut() {
-            main.name = path
-                .file_name()
-                .map(|n| n.to_string_lossy().into_owned())
-                .unwrap_or_default();
-            if self == Model::Glb && main.bytes.len() > u32::MAX as usize {
-                let message = "more than 4 GiB do not fit a .glb; write a .gltf or several files";
-                return Err(Stop::Io(format!("{}: {message}", path.display())));
+        match self {
+            Model::Glb if beside => {
+                let (glb, beside) = Glb::beside(scene, images, &stem);
+                Files {
+                    main: Content::Glb(Box::new(glb)),
+                    beside,
+                }
             }
+            Model::Glb => {
+                let glb = Glb::inside(scene, images);
+                Files::one(Content::Glb(Box::new(glb)))
+            }
+            Model::Gltf => Files::of(gltf::gltf(scene, images, &stem)),
+            Model::Obj => Files::of(obj::obj(scene, images, &stem)),
+            Model::Stl => Files::one(Content::Bytes(stl::stl(scene).into())),
         }
-        Ok(files)
     }
 }
 
-/// Puts the files of a model beside `path`.
-pub(super) fn write(path: &Path, files: &[OutFile<'_>]) -> Result<(), Stop> {
+/// The files of a model.
+pub(super) struct Files<'a> {
+    main: Content<'a>,
+    /// What the main one refers to.
+    beside: Vec<OutFile<'a>>,
+}
+
+impl<'a> Files<'a> {
+    fn one(main: Content<'a>) -> Files<'a> {
+        Files {
+            main,
+            beside: vec![],
+        }
+    }
+
+    /// One file of these bytes.
+    pub(super) fn bytes(bytes: Vec<u8>) -> Files<'a> {
+        Files::one(Content::Bytes(bytes.into()))
+    }
+
+    /// Of a list whose last file is the main one.
+    fn of(mut list: Vec<OutFile<'a>>) -> Files<'a> {
+        let main = list.pop().map(|f| f.bytes).unwrap_or_default();
+        Files {
+            main: Content::Bytes(main),
+            beside: list,
+        }
+    }
+}
+
+/// What a file holds, or how it is made.
+enum Content<'a> {
+    Bytes(Cow<'a, [u8]>),
+    /// Made while it is written: a town's is larger than all that it is made of.
+    Glb(Box<Glb<'a>>),
+}
+
+impl Content<'_> {
+    /// Writes it to a file that is no pipe; returns how many bytes there are.
+    fn fill(&self, file: &mut fs::File) -> io::Result<u64> {
+        match self {
+            Content::Bytes(bytes) => file.write_all(bytes).map(|()| bytes.len() as u64),
+            Content::Glb(glb) => glb.write(file),
+        }
+    }
+
+    /// Writes it to what only runs forwards.
+    fn pour(&self, out: &mut impl Write) -> io::Result<u64> {
+        match self {
+            Content::Bytes(bytes) => out.write_all(bytes).map(|()| bytes.len() as u64),
+            Content::Glb(glb) => {
+                let mut made = io::Cursor::new(vec![]);
+                let length = glb.write(&mut made)?;
+                out.write_all(made.get_ref()).map(|()| length)
+            }
+        }
+    }
+}
+
+/// Puts the files of a model beside `path`; returns how many bytes they have.
+pub(super) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> {
     if path.as_os_str() == STDIN {
         let mut out = io::stdout().lock();
-        for file in files {
-            out.write_all(&file.bytes)?;
-        }
-        return Ok(out.flush()?);
+        let length = files.main.pour(&mut out)?;
+        out.flush()?;
+        return Ok(length);
     }
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut ready = vec![];
-    for (i, file) in files.iter().enumerate() {
-        // The main file keeps a name that is no UTF-8.
-        let target = if i + 1 == files.len() {
-            path.to_owned()
-        } else {
-            folder.join(&file.name)
-        };
-        ready.push(prepare(&target, &file.bytes).map_err(|e| Stop::at(target.display(), e))?);
+    let beside = files.beside.into_iter();
+    let beside = beside.map(|f| (folder.join(&f.name), Content::Bytes(f.bytes)));
+    // The main file keeps a name that is no UTF-8.
+    let main = (path.to_owned(), files.main);
+    let (mut ready, mut length) = (vec![], 0);
+    for (target, content) in beside.chain([main]) {
+        let prepared = prepare(&target, &content);
+        let (bytes, file) = prepared.map_err(|e| Stop::at(target.display(), e))?;
+        length += bytes;
+        ready.extend(file);
     }
-    for (temporary, target) in ready.into_iter().flatten() {
+    for (temporary, target) in ready {
         let renamed = temporary.persist(&target);
         renamed.map_err(|e| Stop::at(target.display(), e.error))?;
     }
-    Ok(())
+    Ok(length)
 }
 
 /// A whole file under a temporary name in the folder of its target, and the target with links followed.
-/// What is no file (a device, a pipe) is written at once.
-fn prepare(target: &Path, bytes: &[u8]) -> io::Result<Option<(NamedTempFile, PathBuf)>> {
+/// What is no file (a device, a pipe) is written at once. Says how many bytes there are.
+fn prepare(
+    target: &Path,
+    content: &Content<'_>,
+) -> io::Result<(u64, Option<(NamedTempFile, PathBuf)>)> {
     let target = match fs::metadata(target) {
         Ok(known) if known.is_dir() => return Err(io::Error::other("is a folder")),
         Ok(known) if !known.is_file() => {
-            fs::OpenOptions::new()
-                .write(true)
-                .open(target)?
-                .write_all(bytes)?;
-            return Ok(None);
+            let mut device = fs::OpenOptions::new().write(true).open(target)?;
+            return Ok((content.pour(&mut device)?, None));
         }
         Ok(_) => target.canonicalize()?,
         Err(_) => target.to_owned(),
@@ -156,8 +211,8 @@ fn prepare(target: &Path, bytes: &[u8]) -> io::Result<Option<(NamedTempFile, Pat
     }
     // The temporary name, which these errors would tell, is nothing to the reader.
     let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
-    file.as_file_mut().write_all(bytes)?;
-    Ok(Some((file, target)))
+    let length = content.fill(file.as_file_mut())?;
+    Ok((length, Some((file, target))))
 }
 
 /// A file that others may read, as if it had been made under its final name.

@@ -75,7 +75,7 @@ pub(super) fn soups(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
     soups
 }
 
-/// Empty soups with room for all faces of each surface: roofs are never shared, so that they cost most.
+/// Empty soups with room for all faces of each surface: roofs are seldom shared, so that they cost most.
 fn rooms(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
     let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
     for face in roof.solids.iter().flat_map(|s| &s.faces) {

@@ -120,7 +120,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         kind: RoofKind::Tiles,
         solids: vec![solid],
     });
-    let scene = tessellate(&building, Catalog::builtin());
+    let scene = tessellate(&building, Catalog::builtin(), Detail::Everything);
     let slope = &scene.meshes[0].primitives[0];
     let close = |a: [f32; 2], b: [f32; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-5;
     assert!(
@@ -128,4 +128,29 @@ fn courses_lie_level_and_run_up_the_slope() {
         "{:?}",
         slope.uvs
     );
+}
+
+#[test]
+fn roofs_that_are_alike_share_a_mesh() {
+    let text = "0 0\n9\n\nKSK  KSK  KSK  \nKSK  KSK  \nKSK  KSK  KSK  \nKSK  KSK  \n";
+    let longer = text.replace("KSK  KSK  KSK  ", "KSK  KSK  KSK  KSK  ");
+    let scene = |houses: &[&str]| {
+        let text = houses.join("%\n");
+        let source = hsd::source::Source::new(hsd::source::FileId(0), "row.hsd", text.as_bytes());
+        let mut out = hsd::diagnostic::Diagnostics::new();
+        let options = hsd::Options::default();
+        hsd::compile(&[&source], &hsd::source::NoPictures, &options, &mut out).scene
+    };
+    let roofs = |scene: &Scene| -> Vec<_> {
+        let nodes = scene.nodes.iter().filter(|n| n.kind == Kind::Roof);
+        nodes.map(|n| n.mesh).collect()
+    };
+    let (one, row) = (scene(&[text]), scene(&[text, &longer, text]));
+    assert_eq!(roofs(&one).len(), 1);
+    let [first, second, third] = roofs(&row)[..] else {
+        panic!("a roof each")
+    };
+    assert!(first.is_some() && first == third && first != second);
+    let twice = scene(&[text, text]);
+    assert_eq!(twice.meshes, one.meshes, "a second house adds no mesh");
 }

@@ -17,6 +17,7 @@ use gltf::json::validation::Checked::Valid;
 use gltf::json::{Image, Index, Material, Root, Texture};
 use serde_json::value::to_raw_value;
 use std::borrow::Cow;
+use std::io::{self, Write};
 
 /// The extensions of a pane.
 const GLASS: [&str; 2] = ["KHR_materials_ior", "KHR_materials_specular"];
@@ -93,19 +94,30 @@ impl<'a> Looks<'a> {
         self.looks[id.0 as usize]
     }
 
-    /// Appends the pictures to the buffer.
-    pub(super) fn write(&self, root: &mut Root, out: &mut Vec<u8>) {
-        out.reserve(self.pictures.iter().map(|p| p.bytes.len() + 3).sum());
+    /// Places the pictures in the buffer, from this byte on; returns where they end.
+    pub(super) fn embed(&self, root: &mut Root, start: usize) -> usize {
+        let mut end = start;
         for picture in &self.pictures {
-            let inside = root.push(view(out.len(), picture.bytes.len()));
+            let length = picture.bytes.len();
+            let inside = root.push(view(end, length));
             root.images.push(Image {
                 buffer_view: Some(inside),
                 mime_type: Some(MimeType(picture.mime.into())),
                 ..picture.image()
             });
-            out.extend_from_slice(picture.bytes);
-            out.resize(out.len().next_multiple_of(4), 0);
+            end += length.next_multiple_of(4);
         }
+        end
+    }
+
+    /// Writes the pictures as [`embed`](Looks::embed) places them.
+    pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        for Picture { bytes, .. } in &self.pictures {
+            let gap = bytes.len().next_multiple_of(4) - bytes.len();
+            out.write_all(bytes)?;
+            out.write_all(&[0; 3][..gap])?;
+        }
+        Ok(())
     }
 
     /// The pictures as files in the folder of the model.

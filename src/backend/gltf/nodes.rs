@@ -1,4 +1,5 @@
-//! The tree of nodes: house, storey, facade, part; house, roof.
+//! The tree of nodes: house, storey, facade, part; house, roof. Most of the JSON are nodes, and a town has half
+//! a million: they are written straight from the scene, in types that borrow from it.
 
 use super::geometry::Geometry;
 use crate::backend::number::Number;
@@ -6,10 +7,25 @@ use crate::backend::sound;
 use crate::scene::{self, Scene};
 use crate::source::Span;
 use glam::DVec2;
-use gltf::json::scene::UnitQuaternion;
-use gltf::json::{self, Index, Mesh, Node, Root};
-use serde::Serialize;
-use serde_json::value::to_raw_value;
+use gltf::json::{self, Index, Mesh, Root};
+use serde::{Serialize, Serializer};
+use std::iter;
+
+/// A node of glTF. Its translation is f64, unlike that of the `gltf` crate: f32 would lose millimetres of a
+/// house with map coordinates.
+#[derive(Serialize)]
+pub(super) struct Node<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    children: Option<Children<'a>>,
+    extras: Extras<'a>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mesh: Option<Index<Mesh>>,
+    name: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rotation: Option<[f32; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    translation: Option<[Number; 3]>,
+}
 
 /// language.md 6.
 #[derive(Serialize)]
@@ -25,60 +41,123 @@ struct Extras<'a> {
     shape: Option<&'static str>,
 }
 
-/// Adds the nodes in preorder, and the scene of the roots if there are any.
-pub(super) fn add(scene: &Scene, geometry: &Geometry<'_>, root: &mut Root) {
-    let kept = kept(scene, geometry);
-    let mut numbers = vec![None; scene.nodes.len()];
-    let mut roots = vec![];
-    for (i, node) in scene.nodes.iter().enumerate().filter(|(i, _)| kept[*i]) {
-        let number = root.push(made(node, mesh(geometry, node)));
-        numbers[i] = Some(number);
-        match parent(scene, i).and_then(|p| numbers[p]) {
-            Some(p) => root.nodes[p.value()]
-                .children
-                .get_or_insert_default()
-                .push(number),
-            None => roots.push(number),
+/// The children of a node: the first of them, and the tree that knows who follows.
+struct Children<'a>(u32, &'a Tree<'a>);
+
+impl Serialize for Children<'_> {
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        let Children(first, tree) = *self;
+        s.collect_seq(tree.siblings(Some(first)).map(|i| tree.number(i)))
+    }
+}
+
+/// The nodes that are written.
+pub(super) struct Tree<'a> {
+    nodes: &'a [scene::Node],
+    /// By the scene's number.
+    links: Vec<Link>,
+    first_root: Option<u32>,
+}
+
+/// A node among its relatives, which go by the numbers of the scene.
+#[derive(Clone, Copy, Default)]
+struct Link {
+    /// Its glTF number, if it is written.
+    number: Option<u32>,
+    first_child: Option<u32>,
+    next_sibling: Option<u32>,
+}
+
+impl<'a> Tree<'a> {
+    /// Numbers the nodes in preorder, and adds the scene of the roots if there are any.
+    pub(super) fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Tree<'a> {
+        let kept = kept(scene, geometry);
+        let mut tree = Tree {
+            nodes: &scene.nodes,
+            links: vec![Link::default(); kept.len()],
+            first_root: None,
+        };
+        let written = (0..kept.len()).filter(|i| kept[*i]);
+        for (number, i) in (0..).zip(written.clone()) {
+            tree.links[i].number = Some(number);
         }
+        // From the last to the first, so that each is put before its younger siblings.
+        for i in written.rev() {
+            let first = match parent(scene, i).filter(|p| kept[*p]) {
+                Some(p) => &mut tree.links[p].first_child,
+                None => &mut tree.first_root,
+            };
+            let next = first.replace(i as u32);
+            tree.links[i].next_sibling = next;
+        }
+        let roots = tree.siblings(tree.first_root);
+        let roots: Vec<_> = roots.map(|i| Index::new(tree.number(i))).collect();
+        if !roots.is_empty() {
+            root.scene = Some(root.push(json::Scene {
+                nodes: roots,
+                name: None,
+                extensions: None,
+                extras: None,
+            }));
+        }
+        tree
     }
-    if !roots.is_empty() {
-        root.scene = Some(root.push(json::Scene {
-            nodes: roots,
-            name: None,
-            extensions: None,
-            extras: None,
-        }));
+
+    /// Whether there are none.
+    pub(super) fn is_empty(&self) -> bool {
+        self.first_root.is_none()
+    }
+
+    /// About how many there are: those that are left out count too.
+    pub(super) fn len(&self) -> usize {
+        self.links.len()
+    }
+
+    /// In the order of their numbers.
+    pub(super) fn nodes(&self, geometry: &Geometry<'_>) -> impl Iterator<Item = Node<'_>> {
+        let both = self.nodes.iter().zip(&self.links);
+        let written = both.filter(|(_, link)| link.number.is_some());
+        written.map(|(node, link)| {
+            let children = link.first_child.map(|first| Children(first, self));
+            made(node, children, geometry.mesh(node))
+        })
+    }
+
+    /// A node and those after it under the same parent.
+    fn siblings(&self, first: Option<u32>) -> impl Iterator<Item = u32> {
+        iter::successors(first, |i| self.links[*i as usize].next_sibling)
+    }
+
+    /// The glTF number of a node that is written.
+    fn number(&self, i: u32) -> u32 {
+        self.links[i as usize].number.unwrap_or_default()
     }
 }
 
-fn made(node: &scene::Node, mesh: Option<Index<Mesh>>) -> Node {
-    let kind = node.kind.word();
-    let name = if node.name.is_empty() {
-        kind
-    } else {
-        &node.name
-    };
-    let at = [node.at.x, node.at.z, -node.at.y].map(|x| Number(x).millionths());
-    let extras = Extras {
-        kind,
-        code: node.code.as_deref(),
-        storey: node.storey,
-        span: node.span,
-        shape: node.shape,
-    };
+fn made<'a>(
+    node: &'a scene::Node,
+    children: Option<Children<'a>>,
+    mesh: Option<Index<Mesh>>,
+) -> Node<'a> {
+    let at = [node.at.x, node.at.z, -node.at.y].map(Number);
+    let stays = at.iter().all(|x| x.millionths() == 0);
     Node {
-        name: Some(name.to_owned()),
-        translation: (at != [0; 3]).then(|| at.map(|x| (x as f64 / 1e6) as f32)),
-        rotation: rotation(node.turn).map(UnitQuaternion),
+        children,
+        extras: Extras {
+            kind: node.kind.word(),
+            code: node.code.as_deref(),
+            storey: node.storey,
+            span: node.span,
+            shape: node.shape,
+        },
         mesh,
-        extras: to_raw_value(&extras).ok(),
-        ..Node::default()
+        name: match node.name.as_str() {
+            "" => node.kind.word(),
+            name => name,
+        },
+        rotation: rotation(node.turn),
+        translation: (!stays).then_some(at),
     }
-}
-
-fn mesh(geometry: &Geometry<'_>, node: &scene::Node) -> Option<Index<Mesh>> {
-    node.mesh
-        .and_then(|m| geometry.numbers.get(m.0 as usize).copied().flatten())
 }
 
 fn parent(scene: &Scene, i: usize) -> Option<usize> {
@@ -95,7 +174,7 @@ fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
     }
     let mut keep = vec![false; count];
     for (i, node) in scene.nodes.iter().enumerate().rev() {
-        keep[i] |= parent(scene, i).is_none() || mesh(geometry, node).is_some();
+        keep[i] |= parent(scene, i).is_none() || geometry.mesh(node).is_some();
         keep[i] &= sound[i];
         if let Some(p) = parent(scene, i).filter(|_| keep[i]) {
             keep[p] = true;

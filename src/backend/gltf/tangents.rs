@@ -1,7 +1,7 @@
 //! Tangents: the direction in which u grows, for materials with relief. glTF wants them beside the normals,
 //! else each renderer guesses its own.
 
-use super::geometry::unit;
+use super::arrays::unit;
 use crate::scene::Primitive;
 use glam::{Vec2, Vec3};
 

@@ -2,9 +2,9 @@
 
 use super::{class_word, rounded, visible};
 use crate::backend::pictures::Library;
-use crate::backend::{OutFile, gltf};
 use crate::catalog::PartDef;
-use crate::cli::{Exit, Outcome, Stop, output};
+use crate::cli::output::{self, Files, Model};
+use crate::cli::{Exit, Outcome, Stop};
 use crate::scene::Detail;
 use crate::tessellate::sheet;
 use crate::texture;
@@ -19,27 +19,22 @@ const DENSITY: f64 = 120.0;
 /// Writes the page or the model, by the ending of its name.
 pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
     let ending = to.extension().map(|e| e.to_ascii_lowercase());
-    let bytes = match ending.as_ref().and_then(|e| e.to_str()) {
-        Some("html" | "htm") => page(parts).into_bytes(),
+    match ending.as_ref().and_then(|e| e.to_str()) {
+        Some("html" | "htm") => {
+            let page = page(parts).into_bytes();
+            output::write(to, Files::bytes(page))?;
+        }
         Some("glb") => {
             let scene = sheet::scene(parts, Detail::Everything);
-            gltf::glb(&scene, &Library::default())
+            let library = Library::default();
+            output::write(to, Model::Glb.files(&scene, &library, to, false))?;
         }
         _ => {
             let shown = to.display();
-            return Err(Stop::Usage(format!(
-                "{shown}: a sheet ends with .html or .glb"
-            )));
+            let message = format!("{shown}: a sheet ends with .html or .glb");
+            return Err(Stop::Usage(message));
         }
-    };
-    let file = OutFile {
-        name: to
-            .file_name()
-            .map(|n| n.to_string_lossy().into_owned())
-            .unwrap_or_default(),
-        bytes: bytes.into(),
-    };
-    output::write(to, &[file])?;
+    }
     Ok(Exit::Done)
 }
 

@@ -1,0 +1,168 @@
+//! The arrays of a primitive as bytes: what glTF calls accessors, by kind.
+
+use super::materials::Look;
+use super::tangents::tangents;
+use crate::scene::Primitive;
+use gltf::json::accessor::{ComponentType, Type};
+use gltf::json::mesh::Semantic;
+
+/// A kind of array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Array {
+    Positions,
+    Normals,
+    Tangents,
+    Uvs,
+    Indices,
+}
+
+impl Array {
+    /// In the order of the buffer.
+    pub(super) const ALL: [Array; 5] = [
+        Array::Positions,
+        Array::Normals,
+        Array::Tangents,
+        Array::Uvs,
+        Array::Indices,
+    ];
+
+    /// What it tells of a vertex; `None` = indices.
+    pub(super) fn semantic(self) -> Option<Semantic> {
+        match self {
+            Array::Positions => Some(Semantic::Positions),
+            Array::Normals => Some(Semantic::Normals),
+            Array::Tangents => Some(Semantic::Tangents),
+            Array::Uvs => Some(Semantic::TexCoords(0)),
+            Array::Indices => None,
+        }
+    }
+
+    /// How many numbers an element has.
+    pub(super) fn elements(self) -> Type {
+        match self {
+            Array::Positions | Array::Normals => Type::Vec3,
+            Array::Tangents => Type::Vec4,
+            Array::Uvs => Type::Vec2,
+            Array::Indices => Type::Scalar,
+        }
+    }
+
+    /// The numbers of its elements.
+    pub(super) fn component(self, p: &Primitive) -> ComponentType {
+        match self {
+            Array::Indices if short(p.positions.len()) => ComponentType::U16,
+            Array::Indices => ComponentType::U32,
+            _ => ComponentType::F32,
+        }
+    }
+
+    /// Its elements.
+    pub(super) fn count(self, p: &Primitive) -> usize {
+        match self {
+            Array::Indices => p.indices.len(),
+            _ => p.positions.len(),
+        }
+    }
+
+    /// Bytes of an element.
+    pub(super) fn stride(self, p: &Primitive) -> usize {
+        self.component(p).size() * self.elements().multiplicity()
+    }
+
+    /// Bytes in the buffer, where each array begins at a multiple of four.
+    pub(super) fn length(self, p: &Primitive) -> usize {
+        (self.stride(p) * self.count(p)).next_multiple_of(4)
+    }
+
+    /// Whether a primitive of this look has it.
+    pub(super) fn is_in(self, look: Look) -> bool {
+        match self {
+            Array::Tangents => look.relief,
+            Array::Uvs => look.metres.is_some(),
+            Array::Positions | Array::Normals | Array::Indices => true,
+        }
+    }
+
+    /// Appends its bytes.
+    pub(super) fn write(self, p: &Primitive, look: Look, out: &mut Vec<u8>) {
+        match self {
+            Array::Positions => write_floats(out, &p.positions, turned),
+            Array::Normals => write_floats(out, &p.normals, |n| turned(unit(n))),
+            Array::Tangents => write_floats(out, &tangents(p), |[x, y, z, w]| {
+                let [x, y, z] = turned([x, y, z]);
+                [x, y, z, w]
+            }),
+            // v of glTF runs downwards.
+            Array::Uvs => {
+                let metres = look.metres.unwrap_or(1.0);
+                write_floats(out, &p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]);
+            }
+            Array::Indices => write_indices(out, &p.indices, p.positions.len()),
+        }
+    }
+}
+
+/// Whether so many vertices are numbered in 16 bits; 65,535 itself is no index, it restarts strips.
+fn short(vertices: usize) -> bool {
+    vertices <= 65_535
+}
+
+/// From z up to y up; adding 0 turns -0 into 0.
+fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
+    [x + 0.0, z + 0.0, 0.0 - y]
+}
+
+/// Normals of other length are errors to a validator.
+pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
+    let squared = n.iter().map(|x| x * x).sum::<f32>();
+    if (0.9999..1.0001).contains(&squared) {
+        n
+    } else if squared > 1e-12 && squared.is_finite() {
+        n.map(|x| x / squared.sqrt())
+    } else {
+        [0.0, 0.0, 1.0]
+    }
+}
+
+/// The least and the greatest coordinates, y up.
+pub(super) fn bounds(positions: &[[f32; 3]]) -> ([f32; 3], [f32; 3]) {
+    let (mut min, mut max) = ([f32::MAX; 3], [f32::MIN; 3]);
+    for p in positions {
+        for k in 0..3 {
+            min[k] = min[k].min(p[k]);
+            max[k] = max[k].max(p[k]);
+        }
+    }
+    // North becomes -z, so its bounds change places.
+    let (south, north) = (min[1], max[1]);
+    (
+        turned([min[0], north, min[2]]),
+        turned([max[0], south, max[2]]),
+    )
+}
+
+fn write_floats<const N: usize>(
+    out: &mut Vec<u8>,
+    list: &[[f32; N]],
+    map: impl Fn([f32; N]) -> [f32; N],
+) {
+    let start = out.len();
+    out.resize(start + 4 * N * list.len(), 0);
+    for (room, value) in out[start..].chunks_exact_mut(4 * N).zip(list) {
+        for (four, x) in room.chunks_exact_mut(4).zip(map(*value)) {
+            four.copy_from_slice(&x.to_le_bytes());
+        }
+    }
+}
+
+fn write_indices(out: &mut Vec<u8>, indices: &[u32], vertices: usize) {
+    let start = out.len();
+    if short(vertices) {
+        out.resize(start + (2 * indices.len()).next_multiple_of(4), 0);
+        for (two, i) in out[start..].chunks_exact_mut(2).zip(indices) {
+            two.copy_from_slice(&(*i as u16).to_le_bytes());
+        }
+    } else {
+        out.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
+    }
+}

@@ -1,0 +1,84 @@
+//! The container `.glb`: a header, the JSON, the buffer. What is written goes straight to its place; the lengths
+//! in front are filled in at the end, so that no model is in memory a second time.
+
+use super::Model;
+use crate::backend::{Images, OutFile};
+use crate::scene::Scene;
+use std::io::{self, BufWriter, Cursor, Seek, SeekFrom, Write};
+
+/// The header of the file, and that of the JSON: what it is, and how long.
+const HEADERS: u64 = 12 + 8;
+
+/// A `.glb`, ready to be written.
+pub struct Glb<'a>(Model<'a>);
+
+impl<'a> Glb<'a> {
+    /// With its pictures inside.
+    pub fn inside(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
+        let mut model = Model::new(scene, images);
+        model.embed();
+        model.add_buffer(None);
+        Glb(model)
+    }
+
+    /// Named `stem.glb`, and its pictures in the folder `stem_textures`.
+    pub fn beside(
+        scene: &'a Scene,
+        images: &'a dyn Images,
+        stem: &str,
+    ) -> (Glb<'a>, Vec<OutFile<'a>>) {
+        let mut model = Model::new(scene, images);
+        let files = model.files(stem);
+        model.add_buffer(None);
+        (Glb(model), files)
+    }
+
+    /// Writes it from where `out` stands; returns how many bytes there are.
+    ///
+    /// # Errors
+    /// Those of `out`, and more than 4 GiB, which no `.glb` holds.
+    pub fn write(&self, out: impl Write + Seek) -> io::Result<u64> {
+        let length = self.pour(out)?;
+        if length > u64::from(u32::MAX) {
+            let message = "more than 4 GiB do not fit a .glb; write a .gltf or several files";
+            return Err(io::Error::other(message));
+        }
+        Ok(length)
+    }
+
+    /// The whole file.
+    pub fn bytes(&self) -> Vec<u8> {
+        // A guess at the JSON; too much of it costs nothing, since untouched memory is not there.
+        let nodes = self.0.tree.len();
+        let room = self.0.length + 200 * nodes + (16 << 10);
+        let mut out = Cursor::new(Vec::with_capacity(room));
+        self.pour(&mut out).expect("memory takes every byte");
+        out.into_inner()
+    }
+
+    fn pour(&self, out: impl Write + Seek) -> io::Result<u64> {
+        let mut out = BufWriter::with_capacity(32 << 10, out);
+        let start = out.stream_position()?;
+        out.write_all(&[0; HEADERS as usize])?;
+        self.0.json(&mut out)?;
+        let json = out.stream_position()? - start - HEADERS;
+        let gap = json.next_multiple_of(4) - json;
+        out.write_all(&b"   "[..gap as usize])?;
+        let json = json + gap;
+        let mut length = HEADERS + json;
+        if self.0.length > 0 {
+            out.write_all(&(self.0.length as u32).to_le_bytes())?;
+            out.write_all(b"BIN\0")?;
+            self.0.buffer(&mut out)?;
+            length += 8 + self.0.length as u64;
+        }
+        out.seek(SeekFrom::Start(start))?;
+        out.write_all(b"glTF")?;
+        for number in [2, length as u32, json as u32] {
+            out.write_all(&number.to_le_bytes())?;
+        }
+        out.write_all(b"JSON")?;
+        out.seek(SeekFrom::Start(start + length))?;
+        Ok(length)
+    }
+}

@@ -1,0 +1,50 @@
+//! The JSON of a model: the long lists are made item by item while they are written, the rest stands in a root.
+
+use super::geometry::Geometry;
+use super::nodes::Tree;
+use gltf::json::Root;
+use serde::{Serialize, Serializer};
+use std::io::{self, Write};
+
+/// A glTF document. The lists given here are empty in the root.
+#[derive(Serialize)]
+struct Document<'a, A, M, N> {
+    #[serde(flatten)]
+    root: &'a Root,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accessors: Option<A>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    meshes: Option<M>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    nodes: Option<N>,
+}
+
+/// A list that exists only while it is written.
+struct Listed<F>(F);
+
+impl<F, I> Serialize for Listed<F>
+where
+    F: Fn() -> I,
+    I: IntoIterator<Item: Serialize>,
+{
+    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
+        s.collect_seq((self.0)())
+    }
+}
+
+/// Writes the whole document.
+pub(super) fn write(
+    root: &Root,
+    geometry: &Geometry<'_>,
+    tree: &Tree<'_>,
+    out: impl Write,
+) -> io::Result<()> {
+    let (shapes, places) = (geometry.length() > 0, !tree.is_empty());
+    let document = Document {
+        root,
+        accessors: shapes.then(|| Listed(|| geometry.accessors())),
+        meshes: shapes.then(|| Listed(|| geometry.meshes())),
+        nodes: places.then(|| Listed(|| tree.nodes(geometry))),
+    };
+    Ok(serde_json::to_writer(out, &document)?)
+}

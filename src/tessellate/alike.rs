@@ -1,0 +1,61 @@
+//! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
+
+use super::store::Quick;
+use crate::building::{Face, Roof, Solid};
+use crate::scene::MeshId;
+use glam::DVec3;
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
+
+/// The meshes of all roofs so far; `None` where a roof shows nothing. Never walked, so that its order cannot
+/// matter.
+pub(super) type Roofs<'a> = HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>;
+
+/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, and its solids to the last bit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Alike<'a> {
+    number: usize,
+    solids: &'a [Solid],
+}
+
+impl<'a> Alike<'a> {
+    pub(super) fn new(roof: &'a Roof, number: usize) -> Alike<'a> {
+        let solids = &roof.solids;
+        Alike { number, solids }
+    }
+}
+
+fn bits(p: &DVec3) -> [u64; 3] {
+    p.to_array().map(f64::to_bits)
+}
+
+impl Hash for Alike<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_usize(self.number);
+        for solid in self.solids {
+            let points = solid.points.iter().flat_map(bits);
+            points.for_each(|word| state.write_u64(word));
+            for face in &solid.faces {
+                face.corners.iter().for_each(|i| state.write_u32(*i));
+                face.finish.hash(state);
+            }
+        }
+    }
+}
+
+impl PartialEq for Alike<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        let face = |a: &Face, b: &Face| a.finish == b.finish && a.corners == b.corners;
+        let solid = |(a, b): (&Solid, &Solid)| {
+            a.points.len() == b.points.len()
+                && a.faces.len() == b.faces.len()
+                && a.points.iter().map(bits).eq(b.points.iter().map(bits))
+                && a.faces.iter().zip(&b.faces).all(|(a, b)| face(a, b))
+        };
+        self.number == other.number
+            && self.solids.len() == other.solids.len()
+            && self.solids.iter().zip(other.solids).all(solid)
+    }
+}
+
+impl Eq for Alike<'_> {}
