@@ -65,3 +65,32 @@ fn least_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
     }
     chord::cut(raster)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A stair of so many steps.
+    fn stair(steps: i64) -> Plan {
+        let step = |k: i64| [(steps - k, k + 1), (steps - k - 1, k + 1)];
+        let corners = [(0, 0), (steps, 0)].into_iter();
+        Plan::from_loops(vec![corners.chain((0..steps).flat_map(step)).collect()])
+    }
+
+    #[test]
+    fn what_is_left_to_search_decides_between_best_and_greedy() {
+        let (plan, best) = (stair(16), partition(&stair(16), Method::LeastCut));
+        let plenty = Effort::default();
+        assert_eq!(partition_within(&plan, Method::LeastCut, &plenty), best);
+        assert!(!plenty.is_news());
+        let spent = Effort::new(0);
+        let greedy = partition_within(&plan, Method::LeastCut, &spent);
+        assert_ne!(greedy, best);
+        assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());
+        assert!(spent.is_news() && !spent.is_news());
+        // What anybody would draw is searched all the same.
+        let (small, best) = (stair(3), partition(&stair(3), Method::LeastCut));
+        assert_eq!(partition_within(&small, Method::LeastCut, &spent), best);
+        assert!(!spent.is_news());
+    }
+}
