@@ -6,6 +6,10 @@
 //! Frames: plan points are (a, b) in U, the author frame. Solids are in the house frame: metres, x east,
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
+mod corners;
+
+pub use corners::Corners;
+
 use crate::ast::{RoofKind, RoofShape, StoreyKind};
 use crate::program::{Picture, Roofs, Unit};
 use crate::roof::plan::Cell;
@@ -199,7 +203,7 @@ pub struct Solid {
 #[derive(Clone, Debug, Serialize)]
 pub struct Face {
     /// Indices into the solid's points.
-    pub corners: Vec<u32>,
+    pub corners: Corners,
     /// What it shows.
     pub finish: Finish,
 }

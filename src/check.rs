@@ -223,7 +223,7 @@ mod tests {
             points: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z],
             faces: faces
                 .map(|c| Face {
-                    corners: c.to_vec(),
+                    corners: c.into(),
                     finish: Finish::Plaster,
                 })
                 .to_vec(),
@@ -289,7 +289,7 @@ mod tests {
         let mut solid = tetrahedron();
         solid.points[3] = dvec3(0.5, 0.0, 0.0);
         assert!(flaws(&solid).contains(&Flaw::Sliver { face: 1 }));
-        let corners = vec![0, 1, 2, 3];
+        let corners = [0, 1, 2, 3].into();
         solid.points = vec![DVec3::ZERO, DVec3::X, dvec3(1.0, 1.0, 0.1), DVec3::Y];
         solid.faces = vec![Face {
             corners,

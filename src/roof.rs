@@ -19,6 +19,7 @@ mod assemble;
 mod automatic;
 pub mod barge;
 pub mod chord;
+pub mod effort;
 mod explicit;
 pub mod facet;
 pub mod flat;
@@ -55,10 +56,11 @@ pub mod triangulate;
 
 /// Roofs all houses.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
+    let effort = effort::Effort::default();
     let roofs = shell
         .houses
         .iter()
-        .map(|house| house::roofs(house, out))
+        .map(|house| house::roofs(house, &effort, out))
         .collect();
     Building { shell, roofs }
 }

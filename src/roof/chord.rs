@@ -3,7 +3,7 @@
 
 use super::plan::Cell;
 use super::raster::Raster;
-use super::scan::{Lengths, candidates, halves};
+use super::scan::{Lengths, best, candidates, halves};
 use std::cmp::Reverse;
 
 /// The roof cells of a raster before merging, in no particular order.
@@ -15,9 +15,9 @@ pub(super) fn cut(raster: &Raster) -> Vec<Cell> {
     let mut roofs = Vec::new();
     let mut todo = vec![raster.span()];
     while let Some(s) = todo.pop() {
-        let best = candidates(raster, &walls, s)
-            .min_by_key(|c| (roof.within(c.line, c.n, s), Reverse(c.wall), c.tie()));
-        match best {
+        let ranked =
+            candidates(&walls, s).map(|c| ((roof.within(c.line, c.n, s), Reverse(c.wall)), c));
+        match best(raster, s, ranked) {
             Some(c) => todo.extend(halves(s, c.line, c.n)),
             None if raster.inside[s.j0 * raster.cols() + s.i0] => roofs.push(raster.cell(s)),
             None => {}

@@ -2,6 +2,7 @@
 
 use super::frame::Plane;
 use glam::DVec2;
+use std::borrow::Cow;
 
 /// Plan distances below this are none, metres. Cuts closer to a corner go through the corner.
 pub(super) const EPS: f64 = 1e-7;
@@ -47,6 +48,8 @@ impl Facet {
 pub(super) struct Cutter<'f> {
     /// Convex, counter-clockwise.
     pub(super) body: &'f [DVec2],
+    /// Its [`edges`].
+    pub(super) sides: &'f [HalfPlane],
     /// Its upper surface; `None` = it is higher than everything (an upper storey).
     pub(super) plane: Option<Plane>,
     /// Whether it keeps what both cover at the same height.
@@ -55,7 +58,7 @@ pub(super) struct Cutter<'f> {
 
 /// Inside where `normal . p >= at`; `normal` has unit length, so values are distances.
 #[derive(Clone, Copy, Debug)]
-struct HalfPlane {
+pub(super) struct HalfPlane {
     normal: DVec2,
     at: f64,
 }
@@ -81,33 +84,35 @@ pub(super) fn cut(
     pieces: Vec<Vec<Corner>>,
     cutter: &Cutter<'_>,
 ) -> Vec<Vec<Corner>> {
-    let sides = match standing(facet.plane, cutter.plane) {
+    let higher = match standing(facet.plane, cutter.plane) {
         Standing::Above => return pieces,
         Standing::Level if !cutter.first => return cut_verges(facet, pieces, cutter),
-        Standing::Below | Standing::Level => edges(cutter.body),
-        Standing::Crossing(higher) => {
-            let mut sides = vec![higher];
-            sides.extend(edges(cutter.body));
-            sides
-        }
+        Standing::Below | Standing::Level => None,
+        Standing::Crossing(higher) => Some(higher),
     };
+    let sides = || higher.iter().chain(cutter.sides);
+    // Most roofs near by do not touch a piece.
+    if pieces.iter().all(|p| is_outside(p, sides())) {
+        return pieces;
+    }
     let mut left = Vec::with_capacity(pieces.len());
     pieces
         .into_iter()
-        .for_each(|p| subtract(p, &sides, &mut left));
+        .for_each(|p| subtract(p, sides(), &mut left));
     left
 }
 
 /// At the same height a facet keeps its body, and its verges give way to the other's body.
 fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> Vec<Vec<Corner>> {
-    let (mine, sides) = (edges(&facet.body), edges(cutter.body));
+    let mine = edges(&facet.body);
     let mut left = Vec::with_capacity(pieces.len());
     for piece in pieces {
         let mut verges = Vec::new();
-        left.extend(split_off(piece, &mine, &mut verges));
+        let body = split_off(Cow::Owned(piece), mine.iter(), &mut verges);
+        left.extend(body.map(Cow::into_owned));
         verges
             .into_iter()
-            .for_each(|p| subtract(p, &sides, &mut left));
+            .for_each(|p| subtract(p, cutter.sides.iter(), &mut left));
     }
     left
 }
@@ -144,7 +149,8 @@ fn standing(mine: Plane, cutter: Option<Plane>) -> Standing {
     }
 }
 
-fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
+/// The half-planes whose common part a convex polygon is.
+pub(super) fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
     let next = polygon.iter().cycle().skip(1);
     polygon
         .iter()
@@ -154,32 +160,43 @@ fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
 }
 
 /// The pieces of `piece` outside the common part of some half-planes.
-fn subtract(piece: Vec<Corner>, sides: &[HalfPlane], left: &mut Vec<Vec<Corner>>) {
-    let outside = |h: &HalfPlane| piece.iter().all(|c| h.depth(c.at) < EPS);
-    if sides.iter().any(outside) {
+fn subtract<'s>(
+    piece: Vec<Corner>,
+    sides: impl Iterator<Item = &'s HalfPlane> + Clone,
+    left: &mut Vec<Vec<Corner>>,
+) {
+    if is_outside(&piece, sides.clone()) {
         return left.push(piece);
     }
     let mut off = Vec::new();
-    match split_off(piece.clone(), sides, &mut off) {
-        Some(_) => left.append(&mut off),
-        None => left.push(piece),
+    let inside = split_off(Cow::Borrowed(&piece), sides, &mut off).is_some();
+    match inside {
+        true => left.append(&mut off),
+        false => left.push(piece),
     }
 }
 
+/// Whether a piece lies wholly beyond one of some sides.
+fn is_outside<'s>(piece: &[Corner], mut sides: impl Iterator<Item = &'s HalfPlane>) -> bool {
+    sides.any(|h| piece.iter().all(|c| h.depth(c.at) < EPS))
+}
+
 /// The part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
-fn split_off(
-    piece: Vec<Corner>,
-    sides: &[HalfPlane],
+fn split_off<'p, 's>(
+    piece: Cow<'p, [Corner]>,
+    sides: impl Iterator<Item = &'s HalfPlane>,
     off: &mut Vec<Vec<Corner>>,
-) -> Option<Vec<Corner>> {
+) -> Option<Cow<'p, [Corner]>> {
     let mut inside = piece;
+    let mut depths = Vec::new();
     for side in sides {
-        let depths: Vec<f64> = inside.iter().map(|c| side.depth(c.at)).collect();
-        if depths.iter().all(|d| *d > -EPS) {
+        if inside.iter().all(|c| side.depth(c.at) > -EPS) {
             continue;
         }
+        depths.clear();
+        depths.extend(inside.iter().map(|c| side.depth(c.at)));
         let outer = part(&inside, &depths, -1.0);
-        inside = part(&inside, &depths, 1.0);
+        inside = Cow::Owned(part(&inside, &depths, 1.0));
         off.extend((area(&outer) > SLIVER).then_some(outer));
         if area(&inside) <= SLIVER {
             return None;
@@ -251,7 +268,7 @@ fn covered_share(p: glam::DVec3, q: glam::DVec3, cutter: &Cutter<'_>) -> Option<
             to = to.min(dp / (dp - dq));
         }
     };
-    for side in edges(cutter.body) {
+    for side in cutter.sides {
         clip(
             side.depth(p.truncate()) - EPS,
             side.depth(q.truncate()) - EPS,
@@ -282,6 +299,7 @@ mod tests {
     fn rest(mine: &Facet, other: &Facet, first: bool) -> f64 {
         let cutter = Cutter {
             body: &other.body,
+            sides: &edges(&other.body),
             plane: Some(other.plane),
             first,
         };
@@ -336,6 +354,7 @@ mod tests {
         );
         let cutters = [Cutter {
             body: &other.body,
+            sides: &edges(&other.body),
             plane: Some(other.plane),
             first: false,
         }];

@@ -221,7 +221,7 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
         for s in 0..4 {
             let t = (s + 1) % 4;
             faces.push(Face {
-                corners: vec![p + s, q + s, q + t, p + t],
+                corners: [p + s, q + s, q + t, p + t].into(),
                 finish,
             });
         }
@@ -229,11 +229,11 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
     if !closed {
         let last = 4 * (n as u32 - 1);
         faces.push(Face {
-            corners: vec![0, 1, 2, 3],
+            corners: [0, 1, 2, 3].into(),
             finish,
         });
         faces.push(Face {
-            corners: vec![last + 3, last + 2, last + 1, last],
+            corners: [last + 3, last + 2, last + 1, last].into(),
             finish,
         });
     }

@@ -3,20 +3,22 @@
 
 use super::assemble::assemble;
 use super::automatic::Automatic;
+use super::effort::Effort;
 use super::explicit::{self, Placed};
 use super::flat;
 use super::forms::{Context, Planned};
 use super::frame::Rect;
 use super::level::{Level, Point, first_line, is_facade, levels};
-use super::partition::Method;
+use super::partition::{Method, partition_within};
 use super::plan::{Cell, Plan};
-use super::ridge::{Region, Ridge, Role, regions};
+use super::ridge::{Region, Ridge, Role, regions_by};
 use super::{report, slabs, street};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
 use crate::building::{House, HouseRoofs, Ring};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::{STEPS, area2};
+use crate::source::Span;
 use glam::DVec2;
 use std::cell::OnceCell;
 
@@ -25,7 +27,7 @@ use std::cell::OnceCell;
 const MOST_CORNERS: usize = 1000;
 
 /// The roofs of a house.
-pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
+pub(super) fn roofs(house: &House, effort: &Effort, out: &mut Diagnostics) -> HouseRoofs {
     let levels = levels(house);
     let mut done = HouseRoofs::default();
     let lines = explicit::place(house, &levels, out);
@@ -45,6 +47,7 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
             top,
             lines,
             pent,
+            effort,
         }
         .roof(&mut done, out);
     }
@@ -173,6 +176,8 @@ struct Storey<'a, 'h> {
     lines: Vec<&'a Placed<'a>>,
     /// The street's pent roof.
     pent: Option<Cell>,
+    /// For the best cuts.
+    effort: &'a Effort,
 }
 
 impl Storey<'_, '_> {
@@ -240,14 +245,14 @@ impl Storey<'_, '_> {
         let corners = open.corners();
         let many = corners > MOST_CORNERS;
         if many {
-            // The first wall stands for a storey that may fill a thousand lines.
-            let (rings, number) = (&level.storey.rings, level.storey.number);
-            let wall = rings.first().and_then(|r| r.walls.first());
-            let span = wall.map_or(level.storey.span, |w| w.span);
+            let (span, number) = (first_wall(level), level.storey.number);
             out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
             found = strips(&open);
         } else if !open.loops.is_empty() {
             found = self.regions(context, &open);
+            if self.effort.is_news() {
+                out.push(say::too_much_search(first_wall(level), level.storey.number));
+            }
         }
         // A wall that rises round the roof on purpose hides a flat one.
         let usual = if level.parapet {
@@ -318,7 +323,8 @@ impl Storey<'_, '_> {
             .then(|| first_line(context.level.storey))
             .flatten();
         let front = line.and_then(|line| street::street_front(open, line));
-        regions(open, context.upper, method, front, STEPS)
+        let cut = |open: &Plan| partition_within(open, method, self.effort);
+        regions_by(open, context.upper, cut, front, STEPS)
     }
 
     /// A storey whose walls, or whose upper storey's walls, are not at right angles: one flat roof a
@@ -388,6 +394,12 @@ impl Storey<'_, '_> {
         }
         corners
     }
+}
+
+/// The first wall: it stands for a storey that may fill a thousand lines.
+fn first_wall(level: &Level<'_>) -> Span {
+    let wall = level.storey.rings.first().and_then(|r| r.walls.first());
+    wall.map_or(level.storey.span, |w| w.span)
 }
 
 /// Regions of a plan that nobody ranks: strips along a.

@@ -4,8 +4,8 @@
 //! cut that made it; where no wall runs that way, along the other direction (domain 3.3).
 
 use super::plan::Cell;
-use super::raster::{Raster, Span};
-use super::scan::{Candidate, Lengths, Line, candidates, halves};
+use super::raster::Raster;
+use super::scan::{Lengths, best, candidates, halves};
 use std::cmp::Reverse;
 
 /// The roof cells of a raster before merging, in no particular order.
@@ -14,7 +14,9 @@ pub(super) fn cut(raster: &Raster) -> Vec<Cell> {
     let mut roofs = Vec::new();
     let mut todo = vec![(raster.span(), None)];
     while let Some((s, last)) = todo.pop() {
-        match best(raster, &walls, s, last) {
+        // Orthogonal cuts first, then most wall.
+        let ranked = candidates(&walls, s).map(|c| ((Some(c.line) == last, Reverse(c.wall)), c));
+        match best(raster, s, ranked) {
             Some(c) => todo.extend(halves(s, c.line, c.n).map(|half| (half, Some(c.line)))),
             // No wall inside: one field decides for all (domain 3.4).
             None if raster.inside[s.j0 * raster.cols() + s.i0] => roofs.push(raster.cell(s)),
@@ -22,9 +24,4 @@ pub(super) fn cut(raster: &Raster) -> Vec<Cell> {
         }
     }
     roofs
-}
-
-/// The cut of a cell: most wall, then the tie rules; `last` is its parent's direction.
-fn best(raster: &Raster, walls: &Lengths, s: Span, last: Option<Line>) -> Option<Candidate> {
-    candidates(raster, walls, s).min_by_key(|c| (Some(c.line) == last, Reverse(c.wall), c.tie()))
 }

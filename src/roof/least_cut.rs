@@ -16,21 +16,28 @@ use std::cmp::{Ordering, Reverse};
 /// Most distinct coordinates on an axis for which the search is made.
 pub(super) const MAX_LINES: usize = 32;
 
-/// The roof cells before merging, in no particular order. Both axes need at most
-/// [`MAX_LINES`] lines.
-pub(super) fn cut(raster: &Raster) -> Vec<Cell> {
-    let table = Table::fill(raster);
-    let mut ties = Ties {
-        table: &table,
-        settled: Vec::new(),
-    };
-    if table.best[table.at(raster.span())].open {
-        ties.settled = vec![None; table.best.len()];
-        ties.settle(raster.span());
+/// The roof cells before merging, in no particular order, and how many steps the search took; no cells
+/// where it would take more than `most`. Both axes need at most [`MAX_LINES`] lines.
+pub(super) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u64) {
+    // Where even to look at all rectangles takes too long, nothing is begun.
+    let size = interval(0, raster.cols() + 1) * interval(0, raster.rows() + 1);
+    if size as u64 > most {
+        return (None, 0);
     }
-    let mut spans = Vec::new();
-    ties.roofs(raster.span(), &mut spans);
-    spans.into_iter().map(|s| raster.cell(s)).collect()
+    let Some(search) = Search::fill(raster, most) else {
+        return (None, most);
+    };
+    let mut ties = Ties {
+        steps: search.steps,
+        settled: vec![None; search.best.len()],
+        search: &search,
+    };
+    let cells = ties.settle(raster.span()).map(|_| {
+        let mut spans = Vec::new();
+        ties.roofs(raster.span(), &mut spans);
+        spans.into_iter().map(|s| raster.cell(s)).collect()
+    });
+    (cells, most - ties.steps)
 }
 
 /// What a rectangle's best tree reaches, in the order of comparison.
@@ -101,137 +108,204 @@ impl Best {
     }
 }
 
-struct Table<'r> {
+/// All rectangles of grid lines, each solved after those inside it.
+///
+/// Three observations make most of them cheap, and change nothing of what is found:
+/// - Empty margins are trimmed off: a tree of the whole cuts the rest just as some tree of the rest does.
+/// - A cut that divides no roof goes first and alone, for the same reason.
+/// - A line without wall in a rectangle never cuts it best: moved aside until it meets a wall or another
+///   cut, it would divide no more roof in one of the two directions, and where both are equal the squares
+///   of the areas beside it, being convex, grow in one.
+struct Search<'r> {
     raster: &'r Raster,
     roof: Lengths,
-    /// One entry a rectangle, see [`Table::at`].
-    best: Vec<Best>,
+    /// What lies between two lines b = c, for each interval as [`interval`] counts them.
+    across: Vec<Marks>,
+    /// The same between two lines a = c.
+    along: Vec<Marks>,
+    /// For each rectangle, see [`Search::at`], the place in `best` of what it is trimmed to.
+    place: Vec<u32>,
     /// The roof cut of each once more, close together: it rules out most cuts.
     least: Vec<u64>,
+    /// The first one is that of all empty rectangles.
+    best: Vec<Best>,
+    /// How many more rectangles and cuts may be looked at.
+    steps: u64,
 }
 
-impl<'r> Table<'r> {
-    fn fill(raster: &'r Raster) -> Self {
+/// What a strip between two lines holds, as bits.
+#[derive(Clone, Copy, Debug, Default)]
+struct Marks {
+    /// The lines across it, but the outermost, with wall in it.
+    walls: u32,
+    /// The fields across it with roof in it.
+    roofs: u32,
+}
+
+impl<'r> Search<'r> {
+    /// Solves them all; `None` where that takes more steps.
+    fn fill(raster: &'r Raster, steps: u64) -> Option<Self> {
         let (cols, rows) = (raster.cols(), raster.rows());
-        let counts = counts(raster);
-        let size = pairs(cols) * pairs(rows);
-        let mut table = Self {
+        let size = interval(0, cols + 1) * interval(0, rows + 1);
+        let field = |i: usize, j: usize| u32::from(raster.inside[j * cols + i]);
+        let row = |j: usize| (0..cols).fold(0, |bits, i| bits | field(i, j) << i);
+        let col = |i: usize| (0..rows).fold(0, |bits, j| bits | field(i, j) << j);
+        let mut search = Self {
             raster,
             roof: Lengths::roof(raster),
-            best: vec![Best::pure(None, raster.span()); size],
+            across: marks(rows, cols, row),
+            along: marks(cols, rows, col),
+            steps: steps.checked_sub(size as u64)?,
+            place: vec![0; size],
             least: vec![0; size],
+            best: vec![Best::pure(None, raster.span())],
         };
         for i1 in 1..=cols {
             for i0 in (0..i1).rev() {
                 for j1 in 1..=rows {
                     for j0 in (0..j1).rev() {
-                        let s = Span { i0, j0, i1, j1 };
-                        let at = table.at(s);
-                        let best = table.solve(s, &counts);
-                        table.least[at] = best.score.cut;
-                        table.best[at] = best;
+                        search.solve(Span { i0, j0, i1, j1 })?;
                     }
                 }
             }
         }
-        table
+        Some(search)
     }
 
-    /// Place of a rectangle: intervals i0 < i1 in the order of i1, then i0.
+    /// Place of a rectangle.
     #[inline]
     fn at(&self, s: Span) -> usize {
-        (pairs(s.i1 - 1) + s.i0) * pairs(self.raster.rows()) + pairs(s.j1 - 1) + s.j0
-    }
-
-    fn solve(&self, s: Span, counts: &[u32]) -> Best {
-        let stride = self.raster.cols() + 1;
-        let to = |j: usize, i: usize| counts[j * stride + i];
-        let inside = |s: Span| to(s.j1, s.i1) + to(s.j0, s.i0) - to(s.j0, s.i1) - to(s.j1, s.i0);
-        let fields = inside(s) as usize;
-        if fields == 0 {
-            return Best::pure(None, s);
-        }
-        if fields == (s.i1 - s.i0) * (s.j1 - s.j0) {
-            let (a, b) = (&self.raster.a.at, &self.raster.b.at);
-            let area = u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0]);
-            return Best::pure(Some(area), s);
-        }
-        // An empty margin may go first: it costs nothing, and a tree of the whole cuts what is
-        // left just as some tree of what is left does.
-        match margins(s).find(|(margin, ..)| inside(*margin) == 0) {
-            Some((_, rest, cut)) => Best {
-                cut: Some(cut),
-                ..self.best[self.at(rest)]
-            },
-            None => self.best_cut(s),
-        }
-    }
-
-    fn best_cut(&self, s: Span) -> Best {
-        let mut best = Best::pure(None, s);
-        best.score.cut = u64::MAX;
-        best.score.roofs = u32::MAX;
-        // The first criterion of `joined` alone, without its detours: here is where the time goes.
-        let (least, stride) = (&self.least, pairs(self.raster.rows()));
-        let (a, b) = (pairs(s.i1 - 1), pairs(s.j1 - 1));
-        for n in s.i0 + 1..s.i1 {
-            let one = least[(pairs(n - 1) + s.i0) * stride + b + s.j0];
-            let other = least[(a + n) * stride + b + s.j0];
-            let roof = self.roof.within(Line::X, n, s);
-            if one.saturating_add(other).saturating_add(roof) <= best.score.cut {
-                best.or(self.joined(s, Line::X, n));
-            }
-        }
-        let row = &least[(a + s.i0) * stride..][..stride];
-        for n in s.j0 + 1..s.j1 {
-            let (one, other) = (row[pairs(n - 1) + s.j0], row[b + n]);
-            let roof = self.roof.within(Line::Y, n, s);
-            if one.saturating_add(other).saturating_add(roof) <= best.score.cut {
-                best.or(self.joined(s, Line::Y, n));
-            }
-        }
-        best
+        interval(s.i0, s.i1) * interval(0, self.raster.rows() + 1) + interval(s.j0, s.j1)
     }
 
     #[inline]
+    fn best(&self, s: Span) -> &Best {
+        &self.best[self.place[self.at(s)] as usize]
+    }
+
+    /// What of a rectangle is left without its empty margins; none where all of it is empty.
+    fn trimmed(&self, s: Span) -> Option<Span> {
+        let cols = self.across[interval(s.j0, s.j1)].roofs & bits(s.i0, s.i1);
+        if cols == 0 {
+            return None;
+        }
+        let (i0, i1) = ends(cols);
+        let (j0, j1) = ends(self.along[interval(i0, i1)].roofs & bits(s.j0, s.j1));
+        Some(Span { i0, j0, i1, j1 })
+    }
+
+    /// The lines with wall in a rectangle.
+    fn walls(&self, s: Span) -> impl Iterator<Item = (Line, usize)> + use<> {
+        let x = self.across[interval(s.j0, s.j1)].walls & bits(s.i0 + 1, s.i1);
+        let y = self.along[interval(s.i0, s.i1)].walls & bits(s.j0 + 1, s.j1);
+        ones(x, Line::X).chain(ones(y, Line::Y))
+    }
+
+    /// Solves a rectangle when those inside it are; `None` when the steps are used up.
+    fn solve(&mut self, s: Span) -> Option<()> {
+        let Some(rest) = self.trimmed(s) else {
+            return Some(());
+        };
+        let at = self.at(s);
+        if rest != s {
+            let of = self.at(rest);
+            (self.place[at], self.least[at]) = (self.place[of], self.least[of]);
+            return Some(());
+        }
+        let best = match self.best_cut(s)? {
+            Some(best) => best,
+            None => Best::pure(Some(self.area(s)), s),
+        };
+        self.place[at] = self.best.len() as u32;
+        self.least[at] = best.score.cut;
+        self.best.push(best);
+        Some(())
+    }
+
+    /// The area of a rectangle, reduced.
+    fn area(&self, s: Span) -> u128 {
+        let (a, b) = (&self.raster.a.at, &self.raster.b.at);
+        u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0])
+    }
+
+    /// The best way to cut a rectangle; none where it has no walls.
+    fn best_cut(&mut self, s: Span) -> Option<Option<Best>> {
+        let mut best: Option<Best> = None;
+        let mut most = u64::MAX;
+        for (line, n) in self.walls(s) {
+            self.steps = self.steps.checked_sub(1)?;
+            let roof = self.roof.within(line, n, s);
+            if roof == 0 {
+                return Some(Some(self.joined(s, line, n)));
+            }
+            // The first criterion alone, without its detours: here is where the time goes.
+            let [one, other] = halves(s, line, n).map(|half| self.least[self.at(half)]);
+            if one.saturating_add(other).saturating_add(roof) > most {
+                continue;
+            }
+            let rival = self.joined(s, line, n);
+            match &mut best {
+                Some(best) => best.or(rival),
+                None => best = Some(rival),
+            }
+            most = best.map_or(most, |b| b.score.cut);
+        }
+        Some(best)
+    }
+
     fn joined(&self, s: Span, line: Line, n: usize) -> Best {
-        let [one, other] = halves(s, line, n).map(|h| &self.best[self.at(h)]);
+        let [one, other] = halves(s, line, n).map(|half| self.best(half));
         Best::joined(one, other, self.roof.within(line, n, s), (line, n as u8))
     }
 }
 
-/// The outermost column or row at each side of `s`, what is left without it, and the cut between.
-fn margins(s: Span) -> impl Iterator<Item = (Span, Span, (Line, u8))> {
-    let x = [(s.i0 + 1, false), (s.i1 - 1, true)].map(|(n, last)| (Line::X, n, last));
-    let y = [(s.j0 + 1, false), (s.j1 - 1, true)].map(|(n, last)| (Line::Y, n, last));
-    let wide = x.into_iter().filter(move |_| s.i1 - s.i0 > 1);
-    let deep = y.into_iter().filter(move |_| s.j1 - s.j0 > 1);
-    wide.chain(deep).map(move |(line, n, last)| {
-        let [one, other] = halves(s, line, n);
-        let (margin, rest) = if last { (other, one) } else { (one, other) };
-        (margin, rest, (line, n as u8))
+/// Place of the interval from line `lo` to line `hi`: in the order of `hi`, then `lo`. With 0 and one more
+/// than the fields it is the number of all intervals.
+#[inline]
+fn interval(lo: usize, hi: usize) -> usize {
+    hi * (hi - 1) / 2 + lo
+}
+
+/// The bits from `lo` on below `hi`, at most 31.
+#[inline]
+fn bits(lo: usize, hi: usize) -> u32 {
+    (1u32 << hi) - (1u32 << lo.min(hi))
+}
+
+/// The first of some bits and the one behind the last.
+fn ends(bits: u32) -> (usize, usize) {
+    let (lo, hi) = (bits.trailing_zeros(), u32::BITS - bits.leading_zeros());
+    (lo as usize, hi as usize)
+}
+
+/// The lines that some bits stand for, ascending.
+fn ones(mut bits: u32, line: Line) -> impl Iterator<Item = (Line, usize)> {
+    std::iter::from_fn(move || {
+        let n = bits.trailing_zeros();
+        bits &= bits.checked_sub(1)?;
+        Some((line, n as usize))
     })
 }
 
-/// How many intervals there are between `fields + 1` lines.
-#[inline]
-fn pairs(fields: usize) -> usize {
-    fields * (fields + 1) / 2
-}
-
-/// Prefix counts of the fields inside, `counts[j * (cols + 1) + i]`.
-fn counts(raster: &Raster) -> Vec<u32> {
-    let (cols, rows) = (raster.cols(), raster.rows());
-    let stride = cols + 1;
-    let mut counts = vec![0u32; stride * (rows + 1)];
-    for j in 0..rows {
-        let mut row = 0;
-        for i in 0..cols {
-            row += u32::from(raster.inside[j * cols + i]);
-            counts[(j + 1) * stride + i + 1] = counts[j * stride + i + 1] + row;
+/// The marks of all intervals of `count` strips, each with the bits of its fields inside.
+fn marks(count: usize, fields: usize, strip: impl Fn(usize) -> u32) -> Vec<Marks> {
+    let mut marks = vec![Marks::default(); interval(0, count + 1)];
+    for hi in 1..=count {
+        let roofs = strip(hi - 1);
+        let walls = (roofs ^ (roofs << 1)) & bits(1, fields);
+        for lo in 0..hi {
+            let before = if lo + 1 < hi {
+                marks[interval(lo, hi - 1)]
+            } else {
+                Marks::default()
+            };
+            marks[interval(lo, hi)] = Marks {
+                walls: before.walls | walls,
+                roofs: before.roofs | roofs,
+            };
         }
     }
-    counts
+    marks
 }
 
 /// A rectangle whose set of roofs is certain.
@@ -243,49 +317,52 @@ struct Settled {
 
 /// The last criterion, for the open rectangles on the way down from the root.
 struct Ties<'t, 'r> {
-    table: &'t Table<'r>,
-    /// The open rectangles settled so far; empty if the root is not open.
+    search: &'t Search<'r>,
+    /// The open rectangles settled so far.
     settled: Vec<Option<Settled>>,
+    /// How many more roofs may be compared.
+    steps: u64,
 }
 
 impl Ties<'_, '_> {
-    /// Settles `s` and whatever below it matters.
-    fn settle(&mut self, s: Span) -> Settled {
-        let at = self.table.at(s);
-        let best = self.table.best[at];
-        if let (true, Some(known)) = (best.open, self.settled[at]) {
-            return known;
-        }
+    /// Settles `s` and whatever below it matters; `None` when the steps are used up.
+    fn settle(&mut self, s: Span) -> Option<Settled> {
+        let (at, best) = (self.search.place[self.search.at(s)], self.search.best(s));
         let first = Settled {
             cut: best.cut,
             print: best.print,
         };
         if !best.open {
-            return first;
+            return Some(first);
         }
-        let found = self.least(s, best.score).unwrap_or(first);
-        self.settled[at] = Some(found);
-        found
+        if let Some(known) = self.settled[at as usize] {
+            return Some(known);
+        }
+        // The cuts of a rectangle are those of what it is trimmed to.
+        let rest = self.search.trimmed(s).unwrap_or(s);
+        let found = self.least(rest, best.score)?.unwrap_or(first);
+        self.settled[at as usize] = Some(found);
+        Some(found)
     }
 
     /// Of the cuts that score the same, the one whose sorted list of roofs is least.
-    fn least(&mut self, s: Span, score: Score) -> Option<Settled> {
+    fn least(&mut self, s: Span, score: Score) -> Option<Option<Settled>> {
         let mut least: Option<(Settled, Option<Vec<Span>>)> = None;
-        let x = (s.i0 + 1..s.i1).map(|n| (Line::X, n));
-        let y = (s.j0 + 1..s.j1).map(|n| (Line::Y, n));
-        for (line, n) in x.chain(y) {
-            if self.table.joined(s, line, n).score != score {
+        for (line, n) in self.search.walls(s) {
+            if self.search.joined(s, line, n).score != score {
                 continue;
             }
-            let [one, other] = halves(s, line, n).map(|h| self.settle(h).print);
+            let [one, other] = halves(s, line, n);
+            let prints = [self.settle(one)?.print, self.settle(other)?.print];
             let rival = Settled {
                 cut: Some((line, n as u8)),
-                print: one.wrapping_add(other),
+                print: prints[0].wrapping_add(prints[1]),
             };
             least = Some(match least {
                 None => (rival, None),
                 Some(kept) if kept.0.print == rival.print => kept,
                 Some((kept, list)) => {
+                    self.steps = self.steps.checked_sub(u64::from(score.roofs))?;
                     let list = list.unwrap_or_else(|| self.list(s, kept));
                     let other = self.list(s, rival);
                     let lesser = other.iter().map(key).lt(list.iter().map(key));
@@ -297,7 +374,7 @@ impl Ties<'_, '_> {
                 }
             });
         }
-        least.map(|(kept, _)| kept)
+        Some(least.map(|(kept, _)| kept))
     }
 
     /// The sorted roofs of `s` if it is cut as `by` says.
@@ -314,17 +391,18 @@ impl Ties<'_, '_> {
 
     /// Collects the roofs of a settled rectangle.
     fn roofs(&self, s: Span, into: &mut Vec<Span>) {
-        let at = self.table.at(s);
-        let best = &self.table.best[at];
-        let settled = if best.open { self.settled[at] } else { None };
+        let Some(rest) = self.search.trimmed(s) else {
+            return;
+        };
+        let (at, best) = (self.search.place[self.search.at(s)], self.search.best(s));
+        let settled = self.settled[at as usize].filter(|_| best.open);
         match settled.map_or(best.cut, |known| known.cut) {
             Some((line, n)) => {
-                for half in halves(s, line, usize::from(n)) {
+                for half in halves(rest, line, usize::from(n)) {
                     self.roofs(half, into);
                 }
             }
-            None if best.score.roofs > 0 => into.push(s),
-            None => {}
+            None => into.push(rest),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! slopes cross; what remains of each roof is still a closed solid of its own, and no two overlap.
 //! Verges are the exception: they stand over a lower neighbour and take nothing from it.
 
-use super::facet::{Corner, Cutter, Facet, cut, halves, open_shares};
+use super::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves, open_shares};
 use super::form::{Form, RidgeLine};
 use super::frame::Rect;
 use super::nearby::Nearby;
@@ -37,18 +37,21 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Option<Vec<Met>> {
         left = left.checked_sub(roofs.overlapping(of).len())?;
     }
     let walls: Vec<[DVec2; 4]> = walls.iter().map(Rect::corners).collect();
+    let wall_sides: Vec<Vec<HalfPlane>> = walls.iter().map(|w| edges(w)).collect();
+    let sides_of = |form: &Form| form.facets.iter().map(|f| edges(&f.body)).collect();
+    let sides: Vec<Vec<Vec<HalfPlane>>> = forms.iter().map(sides_of).collect();
     let kept = |n: usize| {
-        let walls: Vec<&[DVec2]> = match forms[n].hung {
+        let walls: Vec<Cutter<'_>> = match forms[n].hung {
             true => vec![],
             false => storey
                 .overlapping(&boxes[n])
                 .into_iter()
-                .map(|i| &walls[i][..])
+                .map(|i| wall(&walls[i], &wall_sides[i]))
                 .collect(),
         };
         let mut near = roofs.overlapping(&boxes[n]);
         near.retain(|i| *i != n);
-        let cutters = cutters(n, forms, &near, &walls);
+        let cutters = cutters(n, forms, &sides, &near, walls);
         if cutters.is_empty() {
             return (whole(&forms[n]), forms[n].ridges.clone());
         }
@@ -86,21 +89,25 @@ fn bounds(form: &Form) -> Rect {
     })
 }
 
-/// What may cut roof `n`.
+/// The storey above as a cutter: higher than everything.
+fn wall<'f>(body: &'f [DVec2], sides: &'f [HalfPlane]) -> Cutter<'f> {
+    Cutter {
+        body,
+        sides,
+        plane: None,
+        first: true,
+    }
+}
+
+/// What may cut roof `n`: these walls, and the facets near by with their sides.
 fn cutters<'f>(
     n: usize,
     forms: &'f [Form],
+    sides: &'f [Vec<Vec<HalfPlane>>],
     near: &[usize],
-    walls: &[&'f [DVec2]],
+    walls: Vec<Cutter<'f>>,
 ) -> Vec<Cutter<'f>> {
-    let mut cutters: Vec<Cutter<'f>> = walls
-        .iter()
-        .map(|body| Cutter {
-            body,
-            plane: None,
-            first: true,
-        })
-        .collect();
+    let mut cutters = walls;
     for &other in near {
         // A roof under the eaves of its trunk is no part of the surface that the others make: it
         // takes place from eaves that would pierce it, and gives none.
@@ -108,10 +115,11 @@ fn cutters<'f>(
         if tucked || forms[n].under == Some(other) || forms[other].under == Some(n) {
             continue;
         }
-        let facets = forms[other].facets.iter();
+        let facets = forms[other].facets.iter().zip(&sides[other]);
         let first = other < n;
-        cutters.extend(facets.map(|f| Cutter {
+        cutters.extend(facets.map(|(f, sides)| Cutter {
             body: &f.body,
+            sides,
             plane: Some(f.plane),
             first,
         }));

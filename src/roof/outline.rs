@@ -27,19 +27,31 @@ impl Outline {
 
     /// The pieces of a side of `cell` along which a wall runs, ascending.
     pub fn along(&self, cell: &Cell, side: Side) -> Vec<(i64, i64)> {
-        self.on(matches!(side, Side::Front | Side::Back), piece(cell, side))
+        self.beside(cell, side).collect()
+    }
+
+    fn beside(&self, cell: &Cell, side: Side) -> impl Iterator<Item = (i64, i64)> + '_ {
+        self.pieces(matches!(side, Side::Front | Side::Back), piece(cell, side))
     }
 
     /// The pieces of a line along a (or b) from `lo` to `hi` along which a wall runs, ascending.
-    pub fn on(&self, along_a: bool, (line, lo, hi): (i64, i64, i64)) -> Vec<(i64, i64)> {
+    pub fn on(&self, along_a: bool, on: (i64, i64, i64)) -> Vec<(i64, i64)> {
+        self.pieces(along_a, on).collect()
+    }
+
+    fn pieces(
+        &self,
+        along_a: bool,
+        (line, lo, hi): (i64, i64, i64),
+    ) -> impl Iterator<Item = (i64, i64)> + '_ {
         let walls = &self.walls[usize::from(along_a)];
         // Walls of one line do not overlap, so they are sorted by their ends as well.
         let start = walls.partition_point(|w| (w.0, w.2) <= (line, lo));
         let on = walls[start..]
             .iter()
-            .take_while(|w| w.0 == line && w.1 < hi);
-        let clipped = on.map(|w| (w.1.max(lo), w.2.min(hi)));
-        clipped.filter(|(from, to)| from < to).collect()
+            .take_while(move |w| w.0 == line && w.1 < hi);
+        let clipped = on.map(move |w| (w.1.max(lo), w.2.min(hi)));
+        clipped.filter(|(from, to)| from < to)
     }
 
     /// The pieces of a side of `cell` along which no wall runs, ascending.
@@ -47,7 +59,7 @@ impl Outline {
         let (_, lo, hi) = piece(cell, side);
         let mut gaps = Vec::new();
         let mut at = lo;
-        for (from, to) in self.along(cell, side) {
+        for (from, to) in self.beside(cell, side) {
             gaps.extend((at < from).then_some((at, from)));
             at = at.max(to);
         }
@@ -57,16 +69,20 @@ impl Outline {
 
     /// Whether a wall runs along the whole side.
     pub fn whole(&self, cell: &Cell, side: Side) -> bool {
-        self.gaps(cell, side).is_empty()
+        let (_, lo, hi) = piece(cell, side);
+        let reached = self
+            .beside(cell, side)
+            .try_fold(lo, |at, (from, to)| (from <= at).then_some(at.max(to)));
+        reached.is_some_and(|at| at >= hi)
     }
 
     /// Whether a wall runs along a side up to its end, the greater one if `upper`.
     pub fn reaches(&self, cell: &Cell, side: Side, upper: bool) -> bool {
         let (_, lo, hi) = piece(cell, side);
-        let along = self.along(cell, side);
+        let mut along = self.beside(cell, side);
         match upper {
-            true => along.iter().any(|w| w.1 == hi),
-            false => along.iter().any(|w| w.0 == lo),
+            true => along.any(|w| w.1 == hi),
+            false => along.any(|w| w.0 == lo),
         }
     }
 }

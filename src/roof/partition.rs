@@ -2,6 +2,7 @@
 //!
 //! The rectangles cover the region exactly and never overlap.
 
+use super::effort::Effort;
 use super::plan::{Cell, Plan};
 use super::raster::Raster;
 use super::{chord, kd, least_cut, merge, slabs};
@@ -20,9 +21,14 @@ pub enum Method {
 ///
 /// The region is cut as one, pieces that do not touch included; see [`cut`].
 pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
+    partition_within(plan, method, &Effort::endless())
+}
+
+/// The same with no more search than is left; where that is too little, `LeastCut` is greedy.
+pub fn partition_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
     match plan.as_cell() {
         Some(cell) => vec![cell],
-        None => merge::merge(cut(plan, method)),
+        None => merge::merge(cut_within(plan, method, effort)),
     }
 }
 
@@ -32,20 +38,59 @@ pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
 /// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
 /// cuts over so many lines would take longer than anyone waits.
 pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
+    cut_within(plan, method, &Effort::endless())
+}
+
+fn cut_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
     let mut cells = match Raster::of(plan) {
         None => slabs::strips(plan),
         Some(raster) if raster.cols() == 0 || raster.rows() == 0 => Vec::new(),
-        Some(raster) => cut_raster(&raster, method),
+        Some(raster) => match method {
+            Method::Kd => kd::cut(&raster),
+            Method::LeastCut => least_cut(&raster, plan.corners(), effort),
+        },
     };
     cells.sort_unstable_by_key(Cell::key);
     cells
 }
 
-fn cut_raster(raster: &Raster, method: Method) -> Vec<Cell> {
-    let lines = raster.cols().max(raster.rows()) + 1;
-    match method {
-        Method::Kd => kd::cut(raster),
-        Method::LeastCut if lines <= least_cut::MAX_LINES => least_cut::cut(raster),
-        Method::LeastCut => chord::cut(raster),
+/// The best cuts, or greedy ones where there are too many to choose from.
+fn least_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
+    if raster.cols().max(raster.rows()) < least_cut::MAX_LINES {
+        let (cells, steps) = least_cut::cut(raster, effort.most(corners));
+        effort.pay(corners, steps, cells.is_some());
+        if let Some(cells) = cells {
+            return cells;
+        }
+    }
+    chord::cut(raster)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A stair of so many steps.
+    fn stair(steps: i64) -> Plan {
+        let step = |k: i64| [(steps - k, k + 1), (steps - k - 1, k + 1)];
+        let corners = [(0, 0), (steps, 0)].into_iter();
+        Plan::from_loops(vec![corners.chain((0..steps).flat_map(step)).collect()])
+    }
+
+    #[test]
+    fn what_is_left_to_search_decides_between_best_and_greedy() {
+        let (plan, best) = (stair(16), partition(&stair(16), Method::LeastCut));
+        let plenty = Effort::default();
+        assert_eq!(partition_within(&plan, Method::LeastCut, &plenty), best);
+        assert!(!plenty.is_news());
+        let spent = Effort::new(0);
+        let greedy = partition_within(&plan, Method::LeastCut, &spent);
+        assert_ne!(greedy, best);
+        assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());
+        assert!(spent.is_news() && !spent.is_news());
+        // What anybody would draw is searched all the same.
+        let (small, best) = (stair(3), partition(&stair(3), Method::LeastCut));
+        assert_eq!(partition_within(&small, Method::LeastCut, &spent), best);
+        assert!(!spent.is_news());
     }
 }

@@ -164,14 +164,26 @@ pub fn regions(
     street_front: Option<Cell>,
     unit: i64,
 ) -> Vec<Region> {
+    let cut = |open: &Plan| partition(open, method);
+    regions_by(plan, upper, cut, street_front, unit)
+}
+
+/// The same with a way of one's own to cut what is left to the method.
+pub fn regions_by(
+    plan: &Plan,
+    upper: Option<&Plan>,
+    cut: impl Fn(&Plan) -> Vec<Cell>,
+    street_front: Option<Cell>,
+    unit: i64,
+) -> Vec<Region> {
     if let (Some(cell), None, None) = (plan.as_cell(), upper, street_front) {
         return vec![Region::main(cell)];
     }
     let open = upper.map(|u| plan.difference(u));
     let open = open.as_ref().unwrap_or(plan);
     let mut cells = match street_front {
-        Some(front) => partition(&open.minus_cells(&[front]), method),
-        None => partition(open, method),
+        Some(front) => cut(&open.minus_cells(&[front])),
+        None => cut(open),
     };
     cells.extend(street_front);
     cells.sort_unstable_by_key(Cell::key);

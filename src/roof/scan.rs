@@ -15,9 +15,10 @@ pub(super) enum Line {
 /// Prefix sums of one kind of length along every grid line.
 #[derive(Debug)]
 pub(super) struct Lengths {
-    /// Line i of axis a: `x[i * (rows + 1) + j]` = length in front of line j.
+    /// Line i of axis a: `x[j * (cols + 1) + i]` = length in front of line j. The lines of a cell, which
+    /// are looked at one after another, so lie side by side.
     x: Vec<u64>,
-    /// Line j of axis b: `y[j * (cols + 1) + i]` = length right of line i.
+    /// Line j of axis b: `y[i * (rows + 1) + j]` = length right of line i.
     y: Vec<u64>,
     cols: usize,
     rows: usize,
@@ -38,20 +39,22 @@ impl Lengths {
         let (cols, rows) = (raster.cols(), raster.rows());
         let mut x = vec![0; (cols + 1) * (rows + 1)];
         let mut y = vec![0; (cols + 1) * (rows + 1)];
-        for i in 1..cols {
-            for j in 0..rows {
+        for j in 0..rows {
+            let step = raster.b.step(j);
+            for i in 1..cols {
                 let field = j * cols + i;
                 let hit = counts(raster.inside[field - 1], raster.inside[field]);
-                let at = i * (rows + 1) + j;
-                x[at + 1] = x[at] + if hit { raster.b.step(j) } else { 0 };
+                let at = j * (cols + 1) + i;
+                x[at + cols + 1] = x[at] + if hit { step } else { 0 };
             }
         }
-        for j in 1..rows {
-            for i in 0..cols {
+        for i in 0..cols {
+            let step = raster.a.step(i);
+            for j in 1..rows {
                 let field = j * cols + i;
                 let hit = counts(raster.inside[field - cols], raster.inside[field]);
-                let at = j * (cols + 1) + i;
-                y[at + 1] = y[at] + if hit { raster.a.step(i) } else { 0 };
+                let at = i * (rows + 1) + j;
+                y[at + rows + 1] = y[at] + if hit { step } else { 0 };
             }
         }
         Self { x, y, cols, rows }
@@ -62,12 +65,12 @@ impl Lengths {
     pub(super) fn within(&self, line: Line, n: usize, s: Span) -> u64 {
         match line {
             Line::X => {
-                let at = n * (self.rows + 1);
-                self.x[at + s.j1] - self.x[at + s.j0]
+                let width = self.cols + 1;
+                self.x[s.j1 * width + n] - self.x[s.j0 * width + n]
             }
             Line::Y => {
-                let at = n * (self.cols + 1);
-                self.y[at + s.i1] - self.y[at + s.i0]
+                let width = self.rows + 1;
+                self.y[s.i1 * width + n] - self.y[s.i0 * width + n]
             }
         }
     }
@@ -81,43 +84,41 @@ pub(super) struct Candidate {
     pub(super) n: usize,
     /// Wall length on it within the cell, above 0.
     pub(super) wall: u64,
-    /// Twice its distance from the cell's middle.
-    off_middle: u128,
-    /// Its coordinate in the plan's own steps: where x and y tie, the letter compares the two
-    /// coordinates of the author frame, so the origin counts.
-    at: i64,
 }
 
 impl Candidate {
-    /// The order of ties: nearest to the cell's middle, then smaller c, then x before y.
-    pub(super) fn tie(&self) -> (u128, i64, Line) {
-        (self.off_middle, self.at, self.line)
+    /// The order of ties: nearest to the middle of `s`, then smaller c, then x before y. Where x and
+    /// y tie, the letter compares the two coordinates of the author frame, so the origin counts.
+    pub(super) fn tie(&self, raster: &Raster, s: Span) -> (u128, i64, Line) {
+        let (axis, lo, hi) = match self.line {
+            Line::X => (&raster.a, s.i0, s.i1),
+            Line::Y => (&raster.b, s.j0, s.j1),
+        };
+        let at = |n: usize| u128::from(axis.at[n]);
+        let off_middle = (2 * at(self.n)).abs_diff(at(lo) + at(hi));
+        (off_middle, axis.source[self.n], self.line)
     }
 }
 
-/// The scan lines strictly inside `s` with wall on them, x first.
-pub(super) fn candidates<'r>(
-    raster: &'r Raster,
-    walls: &'r Lengths,
+/// The best of some cuts of `s`: the least rank, then the order of ties.
+pub(super) fn best<R: Ord>(
+    raster: &Raster,
     s: Span,
-) -> impl Iterator<Item = Candidate> + 'r {
+    ranked: impl Iterator<Item = (R, Candidate)>,
+) -> Option<Candidate> {
+    let tie = |c: &Candidate| c.tie(raster, s);
+    ranked
+        .min_by(|(r, c), (q, d)| r.cmp(q).then_with(|| tie(c).cmp(&tie(d))))
+        .map(|(_, best)| best)
+}
+
+/// The scan lines strictly inside `s` with wall on them, x first.
+pub(super) fn candidates(walls: &Lengths, s: Span) -> impl Iterator<Item = Candidate> + '_ {
     let x = (s.i0 + 1..s.i1).map(|n| (Line::X, n));
     let y = (s.j0 + 1..s.j1).map(|n| (Line::Y, n));
     x.chain(y).filter_map(move |(line, n)| {
         let wall = walls.within(line, n, s);
-        let (axis, lo, hi) = match line {
-            Line::X => (&raster.a, s.i0, s.i1),
-            Line::Y => (&raster.b, s.j0, s.j1),
-        };
-        let at = &axis.at;
-        let off_middle = (2 * u128::from(at[n])).abs_diff(u128::from(at[lo]) + u128::from(at[hi]));
-        (wall > 0).then(|| Candidate {
-            line,
-            n,
-            wall,
-            off_middle,
-            at: axis.source[n],
-        })
+        (wall > 0).then_some(Candidate { line, n, wall })
     })
 }
 

@@ -7,7 +7,7 @@
 
 use super::facet::{Corner, EPS, area};
 use super::frame::Plane;
-use crate::building::{Face, Finish, Solid};
+use crate::building::{Corners, Face, Finish, Solid};
 use glam::{DVec2, DVec3};
 
 /// What a sheet's faces show.
@@ -219,9 +219,7 @@ impl Mesh {
     /// since upright edges would belong to four sides there.
     fn close(&self, faces: &[usize], drop: f64, coat: &Coat) -> Vec<Solid> {
         let rims = self.rims(faces);
-        let mut starts: Vec<u32> = rims.iter().map(|(p, _, _)| *p).collect();
-        starts.sort_unstable();
-        if faces.len() > 1 && starts.windows(2).any(|w| w[0] == w[1]) {
+        if faces.len() > 1 && touches_itself(&rims) {
             return faces
                 .iter()
                 .flat_map(|f| self.close(&[*f], drop, coat))
@@ -241,7 +239,7 @@ impl Mesh {
             }
         }
         edges.sort_unstable();
-        let mut rims = Vec::new();
+        let mut rims = Vec::with_capacity(edges.len());
         let mut i = 0;
         while i < edges.len() {
             let (lo, hi, from, rim) = edges[i];
@@ -259,7 +257,7 @@ impl Mesh {
         let (points, number) = self.doubled(faces, drop);
         let mut all = Vec::with_capacity(faces.len() * 2 + rims.len());
         let top = |id: &u32| number[*id as usize];
-        let mut face = |corners: Vec<u32>, finish: Finish| all.push(Face { corners, finish });
+        let mut face = |corners: Corners, finish: Finish| all.push(Face { corners, finish });
         for f in faces {
             let face_of = &self.faces[*f];
             face(face_of.iter().map(|(id, _)| top(id)).collect(), coat.top);
@@ -271,7 +269,7 @@ impl Mesh {
         for (from, to, rim) in rims {
             let (p, q) = (top(from), top(to));
             face(
-                vec![q, p, p + 1, q + 1],
+                [q, p, p + 1, q + 1].into(),
                 if *rim { coat.rim } else { coat.joint },
             );
         }
@@ -292,6 +290,13 @@ impl Mesh {
         }
         (points, number)
     }
+}
+
+/// Whether a border passes a point twice.
+fn touches_itself(rims: &[(u32, u32, bool)]) -> bool {
+    let mut starts: Vec<u32> = rims.iter().map(|(p, _, _)| *p).collect();
+    starts.sort_unstable();
+    starts.windows(2).any(|w| w[0] == w[1])
 }
 
 fn find(root: &mut [usize], mut n: usize) -> usize {

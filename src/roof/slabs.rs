@@ -16,7 +16,7 @@ pub(super) fn strips(plan: &Plan) -> Vec<Cell> {
 /// The fields of two plans for which `keep` (first inside, second inside) holds, as strips.
 pub(super) fn combine(first: &Plan, second: &Plan, keep: fn(bool, bool) -> bool) -> Vec<Cell> {
     let mut walls = walls(first, second);
-    walls.sort_unstable_by_key(|w| w.1);
+    walls.sort_unstable_by_key(|w| (w.1, w.0));
     let mut levels: Vec<i64> = walls.iter().flat_map(|w| [w.1, w.2]).collect();
     levels.sort_unstable();
     levels.dedup();
@@ -25,11 +25,11 @@ pub(super) fn combine(first: &Plan, second: &Plan, keep: fn(bool, bool) -> bool)
     for pair in levels.windows(2) {
         let (b0, b1) = (pair[0], pair[1]);
         active.retain(|w| w.2 > b0);
-        while next < walls.len() && walls[next].1 == b0 {
-            let at = active.partition_point(|w| w.0 < walls[next].0);
-            active.insert(at, walls[next]);
-            next += 1;
-        }
+        let begun = walls[next..].iter().take_while(|w| w.1 == b0).count();
+        active.extend_from_slice(&walls[next..next + begun]);
+        next += begun;
+        // Two sorted runs: the stable sort merges them.
+        active.sort_by_key(|w| w.0);
         open = advance(open, intervals(&active, keep), (b0, b1), &mut done);
     }
     done.append(&mut open);

@@ -1,6 +1,6 @@
 //! Small closed solids: prisms and bent boards.
 
-use crate::building::{Face, Finish, Solid};
+use crate::building::{Corners, Face, Finish, Solid};
 use glam::DVec3;
 
 /// The solid that a convex plane profile sweeps along `by`; the profile may run either way round.
@@ -20,12 +20,12 @@ pub fn prism(profile: &[DVec3], by: DVec3, finish: Finish) -> Solid {
     points.extend_from_within(..);
     points[n as usize..].iter_mut().for_each(|p| *p += by);
     let mut faces = Vec::with_capacity(profile.len() + 2);
-    let face = |corners: Vec<u32>| Face { corners, finish };
+    let face = |corners: Corners| Face { corners, finish };
     faces.push(face((0..n).collect()));
     faces.push(face((n..2 * n).rev().collect()));
     faces.extend((0..n).map(|i| {
         let j = (i + 1) % n;
-        face(vec![j, i, i + n, j + n])
+        face([j, i, i + n, j + n].into())
     }));
     Solid { points, faces }
 }
@@ -42,22 +42,23 @@ pub fn bent_board(upper: &[DVec3], lower: &[DVec3], by: DVec3, finish: Finish) -
     // Seen from before the board, chains must run to the right: turn everything if they do not.
     let flip = normal.dot(by) > 0.0;
     let mut faces = Vec::with_capacity(n as usize * 4);
-    let mut face = |mut corners: Vec<u32>| {
+    let mut face = |mut corners: [u32; 4]| {
         if flip {
             corners.reverse();
         }
+        let corners = corners.into();
         faces.push(Face { corners, finish });
     };
     for i in 0..n - 1 {
         let (p, q) = (4 * i, 4 * i + 4);
-        face(vec![p, p + 1, q + 1, q]);
-        face(vec![p + 2, q + 2, q + 3, p + 3]);
-        face(vec![p, q, q + 2, p + 2]);
-        face(vec![p + 1, p + 3, q + 3, q + 1]);
+        face([p, p + 1, q + 1, q]);
+        face([p + 2, q + 2, q + 3, p + 3]);
+        face([p, q, q + 2, p + 2]);
+        face([p + 1, p + 3, q + 3, q + 1]);
     }
     let last = 4 * (n - 1);
-    face(vec![0, 2, 3, 1]);
-    face(vec![last, last + 1, last + 3, last + 2]);
+    face([0, 2, 3, 1]);
+    face([last, last + 1, last + 3, last + 2]);
     Solid { points, faces }
 }
 

@@ -117,14 +117,17 @@ impl Soup {
         let turned = grain && lies(corners.iter().map(flat));
         let first = self.positions.len() as u32;
         let small = normal.as_vec3().to_array();
-        for corner in corners {
+        let uv = |corner: &DVec3| {
             let uv = flat(corner);
             // A quarter turn, not a mirror image: the picture's normals keep their sense.
             let uv = if turned { dvec2(-uv.y, uv.x) } else { uv };
-            self.positions.push(corner.as_vec3().to_array());
-            self.normals.push(small);
-            self.uvs.push(uv.as_vec2().to_array());
-        }
+            uv.as_vec2().to_array()
+        };
+        let small_positions = corners.iter().map(|p| p.as_vec3().to_array());
+        self.positions.extend(small_positions);
+        self.normals
+            .extend(std::iter::repeat_n(small, corners.len()));
+        self.uvs.extend(corners.iter().map(uv));
         polygon::triangulate(corners, normal, |triangle| {
             self.indices.extend(triangle.map(|i| first + i));
         });

@@ -18,11 +18,7 @@ const SLIVER: f64 = 1e-9;
 /// Hands out the triangles of a plane polygon as indices of its corners, in its own sense.
 pub(super) fn triangulate(corners: &[DVec3], normal: DVec3, mut out: impl FnMut([u32; 3])) {
     let n = corners.len();
-    let bend = |a: usize, b: usize, c: usize| {
-        let (p, q, r) = (corners[a], corners[b], corners[c]);
-        normal.dot((q - p).cross(r - q))
-    };
-    if n == 3 || (0..n).all(|i| bend((i + n - 1) % n, i, (i + 1) % n) > SLIVER) {
+    if n == 3 || is_convex(corners, normal) {
         for i in 1..n as u32 - 1 {
             out([0, i, i + 1]);
         }
@@ -41,6 +37,20 @@ pub(super) fn triangulate(corners: &[DVec3], normal: DVec3, mut out: impl FnMut(
         out(triangle);
         left.remove(ear);
     }
+}
+
+/// Whether every corner turns the same way, and none is straight.
+fn is_convex(corners: &[DVec3], normal: DVec3) -> bool {
+    let [.., before, last] = corners else {
+        return false;
+    };
+    let (mut at, mut way) = (*last, *last - *before);
+    corners.iter().all(|next| {
+        let ahead = *next - at;
+        let bend = normal.dot(way.cross(ahead));
+        (at, way) = (*next, ahead);
+        bend > SLIVER
+    })
 }
 
 /// Corners above which the first ear that fits is taken, to stay far from cubic time.

@@ -68,7 +68,7 @@ fn flat_roof() -> Solid {
     for i in 0..n {
         let j = (i + 1) % n;
         faces.push(Face {
-            corners: vec![i, j, n + j, n + i],
+            corners: [i, j, n + j, n + i].into(),
             finish: Finish::Edge(RoofKind::Metal),
         });
     }
@@ -108,7 +108,7 @@ fn courses_lie_level_and_run_up_the_slope() {
     let solid = Solid {
         points: points.map(|(x, y, z)| glam::dvec3(x, y, z)).to_vec(),
         faces: vec![Face {
-            corners: vec![0, 1, 2, 3],
+            corners: [0, 1, 2, 3].into(),
             finish: Finish::Covering(RoofKind::Tiles),
         }],
     };

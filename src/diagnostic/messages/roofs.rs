@@ -299,6 +299,16 @@ pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize)
         .help("divide the house into several, or give it fewer corners")
 }
 
+/// The search for the best cuts of a run is used up.
+#[cold]
+pub fn too_much_search(storey: Span, number: u32) -> Diagnostic {
+    let message = format!(
+        "the best cuts of storey {number} would take longer than is left to search: its roofs, and those of plans like it from here on, are divided by a quicker rule"
+    );
+    Diagnostic::warning(906, storey, message)
+        .help("give the plans fewer corners, write their roofs, or compile fewer of them at once")
+}
+
 /// A storey, the one above and the roof lines cut each other into too many fields.
 #[cold]
 pub fn too_intricate(storey: Span, number: u32) -> Diagnostic {
