@@ -135,6 +135,8 @@ pub struct HouseRoofs {
     pub roofs: Vec<Roof>,
     /// Where walls end below their storey's top, under lean-tos.
     pub ceilings: Vec<Ceiling>,
+    /// What closes storeys from below where they stand out over the one under them.
+    pub soffits: Vec<Soffit>,
 }
 
 /// The automatic regions of one storey (language.md 5, `dump --stage regions`).
@@ -182,6 +184,15 @@ pub struct Roof {
     pub shape: RoofShape,
     /// Covering.
     pub kind: RoofKind,
+    /// Closed solids in the house frame, metres.
+    pub solids: Vec<Solid>,
+}
+
+/// Boards, beams and brackets under the part of a storey that stands out over nothing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Soffit {
+    /// The storey above it, from 1.
+    pub storey: u32,
     /// Closed solids in the house frame, metres.
     pub solids: Vec<Solid>,
 }
