@@ -175,14 +175,12 @@ impl Walker<'_> {
         standing: &[OnceCell<Standing>],
     ) -> Vec<SurfaceId> {
         let fills = |s: &Solid| s.faces.first().is_some_and(|f| f.finish == Finish::Gable);
-        let below = house
-            .storeys
-            .iter()
-            .position(|s| s.number == roof.storey && s.kind == StoreyKind::Storey);
-        let Some(below) = below.filter(|_| roof.solids.iter().any(fills)) else {
+        // Numbers rise, and a parapet follows the storey whose number it shares.
+        let below = house.storeys.partition_point(|s| s.number < roof.storey);
+        let storey = house.storeys.get(below);
+        let Some(storey) = storey.filter(|_| roof.solids.iter().any(fills)) else {
             return vec![];
         };
-        let storey = &house.storeys[below];
         let standing = standing[below].get_or_init(|| Standing::of(storey));
         let of = |solid: &Solid| match fills(solid) {
             true => standing.gable(self.catalog, house, Place { solid, storey }),

@@ -39,7 +39,9 @@ impl Headroom {
             Some(next) => levels[*j].plan != next.plan,
             None => true,
         };
-        let Some(j) = (k + 1..levels.len()).find(open) else {
+        // Nor has it anything to roof itself.
+        let above = || (k + 1..levels.len()).find(open);
+        let Some(j) = open(&k).then(above).flatten() else {
             return room;
         };
         let (level, lines) = (&levels[j], &lines[j]);

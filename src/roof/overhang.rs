@@ -141,7 +141,7 @@ impl Carpenter {
             .collect()
     }
 
-    /// Top of what carries the boards, sunk into them.
+    /// Top of the brackets, sunk into the boards.
     fn top(&self) -> f64 {
         self.floor - BELOW - BOARDS + SUNK
     }
@@ -169,7 +169,8 @@ impl Carpenter {
                 },
             };
             let rect = Rect::of(&on(line, lo, hi), self.unit).grown(half);
-            let (top, foot) = (self.top() - lower, self.floor - deep - lower);
+            // Up to the walls on it, so that no light falls in between.
+            let (top, foot) = (self.floor + 0.004 - lower, self.floor - deep - lower);
             let profile = rect.corners().map(|p| p.extend(foot));
             let by = glam::DVec3::Z * (top - foot);
             solids.push(prism(&profile, by, Finish::Timber));
