@@ -4,7 +4,7 @@
 //!
 //! For each region, the first of these that applies:
 //! 1. the street region: main, ridge parallel to the first line ("wins over everything"). Where the
-//!    storey above stands behind the whole of it at most 3 units back, or a roof line's roof that a
+//!    storey above stands behind the whole of it at most 2 units back, or a roof line's roof that a
 //!    strip may lean on, a lean-to falling to the street: its upper edge is parallel to the first line;
 //! 2. an upper storey's wall along a whole edge: a lean-to against it if at most 3 units deep,
 //!    else a gable with the ridge running into the wall;
@@ -278,7 +278,7 @@ impl Judge<'_> {
             ..Region::lean_to(cell, side)
         };
         if let Some(side) = behind().find(|s| self.has_wall(&cell, *s))
-            && side.measure(&cell).1 <= self.steps(3)
+            && side.measure(&cell).1 <= self.steps(2)
         {
             return Region {
                 against_wall: Some(side),

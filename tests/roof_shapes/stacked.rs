@@ -121,7 +121,7 @@ fn a_wing_beside_a_written_roof_runs_into_it() {
 
 #[test]
 fn a_street_front_below_a_set_back_storey_leans_on_it() {
-    for by in [1.0, 2.0, 3.0] {
+    for by in [1.0, 2.0] {
         let storeys = vec![
             vec![ring(&rect(0.0, 0.0, 6.0, 9.0))],
             vec![ring(&rect(0.0, by, 6.0, 9.0))],
@@ -136,7 +136,7 @@ fn a_street_front_below_a_set_back_storey_leans_on_it() {
     // A deep front building keeps its own roof.
     let storeys = vec![
         vec![ring(&rect(0.0, 0.0, 6.0, 9.0))],
-        vec![ring(&rect(0.0, 4.0, 6.0, 9.0))],
+        vec![ring(&rect(0.0, 3.0, 6.0, 9.0))],
     ];
     let mut house = house(storeys);
     house.street = true;
