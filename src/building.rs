@@ -6,16 +6,13 @@
 //! Frames: plan points are (a, b) in U, the author frame. Solids are in the house frame: metres, x east,
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
-mod corners;
-
-pub use corners::Corners;
-
 use crate::ast::{RoofKind, RoofShape, StoreyKind};
 use crate::program::{Picture, Roofs, Unit};
 use crate::roof::plan::Cell;
 use crate::source::Span;
 use glam::{DVec2, DVec3, dvec3};
 use serde::Serialize;
+use smallvec::SmallVec;
 
 /// All houses of a run with their walls placed.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -139,6 +136,8 @@ pub struct HouseRoofs {
     pub roofs: Vec<Roof>,
     /// Where walls end below their storey's top, under lean-tos.
     pub ceilings: Vec<Ceiling>,
+    /// What closes storeys from below where they stand out over the one under them.
+    pub soffits: Vec<Soffit>,
 }
 
 /// The automatic regions of one storey (language.md 5, `dump --stage regions`).
@@ -190,6 +189,15 @@ pub struct Roof {
     pub solids: Vec<Solid>,
 }
 
+/// Boards, beams and brackets under the part of a storey that stands out over nothing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Soffit {
+    /// The storey above it, from 1.
+    pub storey: u32,
+    /// Closed solids in the house frame, metres.
+    pub solids: Vec<Solid>,
+}
+
 /// A closed polyhedron: every edge belongs to two faces that run along it in opposite directions.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Solid {
@@ -198,6 +206,10 @@ pub struct Solid {
     /// Plane faces, counter-clockwise seen from outside.
     pub faces: Vec<Face>,
 }
+
+/// Indices into the points of a solid, used as a slice. A town has millions of faces with three to six corners: those
+/// are kept in place, without memory of their own.
+pub type Corners = SmallVec<[u32; 6]>;
 
 /// One plane face of a solid; convex unless `points` of it say otherwise (flat roofs of any outline).
 #[derive(Clone, Debug, Serialize)]

@@ -214,7 +214,7 @@ fn inward(solid: &Solid) -> Vec<Flaw> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::building::Finish;
+    use crate::building::{Corners, Finish};
     use glam::dvec3;
 
     fn tetrahedron() -> Solid {
@@ -223,7 +223,7 @@ mod tests {
             points: vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z],
             faces: faces
                 .map(|c| Face {
-                    corners: c.into(),
+                    corners: Corners::from_slice(&c),
                     finish: Finish::Plaster,
                 })
                 .to_vec(),
@@ -289,7 +289,7 @@ mod tests {
         let mut solid = tetrahedron();
         solid.points[3] = dvec3(0.5, 0.0, 0.0);
         assert!(flaws(&solid).contains(&Flaw::Sliver { face: 1 }));
-        let corners = [0, 1, 2, 3].into();
+        let corners = Corners::from_slice(&[0, 1, 2, 3]);
         solid.points = vec![DVec3::ZERO, DVec3::X, dvec3(1.0, 1.0, 0.1), DVec3::Y];
         solid.faces = vec![Face {
             corners,

@@ -28,6 +28,7 @@ mod forms;
 pub mod frame;
 pub mod gable;
 pub mod gable_wall;
+mod headroom;
 mod house;
 pub mod kd;
 pub mod lean_to;
@@ -38,6 +39,7 @@ mod meet;
 pub mod merge;
 mod nearby;
 pub mod outline;
+mod overhang;
 pub mod partition;
 pub mod pent;
 pub mod plan;
@@ -53,6 +55,7 @@ pub mod solid;
 pub mod street;
 mod tops;
 pub mod triangulate;
+mod written;
 
 /// Roofs all houses.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {

@@ -28,17 +28,24 @@ mod polygon;
 pub mod sheet;
 mod shelter;
 mod solid;
+mod standing;
 mod store;
 
 use crate::ast::StoreyKind;
-use crate::building::{Building, Ceiling, House, HouseRoofs, Ring, Roof, Storey};
+use crate::building::{
+    Building, Ceiling, Finish, House, HouseRoofs, Ring, Roof, Soffit, Solid, Storey,
+};
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
+use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
 use alike::{Alike, Roofs};
 use compact_str::{CompactString, format_compact};
 use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
+use standing::{Place, Standing};
+use std::cell::OnceCell;
+use std::collections::hash_map::Entry;
 use store::Store;
 
 /// Every house of a building as a scene. Pure; shares meshes among all houses.
@@ -88,6 +95,8 @@ struct Level<'a> {
     house: &'a House,
     storey: &'a Storey,
     ceilings: &'a [Ceiling],
+    /// Where its walls stand, once somebody asks.
+    standing: &'a OnceCell<Standing>,
     /// Metres from floor to top.
     height: f64,
     /// The storey's node.
@@ -149,15 +158,50 @@ impl<'a> Walker<'a> {
         node.turn = Heading::new(180.0 - house.azimuth).vector();
         node.span = Some(house.span);
         let root = self.last();
-        for storey in &house.storeys {
-            self.storey(root, house, storey, &roofs.ceilings);
+        let standing: Vec<OnceCell<Standing>> =
+            house.storeys.iter().map(|_| OnceCell::new()).collect();
+        for (storey, standing) in house.storeys.iter().zip(&standing) {
+            self.storey(root, house, storey, &roofs.ceilings, standing);
+        }
+        for (i, soffit) in roofs.soffits.iter().enumerate() {
+            self.soffit(root, soffit, i + 1);
         }
         for (i, roof) in roofs.roofs.iter().enumerate() {
-            self.roof(root, roof, i + 1);
+            let gables = self.gables(house, roof, &standing);
+            self.roof(root, roof, gables, i + 1);
         }
     }
 
-    fn storey(&mut self, root: NodeId, house: &House, storey: &Storey, ceilings: &[Ceiling]) {
+    /// The finishes of a roof's gable fills, by solid; nothing where it has none.
+    fn gables(
+        &self,
+        house: &House,
+        roof: &Roof,
+        standing: &[OnceCell<Standing>],
+    ) -> Vec<SurfaceId> {
+        let fills = |s: &Solid| s.faces.first().is_some_and(|f| f.finish == Finish::Gable);
+        // Numbers rise, and a parapet follows the storey whose number it shares.
+        let below = house.storeys.partition_point(|s| s.number < roof.storey);
+        let storey = house.storeys.get(below);
+        let Some(storey) = storey.filter(|_| roof.solids.iter().any(fills)) else {
+            return vec![];
+        };
+        let standing = standing[below].get_or_init(|| Standing::of(storey));
+        let of = |solid: &Solid| match fills(solid) {
+            true => standing.gable(self.catalog, house, Place { solid, storey }),
+            false => SurfaceId::named("plaster"),
+        };
+        roof.solids.iter().map(of).collect()
+    }
+
+    fn storey(
+        &mut self,
+        root: NodeId,
+        house: &House,
+        storey: &Storey,
+        ceilings: &[Ceiling],
+        standing: &OnceCell<Standing>,
+    ) {
         let word = match storey.kind {
             StoreyKind::Storey => "storey",
             StoreyKind::Parapet => "parapet",
@@ -171,6 +215,7 @@ impl<'a> Walker<'a> {
             house,
             storey,
             ceilings,
+            standing,
             height: storey.z1 - storey.z0,
             node: self.last(),
         };
@@ -204,10 +249,24 @@ impl<'a> Walker<'a> {
         }
     }
 
-    fn roof(&mut self, root: NodeId, roof: &'a Roof, number: usize) {
-        let known = self.roofs.entry(Alike::new(roof, number));
-        let mesh = *known.or_insert_with(|| self.store.roof(roof, number));
+    /// What closes an overhanging storey from below.
+    fn soffit(&mut self, root: NodeId, soffit: &Soffit, number: usize) {
+        let name = format_compact!("soffit {number}");
+        let mesh = self.store.solids(&name, &soffit.solids, &[]);
+        let node = self.node(Some(root), Kind::Member, name, DVec3::ZERO);
+        node.mesh = mesh;
+        node.storey = Some(soffit.storey);
+    }
+
+    fn roof(&mut self, root: NodeId, roof: &'a Roof, gables: Vec<SurfaceId>, number: usize) {
         let name = format_compact!("roof {number}");
+        let mesh = match self.roofs.entry(Alike::new(roof, gables, number)) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                let made = self.store.solids(&name, &roof.solids, new.key().gables());
+                *new.insert(made)
+            }
+        };
         let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(roof.storey);

@@ -258,6 +258,14 @@ fn rings_of_facades_spread_a_small_error() {
         let units: f64 = wall.units.iter().map(|u| u.width).sum();
         assert!((units - wall.from.distance(wall.to)).abs() < 1e-9);
     }
+    for wall in walls {
+        let way = wall.to - wall.from;
+        assert!(way.x == 0.0 || way.y == 0.0, "right angles stay right");
+        assert!((way.normalize() - wall.direction).length() < 1e-12);
+    }
+    // Along a 20.1 units share the 0.1, along b nothing is wrong.
+    assert!((walls[0].to.x - 10.0 * (1.0 + 0.1 / 20.1)).abs() < 1e-9);
+    assert_eq!(walls[1].to.y - walls[1].from.y, 5.0);
     assert_eq!(lowered(vec![vec![facades("10R 5R 8R 5R")]]).1[0].0, 409);
     assert!(
         lowered(vec![vec![facades("10R 5R")]]).1.is_empty(),
@@ -269,6 +277,33 @@ fn rings_of_facades_spread_a_small_error() {
         said.is_empty() && shell.houses[0].storeys[0].rings[0].closed,
         "{said:?}"
     );
+}
+
+#[test]
+fn spread_rings_are_exact_whatever_their_shape() {
+    let facades = |text: &str| Loop {
+        ring: true,
+        ..walk(text)
+    };
+    let l = "6.01R 4R 3R 2.02L 3R 2R";
+    let odd = "3.333333R 2.7R 3.3R 0.33333R 0.02L 2.4R";
+    let middle = "2.01R 3R 4R 3.03R 2R";
+    for text in [l, odd, middle] {
+        let (shell, said) = lowered(vec![vec![facades(text)]]);
+        assert!(said.is_empty(), "{text}: {said:?}");
+        let ring = &shell.houses[0].storeys[0].rings[0];
+        for (wall, next) in ring.walls.iter().zip(ring.walls.iter().cycle().skip(1)) {
+            let way = wall.to - wall.from;
+            assert!(way.x == 0.0 || way.y == 0.0, "{text}: {wall:?}");
+            assert!(way.dot(wall.direction) > 0.0, "{text}: {wall:?}");
+            assert_eq!(wall.to, next.from, "{text}");
+        }
+    }
+    // So thin that the error is no small one along its depth: corners move, and it closes all the same.
+    let (shell, said) = lowered(vec![vec![facades("50R 0.2R 50R 0.8R")]]);
+    assert!(said.is_empty(), "{said:?}");
+    let walls = &shell.houses[0].storeys[0].rings[0].walls;
+    assert_eq!(walls[3].to, walls[0].from);
 }
 
 #[test]

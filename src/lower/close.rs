@@ -5,7 +5,7 @@ use crate::building::Wall;
 use crate::diagnostic::{Diagnostics, messages::plan};
 use crate::geometry::{SAME, area2};
 use crate::source::Span;
-use glam::DVec2;
+use glam::{DVec2, dvec2};
 
 /// A closing error up to this share of the length is spread over a ring of facades (language.md 3).
 const RING_ERROR: f64 = 0.01;
@@ -173,8 +173,72 @@ fn mends(walk: &Walk, gap: DVec2) -> Vec<Mend> {
     found
 }
 
-/// Moves every corner by its share of the gap, so that the ring closes.
+/// Stretches and shortens the walls of a nearly closed ring until it closes: by least squares, long walls
+/// taking more than short ones, so that every wall keeps its direction and right angles stay right. Where
+/// that would change a wall too much (a gap as long as the walls along it), corners move instead.
 fn spread(walls: &mut [Wall], gap: DVec2, length: f64) {
+    if !stretch(walls, gap) {
+        shear(walls, gap, length);
+    }
+}
+
+/// The largest share by which a wall may grow or shrink.
+const MOST_STRETCH: f64 = 0.25;
+
+/// A wall of length l and direction d changes by l (d . k); the sum of all changes is to undo the gap.
+fn stretch(walls: &mut [Wall], gap: DVec2) -> bool {
+    let (mut aa, mut ab, mut bb) = (0.0, 0.0, 0.0);
+    for wall in &*walls {
+        let (l, d) = (wall.from.distance(wall.to), wall.direction);
+        aa += l * d.x * d.x;
+        ab += l * d.x * d.y;
+        bb += l * d.y * d.y;
+    }
+    let determinant = aa * bb - ab * ab;
+    if determinant < 1e-9 {
+        return false;
+    }
+    let k = dvec2(ab * gap.y - bb * gap.x, ab * gap.x - aa * gap.y) / determinant;
+    if walls
+        .iter()
+        .any(|w| w.direction.dot(k).abs() > MOST_STRETCH)
+    {
+        return false;
+    }
+    let first = walls[0].from;
+    let mut at = first;
+    for wall in &mut *walls {
+        let share = 1.0 + wall.direction.dot(k);
+        let to = at + wall.direction * (wall.from.distance(wall.to) * share);
+        (wall.from, wall.to) = (at, to);
+        wall.units.iter_mut().for_each(|u| u.width *= share);
+        at = to;
+    }
+    end_at(walls, first);
+    true
+}
+
+/// Moves the last corners by the rounding error that is left, along walls parallel to an axis, so that
+/// these stay exactly parallel to it.
+fn end_at(walls: &mut [Wall], first: DVec2) {
+    let mut to = first;
+    for i in (0..walls.len()).rev() {
+        let wall = &mut walls[i];
+        wall.to = to;
+        match (wall.direction.x == 0.0, wall.direction.y == 0.0) {
+            (true, false) => wall.from.x = to.x,
+            (false, true) => wall.from.y = to.y,
+            _ => return,
+        }
+        if i == 0 {
+            wall.from = first;
+        }
+        to = wall.from;
+    }
+}
+
+/// Moves every corner by its share of the gap.
+fn shear(walls: &mut [Wall], gap: DVec2, length: f64) {
     let mut walked = 0.0;
     for wall in &mut *walls {
         let before = wall.from.distance(wall.to);

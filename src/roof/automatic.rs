@@ -12,6 +12,7 @@ use super::outline::piece;
 use super::plan::Cell;
 use super::ridge::{Region, Ridge, Side};
 use super::sides::Sides;
+use super::written::Written;
 use crate::ast::RoofShape;
 use crate::building::{Ceiling, Finish, rect_of};
 use crate::diagnostic::Diagnostics;
@@ -28,7 +29,11 @@ const TUCKED: f64 = 0.10;
 /// The regions of one storey on their way to roofs.
 pub(super) struct Automatic<'c, 'h> {
     pub(super) context: &'c Context<'h>,
-    pub(super) regions: &'c [Region],
+    /// The regions and behind them the roofs that the author wrote.
+    pub(super) regions: Vec<Region>,
+    /// How many are regions.
+    count: usize,
+    written: &'c [Written],
     /// Height of the wall plates, metres.
     pub(super) base: f64,
     /// Of each region.
@@ -42,21 +47,23 @@ pub(super) struct Automatic<'c, 'h> {
 }
 
 impl<'c, 'h> Automatic<'c, 'h> {
-    pub(super) fn new(context: &'c Context<'h>, regions: &'c [Region]) -> Self {
-        let look = |r: &Region| match (r.ridge, r.fall) {
-            (None, Some(fall)) => {
-                let depth = context.metres(fall.measure(&r.cell).1);
-                Look::lean_to(None, context.style, depth)
-            }
-            (ridge, _) => context.gable_look(&r.cell, ridge.unwrap_or(Ridge::A), None),
-        };
-        let looks = regions.iter().map(look).collect();
+    pub(super) fn new(
+        context: &'c Context<'h>,
+        mut regions: Vec<Region>,
+        written: &'c [Written],
+    ) -> Self {
+        let base = context.level.storey.z1;
+        let looks = regions.iter().map(|r| look(context, r, base));
+        let looks = looks.chain(written.iter().map(|w| w.look)).collect();
+        let count = regions.len();
+        regions.extend(written.iter().map(|w| w.beside.roof));
         let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
         let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
-        let base = context.level.storey.z1;
         let mut this = Automatic {
             context,
             regions,
+            count,
+            written,
             base,
             looks,
             tucked: vec![],
@@ -72,7 +79,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
     fn tuck_all(&mut self) {
         let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
         self.tucked = vec![None; self.regions.len()];
-        let mut order: Vec<usize> = (0..self.regions.len())
+        let mut order: Vec<usize> = (0..self.count)
             .filter(|n| leans(&self.regions[*n]))
             .collect();
         order.sort_by_key(|n| std::cmp::Reverse(self.regions[*n].cell.area()));
@@ -94,7 +101,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
     pub(super) fn report(&self, out: &mut Diagnostics) {
         let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
         let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
-        let lowest = (0..self.regions.len())
+        let lowest = (0..self.count)
             .filter(leans)
             .filter_map(left)
             .reduce(f64::min);
@@ -119,11 +126,15 @@ impl<'c, 'h> Automatic<'c, 'h> {
                         .context
                         .gable(region.cell, along(fall), self.base, None),
                 },
-                (None, Some(fall)) => self.context.lean_to(region.cell, fall, self.base, None),
+                (None, Some(fall)) => {
+                    let look = self.looks[n];
+                    self.context
+                        .lean_to_with(region.cell, fall, self.base, look)
+                }
                 (ridge, _) => self.gable(n, ridge.unwrap_or(Ridge::A)),
             }
         };
-        (0..self.regions.len()).map(roof).collect()
+        (0..self.count).map(roof).collect()
     }
 
     fn gable(&self, n: usize, ridge: Ridge) -> Planned {
@@ -159,7 +170,8 @@ impl<'c, 'h> Automatic<'c, 'h> {
             .sides
             .as_ref()
             .and_then(|s| s.beyond(&region.cell, side));
-        let Some(other) = beyond.filter(|_| plain.wall) else {
+        let level = |other: &usize| self.plate(*other) == self.base;
+        let Some(other) = beyond.filter(level).filter(|_| plain.wall) else {
             return plain;
         };
         let end = self.run_in(n, other, side, plain);
@@ -237,7 +249,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             slope: dvec2(-soffit.slope.x * unit, soffit.slope.y * unit),
         });
         let mut form = lean_to.form();
-        form.under = region.over;
+        form.under = region.over.map(|trunk| self.place(trunk));
         self.heads(n, lean_to, &mut form.solids);
         self.context
             .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
@@ -248,8 +260,16 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let region = &self.regions[n];
         let depth = self.context.metres(fall.measure(&region.cell).1);
         let mut look = self.looks[n];
+        let below = |joint: f64, look: &Look| {
+            joint - self.tuck(n, fall, look) - look.drop() - look.pitch * depth
+        };
         let joint = self.joint_height(n, fall.opposite());
-        let low = |look: &Look| joint - self.tuck(n, fall, look) - look.drop() - look.pitch * depth;
+        // Under a roof that stands much higher it rises from the plate like one against a wall.
+        let stands = below(joint, &look) >= self.base;
+        let low = |look: &Look| match stands {
+            true => self.base,
+            false => below(joint.min(self.base), look),
+        };
         let floor = self.context.level.storey.z0;
         if low(&look) - floor < LEAST_WALL {
             look.pitch = look.pitch.min(0.2);
@@ -260,7 +280,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             } else {
                 0.0
             };
-            Flank { over, wall: false }
+            Flank { over, wall: stands }
         };
         LeanTo {
             rect: self.context.rect(&region.cell),
@@ -270,8 +290,27 @@ impl<'c, 'h> Automatic<'c, 'h> {
             ends: end_sides(fall).map(flank),
             high: Flank {
                 over: 0.03,
-                wall: false,
+                wall: stands,
             },
+        }
+    }
+
+    /// Height of the wall plate of a region or a written roof.
+    fn plate(&self, n: usize) -> f64 {
+        let written = n.checked_sub(self.count).and_then(|i| self.written.get(i));
+        written.map_or(self.base, |w| w.base)
+    }
+
+    /// The place of a trunk among the roofs of its height: written ones follow the regions.
+    fn place(&self, trunk: usize) -> usize {
+        let written = trunk
+            .checked_sub(self.count)
+            .and_then(|i| self.written.get(i));
+        match written {
+            None => trunk,
+            Some(w) if w.beside.level => self.count + w.before,
+            // It meets nobody here, but eaves of others give way all the same.
+            Some(_) => usize::MAX,
         }
     }
 
@@ -299,7 +338,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             return self.base;
         };
         let Some(slope) = &self.tucked[trunk] else {
-            return self.base;
+            return self.plate(trunk);
         };
         let soffit = slope.soffit();
         let (from, to) = self.ends_of(n, side);
@@ -362,6 +401,25 @@ impl<'c, 'h> Automatic<'c, 'h> {
         });
         let about = self.context.rect(&self.regions[n].cell).grown(0.01);
         index.overlapping(&about).iter().any(beyond)
+    }
+}
+
+/// The look of a region's roof, gentle enough to stay below the eaves of the storeys above.
+fn look(context: &Context<'_>, region: &Region, base: f64) -> Look {
+    let look = match (region.ridge, region.fall) {
+        (None, Some(fall)) => {
+            let depth = context.metres(fall.measure(&region.cell).1);
+            Look::lean_to(None, context.style, depth)
+        }
+        (ridge, _) => context.gable_look(&region.cell, ridge.unwrap_or(Ridge::A), None),
+    };
+    match region.fall.is_some() && region.over.is_some() {
+        // Tucked under its trunk it rises no higher than its walls.
+        true => look,
+        false => {
+            let rect = context.rect(&region.cell);
+            context.headroom.fit(&rect, region, base, look)
+        }
     }
 }
 

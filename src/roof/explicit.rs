@@ -6,6 +6,7 @@ use super::look::{Look, band};
 use super::plan::{Cell, Plan};
 use super::ridge::{Ridge, Side};
 use super::tops::Tops;
+use super::written::falls_to;
 use crate::ast::{RoofDirection, RoofLine, RoofShape};
 use crate::building::House;
 use crate::diagnostic::Diagnostics;
@@ -116,6 +117,8 @@ fn place_one<'h>(
             top / SHAKU,
         ));
     }
+    // Sums of storeys differ from what is written by the last bit: roofs of one height must meet.
+    let base = if gap(top) < 1e-6 { top } else { base };
     Some(placed((level, base)))
 }
 
@@ -284,7 +287,7 @@ pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnos
     let style = Some(&one.line.style);
     let mut planned = match one.shape {
         RoofShape::LeanTo => {
-            let near = fall_wish.unwrap_or(Side::Front);
+            let near = falls_to(one);
             context.lean_to(one.cell, near, one.base, style)
         }
         RoofShape::Pent => {

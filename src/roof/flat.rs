@@ -7,7 +7,7 @@ use super::plan::Plan;
 use super::sheet::{Coat, Piece, sheet};
 use super::triangulate::triangles;
 use crate::ast::RoofKind;
-use crate::building::{Face, Finish, Solid};
+use crate::building::{Corners, Face, Finish, Solid};
 use crate::roof::plan::Cell;
 use glam::{DVec2, DVec3, dvec2};
 
@@ -221,7 +221,7 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
         for s in 0..4 {
             let t = (s + 1) % 4;
             faces.push(Face {
-                corners: [p + s, q + s, q + t, p + t].into(),
+                corners: Corners::from_slice(&[p + s, q + s, q + t, p + t]),
                 finish,
             });
         }
@@ -229,11 +229,11 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
     if !closed {
         let last = 4 * (n as u32 - 1);
         faces.push(Face {
-            corners: [0, 1, 2, 3].into(),
+            corners: Corners::from_slice(&[0, 1, 2, 3]),
             finish,
         });
         faces.push(Face {
-            corners: [last + 3, last + 2, last + 1, last].into(),
+            corners: Corners::from_slice(&[last + 3, last + 2, last + 1, last]),
             finish,
         });
     }

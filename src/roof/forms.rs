@@ -5,6 +5,7 @@ use super::flat;
 use super::form::Form;
 use super::frame::{Rect, end_sides, metres, near_side};
 use super::gable::{End, Gable};
+use super::headroom::Headroom;
 use super::lean_to::{Flank, LeanTo};
 use super::level::Level;
 use super::look::Look;
@@ -41,6 +42,8 @@ pub(super) struct Context<'h> {
     pub(super) upper: Option<&'h Plan>,
     /// Top of the highest walls, metres.
     pub(super) roof_top: f64,
+    /// What the eaves of the storeys above leave to its roofs.
+    pub(super) headroom: Headroom,
     /// Whether the storey is one rectangle with nothing on it: all its sides are free.
     pub(super) lone: bool,
     pub(super) outline: OnceCell<Outline>,
@@ -193,6 +196,11 @@ impl Context<'_> {
     ) -> Planned {
         let (_, depth) = near.measure(&cell);
         let look = Look::lean_to(style, self.style, self.metres(depth));
+        self.lean_to_with(cell, near, base, look)
+    }
+
+    /// A single slope of a given look.
+    pub(super) fn lean_to_with(&self, cell: Cell, near: Side, base: f64, look: Look) -> Planned {
         let flank = |side: Side| match self.is_walled(&cell, side) {
             true => Flank::default(),
             false => Flank {

@@ -8,11 +8,13 @@ use super::explicit::{self, Placed};
 use super::flat;
 use super::forms::{Context, Planned};
 use super::frame::Rect;
+use super::headroom::Headroom;
 use super::level::{Level, Point, first_line, is_facade, levels};
 use super::partition::{Method, partition_within};
 use super::plan::{Cell, Plan};
 use super::ridge::{Region, Ridge, Role, regions_by};
-use super::{report, slabs, street};
+use super::written::Written;
+use super::{overhang, report, slabs, street, written};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
 use crate::building::{House, HouseRoofs, Ring};
 use crate::diagnostic::Diagnostics;
@@ -32,13 +34,18 @@ pub(super) fn roofs(house: &House, effort: &Effort, out: &mut Diagnostics) -> Ho
     let mut done = HouseRoofs::default();
     let lines = explicit::place(house, &levels, out);
     report_house(house, &levels, out);
+    for pair in levels.windows(2) {
+        overhang::close(house, &pair[0], &pair[1], &mut done.soffits, out);
+    }
     let pent = street_pent(house, &levels);
     let top = levels.iter().map(|l| l.storey.z1).fold(f64::MIN, f64::max);
     let mut on_level: Vec<Vec<&Placed<'_>>> = vec![vec![]; levels.len()];
     for line in &lines {
         on_level[line.level].push(line);
     }
-    for (k, lines) in on_level.into_iter().enumerate() {
+    for (k, lines) in on_level.iter().enumerate() {
+        let lines = lines.clone();
+        let headroom = Headroom::of(house, &levels, k, &on_level);
         let pent = pent.filter(|_| k == 0);
         Storey {
             house,
@@ -48,6 +55,7 @@ pub(super) fn roofs(house: &House, effort: &Effort, out: &mut Diagnostics) -> Ho
             lines,
             pent,
             effort,
+            headroom,
         }
         .roof(&mut done, out);
     }
@@ -77,36 +85,6 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
         && levels.iter().any(|l| l.orthogonal && !l.is_open())
     {
         out.push(say::not_built_yet(shape.span, shape.value.letters()));
-    }
-    for pair in levels.windows(2) {
-        report_overhang(&pair[0], &pair[1], out);
-    }
-}
-
-fn report_overhang(lower: &Level<'_>, upper: &Level<'_>, out: &mut Diagnostics) {
-    if lower.is_open() || !lower.orthogonal || !upper.orthogonal || lower.plan == upper.plan {
-        return;
-    }
-    if !upper.plan.fits(Some(&lower.plan)) {
-        return;
-    }
-    let over = slabs::strips(&upper.plan.difference(&lower.plan));
-    let by = over
-        .iter()
-        .map(|c| c.width().min(c.depth()))
-        .max()
-        .unwrap_or(0);
-    let number = lower.storey.number;
-    let units = by as f64 / STEPS as f64;
-    if by > STEPS {
-        out.push(say::overhang(
-            upper.storey.span,
-            lower.storey.span,
-            number,
-            units,
-        ));
-    } else if by > 0 {
-        out.push(say::jutting(upper.storey.span, number, units));
     }
 }
 
@@ -178,10 +156,11 @@ struct Storey<'a, 'h> {
     pent: Option<Cell>,
     /// For the best cuts.
     effort: &'a Effort,
+    headroom: Headroom,
 }
 
 impl Storey<'_, '_> {
-    fn roof(self, done: &mut HouseRoofs, out: &mut Diagnostics) {
+    fn roof(mut self, done: &mut HouseRoofs, out: &mut Diagnostics) {
         let level = &self.levels[self.k];
         let upper = self.levels.get(self.k + 1).filter(|u| !u.is_open());
         let plain = |l: &Level<'_>| l.orthogonal;
@@ -191,6 +170,7 @@ impl Storey<'_, '_> {
             level,
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
             roof_top: self.top,
+            headroom: std::mem::take(&mut self.headroom),
             lone: upper.is_none() && self.lines.is_empty() && level.plan.as_cell().is_some(),
             outline: OnceCell::new(),
             upper_outline: OnceCell::new(),
@@ -242,6 +222,7 @@ impl Storey<'_, '_> {
             out.push(say::too_intricate(level.storey.span, level.storey.number));
         }
         let open = open.unwrap_or_default();
+        let trunks = written::trunks(&self.lines, context);
         let corners = open.corners();
         let many = corners > MOST_CORNERS;
         if many {
@@ -249,7 +230,7 @@ impl Storey<'_, '_> {
             out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
             found = strips(&open);
         } else if !open.loops.is_empty() {
-            found = self.regions(context, &open);
+            found = self.regions(context, &open, &trunks);
             if self.effort.is_news() {
                 out.push(say::too_much_search(first_wall(level), level.storey.number));
             }
@@ -279,7 +260,7 @@ impl Storey<'_, '_> {
             };
             return vec![context.flat(&cells, &border, level.storey.z1, None)];
         }
-        let automatic = Automatic::new(context, &found);
+        let automatic = Automatic::new(context, found, &trunks);
         automatic.report(out);
         automatic.roofs(&mut done.ceilings)
     }
@@ -312,7 +293,7 @@ impl Storey<'_, '_> {
         (open.corners() <= 2 * written + MOST_CORNERS).then_some(open)
     }
 
-    fn regions(&self, context: &Context<'_>, open: &Plan) -> Vec<Region> {
+    fn regions(&self, context: &Context<'_>, open: &Plan, trunks: &[Written]) -> Vec<Region> {
         let method = match self.house.roofs.method {
             RoofMethod::Kd => Method::Kd,
             RoofMethod::LeastCut => Method::LeastCut,
@@ -324,7 +305,8 @@ impl Storey<'_, '_> {
             .flatten();
         let front = line.and_then(|line| street::street_front(open, line));
         let cut = |open: &Plan| partition_within(open, method, self.effort);
-        regions_by(open, context.upper, cut, front, STEPS)
+        let beside: Vec<_> = trunks.iter().map(|t| t.beside).collect();
+        regions_by(open, context.upper, cut, front, STEPS, &beside)
     }
 
     /// A storey whose walls, or whose upper storey's walls, are not at right angles: one flat roof a

@@ -28,7 +28,11 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], flat: bool) -> StoreyP
             } else {
                 RoofShape::Gable
             },
-            over: if r.role == Role::Branch { r.over } else { None },
+            // Written roofs have no place in the list.
+            over: match r.role {
+                Role::Branch => r.over.filter(|over| *over < regions.len()),
+                _ => None,
+            },
         },
     };
     with_regions(level, regions.iter().map(region).collect())

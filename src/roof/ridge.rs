@@ -3,7 +3,9 @@
 //! that its small roofs come out wrong, 001-21).
 //!
 //! For each region, the first of these that applies:
-//! 1. the street region: main, ridge parallel to the first line ("wins over everything");
+//! 1. the street region: main, ridge parallel to the first line ("wins over everything"). Where the
+//!    storey above stands behind the whole of it at most 2 units back, or a roof line's roof that a
+//!    strip may lean on, a lean-to falling to the street: its upper edge is parallel to the first line;
 //! 2. an upper storey's wall along a whole edge: a lean-to against it if at most 3 units deep,
 //!    else a gable with the ridge running into the wall;
 //! 3. its trunk, the largest region (at equal area the least (b0, a0)) with a larger area on
@@ -15,6 +17,8 @@
 //! 4. a strip at most 3 units deep and at least twice as long, an upper wall along at least
 //!    half of it (round the corner of a smaller upper storey): a lean-to against that wall;
 //! 5. main, ridge along the long side; a square's parallel to the first line.
+//!
+//! Roofs that the author wrote are trunks like any other, but for flat ones.
 
 use super::partition::{Method, partition};
 use super::plan::{Cell, Plan};
@@ -95,7 +99,8 @@ pub struct Region {
     pub fall: Option<Side>,
     /// Main, branch or lean-to.
     pub role: Role,
-    /// Index of the trunk of a branch, or of a lean-to that leans on a region.
+    /// Index of the trunk of a branch, or of a lean-to that leans on a region; written roofs are
+    /// counted behind the regions.
     pub over: Option<usize>,
     /// Whether it is the street region.
     pub street: bool,
@@ -151,6 +156,15 @@ impl Region {
     }
 }
 
+/// A roof that stands beside the regions, written by the author.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Beside {
+    /// Its place, ridge and fall, as of a region.
+    pub roof: Region,
+    /// Whether it stands on the walls' top: only there can others run into it.
+    pub level: bool,
+}
+
 /// The regions of one storey, sorted by (b0, a0); `over` and `through` refer to that order.
 ///
 /// `plan` is the storey's plan or what of it is left open (`upper`, the plan of the storey
@@ -165,18 +179,19 @@ pub fn regions(
     unit: i64,
 ) -> Vec<Region> {
     let cut = |open: &Plan| partition(open, method);
-    regions_by(plan, upper, cut, street_front, unit)
+    regions_by(plan, upper, cut, street_front, unit, &[])
 }
 
-/// The same with a way of one's own to cut what is left to the method.
+/// The same with a way of one's own to cut what is left to the method, beside roofs that are written already.
 pub fn regions_by(
     plan: &Plan,
     upper: Option<&Plan>,
     cut: impl Fn(&Plan) -> Vec<Cell>,
     street_front: Option<Cell>,
     unit: i64,
+    beside: &[Beside],
 ) -> Vec<Region> {
-    if let (Some(cell), None, None) = (plan.as_cell(), upper, street_front) {
+    if let (Some(cell), None, None, []) = (plan.as_cell(), upper, street_front, beside) {
         return vec![Region::main(cell)];
     }
     let open = upper.map(|u| plan.difference(u));
@@ -188,10 +203,14 @@ pub fn regions_by(
     cells.extend(street_front);
     cells.sort_unstable_by_key(Cell::key);
     let street = street_front.and_then(|front| cells.iter().position(|c| *c == front));
+    let count = cells.len();
+    cells.extend(beside.iter().map(|b| b.roof.cell));
     let judge = Judge {
         sides: Sides::of(&cells),
         walls: upper.map(Walls::of).unwrap_or_default(),
         cells: &cells,
+        count,
+        beside,
         street,
         unit,
     };
@@ -200,7 +219,11 @@ pub fn regions_by(
 
 /// What the rules look at.
 struct Judge<'c> {
+    /// The regions and behind them the written roofs.
     cells: &'c [Cell],
+    /// How many of them are regions.
+    count: usize,
+    beside: &'c [Beside],
     sides: Sides,
     walls: Walls,
     street: Option<usize>,
@@ -210,7 +233,7 @@ struct Judge<'c> {
 impl Judge<'_> {
     /// Judges trunks before their branches: by falling area, the street region first.
     fn all(&self) -> Vec<Region> {
-        let mut order: Vec<usize> = (0..self.cells.len()).collect();
+        let mut order: Vec<usize> = (0..self.count).collect();
         order.sort_by_key(|&n| {
             (
                 Some(n) != self.street,
@@ -218,27 +241,25 @@ impl Judge<'_> {
             )
         });
         let mut judged: Vec<Region> = self.cells.iter().map(|c| Region::main(*c)).collect();
+        for (known, beside) in judged[self.count..].iter_mut().zip(self.beside) {
+            *known = beside.roof;
+        }
         for n in order {
             judged[n] = self.judge(n, &judged);
         }
+        judged.truncate(self.count);
         judged
     }
 
     fn judge(&self, n: usize, judged: &[Region]) -> Region {
         let cell = self.cells[n];
         if Some(n) == self.street {
-            let against_wall = self.whole_wall(&cell);
-            return Region {
-                ridge: Some(Ridge::A),
-                street: true,
-                against_wall,
-                ..Region::main(cell)
-            };
+            return self.on_street(cell, judged);
         }
         if let Some(side) = self.whole_wall(&cell) {
             return self.against_wall(cell, side);
         }
-        if let Some((trunk, side)) = self.trunk(n) {
+        if let Some((trunk, side)) = self.trunk(n, judged) {
             return self.joined(cell, side, trunk, &judged[trunk]);
         }
         match self.half_wall(&cell) {
@@ -250,6 +271,55 @@ impl Judge<'_> {
         }
     }
 
+    /// Rule 1.
+    fn on_street(&self, cell: Cell, judged: &[Region]) -> Region {
+        let behind = || [Side::Back, Side::Front].into_iter();
+        let lean_to = |side| Region {
+            street: true,
+            ..Region::lean_to(cell, side)
+        };
+        if let Some(side) = behind().find(|s| self.has_wall(&cell, *s))
+            && side.measure(&cell).1 <= self.steps(2)
+        {
+            return Region {
+                against_wall: Some(side),
+                ..lean_to(side)
+            };
+        }
+        let written = |side: Side| {
+            let trunk = self
+                .sides
+                .beyond(&cell, side)
+                .filter(|t| *t >= self.count)?;
+            let larger = judged[trunk].cell.area() > cell.area();
+            (larger && self.is_strip(&cell, side)).then_some((trunk, side))
+        };
+        match behind().find_map(written) {
+            Some((trunk, side)) => Region {
+                over: Some(trunk),
+                joins: Some(side),
+                ..lean_to(side)
+            },
+            None => Region {
+                ridge: Some(Ridge::A),
+                street: true,
+                against_wall: self.whole_wall(&cell),
+                ..Region::main(cell)
+            },
+        }
+    }
+
+    /// Whether an upper wall stands along the whole of a side.
+    fn has_wall(&self, cell: &Cell, side: Side) -> bool {
+        !self.walls.is_empty() && self.walls.along(cell, side) == side.measure(cell).0
+    }
+
+    /// Whether a cell is shallow and long enough to lean on what lies beyond a side.
+    fn is_strip(&self, cell: &Cell, side: Side) -> bool {
+        let (length, depth) = side.measure(cell);
+        depth <= self.steps(2) && length >= depth.saturating_mul(2)
+    }
+
     /// `units` in grid steps.
     fn steps(&self, units: i64) -> i64 {
         units.saturating_mul(self.unit)
@@ -257,13 +327,8 @@ impl Judge<'_> {
 
     /// The longest side along the whole of which an upper wall stands.
     fn whole_wall(&self, cell: &Cell) -> Option<Side> {
-        let whole = |side: &Side| self.walls.along(cell, *side) == side.measure(cell).0;
-        longest(
-            cell,
-            Side::ALL
-                .into_iter()
-                .filter(|s| !self.walls.is_empty() && whole(s)),
-        )
+        let whole = |side: &Side| self.has_wall(cell, *side);
+        longest(cell, Side::ALL.into_iter().filter(whole))
     }
 
     /// The longest side of a strip along at least half of which an upper wall stands.
@@ -298,27 +363,37 @@ impl Judge<'_> {
     }
 
     /// The trunk of a region and the side it lies on it with.
-    fn trunk(&self, n: usize) -> Option<(usize, Side)> {
+    fn trunk(&self, n: usize, judged: &[Region]) -> Option<(usize, Side)> {
         let area = self.cells[n].area();
+        // A street region that leans on something itself is a mere strip.
+        let street = self.street.filter(|s| judged[*s].role == Role::Main);
         Side::ALL
             .into_iter()
             .filter_map(|side| Some((self.sides.beyond(&self.cells[n], side)?, side)))
-            .filter(|(t, _)| Some(*t) == self.street || self.cells[*t].area() > area)
+            .filter(|(t, _)| Some(*t) == street || self.cells[*t].area() > area)
+            .filter(|(t, side)| self.bears(*t, n, *side))
             .min_by_key(|(t, _)| {
                 // Cells are sorted, so the lesser index is the lesser (b0, a0).
                 (
-                    Some(*t) != self.street,
+                    Some(*t) != street,
                     std::cmp::Reverse(self.cells[*t].area()),
                     *t,
                 )
             })
     }
 
+    /// Whether a roof can be the trunk of region `n`: one that stands higher than the walls only of a
+    /// strip that leans on it.
+    fn bears(&self, trunk: usize, n: usize, side: Side) -> bool {
+        let written = trunk.checked_sub(self.count).map(|i| self.beside[i]);
+        written.is_none_or(|w| w.level || self.is_strip(&self.cells[n], side))
+    }
+
     /// Rule 3.
     fn joined(&self, cell: Cell, side: Side, trunk: usize, t: &Region) -> Region {
-        let (length, depth) = side.measure(&cell);
+        let (length, _) = side.measure(&cell);
         let (over, joins) = (Some(trunk), Some(side));
-        if depth <= self.steps(2) && length >= depth.saturating_mul(2) {
+        if self.is_strip(&cell, side) {
             return Region {
                 over,
                 joins,

@@ -269,7 +269,7 @@ impl Mesh {
         for (from, to, rim) in rims {
             let (p, q) = (top(from), top(to));
             face(
-                [q, p, p + 1, q + 1].into(),
+                Corners::from_slice(&[q, p, p + 1, q + 1]),
                 if *rim { coat.rim } else { coat.joint },
             );
         }

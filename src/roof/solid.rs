@@ -25,7 +25,7 @@ pub fn prism(profile: &[DVec3], by: DVec3, finish: Finish) -> Solid {
     faces.push(face((n..2 * n).rev().collect()));
     faces.extend((0..n).map(|i| {
         let j = (i + 1) % n;
-        face([j, i, i + n, j + n].into())
+        face(Corners::from_slice(&[j, i, i + n, j + n]))
     }));
     Solid { points, faces }
 }
@@ -46,7 +46,7 @@ pub fn bent_board(upper: &[DVec3], lower: &[DVec3], by: DVec3, finish: Finish) -
         if flip {
             corners.reverse();
         }
-        let corners = corners.into();
+        let corners = Corners::from_slice(&corners);
         faces.push(Face { corners, finish });
     };
     for i in 0..n - 1 {

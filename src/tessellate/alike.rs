@@ -2,6 +2,7 @@
 
 use super::store::Quick;
 use crate::building::{Face, Roof, Solid};
+use crate::material::SurfaceId;
 use crate::scene::MeshId;
 use glam::DVec3;
 use std::collections::HashMap;
@@ -12,16 +13,25 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 pub(super) type Roofs<'a> = HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>;
 
 /// A roof as its mesh sees it: its number in the house, which is in the mesh's name, and its solids to the last bit.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Alike<'a> {
     number: usize,
     solids: &'a [Solid],
+    /// What its gables are filled with, solid by solid.
+    gables: Vec<SurfaceId>,
 }
 
 impl<'a> Alike<'a> {
-    pub(super) fn new(roof: &'a Roof, number: usize) -> Alike<'a> {
-        let solids = &roof.solids;
-        Alike { number, solids }
+    pub(super) fn new(roof: &'a Roof, gables: Vec<SurfaceId>, number: usize) -> Alike<'a> {
+        Alike {
+            number,
+            solids: &roof.solids,
+            gables,
+        }
+    }
+
+    pub(super) fn gables(&self) -> &[SurfaceId] {
+        &self.gables
     }
 }
 
@@ -32,6 +42,7 @@ fn bits(p: &DVec3) -> [u64; 3] {
 impl Hash for Alike<'_> {
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_usize(self.number);
+        self.gables.hash(state);
         for solid in self.solids {
             let points = solid.points.iter().flat_map(bits);
             points.for_each(|word| state.write_u64(word));
@@ -53,6 +64,7 @@ impl PartialEq for Alike<'_> {
                 && a.faces.iter().zip(&b.faces).all(|(a, b)| face(a, b))
         };
         self.number == other.number
+            && self.gables == other.gables
             && self.solids.len() == other.solids.len()
             && self.solids.iter().zip(other.solids).all(solid)
     }

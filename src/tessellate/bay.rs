@@ -71,6 +71,8 @@ pub(super) struct Bay<'a> {
     pub(super) around: SurfaceId,
     /// How much of it is shape.
     pub(super) detail: Detail,
+    /// How far the house reaches behind it, metres.
+    pub(super) room: f64,
     pub(super) bodies: Bodies,
 }
 
@@ -110,6 +112,7 @@ impl<'a> Bay<'a> {
             opening,
             around,
             detail,
+            room: super::part::DEEPEST,
             bodies: Bodies::default(),
         }
     }

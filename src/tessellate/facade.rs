@@ -143,7 +143,7 @@ fn stance(catalog: &Catalog, content: &Content) -> (Stance, f64) {
 }
 
 /// The finish that a wall gives to small walls beside it.
-fn finish_of(catalog: &Catalog, content: &Content) -> Option<SurfaceId> {
+pub(super) fn finish_of(catalog: &Catalog, content: &Content) -> Option<SurfaceId> {
     match content {
         Content::Part(id) => catalog.part(*id).finish,
         _ => None,
@@ -151,7 +151,7 @@ fn finish_of(catalog: &Catalog, content: &Content) -> Option<SurfaceId> {
 }
 
 /// The default of small walls by era.
-fn default_finish(catalog: &Catalog, content: &Content) -> SurfaceId {
+pub(super) fn default_finish(catalog: &Catalog, content: &Content) -> SurfaceId {
     let era = match content {
         Content::Part(id) => catalog.part(*id).era,
         Content::Split(split) => match split.lower.first() {
@@ -209,6 +209,8 @@ struct Slot<'a> {
     /// Foot and top above the storey's floor.
     z: (f64, f64),
     around: SurfaceId,
+    /// How deep a passage may reach behind it, metres.
+    room: f64,
     /// Whether the facade's glass mirrors.
     mirrors: bool,
     /// Whether it is half of a split unit.
@@ -257,6 +259,7 @@ impl Walker<'_> {
             width: stand.width,
             z: (0.0, stand.top()),
             around: stand.around,
+            room: self.room(level, line, stand),
             mirrors: line.wall.reflection,
             half: false,
             number: (number, ""),
@@ -286,6 +289,19 @@ impl Walker<'_> {
             node.mesh = Some(mesh);
             node.storey = Some(level.storey.number);
         }
+    }
+
+    /// How deep a passage in this unit may be.
+    fn room(&self, level: Level<'_>, line: &Line<'_>, stand: &Stand<'_>) -> f64 {
+        if !part::has_passage(self.catalog, &stand.unit.content) {
+            return part::DEEPEST;
+        }
+        let unit = level.house.unit;
+        let offsets = (stand.offset / unit, (stand.offset + stand.width) / unit);
+        let standing = level
+            .standing
+            .get_or_init(|| super::standing::Standing::of(level.storey));
+        standing.room(line.wall, offsets, unit, part::DEEPEST)
     }
 
     /// What stands in a slot.
@@ -336,6 +352,7 @@ impl Walker<'_> {
                 None => Share::default(),
             },
             size: [slot.width, height, z0, z1].map(tenths),
+            room: part::passage(part).map_or(0, |depth| tenths(slot.room.min(depth))),
         };
         self.store.part(id, part, key)
     }

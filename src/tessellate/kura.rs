@@ -2,6 +2,7 @@
 
 use super::bars::frame;
 use super::bay::{Bay, Layer, Rect};
+use crate::catalog::Below;
 use crate::catalog::body::{Jambs, Open, Place};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
@@ -12,6 +13,11 @@ const LINING: f64 = 0.020;
 /// Two walls, a ceiling, a floor and an end behind the opening.
 pub(super) fn depth(bay: &mut Bay<'_>, depth: f64, finish: SurfaceId, rect: Rect) {
     let start = -0.050;
+    // A shallow house has no room for the whole of it.
+    let depth = match bay.part.below {
+        Below::Open => depth.min(bay.room),
+        _ => depth,
+    };
     let run = Layer {
         front: start,
         thick: depth,

@@ -5,12 +5,39 @@ use super::mesh::Bodies;
 use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, shelter};
 use crate::catalog::body::{Element, Place, Shape};
 use crate::catalog::value::Level;
-use crate::catalog::{Below, PartDef, Stance};
+use crate::catalog::{Below, Catalog, PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
+use crate::program::Content;
 
 /// Height of a dado under an opening, metres: three shaku.
 const DADO: f64 = 3.0 * SHAKU;
+
+/// No passage reaches farther into a house, metres.
+pub(super) const DEEPEST: f64 = 30.0;
+
+/// How deep the dark passage behind a part is where it may be, metres.
+pub(super) fn passage(part: &PartDef) -> Option<f64> {
+    let depths = part.body.iter().filter_map(|e| match &e.shape {
+        Shape::Depth(d) => Some(d.depth.0),
+        _ => None,
+    });
+    // Only what stands open to the ground can lead through a house.
+    let open = part.below == Below::Open;
+    depths.reduce(f64::max).filter(|_| open)
+}
+
+/// The same of a unit or any part of it.
+pub(super) fn has_passage(catalog: &Catalog, content: &Content) -> bool {
+    match content {
+        Content::Part(id) => passage(catalog.part(*id)).is_some(),
+        Content::Split(split) => {
+            let mut both = split.lower.iter().chain(&split.upper);
+            both.any(|u| has_passage(catalog, &u.content))
+        }
+        Content::Void | Content::Picture(_) => false,
+    }
+}
 
 /// The plain wall of a stance.
 pub(super) fn wall_layer(stance: Stance) -> Layer {

@@ -3,15 +3,15 @@
 
 use super::mesh::Soup;
 use crate::ast::RoofKind;
-use crate::building::{Face, Finish, Roof, Solid};
+use crate::building::{Face, Finish, Solid};
 use crate::material::SurfaceId;
 use glam::DVec3;
 use std::sync::LazyLock;
 
-/// The surfaces of all finishes, looked up once: soffit, gable, timber, plaster, then covering, edge and
+/// The surfaces of all finishes, looked up once: soffit, timber, plaster, then covering, edge and
 /// ridge of each kind.
 static SURFACES: LazyLock<Vec<SurfaceId>> = LazyLock::new(|| {
-    let plain = ["soffit", "plaster", "cedar", "plaster"];
+    let plain = ["soffit", "cedar", "plaster"];
     let kinds = KINDS.into_iter().flat_map(names);
     plain
         .into_iter()
@@ -42,31 +42,39 @@ fn names(kind: RoofKind) -> [&'static str; 3] {
     }
 }
 
-/// The surface of a finish.
-fn surface(finish: Finish) -> SurfaceId {
+/// The surface of a finish, with that of gable fills.
+fn surface(finish: Finish, gable: SurfaceId) -> SurfaceId {
     let of = |kind: RoofKind, which: usize| {
         let row = KINDS.iter().position(|k| *k == kind).unwrap_or_default();
-        4 + 3 * row + which
+        3 + 3 * row + which
     };
     SURFACES[match finish {
+        Finish::Gable => return gable,
         Finish::Soffit => 0,
-        Finish::Gable => 1,
-        Finish::Timber => 2,
-        Finish::Plaster => 3,
+        Finish::Timber => 1,
+        Finish::Plaster => 2,
         Finish::Covering(kind) => of(kind, 0),
         Finish::Edge(kind) => of(kind, 1),
         Finish::Ridge(kind) => of(kind, 2),
     }]
 }
 
-/// The faces of all solids, a soup each surface in the order of first use.
-pub(super) fn soups(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
-    let mut soups = rooms(roof);
+/// What a gable is filled with where nobody says.
+fn gable_of(gables: &[SurfaceId], solid: usize) -> SurfaceId {
+    let own = gables.get(solid).copied();
+    own.unwrap_or_else(|| SURFACES[2])
+}
+
+/// The faces of all solids, a soup each surface in the order of first use. `gables` are the finishes of the
+/// gable fills among them, by solid.
+pub(super) fn soups(solids: &[Solid], gables: &[SurfaceId]) -> Vec<(SurfaceId, Soup)> {
+    let mut soups = rooms(solids, gables);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
-    for solid in &roof.solids {
+    for (n, solid) in solids.iter().enumerate() {
+        let gable = gable_of(gables, n);
         for face in &solid.faces {
             gather(solid, face, &mut corners);
-            let id = surface(face.finish);
+            let id = surface(face.finish, gable);
             if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
                 soup.face(&corners, has_grain(face.finish));
             }
@@ -75,11 +83,16 @@ pub(super) fn soups(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
     soups
 }
 
-/// Empty soups with room for all faces of each surface: roofs are seldom shared, so that they cost most.
-fn rooms(roof: &Roof) -> Vec<(SurfaceId, Soup)> {
+/// Empty soups with room for all faces of each surface: roofs are never shared, so that they cost most.
+fn rooms(solids: &[Solid], gables: &[SurfaceId]) -> Vec<(SurfaceId, Soup)> {
     let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
-    for face in roof.solids.iter().flat_map(|s| &s.faces) {
-        let id = surface(face.finish);
+    let gables = (0..).map(|n| gable_of(gables, n));
+    let faces = solids
+        .iter()
+        .zip(gables)
+        .flat_map(|(s, gable)| s.faces.iter().map(move |f| (f, gable)));
+    for (face, gable) in faces {
+        let id = surface(face.finish, gable);
         let n = face.corners.len();
         match rooms.iter_mut().find(|(s, ..)| *s == id) {
             Some((_, corners, triangles)) => {

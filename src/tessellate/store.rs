@@ -5,7 +5,7 @@ use super::bake::{WALL, bake};
 use super::bay::Bay;
 use super::mesh::{Bodies, Soup};
 use super::{detail, part};
-use crate::building::Roof;
+use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Primitive};
@@ -33,6 +33,8 @@ pub(super) struct PartKey {
     pub(super) share: Share,
     /// Width, height, foot and top of the opening.
     pub(super) size: [u32; 4],
+    /// How deep a passage may be, of parts that have one.
+    pub(super) room: u32,
 }
 
 /// A share of light in thousandths; what mirrors nothing has none.
@@ -151,7 +153,9 @@ impl Store {
         self.mesh(Key::Part(key), |store| {
             // The mesh is made from the key alone, so that it cannot depend on anything else.
             let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
-            let bay = Bay::new(part, (width, height), (z0, z1), key.around, store.detail);
+            let size = (width, height);
+            let mut bay = Bay::new(part, size, (z0, z1), key.around, store.detail);
+            bay.room = f64::from(key.room) / 10_000.0;
             let name = part.code().trim_end().to_owned();
             store.finish(name, part::build(bay), key.share)
         })
@@ -196,9 +200,15 @@ impl Store {
         Mesh { name, primitives }
     }
 
-    /// One mesh of all solids of a roof; `None` where it has none.
-    pub(super) fn roof(&mut self, roof: &Roof, number: usize) -> Option<MeshId> {
-        let soups = super::solid::soups(roof);
+    /// One mesh of some solids; `None` where there are none. `gables` are the finishes of their gable fills, as
+    /// many as solids.
+    pub(super) fn solids(
+        &mut self,
+        name: &str,
+        solids: &[Solid],
+        gables: &[SurfaceId],
+    ) -> Option<MeshId> {
+        let soups = super::solid::soups(solids, gables);
         if soups.is_empty() {
             return None;
         }
@@ -207,7 +217,7 @@ impl Store {
             primitive(material, soup)
         });
         let primitives = primitives.collect();
-        let name = format!("roof {number}");
+        let name = name.to_owned();
         Some(self.push(Mesh { name, primitives }))
     }
 

@@ -155,6 +155,10 @@ pub fn assert_sound(building: &Building) {
             );
         }
     }
+    for solid in building.roofs[0].soffits.iter().flat_map(|s| &s.solids) {
+        let flaws: Vec<_> = solid_flaws(solid).collect();
+        assert!(flaws.is_empty(), "soffit: {flaws:?}\n{solid:?}");
+    }
 }
 
 /// The height of the topmost face over a plan point in U, if any.

@@ -9,3 +9,4 @@ mod messages;
 mod plans;
 mod random;
 mod shapes;
+mod stacked;

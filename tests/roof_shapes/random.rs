@@ -7,7 +7,7 @@ use hsd::building::Ring;
 use hsd::roof::plan::{Cell, Plan};
 
 /// A small generator of its own: the same plans on every machine.
-struct Draws(u64);
+pub struct Draws(pub u64);
 
 impl Draws {
     fn next(&mut self) -> u64 {
@@ -18,13 +18,13 @@ impl Draws {
         (self.0 ^ (self.0 >> 33)).wrapping_mul(0xff51_afd7_ed55_8ccd) >> 20
     }
 
-    fn below(&mut self, n: u64) -> u64 {
+    pub fn below(&mut self, n: u64) -> u64 {
         self.next() % n
     }
 }
 
 /// The union of some rectangles on a quarter-unit grid, as rings.
-fn rings(draws: &mut Draws, size: u64) -> Vec<Ring> {
+pub fn rings(draws: &mut Draws, size: u64) -> Vec<Ring> {
     let count = 1 + draws.below(5);
     let mut plan = Plan::default();
     for _ in 0..count {

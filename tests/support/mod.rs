@@ -288,6 +288,12 @@ pub fn flaws(run: &Run) -> Vec<String> {
             }
         }
     }
+    for (house, roofs) in run.building.roofs.iter().enumerate() {
+        for solid in roofs.soffits.iter().flat_map(|s| &s.solids) {
+            let found = solid_flaws(solid).map(|flaw| format!("house {house}, soffit: {flaw:?}"));
+            flaws.extend(found);
+        }
+    }
     for mesh in &run.scene.meshes {
         for flaw in flaws_of_mesh(mesh) {
             flaws.push(format!("mesh {}: {flaw}", mesh.name));

@@ -1,6 +1,7 @@
 //! Roofs over the walls.
 
 use super::*;
+use hsd::building::Corners;
 
 #[test]
 fn low_walls_under_a_lean_to() {
@@ -68,7 +69,7 @@ fn flat_roof() -> Solid {
     for i in 0..n {
         let j = (i + 1) % n;
         faces.push(Face {
-            corners: [i, j, n + j, n + i].into(),
+            corners: Corners::from_slice(&[i, j, n + j, n + i]),
             finish: Finish::Edge(RoofKind::Metal),
         });
     }
@@ -108,7 +109,7 @@ fn courses_lie_level_and_run_up_the_slope() {
     let solid = Solid {
         points: points.map(|(x, y, z)| glam::dvec3(x, y, z)).to_vec(),
         faces: vec![Face {
-            corners: [0, 1, 2, 3].into(),
+            corners: Corners::from_slice(&[0, 1, 2, 3]),
             finish: Finish::Covering(RoofKind::Tiles),
         }],
     };

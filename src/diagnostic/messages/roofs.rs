@@ -21,6 +21,13 @@ fn short(value: f64) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
+/// A length in units: "1 unit", "1.5 units".
+fn units(value: f64) -> String {
+    let number = short(value);
+    let ending = if number == "1" { "" } else { "s" };
+    format!("{number} unit{ending}")
+}
+
 /// Roofs over walls that bound nothing.
 #[cold]
 pub fn open_facade(wished: Span, walk: Span, storey: u32) -> Diagnostic {
@@ -80,9 +87,9 @@ pub fn overhang(upper: Span, lower: Span, number: u32, by: f64) -> Diagnostic {
         505,
         upper,
         format!(
-            "storey {} stands out by {} units beyond storey {} below it, over nothing",
+            "storey {} stands out by {} beyond storey {} below it, over nothing",
             number + 1,
-            short(by),
+            units(by),
             number
         ),
     )
@@ -97,13 +104,13 @@ pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
         506,
         upper,
         format!(
-            "storey {} juts out by {} units beyond storey {}",
+            "storey {} juts out by {} beyond storey {}",
             number + 1,
-            short(by),
+            units(by),
             number
         ),
     )
-    .help("up to one unit is common (degoshi, dashigeta); no roof is built under it")
+    .help("up to one unit is common (degoshi, dashigeta); boards and brackets close it from below")
 }
 
 /// A pitch that the covering does not bear.
