@@ -56,7 +56,7 @@ impl Hash for Alike<'_> {
 
 impl PartialEq for Alike<'_> {
     fn eq(&self, other: &Self) -> bool {
-        let face = |a: &Face, b: &Face| a.finish == b.finish && a.corners == b.corners;
+        let face = |a: &Face, b: &Face| a.finish == b.finish && *a.corners == *b.corners;
         let solid = |(a, b): (&Solid, &Solid)| {
             a.points.len() == b.points.len()
                 && a.faces.len() == b.faces.len()

@@ -9,10 +9,10 @@ use std::io::{self, Write};
 /// A glTF document. The lists given here are empty in the root.
 #[derive(Serialize)]
 struct Document<'a, A, M, N> {
-    #[serde(flatten)]
-    root: &'a Root,
     #[serde(skip_serializing_if = "Option::is_none")]
     accessors: Option<A>,
+    #[serde(flatten)]
+    root: &'a Root,
     #[serde(skip_serializing_if = "Option::is_none")]
     meshes: Option<M>,
     #[serde(skip_serializing_if = "Option::is_none")]
