@@ -12,6 +12,7 @@ mod bars;
 mod bay;
 mod boards;
 mod body;
+mod canopy;
 mod ceiling;
 mod cloth;
 mod corner;
@@ -25,8 +26,10 @@ mod namako;
 mod oriel;
 mod part;
 mod polygon;
+mod round;
 pub mod sheet;
 mod shelter;
+mod smooth;
 mod solid;
 mod store;
 
