@@ -107,9 +107,10 @@ fn the_apron_is_an_arc() {
     assert_eq!(laths.len(), 25);
     let lath = laths[0];
     assert!(
-        near(lath.front(), 72.0 + 455.0) && near(lath.hi.z, 790.0),
+        near(lath.front(), 72.0 + 455.0) && near(lath.hi.z, 620.0),
         "{lath:?}"
     );
+    assert!(near(lath.lo.z, -285.0), "it stands on the ground");
     assert!((2.0 * SHAKU..3.0 * SHAKU).contains(&lath.hi.z));
     assert_eq!(
         of("AIN", "bamboo", STOREY).len(),
@@ -138,7 +139,7 @@ fn the_low_rail_and_the_passage() {
         let beam = rails(&part_mesh(code, STOREY), 59.0);
         assert!(
             beam.iter()
-                .any(|b| near(b.size().z, lintel) && near(b.lo.z, 6.0 * SHAKU)),
+                .any(|b| near(b.size().z, lintel + 1.0) && near(b.hi.z, 6.0 * SHAKU + lintel)),
             "{code}: {beam:?}"
         );
     }
@@ -148,13 +149,14 @@ fn the_low_rail_and_the_passage() {
 fn aluminium_windows() {
     let mesh = part_mesh("NAS 2", 10.5);
     // The frame: 70 deep, 40 behind the wall's face, which is 75 out.
-    let frame = rails(&mesh, 35.0);
-    assert!(frame.iter().any(|b| near(b.size().y, 70.0)), "{frame:?}");
-    let z: Vec<f64> = frame.iter().flat_map(|b| [b.lo.z, b.hi.z]).collect();
-    let (foot, top) = z
-        .iter()
-        .fold((f64::INFINITY, 0.0_f64), |(a, b), z| (a.min(*z), b.max(*z)));
-    assert!(near(foot, 900.0) && near(top, 2000.0), "{foot} {top}");
+    let frame = bodies(&mesh)
+        .into_iter()
+        .find(|b| near(b.front(), 35.0) && near(b.size().y, 70.0));
+    let frame = frame.expect("a frame");
+    assert!(
+        near(frame.lo.z, 900.0) && near(frame.hi.z, 2000.0),
+        "{frame:?}"
+    );
     // Two leaves on two tracks: their fronts lie a leaf and a gap apart.
     let leaves = of("NAS 2", "glass", 10.5);
     assert_eq!(leaves.len(), 2);
@@ -171,16 +173,14 @@ fn shutters_curtain_walls_and_balconies() {
     let box_of = slats.iter().filter(|b| near(b.size().z, 350.0));
     assert_eq!(box_of.count(), 1, "the box is 350 high");
     let curtain = part_mesh("NGC", 11.55);
-    let mullion = bars(&curtain, 75.0);
-    assert!(
-        mullion
-            .iter()
-            .all(|b| near(b.size().x, 25.0) && near(b.size().y, 150.0)),
-        "halves of 50 x 150"
-    );
-    assert_eq!(mullion.len().max(2), 2);
-    for pane in of("NGC", "glass_dark", 11.55) {
+    let frame = bodies(&curtain).into_iter().find(|b| near(b.front(), 75.0));
+    assert!(near(frame.expect("mullions").size().y, 150.0), "150 deep");
+    let panes = of("NGC", "glass_dark", 11.55);
+    assert_eq!(panes.len(), 2, "spandrel and window");
+    for pane in panes {
         assert!(near(pane.front(), 75.0 - 20.0), "glass 20 behind");
+        // Half a mullion of 50 at each side.
+        assert!(near(pane.lo.x, 25.0), "{pane:?}");
     }
     let balcony = bounds(&triangles(&part_mesh("NBA 2", 10.5)));
     assert!(near(balcony.front(), 75.0 + 1200.0), "{}", balcony.front());
@@ -194,8 +194,13 @@ fn shutters_curtain_walls_and_balconies() {
     );
     let sign = bounds(&triangles(&part_mesh("NKB", 9.0)));
     assert!(sign.front() > 375.0);
-    let frame = rails(&part_mesh("NKB", 9.0), 375.0);
-    assert!(!frame.is_empty(), "a steel frame 300 before the face");
+    let frame = bodies(&part_mesh("NKB", 9.0))
+        .into_iter()
+        .find(|b| near(b.front(), 375.0));
+    assert!(near(
+        frame.expect("a frame 300 before the face").size().z,
+        1308.0
+    ));
 }
 
 #[test]

@@ -33,7 +33,7 @@ pub(super) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Place, rect: Rect)
     }
     for i in 0..apron.rails {
         // From a hand above the ground to just below the head.
-        let at = 0.12 + 0.80 * f64::from(i) / f64::from(apron.rails.max(2) - 1);
+        let at = 0.12 + 0.74 * f64::from(i) / f64::from(apron.rails.max(2) - 1);
         let rail = arc.rail(at);
         bay.bodies
             .rounded(SurfaceId::named("bamboo"), &rail, Axis::X, rect.x0, rect.x1);

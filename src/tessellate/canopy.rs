@@ -13,6 +13,9 @@ const COVER: f64 = 0.030;
 /// Thickness of the boards below it.
 const DECK: f64 = 0.014;
 
+/// Thickness of the laths on it.
+const LATH: f64 = 0.014;
+
 /// How far it reaches over the sides of its box.
 const VERGE: f64 = 0.045;
 
@@ -25,7 +28,7 @@ pub(super) fn canopy(
     rect: Rect,
     (back, front): (f64, f64),
 ) {
-    let room = bay.height - rect.z1 - COVER - DECK - THIN;
+    let room = bay.height - rect.z1 - COVER - DECK - LATH - THIN;
     let pitch = oriel.pitch.min(room / (front - back).max(0.05));
     if pitch <= 0.02 {
         return;
@@ -57,7 +60,7 @@ pub(super) fn canopy(
         let n = pieces(x1 - x0, 0.40);
         let lath = slab(
             DECK + COVER,
-            DECK + COVER + 0.014,
+            DECK + COVER + LATH,
             back + 0.02,
             eaves - 0.010,
         );
@@ -86,8 +89,8 @@ pub(super) fn canopy(
         let low = rect.z1 - 0.010;
         let cheek = [
             (back, low),
-            (front - 0.006, low),
-            (front - 0.006, under(front - 0.006) + 0.004),
+            (front - 0.008, low),
+            (front - 0.008, under(front - 0.008) + 0.004),
             (back, under(back) + 0.004),
         ];
         bay.profile(wood, &cheek, x, x + 0.020);

@@ -11,18 +11,19 @@ pub(super) fn oriel(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: R
     let place = &element.place;
     let layer = Layer::from(place);
     let post = oriel.post.0;
-    // Posts lie a millimetre inside the planes of the front's rails, which run through; the sides' rails
-    // lie inside the posts.
+    // Posts lie a little inside the planes of the front's rails, which run through; the sides' rails lie inside
+    // the posts.
     let front = Layer {
         front: layer.front - 0.001,
-        thick: post - 0.001,
+        thick: post - 0.003,
     };
     let ends = [
         (rect.x0 + 0.001, rect.x0 + post, false),
         (rect.x1 - post, rect.x1 - 0.001, true),
     ];
     for (x0, x1, right) in ends {
-        bay.block(place.finish, rect.across(x0, x1), front);
+        let upright = rect.across(x0, x1).shrunk(0.0, 0.002);
+        bay.block(place.finish, upright, front);
         side(
             bay,
             oriel,
@@ -60,8 +61,9 @@ fn side(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect, right: 
         thick: front - back,
     };
     let rail = 0.040_f64.min(rect.height() / 5.0);
-    bay.block(place.finish, rect.between(rect.z0, rect.z0 + rail), run);
-    bay.block(place.finish, rect.between(rect.z1 - rail, rect.z1), run);
+    let (z0, z1) = (rect.z0 + 0.004, rect.z1 - 0.004);
+    bay.block(place.finish, rect.between(z0, rect.z0 + rail), run);
+    bay.block(place.finish, rect.between(rect.z1 - rail, z1), run);
     let size = oriel
         .sidesize
         .0
@@ -94,12 +96,14 @@ fn arms(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect) {
     if deep < 0.03 {
         return;
     }
+    // Let into the box a little.
+    let top = rect.z0 + 0.005;
     let outline = [
         (back, rect.z0 - deep),
         (back + 0.06_f64.min((front - back) / 2.0), rect.z0 - deep),
         (front, rect.z0 - deep * 0.4),
-        (front, rect.z0),
-        (back, rect.z0),
+        (front, top),
+        (back, top),
     ];
     let half = 0.0225;
     let ends = rect.shrunk(half + 0.03, 0.0);

@@ -135,17 +135,18 @@ pub fn flaws(mesh: &Mesh) -> Vec<String> {
             }
         }
     }
-    for group in groups(&triangles(mesh)) {
+    let groups = groups(&triangles(mesh));
+    for group in &groups {
         let mut edges: BTreeMap<_, i32> = BTreeMap::new();
         let mut volume = 0.0;
-        for t in &group {
+        for t in group {
             volume += t[0].dot(t[1].cross(t[2]));
             for i in 0..3 {
                 let (p, q) = (key(t[i]), key(t[(i + 1) % 3]));
                 *edges.entry((p.min(q), p.max(q))).or_default() += if p < q { 1 } else { -1 };
             }
         }
-        let body = bounds(&group);
+        let body = bounds(group);
         if edges.values().any(|n| *n != 0) {
             flaws.push(format!("open body {} to {}", body.lo, body.hi));
         }
@@ -153,31 +154,45 @@ pub fn flaws(mesh: &Mesh) -> Vec<String> {
             flaws.push(format!("inside out {} to {}", body.lo, body.hi));
         }
     }
-    flaws.extend(flicker(&triangles(mesh)));
+    flaws.extend(flicker(&groups));
     flaws
 }
 
-/// Faces over each other in one plane that look the same way.
-fn flicker(triangles: &[Triangle]) -> Vec<String> {
-    // Planes by their normal and their distance in tenths of a millimetre.
+/// Faces over each other in one plane that look the same way, where no body covers them both. What touches a neighbour of
+/// the part (posts, sill, the storey above) is covered by it.
+fn flicker(groups: &[Vec<Triangle>]) -> Vec<String> {
+    // Planes by their normal and their distance in fifths of a millimetre.
     let mut planes: BTreeMap<[i64; 4], Vec<(Triangle, DVec3)>> = BTreeMap::new();
-    for t in triangles {
+    for t in groups.iter().flatten() {
         let normal = (t[1] - t[0]).cross(t[2] - t[0]).normalize_or_zero();
         let n = (normal * 500.0).round();
         let d = (normal.dot(t[0]) * 5.0).round();
         let plane = [n.x as i64, n.y as i64, n.z as i64, d as i64];
         planes.entry(plane).or_default().push((*t, normal));
     }
+    let boxes: Vec<Body> = groups.iter().map(|g| bounds(g)).collect();
+    let all = boxes.iter().fold(boxes[0], |a, b| Body {
+        lo: a.lo.min(b.lo),
+        hi: a.hi.max(b.hi),
+    });
+    let covered = |p: DVec3| {
+        let post = p.x < all.lo.x.max(0.0) + 60.7 || p.x > all.hi.x - 60.7;
+        let ends = p.z < 0.0 || p.z > all.hi.z;
+        let within = boxes.iter().zip(groups);
+        (post && p.y.abs() < 60.0)
+            || ends
+            || within
+                .into_iter()
+                .any(|(b, group)| p.cmpgt(b.lo).all() && p.cmplt(b.hi).all() && inside(group, p))
+    };
     let mut flaws = vec![];
     for list in planes.values() {
         for (i, (a, normal)) in list.iter().enumerate() {
             for (b, _) in &list[i + 1..] {
-                let area = overlap(a, b, *normal);
-                if area > 1.0 {
-                    let at = bounds(&[*a]);
+                let (area, middle) = overlap(a, b, *normal);
+                if area > 1.0 && !covered(middle + *normal * 0.5) {
                     flaws.push(format!(
-                        "{area:.0} mm2 twice in a plane {normal:.2} at {:.1} to {:.1}",
-                        at.lo, at.hi
+                        "{area:.0} mm2 twice in a plane {normal:.2} at {middle:.1}"
                     ));
                 }
             }
@@ -186,8 +201,30 @@ fn flicker(triangles: &[Triangle]) -> Vec<String> {
     flaws
 }
 
-/// Square millimetres that two triangles of one plane share.
-fn overlap(a: &Triangle, b: &Triangle, normal: DVec3) -> f64 {
+/// Whether a point lies in a closed body: how often a ray from it leaves more than it enters.
+fn inside(body: &[Triangle], p: DVec3) -> bool {
+    let ray = DVec3::new(0.3127, 0.5811, 0.7514);
+    let mut out = 0;
+    for t in body {
+        let (u, v) = (t[1] - t[0], t[2] - t[0]);
+        let h = ray.cross(v);
+        let det = u.dot(h);
+        if det.abs() < 1e-12 {
+            continue;
+        }
+        let s = p - t[0];
+        let a = s.dot(h) / det;
+        let q = s.cross(u);
+        let b = ray.dot(q) / det;
+        if a >= 0.0 && b >= 0.0 && a + b <= 1.0 && v.dot(q) / det > 0.0 {
+            out += if det < 0.0 { 1 } else { -1 };
+        }
+    }
+    out != 0
+}
+
+/// Square millimetres that two triangles of one plane share, and the middle of what they share.
+fn overlap(a: &Triangle, b: &Triangle, normal: DVec3) -> (f64, DVec3) {
     let right = normal.any_orthonormal_vector();
     let up = normal.cross(right);
     let flat = |t: &Triangle| t.map(|p| DVec2::new(right.dot(p), up.dot(p))).to_vec();
@@ -207,13 +244,15 @@ fn overlap(a: &Triangle, b: &Triangle, normal: DVec3) -> f64 {
         }
         shape = kept;
         if shape.len() < 3 {
-            return 0.0;
+            return (0.0, a[0]);
         }
     }
     let fan = shape.windows(2).skip(1);
-    fan.map(|w| (w[0] - shape[0]).perp_dot(w[1] - shape[0]) / 2.0)
-        .sum::<f64>()
-        .abs()
+    let area = fan.map(|w| (w[0] - shape[0]).perp_dot(w[1] - shape[0]) / 2.0);
+    let area = area.sum::<f64>().abs();
+    let middle = shape.iter().sum::<DVec2>() / shape.len() as f64;
+    let at = right * middle.x + up * middle.y + normal * normal.dot(a[0]);
+    (area, at)
 }
 
 /// The attributes of the elements of a part in the catalogue's text that have this word, in their order.
