@@ -79,7 +79,7 @@ fn curtains_are_slit() {
     ends.dedup_by(|a, b| (*a - *b).abs() < 0.01);
     let gaps: Vec<f64> = ends.windows(2).map(|w| w[1] - w[0]).collect();
     assert_eq!(
-        gaps.iter().filter(|g| near(**g, 20.0)).count(),
+        gaps.iter().filter(|g| near(**g, 28.0)).count(),
         2,
         "{gaps:?}"
     );
@@ -184,7 +184,7 @@ fn shutters_curtain_walls_and_balconies() {
     }
     let balcony = bounds(&triangles(&part_mesh("NBA 2", 10.5)));
     assert!(near(balcony.front(), 75.0 + 1200.0), "{}", balcony.front());
-    let rail = of("NBA 2", "painted_steel", 10.5);
+    let rail = of("NBA 2", "iron", 10.5);
     let top = rail.iter().map(|b| b.hi.z).fold(0.0, f64::max);
     assert!(near(top, 150.0 + 1100.0), "{top}");
     assert_eq!(

@@ -11,7 +11,7 @@ use glam::{dvec2, dvec3};
 const SEWN: f64 = 0.28;
 
 /// How far folds stand out from the middle plane at the foot, metres.
-const FOLD: f64 = 0.014;
+const FOLD: f64 = 0.018;
 
 /// Half the pole's thickness, metres.
 const POLE: f64 = 0.012;
@@ -53,7 +53,7 @@ pub(super) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Place, rect: Rect)
         bay.bodies.sheet(place.finish, GRID, size, half, |u, v| {
             let (free, share) = ((1.0 - SEWN - v).max(0.0) / (1.0 - SEWN), 1.0 - v);
             // Below the seam neighbours pull apart, the more so towards the foot, and each has folds of its own.
-            let slit = if n > 1 { 0.010 * free } else { 0.0 };
+            let slit = if n > 1 { 0.014 * free } else { 0.0 };
             let turns = which + u + 0.12 * free * (which * 1.7 + 1.0);
             let wave = libm::sin(turns * 1.1 * std::f64::consts::TAU);
             let deep = FOLD * (0.12 + 0.88 * share);

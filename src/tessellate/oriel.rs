@@ -82,6 +82,14 @@ fn side(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect, right: 
         };
         bay.block(place.finish, bar, layer);
     }
+    if oriel.side > 0 {
+        // A stile against the wall, so that the rails do not end in the air.
+        let stile = Layer {
+            front: (back + 0.055).min(front - size),
+            thick: 0.054,
+        };
+        bay.block(place.finish, rect.shrunk(0.001, 0.006), stile);
+    }
     let thin = deep(inside + size * 0.25, inside + size * 0.7);
     for z in middles(oriel.siderails, rect.z0, rect.z1, false) {
         bay.block(place.finish, thin.between(z - 0.012, z + 0.012), run);
