@@ -223,3 +223,22 @@ fn every_fitting_and_modern_part_is_sound() {
     }
     support::assert_none(&found);
 }
+
+/// A dressed street house at full detail: under 60,000 triangles seen, under 400 KB of meshes.
+#[test]
+fn houses_stay_light() {
+    for name in ["machiya", "omotedana", "kanban", "buke-nagaya"] {
+        let path = support::root().join(format!("examples/{name}.hsd"));
+        let scene = support::compile_file(&path).scene;
+        let parts = scene.meshes.iter().flat_map(|m| &m.primitives);
+        // Positions, normals and texture coordinates are 32 bytes a vertex, indices 2.
+        let bytes: usize = parts
+            .map(|p| 32 * p.positions.len() + 2 * p.indices.len())
+            .sum();
+        let seen = scene.stats().triangles;
+        assert!(
+            seen < 60_000 && bytes < 400_000,
+            "{name}: {seen} triangles, {bytes} bytes"
+        );
+    }
+}
