@@ -100,6 +100,19 @@ fn a_broken_catalogue_is_an_error() {
     }
 }
 
+/// The page on shapes shows a part of one's own; it is one.
+#[test]
+fn the_part_on_the_page_is_read() {
+    let page = include_str!("../grammar/parts.md");
+    let part = page
+        .split("```")
+        .nth(1)
+        .and_then(|block| block.strip_prefix("xml"));
+    let text = format!("<Catalog>{}</Catalog>", part.expect("an example"));
+    let catalog = Catalog::read(&text).expect("it is well written");
+    assert_eq!(catalog.parts()[0].code(), "GXX  ");
+}
+
 /// Compares with the sheet of parts where it lies beside the repository.
 #[test]
 fn the_sheet_agrees() {

@@ -17,7 +17,7 @@ pub(crate) struct Element {
     pub(crate) place: Place,
     /// What it is.
     pub(crate) shape: Shape,
-    /// What shares its plane (`oriel`).
+    /// What stands in it (`oriel`, `grid`).
     pub(crate) children: Vec<Element>,
 }
 
@@ -129,8 +129,12 @@ attributes! {
         childsize: Mm = Mm(0.018),
         /// Share of the height cut away from the top of the short ones.
         cut: f64 = 0.0,
-        /// Whether their edges are cut off, as of bars wound with rope and plastered.
+        /// How far the edges of their fronts are cut off.
+        edge: Mm = Mm(0.0),
+        /// Whether the edges are round instead, as of bars wound with rope and plastered; half the width = round bars.
         round: bool = false,
+        /// Whether the gaps between them end round.
+        slits: bool = false,
     }
     /// Level bars, counted, spread evenly from the foot to the top.
     Rails {
@@ -181,8 +185,16 @@ attributes! {
         side: u32 = 0,
         /// Thickness of its corner posts.
         post: Mm = Mm(0.045),
+        /// Width of the bars at its sides.
+        sidesize: Mm = Mm(0.020),
+        /// Thin rails at each side between foot and top.
+        siderails: u32 = 0,
         /// How far its own little roof stands out; 0 = none.
         eaves: Mm = Mm(0.0),
+        /// The roof's rise in the horizontal.
+        pitch: f64 = 0.3,
+        /// Brackets below it.
+        arms: u32 = 0,
         /// What covers the roof.
         roof: SurfaceId = SurfaceId::named("board_roof"),
         /// Whether it has a floor.
@@ -196,6 +208,8 @@ attributes! {
         size: Mm = Mm(0.340),
         /// How far it hangs.
         drop: Mm = Mm(1.130),
+        /// Loops by which each hangs from the pole.
+        loops: u32 = 3,
     }
     /// Laths in an arc from the foot of the wall: inu-yarai.
     Apron {
@@ -203,6 +217,8 @@ attributes! {
         count: u32 = 25,
         /// How far its foot stands out.
         out: Mm = Mm(0.450),
+        /// Level laths over them.
+        rails: u32 = 3,
     }
     /// A small roof along the place, both sides.
     Coping {
@@ -271,6 +287,34 @@ attributes! {
         /// Which of them: l, r or both.
         sides: Sides = Sides::ALL,
     }
+    /// What fills the corners of an opening so that a rounded one is left: half its width makes a circle.
+    Corners {
+        /// Radius.
+        size: Mm = Mm(0.100),
+        /// Whether it looks like the small walls round the opening.
+        around: bool = false,
+    }
+    /// A round bar in the middle of its place.
+    Pole {
+        /// Which way it runs.
+        run: Run = Run::Level,
+    }
+    /// Level slats that bulge outwards: a roller shutter.
+    Slats {
+        /// About how high one is.
+        size: Mm = Mm(0.075),
+        /// How far it bulges.
+        bulge: Mm = Mm(0.009),
+    }
+    /// Its children again in each cell of a grid.
+    Grid {
+        /// Cells side by side.
+        cols: u32 = 1,
+        /// Cells one above another.
+        rows: u32 = 1,
+        /// Distance between two cells.
+        gap: Mm = Mm(0.0),
+    }
     /// A post on the line.
     Post {
         /// Its side.
@@ -303,6 +347,10 @@ shapes! {
     "studs" Studs over Opening,
     "jambs" Jambs over Opening,
     "open" Open over Opening,
+    "corners" Corners over Opening,
+    "pole" Pole over Opening,
+    "slats" Slats over Opening,
+    "grid" Grid over Opening,
     "post" Post over Bay,
     "dado" Dado over Bay,
 }

@@ -1,56 +1,72 @@
-//! Inu-yarai: laths of split bamboo in an arc before the foot of a wall.
+//! Inu-yarai: laths of split bamboo in an arc before the foot of a wall, held by level laths.
 
-use super::bars::middles;
 use super::bay::{Bay, Rect};
+use super::mesh::Axis;
 use crate::catalog::body::{Apron, Place};
 use crate::material::SurfaceId;
+use glam::{DVec2, dvec2};
+use std::f64::consts::FRAC_PI_2;
 
 /// Pieces of the arc.
-const STEPS: usize = 7;
+const STEPS: u32 = 8;
 
-/// The laths, and two rails behind them.
+/// The laths, and the level ones over them.
 pub(super) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Place, rect: Rect) {
+    let arc = Arc {
+        out: apron.out.0,
+        height: rect.height(),
+        foot: dvec2(place.front.0, rect.z0),
+    };
     let pitch = rect.width() / f64::from(apron.count.max(1));
-    let half = pitch * 0.42;
-    let outline = arc(apron.out.0, place, rect, place.thick.0);
+    let half = pitch * 0.43;
+    let share = |i: u32| f64::from(i) / f64::from(STEPS);
+    let outer = (0..=STEPS).map(|i| arc.point(share(i), 0.0));
+    let inner = (0..=STEPS)
+        .rev()
+        .map(|i| arc.point(share(i), -place.thick.0));
+    let lath: Vec<DVec2> = outer.chain(inner).collect();
     // The first and last lath stand half a pitch from the ends, so that neighbours go on evenly.
     for i in 0..apron.count {
         let x = rect.x0 + pitch * (f64::from(i) + 0.5);
-        bay.profile(place.finish, &outline, x - half, x + half);
+        bay.bodies
+            .rounded(place.finish, &lath, Axis::X, x - half, x + half);
     }
-    let points = points(apron.out.0, place, rect);
-    for share in middles(2, 0.0, 1.0, false) {
-        let (out, z) = points[(share * STEPS as f64).round() as usize];
-        let (out, z) = (out - place.thick.0 - 0.022, z - 0.008);
-        let rail = [
-            (out, z - 0.012),
-            (out + 0.02, z - 0.012),
-            (out + 0.02, z + 0.012),
-            (out, z + 0.012),
+    for i in 0..apron.rails {
+        // From a hand above the ground to just below the head.
+        let at = 0.12 + 0.74 * f64::from(i) / f64::from(apron.rails.max(2) - 1);
+        let rail = arc.rail(at);
+        bay.bodies
+            .rounded(SurfaceId::named("bamboo"), &rail, Axis::X, rect.x0, rect.x1);
+    }
+}
+
+/// A quarter of an ellipse, upright at the ground, level at the wall.
+struct Arc {
+    out: f64,
+    height: f64,
+    /// Where it would meet the ground without standing out: out of the wall, up.
+    foot: DVec2,
+}
+
+impl Arc {
+    /// The point at a share of the way up, moved outwards by so much; (y, z).
+    fn point(&self, share: f64, outwards: f64) -> DVec2 {
+        let (a, b) = (self.out + outwards, self.height + outwards);
+        let (sin, cos) = (libm::sin(FRAC_PI_2 * share), libm::cos(FRAC_PI_2 * share));
+        dvec2(-(self.foot.x + a * cos), self.foot.y + b * sin)
+    }
+
+    /// The outline of half a bamboo that lies on the laths.
+    fn rail(&self, share: f64) -> Vec<DVec2> {
+        let half = 0.016 / (FRAC_PI_2 * (self.out + self.height) / 2.0);
+        let bow = [
+            (-1.0, -0.002),
+            (-0.7, 0.006),
+            (0.0, 0.010),
+            (0.7, 0.006),
+            (1.0, -0.002),
         ];
-        bay.profile(SurfaceId::named("bamboo"), &rail, rect.x0, rect.x1);
+        bow.map(|(along, out)| self.point(share + half * along, out))
+            .to_vec()
     }
-}
-
-/// Points of the outer face from the foot to the head: a quarter of an ellipse that leans out at the foot.
-fn points(out: f64, place: &Place, rect: Rect) -> Vec<(f64, f64)> {
-    (0..=STEPS)
-        .map(|i| {
-            let angle = std::f64::consts::FRAC_PI_2 * i as f64 / STEPS as f64;
-            let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-            (place.front.0 + out * cos, rect.z0 + rect.height() * sin)
-        })
-        .collect()
-}
-
-/// The closed outline of a lath.
-fn arc(out: f64, place: &Place, rect: Rect, thick: f64) -> Vec<(f64, f64)> {
-    let outer = points(out, place, rect);
-    let inner = (0..=STEPS).rev().map(|i| {
-        let angle = std::f64::consts::FRAC_PI_2 * i as f64 / STEPS as f64;
-        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-        let (a, b) = (out - thick, rect.height() - thick);
-        (place.front.0 + a * cos, rect.z0 + b * sin)
-    });
-    outer.iter().copied().chain(inner).collect()
 }

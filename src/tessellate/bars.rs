@@ -2,6 +2,8 @@
 
 use super::bay::{Bay, Layer, Rect};
 use super::mesh::Axis;
+use super::round::fill_corners;
+use super::smooth::soft_bar;
 use crate::catalog::body::{Bars, Place, Rails, Studs};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
@@ -42,7 +44,10 @@ pub(super) fn spread(bars: &Bars, x0: f64, x1: f64) -> Row {
 /// Upright bars; short ones end below the top.
 pub(super) fn bars(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect) {
     let layer = Layer::from(place);
-    for (x, width, short) in spread(bars, rect.x0, rect.x1).bars {
+    // What is square in the catalogue stays square where bars shrink.
+    let square = (bars.size.0 - layer.thick).abs() < 1e-9;
+    let row = spread(bars, rect.x0, rect.x1).bars;
+    for &(x, width, short) in &row {
         let cut = if short { bars.cut * rect.height() } else { 0.0 };
         let bar = Rect {
             x0: x,
@@ -50,30 +55,49 @@ pub(super) fn bars(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect) {
             z0: rect.z0,
             z1: rect.z1 - cut,
         };
-        if bars.round {
-            round_bar(bay, place.finish, bar, layer);
-        } else {
-            bay.block(place.finish, bar, layer);
+        let thick = if square { width } else { layer.thick };
+        let layer = Layer { thick, ..layer };
+        match bars.edge.0 > 0.0 {
+            true => shaped(bay, bars, place.finish, bar, layer),
+            false => bay.block(place.finish, bar, layer),
         }
+    }
+    if bars.slits {
+        slits(bay, bars, place, rect, &row);
     }
 }
 
-/// A bar of eight sides.
-fn round_bar(bay: &mut Bay<'_>, finish: SurfaceId, bar: Rect, layer: Layer) {
-    let (x0, x1) = (bar.x0, bar.x1);
-    let (y0, y1) = (-layer.front, layer.thick - layer.front);
-    let c = bar.width().min(layer.thick) * 0.29;
-    let outline = [
-        dvec2(x0 + c, y0),
-        dvec2(x1 - c, y0),
-        dvec2(x1, y0 + c),
-        dvec2(x1, y1 - c),
-        dvec2(x1 - c, y1),
-        dvec2(x0 + c, y1),
-        dvec2(x0, y1 - c),
-        dvec2(x0, y0 + c),
-    ];
-    bay.bodies.prism(finish, &outline, Axis::Z, bar.z0, bar.z1);
+/// A bar whose front edges are cut off, or a round one.
+fn shaped(bay: &mut Bay<'_>, bars: &Bars, finish: SurfaceId, bar: Rect, layer: Layer) {
+    let (x, y) = ((bar.x0, bar.x1), (-layer.front, layer.thick - layer.front));
+    let edge = bars.edge.0;
+    if bars.round {
+        // A bar round about is seen from behind too; a plastered one is not.
+        let all = 2.0 * edge >= layer.thick.min(bar.width()) - 1e-9;
+        let outline = soft_bar(x, y, edge, if edge > 0.015 { 3 } else { 2 }, all);
+        bay.bodies
+            .rounded(finish, &outline, Axis::Z, bar.z0, bar.z1);
+    } else {
+        let outline = soft_bar(x, y, edge, 1, false);
+        bay.bodies.prism(finish, &outline, Axis::Z, bar.z0, bar.z1);
+    }
+}
+
+/// Rounds the ends of the gaps between bars.
+fn slits(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect, row: &[(f64, f64, bool)]) {
+    // Just behind the bars' rounded edges.
+    let back = bars.edge.0.min(place.thick.0 / 2.0) + 0.001;
+    let layer = Layer {
+        front: place.front.0 - back,
+        thick: (place.thick.0 - back) * 0.6,
+    };
+    let mut from = rect.x0;
+    let ends = row.iter().map(|(x, width, _)| (*x, x + width));
+    for (x0, x1) in ends.chain([(rect.x1, rect.x1)]) {
+        let gap = rect.across(from, x0);
+        fill_corners(bay, place.finish, layer, gap, gap.width() / 2.0);
+        from = x1;
+    }
 }
 
 /// The middles of a number of pieces between two ends.

@@ -3,7 +3,7 @@
 
 use super::mesh::{Axis, Bodies, THIN};
 use crate::catalog::body::Place;
-use crate::catalog::value::Area;
+use crate::catalog::value::{Area, Level};
 use crate::catalog::{PartDef, Stance};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -11,6 +11,9 @@ use glam::{DVec2, dvec2, dvec3};
 
 /// Half a post of four sun: how far joinery keeps from the ends of its bay.
 pub(super) const HALF_POST: f64 = 0.0605;
+
+/// How deep foundations reach below the floor: the lowest that a part stands.
+const GROUND: f64 = -0.285;
 
 /// A rectangle in x and z.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,10 +137,15 @@ impl<'a> Bay<'a> {
             Area::Clear => self.clear,
             Area::Opening => self.opening,
         });
+        // What stands before the house reaches down past its foundation, if its list says so.
+        let low = match place.from {
+            Level::Start(from) if from < 0.0 => GROUND,
+            _ => 0.0,
+        };
         let rect = Rect {
             x0: place.left.at(area.x0, area.x1).max(0.0),
             x1: place.right.at(area.x0, area.x1).min(self.width),
-            z0: place.from.at(area.z0, area.z1).max(0.0),
+            z0: place.from.at(area.z0, area.z1).max(low),
             z1: place.to.at(area.z0, area.z1).min(self.height),
         };
         // Posts and wings have no width.

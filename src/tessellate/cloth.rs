@@ -1,16 +1,26 @@
-//! Noren: cloths side by side on a pole, slit for most of their length.
+//! Noren: cloths side by side, hung by loops from a pole, slit for most of their length, in gentle folds.
 
-use super::bay::{Bay, Layer, Rect};
+use super::bay::{Bay, Rect};
 use super::mesh::Axis;
+use super::smooth::soft_bar;
 use crate::catalog::body::{Cloth, Place};
 use crate::material::SurfaceId;
-use glam::{DVec2, dvec2};
+use glam::{dvec2, dvec3};
 
 /// Share of the drop over which neighbours are sewn together.
-const SEWN: f64 = 0.18;
+const SEWN: f64 = 0.28;
 
-/// How far folds stand out from the middle plane, metres.
-const FOLD: f64 = 0.014;
+/// How far folds stand out from the middle plane at the foot, metres.
+const FOLD: f64 = 0.018;
+
+/// Half the pole's thickness, metres.
+const POLE: f64 = 0.012;
+
+/// From the middle of the pole to the upper edge of the cloth, metres.
+const LOOP: f64 = 0.032;
+
+/// Columns and rows of a cloth's mesh.
+const GRID: [u32; 2] = [10, 5];
 
 /// Cloths that fill the width of the rectangle and hang from its top; the count is kept, their width
 /// gives way.
@@ -18,49 +28,54 @@ pub(super) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Place, rect: Rect)
     let n = cloth.count.max(1);
     let width = cloth.size.0.min(rect.width() / f64::from(n));
     let left = (rect.x0 + rect.x1 - width * f64::from(n)) / 2.0;
-    let drop = cloth.drop.0.min(rect.height() - 0.03);
-    let top = rect.z1 - 0.030;
-    let pole = Layer {
-        front: place.front.0 + 0.012,
-        thick: 0.024,
-    };
-    bay.block(
-        SurfaceId::named("bamboo"),
-        rect.between(top - 0.012, top + 0.012),
-        pole,
+    let pole = rect.z1 - 0.030;
+    let top = pole - LOOP;
+    let drop = top - (rect.z1 - cloth.drop.0).max(rect.z0 + 0.01);
+    if drop < 0.05 || width < 0.05 {
+        return;
+    }
+    let middle = place.thick.0 / 2.0 - place.front.0;
+    let ring = soft_bar(
+        (middle - POLE, middle + POLE),
+        (pole - POLE, pole + POLE),
+        POLE,
+        3,
+        true,
     );
-    let sewn = top - drop * SEWN;
+    bay.bodies
+        .rounded(SurfaceId::named("bamboo"), &ring, Axis::X, rect.x0, rect.x1);
     for i in 0..n {
         let x = left + width * f64::from(i);
-        // Slits are as wide as the cloths pull apart.
-        let slit = if n > 1 { 0.012 } else { 0.0 };
-        fold(bay, place, (x, x + width), (sewn, top - 0.002), i);
-        fold(
-            bay,
-            place,
-            (x + slit, x + width - slit),
-            (top - drop, sewn),
-            i,
-        );
+        loops(bay, cloth.loops, place, (x, width), (middle, top, pole));
+        let which = f64::from(i);
+        let half = place.thick.0 / 2.0;
+        let size = dvec2(width, drop);
+        bay.bodies.sheet(place.finish, GRID, size, half, |u, v| {
+            let (free, share) = ((1.0 - SEWN - v).max(0.0) / (1.0 - SEWN), 1.0 - v);
+            // Below the seam neighbours pull apart, the more so towards the foot, and each has folds of its own.
+            let slit = if n > 1 { 0.014 * free } else { 0.0 };
+            let turns = which + u + 0.12 * free * (which * 1.7 + 1.0);
+            let wave = libm::sin(turns * 1.1 * std::f64::consts::TAU);
+            let deep = FOLD * (0.12 + 0.88 * share);
+            let x = x + slit + (width - 2.0 * slit) * u;
+            dvec3(x, middle + deep * wave, top - drop * share)
+        });
     }
 }
 
-/// A piece of cloth in gentle folds, drawn upwards from its wavy foot.
-fn fold(bay: &mut Bay<'_>, place: &Place, (x0, x1): (f64, f64), (z0, z1): (f64, f64), which: u32) {
-    if x1 - x0 < 0.02 || z1 - z0 < 0.02 {
-        return;
+/// Bands of cloth round the pole.
+fn loops(
+    bay: &mut Bay<'_>,
+    count: u32,
+    place: &Place,
+    (x, width): (f64, f64),
+    (middle, top, pole): (f64, f64, f64),
+) {
+    let (half, r) = (0.015, POLE + 0.003);
+    for i in 0..count {
+        let at = x + width * (f64::from(i) + 0.5) / f64::from(count);
+        let lo = dvec3(at - half, middle - r, top - 0.012);
+        let hi = dvec3(at + half, middle + r, pole + r);
+        bay.bodies.block(place.finish, lo, hi);
     }
-    let middle = -place.front.0 + place.thick.0 / 2.0;
-    let half = place.thick.0 / 2.0;
-    const STEPS: usize = 6;
-    let wave = [0.0, 0.8, 0.3, -0.7, -0.2, 0.6, 0.0];
-    let sense = if which.is_multiple_of(2) { FOLD } else { -FOLD };
-    let at = |i: usize, side: f64| {
-        let x = x0 + (x1 - x0) * i as f64 / STEPS as f64;
-        dvec2(x, middle + wave[i] * sense + side * half)
-    };
-    let front = (0..=STEPS).map(|i| at(i, -1.0));
-    let back = (0..=STEPS).rev().map(|i| at(i, 1.0));
-    let outline: Vec<DVec2> = front.chain(back).collect();
-    bay.bodies.prism(place.finish, &outline, Axis::Z, z0, z1);
 }

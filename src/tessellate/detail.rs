@@ -105,10 +105,12 @@ fn is_fine(element: &Element) -> bool {
     match &element.shape {
         Shape::Bars(bars) => bars.size.0 < FINE,
         Shape::Rails(rails) => rails.size.0 < FINE,
+        Shape::Pole(_) => element.place.thick.0 < FINE,
         Shape::Leaf(_)
         | Shape::Boards(_)
         | Shape::Dado(_)
         | Shape::Panels(_)
+        | Shape::Slats(_)
         | Shape::Studs(_)
         | Shape::Namako(_) => true,
         _ => false,

@@ -29,7 +29,7 @@ pub(super) const THIN: f64 = 1e-3;
 
 impl Bodies {
     /// The soup of a surface.
-    fn soup(&mut self, finish: SurfaceId) -> &mut Soup {
+    pub(super) fn soup(&mut self, finish: SurfaceId) -> &mut Soup {
         let at = self.soups.iter().position(|(f, _)| *f == finish);
         let at = at.unwrap_or_else(|| {
             self.soups.push((finish, Soup::default()));
@@ -62,11 +62,7 @@ impl Bodies {
         lo: f64,
         hi: f64,
     ) {
-        let at = |p: DVec2, t: f64| match axis {
-            Axis::X => dvec3(t, p.x, p.y),
-            Axis::Y => dvec3(p.y, t, p.x),
-            Axis::Z => dvec3(p.x, p.y, t),
-        };
+        let at = |p: DVec2, t: f64| axis.at(p, t);
         let mut outline = outline.to_vec();
         if crate::geometry::area2(&outline) < 0.0 {
             outline.reverse();
@@ -95,6 +91,17 @@ pub(super) enum Axis {
     X,
     Y,
     Z,
+}
+
+impl Axis {
+    /// The point of a drawn polygon so far along the axis.
+    pub(super) fn at(self, p: DVec2, t: f64) -> DVec3 {
+        match self {
+            Axis::X => dvec3(t, p.x, p.y),
+            Axis::Y => dvec3(p.y, t, p.x),
+            Axis::Z => dvec3(p.x, p.y, t),
+        }
+    }
 }
 
 /// Whether the picture has a grain that runs along a member.

@@ -2,8 +2,8 @@
 
 use super::bay::{Bay, Layer, Rect};
 use super::mesh::Bodies;
-use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, shelter};
-use crate::catalog::body::{Element, Place, Shape};
+use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, round, shelter};
+use crate::catalog::body::{Element, Grid, Place, Shape};
 use crate::catalog::value::Level;
 use crate::catalog::{Below, Catalog, PartDef, Stance};
 use crate::geometry::SHAKU;
@@ -109,7 +109,29 @@ pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
         Shape::Depth(d) => kura::depth(bay, d.depth.0, place.finish, rect),
         Shape::Jambs(j) => kura::jambs(bay, j, place, rect),
         Shape::Open(o) => kura::open(bay, o, place, rect),
+        Shape::Corners(c) => round::corners(bay, c, place, rect),
+        Shape::Pole(p) => round::pole(bay, p.run, place, rect),
+        Shape::Slats(s) => round::slats(bay, s, place, rect),
+        Shape::Grid(g) => grid(bay, g, element, rect),
         Shape::Post(p) => post(bay, p.size.0, place),
+    }
+}
+
+/// The children once in each cell, from the left and from the foot.
+fn grid(bay: &mut Bay<'_>, grid: &Grid, element: &Element, rect: Rect) {
+    let (cols, rows) = (grid.cols.max(1), grid.rows.max(1));
+    let gap = grid.gap.0;
+    let wide = (rect.width() - gap * f64::from(cols - 1)) / f64::from(cols);
+    let high = (rect.height() - gap * f64::from(rows - 1)) / f64::from(rows);
+    for row in 0..rows {
+        for col in 0..cols {
+            let (x, z) = (
+                rect.x0 + (wide + gap) * f64::from(col),
+                rect.z0 + (high + gap) * f64::from(row),
+            );
+            let cell = rect.across(x, x + wide).between(z, z + high);
+            detail::elements(bay, &element.children, Some(cell));
+        }
     }
 }
 

@@ -1,36 +1,13 @@
-//! Little roofs: over oriels and windows, along fences, on wing walls.
+//! Little roofs: over windows, along fences, on wing walls.
 
 use super::bay::{Bay, Rect};
-use super::mesh::{Axis, THIN};
+use super::mesh::Axis;
 use crate::catalog::body::{Coping, Place, Wing};
 use crate::material::SurfaceId;
 use glam::{DVec2, dvec2};
 
 /// Thickness of a little roof, metres.
 const SLAB: f64 = 0.035;
-
-/// A slab that falls outwards over a rectangle, from `back` to `front` (metres outwards from the centre
-/// line); its lower edge starts at the rectangle's top.
-pub(super) fn lean_to(
-    bay: &mut Bay<'_>,
-    finish: SurfaceId,
-    rect: Rect,
-    (back, front): (f64, f64),
-    pitch: f64,
-) {
-    let foot = rect.z1 - 0.005;
-    let head = (foot + pitch * (front - back)).min(bay.height - SLAB - THIN);
-    let outline = [
-        (front, foot),
-        (front, foot + SLAB),
-        (back, head + SLAB),
-        (back, head),
-    ];
-    let (x0, x1) = ((rect.x0 - 0.04).max(0.0), (rect.x1 + 0.04).min(bay.width));
-    if head > foot {
-        bay.profile(finish, &outline, x0, x1);
-    }
-}
 
 /// A hood whose slab falls from the top of its rectangle.
 pub(super) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, rect: Rect) {

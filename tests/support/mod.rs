@@ -11,6 +11,8 @@ use hsd::source::{FileId, NoPictures, PictureFile, Source, World};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+pub mod shapes;
+
 /// Everything the chain makes of one file.
 pub struct Run {
     pub source: Source,

@@ -22,7 +22,9 @@ fn every_part_is_sound_and_in_its_bay() {
                 "{code}: x to {}",
                 hi.x
             );
-            assert!(lo.z > -1e-4, "{code}: z from {}", lo.z);
+            // What stands before the wall reaches down to the foot of the foundation.
+            let foot = if code.starts_with('A') { 0.285 } else { 0.0 };
+            assert!(lo.z > -foot - 1e-4, "{code}: z from {}", lo.z);
             assert!(
                 f64::from(hi.z) < height + 1e-4,
                 "{code}: z to {} of {height}",
@@ -80,7 +82,7 @@ fn bars_are_counted() {
         ("MRE", 52.0, 13),
         ("MMU", 92.0, 6),
         ("MMU 2", 92.0, 12),
-        ("MMS 2", 335.0, 13),
+        ("MMS 2", 350.0, 13),
         ("AIN", 527.0, 25),
     ] {
         let found = bodies_at(&mesh_of(code, 9.0 * SHAKU), front).len();
