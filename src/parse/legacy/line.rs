@@ -101,8 +101,10 @@ impl<'a> Line<'a> {
     fn mend(&mut self) {
         let mut text = String::with_capacity(self.raw.len() + CELL);
         let (mut column, mut wide_run) = (0, false);
-        let mut chars = self.raw.char_indices();
-        while let Some((at, c)) = chars.next() {
+        let mut next = 0;
+        while let Some(c) = self.raw[next..].chars().next() {
+            let at = next;
+            next += c.len_utf8();
             let kind = odd(c);
             if kind == Some(Odd::Foreign)
                 && column % CELL == 0
@@ -112,7 +114,7 @@ impl<'a> Line<'a> {
                 self.map.extend([at as u32; CELL]);
                 column += CELL;
                 self.find(Odd::PartName, at..end);
-                chars = after_name(self.raw, at, end);
+                next = after_name(self.raw, at, end);
                 continue;
             }
             let before = text.len();
@@ -156,15 +158,12 @@ fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
     (!raw[end..].starts_with(foreign)).then_some((part.code(), end))
 }
 
-/// What follows a name and the blanks that fill it up to whole codes.
-fn after_name(raw: &str, at: usize, end: usize) -> std::str::CharIndices<'_> {
+/// Where a name and the blanks that fill it up to whole codes end.
+fn after_name(raw: &str, at: usize, end: usize) -> usize {
     let written = raw[at..end].chars().count();
     let missing = written.next_multiple_of(CELL) - written;
     let blanks = raw[end..].bytes().take(missing);
-    let blanks = blanks.take_while(|b| *b == b' ').count();
-    let mut rest = raw.char_indices();
-    while rest.offset() < end + blanks && rest.next().is_some() {}
-    rest
+    end + blanks.take_while(|b| *b == b' ').count()
 }
 
 fn odd(c: char) -> Option<Odd> {
