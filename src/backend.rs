@@ -17,8 +17,8 @@ use std::borrow::Cow;
 
 /// Where back ends find the pictures of materials.
 pub trait Images {
-    /// The files of a drawn surface, by the name that [`crate::scene::Image::Surface`] carries.
-    fn files(&self, surface: &str) -> Option<SurfaceFiles<'_>>;
+    /// The files of a drawn look, by the name that [`crate::scene::Image::Surface`] carries.
+    fn files(&self, look: &str) -> Option<SurfaceFiles<'_>>;
 
     /// A part picture, by its index in [`crate::scene::Scene::pictures`]; PNG or JPEG.
     fn picture(&self, index: u32) -> Option<PictureBytes<'_>>;

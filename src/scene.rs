@@ -107,7 +107,7 @@ pub struct Material {
 pub enum Image {
     /// Plain colour.
     None,
-    /// A surface of `texture::SURFACES`, by name; texture coordinates are metres.
+    /// A look of a drawn surface, by its name in `texture`; texture coordinates are metres.
     Surface(&'static str),
     /// Index into [`Scene::pictures`]; texture coordinates run from 0 to 1, v upwards.
     Picture(u32),

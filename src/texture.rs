@@ -6,8 +6,8 @@
 //! that closes on itself, hence the pictures are seamless and the same bytes on every machine.
 //!
 //! The kernel is `noise` (random fields), `cells` (joints, grains and straws), `color` (ramps),
-//! `grain` (wood) and `paint` (sampling, relief); the materials are built from it; `files` turns
-//! pictures into the files of `textures/`, `samples` looks points up in them.
+//! `grain` (wood) and `paint` (sampling, relief); the materials are built from it and listed in
+//! `table`; `files` turns pictures into the files of `textures/`, `samples` looks points up in them.
 //!
 //! Orientation: `u` runs to the right in the picture, `v` upwards (towards its top edge). On a
 //! roof `v` points up the slope.
@@ -15,43 +15,71 @@
 mod bamboo;
 mod boards;
 mod cells;
+mod cement;
+mod clay;
 mod color;
+mod contact;
 mod files;
 mod grain;
 mod ground;
 mod noise;
 mod paint;
 mod plaster;
+mod roof_tiles;
 pub mod samples;
 mod sheet;
 mod shingles;
-mod tiles;
+mod table;
+mod thatch;
+mod timber;
+mod wall_tiles;
 mod weave;
 
+pub use contact::contact_sheet;
 pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, jpeg, png, write_all};
+pub use table::SURFACES;
 
+use image::RgbImage;
 use std::fmt;
 
-/// A material's pictures: seamless in both axes, `size` px square.
+/// A material's pictures: seamless in both axes, `size` px square. Its looks share the relief.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Maps {
-    /// Base colour, sRGB.
-    pub color: image::RgbImage,
+    /// Base colour, sRGB, of each look.
+    pub colors: Vec<RgbImage>,
     /// Unit normals in tangent space, OpenGL convention: red to the right, green up.
-    pub normal: image::RgbImage,
+    pub normal: RgbImage,
     /// Red: occlusion, always 255. Green: roughness. Blue: metalness. Linear.
-    pub orm: image::RgbImage,
+    pub orm: RgbImage,
+}
+
+/// One colouring of a surface: an age, a dye, a glaze.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// Lower-case name, unique among the looks of all surfaces, the stem of its colour file.
+    pub name: &'static str,
+    /// Its mean colour as a web number, such as 0xF2EFE6, where one is known (domain.md 4.9).
+    pub mean: Option<u32>,
+}
+
+impl Look {
+    /// File name of the base colour, a JPEG of [`COLOR_SIZE`] px.
+    pub fn color_file(&self) -> String {
+        format!("{}_color.jpg", self.name)
+    }
 }
 
 /// A material that can be drawn.
 #[derive(Clone, Copy)]
 pub struct Surface {
-    /// Lower-case name, the stem of its files.
+    /// Lower-case name, the stem of the files that its looks share.
     pub name: &'static str,
     /// Width and height of one repeat in metres, at true scale.
     pub metres: f64,
-    /// Draws the pictures with `size` px a side.
-    pub draw: fn(size: u32) -> Maps,
+    /// What it can look like, the first when new.
+    pub looks: &'static [Look],
+    /// Draws the pictures with `size` px a side, before their means are set.
+    paint: fn(size: u32) -> Maps,
 }
 
 impl fmt::Debug for Surface {
@@ -59,14 +87,22 @@ impl fmt::Debug for Surface {
         f.debug_struct("Surface")
             .field("name", &self.name)
             .field("metres", &self.metres)
+            .field("looks", &self.looks)
             .finish()
     }
 }
 
 impl Surface {
-    /// File name of the base colour, a JPEG of [`COLOR_SIZE`] px.
-    pub fn color_file(&self) -> String {
-        format!("{}_color.jpg", self.name)
+    /// Its pictures with `size` px a side, a colour for each look.
+    pub fn draw(&self, size: u32) -> Maps {
+        let mut maps = (self.paint)(size);
+        debug_assert_eq!(maps.colors.len(), self.looks.len(), "{}", self.name);
+        for (color, look) in maps.colors.iter_mut().zip(self.looks) {
+            if let Some(mean) = look.mean {
+                paint::tone(color, color::hex(mean));
+            }
+        }
+        maps
     }
 
     /// File name of the normal map, a JPEG of [`COLOR_SIZE`] px.
@@ -80,38 +116,11 @@ impl Surface {
     }
 }
 
-const fn entry(name: &'static str, metres: f64, draw: fn(u32) -> Maps) -> Surface {
-    Surface { name, metres, draw }
-}
-
-/// All surfaces, in a fixed order: timber, walls, roofs, infill, later materials, ground.
-pub static SURFACES: &[Surface] = &[
-    entry("cedar", boards::CEDAR, boards::cedar),
-    entry("cedar_board", boards::CEDAR_BOARD, boards::cedar_board),
-    entry("clapboard", boards::CLAPBOARD, boards::clapboard),
-    entry("charred", boards::CHARRED, boards::charred),
-    entry("bamboo", bamboo::BAMBOO, bamboo::bamboo),
-    entry("plaster", plaster::PLASTER, plaster::plaster),
-    entry("clay", plaster::CLAY, plaster::clay),
-    entry("namako", tiles::NAMAKO, tiles::namako),
-    entry("kawara", tiles::KAWARA, tiles::kawara),
-    entry("board_roof", shingles::BOARD_ROOF, shingles::board_roof),
-    entry("bark", shingles::BARK, shingles::bark),
-    entry("thatch", shingles::THATCH, shingles::thatch),
-    entry("paper", weave::PAPER, weave::paper),
-    entry("cloth", weave::CLOTH, weave::cloth),
-    entry("tatami", weave::TATAMI, weave::tatami),
-    entry("aluminium", sheet::ALUMINIUM, sheet::aluminium),
-    entry("glass", sheet::GLASS, sheet::glass),
-    entry("steel", sheet::STEEL, sheet::steel),
-    entry("concrete", plaster::CONCRETE, plaster::concrete),
-    entry("mortar", plaster::MORTAR, plaster::mortar),
-    entry("tile", tiles::TILE, tiles::tile),
-    entry("stone", ground::STONE, ground::stone),
-    entry("earth", ground::EARTH, ground::earth),
-];
-
-/// The surface of that name.
-pub fn surface(name: &str) -> Option<&'static Surface> {
-    SURFACES.iter().find(|surface| surface.name == name)
+/// The surface that has a look of that name, and the look.
+pub fn look(name: &str) -> Option<(&'static Surface, &'static Look)> {
+    let of = |surface: &'static Surface| {
+        let look = surface.looks.iter().find(|look| look.name == name)?;
+        Some((surface, look))
+    };
+    SURFACES.iter().find_map(of)
 }

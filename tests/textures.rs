@@ -1,6 +1,7 @@
 //! The pictures of the materials: seamless, true, and the same bytes everywhere.
 
-use hsd::texture::{COLOR_SIZE, Maps, ORM_SIZE, SURFACES, Surface, embedded, encode, surface};
+use hsd::material::{self, MATERIALS, SurfaceId};
+use hsd::texture::{COLOR_SIZE, Maps, ORM_SIZE, SURFACES, Surface, embedded, encode, look};
 use image::RgbImage;
 
 /// Small enough to draw all surfaces in a moment.
@@ -51,8 +52,14 @@ fn assert_closes(picture: &RgbImage, what: &str) {
 #[test]
 fn surfaces_close_on_themselves() {
     for_each_surface(|surface| {
-        let Maps { color, normal, orm } = (surface.draw)(SMALL);
-        for (picture, kind) in [(color, "color"), (normal, "normal"), (orm, "orm")] {
+        let Maps {
+            colors,
+            normal,
+            orm,
+        } = surface.draw(SMALL);
+        let names = surface.looks.iter().map(|look| look.name);
+        let colors = colors.into_iter().zip(names);
+        for (picture, kind) in colors.chain([(normal, "normal"), (orm, "orm")]) {
             assert_closes(&picture, &format!("{} {kind} along u", surface.name));
             let turned = image::imageops::rotate90(&picture);
             assert_closes(&turned, &format!("{} {kind} along v", surface.name));
@@ -73,37 +80,193 @@ fn embedded_files_are_what_the_formulas_draw() {
     });
 }
 
+/// The files of a surface and their size in pixels.
+fn files(surface: &Surface) -> Vec<(String, u32)> {
+    let colors = surface
+        .looks
+        .iter()
+        .map(|look| (look.color_file(), COLOR_SIZE));
+    let shared = [
+        (surface.normal_file(), COLOR_SIZE),
+        (surface.orm_file(), ORM_SIZE),
+    ];
+    colors.chain(shared).collect()
+}
+
+/// A committed file as a picture.
+fn committed(file: &str) -> RgbImage {
+    let bytes = embedded(file).unwrap_or_else(|| panic!("{file} is not embedded"));
+    let picture = image::load_from_memory(bytes).expect("an embedded file is a picture");
+    picture.to_rgb8()
+}
+
+/// Mean of each channel, 0 to 255.
+fn mean(picture: &RgbImage) -> [f64; 3] {
+    let count = f64::from(picture.width() * picture.height());
+    [0, 1, 2].map(|c| {
+        let sum: u64 = picture.pixels().map(|p| u64::from(p.0[c])).sum();
+        sum as f64 / count
+    })
+}
+
+/// Whether every channel is as near as that to a web colour.
+fn is_near(color: [f64; 3], number: u32, tolerance: f64) -> bool {
+    let [_, want @ ..] = number.to_be_bytes();
+    (0..3).all(|c| (color[c] - f64::from(want[c])).abs() <= tolerance)
+}
+
 #[test]
 fn files_decode_to_their_size() {
-    for surface in SURFACES {
-        let files = [
-            (surface.color_file(), COLOR_SIZE),
-            (surface.normal_file(), COLOR_SIZE),
-            (surface.orm_file(), ORM_SIZE),
-        ];
-        for (file, size) in files {
-            let bytes = embedded(&file).unwrap_or_else(|| panic!("{file} is not embedded"));
-            let picture = image::load_from_memory(bytes).expect("an embedded file is a picture");
-            assert_eq!((picture.width(), picture.height()), (size, size), "{file}");
-        }
+    for (file, size) in SURFACES.iter().flat_map(files) {
+        assert_eq!(committed(&file).dimensions(), (size, size), "{file}");
     }
 }
 
 #[test]
 fn textures_stay_small() {
-    let total: usize = SURFACES
-        .iter()
-        .flat_map(|s| [s.color_file(), s.normal_file(), s.orm_file()])
-        .filter_map(|file| embedded(&file))
+    let files = SURFACES.iter().flat_map(files);
+    let total: usize = files
+        .filter_map(|(file, _)| embedded(&file))
         .map(<[u8]>::len)
         .sum();
-    assert!(total < 5_000_000, "textures/ holds {total} bytes");
+    assert!(total < 10_000_000, "textures/ holds {total} bytes");
+}
+
+#[test]
+fn looks_have_the_colours_they_are_known_by() {
+    for look in SURFACES.iter().flat_map(|surface| surface.looks) {
+        let Some(number) = look.mean else { continue };
+        let mean = mean(&committed(&look.color_file()));
+        assert!(
+            is_near(mean, number, 4.0),
+            "{}: {mean:?}, not {number:06x}",
+            look.name
+        );
+    }
+}
+
+#[test]
+fn weathering_has_the_colours_of_the_evidence() {
+    // domain.md 4.9; where joints and shadows darken a picture, its face is told by the brighter half.
+    let known = [
+        ("cedar_fresh", 0xD9_B48A),
+        ("cedar_brown", 0x8A_6A4A),
+        ("cedar_silver", 0x9C_9890),
+        ("cedar_dark", 0x5F_5B55),
+        ("bengara", 0x5A_2E22),
+        ("charred", 0x1E_1C1A),
+        ("plaster", 0xF2_EFE6),
+        ("clay", 0xB5_9A6A),
+        ("ibushi_worn", 0x56_5B60),
+    ];
+    for (name, number) in known {
+        let mean = mean(&committed(&format!("{name}_color.jpg")));
+        assert!(
+            is_near(mean, number, 4.0),
+            "{name}: {mean:?}, not {number:06x}"
+        );
+    }
+    for (name, number) in [("kawara_worn", 0x56_5B60), ("namako", 0x56_5B60)] {
+        let picture = committed(&format!("{name}_color.jpg"));
+        let mut middle: Vec<[u8; 3]> = picture.pixels().map(|p| p.0).collect();
+        middle.sort_unstable_by_key(|p| p.map(u32::from).iter().sum::<u32>());
+        let face = middle[middle.len() / 2].map(f64::from);
+        assert!(
+            is_near(face, number, 16.0),
+            "{name}: {face:?}, not {number:06x}"
+        );
+    }
+}
+
+#[test]
+fn looks_of_one_surface_can_be_told_apart() {
+    for surface in SURFACES {
+        let means = surface
+            .looks
+            .iter()
+            .map(|l| mean(&committed(&l.color_file())));
+        let means: Vec<[f64; 3]> = means.collect();
+        for (k, one) in means.iter().enumerate() {
+            for (other, look) in means[..k].iter().zip(surface.looks) {
+                let far = (0..3).map(|c| (one[c] - other[c]).abs()).sum::<f64>();
+                assert!(far > 8.0, "{} and {}", surface.looks[k].name, look.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn surfaces_are_neither_mirrors_nor_half_metal() {
+    for surface in SURFACES {
+        let orm = committed(&surface.orm_file());
+        let metal = orm.get_pixel(0, 0).0[2];
+        assert!(metal == 0 || metal == 255, "{}: {metal}", surface.name);
+        for pixel in orm.pixels() {
+            assert!(
+                pixel.0[1] >= 12,
+                "{}: roughness {}",
+                surface.name,
+                pixel.0[1]
+            );
+            assert_eq!(pixel.0[2], metal, "{}", surface.name);
+        }
+        let metres = surface.metres;
+        assert!(
+            (0.1..=2.2).contains(&metres),
+            "{}: {metres} m",
+            surface.name
+        );
+    }
+}
+
+#[test]
+fn materials_age_from_look_to_look() {
+    let mut shown: Vec<&str> = vec![];
+    for material in MATERIALS {
+        let first = &material.stages[0];
+        assert_eq!((first.years, material.after(0.0)), (0.0, first));
+        for pair in material.stages.windows(2) {
+            assert!(pair[0].years < pair[1].years, "{}", pair[1].look);
+            assert_eq!(material.after(pair[1].years), &pair[1]);
+            assert_eq!(material.after(pair[1].years - 0.1), &pair[0]);
+        }
+        for stage in material.stages {
+            assert!(look(stage.look).is_some(), "{}", stage.look);
+            assert!(SurfaceId::find(stage.look).is_some(), "{}", stage.look);
+            assert!((0.1..=1.0).contains(&stage.gloss), "{}", stage.look);
+            shown.push(stage.look);
+        }
+    }
+    for look in SURFACES.iter().flat_map(|surface| surface.looks) {
+        assert!(
+            shown.contains(&look.name),
+            "{} belongs to no material",
+            look.name
+        );
+    }
+    for surface in material::all() {
+        let worn = surface
+            .material
+            .map(|m| m.stages.iter().any(|s| Some(s.look) == surface.picture));
+        assert_ne!(worn, Some(false), "{}", surface.name);
+        assert!(
+            surface.tint.iter().all(|c| (0.0..=1.0).contains(c)),
+            "{}",
+            surface.name
+        );
+    }
+    let codes = "WD WB WY PL CL TI PA CT AL GL ST MO -";
+    assert!(
+        MATERIALS
+            .iter()
+            .all(|m| codes.split(' ').any(|code| code == m.class.code()))
+    );
 }
 
 #[test]
 fn normals_are_unit_vectors_that_face_outwards() {
     for_each_surface(|surface| {
-        for pixel in (surface.draw)(SMALL).normal.pixels() {
+        for pixel in surface.draw(SMALL).normal.pixels() {
             let n = pixel.0.map(|c| f64::from(c) / 127.5 - 1.0);
             let length = (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt();
             assert!((length - 1.0).abs() < 0.012, "{}: {n:?}", surface.name);
@@ -115,7 +278,7 @@ fn normals_are_unit_vectors_that_face_outwards() {
 #[test]
 fn occlusion_is_left_to_the_renderer() {
     for_each_surface(|surface| {
-        let maps = (surface.draw)(32);
+        let maps = surface.draw(32);
         assert!(
             maps.orm.pixels().all(|pixel| pixel.0[0] == 255),
             "{}",
@@ -127,7 +290,7 @@ fn occlusion_is_left_to_the_renderer() {
 #[test]
 fn drawing_twice_gives_the_same_pictures() {
     for_each_surface(|surface| {
-        assert_eq!((surface.draw)(64), (surface.draw)(64), "{}", surface.name);
+        assert_eq!(surface.draw(64), surface.draw(64), "{}", surface.name);
     });
 }
 
@@ -139,13 +302,12 @@ fn names_are_unique_and_found() {
             "{}",
             one.name
         );
-        assert_eq!(
-            surface(one.name).map(|found| found.metres),
-            Some(one.metres)
-        );
-        assert!(one.metres > 0.0);
+        for mine in one.looks {
+            let found = look(mine.name).map(|(surface, look)| (surface.name, look));
+            assert_eq!(found, Some((one.name, mine)));
+        }
     }
-    assert!(surface("marzipan").is_none());
+    assert!(look("marzipan").is_none());
     assert!(embedded("marzipan_color.jpg").is_none());
 }
 
@@ -153,8 +315,8 @@ fn names_are_unique_and_found() {
 fn relief_faces_the_right_way() {
     // Feet of roof tiles are proud: going down the slope the surface drops at each foot, so many
     // normals there lean down (green below the middle), few lean sharply up.
-    let kawara = surface("kawara").expect("kawara is a surface");
-    let normals = (kawara.draw)(COLOR_SIZE).normal;
+    let kawara = look("kawara_new").expect("kawara is drawn").0;
+    let normals = kawara.draw(COLOR_SIZE).normal;
     let lean = |test: fn(u8) -> bool| normals.pixels().filter(|p| test(p.0[1])).count();
     assert!(lean(|green| green < 60) > 4 * lean(|green| green > 195));
 }

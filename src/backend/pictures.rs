@@ -85,8 +85,8 @@ fn page((index, baked): (usize, &Baked)) -> Page {
 }
 
 impl Images for Library {
-    fn files(&self, surface: &str) -> Option<SurfaceFiles<'_>> {
-        let surface = texture::surface(surface)?;
+    fn files(&self, look: &str) -> Option<SurfaceFiles<'_>> {
+        let (surface, look) = texture::look(look)?;
         let file = |name: String| {
             Some(PictureBytes {
                 bytes: texture::embedded(&name)?,
@@ -95,7 +95,7 @@ impl Images for Library {
         };
         Some(SurfaceFiles {
             metres: surface.metres,
-            color: file(surface.color_file())?,
+            color: file(look.color_file())?,
             normal: file(surface.normal_file()),
             orm: file(surface.orm_file()),
         })

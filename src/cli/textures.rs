@@ -15,22 +15,30 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   hsd textures -o materials/          draw all of them
-  hsd textures -o /tmp/m && ls /tmp/m    see what they are called")]
+  hsd textures -o /tmp/m && ls /tmp/m    see what they are called
+  hsd textures --sheet materials.jpg     see all of them at one scale")]
 pub(super) struct Textures {
     /// The folder; it is made where it is missing.
-    #[arg(short, long, value_name = "DIR")]
-    output: PathBuf,
+    #[arg(short, long, value_name = "DIR", required_unless_present = "sheet")]
+    output: Option<PathBuf>,
+    /// A JPEG of all materials side by side, each as wide as a bay of 0.91 m.
+    #[arg(long, value_name = "FILE")]
+    sheet: Option<PathBuf>,
 }
 
 impl Textures {
     pub(super) fn run(&self) -> Outcome {
-        let shown = self.output.display();
-        let files = texture::write_all(&self.output).map_err(|e| Stop::at(&shown, e))?;
-        writeln!(
-            io::stderr(),
-            "wrote {} to {shown}",
-            counted(files.len(), "picture")
-        )?;
+        if let Some(folder) = &self.output {
+            let shown = folder.display();
+            let files = texture::write_all(folder).map_err(|e| Stop::at(&shown, e))?;
+            let count = counted(files.len(), "picture");
+            writeln!(io::stderr(), "wrote {count} to {shown}")?;
+        }
+        if let Some(file) = &self.sheet {
+            let shown = file.display();
+            std::fs::write(file, texture::contact_sheet()).map_err(|e| Stop::at(&shown, e))?;
+            writeln!(io::stderr(), "wrote {shown}")?;
+        }
         Ok(Exit::Done)
     }
 }

@@ -106,10 +106,7 @@ impl Axis {
 
 /// Whether the picture has a grain that runs along a member.
 pub(super) fn grain_along(finish: SurfaceId) -> bool {
-    matches!(
-        finish.surface().picture,
-        Some("cedar" | "cedar_board" | "bamboo" | "charred")
-    )
+    finish.surface().grain()
 }
 
 impl Soup {

@@ -1,7 +1,7 @@
 //! Things scattered or laid in rows: boards and tiles, grains, straws. All periodic.
 
 use super::color::smooth;
-use super::noise::{Period, hash};
+use super::noise::{Period, floor, hash, wrap};
 use super::paint::Spot;
 
 /// A place within a row of equal pieces.
@@ -25,10 +25,10 @@ impl Piece {
 /// The piece at `t` (fraction of the repeat) where `n` equal ones fill the repeat.
 pub(super) fn row(t: f64, n: u32) -> Piece {
     let x = t * f64::from(n);
-    let low = x.floor();
+    let low = floor(x);
     Piece {
-        index: (low as i64).rem_euclid(i64::from(n)),
-        at: x - low,
+        index: wrap(low, i64::from(n)),
+        at: x - low as f64,
         width: 1.0 / f64::from(n),
     }
 }
@@ -36,8 +36,8 @@ pub(super) fn row(t: f64, n: u32) -> Piece {
 /// As [`row`], but each joint is moved by up to `jitter` / 2 pieces (`jitter` < 1).
 pub(super) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> Piece {
     let x = t * f64::from(n);
-    let joint = |i: i64| i as f64 + jitter * (hash(i.rem_euclid(i64::from(n)), 0, seed) - 0.5);
-    let mut low = x.floor() as i64;
+    let joint = |i: i64| i as f64 + jitter * (hash(wrap(i, i64::from(n)), 0, seed) - 0.5);
+    let mut low = floor(x);
     if x < joint(low) {
         low -= 1;
     } else if x >= joint(low + 1) {
@@ -45,7 +45,7 @@ pub(super) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> Piece {
     }
     let (from, to) = (joint(low), joint(low + 1));
     Piece {
-        index: low.rem_euclid(i64::from(n)),
+        index: wrap(low, i64::from(n)),
         at: (x - from) / (to - from),
         width: (to - from) / f64::from(n),
     }
@@ -66,11 +66,11 @@ pub(super) struct Grain {
 pub(super) fn grain(u: f64, v: f64, period: Period, seed: u32) -> Grain {
     let (nx, ny) = (i64::from(period.0), i64::from(period.1));
     let (x, y) = (u * nx as f64, v * ny as f64);
-    let (cx, cy) = (x.floor() as i64, y.floor() as i64);
+    let (cx, cy) = (floor(x), floor(y));
     let (mut first, mut second, mut id) = (9.0_f64, 9.0_f64, 0.0);
     for j in cy - 1..=cy + 1 {
         for i in cx - 1..=cx + 1 {
-            let (wi, wj) = (i.rem_euclid(nx), j.rem_euclid(ny));
+            let (wi, wj) = (wrap(i, nx), wrap(j, ny));
             let dx = i as f64 + hash(wi, wj, seed) - x;
             let dy = j as f64 + hash(wi, wj, seed ^ 0x51) - y;
             let d = dx * dx + dy * dy;
@@ -124,10 +124,7 @@ impl Straws {
     /// The uppermost straw at a spot.
     pub(super) fn at(&self, spot: Spot) -> Straw {
         let (nx, ny) = (i64::from(self.period.0), i64::from(self.period.1));
-        let (cx, cy) = (
-            (spot.u * nx as f64).floor() as i64,
-            (spot.v * ny as f64).floor() as i64,
-        );
+        let (cx, cy) = (floor(spot.u * nx as f64), floor(spot.v * ny as f64));
         let mut top = Straw::default();
         for j in cy - 1..=cy + 1 {
             for i in cx - 1..=cx + 1 {
@@ -143,7 +140,7 @@ impl Straws {
     /// The straw that belongs to one lattice cell.
     fn one(&self, spot: Spot, i: i64, j: i64) -> Straw {
         let (nx, ny) = (i64::from(self.period.0), i64::from(self.period.1));
-        let (wi, wj) = (i.rem_euclid(nx), j.rem_euclid(ny));
+        let (wi, wj) = (wrap(i, nx), wrap(j, ny));
         let random = |salt: u32| hash(wi, wj, self.seed.wrapping_mul(31).wrapping_add(salt));
         let dx = (spot.u - (i as f64 + random(1)) / nx as f64) * spot.metres;
         let dy = (spot.v - (j as f64 + random(2)) / ny as f64) * spot.metres;

@@ -45,9 +45,17 @@ pub(super) fn line(distance: f64, width: f64, pixel: f64) -> f64 {
     inside * (width / pixel).min(1.0)
 }
 
-/// The share of light left on a course `below` metres under the foot of the one that laps it.
-pub(super) fn lap_shadow(below: f64) -> f64 {
+/// The share of light on a course of this length at `at`, 0 at its foot, 1 where the next course laps it and
+/// throws its shadow. The edge between the two is as soft as a pixel.
+pub(super) fn lap_light(at: f64, length: f64, pixel: f64) -> f64 {
+    let over = if at < 0.5 {
+        at * length
+    } else {
+        (at - 1.0) * length
+    };
+    let below = (-over).max(0.0);
     let core = 1.0 - smooth(0.005, 0.014, below);
     let fringe = 1.0 - smooth(0.010, 0.060, below);
-    (1.0 - 0.80 * core) * (1.0 - 0.28 * fringe)
+    let shadow = (1.0 - 0.80 * core) * (1.0 - 0.28 * fringe);
+    shadow + (1.0 - shadow) * smooth(-0.7 * pixel, 0.7 * pixel, over)
 }

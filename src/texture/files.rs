@@ -1,11 +1,12 @@
 //! The files of `textures/`: encoded from the formulas, embedded in the program.
 //!
-//! Colour: JPEG, quality 88, 512 px. Normals: JPEG, quality 92, without chroma subsampling,
+//! Colour: JPEG, quality 85, 512 px. Normals: JPEG, quality 88, without chroma subsampling,
 //! 512 px; a PNG of the same relief is four times as large. Occlusion, roughness, metalness:
 //! PNG, 256 px. glTF 2.0 permits both formats.
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use image::codecs::jpeg::JpegEncoder;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
@@ -19,14 +20,17 @@ pub const COLOR_SIZE: u32 = 512;
 /// Width and height of the occlusion, roughness and metalness files in pixels.
 pub const ORM_SIZE: u32 = COLOR_SIZE / 2;
 
-/// The files of one surface as (file name, bytes), the very bytes that lie in `textures/`.
+/// The files of one surface as (file name, bytes), the very bytes that lie in `textures/`: a colour for each
+/// look, then the relief and the gloss that they share.
 pub fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
-    let maps = (surface.draw)(COLOR_SIZE);
-    vec![
-        (surface.color_file(), jpeg(&maps.color, 88)),
-        (surface.normal_file(), jpeg(&maps.normal, 92)),
-        (surface.orm_file(), png(halve(&maps.orm).into(), true)),
-    ]
+    let maps = surface.draw(COLOR_SIZE);
+    let colors = maps.colors.iter().zip(surface.looks);
+    let mut files: Vec<_> = colors
+        .map(|(color, look)| (look.color_file(), jpeg(color, 85)))
+        .collect();
+    files.push((surface.normal_file(), jpeg(&maps.normal, 88)));
+    files.push((surface.orm_file(), png(halve(&maps.orm).into(), true)));
+    files
 }
 
 /// Writes the files of all surfaces into a directory, which is made where it is missing.
@@ -37,12 +41,37 @@ pub fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
 pub fn write_all(dir: &Path) -> io::Result<Vec<PathBuf>> {
     std::fs::create_dir_all(dir)?;
     let mut paths = Vec::new();
-    for (file, bytes) in SURFACES.iter().flat_map(encode) {
+    for (file, bytes) in each(encode).into_iter().flatten() {
         let path = dir.join(file);
         std::fs::write(&path, bytes)?;
         paths.push(path);
     }
     Ok(paths)
+}
+
+/// Something made of each surface, on all processors, in the order of [`SURFACES`].
+pub(super) fn each<T: Send>(make: impl Fn(&Surface) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let workers = std::thread::available_parallelism().map_or(1, usize::from);
+    let work = || {
+        let mut done = vec![];
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some(surface) = SURFACES.get(at) else {
+                return done;
+            };
+            done.push((at, make(surface)));
+        }
+    };
+    let mut made: Vec<(usize, T)> = std::thread::scope(|scope| {
+        let hands: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        let joined = hands.into_iter().map(|hand| hand.join());
+        joined
+            .flat_map(|done| done.expect("drawing does not panic"))
+            .collect()
+    });
+    made.sort_by_key(|(at, _)| *at);
+    made.into_iter().map(|(_, thing)| thing).collect()
 }
 
 /// The embedded bytes of a file of `textures/`, by its name, such as `cedar_color.jpg`.
@@ -54,11 +83,11 @@ pub fn embedded(file: &str) -> Option<&'static [u8]> {
 }
 
 macro_rules! embed {
-    ($($name:literal)*) => {
+    ($($surface:literal: $($look:literal)*;)*) => {
         &[$(
-            embed!(@file concat!($name, "_color.jpg")),
-            embed!(@file concat!($name, "_normal.jpg")),
-            embed!(@file concat!($name, "_orm.png")),
+            $(embed!(@file concat!($look, "_color.jpg")),)*
+            embed!(@file concat!($surface, "_normal.jpg")),
+            embed!(@file concat!($surface, "_orm.png")),
         )*]
     };
     (@file $file:expr) => {
@@ -67,12 +96,41 @@ macro_rules! embed {
 }
 
 static EMBEDDED: &[(&str, &[u8])] = embed! {
-    "cedar" "cedar_board" "clapboard" "charred" "bamboo"
-    "plaster" "clay" "namako"
-    "kawara" "board_roof" "bark" "thatch"
-    "paper" "cloth" "tatami"
-    "aluminium" "glass" "steel" "concrete" "mortar" "tile"
-    "stone" "earth"
+    "cedar": "cedar_fresh" "cedar_brown" "cedar_silver" "cedar_dark" "hinoki" "sooted" "bengara" "bengara_worn" "bengara_old";
+    "plank": "plank_fresh" "plank_brown" "plank_silver" "plank_dark";
+    "keyaki": "keyaki_fresh" "keyaki_old";
+    "boarding": "boarding_fresh" "boarding_brown" "boarding_silver" "boarding_dark";
+    "clapboard": "clapboard_fresh" "clapboard_brown" "clapboard_silver" "clapboard_dark";
+    "charred": "charred" "charred_worn" "charred_old";
+    "bamboo": "bamboo_green" "bamboo" "bamboo_old";
+    "plaster": "plaster" "plaster_worn" "plaster_old";
+    "black_plaster": "black_plaster" "black_plaster_old";
+    "clay": "clay" "clay_washed";
+    "juraku": "juraku" "juraku_old";
+    "mortar": "mortar" "mortar_old";
+    "concrete": "concrete" "concrete_old";
+    "namako": "namako" "namako_old";
+    "tile": "tile" "tile_dirty" "tile_white";
+    "kawara": "kawara_new" "kawara_worn" "kawara_old";
+    "hongawara": "hongawara_new" "hongawara_worn" "hongawara_old";
+    "noshi": "noshi_new" "noshi_worn" "noshi_old";
+    "ibushi": "ibushi_new" "ibushi_worn" "ibushi_old";
+    "board_roof": "board_roof_new" "board_roof_silver" "board_roof_mossy";
+    "kokera": "kokera_new" "kokera_silver" "kokera_mossy";
+    "bark": "bark_new" "bark_worn" "bark_mossy";
+    "thatch": "thatch_new" "thatch_worn" "thatch_mossy";
+    "seam_roof": "seam_roof" "seam_roof_rusty";
+    "paper": "paper" "paper_yellow";
+    "cloth": "indigo" "indigo_faded" "persimmon" "persimmon_faded" "cotton" "cotton_old";
+    "tatami": "tatami" "tatami_old";
+    "aluminium": "aluminium" "bronze_aluminium" "aluminium_dirty";
+    "glass": "glass" "glass_mirror" "glass_dusty";
+    "steel": "steel" "steel_rusty";
+    "sheet": "sheet" "sheet_rusty";
+    "stone": "stone" "stone_mossy";
+    "gravel": "gravel";
+    "earth": "earth";
+    "doma": "doma" "doma_old";
 };
 
 /// A picture as JPEG.

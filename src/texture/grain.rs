@@ -1,7 +1,7 @@
-//! Wood: growth rings, fibres and drying cracks of sugi, weathered as on a street front.
+//! Wood: growth rings, fibres and drying cracks of sugi, and how it weathers on a street front.
 
-use super::color::{Rgb, hex, mix, ramp, scale, smooth};
-use super::noise::{fbm, hash, noise};
+use super::color::{Rgb, hex, mix, scale, smooth};
+use super::noise::{Period, fbm, floor, hash, noise, wrap};
 
 /// Freshly planed sugi.
 pub(super) const FRESH: Rgb = hex(0xD9_B48A);
@@ -33,18 +33,31 @@ impl Wood {
 
     /// Colour between a pale and a dark tone.
     pub(super) fn color(&self, early: Rgb, late: Rgb) -> Rgb {
-        let ringed = mix(early, late, self.late * 0.75);
+        let ringed = mix(early, late, self.late * 0.85);
         let fibred = scale(ringed, 1.0 + 0.10 * self.fibre);
         let cracked = mix(fibred, scale(late, 0.45), self.check * 0.8);
         mix(cracked, scale(late, 0.62), self.knot * 0.8)
+    }
+
+    /// Fresh, browned, silver, and dark with fungus. `cloud` (about -1..1) says where rain and shelter differ;
+    /// `tone` -1..1 belongs to the piece.
+    pub(super) fn ages(&self, cloud: f64, tone: f64) -> [Rgb; 4] {
+        let lift = 1.0 + 0.09 * tone;
+        let of =
+            |pale: Rgb, dark: f64| scale(self.color(scale(pale, 1.06), scale(pale, dark)), lift);
+        let (fresh, brown) = (of(FRESH, 0.74), of(BROWN, 0.66));
+        let silver = mix(of(SILVER, 0.70), brown, 0.30 * smooth(-0.1, 0.9, cloud));
+        let spots = smooth(0.05, 0.6, 0.7 * self.fibre - cloud);
+        let dark = mix(of(DARK, 0.70), hex(0x2E_2C2A), 0.5 * spots);
+        [fresh, brown, silver, dark]
     }
 }
 
 /// One year: slowly darker, then sharply pale again.
 fn ring(phase: f64) -> f64 {
-    let year = phase - phase.floor();
-    let dark = smooth(0.30, 0.88, year);
-    dark * dark * (1.0 - smooth(0.90, 1.0, year))
+    let year = phase - floor(phase) as f64;
+    let dark = smooth(0.30, 0.86, year);
+    dark * dark * (1.0 - smooth(0.88, 1.0, year))
 }
 
 /// Fibres and cracks; `along` and `across` are fractions of the repeat.
@@ -62,13 +75,69 @@ fn texture(along: f64, across: f64, late: f64, knot: f64, seed: u32) -> Wood {
     }
 }
 
-/// Edge grain (masame): rings cut at right angles, nearly straight, `rings` to a repeat.
-pub(super) fn edge_grain(along: f64, across: f64, rings: u32, seed: u32) -> Wood {
-    let bend =
-        1.1 * fbm(across, along, (3, 1), 2, seed) + 0.8 * noise(across, along, (14, 1), seed ^ 1);
-    let wave = 0.16 * noise(across, along, (20, 5), seed ^ 2);
-    let late = ring(across * f64::from(rings) + bend + wave);
-    texture(along, across, late, 0.0, seed)
+/// A face that runs on without a joint, cut now along the rings (masame: straight lines), now through them
+/// (itame: arches).
+#[derive(Clone, Copy)]
+pub(super) struct Face {
+    /// Hearts of logs side by side in one repeat, arches over each; 0 = sawn along the rings.
+    pub(super) hearts: u32,
+    /// Rings in one repeat.
+    pub(super) rings: u32,
+    /// How far rings are pushed aside, in rings: little keeps them straight, much opens arches.
+    pub(super) arches: f64,
+    /// How often that changes.
+    pub(super) turns: Period,
+    /// Knots in one repeat, as lattice cells; most stay empty.
+    pub(super) knots: Option<Period>,
+    /// Which random layer.
+    pub(super) seed: u32,
+}
+
+impl Face {
+    /// The wood at a point; `along` and `across` are fractions of the repeat.
+    pub(super) fn wood(&self, along: f64, across: f64, metres: f64) -> Wood {
+        let seed = self.seed;
+        let rings = f64::from(self.rings);
+        let straight = if self.hearts == 0 {
+            across * rings
+        } else {
+            let hearts = f64::from(self.hearts);
+            let sway = 0.08 * noise(across, along, (3, 1), seed ^ 5);
+            let turn = libm::cos(std::f64::consts::TAU * (across * hearts + sway));
+            turn * rings / (4.0 * hearts)
+        };
+        let push = self.arches * noise(across, along, self.turns, seed);
+        let bend = 0.9 * fbm(across, along, (4, 1), 2, seed ^ 1);
+        // No two years are alike.
+        let years = 0.32 * noise(across, along, (23, 1), seed ^ 3)
+            + 0.06 * noise(across, along, (40, 7), seed ^ 2);
+        let (knot, swirl) = self.knot(along, across, metres);
+        let late = ring(straight + push + bend + years + swirl);
+        texture(along, across, late * (1.0 - knot), knot, seed)
+    }
+
+    /// How much of a knot is here, and how many rings it pushes aside.
+    fn knot(&self, along: f64, across: f64, metres: f64) -> (f64, f64) {
+        let Some((nx, ny)) = self.knots else {
+            return (0.0, 0.0);
+        };
+        let (cx, cy) = (floor(across * f64::from(nx)), floor(along * f64::from(ny)));
+        let (wx, wy) = (wrap(cx, i64::from(nx)), wrap(cy, i64::from(ny)));
+        let chance = |salt: u32| hash(wx, wy, self.seed.wrapping_mul(7).wrapping_add(salt));
+        if chance(1) > 0.2 {
+            return (0.0, 0.0);
+        }
+        let x = (across - (cx as f64 + 0.3 + 0.4 * chance(2)) / f64::from(nx)) * metres;
+        let y = (along - (cy as f64 + 0.3 + 0.4 * chance(3)) / f64::from(ny)) * metres;
+        knot_at(x, y, 0.006 + 0.008 * chance(4))
+    }
+}
+
+/// A knot of this radius, seen from `x` across and `y` along in metres: its heart, and how far it pushes rings.
+fn knot_at(x: f64, y: f64, size: f64) -> (f64, f64) {
+    let round = (x * x + y * y * 0.45).sqrt();
+    let swirl = 3.0 * libm::exp(-(round * round) / (size * size * 6.0));
+    (1.0 - smooth(size * 0.6, size, round), swirl)
 }
 
 /// A board sawn flat (itame) from a log: the rings open into arches.
@@ -90,43 +159,34 @@ impl Board {
         hash(self.id, 7, self.seed ^ salt.wrapping_mul(0x9E37))
     }
 
+    /// -1..1, how light the board is among its neighbours.
+    pub(super) fn tone(&self) -> f64 {
+        2.0 * self.chance(8) - 1.0
+    }
+
     /// The wood at `at` (0..1 across the board) and `along` (fraction of the repeat), where
     /// `across` is the same place as a fraction of the repeat.
     pub(super) fn wood(&self, along: f64, at: f64, across: f64) -> Wood {
         let own = self.seed.wrapping_add(self.id as u32 * 977);
-        let heart = 0.5 + 0.7 * (self.chance(1) - 0.5);
+        let heart = 0.5 + 0.9 * (self.chance(1) - 0.5);
         let x = (at - heart) * self.width;
         let bow = noise(0.5, along, (1, 1), own) + 0.5 * noise(0.5, along, (1, 2), own ^ 1);
         let depth = 0.012 + 0.035 * self.chance(2) + 0.055 * (bow + 0.7).abs();
-        let wobble = 0.0022 * fbm(across, along, (16, 4), 2, own ^ 2);
+        let wobble = 0.0018 * fbm(across, along, (16, 4), 2, own ^ 2);
         let (knot, swirl) = self.knot(along, at);
         let radius = (x * x * 1.6 + depth * depth).sqrt() + wobble;
-        let late = ring(radius / (0.0055 + 0.003 * self.chance(3)) + swirl);
+        let late = ring(radius / (0.0046 + 0.0024 * self.chance(3)) + swirl);
         texture(along, across, late * (1.0 - knot), knot, own)
     }
 
     /// How much of a knot is here, and how many rings it pushes aside.
     fn knot(&self, along: f64, at: f64) -> (f64, f64) {
-        if self.chance(4) < 0.45 {
+        if self.chance(4) < 0.7 {
             return (0.0, 0.0);
         }
         let x = (at - 0.2 - 0.6 * self.chance(5)) * self.width;
         let gap = along - self.chance(6);
         let y = (gap - gap.round()) * self.length;
-        let size = 0.007 + 0.008 * self.chance(7);
-        let round = (x * x + y * y * 0.45).sqrt();
-        let swirl = 3.0 * libm::exp(-(round * round) / (size * size * 6.0));
-        (1.0 - smooth(size * 0.6, size, round), swirl)
+        knot_at(x, y, 0.007 + 0.008 * self.chance(7))
     }
-}
-
-/// Pale and dark tones of old wood: `age` 0 brown to 1 silver, `tone` -1..1 for this piece.
-pub(super) fn weathered(age: f64, tone: f64) -> (Rgb, Rgb) {
-    let lift = 1.0 + 0.10 * tone;
-    let early = ramp(
-        &[mix(FRESH, BROWN, 0.5), mix(BROWN, SILVER, 0.55), SILVER],
-        age,
-    );
-    let late = ramp(&[scale(BROWN, 0.82), mix(BROWN, DARK, 0.6), DARK], age);
-    (scale(early, lift), scale(late, lift))
 }

@@ -21,6 +21,21 @@ pub(super) fn hash(x: i64, y: i64, seed: u32) -> f64 {
     f64::from(bits(x, y, seed)) / 4_294_967_296.0
 }
 
+/// The whole number at or below `x`. The plain `floor` is a call on machines without the instruction for it.
+pub(super) fn floor(x: f64) -> i64 {
+    let near = x as i64;
+    near - i64::from(near as f64 > x)
+}
+
+/// A lattice index brought into one repeat; most lie there already, and a division is slow.
+pub(super) fn wrap(index: i64, cells: i64) -> i64 {
+    if (0..cells).contains(&index) {
+        index
+    } else {
+        index.rem_euclid(cells)
+    }
+}
+
 /// The dot product of a lattice point's random direction with an offset.
 fn slope(x: i64, y: i64, seed: u32, dx: f64, dy: f64) -> f64 {
     const H: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -45,10 +60,10 @@ fn fade(t: f64) -> f64 {
 pub(super) fn noise(u: f64, v: f64, period: Period, seed: u32) -> f64 {
     let (nx, ny) = (i64::from(period.0), i64::from(period.1));
     let (x, y) = (u * nx as f64, v * ny as f64);
-    let (fx, fy) = (x.floor(), y.floor());
-    let (dx, dy) = (x - fx, y - fy);
-    let (x0, y0) = ((fx as i64).rem_euclid(nx), (fy as i64).rem_euclid(ny));
-    let (x1, y1) = ((x0 + 1) % nx, (y0 + 1) % ny);
+    let (cx, cy) = (floor(x), floor(y));
+    let (dx, dy) = (x - cx as f64, y - cy as f64);
+    let (x0, y0) = (wrap(cx, nx), wrap(cy, ny));
+    let (x1, y1) = (wrap(x0 + 1, nx), wrap(y0 + 1, ny));
     let (a, b) = (
         slope(x0, y0, seed, dx, dy),
         slope(x1, y0, seed, dx - 1.0, dy),

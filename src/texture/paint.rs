@@ -18,13 +18,13 @@ pub(super) struct Spot {
     pub(super) pixel: f64,
 }
 
-/// What is found there.
+/// What is found there: one relief, and a base colour for each of `N` looks.
 #[derive(Clone, Copy)]
-pub(super) struct Texel {
+pub(super) struct Texel<const N: usize> {
     /// Height in metres above the mean surface.
     pub(super) height: f64,
-    /// Base colour.
-    pub(super) color: Rgb,
+    /// Base colours.
+    pub(super) colors: [Rgb; N],
     /// Roughness, 0 polished to 1 dull.
     pub(super) rough: f64,
     /// Metalness, 0 or 1.
@@ -48,15 +48,15 @@ impl Hollows {
 }
 
 /// Draws a surface by its formula.
-pub(super) fn paint(
+pub(super) fn paint<const N: usize>(
     size: u32,
     metres: f64,
     hollows: Hollows,
-    formula: impl Fn(Spot) -> Texel,
+    formula: impl Fn(Spot) -> Texel<N>,
 ) -> Maps {
     let pixel = metres / f64::from(size);
     let side = size as usize;
-    let texels: Vec<Texel> = (0..side * side)
+    let texels: Vec<Texel<N>> = (0..side * side)
         .map(|k| {
             let u = ((k % side) as f64 + 0.5) / side as f64;
             let v = 1.0 - ((k / side) as f64 + 0.5) / side as f64;
@@ -73,16 +73,40 @@ pub(super) fn paint(
     let around = surroundings(&heights, side, reach);
     let light = |k: usize| (1.0 + hollows.loss * (heights[k] - around[k])).clamp(0.35, 1.18);
     let at = |x: u32, y: u32| y as usize * side + x as usize;
-    Maps {
-        color: RgbImage::from_fn(size, size, |x, y| {
+    let colored = |look: usize| {
+        RgbImage::from_fn(size, size, |x, y| {
             let k = at(x, y);
-            Pixel(texels[k].color.map(|channel| byte(channel * light(k))))
-        }),
+            Pixel(texels[k].colors[look].map(|channel| byte(channel * light(k))))
+        })
+    };
+    Maps {
+        colors: (0..N).map(colored).collect(),
         normal: normals(&heights, size, pixel),
         orm: RgbImage::from_fn(size, size, |x, y| {
             let texel = texels[at(x, y)];
             Pixel([255, byte(texel.rough), byte(texel.metal)])
         }),
+    }
+}
+
+/// Moves a picture's mean to a colour, channel by channel, so that a look has the colour it is known by.
+pub(super) fn tone(picture: &mut RgbImage, mean: Rgb) {
+    let count = f64::from(picture.width()) * f64::from(picture.height());
+    let mut sums = [0_u64; 3];
+    for pixel in picture.pixels() {
+        for (sum, channel) in sums.iter_mut().zip(pixel.0) {
+            *sum += u64::from(channel);
+        }
+    }
+    let now = sums.map(|sum| (sum as f64 / count / 255.0).max(1.0 / 255.0));
+    let table = [0, 1, 2].map(|c| {
+        let factor = mean[c] / now[c];
+        core::array::from_fn::<u8, 256, _>(|value| byte(value as f64 / 255.0 * factor))
+    });
+    for pixel in picture.pixels_mut() {
+        for (channel, table) in pixel.0.iter_mut().zip(&table) {
+            *channel = table[usize::from(*channel)];
+        }
     }
 }
 

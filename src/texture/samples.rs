@@ -2,7 +2,7 @@
 //!
 //! Read from the embedded files once a run, and halved until they are about as fine as a baked picture.
 
-use super::{SURFACES, Surface, embedded};
+use super::{Look, SURFACES, Surface, embedded};
 use image::RgbImage;
 use std::sync::{LazyLock, OnceLock};
 
@@ -31,18 +31,24 @@ pub struct Samples {
     orm: RgbImage,
 }
 
-/// The samples of the surface of that name.
+/// Every look with its surface, and its samples once they are read.
+type Shelf = Vec<(&'static Surface, &'static Look, OnceLock<Option<Samples>>)>;
+
+/// The samples of the look of that name.
 pub fn samples(name: &str) -> Option<&'static Samples> {
-    static READ: LazyLock<Vec<OnceLock<Option<Samples>>>> =
-        LazyLock::new(|| SURFACES.iter().map(|_| OnceLock::new()).collect());
-    let at = SURFACES.iter().position(|surface| surface.name == name)?;
-    READ[at]
-        .get_or_init(|| Samples::read(&SURFACES[at]))
-        .as_ref()
+    static READ: LazyLock<Shelf> = LazyLock::new(|| {
+        let looks = SURFACES.iter().flat_map(|surface| {
+            let looks = surface.looks.iter();
+            looks.map(move |look| (surface, look, OnceLock::new()))
+        });
+        looks.collect()
+    });
+    let (surface, look, read) = READ.iter().find(|(_, look, _)| look.name == name)?;
+    read.get_or_init(|| Samples::read(surface, look)).as_ref()
 }
 
 impl Samples {
-    fn read(surface: &Surface) -> Option<Samples> {
+    fn read(surface: &Surface, look: &Look) -> Option<Samples> {
         let small = |file: String| {
             let mut picture = image::load_from_memory(embedded(&file)?).ok()?.into_rgb8();
             while f64::from(picture.width()) >= 2.0 * DENSITY * surface.metres
@@ -54,7 +60,7 @@ impl Samples {
         };
         Some(Samples {
             metres: surface.metres,
-            color: small(surface.color_file())?,
+            color: small(look.color_file())?,
             normal: small(surface.normal_file())?,
             orm: small(surface.orm_file())?,
         })
@@ -131,7 +137,7 @@ mod tests {
 
     #[test]
     fn samples_repeat_every_so_many_metres() {
-        let cedar = samples("cedar").expect("cedar is drawn");
+        let cedar = samples("cedar_brown").expect("cedar is drawn");
         let metres = cedar.metres;
         assert_eq!(cedar.at(0.1, 0.2), cedar.at(0.1 + metres, 0.2 - metres));
         assert_eq!(samples("no such surface").map(|s| s.metres), None);

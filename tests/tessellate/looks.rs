@@ -54,7 +54,7 @@ fn every_surface_has_a_name_of_its_own() {
 fn every_picture_is_in_the_library() {
     for surface in hsd::material::all() {
         if let Some(picture) = surface.picture {
-            assert!(hsd::texture::surface(picture).is_some(), "{picture}");
+            assert!(hsd::texture::look(picture).is_some(), "{picture}");
         }
     }
 }

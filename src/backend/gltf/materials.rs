@@ -190,6 +190,11 @@ impl<'a> Looks<'a> {
         wrap: WrappingMode,
         root: &mut Root,
     ) -> Option<Index<Texture>> {
+        // Looks of one surface share its relief. Each picture has one texture, so that they count alike.
+        let same = |p: &Picture<'_>| p.name == picture.name && std::ptr::eq(p.bytes, picture.bytes);
+        if let Some(known) = self.pictures.iter().position(same) {
+            return Some(Index::new(known as u32));
+        }
         let mime = mime(picture.bytes)?;
         let known = root.samplers.iter().position(|s| s.wrap_s == Valid(wrap));
         let sampler = known.map_or_else(
