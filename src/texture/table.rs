@@ -237,7 +237,7 @@ pub static SURFACES: &[Surface] = &[
         looks: &[
             toned("indigo", 0x26_3453),
             toned("indigo_faded", 0x62_7492),
-            toned("persimmon", 0x98_4C2A),
+            toned("persimmon", 0x8C_4B30),
             toned("persimmon_faded", 0xB0_8266),
             toned("cotton", 0xE6_DFCD),
             toned("cotton_old", 0xC4_B99F),
