@@ -150,10 +150,10 @@ materials! {
     NAMAKO = even Tile [at(0, "namako"), at(30, "namako_old")];
     TILE = even Tile [at(0, "tile"), at(15, "tile_dirty")];
     WHITE_TILE = even Tile [at(0, "tile_white")];
-    KAWARA = even Tile [shiny("kawara_new", 0.65), at(10, "kawara_worn"), at(30, "kawara_old")];
-    HONGAWARA = even Tile [shiny("hongawara_new", 0.65), at(10, "hongawara_worn"), at(30, "hongawara_old")];
-    NOSHI = even Tile [shiny("noshi_new", 0.65), at(10, "noshi_worn"), at(30, "noshi_old")];
-    IBUSHI = even Tile [shiny("ibushi_new", 0.65), at(10, "ibushi_worn"), at(30, "ibushi_old")];
+    KAWARA = even Tile [shiny("kawara_new", 0.55), at(10, "kawara_worn"), at(30, "kawara_old")];
+    HONGAWARA = even Tile [shiny("hongawara_new", 0.55), at(10, "hongawara_worn"), at(30, "hongawara_old")];
+    NOSHI = even Tile [shiny("noshi_new", 0.55), at(10, "noshi_worn"), at(30, "noshi_old")];
+    IBUSHI = even Tile [shiny("ibushi_new", 0.55), at(10, "ibushi_worn"), at(30, "ibushi_old")];
     // Other roofs.
     BOARD_ROOF = even Wood [at(0, "board_roof_new"), at(4, "board_roof_silver"), at(15, "board_roof_mossy")];
     KOKERA = even Wood [at(0, "kokera_new"), at(5, "kokera_silver"), at(20, "kokera_mossy")];

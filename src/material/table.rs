@@ -4,6 +4,8 @@ use super::ageing::*;
 use super::{Material, Surface};
 
 const WHITE: [f32; 3] = [1.0, 1.0, 1.0];
+/// Under eaves wood turns a darker brown instead of grey.
+const SHELTERED: [f32; 3] = [0.74, 0.72, 0.74];
 
 /// A material at one of its stages.
 const fn worn(name: &'static str, material: &'static Material, stage: usize) -> Surface {
@@ -66,7 +68,7 @@ const fn pane(surface: Surface, rgb: [f32; 3], opacity: f32) -> Surface {
 pub(super) static TABLE: &[Surface] = &[
     // Wood. A kept house has brown posts; bengara is iron red with soot in oil over cedar. `boards` are
     // bodies of their own, `boarding` has its joints drawn.
-    worn("cedar", &CEDAR, 1),
+    tinted(worn("cedar", &CEDAR, 1), SHELTERED),
     worn("cedar_fresh", &CEDAR, 0),
     worn("cedar_brown", &CEDAR, 1),
     worn("cedar_silver", &CEDAR, 2),
@@ -79,18 +81,18 @@ pub(super) static TABLE: &[Surface] = &[
     worn("bengara_worn", &BENGARA, 1),
     worn("bengara_old", &BENGARA, 2),
     worn("sooted", &SOOTED, 0),
-    worn("boards", &PLANK, 1),
+    tinted(worn("boards", &PLANK, 1), SHELTERED),
     worn("boards_dark", &PLANK, 3),
     worn("plank_fresh", &PLANK, 0),
     worn("plank_brown", &PLANK, 1),
     worn("plank_silver", &PLANK, 2),
     worn("plank_dark", &PLANK, 3),
-    worn("boarding", &BOARDING, 1),
+    tinted(worn("boarding", &BOARDING, 1), SHELTERED),
     worn("boarding_fresh", &BOARDING, 0),
     worn("boarding_brown", &BOARDING, 1),
     worn("boarding_silver", &BOARDING, 2),
     worn("boarding_dark", &BOARDING, 3),
-    worn("clapboard", &CLAPBOARD, 1),
+    tinted(worn("clapboard", &CLAPBOARD, 1), SHELTERED),
     worn("clapboard_fresh", &CLAPBOARD, 0),
     worn("clapboard_brown", &CLAPBOARD, 1),
     worn("clapboard_silver", &CLAPBOARD, 2),
@@ -184,7 +186,11 @@ pub(super) static TABLE: &[Surface] = &[
     worn("tatami_old", &TATAMI, 1),
     // Glass: clear before a dark room, or with a mirror coat.
     pane(worn("glass", &GLASS, 0), [0.62, 0.7, 0.7], 0.35),
-    pane(worn("glass_dark", &MIRROR_GLASS, 0), [1.0, 1.0, 1.0], 0.92),
+    pane(
+        worn("glass_dark", &MIRROR_GLASS, 0),
+        [0.42, 0.40, 0.41],
+        0.92,
+    ),
     pane(
         worn("glass_mirror", &MIRROR_GLASS, 0),
         [1.0, 1.0, 1.0],

@@ -21,7 +21,7 @@ fn smoked(spot: Spot, chance: impl Fn(u32) -> f64, cells: u32) -> [Rgb; 3] {
     let bloom = fbm(spot.u, spot.v, (cells, cells), 4, 811);
     let fine = noise(spot.u, spot.v, (190, 190), 813);
     // The kiln: carbon lies thick or thin, with a blue or a brown cast.
-    let kiln = 1.0 + 0.16 * (chance(2) - 0.5) + 0.07 * bloom + 0.03 * fine;
+    let kiln = 1.0 + 0.11 * (chance(2) - 0.5) + 0.07 * bloom + 0.03 * fine;
     let brown = chance(3) * chance(3);
     let new = scale(
         mix(
@@ -43,7 +43,7 @@ fn smoked(spot: Spot, chance: impl Fn(u32) -> f64, cells: u32) -> [Rgb; 3] {
 
 /// How dull the face is when worn; a new one is told by its material to be brighter.
 fn dullness(spot: Spot, chance: f64) -> f64 {
-    0.58 + 0.10 * chance + 0.08 * fbm(spot.u, spot.v, (9, 9), 3, 816)
+    0.72 + 0.10 * chance + 0.08 * fbm(spot.u, spot.v, (9, 9), 3, 816)
 }
 
 /// Height in metres of a sangawara across its width, 0..1: the roll lies over the right rim of
