@@ -42,9 +42,9 @@ pub(super) fn write(
     let (shapes, places) = (geometry.length() > 0, !tree.is_empty());
     let document = Document {
         root,
-        accessors: shapes.then(|| Listed(|| geometry.accessors())),
-        meshes: shapes.then(|| Listed(|| geometry.meshes())),
-        nodes: places.then(|| Listed(|| tree.nodes(geometry))),
+        accessors: shapes.then_some(Listed(|| geometry.accessors())),
+        meshes: shapes.then_some(Listed(|| geometry.meshes())),
+        nodes: places.then_some(Listed(|| tree.nodes(geometry))),
     };
     Ok(serde_json::to_writer(out, &document)?)
 }
