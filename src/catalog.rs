@@ -108,6 +108,8 @@ pub struct PartDef {
     pub(crate) clear: Option<Mm>,
     /// Share of light that its glass mirrors.
     pub(crate) reflection: Option<f64>,
+    /// The floor that one sees through it, where it is not the storey's usual one.
+    pub(crate) floor: Option<SurfaceId>,
     /// Whether it fills the half of a split unit, whatever its heights say.
     pub(crate) fills: bool,
     pub(crate) body: Vec<Element>,

@@ -26,6 +26,7 @@ mod namako;
 mod oriel;
 mod part;
 mod polygon;
+mod room;
 mod round;
 pub mod sheet;
 mod shelter;
@@ -33,6 +34,7 @@ mod smooth;
 mod solid;
 mod standing;
 mod store;
+mod track;
 
 use crate::ast::StoreyKind;
 use crate::building::{
@@ -46,6 +48,7 @@ use alike::{Alike, Roofs};
 use compact_str::{CompactString, format_compact};
 use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
+use room::Rooms;
 use standing::{Place, Standing};
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
@@ -58,6 +61,7 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         detail,
         store: Store::new(detail),
         roofs: Roofs::default(),
+        rooms: Rooms::default(),
         nodes: Vec::with_capacity(nodes(building)),
     };
     let none = HouseRoofs::default();
@@ -89,6 +93,7 @@ struct Walker<'a> {
     detail: Detail,
     store: Store,
     roofs: Roofs<'a>,
+    rooms: Rooms,
     nodes: Vec<Node>,
 }
 
@@ -227,9 +232,15 @@ impl<'a> Walker<'a> {
             self.nodes[level.node.0 as usize].mesh = mesh;
             return;
         }
-        for ring in &storey.rings {
-            self.ring(level, ring);
+        let rings: Vec<(&Ring, Vec<Line<'_>>)> = storey
+            .rings
+            .iter()
+            .map(|ring| (ring, self.lines(level, ring)))
+            .collect();
+        for (_, lines) in &rings {
+            self.ring(level, lines);
         }
+        self.room(level, &rings);
     }
 
     /// The walls of a ring with their units in place.
@@ -244,10 +255,9 @@ impl<'a> Walker<'a> {
     }
 
     /// The walls of a ring; each draws the corner at its start.
-    fn ring(&mut self, level: Level<'_>, ring: &Ring) {
-        let lines = self.lines(level, ring);
+    fn ring(&mut self, level: Level<'_>, lines: &[Line<'_>]) {
         for (i, line) in lines.iter().enumerate() {
-            let (before, after) = Line::beside(&lines, i);
+            let (before, after) = Line::beside(lines, i);
             self.facade(level, line, before, after);
         }
     }

@@ -114,6 +114,12 @@ attributes! {
         gap: Mm = Mm(0.0),
         /// How far the foot of each stands out over the next (clapboards).
         lap: Mm = Mm(0.0),
+        /// How many; where none is given, as many as their size asks for.
+        count: u32 = 0,
+        /// How far every other one stands back, which shows the joints.
+        step: Mm = Mm(0.0),
+        /// Width of strips over the joints, half a one at each end; 0 = none.
+        strip: Mm = Mm(0.0),
     }
     /// Upright bars, counted.
     Bars {
@@ -135,6 +141,8 @@ attributes! {
         round: bool = false,
         /// Whether the gaps between them end round.
         slits: bool = false,
+        /// Whether the first and last lie at the ends of the place, as battens do.
+        ends: bool = false,
     }
     /// Level bars, counted, spread evenly from the foot to the top.
     Rails {
@@ -156,6 +164,8 @@ attributes! {
     Leaf {
         /// How many.
         leaves: u32 = 1,
+        /// How many one above another, as shutters let down into grooves.
+        stack: u32 = 1,
         /// Width of the stiles.
         stile: Mm = Mm(0.040),
         /// Height of the top and bottom rails.
@@ -178,6 +188,23 @@ attributes! {
         pane: SurfaceId = SurfaceId::named("boards"),
         /// Height of boards at its foot.
         dado: Mm = Mm(0.0),
+        /// Upright boards that its pane is made of; 0 = one sheet.
+        planks: u32 = 0,
+        /// Height of the pull on the stile where a hand finds it; 0 = none.
+        pull: Mm = Mm(0.0),
+    }
+    /// Sill and head of sliding leaves, with their grooves.
+    Track {
+        /// Height of sill and head.
+        size: Mm = Mm(0.040),
+        /// Grooves.
+        tracks: u32 = 1,
+        /// Outermost plane of the first groove.
+        groove: Mm = Mm(0.041),
+        /// Width of a groove.
+        wide: Mm = Mm(0.032),
+        /// Depth of a groove.
+        deep: Mm = Mm(0.012),
     }
     /// A box in front of the wall, open at its sides, its front made of the children.
     Oriel {
@@ -226,6 +253,8 @@ attributes! {
         out: Mm = Mm(0.150),
         /// Rise in the horizontal.
         pitch: f64 = 0.4,
+        /// About how far its rolls of round tiles stand from each other; 0 = none.
+        rolls: Mm = Mm(0.0),
     }
     /// A small roof in front of the place, its top edge at the top.
     Hood {
@@ -238,6 +267,8 @@ attributes! {
         out: Mm = Mm(0.750),
         /// What covers its roof.
         roof: SurfaceId = SurfaceId::named("kawara_edge"),
+        /// About how far its rolls of round tiles stand from each other; 0 = none.
+        rolls: Mm = Mm(0.0),
     }
     /// Dark walls, ceiling and end of what lies behind an opening.
     Depth {
@@ -286,6 +317,8 @@ attributes! {
         count: u32 = 3,
         /// Which of them: l, r or both.
         sides: Sides = Sides::ALL,
+        /// How much smaller each step is at every edge.
+        size: Mm = Mm(0.036),
     }
     /// What fills the corners of an opening so that a rounded one is left: half its width makes a circle.
     Corners {
@@ -335,6 +368,7 @@ shapes! {
     "rails" Rails over Opening,
     "frame" Frame over Opening,
     "leaf" Leaf over Opening,
+    "track" Track over Opening,
     "oriel" Oriel over Opening,
     "cloth" Cloth over Opening,
     "apron" Apron over Bay,

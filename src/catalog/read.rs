@@ -91,7 +91,7 @@ fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, String> {
 }
 
 /// What a `PartDef` may say.
-const KNOWN: [&str; 17] = [
+const KNOWN: [&str; 18] = [
     "code",
     "ja",
     "romaji",
@@ -109,6 +109,7 @@ const KNOWN: [&str; 17] = [
     "clear",
     "reflection",
     "fills",
+    "floor",
 ];
 
 /// The head of a part: its code and all that is written.
@@ -184,6 +185,7 @@ fn part(attributes: &Attributes) -> Result<PartDef, String> {
         clear: head.or("clear", None)?,
         reflection: head.or("reflection", None)?,
         fills: head.or("fills", false)?,
+        floor: head.or("floor", None)?,
         body: Vec::new(),
     })
 }

@@ -45,6 +45,10 @@ pub(crate) enum Area {
     Clear,
     /// Between the posts, `from` to `to` of the part.
     Opening,
+    /// Between the posts, from the opening's top to the storey's.
+    Above,
+    /// Between the posts, from the floor to the opening's foot.
+    Below,
 }
 
 /// Which way boards run.
@@ -148,12 +152,14 @@ impl<T: Value> Value for Option<T> {
 }
 
 impl Value for Area {
-    const FORM: &'static str = "bay, clear or opening";
+    const FORM: &'static str = "bay, clear, opening, above or below";
     fn read(text: &str) -> Option<Area> {
         match text {
             "bay" => Some(Area::Bay),
             "clear" => Some(Area::Clear),
             "opening" => Some(Area::Opening),
+            "above" => Some(Area::Above),
+            "below" => Some(Area::Below),
             _ => None,
         }
     }

@@ -7,7 +7,7 @@ use super::smooth::soft_bar;
 use crate::catalog::body::{Bars, Place, Rails, Studs};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
-use glam::{DVec2, dvec2};
+use glam::{DVec2, dvec2, dvec3};
 
 /// Where bars stand: their left ends and widths, and whether they are short.
 pub(super) struct Row {
@@ -23,7 +23,10 @@ pub(super) fn spread(bars: &Bars, x0: f64, x1: f64) -> Row {
     let count = long * (1 + short);
     let (size, child) = (bars.size.0, bars.childsize.0);
     let wood = long as f64 * (size + short as f64 * child);
-    let gaps = (count + 1) as f64;
+    let gaps = match bars.ends {
+        true => count.max(2) - 1,
+        false => count + 1,
+    } as f64;
     // Gaps of less than a third of the bar would make a wall of it.
     let least = bars.gap.map_or(size / 3.0, |g| g.0);
     let scale = ((x1 - x0) / (wood + gaps * least)).min(1.0);
@@ -31,7 +34,7 @@ pub(super) fn spread(bars: &Bars, x0: f64, x1: f64) -> Row {
     let mut row = Row {
         bars: Vec::with_capacity(count),
     };
-    let mut x = x0 + gap;
+    let mut x = if bars.ends { x0 } else { x0 + gap };
     for i in 0..count {
         let is_short = i % (1 + short) != 0;
         let width = scale * if is_short { child } else { size };
@@ -163,27 +166,43 @@ pub(super) fn frame(bay: &mut Bay<'_>, size: f64, sides: Sides, place: &Place, r
     }
 }
 
-/// Round heads in a grid.
+/// Round heads in a grid, like shallow domes.
 pub(super) fn studs(bay: &mut Bay<'_>, studs: &Studs, place: &Place, rect: Rect) {
     let r = studs.size.0 / 2.0;
-    // A regular octagon: half its side is 0.414 of its half width.
-    let (a, b) = (r, r * 0.414_213_562_373_095);
     let layer = Layer::from(place);
+    let (y0, y1) = (-layer.front, layer.thick - layer.front);
     for x in middles(studs.cols, rect.x0, rect.x1, false) {
         for z in middles(studs.rows, rect.z0, rect.z1, false) {
-            let ring = [
-                (a, b),
-                (b, a),
-                (-b, a),
-                (-a, b),
-                (-a, -b),
-                (-b, -a),
-                (b, -a),
-                (a, -b),
-            ];
-            let outline: Vec<DVec2> = ring.iter().map(|(u, v)| dvec2(z + u, x + v)).collect();
-            let (y0, y1) = (-layer.front, layer.thick - layer.front);
-            bay.bodies.prism(place.finish, &outline, Axis::Y, y0, y1);
+            // Feet, shoulders and crown, seen from outside.
+            let rings = [(r, y1), (r, y1 * 0.6 + y0 * 0.4), (r * 0.6, y0)];
+            let rings = rings.map(|(r, y)| octagon(r).map(|p| dvec3(x + p.x, y, z + p.y)));
+            bay.bodies.face(place.finish, &rings[2]);
+            let mut foot = rings[0];
+            foot.reverse();
+            bay.bodies.face(place.finish, &foot);
+            for (a, b) in [(rings[0], rings[1]), (rings[1], rings[2])] {
+                for i in 0..8 {
+                    let j = (i + 1) % 8;
+                    bay.bodies.face(place.finish, &[a[i], a[j], b[j], b[i]]);
+                }
+            }
         }
     }
+}
+
+/// A regular octagon of half width `r`, counter-clockwise.
+fn octagon(r: f64) -> [DVec2; 8] {
+    // Half its side is 0.414 of its half width.
+    let (a, b) = (r, r * 0.414_213_562_373_095);
+    let ring = [
+        (a, -b),
+        (a, b),
+        (b, a),
+        (-b, a),
+        (-a, b),
+        (-a, -b),
+        (-b, -a),
+        (b, -a),
+    ];
+    ring.map(|(u, v)| dvec2(u, v))
 }

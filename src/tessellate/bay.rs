@@ -136,6 +136,8 @@ impl<'a> Bay<'a> {
             Area::Bay => self.whole(),
             Area::Clear => self.clear,
             Area::Opening => self.opening,
+            Area::Above => self.clear.between(self.opening.z1, self.height),
+            Area::Below => self.clear.between(0.0, self.opening.z0),
         });
         // What stands before the house reaches down past its foundation, if its list says so.
         let low = match place.from {

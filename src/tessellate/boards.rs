@@ -38,9 +38,20 @@ pub(super) fn boards(bay: &mut Bay<'_>, boards: &Boards, place: &Place, rect: Re
         Run::Level => rect.height(),
         Run::Upright => rect.width(),
     };
-    let n = pieces(along, boards.size.0);
+    let n = match boards.count {
+        0 => pieces(along, boards.size.0),
+        count => count as usize,
+    };
     let (size, gap) = (along / n as f64, boards.gap.0 / 2.0);
+    if boards.strip.0 > 0.0 {
+        strips(bay, boards, place, rect, n);
+    }
     for i in 0..n {
+        let back = boards.step.0 * (i % 2) as f64;
+        let layer = Layer {
+            front: layer.front - back,
+            thick: layer.thick - back,
+        };
         let (lo, hi) = (size * i as f64, size * (i + 1) as f64);
         // The outermost boards end flush.
         let lo = if i == 0 { lo } else { lo + gap };
@@ -59,6 +70,29 @@ pub(super) fn boards(bay: &mut Bay<'_>, boards: &Boards, place: &Place, rect: Re
                 clapboard(bay, boards.lap.0, place.finish, layer, board);
             }
         }
+    }
+}
+
+/// Strips before the joints of `n` boards, as thick as the boards.
+fn strips(bay: &mut Bay<'_>, boards: &Boards, place: &Place, rect: Rect, n: usize) {
+    let half = boards.strip.0 / 2.0;
+    let layer = Layer {
+        front: place.front.0 + place.thick.0,
+        thick: place.thick.0,
+    };
+    for i in 0..=n {
+        let share = i as f64 / n as f64;
+        let strip = match boards.run {
+            Run::Upright => {
+                let x = rect.x0 + rect.width() * share;
+                rect.across((x - half).max(rect.x0), (x + half).min(rect.x1))
+            }
+            Run::Level => {
+                let z = rect.z0 + rect.height() * share;
+                rect.between((z - half).max(rect.z0), (z + half).min(rect.z1))
+            }
+        };
+        bay.block(place.finish, strip, layer);
     }
 }
 
@@ -93,12 +127,15 @@ pub(super) fn dado(bay: &mut Bay<'_>, size: f64, finish: SurfaceId, layer: Layer
         };
         bay.block(finish, field.across(x, x + step), layer);
     }
-    let board = Layer {
-        front: layer.front + 0.030,
-        thick: 0.090,
-    };
-    let cedar = SurfaceId::named("cedar");
-    bay.block(cedar, rect.between(rect.z1 - drip, rect.z1), board);
+    // Its top falls outwards, so that rain runs off.
+    let (front, top) = (layer.front + 0.030, rect.z1);
+    let outline = [
+        (front, top - drip),
+        (front, top - 0.012),
+        (front - 0.090, top),
+        (front - 0.090, top - drip),
+    ];
+    bay.profile(SurfaceId::named("cedar"), &outline, rect.x0, rect.x1);
 }
 
 /// A grid of panels with open joints; joints on the ends of the bay are shared with the neighbours.

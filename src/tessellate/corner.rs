@@ -4,8 +4,10 @@
 use super::facade::{Line, Stand};
 use super::mesh::{Axis, Bodies};
 use super::store::Share;
-use super::{Level, Walker, turn_of};
+use super::{Walker, turn_of};
 use crate::catalog::Stance;
+use crate::catalog::body::Shape;
+use crate::catalog::value::Level;
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::scene::{Kind, NodeId};
@@ -18,7 +20,7 @@ impl Walker<'_> {
     /// The filler at the start of a wall, where one is needed.
     pub(super) fn corners(
         &mut self,
-        level: Level<'_>,
+        level: super::Level<'_>,
         facade: NodeId,
         line: &Line<'_>,
         before: Option<&Line<'_>>,
@@ -33,7 +35,8 @@ impl Walker<'_> {
         let Some(outline) = mitre(before, line, last.face, first.face) else {
             return;
         };
-        let top = last.tops.1.min(first.tops.0);
+        let top = [last, first].map(|s| self.filled(s));
+        let top = (last.tops.1 - top[0]).min(first.tops.0 - top[1]);
         let mut bodies = Bodies::default();
         bodies.prism(self.finish(first), &outline, Axis::Z, 0.0, top);
         let mesh = self.store.finish("corner".into(), bodies, Share::default());
@@ -41,6 +44,20 @@ impl Walker<'_> {
         let node = self.node(Some(facade), Kind::Member, "corner".into(), DVec3::ZERO);
         node.mesh = Some(mesh);
         node.storey = Some(level.storey.number);
+    }
+
+    /// How far below its top a unit's wall ends: under the coping of a fence.
+    fn filled(&self, stand: &Stand<'_>) -> f64 {
+        let Content::Part(id) = &stand.unit.content else {
+            return 0.0;
+        };
+        let body = self.catalog.part(*id).body.iter();
+        let copings = body.filter(|e| matches!(e.shape, Shape::Coping(_)));
+        let below = copings.map(|e| match e.place.from {
+            Level::End(below) => below,
+            _ => 0.0,
+        });
+        below.fold(0.0, f64::max)
     }
 
     /// What a corner beside a unit is made of.

@@ -67,6 +67,7 @@ impl<'a> Line<'a> {
             let to = offset + unit.width;
             let (stance, face) = stance(catalog, &unit.content);
             let top = unit.height.map_or(level.height, |h| f64::from(h) * SHAKU);
+            let top = top.min(own_top(catalog, &unit.content));
             let at = |u: f64| wall.from + wall.direction * u;
             stands.push(Stand {
                 unit,
@@ -121,6 +122,18 @@ impl<'a> Line<'a> {
         };
         end.is_some_and(|s| s.is_post())
     }
+}
+
+/// The height of what is lower than its storey: fences; metres.
+fn own_top(catalog: &Catalog, content: &Content) -> f64 {
+    let part = match content {
+        Content::Part(id) => Some(catalog.part(*id)),
+        _ => None,
+    };
+    let fence = part.filter(|p| p.stance == Stance::Fence);
+    fence
+        .and_then(|p| p.to)
+        .map_or(f64::INFINITY, |to| to * SHAKU)
 }
 
 /// How a unit joins its wall, and its outer plane.

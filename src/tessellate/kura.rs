@@ -68,7 +68,7 @@ pub(super) fn open(bay: &mut Bay<'_>, open: &Open, place: &Place, rect: Rect) {
     let step = place.thick.0 / f64::from(n);
     let reach = open.out.0;
     for i in 0..n {
-        let inset = 0.036 * f64::from(i);
+        let inset = open.size.0 * f64::from(i);
         let height = rect.between(rect.z0 + inset, rect.z1 - inset);
         let slab = Layer {
             front: place.front.0 + reach - inset,

@@ -8,8 +8,25 @@ use crate::material::SurfaceId;
 /// Clearance between two tracks, metres.
 const TRACK: f64 = 0.003;
 
+/// Open joint between leaves one above another, metres.
+const JOINT: f64 = 0.006;
+
+/// How far every other board of a leaf stands back, metres.
+const PLANK: f64 = 0.0025;
+
 /// Leaves side by side on two tracks, the left one of each pair in front; neighbours overlap by a stile.
 pub(super) fn leaves(bay: &mut Bay<'_>, leaf: &Leaf, place: &Place, rect: Rect) {
+    let stack = leaf.stack.max(1);
+    let step = rect.height() / f64::from(stack);
+    for i in 0..stack {
+        let foot = rect.z0 + step * f64::from(i);
+        let gap = if i + 1 == stack { 0.0 } else { JOINT };
+        row(bay, leaf, place, rect.between(foot, foot + step - gap));
+    }
+}
+
+/// Leaves of one height.
+fn row(bay: &mut Bay<'_>, leaf: &Leaf, place: &Place, rect: Rect) {
     let n = leaf.leaves.max(1);
     let stile = leaf.stile.0.min(rect.width() / f64::from(4 * n));
     let width = (rect.width() + f64::from(n - 1) * stile) / f64::from(n);
@@ -24,15 +41,31 @@ pub(super) fn leaves(bay: &mut Bay<'_>, leaf: &Leaf, place: &Place, rect: Rect) 
             front: place.front.0 - back,
             thick: place.thick.0,
         };
-        one(
-            bay,
-            leaf,
-            place.finish,
-            layer,
-            stile,
-            rect.across(x0, x0 + width),
-        );
+        let own = rect.across(x0, x0 + width);
+        one(bay, leaf, place.finish, layer, stile, own);
+        if leaf.pull.0 > 0.0 {
+            // Each leaf is pulled at the stile that no other covers.
+            let left = n > 1 && i == 0;
+            pull(bay, leaf.pull.0, layer, stile, own, left);
+        }
     }
+}
+
+/// A sunk iron pull on a stile, a little lower than the middle of the leaf.
+fn pull(bay: &mut Bay<'_>, size: f64, layer: Layer, stile: f64, rect: Rect, left: bool) {
+    let half = (size / 2.0).min(rect.height() / 8.0);
+    let z = rect.z0 + (rect.height() * 0.46).min(0.85);
+    let x0 = if left { rect.x0 } else { rect.x1 - stile };
+    let plate = Layer {
+        front: layer.front + 0.0015,
+        thick: 0.004,
+    };
+    let across = rect.across(x0 + stile * 0.22, x0 + stile * 0.78);
+    bay.block(
+        SurfaceId::named("iron"),
+        across.between(z - half, z + half),
+        plate,
+    );
 }
 
 /// One leaf: stiles, rails, what fills it, and the bars before it.
@@ -62,7 +95,17 @@ fn one(bay: &mut Bay<'_>, leaf: &Leaf, wood: SurfaceId, layer: Layer, stile: f64
         bay.block(wood, field.between(top, top + rail), layer);
         field.z0 = top + rail;
     }
-    bay.block(leaf.pane, field, pane);
+    let planks = leaf.planks.max(1);
+    let wide = field.width() / f64::from(planks);
+    for i in 0..planks {
+        let back = f64::from(i % 2) * PLANK.min(pane.thick / 2.0);
+        let layer = Layer {
+            front: pane.front - back,
+            thick: pane.thick - back,
+        };
+        let x = field.x0 + wide * f64::from(i);
+        bay.block(leaf.pane, field.across(x, x + wide), layer);
+    }
     grid(bay, leaf, wood, layer, field);
 }
 

@@ -41,7 +41,7 @@ struct Beam {
 
 /// The members by their number in [`Key::Member`]. Each is a little shallower than posts (60.6 mm) or
 /// deeper than what stands on it, so that no two faces lie in one plane.
-static MEMBERS: [Beam; 4] = [
+static MEMBERS: [Beam; 5] = [
     Beam {
         name: "wall plate",
         finish: "cedar",
@@ -66,6 +66,12 @@ static MEMBERS: [Beam; 4] = [
         half: 0.118,
         z: (-0.285, 0.0),
     },
+    Beam {
+        name: "foundation",
+        finish: "stone",
+        half: 0.380,
+        z: (-0.285, 0.0),
+    },
 ];
 
 /// Numbers of the members.
@@ -73,6 +79,11 @@ const PLATES: u8 = 0;
 const SILLS: u8 = 1;
 const STONES: u8 = 2;
 const PLINTHS: u8 = 3;
+const FOOTINGS: u8 = 4;
+
+/// The stone under a post on the ground: half its side, foot and top. Its planes lie beside those of the
+/// foundation.
+const PAD: (f64, f64, f64) = (0.130, -0.284, -0.112);
 
 /// Corners that bend less than this, in the sine of the turn, need no member of their own.
 const STRAIGHT: f64 = 1e-6;
@@ -131,14 +142,20 @@ impl Walker<'_> {
         z: (f64, f64),
         side: f64,
     ) {
-        let key = [tenths(side), tenths(z.1 - z.0)];
+        let pad = level.grounded() && z.0 == 0.0;
+        let key = [tenths(side), tenths(z.1 - z.0), u32::from(pad)];
         let mesh = self.store.mesh(Key::Post(key), |store| {
             let mut bodies = Bodies::default();
-            let [side, height] = key.map(|n| f64::from(n) / 10_000.0);
+            let [side, height] = [key[0], key[1]].map(|n| f64::from(n) / 10_000.0);
             let half = side / 2.0;
             // A millimetre lower than the walls, which lie over it.
             let top = dvec3(half, half, height - 0.001);
             bodies.block(SurfaceId::named("cedar"), dvec3(-half, -half, 0.0), top);
+            if pad {
+                let (half, foot, top) = PAD;
+                let (lo, hi) = (dvec3(-half, -half, foot), dvec3(half, half, top));
+                bodies.block(SurfaceId::named("stone"), lo, hi);
+            }
             store.finish("post".into(), bodies, Share::default())
         });
         let node = self.node(Some(facade), Kind::Post, "post".into(), dvec3(x, 0.0, z.0));
@@ -168,13 +185,18 @@ impl Walker<'_> {
         if !level.grounded() {
             return;
         }
-        // An earth wall is thicker than any foundation.
         let deep = MEMBERS[usize::from(PLINTHS)].half;
-        let heavy = |s: &Stand<'_>| matches!(s.stance, Stance::Bare | Stance::Modern);
+        let heavy = |s: &Stand<'_>| {
+            matches!(s.stance, Stance::Bare | Stance::Modern | Stance::Fence) && s.width > 0.0
+        };
         self.run(level, facade, line, SILLS, ends, posts);
         self.run(level, facade, line, STONES, ends, posts);
         self.run(level, facade, line, PLINTHS, ends, |s| {
             heavy(s) && s.face < deep
+        });
+        // Earth walls are thicker than others.
+        self.run(level, facade, line, FOOTINGS, ends, |s| {
+            heavy(s) && s.face >= deep && s.stance == Stance::Fence
         });
     }
 

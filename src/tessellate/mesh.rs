@@ -78,6 +78,44 @@ impl Bodies {
         }
     }
 
+    /// A plane polygon slid along a straight way, either way round. `round` shades its sides as one curve
+    /// wherever they bend by less than 60 degrees.
+    pub(super) fn slide(&mut self, finish: SurfaceId, ring: &[DVec3], way: DVec3, round: bool) {
+        let mut ring = ring.to_vec();
+        if polygon::normal(&ring).dot(way) < 0.0 {
+            ring.reverse();
+        }
+        let n = ring.len();
+        let grain = grain_along(finish);
+        let soup = self.soup(finish);
+        let top: Vec<DVec3> = ring.iter().map(|p| *p + way).collect();
+        let foot: Vec<DVec3> = ring.iter().rev().copied().collect();
+        soup.face(&top, grain);
+        soup.face(&foot, grain);
+        let side = |i: usize| {
+            (ring[(i + 1) % n] - ring[i % n])
+                .cross(way)
+                .normalize_or_zero()
+        };
+        for i in 0..n {
+            let (p, q) = (ring[i], ring[(i + 1) % n]);
+            let own = side(i);
+            let shade = |other: DVec3| match round && own.dot(other) > 0.5 {
+                true => (own + other).normalize_or_zero(),
+                false => own,
+            };
+            let (before, after) = (shade(side(i + n - 1)), shade(side(i + 1)));
+            let corners = [p, q, q + way, p + way];
+            soup.shaded(&corners, &[before, after, after, before], grain);
+        }
+    }
+
+    /// A plane polygon with a normal at each corner, counter-clockwise seen from outside.
+    pub(super) fn shaded(&mut self, finish: SurfaceId, corners: &[DVec3], normals: &[DVec3]) {
+        let grain = grain_along(finish);
+        self.soup(finish).shaded(corners, normals, grain);
+    }
+
     /// A plane polygon, counter-clockwise seen from outside.
     pub(super) fn face(&mut self, finish: SurfaceId, corners: &[DVec3]) {
         let grain = grain_along(finish);
@@ -112,6 +150,11 @@ pub(super) fn grain_along(finish: SurfaceId) -> bool {
 impl Soup {
     /// A plane polygon with its triangles. With `grain` the picture's v axis follows the longer side.
     pub(super) fn face(&mut self, corners: &[DVec3], grain: bool) {
+        self.shaded(corners, &[], grain);
+    }
+
+    /// The same with a normal at each corner, or none: then they have the face's own.
+    fn shaded(&mut self, corners: &[DVec3], normals: &[DVec3], grain: bool) {
         let normal = polygon::normal(corners);
         if normal == DVec3::ZERO {
             return;
@@ -127,10 +170,12 @@ impl Soup {
             let uv = if turned { dvec2(-uv.y, uv.x) } else { uv };
             uv.as_vec2().to_array()
         };
-        let small_positions = corners.iter().map(|p| p.as_vec3().to_array());
-        self.positions.extend(small_positions);
-        self.normals
-            .extend(std::iter::repeat_n(small, corners.len()));
+        self.positions
+            .extend(corners.iter().map(|p| p.as_vec3().to_array()));
+        match normals.is_empty() {
+            true => self.normals.extend(std::iter::repeat_n(small, corners.len())),
+            false => self.normals.extend(normals.iter().map(|n| n.as_vec3().to_array())),
+        }
         self.uvs.extend(corners.iter().map(uv));
         polygon::triangulate(corners, normal, |triangle| {
             self.indices.extend(triangle.map(|i| first + i));

@@ -2,7 +2,7 @@
 
 use super::bay::{Bay, Layer, Rect};
 use super::mesh::Bodies;
-use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, round, shelter};
+use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, round, shelter, track};
 use crate::catalog::body::{Element, Grid, Place, Shape};
 use crate::catalog::value::Level;
 use crate::catalog::{Below, Catalog, PartDef, Stance};
@@ -63,7 +63,7 @@ pub(super) fn face(part: &PartDef) -> f64 {
         let panels = matches!(e.shape, Shape::Wall(_) | Shape::Panels(_) | Shape::Frame(_));
         // Belts and plinths stand out farther, but not over the whole height.
         let whole = e.place.from == Level::Start(0.0) && e.place.to == Level::End(0.0);
-        panels && whole && (part.from.is_none() || part.stance == Stance::Fence)
+        panels && (whole && part.from.is_none() || part.stance == Stance::Fence)
     });
     let front = walls.map(|e| e.place.front.0).reduce(f64::max);
     front.unwrap_or(wall_layer(part.stance).front)
@@ -99,6 +99,7 @@ pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
         Shape::Frame(f) => bars::frame(bay, f.size.0, f.sides, place, rect),
         Shape::Studs(s) => bars::studs(bay, s, place, rect),
         Shape::Leaf(l) => leaf::leaves(bay, l, place, rect),
+        Shape::Track(t) => track::track(bay, t, place, rect),
         Shape::Oriel(o) => oriel::oriel(bay, o, element, rect),
         Shape::Hood(h) => shelter::hood(bay, h.pitch, place, rect),
         Shape::Coping(c) => shelter::coping(bay, c, place, rect),
@@ -155,7 +156,7 @@ pub(super) fn surround(bay: &mut Bay<'_>) {
     if part.below == Below::Dado {
         let dado = bay.clear.between(0.0, opening.z0.min(DADO));
         let layer = Layer {
-            front: 0.055,
+            front: 0.070,
             thick: 0.025,
         };
         boards::dado(bay, 0.240, SurfaceId::named("boards"), layer, dado);

@@ -1,10 +1,10 @@
 //! Little roofs: over windows, along fences, on wing walls.
 
 use super::bay::{Bay, Rect};
-use super::mesh::Axis;
+use super::mesh::{Axis, Bodies};
 use crate::catalog::body::{Coping, Place, Wing};
 use crate::material::SurfaceId;
-use glam::{DVec2, dvec2};
+use glam::{DVec3, dvec2, dvec3};
 
 /// Thickness of a little roof, metres.
 const SLAB: f64 = 0.035;
@@ -22,56 +22,159 @@ pub(super) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, rect: Rect) {
     bay.profile(place.finish, &outline, rect.x0, rect.x1);
 }
 
-/// A little gable roof along a fence: both slopes, a flat underside, a round ridge of tiles.
+/// A little gable roof along a fence.
 pub(super) fn coping(bay: &mut Bay<'_>, coping: &Coping, place: &Place, rect: Rect) {
-    let (front, back) = (place.front.0, place.front.0 - place.thick.0);
-    let (middle, half) = ((front + back) / 2.0, place.thick.0 / 2.0 + coping.out.0);
-    let ridge = 0.070_f64.min(rect.height() / 3.0);
-    let top = rect.z1 - ridge * 0.6;
-    let eaves = (top - coping.pitch * half).max(rect.z0);
-    let outline = [
-        (middle + half, eaves - SLAB),
-        (middle + half, eaves),
-        (middle, top),
-        (middle - half, eaves),
-        (middle - half, eaves - SLAB),
-    ];
-    bay.profile(place.finish, &outline, rect.x0, rect.x1);
-    let w = 0.075_f64;
-    let cap = [
-        (middle + w, top - w * coping.pitch - 0.01),
-        (middle + w, rect.z1 - ridge * 0.4),
-        (middle + w * 0.5, rect.z1),
-        (middle - w * 0.5, rect.z1),
-        (middle - w, rect.z1 - ridge * 0.4),
-        (middle - w, top - w * coping.pitch - 0.01),
-    ];
-    bay.profile(SurfaceId::named("kawara_edge"), &cap, rect.x0, rect.x1);
+    let middle = place.front.0 - place.thick.0 / 2.0;
+    let gable = Gable {
+        along: DVec3::X,
+        across: DVec3::NEG_Y,
+        origin: dvec3(0.0, -middle, 0.0),
+        ends: (rect.x0, rect.x1),
+        half: place.thick.0 / 2.0 + coping.out.0,
+        heights: (rect.z0, rect.z1),
+        pitch: coping.pitch,
+        finish: place.finish,
+        rolls: coping.rolls.0,
+    };
+    gable.draw(&mut bay.bodies);
 }
 
 /// A wing wall at right angles to the facade, under its own gable roof that runs outwards.
 pub(super) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place, rect: Rect) {
     let half = place.thick.0 / 2.0;
-    // Its outer end falls a little, as the roof over it does.
     let (inner, outer) = (-place.front.0, wing.out.0);
-    let roof = 0.190_f64.min(rect.height() / 3.0);
-    let top = rect.z1 - roof;
+    let roof = 0.280_f64.min(rect.height() / 3.0);
     let wall = [
         dvec2(rect.z0, -half),
         dvec2(rect.z0, half),
-        dvec2(top, half),
-        dvec2(top, -half),
+        dvec2(rect.z1 - roof * 0.6, half),
+        dvec2(rect.z1 - roof * 0.6, -half),
     ];
     bay.bodies
         .prism(place.finish, &wall, Axis::Y, -outer, -inner);
-    let eaves = half + 0.120;
-    let slopes: [DVec2; 5] = [
-        dvec2(top - 0.02, -eaves),
-        dvec2(top + 0.02, -eaves),
-        dvec2(rect.z1, 0.0),
-        dvec2(top + 0.02, eaves),
-        dvec2(top - 0.02, eaves),
-    ];
-    bay.bodies
-        .prism(wing.roof, &slopes, Axis::Y, -outer - 0.120, -inner - 0.001);
+    let gable = Gable {
+        along: DVec3::NEG_Y,
+        across: DVec3::X,
+        origin: DVec3::ZERO,
+        ends: (inner + 0.001, outer + 0.120),
+        half: half + 0.120,
+        heights: (rect.z1 - roof, rect.z1),
+        pitch: 0.5,
+        finish: wing.roof,
+        rolls: wing.rolls.0,
+    };
+    gable.draw(&mut bay.bodies);
+}
+
+/// A little gable roof: a slab with a flat underside, rolls of round tiles down its slopes, and a ridge of
+/// two courses under a round cap.
+struct Gable {
+    /// Which way its ridge runs.
+    along: DVec3,
+    /// Which way one of its slopes falls.
+    across: DVec3,
+    /// Where the ridge's line starts to count.
+    origin: DVec3,
+    /// Where it begins and ends along the ridge.
+    ends: (f64, f64),
+    /// From the ridge to the eaves.
+    half: f64,
+    /// The lowest it may reach, and its top.
+    heights: (f64, f64),
+    /// Rise in the horizontal.
+    pitch: f64,
+    finish: SurfaceId,
+    /// About how far rolls stand from each other; 0 = none.
+    rolls: f64,
+}
+
+/// Heights of a ridge above the slab: each course, and the cap.
+const COURSE: f64 = 0.035;
+const CAP: f64 = 0.060;
+
+/// Radius of a roll, metres.
+const ROLL: f64 = 0.042;
+
+impl Gable {
+    /// A point along the ridge, across it, and up.
+    fn at(&self, u: f64, v: f64, z: f64) -> DVec3 {
+        self.origin + self.along * u + self.across * v + DVec3::Z * z
+    }
+
+    fn draw(&self, bodies: &mut Bodies) {
+        let (from, to) = self.ends;
+        let (low, high) = self.heights;
+        let way = self.along * (to - from);
+        let edge = SurfaceId::named("kawara_edge");
+        // A low roof has a low ridge.
+        let scale = ((high - low) / 3.0 / (2.0 * COURSE + CAP)).min(1.0);
+        let (course, cap) = (COURSE * scale, CAP * scale);
+        let top = high - 2.0 * course - cap + 0.012 * scale;
+        let eaves = (top - self.pitch * self.half).max(low + SLAB);
+        let ring = |points: &[(f64, f64)]| -> Vec<DVec3> {
+            points.iter().map(|(v, z)| self.at(from, *v, *z)).collect()
+        };
+        let slab = [
+            (self.half, eaves - SLAB),
+            (self.half, eaves),
+            (0.0, top),
+            (-self.half, eaves),
+            (-self.half, eaves - SLAB),
+        ];
+        bodies.slide(self.finish, &ring(&slab), way, false);
+        if self.rolls > 0.0 {
+            self.rolls(bodies, (eaves, top));
+        }
+        let mut foot = top - 0.012 * scale;
+        // The lowest course reaches down to the slopes.
+        let mut down = 0.100 * self.pitch + 0.012;
+        for half in [0.100, 0.085] {
+            let head = foot + course;
+            let box_of = [
+                (half, foot - down),
+                (half, head),
+                (-half, head),
+                (-half, foot - down),
+            ];
+            bodies.slide(edge, &ring(&box_of), way, false);
+            (foot, down) = (head, 0.0);
+        }
+        let r = 0.060;
+        let round = [
+            (r, foot),
+            (r * 0.8, foot + cap * 0.6),
+            (r * 0.3, foot + cap),
+            (-r * 0.3, foot + cap),
+            (-r * 0.8, foot + cap * 0.6),
+            (-r, foot),
+        ];
+        bodies.slide(edge, &ring(&round), way, true);
+    }
+
+    /// Rolls of round tiles from the eaves to the ridge, half a cell from each end.
+    fn rolls(&self, bodies: &mut Bodies, (eaves, top): (f64, f64)) {
+        let edge = SurfaceId::named("kawara_edge");
+        let (from, to) = self.ends;
+        let n = super::boards::pieces(to - from, self.rolls);
+        let cell = (to - from) / n as f64;
+        for side in [1.0, -1.0] {
+            // A little beyond the eaves, and into the ridge.
+            let foot = self.half + 0.012;
+            let way = self.at(0.0, 0.06 * side, top) - self.at(0.0, foot * side, eaves);
+            for i in 0..n {
+                let u = from + cell * (i as f64 + 0.5);
+                let section = [
+                    (ROLL, -0.012),
+                    (ROLL, 0.008),
+                    (ROLL * 0.7, ROLL * 0.78),
+                    (0.0, ROLL * 1.05),
+                    (-ROLL * 0.7, ROLL * 0.78),
+                    (-ROLL, 0.008),
+                    (-ROLL, -0.012),
+                ];
+                let ring = section.map(|(a, z)| self.at(u + a, foot * side, eaves + z));
+                bodies.slide(edge, &ring, way, true);
+            }
+        }
+    }
 }

@@ -19,8 +19,8 @@ pub(super) enum Key {
     Part(PartKey),
     /// A part picture: number, width, height, share.
     Picture([u32; 4]),
-    /// A post: side, height.
-    Post([u32; 2]),
+    /// A post: side, height, whether it stands on a stone.
+    Post([u32; 3]),
     /// A level member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),
 }

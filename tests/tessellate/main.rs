@@ -191,7 +191,7 @@ fn bodies(mesh: &Mesh) -> Vec<Vec<[[f32; 3]; 3]>> {
     bodies.into_values().collect()
 }
 
-/// Closed, outward, no sliver, no NaN, unit normals that agree with the winding.
+/// Closed, outward, no sliver, no NaN, unit normals that agree with the winding as far as round shading allows.
 fn sound(mesh: &Mesh) {
     let name = &mesh.name;
     for p in &mesh.primitives {
@@ -210,7 +210,11 @@ fn sound(mesh: &Mesh) {
             let normal = Vec3::from(p.normals[t[0] as usize]);
             assert!((normal.length() - 1.0).abs() < 1e-4, "{name}");
             assert!(
+<<<<<<< HEAD:tests/tessellate/main.rs
                 cross.normalize().dot(normal) > 0.9,
+=======
+                cross.normalize().dot(normal) > 0.8,
+>>>>>>> 39ac38e (Give walls and doors tracks, leaves, half-round joints and tiled copings):tests/tessellate.rs
                 "{name}: winding at {a}"
             );
         }
