@@ -7,7 +7,7 @@ mod shape;
 use hsd::catalog::{Catalog, PartDef};
 use hsd::geometry::SHAKU;
 use hsd::scene::{Kind, Mesh, NodeId, Scene};
-use shape::{Triangle, bodies, bounds, fights, sizes, triangles, triangles_below};
+use shape::{Skin, bodies, bounds, fights, sizes, skins_below, triangles};
 use support::{assert_none, compile, flaws_of_mesh, on_all_processors, open_edges};
 
 /// A closed house of one storey whose front holds these codes, left to right.
@@ -101,9 +101,9 @@ fn every_part_is_closed_and_within_its_lines() {
 }
 
 /// The whole house, so that what meets at corners is there.
-fn all(scene: &Scene) -> Vec<Triangle> {
+fn all(scene: &Scene) -> Vec<Skin> {
     let at = scene.nodes.iter().position(|n| n.kind == Kind::Storey);
-    triangles_below(scene, NodeId(at.expect("a storey") as u32))
+    skins_below(scene, NodeId(at.expect("a storey") as u32))
 }
 
 #[test]
@@ -112,23 +112,13 @@ fn no_two_faces_at_one_depth() {
     let findings = on_all_processors(parts.len(), |i| {
         let code = parts[i].code();
         let mut found = vec![];
-        for (height, unit) in [(9.5, 3.0), (8.0, 3.25), (6.0, 3.0)] {
-            let own = fights(&triangles(&part(code, height, unit)));
-            found.extend(
-                own.iter()
-                    .take(3)
-                    .map(|f| format!("{code} in {height}: {f}")),
-            );
-        }
-        for beside in ["KSK  ", "KSKO ", "KSM  ", "GSI  ", code] {
-            // A fence stands beside its like only.
-            let scene = house(&["KSK  ", code, beside, "KSK  "], 9.5, 3.0);
-            let all = fights(&all(&scene));
-            found.extend(
-                all.iter()
-                    .take(3)
-                    .map(|f| format!("{code} beside {beside}: {f}")),
-            );
+        let plaster = [(9.5, 3.0), (8.0, 3.25), (6.0, 3.0)].map(|(h, u)| (h, u, "KSK  "));
+        let others = ["KSKO ", "KSM  ", "GSI  ", code].map(|beside| (9.5, 3.0, beside));
+        for (height, unit, beside) in plaster.into_iter().chain(others) {
+            let scene = house(&["KSK  ", code, beside, "KSK  "], height, unit);
+            let fights = fights(&all(&scene), height * SHAKU);
+            let here = format!("{code} beside {beside} in {height}");
+            found.extend(fights.iter().take(4).map(|f| format!("{here}: {f}")));
         }
         found
     });
@@ -224,7 +214,7 @@ fn parts_stay_light() {
     for p in drawn() {
         let n = triangles(&part(p.code(), 9.5, 3.0)).len();
         println!("{} {n}", p.code());
-        if n > 1500 {
+        if n > 1600 {
             heavy.push(format!("{}: {n} triangles", p.code()));
         }
     }

@@ -173,18 +173,17 @@ pub(super) fn studs(bay: &mut Bay<'_>, studs: &Studs, place: &Place, rect: Rect)
     let (y0, y1) = (-layer.front, layer.thick - layer.front);
     for x in middles(studs.cols, rect.x0, rect.x1, false) {
         for z in middles(studs.rows, rect.z0, rect.z1, false) {
-            // Feet, shoulders and crown, seen from outside.
-            let rings = [(r, y1), (r, y1 * 0.6 + y0 * 0.4), (r * 0.6, y0)];
-            let rings = rings.map(|(r, y)| octagon(r).map(|p| dvec3(x + p.x, y, z + p.y)));
-            bay.bodies.face(place.finish, &rings[2]);
-            let mut foot = rings[0];
-            foot.reverse();
-            bay.bodies.face(place.finish, &foot);
-            for (a, b) in [(rings[0], rings[1]), (rings[1], rings[2])] {
-                for i in 0..8 {
-                    let j = (i + 1) % 8;
-                    bay.bodies.face(place.finish, &[a[i], a[j], b[j], b[i]]);
-                }
+            // Foot and crown, counter-clockwise seen from outside.
+            let ring = |r: f64, y: f64| octagon(r).map(|p| dvec3(x + p.x, y, z + p.y));
+            let (foot, crown) = (ring(r, y1), ring(r * 0.55, y0));
+            bay.bodies.face(place.finish, &crown);
+            let mut back = foot;
+            back.reverse();
+            bay.bodies.face(place.finish, &back);
+            for i in 0..8 {
+                let j = (i + 1) % 8;
+                let side = [foot[i], foot[j], crown[j], crown[i]];
+                bay.bodies.face(place.finish, &side);
             }
         }
     }

@@ -51,13 +51,16 @@ impl Walker<'_> {
         let Content::Part(id) = &stand.unit.content else {
             return 0.0;
         };
-        let body = self.catalog.part(*id).body.iter();
-        let copings = body.filter(|e| matches!(e.shape, Shape::Coping(_)));
-        let below = copings.map(|e| match e.place.from {
-            Level::End(below) => below,
-            _ => 0.0,
+        let part = self.catalog.part(*id);
+        let walls = part
+            .body
+            .iter()
+            .filter(|e| matches!(e.shape, Shape::Wall(_)));
+        let below = walls.filter_map(|e| match e.place.to {
+            Level::End(below) if part.stance == Stance::Fence => Some(below),
+            _ => None,
         });
-        below.fold(0.0, f64::max)
+        below.reduce(f64::min).unwrap_or(0.0)
     }
 
     /// What a corner beside a unit is made of.

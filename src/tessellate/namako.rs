@@ -22,9 +22,6 @@ const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Corners so near to a line of the section, in metres, lie on it: no slivers.
 const SNAP: f64 = 5e-4;
 
-/// How much deeper the second family is let into the tiles, metres: no two feet in one plane.
-const DEEPER: f64 = 0.001;
-
 /// Joints over a rectangle; `front` is their crown, `thick` how far it stands out.
 pub(super) fn namako(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     match namako.joints {
@@ -46,13 +43,12 @@ fn running(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
         let z = rect.z0 + h * row as f64;
         joint.draw(bay, rect, |p| p.y - z);
     }
-    let deeper = joint.deeper();
     for row in 0..rows {
         let z = rect.z0 + h * row as f64;
         let shift = if row % 2 == 0 { 0.0 } else { 0.5 };
         for col in 0..=cols {
             let x = rect.x0 + w * (col as f64 + shift);
-            deeper.draw(bay, rect.between(z, z + h), |p| p.x - x);
+            joint.draw(bay, rect.between(z, z + h), |p| p.x - x);
         }
     }
 }
@@ -64,18 +60,17 @@ fn diagonal(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     let step = rect.width() / pieces(rect.width(), side) as f64;
     let first = -((rect.height() / step).ceil() as i64) - 1;
     let last = (rect.width() / step).ceil() as i64 + 1;
-    let rising = Joint::new(namako, place);
-    let falling = rising.deeper();
+    let joint = Joint::new(namako, place);
     for i in first..=last {
         let at = step * i as f64;
-        rising.draw(bay, rect, |p| {
+        joint.draw(bay, rect, |p| {
             (p.x - rect.x0 - (p.y - rect.z0) - at) * DIAGONAL
         });
     }
     // Falling joints are mirrored in the bay's middle.
     for i in first..=last {
         let at = step * i as f64;
-        falling.draw(bay, rect, |p| {
+        joint.draw(bay, rect, |p| {
             (rect.x1 - p.x - (p.y - rect.z0) - at) * DIAGONAL
         });
     }
@@ -96,16 +91,6 @@ impl Joint {
             finish: place.finish,
             half: namako.joint.0 / 2.0,
             layer: Layer::from(place),
-        }
-    }
-
-    /// The same crown, a deeper foot.
-    fn deeper(&self) -> Joint {
-        let Layer { front, thick } = self.layer;
-        let thick = thick + DEEPER;
-        Joint {
-            layer: Layer { front, thick },
-            ..*self
         }
     }
 

@@ -10,7 +10,7 @@ use crate::catalog::{Below, Era, PartDef, Stance};
 use crate::geometry::{SAME, area2};
 use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
-use crate::scene::{Kind, MeshId};
+use crate::scene::{Detail, Kind, MeshId};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
@@ -33,7 +33,7 @@ impl Walker<'_> {
     pub(super) fn room(&mut self, level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) {
         let stands = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.stands);
         let seen = stands().find_map(|s| self.floor(level, s.unit));
-        let Some(floor) = seen.filter(|_| level.framed()) else {
+        let Some(floor) = seen.filter(|_| level.framed() && self.detail > Detail::Flat) else {
             return;
         };
         let outlines = outlines(level, lines);

@@ -125,20 +125,27 @@ impl Gable {
         if self.rolls > 0.0 {
             self.rolls(bodies, (eaves, top));
         }
-        let mut foot = top - 0.012 * scale;
-        // The lowest course reaches down to the slopes.
-        let mut down = 0.100 * self.pitch + 0.012;
-        for half in [0.100, 0.085] {
-            let head = foot + course;
-            let box_of = [
-                (half, foot - down),
-                (half, head),
-                (-half, head),
-                (-half, foot - down),
-            ];
-            bodies.slide(edge, &ring(&box_of), way, false);
-            (foot, down) = (head, 0.0);
-        }
+        // The lower course lies on both slopes.
+        let slope = (top - eaves) / self.half;
+        let mut foot = top + course - 0.012 * scale;
+        let (wide, narrow) = (0.100, 0.085);
+        let lower = [
+            (wide, top - slope * wide),
+            (wide, foot),
+            (-wide, foot),
+            (-wide, top - slope * wide),
+            (0.0, top),
+        ];
+        bodies.slide(edge, &ring(&lower), way, false);
+        let head = foot + course;
+        let upper = [
+            (narrow, foot),
+            (narrow, head),
+            (-narrow, head),
+            (-narrow, foot),
+        ];
+        bodies.slide(edge, &ring(&upper), way, false);
+        foot = head;
         let r = 0.060;
         let round = [
             (r, foot),

@@ -8,19 +8,26 @@ use std::collections::BTreeMap;
 /// Three corners in metres.
 pub type Triangle = [DVec3; 3];
 
-/// Every triangle of a mesh.
-pub fn triangles(mesh: &Mesh) -> Vec<Triangle> {
+/// A triangle with the number of its material.
+pub type Skin = (Triangle, u32);
+
+/// Every triangle of a mesh with its material.
+pub fn skins(mesh: &Mesh) -> Vec<Skin> {
     let all = mesh.primitives.iter().flat_map(|p| {
         let at = |i: u32| DVec3::from_array(p.positions[i as usize].map(f64::from));
-        p.indices
-            .chunks(3)
-            .map(move |t| [at(t[0]), at(t[1]), at(t[2])])
+        let of = move |t: &[u32]| ([at(t[0]), at(t[1]), at(t[2])], p.material.0);
+        p.indices.chunks(3).map(of)
     });
     all.collect()
 }
 
+/// Every triangle of a mesh.
+pub fn triangles(mesh: &Mesh) -> Vec<Triangle> {
+    skins(mesh).into_iter().map(|(t, _)| t).collect()
+}
+
 /// Every triangle below a node, in the node's frame.
-pub fn triangles_below(scene: &Scene, root: NodeId) -> Vec<Triangle> {
+pub fn skins_below(scene: &Scene, root: NodeId) -> Vec<Skin> {
     let mut all = vec![];
     for node in &scene.nodes {
         let mut chain = vec![];
@@ -42,8 +49,8 @@ pub fn triangles_below(scene: &Scene, root: NodeId) -> Vec<Triangle> {
                 .iter()
                 .fold(p, |p, n| n.turn.rotate(p.truncate()).extend(p.z) + n.at)
         };
-        let own = triangles(&scene.meshes[mesh.0 as usize]);
-        all.extend(own.into_iter().map(|t| t.map(place)));
+        let own = skins(&scene.meshes[mesh.0 as usize]);
+        all.extend(own.into_iter().map(|(t, m)| (t.map(place), m)));
     }
     all
 }
@@ -98,8 +105,11 @@ const SAME_DEPTH: f64 = 3e-4;
 /// Overlaps smaller than this, square metres, are seen by nobody.
 const SEEN: f64 = 4e-6;
 
-/// Where two faces that look the same way lie in one plane, one over the other, and can be seen.
-pub fn fights(triangles: &[Triangle]) -> Vec<String> {
+/// Where two faces of unlike materials that look the same way lie in one plane, one over the other, and can be seen: not within
+/// other bodies, and not the upper ends of walls, which roofs and storeys cover.
+pub fn fights(skins: &[Skin], top: f64) -> Vec<String> {
+    let triangles: Vec<Triangle> = skins.iter().map(|s| s.0).collect();
+    let triangles = &triangles[..];
     let mut planes: BTreeMap<[i64; 3], Vec<(f64, usize)>> = BTreeMap::new();
     for (i, [a, b, c]) in triangles.iter().enumerate() {
         let normal = (*b - *a).cross(*c - *a).normalize_or_zero();
@@ -113,11 +123,12 @@ pub fn fights(triangles: &[Triangle]) -> Vec<String> {
             let near = plane[k + 1..]
                 .iter()
                 .take_while(|(d, _)| d - depth < SAME_DEPTH);
-            for (_, j) in near {
+            for (_, j) in near.filter(|(_, j)| skins[*i].1 != skins[*j].1) {
                 if let Some(p) = overlap(&triangles[*i], &triangles[*j]) {
                     let [a, b, c] = triangles[*i];
                     let out = (b - a).cross(c - a).normalize_or_zero();
-                    if !is_inside(triangles, p + out * 1e-3) {
+                    let covered = out.z > 0.99 && p.z > top - 2e-3;
+                    if !covered && !is_inside(triangles, p + out * 1e-3) {
                         let mm = (p * 1000.0).round();
                         found.push(format!("at {mm} towards {:.2}", out));
                     }
@@ -158,12 +169,31 @@ fn overlap(a: &Triangle, b: &Triangle) -> Option<DVec3> {
     let next = shared.iter().cycle().skip(1);
     let area: f64 = shared.iter().zip(next).map(|(p, q)| p.perp_dot(*q)).sum();
     let middle = shared.iter().sum::<DVec2>() / shared.len() as f64;
-    (area.abs() / 2.0 > SEEN).then(|| a[0] + right * middle.x + up * middle.y)
+    // Neighbours may share a hundredth of a millimetre where lengths are rounded.
+    let longest = shared
+        .iter()
+        .map(|p| p.distance(middle))
+        .fold(0.0, f64::max);
+    let wide = area.abs() / 2.0 / longest > SAME_DEPTH;
+    (area.abs() / 2.0 > SEEN && wide).then(|| a[0] + right * middle.x + up * middle.y)
 }
 
 /// Whether a point lies inside closed bodies: what leaves them more often than it enters.
 fn is_inside(triangles: &[Triangle], p: DVec3) -> bool {
-    let way = DVec3::new(0.137, 0.211, 0.968).normalize();
+    // A ray may graze an edge; three do not.
+    let ways = [
+        [0.137, 0.211, 0.968],
+        [-0.31, 0.173, 0.88],
+        [0.093, -0.27, -0.91],
+    ];
+    let votes = ways
+        .iter()
+        .filter(|w| exits(triangles, p, DVec3::from_array(**w)) > 0);
+    votes.count() > 1
+}
+
+/// How often a ray leaves bodies less how often it enters them.
+fn exits(triangles: &[Triangle], p: DVec3, way: DVec3) -> i32 {
     let mut exits = 0;
     for [a, b, c] in triangles {
         let (e, f) = (*b - *a, *c - *a);
@@ -180,5 +210,5 @@ fn is_inside(triangles: &[Triangle], p: DVec3) -> bool {
             exits += if det < 0.0 { 1 } else { -1 };
         }
     }
-    exits > 0
+    exits
 }
