@@ -240,7 +240,7 @@ impl<'a> Walker<'a> {
         for (_, lines) in &rings {
             self.ring(level, lines);
         }
-        self.room(level, &rings);
+        self.interior(level, &rings);
     }
 
     /// The walls of a ring with their units in place.

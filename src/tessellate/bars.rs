@@ -1,13 +1,13 @@
 //! Counted bars and rails, frames and studs: the lattices.
 
 use super::bay::{Bay, Layer, Rect};
-use super::mesh::Axis;
+use super::mesh::{Axis, Soup};
 use super::round::fill_corners;
 use super::smooth::soft_bar;
 use crate::catalog::body::{Bars, Place, Rails, Studs};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
-use glam::{DVec2, dvec2, dvec3};
+use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// Where bars stand: their left ends and widths, and whether they are short.
 pub(super) struct Row {
@@ -180,12 +180,29 @@ pub(super) fn studs(bay: &mut Bay<'_>, studs: &Studs, place: &Place, rect: Rect)
             let mut back = foot;
             back.reverse();
             bay.bodies.face(place.finish, &back);
-            for i in 0..8 {
-                let j = (i + 1) % 8;
-                let side = [foot[i], foot[j], crown[j], crown[i]];
-                bay.bodies.face(place.finish, &side);
-            }
+            skirt(bay.bodies.soup(place.finish), (x, z), foot, crown);
         }
+    }
+}
+
+/// The sides of a stud, shaded as one curve: two vertices a corner.
+fn skirt(soup: &mut Soup, (x, z): (f64, f64), foot: [DVec3; 8], crown: [DVec3; 8]) {
+    let first = soup.positions.len() as u32;
+    for (i, (a, b)) in foot.iter().zip(&crown).enumerate() {
+        let out = dvec3(a.x - x, 0.0, a.z - z).normalize_or_zero();
+        // Square to the slope from foot to crown.
+        let slope = *b - *a;
+        let normal = (out * -slope.y + DVec3::Y * slope.dot(out)).normalize_or_zero();
+        for (point, v) in [(a, 0.0), (b, slope.length())] {
+            let u = i as f64 * 0.01;
+            soup.positions.push(point.as_vec3().to_array());
+            soup.normals.push(normal.as_vec3().to_array());
+            soup.uvs.push(dvec2(u, v).as_vec2().to_array());
+        }
+    }
+    for i in 0..8 {
+        let (a, b) = (first + 2 * i, first + 2 * ((i + 1) % 8));
+        soup.indices.extend([a, b, b + 1, a, b + 1, a + 1]);
     }
 }
 

@@ -173,8 +173,12 @@ impl Soup {
         self.positions
             .extend(corners.iter().map(|p| p.as_vec3().to_array()));
         match normals.is_empty() {
-            true => self.normals.extend(std::iter::repeat_n(small, corners.len())),
-            false => self.normals.extend(normals.iter().map(|n| n.as_vec3().to_array())),
+            true => self
+                .normals
+                .extend(std::iter::repeat_n(small, corners.len())),
+            false => self
+                .normals
+                .extend(normals.iter().map(|n| n.as_vec3().to_array())),
         }
         self.uvs.extend(corners.iter().map(uv));
         polygon::triangulate(corners, normal, |triangle| {

@@ -30,7 +30,7 @@ pub(super) struct Rooms(HashMap<(Vec<i64>, SurfaceId), MeshId>);
 
 impl Walker<'_> {
     /// Floor and ceiling of a storey into which one can look.
-    pub(super) fn room(&mut self, level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) {
+    pub(super) fn interior(&mut self, level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) {
         let stands = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.stands);
         let seen = stands().find_map(|s| self.floor(level, s.unit));
         let Some(floor) = seen.filter(|_| level.framed() && self.detail > Detail::Flat) else {

@@ -44,9 +44,11 @@ pub(super) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place, rect: Rect) {
     let half = place.thick.0 / 2.0;
     let (inner, outer) = (-place.front.0, wing.out.0);
     let roof = 0.280_f64.min(rect.height() / 3.0);
+    // A millimetre above the feet of other walls.
+    let foot = rect.z0 + 0.001;
     let wall = [
-        dvec2(rect.z0, -half),
-        dvec2(rect.z0, half),
+        dvec2(foot, -half),
+        dvec2(foot, half),
         dvec2(rect.z1 - roof * 0.6, half),
         dvec2(rect.z1 - roof * 0.6, -half),
     ];
