@@ -1,13 +1,13 @@
 //! Every part in its bay: sound, within its lines, counted as the sheet of parts says, no two faces at one depth.
 
 mod support;
-#[path = "support/shape.rs"]
-mod shape;
+#[path = "support/depths.rs"]
+mod depths;
 
+use depths::{Skin, bodies, bounds, fights, sizes, skins_below, triangles};
 use hsd::catalog::{Catalog, PartDef};
 use hsd::geometry::SHAKU;
 use hsd::scene::{Kind, Mesh, NodeId, Scene};
-use shape::{Skin, bodies, bounds, fights, sizes, skins_below, triangles};
 use support::{assert_none, compile, flaws_of_mesh, on_all_processors, open_edges};
 
 /// A closed house of one storey whose front holds these codes, left to right.
@@ -220,4 +220,26 @@ fn parts_stay_light() {
         }
     }
     assert_none(&heavy);
+}
+
+/// Two fences at a corner: their roofs meet in a hip, and nothing stands above them.
+#[test]
+fn fences_turn_corners() {
+    for code in ["KTB  ", "KDB  "] {
+        let text = format!(
+            "0 0 180\n9.5\nroofs explicit\n\n{code}{code}\n{code}{code}\n{code}{code}\n{code}{code}\n"
+        );
+        let scene = compile("yard.hsd", text.as_bytes()).scene;
+        let hips = scene.nodes.iter().filter(|n| n.name == "hip");
+        assert_eq!(hips.count(), 4, "{code}");
+        for mesh in &scene.meshes {
+            assert_eq!(open_edges(mesh), 0, "{code}: {}", mesh.name);
+            assert_none(&flaws_of_mesh(mesh));
+        }
+        let shaku = if code == "KTB  " { 9.0 } else { 7.5 };
+        let triangles: Vec<_> = all(&scene).into_iter().map(|s| s.0).collect();
+        let (_, hi) = bounds(&triangles);
+        assert!((hi.z - shaku * SHAKU).abs() < 1e-3, "{code}: {hi}");
+        assert_none(&fights(&all(&scene), shaku * SHAKU));
+    }
 }

@@ -4,13 +4,13 @@
 use super::facade::{Line, Stand};
 use super::mesh::{Axis, Bodies};
 use super::store::Share;
-use super::{Walker, turn_of};
+use super::{Walker, shelter, turn_of};
 use crate::catalog::Stance;
 use crate::catalog::body::Shape;
 use crate::catalog::value::Level;
 use crate::material::SurfaceId;
 use crate::program::Content;
-use crate::scene::{Kind, NodeId};
+use crate::scene::{Kind, Node, NodeId};
 use glam::{DVec2, DVec3, dvec2};
 
 /// Mitres longer than so many faces are cut off: sharp corners of unlike walls.
@@ -44,6 +44,39 @@ impl Walker<'_> {
         let node = self.node(Some(facade), Kind::Member, "corner".into(), DVec3::ZERO);
         node.mesh = Some(mesh);
         node.storey = Some(level.storey.number);
+        if let Some(hip) = self.hip(facade, line, before, (last, first)) {
+            hip.storey = Some(level.storey.number);
+        }
+    }
+
+    /// The roof of a fence at its corner.
+    fn hip(
+        &mut self,
+        facade: NodeId,
+        line: &Line<'_>,
+        before: &Line<'_>,
+        (last, first): (&Stand<'_>, &Stand<'_>),
+    ) -> Option<&mut Node> {
+        let Content::Part(id) = first.unit.content else {
+            return None;
+        };
+        let alike = last.unit.content == first.unit.content;
+        let body = self.catalog.part(id).body.iter();
+        let (place, coping) = body.filter(|_| alike).find_map(|e| match &e.shape {
+            Shape::Coping(coping) => Some((&e.place, coping)),
+            _ => None,
+        })?;
+        let reach = shelter::coping_reach(coping, place);
+        let outline = mitre(before, line, reach, reach)?;
+        let outline: [DVec2; 4] = outline.try_into().ok()?;
+        let top = first.top();
+        let heights = (place.from.at(0.0, top).max(0.0), top);
+        let bodies = shelter::coping_corner(coping, place, heights, &outline);
+        let mesh = self.store.finish("hip".into(), bodies, Share::default());
+        let mesh = self.store.push(mesh);
+        let node = self.node(Some(facade), Kind::Member, "hip".into(), DVec3::ZERO);
+        node.mesh = Some(mesh);
+        Some(node)
     }
 
     /// How far below its top a unit's wall ends: under the coping of a fence.

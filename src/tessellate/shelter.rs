@@ -4,7 +4,7 @@ use super::bay::{Bay, Rect};
 use super::mesh::{Axis, Bodies};
 use crate::catalog::body::{Coping, Place, Wing};
 use crate::material::SurfaceId;
-use glam::{DVec3, dvec2, dvec3};
+use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// Thickness of a little roof, metres.
 const SLAB: f64 = 0.035;
@@ -24,19 +24,53 @@ pub(super) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, rect: Rect) {
 
 /// A little gable roof along a fence.
 pub(super) fn coping(bay: &mut Bay<'_>, coping: &Coping, place: &Place, rect: Rect) {
+    let ends = (rect.x0, rect.x1);
+    gable_of(coping, place, ends, (rect.z0, rect.z1)).draw(&mut bay.bodies);
+}
+
+/// The outer corner of such a roof: two slopes that meet in a hip. `outline` is the kite from the ridge's end to
+/// the eaves of this fence, the corner, and the eaves of the other.
+pub(super) fn coping_corner(
+    coping: &Coping,
+    place: &Place,
+    heights: (f64, f64),
+    outline: &[DVec2; 4],
+) -> Bodies {
+    let gable = gable_of(coping, place, (0.0, 0.0), heights);
+    let (eaves, top) = gable.slope();
+    let at = |i: usize, z: f64| outline[i].extend(z);
+    let low = eaves - SLAB;
+    let mut bodies = Bodies::default();
+    let mut face = |corners: &[DVec3]| bodies.face(place.finish, corners);
+    face(&[at(0, top), at(1, eaves), at(2, eaves)]);
+    face(&[at(0, top), at(2, eaves), at(3, eaves)]);
+    face(&[at(3, low), at(2, low), at(1, low), at(0, low)]);
+    face(&[at(1, low), at(2, low), at(2, eaves), at(1, eaves)]);
+    face(&[at(2, low), at(3, low), at(3, eaves), at(2, eaves)]);
+    face(&[at(0, low), at(1, low), at(1, eaves), at(0, top)]);
+    face(&[at(3, low), at(0, low), at(0, top), at(3, eaves)]);
+    bodies
+}
+
+/// From the middle of a fence to the eaves of its roof, on the outside.
+pub(super) fn coping_reach(coping: &Coping, place: &Place) -> f64 {
+    place.front.0 + coping.out.0
+}
+
+/// The roof of a fence between two ends, and between the lowest and the highest it may reach.
+fn gable_of(coping: &Coping, place: &Place, ends: (f64, f64), heights: (f64, f64)) -> Gable {
     let middle = place.front.0 - place.thick.0 / 2.0;
-    let gable = Gable {
+    Gable {
         along: DVec3::X,
         across: DVec3::NEG_Y,
         origin: dvec3(0.0, -middle, 0.0),
-        ends: (rect.x0, rect.x1),
+        ends,
         half: place.thick.0 / 2.0 + coping.out.0,
-        heights: (rect.z0, rect.z1),
+        heights,
         pitch: coping.pitch,
         finish: place.finish,
         rolls: coping.rolls.0,
-    };
-    gable.draw(&mut bay.bodies);
+    }
 }
 
 /// A wing wall at right angles to the facade, under its own gable roof that runs outwards.
@@ -103,16 +137,27 @@ impl Gable {
         self.origin + self.along * u + self.across * v + DVec3::Z * z
     }
 
+    /// How much lower its ridge is than one that has room; a low roof has a low ridge.
+    fn scale(&self) -> f64 {
+        let (low, high) = self.heights;
+        ((high - low) / 3.0 / (2.0 * COURSE + CAP)).min(1.0)
+    }
+
+    /// Heights of its slopes at the eaves and under the ridge.
+    fn slope(&self) -> (f64, f64) {
+        let (low, high) = self.heights;
+        let top = high - self.scale() * (2.0 * COURSE + CAP - 0.012);
+        let eaves = (top - self.pitch * self.half).max(low + SLAB);
+        (eaves, top)
+    }
+
     fn draw(&self, bodies: &mut Bodies) {
         let (from, to) = self.ends;
-        let (low, high) = self.heights;
         let way = self.along * (to - from);
         let edge = SurfaceId::named("kawara_edge");
-        // A low roof has a low ridge.
-        let scale = ((high - low) / 3.0 / (2.0 * COURSE + CAP)).min(1.0);
+        let scale = self.scale();
         let (course, cap) = (COURSE * scale, CAP * scale);
-        let top = high - 2.0 * course - cap + 0.012 * scale;
-        let eaves = (top - self.pitch * self.half).max(low + SLAB);
+        let (eaves, top) = self.slope();
         let ring = |points: &[(f64, f64)]| -> Vec<DVec3> {
             points.iter().map(|(v, z)| self.at(from, *v, *z)).collect()
         };
