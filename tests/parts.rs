@@ -214,7 +214,6 @@ fn parts_stay_light() {
     let mut heavy = vec![];
     for p in drawn() {
         let n = triangles(&part(p.code(), 9.5, 3.0)).len();
-        println!("{} {n}", p.code());
         if n > 1800 {
             heavy.push(format!("{}: {n} triangles", p.code()));
         }
