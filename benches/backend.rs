@@ -8,6 +8,9 @@ use hsd::Options;
 use hsd::scene::Scene;
 use hsd::source::{FileId, NoPictures, Source};
 
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
     divan::main();
 }

@@ -8,6 +8,9 @@ use hsd::backend::pictures::Library;
 use hsd::scene::Detail;
 use hsd::source::NoPictures;
 
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
     divan::main();
 }

@@ -9,6 +9,9 @@ use hsd::driver;
 use hsd::expand::Options;
 use hsd::source::{FileId, Limits, NoPictures, Source};
 
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
     divan::main();
 }

@@ -5,6 +5,9 @@ use hsd::roof::partition::Method;
 use hsd::roof::plan::{Cell, Plan};
 use hsd::roof::ridge::regions;
 
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn main() {
     divan::main();
 }
