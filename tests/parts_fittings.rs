@@ -3,7 +3,9 @@
 
 mod support;
 
-use support::shapes::{Body, bars, bodies, bounds, flaws, part_mesh, rails, triangles, written};
+use support::shapes::{
+    Body, bars, bodies, bounds, flaws, part_mesh, rails, scaled_mesh, triangles, written,
+};
 
 const STOREY: f64 = 9.0;
 const SHAKU: f64 = 10_000.0 / 33.0;
@@ -241,4 +243,23 @@ fn houses_stay_light() {
             "{name}: {seen} triangles, {bytes} bytes"
         );
     }
+}
+
+/// Facades of a given size draw parts out or press them together.
+#[test]
+fn parts_of_any_width_are_sound() {
+    let mut found = vec![];
+    let parts = hsd::catalog::Catalog::builtin().parts().iter();
+    for part in parts.filter(|p| "AN".contains(p.class()) && p.width() > 0.0) {
+        for share in [0.5, 0.75, 1.6, 2.6] {
+            let width = share * part.width() * 10.0 / 11.0;
+            let flaws = flaws(&scaled_mesh(part.code(), width));
+            found.extend(
+                flaws
+                    .into_iter()
+                    .map(|f| format!("{} {width} m: {f}", part.code())),
+            );
+        }
+    }
+    support::assert_none(&found);
 }
