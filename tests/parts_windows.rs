@@ -16,7 +16,7 @@ const BARS: &[(&str, &str, usize, usize, f64, f64, f64)] = &[
     ("MMU  ", "6-7 bars 75 mm wide", 6, 6, 92.0, 75.0, 65.0),
     ("MMU 2", "12-14 bars", 12, 12, 92.0, 75.0, 65.0),
     ("MHI  ", "handrail 600 mm high", 5, 5, 147.0, 18.0, 0.0),
-    ("MMS 2", "bars 2 sun at 4 sun", 13, 13, 350.0, 61.0, 60.0),
+    ("MMS 2", "bars 2 sun at 4 sun", 13, 13, 380.0, 61.0, 60.0),
     ("MKU  ", "iron grille", 5, 5, 20.0, 18.0, 0.0),
     ("MMM  ", "boards and gaps 2.5 sun", 5, 5, 48.0, 76.0, 76.0),
     ("MSH  ", "bars 12 mm at 60", 9, 9, 18.0, 12.0, 0.0),
@@ -115,7 +115,7 @@ fn square_bars_are_square() {
         ("GIT", 54.0),
         ("GDE", 414.0),
         ("MRE", 52.0),
-        ("MMS 2", 350.0),
+        ("MMS 2", 380.0),
     ] {
         for bar in bars(&part_mesh(code, STOREY), front) {
             assert!(
@@ -240,7 +240,7 @@ fn projections() {
     );
     assert_eq!(proud("GDE 2", 419.0).len(), 2);
     assert_eq!(
-        proud("MMS 2", 359.0).len() + 11,
+        proud("MMS 2", 389.0).len() + 11,
         13,
         "corner posts of the barred oriel, 300 mm proud"
     );

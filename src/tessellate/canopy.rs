@@ -42,12 +42,12 @@ pub(super) fn canopy(
     let eaves = front + oriel.eaves.0;
     let (x0, x1) = ((rect.x0 - VERGE).max(0.0), (rect.x1 + VERGE).min(bay.width));
     let deck = slope.layer((0.0, DECK), (back, eaves - 0.012));
-    bay.profile(wood, &deck, x0 + 0.006, x1 - 0.006);
+    bay.profile(wood, &deck, x0 + 0.009, x1 - 0.009);
     let cover = slope.layer((DECK, DECK + COVER), (back, eaves));
     bay.profile(oriel.roof, &cover, x0, x1);
     // A board under the eaves.
     let edge = slope.layer((-0.028, 0.0), (eaves - 0.034, eaves - 0.014));
-    bay.profile(wood, &edge, x0 + 0.010, x1 - 0.010);
+    bay.profile(wood, &edge, x0 + 0.013, x1 - 0.013);
     // Laths up the slope hold boards down; tiles lie by their weight.
     if oriel.roof == SurfaceId::named("board_roof") {
         slope.laths(bay, (x0, x1), eaves);
