@@ -112,6 +112,8 @@ pub struct PartDef {
     pub(crate) floor: Option<SurfaceId>,
     /// Whether it fills the half of a split unit, whatever its heights say.
     pub(crate) fills: bool,
+    /// How far the front that it belongs to rises above the highest storey, shaku.
+    pub(crate) parapet: Option<f64>,
     pub(crate) body: Vec<Element>,
 }
 

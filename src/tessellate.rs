@@ -24,6 +24,7 @@ mod member;
 mod mesh;
 mod namako;
 mod oriel;
+mod parapet;
 mod part;
 mod polygon;
 mod room;

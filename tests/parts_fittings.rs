@@ -3,7 +3,9 @@
 
 mod support;
 
-use support::shapes::{Body, bars, bodies, bounds, flaws, part_mesh, rails, triangles, written};
+use support::shapes::{
+    Body, bars, bodies, bounds, flaws, part_mesh, rails, scaled_mesh, triangles, written,
+};
 
 const STOREY: f64 = 9.0;
 const SHAKU: f64 = 10_000.0 / 33.0;
@@ -241,4 +243,47 @@ fn houses_stay_light() {
             "{name}: {seen} triangles, {bytes} bytes"
         );
     }
+}
+
+/// Facades of a given size draw parts out or press them together.
+#[test]
+fn parts_of_any_width_are_sound() {
+    let mut found = vec![];
+    let parts = hsd::catalog::Catalog::builtin().parts().iter();
+    for part in parts.filter(|p| "AN".contains(p.class()) && p.width() > 0.0) {
+        for share in [0.5, 0.75, 1.6, 2.6] {
+            let width = share * part.width() * 10.0 / 11.0;
+            let flaws = flaws(&scaled_mesh(part.code(), width));
+            found.extend(
+                flaws
+                    .into_iter()
+                    .map(|f| format!("{} {width} m: {f}", part.code())),
+            );
+        }
+    }
+    support::assert_none(&found);
+}
+
+/// A mortar front rises 3 to 4 shaku above the eaves, along all its modern units, on the highest storey alone.
+#[test]
+fn mortar_fronts_have_a_parapet() {
+    let text = "0 0 180\n9 9\n\nNMO  NAS 2NMO  KSK  \nKSK  \nKSK  KSK  KSK  KSK  KSK  \nKSK  ^\n\
+                NMO  NAS 2NMO  KSK  \nKSK  \nKSK  KSK  KSK  KSK  KSK  \nKSK  \n";
+    let scene = support::compile("front.hsd", text.as_bytes()).scene;
+    let heads: Vec<_> = scene.nodes.iter().filter(|n| n.name == "parapet").collect();
+    assert_eq!(heads.len(), 1);
+    assert_eq!(heads[0].storey, Some(2));
+    assert!((heads[0].at.z * 1000.0 - 9.0 * SHAKU).abs() < 0.1);
+    let mesh = &scene.meshes[heads[0].mesh.expect("a mesh").0 as usize];
+    let whole = bounds(&triangles(mesh));
+    assert!(
+        (3.0 * SHAKU..4.0 * SHAKU).contains(&whole.hi.z),
+        "{whole:?}"
+    );
+    // Four units, the corner post at one end, the cap over both.
+    assert!(
+        near(whole.size().x, 12.0 * SHAKU + 68.0 + 40.0),
+        "{whole:?}"
+    );
+    assert_eq!(flaws(mesh), Vec::<String>::new());
 }

@@ -91,7 +91,7 @@ fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, String> {
 }
 
 /// What a `PartDef` may say.
-const KNOWN: [&str; 18] = [
+const KNOWN: [&str; 19] = [
     "code",
     "ja",
     "romaji",
@@ -110,6 +110,7 @@ const KNOWN: [&str; 18] = [
     "reflection",
     "fills",
     "floor",
+    "parapet",
 ];
 
 /// The head of a part: its code and all that is written.
@@ -186,6 +187,7 @@ fn part(attributes: &Attributes) -> Result<PartDef, String> {
         reflection: head.or("reflection", None)?,
         fills: head.or("fills", false)?,
         floor: head.or("floor", None)?,
+        parapet: head.height("parapet")?,
         body: Vec::new(),
     })
 }

@@ -73,7 +73,8 @@ pub(super) fn bars(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect) {
 /// A bar whose front edges are cut off, or a round one.
 fn shaped(bay: &mut Bay<'_>, bars: &Bars, finish: SurfaceId, bar: Rect, layer: Layer) {
     let (x, y) = ((bar.x0, bar.x1), (-layer.front, layer.thick - layer.front));
-    let edge = bars.edge.0;
+    // Edges shrink as the bar does.
+    let edge = bars.edge.0 * (bar.width() / bars.size.0.max(1e-3)).min(1.0);
     if bars.round {
         // A bar round about is seen from behind too; a plastered one is not.
         let all = 2.0 * edge >= layer.thick.min(bar.width()) - 1e-9;

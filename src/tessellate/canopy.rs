@@ -33,66 +33,94 @@ pub(super) fn canopy(
     if pitch <= 0.02 {
         return;
     }
-    let eaves = front + oriel.eaves.0;
-    // The underside at a distance out of the wall.
-    let under = |out: f64| rect.z1 + pitch * (front - out);
-    let slab = |lo: f64, hi: f64, back: f64, out: f64| {
-        [
-            (out, under(out) + lo),
-            (out, under(out) + hi),
-            (back, under(back) + hi),
-            (back, under(back) + lo),
-        ]
+    let slope = Slope {
+        back,
+        front,
+        foot: rect.z1,
+        pitch,
     };
+    let eaves = front + oriel.eaves.0;
     let (x0, x1) = ((rect.x0 - VERGE).max(0.0), (rect.x1 + VERGE).min(bay.width));
-    bay.profile(
-        wood,
-        &slab(0.0, DECK, back, eaves - 0.012),
-        x0 + 0.006,
-        x1 - 0.006,
-    );
-    bay.profile(oriel.roof, &slab(DECK, DECK + COVER, back, eaves), x0, x1);
+    let deck = slope.layer((0.0, DECK), (back, eaves - 0.012));
+    bay.profile(wood, &deck, x0 + 0.009, x1 - 0.009);
+    let cover = slope.layer((DECK, DECK + COVER), (back, eaves));
+    bay.profile(oriel.roof, &cover, x0, x1);
     // A board under the eaves.
-    let edge = slab(-0.028, 0.0, eaves - 0.034, eaves - 0.014);
-    bay.profile(wood, &edge, x0 + 0.010, x1 - 0.010);
+    let edge = slope.layer((-0.028, 0.0), (eaves - 0.034, eaves - 0.014));
+    bay.profile(wood, &edge, x0 + 0.013, x1 - 0.013);
     // Laths up the slope hold boards down; tiles lie by their weight.
     if oriel.roof == SurfaceId::named("board_roof") {
+        slope.laths(bay, (x0, x1), eaves);
+    } else {
+        slope.flashing(bay, (x0, x1));
+    }
+    slope.cheeks(bay, wood, rect);
+}
+
+/// The slope of a little roof.
+struct Slope {
+    /// Where it meets the wall and the front of its box, out of the centre line.
+    back: f64,
+    front: f64,
+    /// Its underside over the front of the box.
+    foot: f64,
+    pitch: f64,
+}
+
+impl Slope {
+    /// The height of the underside at a distance out of the wall.
+    fn under(&self, out: f64) -> f64 {
+        self.foot + self.pitch * (self.front - out)
+    }
+
+    /// What lies between two heights over the underside and two distances out of the wall.
+    fn layer(&self, (lo, hi): (f64, f64), (back, out): (f64, f64)) -> [(f64, f64); 4] {
+        [
+            (out, self.under(out) + lo),
+            (out, self.under(out) + hi),
+            (back, self.under(back) + hi),
+            (back, self.under(back) + lo),
+        ]
+    }
+
+    /// Laths up the slope.
+    fn laths(&self, bay: &mut Bay<'_>, (x0, x1): (f64, f64), eaves: f64) {
         let n = pieces(x1 - x0, 0.40);
-        let lath = slab(
-            DECK + COVER,
-            DECK + COVER + LATH,
-            back + 0.02,
-            eaves - 0.010,
-        );
+        let top = DECK + COVER;
+        let lath = self.layer((top, top + LATH), (self.back + 0.02, eaves - 0.010));
         for i in 0..=n {
             let x = x0 + 0.020 + (x1 - x0 - 0.040) * i as f64 / n as f64;
             bay.profile(SurfaceId::named("cedar"), &lath, x - 0.014, x + 0.014);
         }
-    } else {
-        let high = (under(back) + DECK + COVER + 0.05).min(bay.height);
-        let low = under(back) + DECK;
-        let ridge = [
+    }
+
+    /// The row of tiles against the wall.
+    fn flashing(&self, bay: &mut Bay<'_>, (x0, x1): (f64, f64)) {
+        let back = self.back;
+        let low = self.under(back) + DECK;
+        let high = (low + COVER + 0.05).min(bay.height);
+        let outline = [
             (back + 0.09, low - 0.01),
             (back + 0.09, high - 0.02),
             (back + 0.06, high),
             (back, high),
             (back, low),
         ];
-        bay.profile(
-            SurfaceId::named("kawara_edge"),
-            &ridge,
-            x0 + 0.002,
-            x1 - 0.002,
-        );
+        let tiles = SurfaceId::named("kawara_edge");
+        bay.profile(tiles, &outline, x0 + 0.002, x1 - 0.002);
     }
-    for x in [rect.x0 + 0.006, rect.x1 - 0.026] {
-        let low = rect.z1 - 0.010;
-        let cheek = [
-            (back, low),
-            (front - 0.008, low),
-            (front - 0.008, under(front - 0.008) + 0.004),
-            (back, under(back) + 0.004),
+
+    /// Boards that close the sides between the box and the slope.
+    fn cheeks(&self, bay: &mut Bay<'_>, wood: SurfaceId, rect: Rect) {
+        let (low, out) = (self.foot - 0.010, self.front - 0.008);
+        let outline = [
+            (self.back, low),
+            (out, low),
+            (out, self.under(out) + 0.004),
+            (self.back, self.under(self.back) + 0.004),
         ];
-        bay.profile(wood, &cheek, x, x + 0.020);
+        for x in [rect.x0 + 0.006, rect.x1 - 0.026] {
+            bay.profile(wood, &outline, x, x + 0.020);
+        }
     }
 }

@@ -53,10 +53,14 @@ pub(super) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Place, rect: Rect)
         bay.bodies.sheet(place.finish, GRID, size, half, |u, v| {
             let (free, share) = ((1.0 - SEWN - v).max(0.0) / (1.0 - SEWN), 1.0 - v);
             // Below the seam neighbours pull apart, the more so towards the foot, and each has folds of its own.
-            let slit = if n > 1 { 0.014 * free } else { 0.0 };
+            let slit = if n > 1 {
+                0.014_f64.min(width * 0.06) * free
+            } else {
+                0.0
+            };
             let turns = which + u + 0.12 * free * (which * 1.7 + 1.0);
             let wave = libm::sin(turns * 1.1 * std::f64::consts::TAU);
-            let deep = FOLD * (0.12 + 0.88 * share);
+            let deep = FOLD.min(width * 0.065) * (0.12 + 0.88 * share);
             let x = x + slit + (width - 2.0 * slit) * u;
             dvec3(x, middle + deep * wave, top - drop * share)
         });
@@ -71,7 +75,8 @@ fn loops(
     (x, width): (f64, f64),
     (middle, top, pole): (f64, f64, f64),
 ) {
-    let (half, r) = (0.015, POLE + 0.003);
+    let half = 0.015_f64.min(width / f64::from(3 * count.max(1)));
+    let r = POLE + 0.003;
     for i in 0..count {
         let at = x + width * (f64::from(i) + 0.5) / f64::from(count);
         let lo = dvec3(at - half, middle - r, top - 0.012);

@@ -255,6 +255,7 @@ impl Walker<'_> {
         self.posts(level, facade, line, before, after);
         self.corners(level, facade, line, before);
         self.members(level, facade, line, before, after);
+        self.parapet(level, facade, line);
     }
 
     /// One unit, and the wedge above it.

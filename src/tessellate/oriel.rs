@@ -115,7 +115,9 @@ fn arms(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect) {
     ];
     let half = 0.0225;
     let ends = rect.shrunk(half + 0.03, 0.0);
-    for x in middles(oriel.arms, ends.x0, ends.x1, true) {
+    // As many as have room.
+    let count = oriel.arms.min(1 + (ends.width().max(0.0) / 0.12) as u32);
+    for x in middles(count, ends.x0, ends.x1, true) {
         bay.profile(place.finish, &outline, x - half, x + half);
     }
 }

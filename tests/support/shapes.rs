@@ -13,6 +13,21 @@ pub fn part_mesh(code: &str, height: f64) -> Mesh {
         "part.hsd",
         format!("0 0 180\n{height}\n\n{code:5}\n").as_bytes(),
     );
+    first_part(&run)
+}
+
+/// A part drawn out or pressed together to a width in metres, as on a facade of a given size.
+pub fn scaled_mesh(code: &str, width: f64) -> Mesh {
+    let size = width * 10.0;
+    let part = format!("<Floor id=\"1\" height=\"10\"><Part code=\"{code}\"/></Floor>");
+    let text = format!(
+        "<Structure size=\"{size}\"><Facades><Facade ratio=\"1\">{part}</Facade></Facades></Structure>"
+    );
+    first_part(&compile("part.hsd", text.as_bytes()))
+}
+
+/// The mesh of the first part of a scene.
+fn first_part(run: &super::Run) -> Mesh {
     let node = run.scene.nodes.iter().find(|n| n.kind == Kind::Part);
     let mesh = node.and_then(|n| n.mesh).expect("a part with a mesh");
     run.scene.meshes[mesh.0 as usize].clone()

@@ -82,7 +82,7 @@ fn bars_are_counted() {
         ("MRE", 52.0, 13),
         ("MMU", 92.0, 6),
         ("MMU 2", 92.0, 12),
-        ("MMS 2", 350.0, 13),
+        ("MMS 2", 380.0, 13),
         ("AIN", 527.0, 25),
     ] {
         let found = bodies_at(&mesh_of(code, 9.0 * SHAKU), front).len();
