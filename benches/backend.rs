@@ -1,10 +1,10 @@
 //! What a house costs at the back ends: `machiya` with all its parts, meshes shared, one thread.
 
 use divan::{Bencher, counter::ItemsCount};
+use hsd::Options;
 use hsd::backend::pictures::Library;
 use hsd::backend::{NoImages, gltf, obj, stl};
 use hsd::diagnostic::Diagnostics;
-use hsd::Options;
 use hsd::scene::Scene;
 use hsd::source::{FileId, NoPictures, Source};
 

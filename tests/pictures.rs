@@ -2,9 +2,9 @@
 
 mod support;
 
+use hsd::Options;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::{self, Compiled};
-use hsd::Options;
 use hsd::source::{FileId, Limits, PictureFile, Source, World};
 use support::png;
 

@@ -274,6 +274,8 @@ attributes! {
     Depth {
         /// How deep.
         depth: Mm = Mm(3.0),
+        /// What its end looks like.
+        end: SurfaceId = SurfaceId::named("dark"),
     }
     /// Raised plaster joints of a tile wall.
     Namako {

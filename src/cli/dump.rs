@@ -7,8 +7,8 @@ use crate::backend::dump;
 use crate::diagnostic::Diagnostics;
 use crate::driver;
 use crate::report::{Format, Report};
-use crate::source::Source;
 use crate::scene::Detail;
+use crate::source::Source;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 

@@ -3,7 +3,7 @@
 use super::bars::frame;
 use super::bay::{Bay, Layer, Rect};
 use crate::catalog::Below;
-use crate::catalog::body::{Jambs, Open, Place};
+use crate::catalog::body::{Depth, Jambs, Open, Place};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
 
@@ -11,12 +11,12 @@ use crate::material::SurfaceId;
 const LINING: f64 = 0.020;
 
 /// Two walls, a ceiling, a floor and an end behind the opening.
-pub(super) fn depth(bay: &mut Bay<'_>, depth: f64, finish: SurfaceId, rect: Rect) {
+pub(super) fn depth(bay: &mut Bay<'_>, passage: &Depth, finish: SurfaceId, rect: Rect) {
     let start = -0.050;
     // A shallow house has no room for the whole of it.
     let depth = match bay.part.below {
-        Below::Open => depth.min(bay.room),
-        _ => depth,
+        Below::Open => passage.depth.0.min(bay.room),
+        _ => passage.depth.0,
     };
     let run = Layer {
         front: start,
@@ -32,7 +32,7 @@ pub(super) fn depth(bay: &mut Bay<'_>, depth: f64, finish: SurfaceId, rect: Rect
         front: start - depth + LINING,
         thick: LINING,
     };
-    bay.block(finish, between.shrunk(0.0, LINING), end);
+    bay.block(passage.end, between.shrunk(0.0, LINING), end);
 }
 
 /// Frames one inside another, each a step farther back.

@@ -107,7 +107,7 @@ pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
         Shape::Cloth(c) => cloth::cloth(bay, c, place, rect),
         Shape::Apron(a) => apron::apron(bay, a, place, rect),
         Shape::Namako(n) => namako::namako(bay, n, place, rect),
-        Shape::Depth(d) => kura::depth(bay, d.depth.0, place.finish, rect),
+        Shape::Depth(d) => kura::depth(bay, d, place.finish, rect),
         Shape::Jambs(j) => kura::jambs(bay, j, place, rect),
         Shape::Open(o) => kura::open(bay, o, place, rect),
         Shape::Corners(c) => round::corners(bay, c, place, rect),
