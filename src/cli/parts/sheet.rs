@@ -14,7 +14,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// Pixels a metre.
-const DENSITY: f64 = 120.0;
+const DENSITY: f64 = 150.0;
 
 /// Writes the page or the model, by the ending of its name.
 pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
