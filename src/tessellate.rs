@@ -70,13 +70,9 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         walker.house(house, building.roofs.get(i).unwrap_or(&none), i + 1);
     }
     let pictures = building.shell.pictures.iter();
-    Scene {
-        materials: walker.store.materials,
-        meshes: walker.store.meshes,
-        nodes: walker.nodes,
-        pictures: pictures.map(|p| p.path.clone()).collect(),
-        baked: walker.store.atlas.pages,
-    }
+    walker
+        .store
+        .into_scene(walker.nodes, pictures.map(|p| p.path.clone()).collect())
 }
 
 /// About how many nodes there will be: a part and a post a unit, and some members a wall.

@@ -2,6 +2,7 @@
 
 use super::bake::Picture;
 use crate::scene::Baked;
+use image::imageops::crop_imm;
 use image::{RgbImage, RgbaImage};
 
 /// Side of a page, pixels.
@@ -67,6 +68,23 @@ impl Atlas {
                 [share(x + w), 1.0 - share(y)],
             ],
         }
+    }
+
+    /// Cuts off what is left empty of every page. Returns by how much the distance from the upper edge grows in
+    /// texture coordinates, page by page.
+    pub(super) fn trim(&mut self) -> Vec<f32> {
+        let shelves = &self.shelves;
+        let trimmed = self.pages.iter_mut().enumerate().map(|(page, baked)| {
+            let own = shelves.iter().filter(|s| s.page as usize == page);
+            let used = own.map(|s| s.foot + s.height).max().unwrap_or(SIDE);
+            // Blocks of pictures that are packed later are four pixels high.
+            let used = used.next_multiple_of(4).min(SIDE);
+            baked.color = crop_imm(&baked.color, 0, 0, SIDE, used).to_image();
+            baked.normal = crop_imm(&baked.normal, 0, 0, SIDE, used).to_image();
+            baked.orm = crop_imm(&baked.orm, 0, 0, SIDE, used).to_image();
+            SIDE as f32 / used as f32
+        });
+        trimmed.collect()
     }
 
     /// The corner of a free place and its page; the lowest shelf that is high enough, else a new one.
@@ -142,6 +160,18 @@ mod tests {
                 assert!(apart(0) || apart(1), "{a:?} {b:?}");
             }
         }
+    }
+
+    #[test]
+    fn empty_ends_of_pages_are_cut_off() {
+        let mut atlas = Atlas::default();
+        let spot = atlas.place(&picture(10, 100, false));
+        let grown = atlas.trim()[0];
+        let page = &atlas.pages[0];
+        assert_eq!(page.color.dimensions(), (SIDE, 108));
+        // The foot of the picture is still where it was, counted from the upper edge.
+        let foot = (1.0 - spot.uv[0][1]) * grown * 108.0;
+        assert!((foot - 104.0).abs() < 1e-3, "{foot}");
     }
 
     #[test]

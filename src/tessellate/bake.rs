@@ -35,10 +35,10 @@ const LARGEST: f64 = 500.0;
 const COVERED: f64 = 0.5;
 
 /// How far before its surroundings something stands out that darkens them most, metres.
-const DEEP: f64 = 0.070;
+const DEEP: f32 = 0.070;
 
 /// Light that is left in the deepest corner.
-const DARKEST: f64 = 0.45;
+const DARKEST: f32 = 0.45;
 
 /// What is seen of some joinery.
 pub(super) struct Picture {
@@ -49,14 +49,28 @@ pub(super) struct Picture {
     pub(super) holes: bool,
 }
 
-/// What a ray hits.
-#[derive(Clone, Copy)]
-struct Hit {
-    depth: f64,
+/// A triangle as rays see it: everything on it runs evenly with the place of the ray.
+struct Triangle {
     surface: usize,
     normal: DVec3,
+    /// Where the picture's u axis runs.
     right: DVec3,
-    uv: DVec2,
+    /// Texture coordinates at the ray (0, 0), and their change from ray to ray and from row to row.
+    uv: [DVec2; 3],
+}
+
+/// What a ray hits first: how deep, and which triangle.
+#[derive(Clone, Copy)]
+struct Hit {
+    depth: f32,
+    triangle: u32,
+}
+
+impl Hit {
+    const NOTHING: Hit = Hit {
+        depth: f32::INFINITY,
+        triangle: u32::MAX,
+    };
 }
 
 /// The rays over a rectangle.
@@ -64,7 +78,8 @@ struct Rays {
     rect: Rect,
     width: usize,
     height: usize,
-    hits: Vec<Option<Hit>>,
+    triangles: Vec<Triangle>,
+    hits: Vec<Hit>,
     panes: bool,
 }
 
@@ -91,7 +106,7 @@ pub(super) fn bake(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Optio
             picture
                 .color
                 .put_pixel(x as u32, y as u32, Rgba([r, g, b, 255]));
-            let byte = |t: f64| (t.clamp(0.0, 1.0) * 255.0).round() as u8;
+            let byte = |t: f64| (t.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
             let n = pixel.normal * 0.5 + 0.5;
             picture
                 .normal
@@ -125,7 +140,8 @@ impl Shown {
     }
 }
 
-/// The mean of what the rays of a pixel hit.
+/// What a ray sees, or the mean of what those of a pixel see.
+#[derive(Clone, Copy)]
 struct Pixel {
     color: [f32; 3],
     normal: DVec3,
@@ -141,7 +157,8 @@ impl Rays {
             rect,
             width,
             height,
-            hits: vec![None; width * height],
+            triangles: vec![],
+            hits: vec![Hit::NOTHING; width * height],
             panes: lens.panes,
         };
         for (i, (_, soup)) in soups.iter().enumerate() {
@@ -167,33 +184,47 @@ impl Rays {
         if area.abs() < 1e-9 {
             return;
         }
-        let right = right_of(p, uv);
+        // The shares of the second and third corner at a ray, and their change along a row and down.
+        let (e1, e2) = ((flat[1] - flat[0]) / area, (flat[2] - flat[0]) / area);
+        let share = |at: DVec2| dvec2((at - flat[0]).perp_dot(e2), e1.perp_dot(at - flat[0]));
+        let (start, along, down) = (
+            share(DVec2::splat(0.5)),
+            dvec2(e2.y, -e1.y),
+            dvec2(-e2.x, e1.x),
+        );
+        let spread = |t: DVec2| (uv[1] - uv[0]) * t.x + (uv[2] - uv[0]) * t.y;
+        let number = self.triangles.len() as u32;
+        self.triangles.push(Triangle {
+            surface,
+            normal,
+            right: right_of(p, uv),
+            uv: [uv[0] + spread(start), spread(along), spread(down)],
+        });
         let lo = flat[0].min(flat[1]).min(flat[2]).max(DVec2::ZERO);
-        let hi = flat[0].max(flat[1]).max(flat[2]);
         let last = dvec2(self.width as f64, self.height as f64) - 1.0;
-        let hi = hi.min(last + 0.5);
-        for y in lo.y.floor() as usize..=hi.y.max(0.0) as usize {
-            for x in lo.x.floor() as usize..=hi.x.max(0.0) as usize {
-                let at = dvec2(x as f64, y as f64) + 0.5;
-                let b = (at - flat[0]).perp_dot(flat[2] - flat[0]) / area;
-                let c = (flat[1] - flat[0]).perp_dot(at - flat[0]) / area;
-                let a = 1.0 - b - c;
-                if a < 0.0 || b < 0.0 || c < 0.0 {
-                    continue;
+        let hi = flat[0]
+            .max(flat[1])
+            .max(flat[2])
+            .min(last + 0.5)
+            .max(DVec2::ZERO);
+        let (first, last) = (lo.x.floor() as usize, hi.x as usize);
+        for y in lo.y.floor() as usize..=hi.y as usize {
+            let mut t = start + along * first as f64 + down * y as f64;
+            let Some(row) = self.hits.get_mut(y * self.width..(y + 1) * self.width) else {
+                return;
+            };
+            for hit in row.iter_mut().take(last + 1).skip(first) {
+                if t.x >= 0.0 && t.y >= 0.0 && t.x + t.y <= 1.0 {
+                    let depth = p[0].y + (p[1].y - p[0].y) * t.x + (p[2].y - p[0].y) * t.y;
+                    let depth = depth as f32;
+                    if depth < hit.depth {
+                        *hit = Hit {
+                            depth,
+                            triangle: number,
+                        };
+                    }
                 }
-                let depth = a * p[0].y + b * p[1].y + c * p[2].y;
-                let Some(hit) = self.hits.get_mut(y * self.width + x) else {
-                    continue;
-                };
-                if hit.is_none_or(|h| depth < h.depth) {
-                    *hit = Some(Hit {
-                        depth,
-                        surface,
-                        normal,
-                        right,
-                        uv: uv[0] * a + uv[1] * b + uv[2] * c,
-                    });
-                }
+                t += along;
             }
         }
     }
@@ -210,28 +241,27 @@ impl Rays {
         let mut color = [0.0; 3];
         let mut gloss = [0.0; 2];
         let (mut normal, mut count) = (DVec3::ZERO, 0.0);
-        for j in 0..FINE {
-            for i in 0..FINE {
-                let (u, v) = (x * FINE + i, y * FINE + j);
-                let Some(hit) = self.hits[v * self.width + u] else {
-                    continue;
-                };
-                let of = &shown[hit.surface];
-                if of.surface.glass && !self.panes {
-                    continue;
-                }
-                count += 1.0;
-                let light = self.light(u, v, hit.depth) as f32;
-                let sample = of.samples.map(|s| s.at(hit.uv.x, hit.uv.y));
-                let drawn = sample.map_or([1.0; 3], |s| s.color);
-                for k in 0..3 {
-                    color[k] += drawn[k] * of.surface.tint[k] * light;
-                }
-                let (rough, metal) = sample.map_or((1.0, 1.0), |s| (s.roughness, s.metallic));
-                gloss[0] += rough * of.surface.roughness;
-                gloss[1] += metal * of.surface.metallic;
-                normal += seen(&hit, sample.map_or([0.0, 0.0, 1.0], |s| s.normal));
+        // Most pixels lie on one triangle: rays on the same one share what the first of them sees.
+        let mut before: Option<(u32, Pixel)> = None;
+        for (i, j) in (0..FINE * FINE).map(|n| (n % FINE, n / FINE)) {
+            let (u, v) = (x * FINE + i, y * FINE + j);
+            let hit = self.hits[v * self.width + u];
+            let seen = match before {
+                Some((triangle, seen)) if triangle == hit.triangle => seen,
+                _ => match self.ray(u, v, hit, shown) {
+                    Some(seen) => seen,
+                    None => continue,
+                },
+            };
+            before = Some((hit.triangle, seen));
+            count += 1.0;
+            for (sum, c) in color.iter_mut().zip(seen.color) {
+                *sum += c;
             }
+            for (sum, g) in gloss.iter_mut().zip(seen.gloss) {
+                *sum += g;
+            }
+            normal += seen.normal;
         }
         let rays = (FINE * FINE) as f64;
         (count >= rays * COVERED).then(|| {
@@ -244,8 +274,29 @@ impl Rays {
         })
     }
 
+    /// What one ray sees; `None` of nothing, and of glass that is to stay a hole.
+    fn ray(&self, u: usize, v: usize, hit: Hit, shown: &[Shown]) -> Option<Pixel> {
+        let on = self.triangles.get(hit.triangle as usize)?;
+        let of = &shown[on.surface];
+        if of.surface.glass && !self.panes {
+            return None;
+        }
+        let light = self.light(u, v, hit.depth);
+        let uv = on.uv[0] + on.uv[1] * u as f64 + on.uv[2] * v as f64;
+        let sample = of.samples.map_or(samples::PLAIN, |s| s.at(uv.x, uv.y));
+        let tint = of.surface.tint;
+        Some(Pixel {
+            color: std::array::from_fn(|k| sample.color[k] * tint[k] * light),
+            normal: seen(on, sample.normal),
+            gloss: [
+                sample.roughness * of.surface.roughness,
+                sample.metallic * of.surface.metallic,
+            ],
+        })
+    }
+
     /// Share of daylight at a point: less where its neighbours stand out before it.
-    fn light(&self, u: usize, v: usize, depth: f64) -> f64 {
+    fn light(&self, u: usize, v: usize, depth: f32) -> f32 {
         const REACH: isize = 4 * FINE as isize;
         const ROUND: [(isize, isize); 8] = [
             (1, 0),
@@ -263,11 +314,12 @@ impl Rays {
             if x < 0 || y < 0 || x >= self.width as isize || y >= self.height as isize {
                 continue;
             }
-            if let Some(hit) = &self.hits[y as usize * self.width + x as usize] {
+            let hit = self.hits[y as usize * self.width + x as usize];
+            if hit.depth.is_finite() {
                 shade += ((depth - hit.depth) / DEEP).clamp(0.0, 1.0);
             }
         }
-        1.0 - (1.0 - DARKEST) * shade / ROUND.len() as f64
+        1.0 - (1.0 - DARKEST) * shade / ROUND.len() as f32
     }
 }
 
@@ -279,11 +331,11 @@ fn right_of(p: [DVec3; 3], uv: [DVec2; 3]) -> DVec3 {
     ((e1 * d2.y - e2 * d1.y) / det).normalize_or(DVec3::X)
 }
 
-/// A normal of a drawn surface on a hit, in the plane of the picture: right, up, out.
-fn seen(hit: &Hit, drawn: [f32; 3]) -> DVec3 {
+/// A normal of a drawn surface on a triangle, in the plane of the picture: right, up, out.
+fn seen(on: &Triangle, drawn: [f32; 3]) -> DVec3 {
     let [x, y, z] = drawn.map(f64::from);
-    let up = hit.normal.cross(hit.right);
-    let n = hit.right * x + up * y + hit.normal * z;
+    let up = on.normal.cross(on.right);
+    let n = on.right * x + up * y + on.normal * z;
     dvec3(n.x, n.z, -n.y).normalize_or(DVec3::Z)
 }
 

@@ -64,13 +64,7 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
             x += definition.width() * UNIT + APART;
         }
     }
-    Scene {
-        materials: store.materials,
-        meshes: store.meshes,
-        nodes,
-        pictures: vec![],
-        baked: store.atlas.pages,
-    }
+    store.into_scene(nodes, vec![])
 }
 
 fn node(parent: Option<NodeId>, kind: Kind, name: CompactString, at: DVec3) -> Node {

@@ -8,7 +8,7 @@ use super::{detail, part};
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
-use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Primitive};
+use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Node, Primitive, Scene};
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
@@ -113,9 +113,9 @@ enum Look {
 /// Meshes and materials.
 #[derive(Debug, Default)]
 pub(super) struct Store {
-    pub(super) materials: Vec<Material>,
-    pub(super) meshes: Vec<Mesh>,
-    pub(super) atlas: Atlas,
+    materials: Vec<Material>,
+    meshes: Vec<Mesh>,
+    atlas: Atlas,
     detail: Detail,
     looks: Vec<Look>,
     cache: HashMap<Key, MeshId, BuildHasherDefault<Quick>>,
@@ -259,6 +259,26 @@ impl Store {
             cutout: false,
             reflection: (share.0 > 0).then(|| share.value()),
         })
+    }
+
+    /// Everything, with pages no higher than they are used.
+    pub(super) fn into_scene(mut self, nodes: Vec<Node>, pictures: Vec<String>) -> Scene {
+        let grown = self.atlas.trim();
+        for primitive in self.meshes.iter_mut().flat_map(|m| &mut m.primitives) {
+            if let Look::Baked(page) = self.looks[primitive.material.0 as usize] {
+                let grown = grown[page as usize];
+                for [_, v] in &mut primitive.uvs {
+                    *v = 1.0 - (1.0 - *v) * grown;
+                }
+            }
+        }
+        Scene {
+            materials: self.materials,
+            meshes: self.meshes,
+            nodes,
+            pictures,
+            baked: self.atlas.pages,
+        }
     }
 
     /// The material of a page of baked pictures.

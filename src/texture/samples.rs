@@ -22,6 +22,14 @@ pub struct Sample {
     pub metallic: f32,
 }
 
+/// A surface without a picture.
+pub const PLAIN: Sample = Sample {
+    color: [1.0; 3],
+    normal: [0.0, 0.0, 1.0],
+    roughness: 1.0,
+    metallic: 1.0,
+};
+
 /// The pictures of one surface.
 #[derive(Debug)]
 pub struct Samples {
@@ -86,7 +94,8 @@ impl Samples {
     }
 
     fn index(&self, t: f64, size: u32) -> u32 {
-        let share = (t / self.metres).rem_euclid(1.0);
+        let repeats = t / self.metres;
+        let share = repeats - repeats.floor();
         ((share * f64::from(size)) as u32).min(size - 1)
     }
 }
@@ -121,7 +130,7 @@ pub fn encoded(light: f32) -> u8 {
         (0..=STEPS).map(one).collect()
     });
     const STEPS: u32 = 4096;
-    CHANNEL[(light.clamp(0.0, 1.0) * STEPS as f32).round() as usize]
+    CHANNEL[(light.clamp(0.0, 1.0) * STEPS as f32 + 0.5) as usize]
 }
 
 #[cfg(test)]
