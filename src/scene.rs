@@ -198,3 +198,21 @@ pub struct Node {
     /// `extras.shape` of a roof.
     pub shape: Option<&'static str>,
 }
+
+impl Node {
+    /// A node that is not turned, shows nothing and has no label.
+    pub fn new(parent: Option<NodeId>, kind: Kind, name: CompactString, at: DVec3) -> Node {
+        Node {
+            parent,
+            kind,
+            name,
+            at,
+            turn: DVec2::X,
+            mesh: None,
+            code: None,
+            storey: None,
+            span: None,
+            shape: None,
+        }
+    }
+}

@@ -120,9 +120,6 @@ impl Level<'_> {
     }
 }
 
-/// No turn.
-const STRAIGHT: DVec2 = DVec2::X;
-
 impl<'a> Walker<'a> {
     /// Adds a node without a label.
     fn node(
@@ -132,18 +129,7 @@ impl<'a> Walker<'a> {
         name: CompactString,
         at: DVec3,
     ) -> &mut Node {
-        self.nodes.push(Node {
-            parent,
-            kind,
-            name,
-            at,
-            turn: STRAIGHT,
-            mesh: None,
-            code: None,
-            storey: None,
-            span: None,
-            shape: None,
-        });
+        self.nodes.push(Node::new(parent, kind, name, at));
         self.nodes.last_mut().expect("just pushed")
     }
 

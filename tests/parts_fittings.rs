@@ -4,10 +4,10 @@
 mod support;
 
 use support::shapes::{
-    Body, bars, bodies, bounds, flaws, part_mesh, rails, scaled_mesh, triangles, written,
+    Body, STOREY, bars, bodies, bounds, flaws, flaws_of_classes, part_mesh, rails, scaled_mesh,
+    triangles, written,
 };
 
-const STOREY: f64 = 9.0;
 const SHAKU: f64 = 10_000.0 / 33.0;
 
 fn near(a: f64, b: f64) -> bool {
@@ -207,23 +207,7 @@ fn shutters_curtain_walls_and_balconies() {
 
 #[test]
 fn every_fitting_and_modern_part_is_sound() {
-    let mut found = vec![];
-    let parts = hsd::catalog::Catalog::builtin().parts().iter();
-    for part in parts.filter(|p| "AN".contains(p.class())) {
-        for height in [STOREY, 11.55, 5.0] {
-            let mesh = part_mesh(part.code(), height);
-            found.extend(
-                flaws(&mesh)
-                    .into_iter()
-                    .map(|f| format!("{} {height}: {f}", part.code())),
-            );
-            let count = triangles(&mesh).len();
-            if count > 2000 {
-                found.push(format!("{}: {count} triangles", part.code()));
-            }
-        }
-    }
-    support::assert_none(&found);
+    support::assert_none(&flaws_of_classes("AN", 2000));
 }
 
 /// A dressed street house at full detail: under 60,000 triangles seen, under 400 KB of meshes.

@@ -4,10 +4,9 @@
 mod support;
 
 use support::shapes::{
-    Body, bars, bodies, bounds, flaws, part_mesh, rails, scaled_mesh, sheet_row, triangles, written,
+    Body, STOREY, bars, bodies, bounds, flaws, flaws_of_classes, part_mesh, rails, scaled_mesh,
+    sheet_row, triangles, written,
 };
-
-const STOREY: f64 = 9.0;
 
 /// A part, what the sheet says of it, and its bars: how many in the catalogue and in the mesh, the plane of their fronts,
 /// the sheet's width and clear distance (0 = not said).
@@ -336,26 +335,7 @@ fn slits_end_round() {
 
 #[test]
 fn every_window_and_lattice_is_sound() {
-    let mut found = vec![];
-    for part in hsd::catalog::Catalog::builtin()
-        .parts()
-        .iter()
-        .filter(|p| "MG".contains(p.class()))
-    {
-        for height in [STOREY, 11.55, 5.0] {
-            let mesh = part_mesh(part.code(), height);
-            found.extend(
-                flaws(&mesh)
-                    .into_iter()
-                    .map(|f| format!("{} {height}: {f}", part.code())),
-            );
-            let count = triangles(&mesh).len();
-            if count > 1600 {
-                found.push(format!("{}: {count} triangles", part.code()));
-            }
-        }
-    }
-    support::assert_none(&found);
+    support::assert_none(&flaws_of_classes("MG", 1600));
 }
 
 /// Facades of a given size draw parts out or press them together.

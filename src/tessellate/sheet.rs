@@ -5,9 +5,9 @@
 
 use super::bake::{Lens, Picture, bake};
 use super::bay::{Bay, HALF_POST, Layer};
+use super::detail;
 use super::mesh::{Bodies, Soup};
 use super::store::{Share, Store};
-use super::{STRAIGHT, detail};
 use crate::catalog::{PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
@@ -37,12 +37,12 @@ const PAPER: [u8; 3] = [0xf6, 0xf3, 0xec];
 /// All parts in rows, a row each class, from the front one to the back.
 pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
     let mut store = Store::new(detail);
-    let mut nodes = vec![node(None, Kind::House, "parts".into(), DVec3::ZERO)];
+    let mut nodes = vec![Node::new(None, Kind::House, "parts".into(), DVec3::ZERO)];
     let classes = parts.chunk_by(|a, b| a.class() == b.class());
     for (row, class) in classes.enumerate() {
         let at = dvec3(0.0, row as f64 * ROW, 0.0);
         let name = CompactString::from(String::from(class[0].class()));
-        nodes.push(node(Some(NodeId(0)), Kind::Facade, name, at));
+        nodes.push(Node::new(Some(NodeId(0)), Kind::Facade, name, at));
         let facade = NodeId(nodes.len() as u32 - 1);
         let mut x = 0.0;
         for definition in class {
@@ -52,7 +52,7 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
             if mesh.primitives.is_empty() {
                 continue; // the void
             }
-            let mut part = node(
+            let mut part = Node::new(
                 Some(facade),
                 Kind::Part,
                 code.trim_end().into(),
@@ -65,21 +65,6 @@ pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
         }
     }
     store.into_scene(nodes, vec![])
-}
-
-fn node(parent: Option<NodeId>, kind: Kind, name: CompactString, at: DVec3) -> Node {
-    Node {
-        parent,
-        kind,
-        name,
-        at,
-        turn: STRAIGHT,
-        mesh: None,
-        code: None,
-        storey: None,
-        span: None,
-        shape: None,
-    }
 }
 
 fn share(part: &PartDef) -> Share {

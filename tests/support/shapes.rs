@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 
 pub type Triangle = [DVec3; 3];
 
+pub const STOREY: f64 = 9.0;
+
 /// A part in a wall of its own, so many shaku high.
 pub fn part_mesh(code: &str, height: f64) -> Mesh {
     let run = compile(
@@ -298,4 +300,23 @@ pub fn sheet_row(code: &str) -> Option<String> {
     let sheet = std::fs::read_to_string(path).ok()?;
     let row = sheet.lines().find(|l| l.starts_with(&format!("{code:5},")));
     row.map(str::to_owned)
+}
+
+/// What is wrong with the parts of some classes in storeys of three heights, and which have more than `most`
+/// triangles.
+pub fn flaws_of_classes(classes: &str, most: usize) -> Vec<String> {
+    let mut found = vec![];
+    let parts = hsd::catalog::Catalog::builtin().parts().iter();
+    for part in parts.filter(|p| classes.contains(p.class())) {
+        for height in [STOREY, 11.55, 5.0] {
+            let mesh = part_mesh(part.code(), height);
+            let flaws = flaws(&mesh).into_iter();
+            found.extend(flaws.map(|f| format!("{} {height}: {f}", part.code())));
+            let count = triangles(&mesh).len();
+            if count > most {
+                found.push(format!("{}: {count} triangles", part.code()));
+            }
+        }
+    }
+    found
 }
