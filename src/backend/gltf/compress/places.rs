@@ -56,7 +56,7 @@ impl Place {
     }
 
     fn cell(self) -> [i64; 3] {
-        (self.at / CELL).floor().to_array().map(|x| x as i64)
+        (self.at / CELL).round().to_array().map(|x| x as i64)
     }
 }
 
