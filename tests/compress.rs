@@ -6,7 +6,7 @@ use glam::{DMat4, DQuat, DVec3};
 use hsd::Options;
 use hsd::backend::gltf::{self, Glb, Ktx2};
 use hsd::backend::pictures::Library;
-use hsd::backend::{Images, NoImages};
+use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles};
 use hsd::diagnostic::Diagnostics;
 use hsd::scene::{Image, Scene};
 use hsd::source::{FileId, NoPictures, Source};
@@ -374,6 +374,78 @@ fn few_pictures() -> Scene {
     scene
 }
 
+/// Fails unless `KHR_texture_basisu` takes a picture.
+fn assert_valid(ktx2: &[u8]) {
+    let mut issues = vec![];
+    let mut hear = |issue: &ktx::cli::validate::ValidationReport| {
+        issues.push(issue.message.clone());
+    };
+    let done = ktx::cli::validate::validate_memory(ktx2, true, true, &mut hear);
+    assert_eq!((done, issues), (Ok(0), vec![]));
+}
+
+/// Part pictures with holes, of these sides.
+struct Holes(Vec<Vec<u8>>);
+
+impl Holes {
+    fn new(sides: &[u32]) -> Holes {
+        let picture = |side: &u32| {
+            let picture = image::RgbaImage::from_fn(*side, *side, |x, y| {
+                image::Rgba([200, 100, 50, if x < y { 255 } else { 0 }])
+            });
+            let mut png = std::io::Cursor::new(vec![]);
+            picture.write_to(&mut png, image::ImageFormat::Png).unwrap();
+            png.into_inner()
+        };
+        Holes(sides.iter().map(picture).collect())
+    }
+}
+
+impl Images for Holes {
+    fn files(&self, _: &str) -> Option<SurfaceFiles<'_>> {
+        None
+    }
+
+    fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
+        let bytes = self.0.get(index as usize)?;
+        let name = format!("戸.{index}.png").into();
+        Some(PictureBytes { name, bytes })
+    }
+
+    fn baked(&self, _: u32) -> Option<SurfaceFiles<'_>> {
+        None
+    }
+}
+
+#[test]
+fn holes_stay_and_odd_pictures_are_left_alone() {
+    let mut scene = houses([(0.0, 0.0, 180.0)]);
+    for (index, material) in (0..).zip(&mut scene.materials) {
+        material.image = Image::Picture(index);
+    }
+    let plain = Holes::new(&[64, 30, 4]);
+    let pictures = Ktx2::new(&scene, &plain);
+    let [whole, odd, small] = [0, 1, 2].map(|i| pictures.picture(i).unwrap());
+    assert_eq!((&*whole.name, &*small.name), ("戸.0.ktx2", "戸.2.ktx2"));
+    assert_eq!(Some(odd), plain.picture(1));
+    assert_valid(whole.bytes);
+    assert_valid(small.bytes);
+    let pixels = pixels(whole.bytes);
+    let opaque = |x: usize, y: usize| pixels[4 * (64 * y + x) + 3];
+    assert!(opaque(10, 50) > 250 && opaque(50, 10) < 5);
+}
+
+/// The largest size of a picture, four bytes a pixel.
+fn pixels(ktx2: &[u8]) -> Vec<u8> {
+    let load = ktx::KTX_TEXTURE_CREATE_LOAD_IMAGE_DATA_BIT;
+    let mut texture = ktx::Texture2::create_from_memory(ktx2, load).unwrap();
+    texture
+        .transcode_basis(ktx::TranscodeFmt::RGBA32, 0)
+        .unwrap();
+    let start = texture.get_image_offset(0, 0, 0).unwrap();
+    texture.get_data().unwrap()[start..].to_vec()
+}
+
 #[test]
 fn pictures_look_the_same() {
     let (scene, library) = (few_pictures(), Library::default());
@@ -388,18 +460,10 @@ fn pictures_look_the_same() {
         (plain.orm.unwrap(), packed.orm.unwrap()),
     ] {
         assert!(packed.name.ends_with(".ktx2"), "{}", packed.name);
+        assert_valid(packed.bytes);
         let before = image::load_from_memory(plain.bytes).unwrap().into_rgba8();
-        let mut texture = ktx::Texture2::create_from_memory(
-            packed.bytes,
-            ktx::KTX_TEXTURE_CREATE_LOAD_IMAGE_DATA_BIT,
-        )
-        .unwrap();
-        texture
-            .transcode_basis(ktx::TranscodeFmt::RGBA32, 0)
-            .unwrap();
-        let start = texture.get_image_offset(0, 0, 0).unwrap();
-        let after = &texture.get_data().unwrap()[start..start + before.len()];
-        let each = before.iter().zip(after);
+        let after = pixels(packed.bytes);
+        let each = before.iter().zip(&after[..before.len()]);
         let sum: u64 = each.map(|(a, b)| u64::from(a.abs_diff(*b))).sum();
         let mean = sum as f64 / before.len() as f64;
         assert!(mean < 6.0, "{}: {mean}", plain.name);

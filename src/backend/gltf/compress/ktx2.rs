@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-/// Of 255; more is better and larger.
-const QUALITY: u32 = 128;
+/// Of 255; more is better and larger. At 128 grey tiles turn violet.
+const QUALITY: u32 = 192;
 
 /// How long to look for the best, of 6.
 const EFFORT: u32 = 1;
