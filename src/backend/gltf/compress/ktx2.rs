@@ -3,6 +3,7 @@
 
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::{self, Scene};
+use ktx::dfd::khr_df::KHR_DF_PRIMARIES_UNSPECIFIED;
 use ktx::encode_params::{BasisParams, KTX_BASIS_CODEC_ETC1S, KTX_BASIS_PARAMS_SIZE};
 use ktx::texture::{TextureCreateInfo, TextureCreateStorage};
 use ktx::{KtxResult, Texture2, VkFormat};
@@ -193,6 +194,9 @@ fn packed(picture: image::RgbaImage, content: Content, holes: bool) -> KtxResult
         },
         TextureCreateStorage::AllocStorage,
     )?;
+    if content == Content::Gloss {
+        texture.set_primaries(KHR_DF_PRIMARIES_UNSPECIFIED)?; // the extension wants it of plain numbers
+    }
     let mut level = picture;
     for number in 0..levels {
         let pixels = level.pixels();
