@@ -362,7 +362,6 @@ fn a_thousand_houses_are_small() {
     };
     let town = bytes_a_house((0..).map(spread));
     assert!(town < 3000, "{town} bytes a house");
-    println!("{copies} bytes a copy, {town} bytes a house of a town");
 }
 
 /// A house that shows the pictures of its first materials only, since they take long.

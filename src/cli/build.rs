@@ -49,8 +49,8 @@ pub(super) struct Build {
 
     /// Write a .glb for the web: several times smaller, for readers that know instances, meshopt and KTX2.
     ///
-    /// Houses, storeys and parts are no nodes of their own in it, and have no extras. Takes a second or two for
-    /// each surface in use, for its pictures.
+    /// Houses, storeys and parts are no nodes of their own in it, and have no extras. The pictures take
+    /// some seconds.
     #[arg(long, conflicts_with = "textures_beside")]
     compress: bool,
 
