@@ -1,10 +1,11 @@
 // In the browser: loads a model, draws it, counts what was drawn.
 import * as THREE from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { model_loader } from './loader.mjs';
 
 const renderer = new THREE.WebGLRenderer();
 renderer.setSize(320, 240);
 document.body.append(renderer.domElement);
+const loader = model_loader(renderer);
 const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 10000);
 
 /** Frees what a mesh keeps on the graphics card, so that the next count is its own. */
@@ -16,7 +17,7 @@ function dispose({ geometry, material }) {
 /** Draws the Nth model; what three.js counts while it draws. */
 window.show = async n => {
   try {
-    const { scene: model } = await new GLTFLoader().loadAsync(`/models/${n}`);
+    const { scene: model } = await loader.loadAsync(`/models/${n}`);
     const scene = new THREE.Scene();
     scene.add(model, new THREE.HemisphereLight());
     const ball = new THREE.Box3().setFromObject(model).getBoundingSphere(new THREE.Sphere());

@@ -2,7 +2,7 @@
 // each with its own shadow, so that eaves and lattices are dark where the sky does not reach; the camera trembles by
 // less than a pixel from light to light, which smooths edges as well.
 import * as THREE from 'three';
-import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
+import { model_loader } from './loader.mjs';
 
 const WIDTH = 960, HEIGHT = 640, EYE = 1.5;
 const SUN = new THREE.Vector3(-0.55, 0.72, 0.62).normalize(); // from the south-west, a little behind the front viewer
@@ -85,7 +85,7 @@ function ground(ball, level) {
 
 /** The model on its ground, under the sky, with one light that `shine` moves about. */
 async function stage(n) {
-  const { scene: model } = await new GLTFLoader().loadAsync(`/models/${n}`);
+  const { scene: model } = await model_loader(renderer).loadAsync(`/models/${n}`);
   const scene = new THREE.Scene();
   model.traverse(node => {
     if (!node.isMesh) return;

@@ -8,6 +8,13 @@ const validator = load('gltf-validator');
 const files = process.argv.slice(2);
 if (files.length === 0) throw new Error('no files');
 
+/** The validator does not know KTX2 and says so of each; whether a message is another. */
+function of_the_core(messages) {
+  const ktx2 = messages.filter(m => m.code === 'VALUE_NOT_IN_LIST' && m.message.includes("'image/ktx2'"));
+  const images = new Set(ktx2.map(m => m.pointer.replace('/mimeType', '')));
+  return m => !ktx2.includes(m) && !(m.code === 'IMAGE_UNRECOGNIZED_FORMAT' && images.has(m.pointer));
+}
+
 let bad = 0;
 for (const file of files) {
   const report = await validator.validateBytes(new Uint8Array(await readFile(file)), {
@@ -16,7 +23,9 @@ for (const file of files) {
     writeTimestamp: false,
     externalResourceFunction: async uri => new Uint8Array(await readFile(resolve(dirname(file), decodeURIComponent(uri)))),
   });
-  const { numErrors, numWarnings, numInfos, numHints, messages } = report.issues;
+  const { numErrors, numInfos, numHints } = report.issues;
+  const messages = report.issues.messages.filter(of_the_core(report.issues.messages));
+  const numWarnings = messages.filter(m => m.severity === 1).length;
   const { drawCallCount = 0, totalTriangleCount = 0 } = report.info ?? {};
   console.log(`${file}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} notes, ${numHints} hints; `
     + `${drawCallCount} draw calls, ${totalTriangleCount} triangles`);

@@ -135,6 +135,24 @@ fn wrong_usage_is_told_the_right_one() {
 }
 
 #[test]
+fn models_for_the_web_are_an_extra() {
+    let folder = folder();
+    let output = hsd(folder.path(), &["build", "--compress", "sound.hsd"]);
+    if cfg!(feature = "compress") {
+        assert_eq!(code(&output), 0);
+        assert!(folder.path().join("sound.glb").exists());
+    } else {
+        let said = stderr(&output);
+        assert_eq!(code(&output), 2);
+        assert!(said.contains("--features compress"), "{said}");
+        assert_eq!(said.trim_end().lines().count(), 1, "{said}");
+        assert_eq!(names(folder.path()), ["broken.hsd", "sound.hsd"]);
+    }
+    let obj = ["build", "--compress", "sound.hsd", "-o", "a.obj"];
+    assert_eq!(code(&hsd(folder.path(), &obj)), 2);
+}
+
+#[test]
 fn errors_leave_nothing_behind() {
     let folder = folder();
     fs::write(folder.path().join("x.glb"), "before").unwrap();

@@ -9,6 +9,8 @@
 //! repeat, since a primitive has one material.
 
 mod arrays;
+#[cfg(feature = "compress")]
+mod compress;
 mod container;
 mod document;
 mod geometry;
@@ -16,6 +18,8 @@ mod materials;
 mod nodes;
 mod tangents;
 
+#[cfg(feature = "compress")]
+pub use compress::Ktx2;
 pub use container::Glb;
 
 use super::{Images, OutFile};
@@ -70,15 +74,51 @@ struct Model<'a> {
     root: Root,
     looks: Looks<'a>,
     geometry: Geometry<'a>,
-    tree: Tree<'a>,
+    places: Places<'a>,
     /// Whether the pictures are in the buffer.
     embedded: bool,
     /// Bytes of the buffer.
     length: usize,
 }
 
+/// Where the shapes stand.
+enum Places<'a> {
+    Tree(Tree<'a>),
+    /// Flat, and the arrays of the shapes with it.
+    #[cfg(feature = "compress")]
+    Packed(compress::Packed<'a>),
+}
+
 impl<'a> Model<'a> {
     fn new(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
+        let (mut root, looks, mut geometry) = Model::shapes(scene, images);
+        geometry.add_views(&mut root);
+        let tree = Tree::new(scene, &geometry, &mut root);
+        Model {
+            length: geometry.length(),
+            root,
+            looks,
+            geometry,
+            places: Places::Tree(tree),
+            embedded: false,
+        }
+    }
+
+    #[cfg(feature = "compress")]
+    fn packed(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
+        let (mut root, looks, geometry) = Model::shapes(scene, images);
+        let packed = compress::Packed::new(scene, &geometry, &mut root);
+        Model {
+            length: packed.bytes.len(),
+            root,
+            looks,
+            geometry,
+            places: Places::Packed(packed),
+            embedded: false,
+        }
+    }
+
+    fn shapes(scene: &'a Scene, images: &'a dyn Images) -> (Root, Looks<'a>, Geometry<'a>) {
         let mut root = Root {
             asset: Asset {
                 generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
@@ -88,15 +128,16 @@ impl<'a> Model<'a> {
         };
         let shown = Shown::new(scene);
         let looks = Looks::new(scene, &shown, images, &mut root);
-        let geometry = Geometry::new(scene, shown, &looks, &mut root);
-        let tree = Tree::new(scene, &geometry, &mut root);
-        Model {
-            length: geometry.length(),
-            root,
-            looks,
-            geometry,
-            tree,
-            embedded: false,
+        let geometry = Geometry::new(scene, shown, &looks);
+        (root, looks, geometry)
+    }
+
+    /// About how many nodes there are.
+    fn nodes(&self) -> usize {
+        match &self.places {
+            Places::Tree(tree) => tree.len(),
+            #[cfg(feature = "compress")]
+            Places::Packed(packed) => packed.nodes.len(),
         }
     }
 
@@ -122,16 +163,30 @@ impl<'a> Model<'a> {
                 extras: None,
             });
         }
+        #[cfg(feature = "compress")]
+        if let Places::Packed(packed) = &self.places {
+            packed.add_fallback(&mut self.root);
+        }
     }
 
     /// Writes the JSON.
     fn json(&self, out: &mut impl Write) -> io::Result<()> {
-        document::write(&self.root, &self.geometry, &self.tree, out)
+        match &self.places {
+            Places::Tree(tree) => document::write(&self.root, &self.geometry, tree, out),
+            #[cfg(feature = "compress")]
+            Places::Packed(packed) => {
+                document::write_packed(&self.root, &self.geometry, packed, out)
+            }
+        }
     }
 
     /// Writes the buffer.
     fn buffer(&self, out: &mut impl Write) -> io::Result<()> {
-        self.geometry.write(out)?;
+        match &self.places {
+            Places::Tree(_) => self.geometry.write(out)?,
+            #[cfg(feature = "compress")]
+            Places::Packed(packed) => out.write_all(&packed.bytes)?,
+        }
         if self.embedded {
             self.looks.write(out)?;
         }

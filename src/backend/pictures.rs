@@ -13,6 +13,9 @@ use std::io::Cursor;
 const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
 const JPEG: &[u8] = b"\xff\xd8\xff";
 
+/// The media type of pictures for graphics cards.
+pub const KTX2: &str = "image/ktx2";
+
 /// Why a part picture is not in the output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Trouble {
@@ -130,6 +133,8 @@ pub fn mime(bytes: &[u8]) -> Option<&'static str> {
         Some("image/png")
     } else if bytes.starts_with(JPEG) {
         Some("image/jpeg")
+    } else if bytes.starts_with(b"\xabKTX 20\xbb\r\n\x1a\n") {
+        Some(KTX2)
     } else {
         None
     }

@@ -82,10 +82,7 @@ impl Model {
                     beside,
                 }
             }
-            Model::Glb => {
-                let glb = Glb::inside(scene, images);
-                Files::one(Content::Glb(Box::new(glb)))
-            }
+            Model::Glb => Files::glb(Glb::inside(scene, images)),
             Model::Gltf => Files::of(gltf::gltf(scene, images, &stem)),
             Model::Obj => Files::of(obj::obj(scene, images, &stem)),
             Model::Stl => Files::one(Content::Bytes(stl::stl(scene).into())),
@@ -106,6 +103,11 @@ impl<'a> Files<'a> {
             main,
             beside: vec![],
         }
+    }
+
+    /// One model with everything inside.
+    pub(super) fn glb(glb: Glb<'a>) -> Files<'a> {
+        Files::one(Content::Glb(Box::new(glb)))
     }
 
     /// One file of these bytes.

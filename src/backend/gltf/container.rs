@@ -33,6 +33,16 @@ impl<'a> Glb<'a> {
         (Glb(model), files)
     }
 
+    /// For the web, with its pictures inside: instances and packed arrays. The pictures of
+    /// [`Ktx2`](super::Ktx2) go with it.
+    #[cfg(feature = "compress")]
+    pub fn compressed(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
+        let mut model = Model::packed(scene, images);
+        model.embed();
+        model.add_buffer(None);
+        Glb(model)
+    }
+
     /// Writes it from where `out` stands; returns how many bytes there are.
     ///
     /// # Errors
@@ -49,7 +59,7 @@ impl<'a> Glb<'a> {
     /// The whole file.
     pub fn bytes(&self) -> Vec<u8> {
         // A guess at the JSON; too much of it costs nothing, since untouched memory is not there.
-        let nodes = self.0.tree.len();
+        let nodes = self.0.nodes();
         let room = self.0.length + 200 * nodes + (16 << 10);
         let mut out = Cursor::new(Vec::with_capacity(room));
         self.pour(&mut out).expect("memory takes every byte");

@@ -1,5 +1,7 @@
 //! The JSON of a model: the long lists are made item by item while they are written, the rest stands in a root.
 
+#[cfg(feature = "compress")]
+use super::compress::Packed;
 use super::geometry::Geometry;
 use super::nodes::Tree;
 use gltf::json::Root;
@@ -39,12 +41,29 @@ pub(super) fn write(
     tree: &Tree<'_>,
     out: impl Write,
 ) -> io::Result<()> {
-    let (shapes, places) = (geometry.length() > 0, !tree.is_empty());
+    let (shapes, places) = (!geometry.is_empty(), !tree.is_empty());
     let document = Document {
         root,
         accessors: shapes.then_some(Listed(|| geometry.accessors())),
         meshes: shapes.then_some(Listed(|| geometry.meshes())),
         nodes: places.then_some(Listed(|| tree.nodes(geometry))),
+    };
+    Ok(serde_json::to_writer(out, &document)?)
+}
+
+/// Writes the whole document of a packed model.
+#[cfg(feature = "compress")]
+pub(super) fn write_packed(
+    root: &Root,
+    geometry: &Geometry<'_>,
+    packed: &Packed<'_>,
+    out: impl Write,
+) -> io::Result<()> {
+    let document = Document {
+        root,
+        accessors: (!packed.accessors.is_empty()).then_some(&packed.accessors),
+        meshes: (!geometry.is_empty()).then_some(Listed(|| geometry.meshes())),
+        nodes: (!packed.nodes.is_empty()).then_some(&packed.nodes),
     };
     Ok(serde_json::to_writer(out, &document)?)
 }

@@ -45,13 +45,13 @@ impl<'a> Shown<'a> {
 }
 
 /// A primitive to be written.
-struct Piece<'a> {
+pub(super) struct Piece<'a> {
     /// The scene's number of its mesh.
     mesh: usize,
-    source: &'a scene::Primitive,
-    look: Look,
+    pub(super) source: &'a scene::Primitive,
+    pub(super) look: Look,
     /// Its first accessor; those of its other arrays follow.
-    first: u32,
+    pub(super) first: u32,
     /// Where its arrays lie in the view of each kind.
     offsets: [usize; Array::ALL.len()],
 }
@@ -64,27 +64,24 @@ pub(super) struct Geometry<'a> {
     pieces: Vec<Piece<'a>>,
     /// Each kind of array that occurs has one view.
     views: [Option<Index<View>>; Array::ALL.len()],
-    /// Bytes of all arrays.
+    /// Bytes in the view of each kind.
+    lengths: [usize; Array::ALL.len()],
+    /// Bytes of all views.
     length: usize,
 }
 
 impl<'a> Geometry<'a> {
-    /// Lays everything out, and adds the views.
-    pub(super) fn new(
-        scene: &'a Scene,
-        shown: Shown<'a>,
-        looks: &Looks<'a>,
-        root: &mut Root,
-    ) -> Geometry<'a> {
+    /// Lays everything out.
+    pub(super) fn new(scene: &'a Scene, shown: Shown<'a>, looks: &Looks<'a>) -> Geometry<'a> {
         let mut geometry = Geometry {
             numbers: vec![None; scene.meshes.len()],
             names: &scene.meshes,
             pieces: Vec::with_capacity(shown.primitives.len()),
             views: [None; Array::ALL.len()],
+            lengths: [0; Array::ALL.len()],
             length: 0,
         };
         let (mut meshes, mut accessors) = (0, 0);
-        let mut lengths = [0; Array::ALL.len()];
         for (mesh, source) in shown.primitives {
             geometry.numbers[mesh].get_or_insert_with(|| {
                 meshes += 1;
@@ -95,21 +92,26 @@ impl<'a> Geometry<'a> {
                 source,
                 look: looks.look(source.material),
                 first: accessors,
-                offsets: lengths,
+                offsets: geometry.lengths,
             };
             for array in piece.arrays() {
-                lengths[array as usize] += array.length(source);
+                geometry.lengths[array as usize] += array.length(source);
                 accessors += 1;
             }
             geometry.pieces.push(piece);
         }
-        for array in Array::ALL {
-            geometry.add_view(array, lengths[array as usize], root);
-        }
         geometry
     }
 
-    fn add_view(&mut self, array: Array, length: usize, root: &mut Root) {
+    /// Adds the views.
+    pub(super) fn add_views(&mut self, root: &mut Root) {
+        for array in Array::ALL {
+            self.add_view(array, root);
+        }
+    }
+
+    fn add_view(&mut self, array: Array, root: &mut Root) {
+        let length = self.lengths[array as usize];
         let Some(first) = self.pieces.first().filter(|_| length > 0) else {
             return;
         };
@@ -127,7 +129,18 @@ impl<'a> Geometry<'a> {
         self.length += length;
     }
 
-    /// Bytes of all arrays.
+    /// Whether there is nothing to see.
+    pub(super) fn is_empty(&self) -> bool {
+        self.pieces.is_empty()
+    }
+
+    /// All primitives, in the order of their accessors.
+    #[cfg(feature = "compress")]
+    pub(super) fn pieces(&self) -> &[Piece<'a>] {
+        &self.pieces
+    }
+
+    /// Bytes of all views.
     pub(super) fn length(&self) -> usize {
         self.length
     }
@@ -179,7 +192,7 @@ impl<'a> Geometry<'a> {
 
 impl Piece<'_> {
     /// In the order of their accessors.
-    fn arrays(&self) -> impl Iterator<Item = Array> + use<> {
+    pub(super) fn arrays(&self) -> impl Iterator<Item = Array> + use<> {
         let look = self.look;
         Array::ALL.into_iter().filter(move |a| a.is_in(look))
     }

@@ -2,12 +2,13 @@
 
 use super::escaped;
 use super::geometry::{Shown, view};
-use crate::backend::pictures::mime;
+use crate::backend::pictures::{KTX2, mime};
 use crate::backend::{Images, OutFile, PictureBytes, picture_folder};
 use crate::scene::{self, MaterialId, Scene};
 use gltf::json::extensions::material::{
     IndexOfRefraction, Ior, Material as Extensions, Specular, SpecularFactor,
 };
+use gltf::json::extensions::texture::Texture as TextureExtensions;
 use gltf::json::image::MimeType;
 use gltf::json::material::{
     AlphaMode, NormalTexture, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor,
@@ -21,6 +22,9 @@ use std::io::{self, Write};
 
 /// The extensions of a pane.
 const GLASS: [&str; 2] = ["KHR_materials_ior", "KHR_materials_specular"];
+
+/// The extension of pictures in KTX2.
+const BASISU: &str = "KHR_texture_basisu";
 
 /// Window glass; what the share of mirrored light adds is the specular factor.
 const IOR: f32 = 1.5;
@@ -84,7 +88,7 @@ impl<'a> Looks<'a> {
             }
         }
         if root.materials.iter().any(|m| m.extensions.is_some()) {
-            root.extensions_used = GLASS.map(str::to_owned).into();
+            root.extensions_used.extend(GLASS.map(str::to_owned));
         }
         looks
     }
@@ -215,13 +219,21 @@ impl<'a> Looks<'a> {
             bytes: picture.bytes,
             mime,
         });
-        Some(root.push(Texture {
+        let mut texture = Texture {
             sampler: Some(sampler),
             source,
             name: None,
             extensions: None,
             extras: None,
-        }))
+        };
+        if mime == KTX2 {
+            basisu(&mut texture);
+            if !root.extensions_used.iter().any(|e| e == BASISU) {
+                root.extensions_used.push(BASISU.into());
+                root.extensions_required.push(BASISU.into());
+            }
+        }
+        Some(root.push(texture))
     }
 
     /// Two pictures of one name (from two folders) must not overwrite each other.
@@ -301,7 +313,17 @@ fn glass(reflection: f32) -> Extensions {
             specular_factor: SpecularFactor(reflection),
             ..Specular::default()
         }),
+        ..Extensions::default()
     }
+}
+
+/// Makes a picture that is none of the format's own the source of a texture by the extension alone.
+fn basisu(texture: &mut Texture) {
+    let source = std::mem::replace(&mut texture.source, Index::new(u32::MAX));
+    let others = [(BASISU.to_owned(), serde_json::json!({ "source": source }))];
+    texture.extensions = Some(TextureExtensions {
+        others: others.into_iter().collect(),
+    });
 }
 
 fn info(index: Index<Texture>) -> Info {

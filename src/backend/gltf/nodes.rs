@@ -185,7 +185,7 @@ fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
 
 /// The quaternion of a turn (cos, sin) about the vertical by half-angle formulas: square roots are exact to
 /// the last bit on every machine, sines are not. `None` = no turn.
-fn rotation(turn: DVec2) -> Option<[f32; 4]> {
+pub(super) fn rotation(turn: DVec2) -> Option<[f32; 4]> {
     let DVec2 { x: cos, y: sin } = turn.try_normalize().unwrap_or(DVec2::X);
     let (y, w) = if cos >= 0.0 {
         let w = ((1.0 + cos) / 2.0).sqrt();

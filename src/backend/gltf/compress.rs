@@ -1,0 +1,282 @@
+//! Models for the web: instances, packed arrays, pictures for graphics cards.
+//!
+//! All nodes that show one mesh become one node with a list of places (`EXT_mesh_gpu_instancing`); the tree and its
+//! extras are given up for it. Arrays are rounded and packed by `EXT_meshopt_compression`: positions and places to
+//! an eighth of a millimetre, normals and tangents to 12 bits (`KHR_mesh_quantization`). Colours and gloss
+//! become KTX2 ([`Ktx2`]); normal maps stay JPEG, which is smaller than what keeps as much of them.
+//!
+//! The packed arrays lie in buffer 0. Buffer 1 has no bytes: it is where a reader unpacks them to.
+
+mod ktx2;
+mod places;
+mod streams;
+
+pub use ktx2::Ktx2;
+
+use super::arrays::Array;
+use super::geometry::{Geometry, Piece};
+use crate::scene::Scene;
+use gltf::json::accessor::{ComponentType, GenericComponentType, Type};
+use gltf::json::buffer::{Stride, Target, View};
+use gltf::json::extensions::buffer;
+use gltf::json::validation::Checked::Valid;
+use gltf::json::{self, Accessor, Buffer, Index, Root};
+use places::Node;
+use serde_json::{Map, Value, json};
+use streams::Stream;
+
+const MESHOPT: &str = "EXT_meshopt_compression";
+const QUANTIZATION: &str = "KHR_mesh_quantization";
+const INSTANCING: &str = "EXT_mesh_gpu_instancing";
+
+/// Coordinates are multiples of 2 to this, metres: a quarter of a millimetre.
+const METRES: i32 = -12;
+
+/// Texture coordinates are multiples of 2 to this: a sixteenth of a pixel of 512.
+const REPEATS: i32 = -13;
+
+/// Quaternions are multiples of 2 to this, so that the far end of a long roof stays where it is.
+const QUATERNIONS: i32 = -21;
+
+/// Shapes and places, packed.
+#[derive(Default)]
+pub(super) struct Packed<'a> {
+    /// Those of the pieces by their numbers, then those of places.
+    pub(super) accessors: Vec<Accessor>,
+    pub(super) nodes: Vec<Node<'a>>,
+    /// The packed arrays.
+    pub(super) bytes: Vec<u8>,
+    /// Bytes of the arrays when they are unpacked.
+    unpacked: usize,
+}
+
+impl<'a> Packed<'a> {
+    /// Packs everything, and adds views, the scene and the names of extensions.
+    pub(super) fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Packed<'a> {
+        let mut packed = Packed::default();
+        packed.add_shapes(geometry.pieces(), root);
+        let instanced = packed.add_places(scene, geometry, root);
+        if packed.unpacked > 0 {
+            require(root, MESHOPT);
+            require(root, QUANTIZATION);
+        }
+        if instanced {
+            require(root, INSTANCING);
+        }
+        if !packed.nodes.is_empty() {
+            root.scene = Some(root.push(json::Scene {
+                nodes: (0..packed.nodes.len() as u32).map(Index::new).collect(),
+                name: None,
+                extensions: None,
+                extras: None,
+            }));
+        }
+        packed
+    }
+
+    /// Adds the buffer that has no bytes.
+    pub(super) fn add_fallback(&self, root: &mut Root) {
+        if self.unpacked > 0 {
+            root.push(Buffer {
+                byte_length: self.unpacked.into(),
+                uri: None,
+                name: None,
+                extensions: Some(buffer::Buffer {
+                    others: named(MESHOPT, json!({ "fallback": true })),
+                }),
+                extras: None,
+            });
+        }
+    }
+
+    /// Adds the arrays of all pieces: a view for each kind, and indices of 16 bits apart from those of 32.
+    fn add_shapes(&mut self, pieces: &[Piece<'_>], root: &mut Root) {
+        let count = pieces.iter().map(|p| p.arrays().count()).sum();
+        self.accessors = vec![accessor(ComponentType::F32, Type::Scalar); count];
+        for array in Array::ALL {
+            for component in [ComponentType::F32, ComponentType::U16, ComponentType::U32] {
+                let mut stream = empty(array, component);
+                let mut written = vec![];
+                for piece in pieces {
+                    let found = piece.arrays().position(|a| a == array);
+                    let fits = array.component(piece.source) == component;
+                    if let Some(place) = found.filter(|_| fits) {
+                        let number = piece.first as usize + place;
+                        self.accessors[number] = append(array, piece, &mut stream);
+                        written.push(number);
+                    }
+                }
+                let target = match array {
+                    Array::Indices => Target::ElementArrayBuffer,
+                    _ => Target::ArrayBuffer,
+                };
+                let view = self.add_view(&stream, Some(target), root);
+                for number in written {
+                    self.accessors[number].buffer_view = view;
+                }
+            }
+        }
+    }
+
+    /// Adds the nodes; whether any stands in several places.
+    fn add_places(&mut self, scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> bool {
+        let (mut places, mut turns) = (Stream::floats(3), Stream::floats(4));
+        let start = self.accessors.len();
+        for group in places::groups(scene, geometry) {
+            let mut attributes = Map::new();
+            if group.places.len() > 1 {
+                let at = group.offsets();
+                let mut list = |name: &str, stream: &mut Stream, values: &[f32], step, type_| {
+                    let offset = stream.length();
+                    stream.push_floats(values, step);
+                    attributes.insert(name.into(), self.accessors.len().into());
+                    self.accessors.push(Accessor {
+                        byte_offset: Some(offset.into()),
+                        count: group.places.len().into(),
+                        ..accessor(ComponentType::F32, type_)
+                    });
+                };
+                list("TRANSLATION", &mut places, &at, METRES, Type::Vec3);
+                if let Some(quaternions) = group.quaternions() {
+                    list(
+                        "ROTATION",
+                        &mut turns,
+                        &quaternions,
+                        QUATERNIONS,
+                        Type::Vec4,
+                    );
+                }
+            }
+            let listed = (!attributes.is_empty()).then(|| json!({ "attributes": attributes }));
+            self.nodes
+                .push(group.node(scene, listed.map(|l| named(INSTANCING, l))));
+        }
+        let places = self.add_view(&places, None, root);
+        let turns = self.add_view(&turns, None, root);
+        for accessor in &mut self.accessors[start..] {
+            accessor.buffer_view = match accessor.type_ {
+                Valid(Type::Vec3) => places,
+                _ => turns,
+            };
+        }
+        places.is_some()
+    }
+
+    /// Packs what a view shows.
+    fn add_view(
+        &mut self,
+        stream: &Stream,
+        target: Option<Target>,
+        root: &mut Root,
+    ) -> Option<Index<View>> {
+        let bytes = stream.packed();
+        if bytes.is_empty() {
+            return None;
+        }
+        let mut extension = json!({
+            "buffer": 0,
+            "byteOffset": self.bytes.len(),
+            "byteLength": bytes.len(),
+            "byteStride": stream.stride(),
+            "count": stream.count(),
+            "mode": stream.mode(),
+        });
+        if let Some(filter) = stream.filter() {
+            extension["filter"] = filter.into();
+        }
+        let vertices = target == Some(Target::ArrayBuffer);
+        let view = root.push(View {
+            buffer: Index::new(1),
+            byte_length: stream.length().into(),
+            byte_offset: Some(self.unpacked.into()),
+            byte_stride: vertices.then(|| Stride(stream.stride())),
+            name: None,
+            target: target.map(Valid),
+            extensions: Some(buffer::View {
+                others: named(MESHOPT, extension),
+            }),
+            extras: None,
+        });
+        self.bytes.extend(bytes);
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        self.unpacked += stream.length().next_multiple_of(4);
+        Some(view)
+    }
+}
+
+/// Says that a reader has to know an extension.
+pub(super) fn require(root: &mut Root, extension: &str) {
+    root.extensions_used.push(extension.into());
+    root.extensions_required.push(extension.into());
+}
+
+/// An extension under its name.
+fn named(extension: &str, content: Value) -> Map<String, Value> {
+    Map::from_iter([(extension.to_owned(), content)])
+}
+
+/// The stream that arrays of a kind go to.
+fn empty(array: Array, component: ComponentType) -> Stream {
+    match array {
+        Array::Normals | Array::Tangents => Stream::directions(),
+        Array::Indices => Stream::indices(component.size()),
+        Array::Positions | Array::Uvs => Stream::floats(array.elements().multiplicity()),
+    }
+}
+
+/// Writes the array of a piece to the end of its stream, and says where it is but for the view.
+fn append(array: Array, piece: &Piece<'_>, stream: &mut Stream) -> Accessor {
+    let source = piece.source;
+    let mut made = Accessor {
+        byte_offset: Some(stream.length().into()),
+        count: array.count(source).into(),
+        ..accessor(array.component(source), array.elements())
+    };
+    if array == Array::Indices {
+        stream.push_indices(&source.indices);
+        return made;
+    }
+    let mut bytes = vec![];
+    array.write(source, piece.look, &mut bytes);
+    let (fours, _) = bytes.as_chunks();
+    let values: Vec<f32> = fours.iter().map(|four| f32::from_le_bytes(*four)).collect();
+    match array {
+        Array::Positions => {
+            stream.push_floats(&values, METRES);
+            let rounded = streams::rounded(&values, METRES);
+            let (points, _) = rounded.as_chunks::<3>();
+            let edge = |pick: fn(f32, f32) -> f32, start| {
+                let all = points.iter().copied();
+                let edge = all.fold([start; 3], |e, p| [0, 1, 2].map(|k| pick(e[k], p[k])));
+                Some(edge.into())
+            };
+            made.min = edge(f32::min, f32::MAX);
+            made.max = edge(f32::max, f32::MIN);
+        }
+        Array::Uvs => stream.push_floats(&values, REPEATS),
+        _ => {
+            stream.push_directions(&values, array.elements().multiplicity());
+            made.component_type = Valid(GenericComponentType(ComponentType::I16));
+            made.normalized = true;
+        }
+    }
+    made
+}
+
+/// An accessor of nothing yet.
+fn accessor(component: ComponentType, type_: Type) -> Accessor {
+    Accessor {
+        buffer_view: None,
+        byte_offset: None,
+        count: 0usize.into(),
+        component_type: Valid(GenericComponentType(component)),
+        type_: Valid(type_),
+        min: None,
+        max: None,
+        name: None,
+        normalized: false,
+        sparse: None,
+        extensions: None,
+        extras: None,
+    }
+}

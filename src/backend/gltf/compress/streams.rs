@@ -1,0 +1,181 @@
+//! Streams of elements as meshopt packs them. Floats are whole multiples of a power of two (its filter
+//! `EXPONENTIAL`): neighbours then differ in few bits, and the same step everywhere leaves no gaps.
+
+use meshopt::encode_filter_oct;
+
+/// Bits of a coordinate of a normal.
+const DIRECTION_BITS: i32 = 12;
+
+/// What a packed view holds.
+pub(super) enum Stream {
+    /// So many floats an element, each an exponent in the high byte and a mantissa.
+    Floats(usize, Vec<u32>),
+    /// Normals or tangents, folded to two coordinates and a sign.
+    Directions(Vec<[i16; 4]>),
+    /// Corners of triangles, so many bytes each.
+    Indices(usize, Vec<u32>),
+}
+
+impl Stream {
+    pub(super) fn floats(elements: usize) -> Stream {
+        Stream::Floats(elements, vec![])
+    }
+
+    pub(super) fn directions() -> Stream {
+        Stream::Directions(vec![])
+    }
+
+    pub(super) fn indices(bytes: usize) -> Stream {
+        Stream::Indices(bytes, vec![])
+    }
+
+    /// Appends floats, rounded to 2 to the power of `step` unless they are too large for it.
+    pub(super) fn push_floats(&mut self, values: &[f32], step: i32) {
+        if let Stream::Floats(_, all) = self {
+            let step = step_of(values, step);
+            let exponent = (step as u32) << 24;
+            let mantissa = |x: &f32| multiple(*x, step) as u32 & 0x00ff_ffff;
+            all.extend(values.iter().map(|x| exponent | mantissa(x)));
+        }
+    }
+
+    /// Appends unit vectors of three numbers, or four where the last is a sign.
+    pub(super) fn push_directions(&mut self, values: &[f32], numbers: usize) {
+        if let Stream::Directions(all) = self {
+            let four = |v: &[f32]| [v[0], v[1], v[2], v.get(3).copied().unwrap_or(0.0)];
+            let list: Vec<[f32; 4]> = values.chunks_exact(numbers).map(four).collect();
+            all.extend(encode_filter_oct::<i16>(&list, DIRECTION_BITS));
+        }
+    }
+
+    pub(super) fn push_indices(&mut self, values: &[u32]) {
+        if let Stream::Indices(_, all) = self {
+            all.extend(values);
+        }
+    }
+
+    /// Bytes of an element when it is unpacked.
+    pub(super) fn stride(&self) -> usize {
+        match self {
+            Stream::Floats(elements, _) => 4 * elements,
+            Stream::Directions(_) => 8,
+            Stream::Indices(bytes, _) => *bytes,
+        }
+    }
+
+    /// Elements.
+    pub(super) fn count(&self) -> usize {
+        match self {
+            Stream::Floats(elements, all) => all.len() / elements,
+            Stream::Directions(all) => all.len(),
+            Stream::Indices(_, all) => all.len(),
+        }
+    }
+
+    /// Bytes when it is unpacked.
+    pub(super) fn length(&self) -> usize {
+        self.stride() * self.count()
+    }
+
+    /// The extension's word for how it is packed.
+    pub(super) fn mode(&self) -> &'static str {
+        match self {
+            Stream::Indices(..) => "TRIANGLES",
+            Stream::Floats(..) | Stream::Directions(_) => "ATTRIBUTES",
+        }
+    }
+
+    /// The extension's word for what is done after unpacking.
+    pub(super) fn filter(&self) -> Option<&'static str> {
+        match self {
+            Stream::Floats(..) => Some("EXPONENTIAL"),
+            Stream::Directions(_) => Some("OCTAHEDRAL"),
+            Stream::Indices(..) => None,
+        }
+    }
+
+    /// The packed bytes; none of nothing.
+    pub(super) fn packed(&self) -> Vec<u8> {
+        if self.count() == 0 {
+            return vec![];
+        }
+        let packed = match self {
+            Stream::Floats(2, all) => vertices(all.as_chunks::<2>().0, |x| x.to_le()),
+            Stream::Floats(3, all) => vertices(all.as_chunks::<3>().0, |x| x.to_le()),
+            Stream::Floats(_, all) => vertices(all.as_chunks::<4>().0, |x| x.to_le()),
+            Stream::Directions(all) => vertices(all, |x| x.to_le()),
+            Stream::Indices(_, all) => {
+                let vertices = all.iter().max().map_or(0, |i| *i as usize + 1);
+                meshopt::encode_index_buffer(all, vertices)
+            }
+        };
+        packed.expect("there is room for the worst case")
+    }
+}
+
+/// Packs elements in the codec's version 0, which is all that the extension knows.
+fn vertices<T: Copy, const N: usize>(
+    all: &[[T; N]],
+    little: impl Fn(T) -> T,
+) -> meshopt::Result<Vec<u8>> {
+    let list: Vec<[T; N]> = all.iter().map(|e| e.map(&little)).collect();
+    meshopt::encode_vertex_buffer_level(&list, 2, Some(0))
+}
+
+/// What [`Stream::push_floats`] makes of floats.
+pub(super) fn rounded(values: &[f32], step: i32) -> Vec<f32> {
+    let step = step_of(values, step);
+    let whole = |x: &f32| (f64::from(multiple(*x, step)) * power(step)) as f32;
+    values.iter().map(whole).collect()
+}
+
+/// The least step, `least` or larger, in which all floats are multiples of 24 bits.
+fn step_of(values: &[f32], least: i32) -> i32 {
+    let largest = values.iter().fold(0.0, |m: f32, x| m.max(x.abs()));
+    let fits = |step: &i32| f64::from(largest) / power(*step) < f64::from((1 << 23) - 1);
+    (least..100).find(fits).unwrap_or(100)
+}
+
+fn multiple(x: f32, step: i32) -> i32 {
+    (f64::from(x) / power(step)).round() as i32
+}
+
+/// 2 to the power of `step`, exactly.
+fn power(step: i32) -> f64 {
+    libm::ldexp(1.0, step)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn floats_stand_on_a_grid() {
+        let values = [0.0, 1.0, -0.909_091, 2000.0];
+        let near = rounded(&values, -12);
+        assert_eq!(near[..2], [0.0, 1.0]);
+        assert!((near[2] - values[2]).abs() <= 0.5 / 4096.0);
+        // A step that does not reach gives way.
+        assert_eq!(rounded(&[1e7], -12), [1e7]);
+        assert_eq!(step_of(&[1e7], -12), 1);
+        assert_eq!(step_of(&[-2047.5], -12), -12);
+    }
+
+    #[test]
+    fn a_reader_gets_the_rounded_floats() {
+        let values = [0.125, -3.3, 100.01, 1e6, -1e6, 0.0];
+        let mut stream = Stream::floats(3);
+        stream.push_floats(&values, -12);
+        assert_eq!((stream.count(), stream.length()), (2, 24));
+        let packed = stream.packed();
+        let mut read: Vec<[u32; 3]> =
+            meshopt::decode_vertex_buffer(&packed, 2).expect("it is whole");
+        meshopt::decode_filter_exp(&mut read);
+        let read: Vec<f32> = read
+            .as_flattened()
+            .iter()
+            .map(|x| f32::from_bits(*x))
+            .collect();
+        assert_eq!(read, rounded(&values, -12));
+    }
+}
