@@ -5,8 +5,10 @@
 //! lies in the part's frame: x to the RIGHT as seen from outside, y into the house, z up from the storey's
 //! floor; origin at the left end of its wall's centre line, so that a south front needs no rotation.
 
+mod label;
 mod stats;
 
+pub use label::Label;
 pub use stats::Stats;
 
 use crate::source::Span;
@@ -190,13 +192,13 @@ pub struct Node {
     /// What it shows.
     pub mesh: Option<MeshId>,
     /// `extras.code` of a part.
-    pub code: Option<CompactString>,
+    pub code: Option<Label>,
     /// `extras.storey`.
     pub storey: Option<u32>,
     /// `extras.span`: bytes of the source.
     pub span: Option<Span>,
     /// `extras.shape` of a roof.
-    pub shape: Option<&'static str>,
+    pub shape: Option<Label>,
 }
 
 impl Node {

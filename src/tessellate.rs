@@ -267,7 +267,7 @@ impl<'a> Walker<'a> {
         node.mesh = mesh;
         node.storey = Some(roof.storey);
         node.span = roof.span;
-        node.shape = Some(roof.shape.letters());
+        node.shape = Some(roof.shape.letters().into());
     }
 }
 

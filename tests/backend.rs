@@ -142,7 +142,7 @@ fn scene() -> Scene {
             node(Some(2), Kind::Part, "sign", Some(1)),
             node(Some(1), Kind::Facade, "facade 2", None),
             Node {
-                shape: Some("KIR"),
+                shape: Some("KIR".into()),
                 ..node(Some(0), Kind::Roof, "roof", Some(1))
             },
         ],

@@ -11,7 +11,7 @@ use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
 use crate::scene::{Kind, Mesh, MeshId, NodeId};
-use compact_str::format_compact;
+use compact_str::{CompactString, ToCompactString, format_compact};
 use glam::dvec3;
 
 /// A wall with what its units have to know of each other.
@@ -63,11 +63,20 @@ impl<'a> Line<'a> {
         let unit_m = level.house.unit;
         let mut offset = 0.0;
         let mut stands = Vec::with_capacity(wall.units.len());
+        let unset = SurfaceId::named("cedar");
+        // A row mostly goes on with the part before.
+        let mut known: Option<(PartId, (Stance, f64), f64)> = None;
         for unit in &wall.units {
             let to = offset + unit.width;
-            let (stance, face) = stance(catalog, &unit.content);
+            let ((stance, face), own_top) = match (&unit.content, known) {
+                (Content::Part(id), Some((before, stance, top))) if *id == before => (stance, top),
+                (content, _) => (stance(catalog, content), own_top(catalog, content)),
+            };
+            if let Content::Part(id) = unit.content {
+                known = Some((id, (stance, face), own_top));
+            }
             let top = unit.height.map_or(level.height, |h| f64::from(h) * SHAKU);
-            let top = top.min(own_top(catalog, &unit.content));
+            let top = top.min(own_top);
             let at = |u: f64| wall.from + wall.direction * u;
             stands.push(Stand {
                 unit,
@@ -75,7 +84,7 @@ impl<'a> Line<'a> {
                 width: unit.width * unit_m,
                 stance,
                 face,
-                around: SurfaceId::named("cedar"),
+                around: unset,
                 tops: match level.ceilings.is_empty() {
                     true => (top, top),
                     false => ceiling::tops(level, at(offset), at(to), top),
@@ -333,7 +342,7 @@ impl Walker<'_> {
             Content::Picture(id) => (self.picture(slot, unit, *id), "picture"),
         };
         let (number, half) = slot.number;
-        let name = format_compact!("{}{half} {number}", code.trim_end());
+        let name = name(code.trim_end(), half, number);
         let at = dvec3(slot.x, 0.0, slot.z.0);
         let is_part = !matches!(unit.content, Content::Picture(_));
         let node = self.node(Some(slot.facade), Kind::Part, name, at);
@@ -435,6 +444,15 @@ impl Walker<'_> {
     fn framed(&self, unit: &Unit) -> bool {
         stance(self.catalog, &unit.content).0 == Stance::Posts
     }
+}
+
+/// The name of a unit: code, half, number. A town has a million of them, so that no formatter is asked.
+fn name(code: &str, half: &str, number: usize) -> CompactString {
+    let mut name = CompactString::new(code);
+    name.push_str(half);
+    name.push(' ');
+    name.push_str(&number.to_compact_string());
+    name
 }
 
 /// Foot and top of a part's opening above its slot's foot, moved and clamped so that it fits.

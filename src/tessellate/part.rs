@@ -18,13 +18,15 @@ pub(super) const DEEPEST: f64 = 30.0;
 
 /// How deep the dark passage behind a part is where it may be, metres.
 pub(super) fn passage(part: &PartDef) -> Option<f64> {
+    // Only what stands open to the ground can lead through a house.
+    if part.below != Below::Open {
+        return None;
+    }
     let depths = part.body.iter().filter_map(|e| match &e.shape {
         Shape::Depth(d) => Some(d.depth.0),
         _ => None,
     });
-    // Only what stands open to the ground can lead through a house.
-    let open = part.below == Below::Open;
-    depths.reduce(f64::max).filter(|_| open)
+    depths.reduce(f64::max)
 }
 
 /// The same of a unit or any part of it.

@@ -54,7 +54,8 @@ impl Share {
 
 /// A length in tenths of a millimetre.
 pub(super) fn tenths(metres: f64) -> u32 {
-    (metres * 10_000.0).round().max(0.0) as u32
+    // The cast cuts off what is below zero; `round` would be a call of its own on most machines.
+    (metres * 10_000.0 + 0.5) as u32
 }
 
 /// A quick hash of small numbers; the map is never walked, so that its order cannot matter.
@@ -119,6 +120,8 @@ pub(super) struct Store {
     detail: Detail,
     looks: Vec<Look>,
     cache: HashMap<Key, MeshId, BuildHasherDefault<Quick>>,
+    /// The part that was asked for last.
+    last: Option<(PartKey, MeshId)>,
 }
 
 impl Store {
@@ -150,7 +153,11 @@ impl Store {
     /// The mesh of a part.
     pub(super) fn part(&mut self, id: PartId, part: &PartDef, key: PartKey) -> MeshId {
         debug_assert_eq!(id.0, key.part);
-        self.mesh(Key::Part(key), |store| {
+        // A row mostly goes on with the part before.
+        if let Some((_, mesh)) = self.last.filter(|(last, _)| *last == key) {
+            return mesh;
+        }
+        let mesh = self.mesh(Key::Part(key), |store| {
             // The mesh is made from the key alone, so that it cannot depend on anything else.
             let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
             let size = (width, height);
@@ -158,7 +165,9 @@ impl Store {
             bay.room = f64::from(key.room) / 10_000.0;
             let name = part.code().trim_end().to_owned();
             store.finish(name, part::build(bay), key.share)
-        })
+        });
+        self.last = Some((key, mesh));
+        mesh
     }
 
     /// Bodies as a mesh of the scene; their glass mirrors this share.

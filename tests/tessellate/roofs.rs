@@ -91,7 +91,7 @@ fn roofs_become_one_mesh() {
     });
     let scene = scene(&building);
     let roof = named(&scene, "roof 1");
-    assert_eq!((roof.kind, roof.shape), (Kind::Roof, Some("RIK")));
+    assert_eq!((roof.kind, roof.shape), (Kind::Roof, Some("RIK".into())));
     let mesh = &scene.meshes[roof.mesh.expect("a mesh").0 as usize];
     // Metal's edge has the covering's surface.
     assert_eq!(mesh.primitives.len(), 2);

@@ -38,7 +38,7 @@ struct Extras<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     span: Option<Span>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    shape: Option<&'static str>,
+    shape: Option<&'a str>,
 }
 
 /// The children of a node: the first of them, and the tree that knows who follows.
@@ -148,7 +148,7 @@ fn made<'a>(
             code: node.code.as_deref(),
             storey: node.storey,
             span: node.span,
-            shape: node.shape,
+            shape: node.shape.as_deref(),
         },
         mesh,
         name: match node.name.as_str() {
