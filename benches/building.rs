@@ -26,6 +26,17 @@ fn roofed_outlines(bencher: Bencher<'_, '_>, count: usize) {
     });
 }
 
+/// The same as a city shows them: walls and roofs without joinery.
+#[divan::bench(args = [10_000], sample_count = 5)]
+fn roofed_bodies(bencher: Bencher<'_, '_>, count: usize) {
+    let text = texts::outlines(count);
+    texts::building(&text);
+    bencher.counter(ItemsCount::new(count)).bench_local(|| {
+        let building = texts::building(black_box(&text));
+        hsd::driver::scene(&building, Detail::Body)
+    });
+}
+
 /// Houses with lattices, doors and written roofs; their pictures are embedded once.
 #[divan::bench(args = [1, 1000], sample_count = 5)]
 fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
