@@ -28,6 +28,9 @@ pub(super) fn mtl<'a>(
         if let Some(picture) = picture {
             let name = file(&mut files, &picture, folder);
             let _ = writeln!(out, "map_Kd {name}");
+            if material.cutout {
+                let _ = writeln!(out, "map_d {name}");
+            }
         }
     }
     (out, files)
