@@ -192,3 +192,26 @@ fn walls_of_a_body_meet_at_their_corners() {
     let (lo, hi) = extent(&scene);
     assert!(hi.cmpgt(lo + dvec3(1.0, 0.5, 2.0)).all());
 }
+
+#[test]
+fn nothing_is_seen_through_glass_where_there_are_no_rooms() {
+    let run = compile_file(&support::root().join("examples/office.hsd"));
+    for (detail, scene) in Detail::ALL.into_iter().zip(scenes(&run)).take(2) {
+        let glass = scene.materials.iter().filter(|m| m.reflection.is_some());
+        assert!(glass.clone().count() > 0, "{detail:?}");
+        for material in glass {
+            assert!(material.tint[3] == 1.0, "{detail:?}: {}", material.name);
+        }
+    }
+}
+
+#[test]
+fn bodies_of_glass_look_like_glass() {
+    let wall = "NGC  NGC  NGC  NGC  \n".repeat(4);
+    let run = compile("tower.hsd", format!("0 0\n12\n\n{wall}").as_bytes());
+    let scene = driver::scene(&run.building, Detail::Body);
+    let panes =
+        |p: &&hsd::scene::Primitive| scene.materials[p.material.0 as usize].reflection.is_some();
+    let shown = scene.meshes.iter().flat_map(|m| &m.primitives);
+    assert!(shown.filter(panes).count() > 0);
+}

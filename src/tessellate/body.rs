@@ -119,7 +119,7 @@ impl Walker<'_> {
         stretches
     }
 
-    /// The stripes of a unit from its foot to its top.
+    /// The stripes of a unit from its foot to its top; of halves with several units the first one speaks for all.
     fn bands(&mut self, unit: &Unit, stand: &Stand<'_>, z: (f64, f64), out: &mut Vec<Band>) {
         let (z0, z1) = z;
         let mut band = |store: &mut super::Store, from: f64, to: f64, surface: SurfaceId| {
@@ -150,8 +150,9 @@ impl Walker<'_> {
             Content::Part(id) => {
                 let definition = self.catalog.part(*id);
                 let main = part::main_surface(definition).unwrap_or(stand.around);
+                let fills_half = definition.fills && z != (0.0, stand.top());
                 let (foot, top) = match (definition.from, definition.to) {
-                    (Some(from), Some(to)) => {
+                    (Some(from), Some(to)) if !fills_half => {
                         ((from * SHAKU).clamp(z0, z1), (to * SHAKU).clamp(z0, z1))
                     }
                     _ => z,

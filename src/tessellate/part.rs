@@ -71,13 +71,15 @@ pub(super) fn face(part: &PartDef) -> f64 {
     front.unwrap_or(wall_layer(part.stance).front)
 }
 
-/// What one sees most of in a part: of a wall its finish, of an opening what fills it.
+/// What one sees most of in a part: its glass where it has some, of a wall the finish, else what comes first.
 pub(super) fn main_surface(part: &PartDef) -> Option<SurfaceId> {
-    let first = part.body.first().map(|e| match &e.shape {
+    let fills = |e: &Element| match &e.shape {
         Shape::Leaf(leaf) => leaf.pane,
         _ => e.place.finish,
-    });
-    part.finish.or(first)
+    };
+    let panes = part.body.iter().map(fills);
+    let glass = panes.clone().find(|id| id.surface().glass);
+    glass.or(part.finish).or(panes.into_iter().next())
 }
 
 /// All bodies of a part in its bay.

@@ -238,13 +238,17 @@ impl Store {
         } else {
             Share::default()
         };
+        let detail = self.detail;
         self.material(Look::Surface(id, share), || Material {
             name: match share.0 {
                 0 => surface.name.to_owned(),
                 per_mille => format!("{} {}.{}%", surface.name, per_mille / 10, per_mille % 10),
             },
             image: surface.picture.map_or(Image::None, Image::Surface),
-            tint: surface.tint,
+            tint: match surface.glass && detail <= Detail::Flat {
+                true => shut(surface.tint),
+                false => surface.tint,
+            },
             roughness: surface.roughness,
             metallic: surface.metallic,
             double_sided: surface.thin,
@@ -314,6 +318,13 @@ impl Store {
         });
         MaterialId(at as u32)
     }
+}
+
+/// Glass over the dusk of a room, for details without rooms: nothing is to be seen through it.
+fn shut([r, g, b, opacity]: [f32; 4]) -> [f32; 4] {
+    const DUSK: f32 = 0.035;
+    let [r, g, b] = [r, g, b].map(|c| c * opacity + DUSK * (1.0 - opacity));
+    [r, g, b, 1.0]
 }
 
 /// A soup in its material.
