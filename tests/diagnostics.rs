@@ -16,7 +16,7 @@ const PAGES: &str = "grammar/diagnostics";
 
 /// Codes that no small text can trigger, and where they are tested.
 const WITHOUT_FIXTURE: &[(u16, &str)] = &[
-    (8, "a file that is not there: tests/cli.rs"),
+    (8, "a file that is not there: tests/cli"),
     (601, "a file that cannot be read: tests/pictures.rs"),
     (602, "a file that is no picture: tests/pictures.rs"),
     (603, "a fault of the program: tests/pictures.rs"),

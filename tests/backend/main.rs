@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod plain;
+
 use glam::{dvec2, dvec3};
 use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles, dump, gltf, obj, sound, stl};
 use hsd::scene::{Image, Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene};
@@ -428,108 +430,4 @@ fn many_vertices_have_long_indices() {
     let length = root.buffer_views[4].byte_length.0 as usize;
     let last = &bin[view + length - 4..view + length];
     assert_eq!(u32::from_le_bytes(last.try_into().unwrap()), 65_535);
-}
-
-#[test]
-fn obj_has_the_axes_of_the_paper() {
-    let (scene, images) = (scene(), Pictures::new());
-    let files = obj::obj(&scene, &images, "my house");
-    let text = |name: &str| {
-        let file = files.iter().find(|f| f.name == name).unwrap();
-        String::from_utf8(file.bytes.to_vec()).unwrap()
-    };
-    let obj = text("my_house.obj");
-    assert!(obj.contains("\nmtllib my_house.mtl\n"));
-    assert!(obj.contains("\no 町家/storey_1/facade_1/GDE_2\n"));
-    // The second door's lower left corner: 4 m along the house's x, which the quarter turn makes north.
-    assert!(obj.contains("\nv 100 3.5 -204\n"), "{obj}");
-    assert!(obj.contains("\nvt 1 2\n"), "v upwards, repeats of 2 m");
-    assert!(
-        obj.contains("\nusemtl cedar\nf 1/1 2/2 3/3\nf 1/1 3/3 4/4\n"),
-        "{obj}"
-    );
-    assert!(
-        obj.contains("\nusemtl glass\nf 1 5 6\n"),
-        "shared corner, no coordinates: {obj}"
-    );
-    let mtl = text("my_house.mtl");
-    assert!(mtl.contains("newmtl cedar\nKa 0.625 0.625 0.625\nKd 1 1 1\nKs 0 0 0\nd 1\n"));
-    assert!(mtl.contains("map_Kd my_house_textures/cedar_color.jpg\n"));
-    assert!(mtl.contains("map_Kd my_house_textures/看板_1.png\n"));
-    assert!(mtl.contains("newmtl glass") && mtl.contains("d 0.25\n") && !mtl.contains("unused"));
-    assert!(
-        files
-            .iter()
-            .any(|f| f.name == "my_house_textures/看板_1.png")
-    );
-}
-
-#[test]
-fn stl_is_in_millimetres() {
-    let stl = stl::stl(&scene());
-    assert_eq!(&stl[..4], b"hsd ");
-    let count = u32::from_le_bytes(stl[80..84].try_into().unwrap()) as usize;
-    assert_eq!((count, stl.len()), (12, 84 + 12 * 50));
-    let float = |at: usize| f32::from_le_bytes(stl[at..at + 4].try_into().unwrap());
-    let triangle: Vec<f32> = (0..12).map(|k| float(84 + 4 * k)).collect();
-    // The front faces east after the quarter turn; the first door begins 1 m along it, 3.5 m up.
-    assert_eq!(triangle[..6], [1.0, 0.0, 0.0, 0.0, 1000.0, 3500.0]);
-}
-
-#[test]
-fn regions_are_written_as_documented() {
-    use hsd::ast::RoofShape;
-    use hsd::building::{Building, House, HouseRoofs, PlanRegion, Shell, StoreyPlan};
-    let house = House {
-        span: Span::default(),
-        name: String::new(),
-        origin: [0.0; 3],
-        azimuth: 180.0,
-        unit: 10.0 / 11.0,
-        street: false,
-        storeys: vec![],
-        roofs: Default::default(),
-    };
-    let plan = StoreyPlan {
-        storey: 1,
-        z: 30.0 / 11.0,
-        outlines: vec![
-            [(0.0, 0.0), (6.0, 0.0), (6.0, 8.5), (0.0, 8.5)]
-                .map(|(a, b)| dvec2(a, b))
-                .into(),
-        ],
-        holes: vec![],
-        regions: vec![PlanRegion {
-            rect: [0.0, 0.0, 6.0, 8.5],
-            polygon: None,
-            ridge: Some("a"),
-            fall: None,
-            role: "main",
-            shape: RoofShape::Gable,
-            over: None,
-        }],
-    };
-    let building = Building {
-        shell: Shell {
-            houses: vec![house],
-            pictures: vec![],
-        },
-        roofs: vec![HouseRoofs {
-            plans: vec![plan],
-            ..Default::default()
-        }],
-    };
-    let expected = concat!(
-        r#"{"version":1,"houses":[{"name":"","unit_m":0.909091,"storeys":[{"storey":1,"z":2.727273,"#,
-        r#""outline":[[0,0],[6,0],[6,8.5],[0,8.5]],"holes":[],"#,
-        r#""regions":[{"a0":0,"b0":0,"a1":6,"b1":8.5,"ridge":"a","fall":null,"role":"main","#,
-        r#""shape":"KIR","over":null}]}]}]}"#,
-        "\n"
-    );
-    assert_eq!(dump::regions(&building).unwrap(), expected);
-    let scene = dump::scene(&scene()).unwrap();
-    assert!(
-        scene.starts_with(r#"{"version":1,"materials":["#),
-        "{scene}"
-    );
 }
