@@ -21,6 +21,20 @@ pub enum RoofMethod {
     LeastCut,
     /// The published method (001-15 to 001-19).
     Kd,
+    /// Branches cut off one after the other (002-22, 002-23).
+    BranchCut,
+    /// No division: one hipped roof over the whole outline, by its straight skeleton.
+    Skeleton,
+}
+
+impl RoofMethod {
+    /// Every method with its name.
+    pub const ALL: [(&'static str, RoofMethod); 4] = [
+        ("least-cut", RoofMethod::LeastCut),
+        ("kd", RoofMethod::Kd),
+        ("branch-cut", RoofMethod::BranchCut),
+        ("skeleton", RoofMethod::Skeleton),
+    ];
 }
 
 /// The roof section of a house.
@@ -41,8 +55,10 @@ pub struct Roofs {
 /// What covers a roof (`domain.md` 6, column 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum RoofKind {
-    /// K, kawara-buki: tiles.
+    /// K, sangawara-buki: pantiles.
     Tiles,
+    /// G, hon-gawara-buki: flat tiles under rows of round cover tiles.
+    CoverTiles,
     /// I, ita-buki: boards.
     Boards,
     /// S, kokera: shingles.
@@ -66,6 +82,8 @@ pub enum RoofShape {
     BroadGable,
     /// IRI, irimoya: hip and gable.
     HipAndGable,
+    /// HAK, hakama-goshi: gable with its top hipped.
+    HalfHip,
     /// HOG, hogyo: pyramid.
     Pyramid,
     /// KAT, katanagare: lean-to.
@@ -82,11 +100,12 @@ pub enum RoofShape {
 
 impl RoofShape {
     /// Every shape with its letters.
-    pub const ALL: [(&'static str, RoofShape); 10] = [
+    pub const ALL: [(&'static str, RoofShape); 11] = [
         ("KIR", RoofShape::Gable),
         ("YOS", RoofShape::Hip),
         ("YOK", RoofShape::BroadGable),
         ("IRI", RoofShape::HipAndGable),
+        ("HAK", RoofShape::HalfHip),
         ("HOG", RoofShape::Pyramid),
         ("KAT", RoofShape::LeanTo),
         ("HIS", RoofShape::Pent),
@@ -114,8 +133,9 @@ impl RoofShape {
 
 impl RoofKind {
     /// Every kind with its letter.
-    pub const ALL: [(char, RoofKind); 6] = [
+    pub const ALL: [(char, RoofKind); 7] = [
         ('K', RoofKind::Tiles),
+        ('G', RoofKind::CoverTiles),
         ('I', RoofKind::Boards),
         ('S', RoofKind::Shingles),
         ('H', RoofKind::Bark),
@@ -170,6 +190,8 @@ pub struct RoofStyle {
     pub sori: Option<Spanned<f64>>,
     /// C: place of an irimoya's gable, share of the span.
     pub gable: Option<Spanned<f64>>,
+    /// R: length of a hip's ridge, share of the roof's length.
+    pub ratio: Option<Spanned<f64>>,
     /// O: no onigawara.
     pub plain_ridge: Option<Spanned<bool>>,
 }

@@ -42,6 +42,7 @@ fn wished(roofs: &ast::Roofs) -> Option<Span> {
                 style.noshi.as_ref().map(|s| s.span),
                 style.sori.as_ref().map(|s| s.span),
                 style.gable.as_ref().map(|s| s.span),
+                style.ratio.as_ref().map(|s| s.span),
                 style.plain_ridge.as_ref().map(|s| s.span),
             ];
             spans.into_iter().flatten().reduce(Span::to).or(roofs.span)

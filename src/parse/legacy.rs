@@ -17,6 +17,7 @@
 mod cells;
 mod header;
 mod line;
+mod roof_words;
 mod roofs;
 mod mended;
 mod walls;

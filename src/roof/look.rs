@@ -133,6 +133,7 @@ fn wish<T: Copy>(
 fn defaults(kind: RoofKind) -> (f64, f64) {
     match kind {
         RoofKind::Tiles => (0.40, 0.12),
+        RoofKind::CoverTiles => (0.55, 0.15),
         RoofKind::Boards => (0.25, 0.05),
         RoofKind::Shingles => (0.35, 0.10),
         RoofKind::Bark => (0.60, 0.25),
@@ -154,6 +155,7 @@ fn raised(run: f64) -> f64 {
 pub fn band(kind: RoofKind) -> (f64, f64) {
     match kind {
         RoofKind::Tiles => (2.5, 10.0),
+        RoofKind::CoverTiles => (4.0, 10.0),
         RoofKind::Boards => (1.5, 6.0),
         RoofKind::Shingles => (2.0, 8.0),
         RoofKind::Bark => (4.0, 12.0),

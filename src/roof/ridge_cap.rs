@@ -14,7 +14,7 @@ const SUNK: f64 = 0.02;
 /// Width and height above the ridge line, metres.
 pub fn size(look: &Look) -> (f64, f64) {
     match look.kind {
-        RoofKind::Tiles => {
+        RoofKind::Tiles | RoofKind::CoverTiles => {
             // dai + n courses of 35 mm + cap of 80 mm; small ridges take the 5-sun cap.
             let width = if look.noshi > 4 { 0.18 } else { 0.15 };
             (width, 0.015 + 0.035 * f64::from(look.noshi) + 0.08)
@@ -48,7 +48,7 @@ pub fn ridge_cap(line: &RidgeLine, look: &Look, solids: &mut Vec<Solid>) {
     ];
     let section = profile.map(|(w, z)| line.from + across * (w * width) + DVec3::Z * z);
     solids.push(prism(&section, way, finish));
-    if look.kind != RoofKind::Tiles || !look.ends {
+    if !matches!(look.kind, RoofKind::Tiles | RoofKind::CoverTiles) || !look.ends {
         return;
     }
     for (free, at, out) in [

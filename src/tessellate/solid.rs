@@ -21,8 +21,9 @@ static SURFACES: LazyLock<Vec<SurfaceId>> = LazyLock::new(|| {
 });
 
 /// The kinds in the order of the table.
-const KINDS: [RoofKind; 6] = [
+const KINDS: [RoofKind; 7] = [
     RoofKind::Tiles,
+    RoofKind::CoverTiles,
     RoofKind::Boards,
     RoofKind::Shingles,
     RoofKind::Bark,
@@ -34,6 +35,7 @@ const KINDS: [RoofKind; 6] = [
 fn names(kind: RoofKind) -> [&'static str; 3] {
     match kind {
         RoofKind::Tiles => ["kawara", "kawara_edge", "kawara_edge"],
+        RoofKind::CoverTiles => ["hongawara", "kawara_edge", "noshi"],
         RoofKind::Boards => ["board_roof", "cedar", "cedar"],
         RoofKind::Shingles => ["shingle", "shingle", "cedar"],
         RoofKind::Bark => ["bark", "bark", "kawara_edge"],

@@ -248,14 +248,12 @@ fn setting(
         "seed" => settings.seed = seed(text, span, faults),
         "street" => settings.street = choice(key, text, span, &STREET, faults),
         "roofs" => roofs.mode = choice(key, text, span, &MODES, faults),
-        _ => roofs.method = choice(key, text, span, &METHODS, faults),
+        _ => roofs.method = choice(key, text, span, &RoofMethod::ALL, faults),
     }
 }
 
 const STREET: [(&str, bool); 2] = [("yes", true), ("no", false)];
 const MODES: [(&str, RoofMode); 2] = [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
-const METHODS: [(&str, RoofMethod); 2] =
-    [("kd", RoofMethod::Kd), ("least-cut", RoofMethod::LeastCut)];
 
 fn choice<T: Copy>(
     key: &str,

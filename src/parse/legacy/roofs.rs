@@ -1,6 +1,7 @@
 //! Roof lines: kind, direction, height, shape, two corners, options (domain.md 6).
 
 use super::line::Line;
+use super::roof_words::{KIND_NAMES, OPTIONS, SHAPE_NAMES, named};
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
 use crate::diagnostic::messages::legacy as say;
@@ -18,66 +19,6 @@ const CORNER: Range64 = Range64 {
     unit: "units",
 };
 
-/// Options with a number, by letter.
-const OPTIONS: [(char, Range64); 7] = [
-    (
-        'P',
-        Range64 {
-            what: "the pitch",
-            bounds: 0.1..=30.0,
-            unit: "sun per shaku",
-        },
-    ),
-    (
-        'E',
-        Range64 {
-            what: "the eaves",
-            bounds: 0.0..=20.0,
-            unit: "shaku",
-        },
-    ),
-    (
-        'G',
-        Range64 {
-            what: "the verge",
-            bounds: 0.0..=20.0,
-            unit: "shaku",
-        },
-    ),
-    (
-        'T',
-        Range64 {
-            what: "the thickness",
-            bounds: 0.05..=5.0,
-            unit: "shaku",
-        },
-    ),
-    (
-        'M',
-        Range64 {
-            what: "the number of ridge courses",
-            bounds: 0.0..=20.0,
-            unit: "courses",
-        },
-    ),
-    (
-        'S',
-        Range64 {
-            what: "the sag of the slope",
-            bounds: -20.0..=20.0,
-            unit: "per cent",
-        },
-    ),
-    (
-        'C',
-        Range64 {
-            what: "the place of the gable",
-            bounds: 0.0..=0.5,
-            unit: "of the span",
-        },
-    ),
-];
-
 const DIRECTIONS: [(char, RoofDirection); 6] = [
     ('X', RoofDirection::AlongFront),
     ('Y', RoofDirection::AcrossFront),
@@ -85,71 +26,6 @@ const DIRECTIONS: [(char, RoofDirection); 6] = [
     ('B', RoofDirection::Back),
     ('L', RoofDirection::Left),
     ('R', RoofDirection::Right),
-];
-
-/// What authors call the shapes who write them out.
-const SHAPE_NAMES: [(&str, &[&str]); 10] = [
-    ("KIR", &["切妻", "切妻造", "切妻屋根", "kirizuma", "gable"]),
-    ("YOS", &["寄棟", "寄棟造", "寄棟屋根", "yosemune", "hip"]),
-    (
-        "YOK",
-        &["横長切妻", "妻入", "yokonaga-kirizuma", "yokonaga"],
-    ),
-    ("IRI", &["入母屋", "入母屋造", "入母屋屋根", "irimoya"]),
-    (
-        "HOG",
-        &[
-            "宝形",
-            "宝形造",
-            "方形",
-            "方形造",
-            "hogyo",
-            "hōgyō",
-            "pyramid",
-        ],
-    ),
-    (
-        "KAT",
-        &["片流れ", "片流", "片流れ屋根", "katanagare", "lean-to"],
-    ),
-    ("HIS", &["庇", "廂", "ひさし", "hisashi", "pent"]),
-    ("TER", &["寺", "寺院", "tera", "temple"]),
-    ("KAR", &["唐破風", "karahafu"]),
-    ("RIK", &["陸屋根", "陸", "平屋根", "rikuyane", "flat"]),
-];
-
-/// The same for the kinds.
-const KIND_NAMES: [(&str, &[&str]); 6] = [
-    (
-        "K",
-        &[
-            "瓦",
-            "瓦葺",
-            "瓦葺き",
-            "本瓦",
-            "桟瓦",
-            "kawara",
-            "tile",
-            "tiles",
-        ],
-    ),
-    ("I", &["板", "板葺", "板葺き", "ita", "board", "boards"]),
-    (
-        "S",
-        &[
-            "柿",
-            "杮",
-            "柿葺",
-            "杮葺",
-            "こけら",
-            "kokera",
-            "shingle",
-            "shingles",
-        ],
-    ),
-    ("H", &["檜皮", "桧皮", "檜皮葺", "hiwada", "bark"]),
-    ("Y", &["茅", "萱", "茅葺", "茅葺き", "藁", "kaya", "thatch"]),
-    ("T", &["トタン", "鉄板", "totan", "metal"]),
 ];
 
 /// Whether a line has the form of a roof line rather than of part codes: a letter and a short field, or
@@ -425,6 +301,7 @@ impl<'w> Fields<'w, '_, '_> {
             'T' => style.thickness = Some(value),
             'S' => style.sori = Some(value),
             'C' => style.gable = Some(value),
+            'R' => style.ratio = Some(value),
             _ if value.value.fract() == 0.0 => {
                 style.noshi = Some(Spanned::new(value.value as u32, value.span));
             }
@@ -460,13 +337,6 @@ fn fitting(
         ));
     }
     direction.filter(|_| fits)
-}
-
-/// The letters of a shape or kind that is written out.
-fn named(word: &str, names: &[(&'static str, &[&str])]) -> Option<&'static str> {
-    let same = |names: &[&str]| names.iter().any(|n| n.eq_ignore_ascii_case(word));
-    let found = names.iter().find(|(_, names)| same(names));
-    found.map(|(letters, _)| *letters)
 }
 
 fn alphabetic(c: char) -> bool {

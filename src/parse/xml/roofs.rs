@@ -21,6 +21,7 @@ const DIRECTIONS: &[(&str, RoofDirection)] = &[
 
 const KINDS: &[(&str, RoofKind)] = &[
     ("K", RoofKind::Tiles),
+    ("G", RoofKind::CoverTiles),
     ("I", RoofKind::Boards),
     ("S", RoofKind::Shingles),
     ("H", RoofKind::Bark),
@@ -30,9 +31,6 @@ const KINDS: &[(&str, RoofKind)] = &[
 
 const MODES: &[(&str, RoofMode)] = &[("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
 
-const METHODS: &[(&str, RoofMethod)] =
-    &[("least-cut", RoofMethod::LeastCut), ("kd", RoofMethod::Kd)];
-
 impl<'t> Reader<'t, '_> {
     /// Reads a roof section.
     pub(super) fn roofs(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Roofs {
@@ -40,7 +38,7 @@ impl<'t> Reader<'t, '_> {
         let mut roofs = Roofs {
             span: Some(self.start(element)),
             mode: self.choice(&of, "mode", MODES),
-            method: self.choice(&of, "method", METHODS),
+            method: self.choice(&of, "method", &RoofMethod::ALL),
             style: self.style(&of),
             lines: vec![],
         };
@@ -89,6 +87,7 @@ impl<'t> Reader<'t, '_> {
                 .map(|n| Spanned::new(u32::try_from(n.value).unwrap_or(0), n.span)),
             sori: self.number(of, "sori", -50.0..=50.0),
             gable: self.number(of, "gable", 0.0..=0.5),
+            ratio: self.number(of, "ratio", 0.0..=1.0),
             plain_ridge: self.yes_no(of, "plain_ridge"),
         }
     }

@@ -92,9 +92,9 @@ pub(super) static ELEMENTS: &[Schema] = &[
     element(Tag::Replace, "replace", &["code", "with", "at"], &["with"], "`Storey`, `Row`, `Facade` or `Floor`"),
     element(Tag::Texture, "Texture", &["code", "reflection", "src"], &["code"], "`House` or `Structure`"),
     element(Tag::Roofs, "Roofs", &["mode", "method", "kind", "shape", "pitch", "eaves", "verge", "thickness",
-        "noshi", "sori", "gable", "plain_ridge"], &[], "`House`"),
+        "noshi", "sori", "gable", "ratio", "plain_ridge"], &[], "`House`"),
     element(Tag::Roof, "Roof", &["a0", "b0", "a1", "b1", "ridge", "height", "kind", "shape", "pitch", "eaves",
-        "verge", "thickness", "noshi", "sori", "gable", "plain_ridge"], &["a0", "b0", "a1", "b1"], "`Roofs`"),
+        "verge", "thickness", "noshi", "sori", "gable", "ratio", "plain_ridge"], &["a0", "b0", "a1", "b1"], "`Roofs`"),
     later("Param"), later("let"), later("define"), later("use"), later("if"), later("else"), later("include"),
     later("Catalog"), later("PartDef"),
 ];

@@ -7,7 +7,7 @@ use crate::source::Span;
 /// A kind letter that does not exist.
 #[cold]
 pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
-    let all = "K tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`";
+    let all = "K tiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`";
     let help = match near {
         Some(kind) => format!("write `{kind}`; the kinds are {all}"),
         None => format!("write {all}"),
@@ -26,7 +26,7 @@ pub fn unknown_direction(span: Span, text: &str) -> Diagnostic {
 /// Three letters that are no shape.
 #[cold]
 pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
-    let all = "KIR, YOS, YOK, IRI, HOG, KAT, HIS, TER, KAR, RIK or `*`";
+    let all = "KIR, YOS, YOK, IRI, HAK, HOG, KAT, HIS, TER, KAR, RIK or `*`";
     let help = match near {
         Some(shape) => format!("did you mean `{shape}`? The shapes are {all}"),
         None => format!("write one of {all}"),
@@ -38,7 +38,7 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
 #[cold]
 pub fn unknown_option(span: Span, text: &str) -> Diagnostic {
     Diagnostic::error(143, span, format!("{} is no option of a roof", quote(text))).help(
-        "write P pitch, E eaves, G verge, T thickness, M ridge courses, S sag or C gable with a number glued to it, or O alone",
+        "write P pitch, E eaves, G verge, T thickness, M ridge courses, S sag, C gable or R ridge length with a number glued to it, or O alone",
     )
 }
 
