@@ -6,6 +6,10 @@
 //! Frames: plan points are (a, b) in U, the author frame. Solids are in the house frame: metres, x east,
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
+mod dress;
+
+pub use dress::Dress;
+
 use crate::ast::{RoofKind, RoofShape, StoreyKind};
 use crate::program::{Picture, Roofs, Unit};
 use crate::roof::plan::Cell;
@@ -185,6 +189,8 @@ pub struct Roof {
     pub shape: RoofShape,
     /// Covering.
     pub kind: RoofKind,
+    /// What it wears beyond its solids.
+    pub dress: Dress,
     /// Closed solids in the house frame, metres.
     pub solids: Vec<Solid>,
 }
@@ -229,11 +235,9 @@ pub enum Finish {
     Edge(RoofKind),
     /// Sheathing and rafters seen from below.
     Soffit,
-    /// Ridge tiles or ridge boards.
-    Ridge(RoofKind),
     /// The filled gable above the walls.
     Gable,
-    /// Barge boards and fascias.
+    /// Purlins and brackets.
     Timber,
     /// Parapets, hidden joints.
     Plaster,

@@ -4,10 +4,11 @@
 //! cut and merged into rectangles ([`partition`]); [`ridge::regions`] says how each is roofed (main
 //! roof, branch running into its trunk, lean-to); a shape ([`gable`], [`lean_to`], [`pent`],
 //! [`flat`]) turns each into a [`form::Form`]; roofs of one height meet in valleys (`meet`); what
-//! remains of each becomes a closed solid ([`sheet`]) with gable walls, barge boards and ridge.
+//! remains of each becomes a closed solid ([`sheet`]) with gable walls. What it wears (ridge tiles, barge boards,
+//! rafters) is made by tessellation, from the solids and a small [`Dress`](crate::building::Dress).
 //!
-//! A further shape is one further file that makes a [`form::Form`]: upper facets, their drop, ridge
-//! lines, and what stands under them. Meeting, closing and ridges are the same for all.
+//! A further shape is one further file that makes a [`form::Form`]: upper facets, their drop, and
+//! what stands under them. Meeting and closing are the same for all.
 //!
 //! Frames: plans in the author frame, a to the left along the first line, b back into the plot, on
 //! exact integers; nothing there depends on where a loop starts. Solids in metres in the house frame.
@@ -17,7 +18,6 @@ use crate::diagnostic::Diagnostics;
 
 mod assemble;
 mod automatic;
-pub mod barge;
 pub mod chord;
 pub mod effort;
 mod explicit;
@@ -46,7 +46,6 @@ pub mod plan;
 mod raster;
 mod report;
 pub mod ridge;
-pub mod ridge_cap;
 mod scan;
 pub mod sheet;
 mod sides;

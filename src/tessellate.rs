@@ -17,6 +17,7 @@ mod ceiling;
 mod cloth;
 mod corner;
 mod detail;
+mod dress;
 mod facade;
 mod kura;
 mod leaf;
@@ -248,7 +249,7 @@ impl<'a> Walker<'a> {
     /// What closes an overhanging storey from below.
     fn soffit(&mut self, root: NodeId, soffit: &Soffit, number: usize) {
         let name = format_compact!("soffit {number}");
-        let mesh = self.store.solids(&name, &soffit.solids, &[]);
+        let mesh = self.store.solids(&name, &soffit.solids, &[], &[]);
         let node = self.node(Some(root), Kind::Member, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(soffit.storey);
@@ -259,7 +260,9 @@ impl<'a> Walker<'a> {
         let mesh = match self.roofs.entry(Alike::new(roof, gables, number)) {
             Entry::Occupied(known) => *known.get(),
             Entry::Vacant(new) => {
-                let made = self.store.solids(&name, &roof.solids, new.key().gables());
+                let worn = dress::dress(roof, self.detail);
+                let gables = new.key().gables();
+                let made = self.store.solids(&name, &roof.solids, gables, &worn);
                 *new.insert(made)
             }
         };

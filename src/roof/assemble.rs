@@ -1,9 +1,8 @@
-//! From forms to solids: roofs of one height meet, then each gets its sheet, its fills, its ridge.
+//! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
 
 use super::forms::Planned;
 use super::frame::Rect;
 use super::meet::{apart, meet};
-use super::ridge_cap::ridge_cap;
 use super::sheet::sheet;
 use crate::building::Roof;
 
@@ -40,12 +39,9 @@ fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) -> bool
         Some(met) => (met, true),
         None => (apart(&forms), false),
     };
-    for ((planned, form), (pieces, ridges)) in planned.iter_mut().zip(forms).zip(met) {
+    for ((planned, form), pieces) in planned.iter_mut().zip(forms).zip(met) {
         let mut solids = sheet(&pieces, form.drop, &planned.look.coat(), form.floor);
         solids.extend(form.solids);
-        for ridge in &ridges {
-            ridge_cap(ridge, &planned.look, &mut solids);
-        }
         planned.roof.solids = solids;
         let empty = Roof {
             solids: vec![],

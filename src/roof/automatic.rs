@@ -141,7 +141,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let (region, look) = (&self.regions[n], self.looks[n]);
         let near = near_side(ridge);
         let ends = end_sides(near).map(|side| {
-            let plain = self.context.plain_end(&region.cell, near, side, &look);
+            let plain = self.context.plain_end(&region.cell, side, &look);
             let joined = region.joins == Some(side) && ridge == side.ridge_into();
             match (region.through, region.over) {
                 (Some(other), _) if joined => {
@@ -150,7 +150,6 @@ impl<'c, 'h> Automatic<'c, 'h> {
                         .metres(side.measure(&self.regions[other].cell).1);
                     End {
                         reach: across,
-                        board: false,
                         ..plain
                     }
                 }
@@ -189,7 +188,6 @@ impl<'c, 'h> Automatic<'c, 'h> {
                 // Its wall stands higher: a verge would stick into it.
                 return End {
                     verge: 0.0,
-                    free: false,
                     ..plain
                 };
             }
@@ -211,12 +209,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
                 side.measure(&region.cell).1 as f64
             }
             // Against the trunk's gable, or over a lean-to that lies lower.
-            _ => {
-                return End {
-                    board: false,
-                    ..plain
-                };
-            }
+            _ => return plain,
         };
         let run = run / crate::geometry::STEPS as f64 * self.context.unit;
         let span = self.context.metres(self.regions[n].span());
@@ -224,7 +217,6 @@ impl<'c, 'h> Automatic<'c, 'h> {
         if height > other.pitch * run + 1e-6 {
             return End {
                 reach: run,
-                board: false,
                 ..plain
             };
         }

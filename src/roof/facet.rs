@@ -237,51 +237,6 @@ pub(super) fn area(outline: &[Corner]) -> f64 {
     fan.sum::<f64>() / 2.0
 }
 
-/// The pieces of the way from `p` to `q`, as shares from 0 to 1, that lie in no cutter.
-pub(super) fn open_shares(
-    p: glam::DVec3,
-    q: glam::DVec3,
-    cutters: &[Cutter<'_>],
-) -> Vec<(f64, f64)> {
-    let mut open = vec![(0.0_f64, 1.0_f64)];
-    for cutter in cutters {
-        let Some((from, to)) = covered_share(p, q, cutter) else {
-            continue;
-        };
-        let parts = open
-            .iter()
-            .flat_map(|&(s, e)| [(s, e.min(from)), (s.max(to), e)]);
-        open = parts.filter(|(s, e)| e - s > 1e-6).collect();
-    }
-    open
-}
-
-/// The share of a way that lies under a cutter.
-fn covered_share(p: glam::DVec3, q: glam::DVec3, cutter: &Cutter<'_>) -> Option<(f64, f64)> {
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    let mut clip = |dp: f64, dq: f64| {
-        if dp < 0.0 && dq < 0.0 {
-            to = -1.0;
-        } else if dp < 0.0 {
-            from = from.max(dp / (dp - dq));
-        } else if dq < 0.0 {
-            to = to.min(dp / (dp - dq));
-        }
-    };
-    for side in cutter.sides {
-        clip(
-            side.depth(p.truncate()) - EPS,
-            side.depth(q.truncate()) - EPS,
-        );
-    }
-    if let Some(plane) = cutter.plane {
-        let tie = if cutter.first { 1e-6 } else { -1e-6 };
-        let rise = |r: glam::DVec3| plane.at(r.truncate()) - r.z + tie;
-        clip(rise(p), rise(q));
-    }
-    (to - from > 1e-6).then_some((from, to))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -341,29 +296,5 @@ mod tests {
             ..first
         };
         assert!((rest(&verged, &other, false) - 12.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn a_ridge_ends_where_it_dips_under() {
-        let other = facet(
-            square(2.0, -1.0, 6.0, 1.0),
-            Plane {
-                z: -3.0,
-                slope: dvec2(1.0, 0.0),
-            },
-        );
-        let cutters = [Cutter {
-            body: &other.body,
-            sides: &edges(&other.body),
-            plane: Some(other.plane),
-            first: false,
-        }];
-        let open = open_shares(
-            dvec2(0.0, 0.0).extend(1.0),
-            dvec2(5.0, 0.0).extend(1.0),
-            &cutters,
-        );
-        assert_eq!(open.len(), 1);
-        assert!((open[0].1 - 0.8).abs() < 1e-5);
     }
 }

@@ -1,6 +1,5 @@
 //! From a rectangle and options to a roof: what stands beside each side decides its ends.
 
-use super::barge::LEAST_VERGE;
 use super::flat;
 use super::form::Form;
 use super::frame::{Rect, end_sides, metres, near_side};
@@ -44,8 +43,6 @@ pub(super) struct Context<'h> {
     pub(super) roof_top: f64,
     /// What the eaves of the storeys above leave to its roofs.
     pub(super) headroom: Headroom,
-    /// Whether the storey is one rectangle with nothing on it: all its sides are free.
-    pub(super) lone: bool,
     pub(super) outline: OnceCell<Outline>,
     pub(super) upper_outline: OnceCell<Outline>,
 }
@@ -67,17 +64,6 @@ impl Context<'_> {
                 .map(|u| Outline::of(&u.clean()))
                 .unwrap_or_default()
         })
-    }
-
-    /// Whether a side stands in the open with its whole length.
-    fn is_free(&self, cell: &Cell, side: Side) -> bool {
-        self.lone || self.outline().whole(cell, side)
-    }
-
-    /// Whether the eaves of a side run in the open up to the end at `end`.
-    fn open_at(&self, cell: &Cell, side: Side, end: Side) -> bool {
-        let upper = matches!(end, Side::Left | Side::Back);
-        self.lone || self.outline().reaches(cell, side, upper)
     }
 
     /// Whether an upper wall stands along the whole side.
@@ -102,6 +88,7 @@ impl Context<'_> {
             span: None,
             shape,
             kind: look.kind,
+            dress: look.dress(),
             solids: vec![],
         }
     }
@@ -117,7 +104,7 @@ impl Context<'_> {
     }
 
     /// The end of a gable that joins no other roof.
-    pub(super) fn plain_end(&self, cell: &Cell, near: Side, side: Side, look: &Look) -> End {
+    pub(super) fn plain_end(&self, cell: &Cell, side: Side, look: &Look) -> End {
         if self.is_walled(cell, side) {
             return End::default();
         }
@@ -125,12 +112,6 @@ impl Context<'_> {
             reach: 0.0,
             verge: look.verge,
             wall: true,
-            free: true,
-            board: look.verge >= LEAST_VERGE && self.is_free(cell, side),
-            open: [
-                self.open_at(cell, near, side),
-                self.open_at(cell, near.opposite(), side),
-            ],
         }
     }
 
@@ -144,7 +125,7 @@ impl Context<'_> {
     ) -> Planned {
         let look = self.gable_look(&cell, ridge, style);
         let near = near_side(ridge);
-        let ends = end_sides(near).map(|side| self.plain_end(&cell, near, side, &look));
+        let ends = end_sides(near).map(|side| self.plain_end(&cell, side, &look));
         self.gable_with(cell, ridge, base, look, ends)
     }
 
@@ -255,10 +236,15 @@ impl Context<'_> {
             look,
             unit: self.unit,
         };
+        let bare = Look {
+            eaves: 0.0,
+            verge: 0.0,
+            ..look
+        };
         let planned = Planned {
             form: pent.form(),
             look,
-            roof: self.roof(RoofShape::Pent, &look),
+            roof: self.roof(RoofShape::Pent, &bare),
             base: height,
         };
         (planned, height + look.pitch * depth)

@@ -3,9 +3,8 @@
 //! The LOWER surface passes through the wall plate (z = base at the wall line), the upper one lies
 //! one drop higher, so that walls fill up to the roof whatever its thickness. Eaves are cut upright.
 
-use super::barge::barge;
 use super::facet::Facet;
-use super::form::{Form, RidgeLine};
+use super::form::Form;
 use super::frame::{Frame, Plane, Rect};
 use super::gable_wall::gable_wall;
 use super::look::Look;
@@ -21,12 +20,6 @@ pub struct End {
     pub verge: f64,
     /// Whether a gable wall stands there.
     pub wall: bool,
-    /// Whether the ridge ends there in the open.
-    pub free: bool,
-    /// Whether a barge board hangs there.
-    pub board: bool,
-    /// Whether the eaves at v = 0 and at v = depth reach this end in the open.
-    pub open: [bool; 2],
 }
 
 /// A gable roof over a rectangle.
@@ -53,41 +46,23 @@ impl Gable {
         self.slope(&frame, self.ends, &mut facets);
         let far = Frame::new(&self.rect, self.near.opposite());
         self.slope(&far, [self.ends[1], self.ends[0]], &mut facets);
-        let [start, end] = self.ends;
-        let top = self.base + drop + self.look.pitch * frame.depth / 2.0;
-        let ridge = RidgeLine {
-            from: frame.point(-start.reach - start.verge, frame.depth / 2.0, top),
-            to: frame.point(frame.length + end.reach + end.verge, frame.depth / 2.0, top),
-            free: [start.free, end.free],
-        };
         Form {
             facets,
             drop,
             floor: self.base + drop + 1e-4,
-            ridges: vec![ridge],
             solids: self.walls(&frame),
             under: None,
             hung: false,
         }
     }
 
-    /// Gable walls and barge boards.
+    /// Gable walls.
     fn walls(&self, frame: &Frame) -> Vec<Solid> {
-        let mut solids = Vec::with_capacity(8);
+        let mut solids = Vec::with_capacity(2);
         for (end, outward, u) in self.outer_ends(frame) {
             if end.wall {
                 solids.push(gable_wall(
                     frame, u, outward, self.base, &self.look, end.verge,
-                ));
-            }
-            if end.board {
-                solids.push(barge(
-                    frame,
-                    u + outward * end.verge,
-                    outward,
-                    self.base,
-                    &self.look,
-                    end.open,
                 ));
             }
         }

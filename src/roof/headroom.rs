@@ -7,7 +7,7 @@ use super::level::Level;
 use super::look::Look;
 use super::plan::Cell;
 use super::ridge::{Region, Ridge, Side};
-use super::{ridge_cap, slabs, written};
+use super::{slabs, written};
 use crate::ast::{RoofMode, RoofShape};
 use crate::building::House;
 
@@ -103,7 +103,11 @@ impl Headroom {
     pub(super) fn fit(&self, rect: &Rect, region: &Region, base: f64, mut look: Look) -> Look {
         for (above, height) in self.under.iter().filter(|u| u.0.overlaps(rect)) {
             let (run, ridge) = run(rect, above, region);
-            let cap = if ridge { ridge_cap::size(&look).1 } else { 0.0 };
+            let cap = if ridge {
+                look.dress().ridge_height(look.kind)
+            } else {
+                0.0
+            };
             let room = height - base - look.drop() - cap;
             if run > 0.0 && look.pitch * run > room {
                 look.pitch = (room / run).max(GENTLEST).min(look.pitch);

@@ -171,7 +171,6 @@ impl Storey<'_, '_> {
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
             roof_top: self.top,
             headroom: std::mem::take(&mut self.headroom),
-            lone: upper.is_none() && self.lines.is_empty() && level.plan.as_cell().is_some(),
             outline: OnceCell::new(),
             upper_outline: OnceCell::new(),
         };

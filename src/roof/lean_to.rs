@@ -49,7 +49,6 @@ impl LeanTo {
             facets: vec![self.facet(&frame)],
             drop,
             floor: self.low + drop + 1e-4,
-            ridges: vec![],
             solids: self.walls(&frame),
             under: None,
             hung: false,

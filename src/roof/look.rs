@@ -2,7 +2,7 @@
 
 use super::sheet::Coat;
 use crate::ast::{RoofKind, RoofStyle};
-use crate::building::Finish;
+use crate::building::{Dress, Finish};
 use crate::geometry::SHAKU;
 use crate::source::Spanned;
 
@@ -94,6 +94,18 @@ impl Look {
     /// How far the upper surface lies above the lower one, measured upright.
     pub fn drop(&self) -> f64 {
         self.thickness * (1.0 + self.pitch * self.pitch).sqrt()
+    }
+
+    /// What it wears; gegyo and a second row of rafters are for shapes to ask for.
+    pub fn dress(&self) -> Dress {
+        Dress {
+            eaves: self.eaves,
+            verge: self.verge,
+            noshi: self.noshi,
+            ends: self.ends,
+            pendant: false,
+            rafters: 1,
+        }
     }
 
     /// The finishes of its slopes.

@@ -4,15 +4,15 @@
 //! slopes cross; what remains of each roof is still a closed solid of its own, and no two overlap.
 //! Verges are the exception: they stand over a lower neighbour and take nothing from it.
 
-use super::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves, open_shares};
-use super::form::{Form, RidgeLine};
+use super::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves};
+use super::form::Form;
 use super::frame::Rect;
 use super::nearby::Nearby;
 use super::sheet::{Piece, has_area};
 use glam::DVec2;
 
-/// What is left of one form: the pieces of its surface and of its ridges.
-pub(super) type Met = (Vec<Piece>, Vec<RidgeLine>);
+/// What is left of one form: the pieces of its surface.
+pub(super) type Met = Vec<Piece>;
 
 /// How many others stand in a roof's way on the average before roofs are left as they are. Roofs side by
 /// side have up to two dozen, the smallest with the widest eaves; only piles of them have more.
@@ -20,8 +20,7 @@ const MOST_NEAR: usize = 32;
 
 /// The forms as they are.
 pub(super) fn apart(forms: &[Form]) -> Vec<Met> {
-    let own = |form: &Form| (whole(form), form.ridges.clone());
-    forms.iter().map(own).collect()
+    forms.iter().map(whole).collect()
 }
 
 /// What remains of each form. `walls` are rectangles that nothing may enter: the upper storey. None
@@ -53,19 +52,10 @@ pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Option<Vec<Met>> {
         near.retain(|i| *i != n);
         let cutters = cutters(n, forms, &sides, &near, walls);
         if cutters.is_empty() {
-            return (whole(&forms[n]), forms[n].ridges.clone());
+            return whole(&forms[n]);
         }
-        let pieces = forms[n]
-            .facets
-            .iter()
-            .flat_map(|f| remaining(f, &cutters))
-            .collect();
-        let ridges = forms[n]
-            .ridges
-            .iter()
-            .flat_map(|r| ridge_parts(r, &cutters))
-            .collect();
-        (pieces, ridges)
+        let facets = forms[n].facets.iter();
+        facets.flat_map(|f| remaining(f, &cutters)).collect()
     };
     Some((0..forms.len()).map(kept).collect())
 }
@@ -173,31 +163,4 @@ fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut
         let met: Vec<&Cutter<'_>> = cutters.iter().filter(met).copied().collect();
         cut_by(facet, half, &met, done);
     }
-}
-
-/// The open parts of a ridge, run on a little into what covers it.
-fn ridge_parts(ridge: &RidgeLine, cutters: &[Cutter<'_>]) -> Vec<RidgeLine> {
-    const INTO: f64 = 0.15;
-    let way = ridge.to - ridge.from;
-    let length = way.length();
-    let open = open_shares(ridge.from, ridge.to, cutters).into_iter();
-    open.filter(|(s, e)| (e - s) * length > 0.05)
-        .map(|(s, e)| {
-            let start = if s > 0.0 {
-                (s - INTO / length).max(0.0)
-            } else {
-                s
-            };
-            let end = if e < 1.0 {
-                (e + INTO / length).min(1.0)
-            } else {
-                e
-            };
-            RidgeLine {
-                from: ridge.from + way * start,
-                to: ridge.from + way * end,
-                free: [ridge.free[0] && s <= 0.0, ridge.free[1] && e >= 1.0],
-            }
-        })
-        .collect()
 }

@@ -75,16 +75,6 @@ impl Outline {
             .try_fold(lo, |at, (from, to)| (from <= at).then_some(at.max(to)));
         reached.is_some_and(|at| at >= hi)
     }
-
-    /// Whether a wall runs along a side up to its end, the greater one if `upper`.
-    pub fn reaches(&self, cell: &Cell, side: Side, upper: bool) -> bool {
-        let (_, lo, hi) = piece(cell, side);
-        let mut along = self.beside(cell, side);
-        match upper {
-            true => along.any(|w| w.1 == hi),
-            false => along.any(|w| w.0 == lo),
-        }
-    }
 }
 
 /// A side as a piece of its line: the line, its ends.
@@ -114,8 +104,6 @@ mod tests {
         assert!(outline.whole(&front, Side::Front));
         assert_eq!(outline.along(&front, Side::Back), vec![(4, 6)]);
         assert_eq!(outline.gaps(&front, Side::Back), vec![(0, 4)]);
-        assert!(outline.reaches(&front, Side::Back, true));
-        assert!(!outline.reaches(&front, Side::Back, false));
         assert_eq!(outline.along(&front, Side::Right), vec![(0, 4)]);
     }
 }

@@ -1,7 +1,8 @@
 //! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
 
 use super::store::Quick;
-use crate::building::{Face, Roof, Solid};
+use crate::ast::RoofKind;
+use crate::building::{Dress, Face, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::scene::MeshId;
 use glam::DVec3;
@@ -12,10 +13,13 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 /// matter.
 pub(super) type Roofs<'a> = HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>;
 
-/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, and its solids to the last bit.
+/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and its
+/// solids to the last bit.
 #[derive(Clone, Debug)]
 pub(super) struct Alike<'a> {
     number: usize,
+    kind: RoofKind,
+    dress: Dress,
     solids: &'a [Solid],
     /// What its gables are filled with, solid by solid.
     gables: Vec<SurfaceId>,
@@ -25,6 +29,8 @@ impl<'a> Alike<'a> {
     pub(super) fn new(roof: &'a Roof, gables: Vec<SurfaceId>, number: usize) -> Alike<'a> {
         Alike {
             number,
+            kind: roof.kind,
+            dress: roof.dress,
             solids: &roof.solids,
             gables,
         }
@@ -61,6 +67,8 @@ impl PartialEq for Alike<'_> {
                 && a.faces.iter().zip(&b.faces).all(|(a, b)| face(a, b))
         };
         self.number == other.number
+            && self.kind == other.kind
+            && self.dress == other.dress
             && self.gables == other.gables
             && self.solids.len() == other.solids.len()
             && self.solids.iter().zip(other.solids).all(solid)

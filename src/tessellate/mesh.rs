@@ -154,7 +154,7 @@ impl Soup {
     }
 
     /// The same with a normal at each corner, or none: then they have the face's own.
-    fn shaded(&mut self, corners: &[DVec3], normals: &[DVec3], grain: bool) {
+    pub(super) fn shaded(&mut self, corners: &[DVec3], normals: &[DVec3], grain: bool) {
         let normal = polygon::normal(corners);
         if normal == DVec3::ZERO {
             return;

@@ -8,8 +8,7 @@ use crate::material::SurfaceId;
 use glam::DVec3;
 use std::sync::LazyLock;
 
-/// The surfaces of all finishes, looked up once: soffit, timber, plaster, then covering, edge and
-/// ridge of each kind.
+/// The surfaces of all finishes, looked up once: soffit, timber, plaster, then covering and edge of each kind.
 static SURFACES: LazyLock<Vec<SurfaceId>> = LazyLock::new(|| {
     let plain = ["soffit", "cedar", "plaster"];
     let kinds = KINDS.into_iter().flat_map(names);
@@ -31,16 +30,16 @@ const KINDS: [RoofKind; 7] = [
     RoofKind::Metal,
 ];
 
-/// Covering, edge and ridge of a kind.
-fn names(kind: RoofKind) -> [&'static str; 3] {
+/// Covering and edge of a kind.
+fn names(kind: RoofKind) -> [&'static str; 2] {
     match kind {
-        RoofKind::Tiles => ["kawara", "kawara_edge", "kawara_edge"],
-        RoofKind::CoverTiles => ["hongawara", "kawara_edge", "noshi"],
-        RoofKind::Boards => ["board_roof", "cedar", "cedar"],
-        RoofKind::Shingles => ["shingle", "shingle", "cedar"],
-        RoofKind::Bark => ["bark", "bark", "kawara_edge"],
-        RoofKind::Thatch => ["thatch", "thatch", "bark"],
-        RoofKind::Metal => ["sheet_roof", "sheet_roof", "sheet_roof"],
+        RoofKind::Tiles => ["kawara", "kawara_edge"],
+        RoofKind::CoverTiles => ["hongawara", "kawara_edge"],
+        RoofKind::Boards => ["board_roof", "cedar"],
+        RoofKind::Shingles => ["shingle", "shingle"],
+        RoofKind::Bark => ["bark", "bark"],
+        RoofKind::Thatch => ["thatch", "thatch"],
+        RoofKind::Metal => ["sheet_roof", "sheet_roof"],
     }
 }
 
@@ -48,7 +47,7 @@ fn names(kind: RoofKind) -> [&'static str; 3] {
 fn surface(finish: Finish, gable: SurfaceId) -> SurfaceId {
     let of = |kind: RoofKind, which: usize| {
         let row = KINDS.iter().position(|k| *k == kind).unwrap_or_default();
-        3 + 3 * row + which
+        3 + 2 * row + which
     };
     SURFACES[match finish {
         Finish::Gable => return gable,
@@ -57,7 +56,6 @@ fn surface(finish: Finish, gable: SurfaceId) -> SurfaceId {
         Finish::Plaster => 2,
         Finish::Covering(kind) => of(kind, 0),
         Finish::Edge(kind) => of(kind, 1),
-        Finish::Ridge(kind) => of(kind, 2),
     }]
 }
 
@@ -116,13 +114,10 @@ fn rooms(solids: &[Solid], gables: &[SurfaceId]) -> Vec<(SurfaceId, Soup)> {
     rooms.into_iter().map(empty).collect()
 }
 
-/// Whether the grain follows the longer side: boards and barge boards; coverings keep up the slope.
+/// Whether the grain follows the longer side: boards; coverings keep up the slope.
 fn has_grain(finish: Finish) -> bool {
     use RoofKind::Boards;
-    matches!(
-        finish,
-        Finish::Timber | Finish::Edge(Boards) | Finish::Ridge(Boards)
-    )
+    matches!(finish, Finish::Timber | Finish::Edge(Boards))
 }
 
 /// The corners of a face; indices out of range are left out.

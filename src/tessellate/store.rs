@@ -3,8 +3,9 @@
 use super::atlas::Atlas;
 use super::bake::{WALL, bake};
 use super::bay::Bay;
+use super::dress::Body;
 use super::mesh::{Bodies, Soup};
-use super::{detail, part};
+use super::{detail, dress, part};
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
@@ -209,15 +210,17 @@ impl Store {
         Mesh { name, primitives }
     }
 
-    /// One mesh of some solids; `None` where there are none. `gables` are the finishes of their gable fills, as
-    /// many as solids.
+    /// One mesh of some solids and what they wear; `None` where there are none. `gables` are the finishes of their
+    /// gable fills, as many as solids.
     pub(super) fn solids(
         &mut self,
         name: &str,
         solids: &[Solid],
         gables: &[SurfaceId],
+        worn: &[Body],
     ) -> Option<MeshId> {
-        let soups = super::solid::soups(solids, gables);
+        let mut soups = super::solid::soups(solids, gables);
+        dress::pour(worn, &mut soups);
         if soups.is_empty() {
             return None;
         }

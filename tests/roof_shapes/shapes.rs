@@ -274,7 +274,7 @@ fn eaves_do_not_enter_the_storey_above() {
         if solid
             .faces
             .iter()
-            .any(|f| matches!(f.finish, Finish::Covering(_) | Finish::Ridge(_)))
+            .any(|f| matches!(f.finish, Finish::Covering(_)))
         {
             assert!(solid.points.iter().all(|p| p.x <= -5.0 * U + 1e-6));
         }

@@ -87,6 +87,7 @@ fn roofs_become_one_mesh() {
         span: None,
         shape: RoofShape::Flat,
         kind: RoofKind::Metal,
+        dress: Dress::default(),
         solids: vec![flat_roof()],
     });
     let scene = scene(&building);
@@ -119,6 +120,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         span: None,
         shape: RoofShape::LeanTo,
         kind: RoofKind::Tiles,
+        dress: Dress::default(),
         solids: vec![solid],
     });
     let scene = tessellate(&building, Catalog::builtin(), Detail::Everything);

@@ -1,0 +1,37 @@
+//! What a roof wears beyond its solids, as far as nobody can read it off them: tessellation makes ridge tiles,
+//! barge boards, rafters and the like from this and from the solids.
+
+use crate::ast::RoofKind;
+use serde::Serialize;
+
+/// The wishes of one roof for its dressing, metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Dress {
+    /// Horizontal overhang of the eaves beyond the wall line: how far rafters show.
+    pub eaves: f64,
+    /// Overhang of the verge beyond the gable wall: barge boards hang where it has room for them.
+    pub verge: f64,
+    /// Courses of ridge tiles (noshi) under the cap.
+    pub noshi: u32,
+    /// Whether ridges end in onigawara.
+    pub ends: bool,
+    /// Whether a pendant (gegyo) hangs under the apex of its gables.
+    pub pendant: bool,
+    /// Rows of rafters that show under the eaves: one on houses, two on temples.
+    pub rafters: u8,
+}
+
+impl Dress {
+    /// How far a ridge stands above the line where its slopes meet, metres: dai, courses of 35 mm and a cap of
+    /// 80 mm with tiles (domain.md 4.4), the like with other coverings.
+    pub fn ridge_height(&self, kind: RoofKind) -> f64 {
+        match kind {
+            RoofKind::Tiles | RoofKind::CoverTiles => 0.015 + 0.035 * f64::from(self.noshi) + 0.08,
+            RoofKind::Boards => 0.06,
+            RoofKind::Shingles => 0.15,
+            RoofKind::Bark => 0.30,
+            RoofKind::Thatch => 0.35,
+            RoofKind::Metal => 0.05,
+        }
+    }
+}
