@@ -18,6 +18,7 @@ use crate::diagnostic::Diagnostics;
 
 mod assemble;
 mod automatic;
+pub mod branch_cut;
 pub mod chord;
 pub mod effort;
 mod explicit;
@@ -49,6 +50,7 @@ pub mod ridge;
 mod scan;
 pub mod sheet;
 mod sides;
+pub mod six_vertex;
 mod slabs;
 pub mod solid;
 pub mod street;

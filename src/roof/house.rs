@@ -295,7 +295,8 @@ impl Storey<'_, '_> {
     fn regions(&self, context: &Context<'_>, open: &Plan, trunks: &[Written]) -> Vec<Region> {
         let method = match self.house.roofs.method {
             RoofMethod::Kd => Method::Kd,
-            RoofMethod::LeastCut | RoofMethod::BranchCut | RoofMethod::Skeleton => Method::LeastCut,
+            RoofMethod::BranchCut => Method::BranchCut,
+            RoofMethod::LeastCut | RoofMethod::Skeleton => Method::LeastCut,
         };
         let line = self
             .house

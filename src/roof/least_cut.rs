@@ -214,18 +214,12 @@ impl<'r> Search<'r> {
         }
         let best = match self.best_cut(s)? {
             Some(best) => best,
-            None => Best::pure(Some(self.area(s)), s),
+            None => Best::pure(Some(self.raster.area(s)), s),
         };
         self.place[at] = self.best.len() as u32;
         self.least[at] = best.score.cut;
         self.best.push(best);
         Some(())
-    }
-
-    /// The area of a rectangle, reduced.
-    fn area(&self, s: Span) -> u128 {
-        let (a, b) = (&self.raster.a.at, &self.raster.b.at);
-        u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0])
     }
 
     /// The best way to cut a rectangle; none where it has no walls.

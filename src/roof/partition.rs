@@ -5,7 +5,7 @@
 use super::effort::Effort;
 use super::plan::{Cell, Plan};
 use super::raster::Raster;
-use super::{chord, kd, least_cut, merge, slabs};
+use super::{branch_cut, chord, kd, least_cut, merge, slabs};
 
 /// How a region is cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -15,6 +15,8 @@ pub enum Method {
     /// The guillotine tree with the least total roof cut (domain 3.5 `opt`).
     #[default]
     LeastCut,
+    /// Branch after branch down to six corners, which the six-vertex algorithm divides (002-15 to 002-23).
+    BranchCut,
 }
 
 /// The rectangles of a region, sorted by (b0, a0), in the plan's own grid steps.
@@ -24,7 +26,8 @@ pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
     partition_within(plan, method, &Effort::endless())
 }
 
-/// The same with no more search than is left; where that is too little, `LeastCut` is greedy.
+/// The same with no more search than is left; where that is too little, `LeastCut` and
+/// `BranchCut` are greedy.
 pub fn partition_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
     match plan.as_cell() {
         Some(cell) => vec![cell],
@@ -34,7 +37,8 @@ pub fn partition_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cel
 
 /// The rectangles before merging, sorted by (b0, a0).
 ///
-/// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above. A
+/// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above.
+/// `BranchCut` is greedy too where it would take more than 2^28 steps (a stair of 480). A
 /// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
 /// cuts over so many lines would take longer than anyone waits.
 pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
@@ -48,6 +52,7 @@ fn cut_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
         Some(raster) => match method {
             Method::Kd => kd::cut(&raster),
             Method::LeastCut => least_cut(&raster, plan.corners(), effort),
+            Method::BranchCut => branch_cut(&raster, plan.corners(), effort),
         },
     };
     cells.sort_unstable_by_key(Cell::key);
@@ -66,6 +71,14 @@ fn least_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
     chord::cut(raster)
 }
 
+/// Branches, or greedy cuts where there are too many to choose from.
+fn branch_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
+    let most = effort.most(corners).min(branch_cut::MOST_STEPS);
+    let (cells, steps) = branch_cut::cut(raster, most);
+    effort.pay(corners, steps, cells.is_some());
+    cells.unwrap_or_else(|| chord::cut(raster))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -79,18 +92,21 @@ mod tests {
 
     #[test]
     fn what_is_left_to_search_decides_between_best_and_greedy() {
-        let (plan, best) = (stair(16), partition(&stair(16), Method::LeastCut));
-        let plenty = Effort::default();
-        assert_eq!(partition_within(&plan, Method::LeastCut, &plenty), best);
-        assert!(!plenty.is_news());
-        let spent = Effort::new(0);
-        let greedy = partition_within(&plan, Method::LeastCut, &spent);
-        assert_ne!(greedy, best);
-        assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());
-        assert!(spent.is_news() && !spent.is_news());
-        // What anybody would draw is searched all the same.
-        let (small, best) = (stair(3), partition(&stair(3), Method::LeastCut));
-        assert_eq!(partition_within(&small, Method::LeastCut, &spent), best);
-        assert!(!spent.is_news());
+        for (method, steps) in [(Method::LeastCut, 16), (Method::BranchCut, 24)] {
+            let plan = stair(steps);
+            let best = partition(&plan, method);
+            let plenty = Effort::default();
+            assert_eq!(partition_within(&plan, method, &plenty), best);
+            assert!(!plenty.is_news());
+            let spent = Effort::new(0);
+            let greedy = partition_within(&plan, method, &spent);
+            assert_ne!(greedy, best);
+            assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());
+            assert!(spent.is_news() && !spent.is_news());
+            // What anybody would draw is searched all the same.
+            let (small, best) = (stair(3), partition(&stair(3), method));
+            assert_eq!(partition_within(&small, method, &spent), best);
+            assert!(!spent.is_news());
+        }
     }
 }

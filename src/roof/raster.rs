@@ -211,6 +211,12 @@ impl Raster {
         }
     }
 
+    /// The area of a rectangle, reduced.
+    pub(super) fn area(&self, s: Span) -> u128 {
+        let (a, b) = (&self.a.at, &self.b.at);
+        u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0])
+    }
+
     /// A rectangle of fields in the plan's coordinates.
     pub(super) fn cell(&self, s: Span) -> Cell {
         let (a, b) = (&self.a.source, &self.b.source);

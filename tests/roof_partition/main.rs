@@ -1,6 +1,7 @@
 //! Partition into roof rectangles and the ridge rules, against naive second opinions.
 #![allow(clippy::unwrap_used)]
 
+mod branch_cut_check;
 mod kd_check;
 mod least_cut_check;
 mod outlines;

@@ -7,7 +7,7 @@ use hsd::roof::plan::{Cell, Plan};
 use hsd::roof::ridge::{Region, Ridge, Role, regions};
 use hsd::roof::street::street_front;
 
-const BOTH: [Method; 2] = [Method::Kd, Method::LeastCut];
+const ALL: [Method; 3] = [Method::Kd, Method::LeastCut, Method::BranchCut];
 
 fn cells(regions: &[Region]) -> Vec<Cell> {
     regions.iter().map(|r| r.cell).collect()
@@ -35,7 +35,7 @@ fn regions_cover_the_plan_once() {
     let mut streets = 0;
     for map in outlines(21, 300, 15) {
         let plan = map.plan();
-        for method in BOTH {
+        for method in ALL {
             let found = regions(&plan, None, method, None, 1);
             assert!(map.is_covered_by(&cells(&found)));
             sane(&found);
@@ -57,7 +57,7 @@ fn regions_cover_what_the_upper_storey_leaves_open() {
     let mut dice = Dice::new(22);
     for map in outlines(23, 300, 15) {
         let upper = Bitmap::random(&mut dice, map.w, map.h, 3);
-        for method in BOTH {
+        for method in ALL {
             let found = regions(&map.plan(), Some(&upper.plan()), method, None, 1);
             assert!(map.minus(&upper).is_covered_by(&cells(&found)));
             sane(&found);
@@ -112,7 +112,7 @@ fn how_the_outline_is_written_does_not_matter() {
     let mut dice = Dice::new(25);
     for map in outlines(26, 300, 15) {
         let plan = moved(&map.plan(), 4, -8, 4);
-        for method in BOTH {
+        for method in ALL {
             let found = regions(&plan, None, method, None, 4);
             for _ in 0..3 {
                 assert_eq!(
@@ -166,7 +166,7 @@ fn contains(plan: &Plan, x: i64, y: i64) -> bool {
 #[test]
 fn the_branch_rule_holds_for_every_region() {
     for map in outlines(28, 400, 17) {
-        for method in BOTH {
+        for method in ALL {
             let found = regions(&map.plan(), None, method, None, 1);
             for (n, r) in found.iter().enumerate() {
                 let mut trunks: Vec<(i128, usize, bool)> = Vec::new();
@@ -238,7 +238,7 @@ fn vast_and_hostile_plans_are_survived() {
     }
     stair.push((0, 3000));
     let stair = Plan::from_loops(vec![stair]);
-    for method in BOTH {
+    for method in ALL {
         assert_eq!(partition(&vast, method).len(), 2);
         regions(&vast, Some(&slant), method, None, 4);
         regions(&slant, Some(&vast), method, None, i64::MAX);
@@ -253,7 +253,7 @@ fn vast_and_hostile_plans_are_survived() {
 
 #[test]
 fn chord_stands_in_for_the_search_on_long_outlines() {
-    for method in BOTH {
+    for method in ALL {
         let teeth: Vec<Cell> = (0..40)
             .map(|n| Cell {
                 a0: 3 * n,

@@ -6,7 +6,7 @@ use hsd::roof::ridge::{Region, Ridge, Role, Side, regions};
 use hsd::roof::street::street_front;
 
 /// a0 b0 a1 b1.
-fn cell(c: [i64; 4]) -> Cell {
+pub(crate) fn cell(c: [i64; 4]) -> Cell {
     Cell {
         a0: c[0],
         b0: c[1],
@@ -15,7 +15,7 @@ fn cell(c: [i64; 4]) -> Cell {
     }
 }
 
-fn plan(cells: &[[i64; 4]]) -> Plan {
+pub(crate) fn plan(cells: &[[i64; 4]]) -> Plan {
     Plan::from_cells(&cells.iter().copied().map(cell).collect::<Vec<_>>()).clean()
 }
 
@@ -36,11 +36,11 @@ fn brief(regions: &[Region]) -> Vec<Brief> {
 
 const A: Option<Ridge> = Some(Ridge::A);
 const B: Option<Ridge> = Some(Ridge::B);
-const BOTH: [Method; 2] = [Method::Kd, Method::LeastCut];
+const ALL: [Method; 3] = [Method::Kd, Method::LeastCut, Method::BranchCut];
 
 #[test]
 fn l_the_square_wing_runs_into_the_trunk() {
-    for method in BOTH {
+    for method in ALL {
         let found = roofs(&plan(&[[0, 0, 14, 6], [0, 6, 6, 12]]), method);
         let want = [
             ([0, 0, 14, 6], A, Role::Main, None),
@@ -53,7 +53,7 @@ fn l_the_square_wing_runs_into_the_trunk() {
 #[test]
 fn l2_needs_the_street_rule() {
     let l2 = plan(&[[0, 0, 6, 4], [0, 4, 4, 14]]);
-    for method in BOTH {
+    for method in ALL {
         let long = partition(&l2, method);
         assert_eq!(long, [cell([0, 0, 4, 14]), cell([4, 0, 6, 4])]);
         let front = street_front(&l2, ((0, 0), (6, 0)));
@@ -69,7 +69,7 @@ fn l2_needs_the_street_rule() {
 
 #[test]
 fn t_the_stem_is_wider_than_the_bar_and_runs_through() {
-    for method in BOTH {
+    for method in ALL {
         let found = roofs(&plan(&[[0, 9, 18, 14], [6, 0, 12, 9]]), method);
         let want = [
             ([6, 0, 12, 9], B, Role::Main, None),
@@ -92,7 +92,7 @@ fn t_the_stem_is_wider_than_the_bar_and_runs_through() {
 
 #[test]
 fn u_h_and_z_are_right_everywhere() {
-    for method in BOTH {
+    for method in ALL {
         let u = roofs(
             &plan(&[[0, 0, 24, 6], [0, 6, 6, 13], [18, 6, 24, 13]]),
             method,
@@ -128,7 +128,7 @@ fn u_h_and_z_are_right_everywhere() {
 
 #[test]
 fn plus_arms_are_turned_by_the_branch_rule() {
-    for method in BOTH {
+    for method in ALL {
         let found = roofs(
             &plan(&[[0, 5, 16, 11], [5, 0, 11, 5], [5, 11, 11, 16]]),
             method,
@@ -167,7 +167,7 @@ fn court_is_a_pinwheel_by_kd_and_two_wings_by_least_cut() {
 #[test]
 fn stair_keeps_three_halls() {
     let halls = [[0, 0, 8, 6], [8, 4, 16, 10], [16, 8, 24, 14]];
-    for method in BOTH {
+    for method in ALL {
         let found = roofs(&plan(&halls), method);
         assert_eq!(brief(&found), halls.map(|h| (h, A, Role::Main, None)));
     }
@@ -175,7 +175,7 @@ fn stair_keeps_three_halls() {
 
 #[test]
 fn geya_leans_and_falls_away() {
-    for method in BOTH {
+    for method in ALL {
         let found = roofs(&plan(&[[0, 0, 12, 8], [2, 8, 10, 10]]), method);
         assert_eq!(
             brief(&found)[1],
@@ -192,7 +192,7 @@ fn geya_leans_and_falls_away() {
 
 #[test]
 fn square_and_plain_houses() {
-    for method in BOTH {
+    for method in ALL {
         assert_eq!(
             brief(&roofs(&plan(&[[0, 0, 5, 5]]), method)),
             [([0, 0, 5, 5], A, Role::Main, None)]
@@ -251,7 +251,7 @@ fn equal_trunks_go_by_b_then_a() {
 }
 
 /// Ninomaru goten of Nijo castle, half Kyo-ma ken; offsets after the picture of domain 3.6.
-const NINOMARU: [[i64; 4]; 8] = [
+pub(crate) const NINOMARU: [[i64; 4]; 8] = [
     [82, 0, 90, 10],   // Kurumayose
     [78, 10, 110, 43], // Tozamurai
     [59, 22, 78, 40],  // Shikidai
@@ -287,7 +287,7 @@ fn ninomaru_is_cut_up_by_kd() {
 }
 
 /// Length of the borders between roofs.
-fn total_cut(cells: &[Cell], plan: &Plan) -> i64 {
+pub(crate) fn total_cut(cells: &[Cell], plan: &Plan) -> i64 {
     let round: i64 = cells.iter().map(|c| 2 * (c.width() + c.depth())).sum();
     let outer: i64 = plan
         .edges()
