@@ -9,6 +9,7 @@ mod completions;
 mod dump;
 mod explain;
 mod input;
+mod language;
 mod options;
 mod output;
 mod parts;
@@ -73,6 +74,10 @@ Examples:
 
 Exit status: 0 done, 1 the input has errors, 2 wrong usage, 3 a file cannot be read or written.")]
 struct Cli {
+    /// The language of messages and help; without it that of the locale.
+    #[arg(long, global = true, value_enum, value_name = "LANG")]
+    lang: Option<language::Lang>,
+
     #[command(subcommand)]
     command: Command,
 }
@@ -90,6 +95,8 @@ enum Command {
 
 /// Runs the program with these arguments, the program's name first.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
+    let language = language::of(&arguments);
     let cli = match Cli::try_parse_from(arguments) {
         Ok(cli) => cli,
         Err(error) => {
@@ -103,9 +110,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let outcome = match cli.command {
-        Command::Build(c) => c.run(),
-        Command::Check(c) => c.run(),
-        Command::Dump(c) => c.run(),
+        Command::Build(c) => c.run(language),
+        Command::Check(c) => c.run(language),
+        Command::Dump(c) => c.run(language),
         Command::Parts(c) => c.run(),
         Command::Explain(c) => c.run(),
         Command::Textures(c) => c.run(),

@@ -5,6 +5,9 @@ use crate::source::Span;
 
 pub mod messages;
 pub mod pages;
+mod text;
+
+pub use text::{Language, Noun, Text, noun};
 
 /// A stable number, shown as `HSD0104`. The hundreds tell the stage: 00 file, 01 legacy text, 02 XML,
 /// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 09 limits.
@@ -34,7 +37,7 @@ pub struct Label {
     /// Where.
     pub span: Span,
     /// What is there.
-    pub message: String,
+    pub message: Text,
 }
 
 /// One message: what is wrong, where, why, and how to mend it.
@@ -45,52 +48,52 @@ pub struct Diagnostic {
     /// How bad it is.
     pub severity: Severity,
     /// What is wrong, one sentence without a full stop.
-    pub message: String,
+    pub message: Text,
     /// The exact place.
     pub span: Span,
     /// The mend.
-    pub help: String,
+    pub help: Text,
     /// Further places.
     pub labels: Vec<Label>,
 }
 
 impl Diagnostic {
     /// An error.
-    pub fn error(code: u16, span: Span, message: impl Into<String>) -> Self {
+    pub fn error(code: u16, span: Span, message: impl Into<Text>) -> Self {
         Self::new(Severity::Error, code, span, message.into())
     }
 
     /// A warning.
-    pub fn warning(code: u16, span: Span, message: impl Into<String>) -> Self {
+    pub fn warning(code: u16, span: Span, message: impl Into<Text>) -> Self {
         Self::new(Severity::Warning, code, span, message.into())
     }
 
     /// A note.
-    pub fn note(code: u16, span: Span, message: impl Into<String>) -> Self {
+    pub fn note(code: u16, span: Span, message: impl Into<Text>) -> Self {
         Self::new(Severity::Note, code, span, message.into())
     }
 
-    fn new(severity: Severity, code: u16, span: Span, message: String) -> Self {
+    fn new(severity: Severity, code: u16, span: Span, message: Text) -> Self {
         Diagnostic {
             code: Code(code),
             severity,
             message,
             span,
-            help: String::new(),
+            help: Text::default(),
             labels: vec![],
         }
     }
 
     /// Adds how to mend it.
     #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Self {
+    pub fn help(mut self, help: impl Into<Text>) -> Self {
         self.help = help.into();
         self
     }
 
     /// Adds a second place.
     #[must_use]
-    pub fn label(mut self, span: Span, message: impl Into<String>) -> Self {
+    pub fn label(mut self, span: Span, message: impl Into<Text>) -> Self {
         self.labels.push(Label {
             span,
             message: message.into(),

@@ -11,7 +11,7 @@ pub mod lines;
 mod sarif;
 mod short;
 
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Language, Noun, Severity, noun};
 use crate::source::{FileId, Source, Span};
 use lines::{Lines, Position};
 use std::cell::OnceCell;
@@ -55,6 +55,7 @@ impl Default for Style {
 /// Messages and the files they speak of.
 #[derive(Debug)]
 pub struct Report<'a> {
+    language: Language,
     diagnostics: &'a [Diagnostic],
     files: Vec<(&'a Source, OnceCell<Lines<'a>>)>,
 }
@@ -64,7 +65,18 @@ impl<'a> Report<'a> {
     pub fn new(sources: &'a [Source], diagnostics: &'a [Diagnostic]) -> Report<'a> {
         let mut files: Vec<_> = sources.iter().map(|s| (s, OnceCell::new())).collect();
         files.sort_by_key(|(source, _)| source.id());
-        Report { diagnostics, files }
+        Report {
+            language: Language::default(),
+            diagnostics,
+            files,
+        }
+    }
+
+    /// The same report for readers of another language. What programs match stays as it is: codes, and the words
+    /// for severities in short lines, JSON and SARIF.
+    #[must_use]
+    pub fn in_language(self, language: Language) -> Report<'a> {
+        Report { language, ..self }
     }
 
     /// Writes it.
@@ -82,26 +94,36 @@ impl<'a> Report<'a> {
 
     /// How many of what in which file: `2 errors, 1 warning in shop.hsd`; `None` without messages.
     pub fn summary(&self) -> Option<String> {
-        let words = [
-            (Severity::Error, "error"),
-            (Severity::Warning, "warning"),
-            (Severity::Note, "note"),
-        ];
+        let severities = [Severity::Error, Severity::Warning, Severity::Note];
         let count = |s| self.diagnostics.iter().filter(|d| d.severity == s).count();
-        let counts = words.map(|(severity, word)| (count(severity), word));
+        let counts = severities.map(|severity| (count(severity), severity));
         let counted = counts.iter().filter(|(n, _)| *n > 0);
         let parts: Vec<String> = counted
-            .map(|(n, word)| format!("{n} {word}{}", if *n == 1 { "" } else { "s" }))
+            .map(|(n, severity)| self.counted(*n, *severity))
             .collect();
         let mut files: Vec<FileId> = self.diagnostics.iter().map(|d| d.span.file).collect();
         files.sort_unstable();
         files.dedup();
+        let japanese = self.language == Language::Japanese;
         let place = match &files[..] {
             [] => return None,
             [one] => clean::line(self.name(*one)),
+            many if japanese => format!("{}ファイル", many.len()),
             many => format!("{} files", many.len()),
         };
-        Some(format!("{} in {place}", parts.join(", ")))
+        Some(if japanese {
+            format!("{place}: {}", parts.join("、"))
+        } else {
+            format!("{} in {place}", parts.join(", "))
+        })
+    }
+
+    fn counted(&self, count: usize, severity: Severity) -> String {
+        match self.language {
+            Language::English if count == 1 => format!("1 {}", word(severity)),
+            Language::English => format!("{count} {}s", word(severity)),
+            Language::Japanese => format!("{} {count}件", name(severity).ja),
+        }
     }
 
     fn lines(&self, file: FileId) -> Option<&Lines<'a>> {
@@ -125,12 +147,17 @@ impl<'a> Report<'a> {
     }
 }
 
-/// The word of a severity in every format.
+/// The word of a severity for programs, in every format and language.
 fn word(severity: Severity) -> &'static str {
+    name(severity).en
+}
+
+/// The word of a severity for people.
+fn name(severity: Severity) -> Noun {
     match severity {
-        Severity::Error => "error",
-        Severity::Warning => "warning",
-        Severity::Note => "note",
+        Severity::Error => noun("error", "エラー"),
+        Severity::Warning => noun("warning", "警告"),
+        Severity::Note => noun("note", "注記"),
     }
 }
 

@@ -2,9 +2,10 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use hsd::diagnostic::{Diagnostic, Diagnostics};
+use hsd::diagnostic::{Diagnostic, Diagnostics, Language};
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source, Span};
+use hsd::text;
 
 fn source(text: &str) -> Source {
     Source::new(FileId(0), "町家.hsd", text.as_bytes())
@@ -289,4 +290,65 @@ fn many_messages_on_one_line_take_linear_time() {
         written(&sources, &list, format);
     }
     assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+}
+
+#[test]
+fn reports_speak_japanese() {
+    let source = source("# 町家\nGSI  外壁材　TSH  ＡＬＣ板\n");
+    let quoted = "`ＡＬＣ板`";
+    let d = Diagnostic::error(
+        104,
+        find(&source, "ＡＬＣ板"),
+        text!(
+            "no part is called {quoted}",
+            "{quoted} という部材はありません"
+        ),
+    )
+    .help(text!(
+        "  help: write a code",
+        "五桁の部材コードを書いてください"
+    ))
+    .label(find(&source, "TSH"), text!("the part before", "直前の部材"));
+    let list = [d, Diagnostic::warning(6, find(&source, "家"), "odd")];
+    let sources = [source];
+    let written = |format| {
+        let mut out = vec![];
+        let report = Report::new(&sources, &list).in_language(Language::Japanese);
+        report.write(format, Style::default(), &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    };
+    let expected = "\
+エラー[HSD0104]
+
+  × `ＡＬＣ板` という部材はありません
+   ╭─[町家.hsd:2:15]
+ 1 │ # 町家
+ 2 │ GSI  外壁材　TSH  ＡＬＣ板
+   ·              ─┬─  ────────
+   ·               ╰── 直前の部材
+   ╰────
+  対処: 五桁の部材コードを書いてください
+";
+    let human = written(Format::Human);
+    assert!(human.starts_with(expected), "{human}");
+    assert!(human.contains("\n警告[HSD0006]\n"), "{human}");
+    assert!(
+        human.ends_with(
+            "町家.hsd: エラー 1件、警告 1件\n詳しくは `hsd explain HSD0006` (HSD0104 も同様)\n"
+        ),
+        "{human}"
+    );
+    let short = written(Format::Short);
+    let line = "町家.hsd:2:15: error[HSD0104]: `ＡＬＣ板` という部材はありません \
+                (対処: 五桁の部材コードを書いてください) (2行目: 直前の部材)\n";
+    assert!(short.starts_with(line), "{short}");
+    let json: serde_json::Value = serde_json::from_str(&written(Format::Json)).unwrap();
+    assert_eq!(json[0]["severity"], "error");
+    assert_eq!(json[0]["help"], "五桁の部材コードを書いてください");
+    let sarif: serde_json::Value = serde_json::from_str(&written(Format::Sarif)).unwrap();
+    let result = &sarif["runs"][0]["results"][0];
+    assert_eq!(
+        result["message"]["text"],
+        "`ＡＬＣ板` という部材はありません (対処: 五桁の部材コードを書いてください)"
+    );
 }

@@ -8,7 +8,7 @@ use super::{Outcome, Stop, watch};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::pictures::Library;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, Language};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};
 use crate::scene::{Detail, Scene};
@@ -85,7 +85,7 @@ pub(super) struct Job {
 }
 
 impl Build {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
         self.check_inputs()?;
         let jobs = self.jobs()?;
@@ -95,14 +95,14 @@ impl Build {
             job.spares_the_screen()?;
         }
         if self.watch {
-            return watch::run(self, &jobs);
+            return watch::run(self, &jobs, language);
         }
-        self.all(&jobs)
+        self.all(&jobs, language)
     }
 
     /// Runs all jobs. One that fails does not stop the others.
-    pub(super) fn all(&self, jobs: &[Job]) -> Outcome {
-        let status = Status::new(self.quiet, jobs.len());
+    pub(super) fn all(&self, jobs: &[Job], language: Language) -> Outcome {
+        let status = Status::new(self.quiet, jobs.len(), language);
         let (mut spoiled, mut failure) = (0, None);
         for job in jobs {
             match self.one(job, &status) {
@@ -349,6 +349,7 @@ fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> String {
 
 /// What is said on standard error while jobs run: with a bar where many take long and somebody watches.
 struct Status {
+    language: Language,
     /// Whether each model gets a line.
     chatty: bool,
     start: Instant,
@@ -358,8 +359,9 @@ struct Status {
 }
 
 impl Status {
-    fn new(quiet: bool, jobs: usize) -> Status {
+    fn new(quiet: bool, jobs: usize, language: Language) -> Status {
         Status {
+            language,
             chatty: !quiet && jobs == 1,
             start: Instant::now(),
             jobs,
@@ -377,7 +379,7 @@ impl Status {
         if list.is_empty() {
             return Ok(());
         }
-        let written = Report::new(sources, list);
+        let written = Report::new(sources, list).in_language(self.language);
         self.above(|| report(&written, Format::Human, &mut io::stderr()))
     }
 

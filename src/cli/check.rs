@@ -4,7 +4,7 @@ use super::input::Inputs;
 use super::options::{FormatArg, Reading, exit, report};
 use super::terminal::counted;
 use super::{Exit, Outcome};
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
 use clap::Args;
@@ -28,7 +28,7 @@ pub(super) struct Check {
 }
 
 impl Check {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
         let (limits, options) = (self.reading.limits(), self.reading.options());
         let mut out = Diagnostics::new();
@@ -50,7 +50,7 @@ impl Check {
             writeln!(io::stderr(), "{files}, {houses}: nothing to complain about")?;
         } else {
             report(
-                &Report::new(&inputs.sources, &list),
+                &Report::new(&inputs.sources, &list).in_language(language),
                 format,
                 &mut io::stdout(),
             )?;

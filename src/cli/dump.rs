@@ -4,7 +4,7 @@ use super::input::Inputs;
 use super::options::{Reading, exit, report};
 use super::{Outcome, Stop};
 use crate::backend::dump;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
 use crate::scene::Detail;
@@ -42,7 +42,7 @@ enum Stage {
 }
 
 impl Dump {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
         let mut out = Diagnostics::new();
         let limit = self.reading.limits().bytes;
@@ -52,7 +52,7 @@ impl Dump {
         let list = out.into_sorted();
         if !list.is_empty() {
             report(
-                &Report::new(&inputs.sources, &list),
+                &Report::new(&inputs.sources, &list).in_language(language),
                 Format::Human,
                 &mut io::stderr(),
             )?;

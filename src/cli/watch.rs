@@ -2,6 +2,7 @@
 
 use super::build::{Build, Job};
 use super::{Outcome, Stop};
+use crate::diagnostic::Language;
 use notify_debouncer_full::notify::{EventKind, RecursiveMode};
 use notify_debouncer_full::{DebouncedEvent, new_debouncer};
 use std::collections::BTreeSet;
@@ -14,7 +15,7 @@ use std::time::Duration;
 const QUIET: Duration = Duration::from_millis(50);
 
 /// Builds, waits, builds again; ends when the process is interrupted.
-pub(super) fn run(build: &Build, jobs: &[Job]) -> Outcome {
+pub(super) fn run(build: &Build, jobs: &[Job], language: Language) -> Outcome {
     let (sender, events) = mpsc::channel();
     let failed = |e: notify_debouncer_full::notify::Error| Stop::Io(format!("cannot watch: {e}"));
     let mut debouncer = new_debouncer(QUIET, None, sender).map_err(failed)?;
@@ -37,7 +38,7 @@ pub(super) fn run(build: &Build, jobs: &[Job]) -> Outcome {
             .map_err(failed)?;
     }
     loop {
-        match build.all(jobs) {
+        match build.all(jobs, language) {
             Ok(_) => {}
             Err(Stop::Io(message)) => writeln!(io::stderr(), "hsd: {message}")?,
             Err(stop) => return Err(stop),

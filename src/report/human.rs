@@ -1,8 +1,8 @@
 //! The report for people: each message with its lines, drawn by miette.
 
 use super::excerpt::{Excerpt, restored};
-use super::{Report, SHOWN, Style, clean, word};
-use crate::diagnostic::{Code, Diagnostic, Severity};
+use super::{Report, SHOWN, Style, clean, name};
+use crate::diagnostic::{Code, Diagnostic, Language, Severity};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 use std::fmt::{self, Display};
 use std::io::{self, Write};
@@ -22,14 +22,15 @@ pub(super) fn write(report: &Report<'_>, style: Style, out: &mut dyn Write) -> i
         let mut text = String::new();
         let drawn = handler.render_report(&mut text, &Message::new(report, d));
         drawn.map_err(io::Error::other)?;
-        writeln!(out, "{}", restored(&text))?;
+        writeln!(out, "{}", restored(&worded(&text, report.language)))?;
     }
     let more = report.diagnostics.len() - shown.len();
     if more > 0 {
-        writeln!(
-            out,
-            "... and {more} more; `--format short` lists all of them"
-        )?;
+        let line = match report.language {
+            Language::English => format!("... and {more} more; `--format short` lists all of them"),
+            Language::Japanese => format!("ほかに{more}件; `--format short` ですべて表示します"),
+        };
+        writeln!(out, "{line}")?;
     }
     if let Some(summary) = report.summary() {
         writeln!(out, "{summary}")?;
@@ -37,16 +38,55 @@ pub(super) fn write(report: &Report<'_>, style: Style, out: &mut dyn Write) -> i
     let mut codes: Vec<Code> = shown.iter().map(|d| d.code).collect();
     codes.sort_unstable();
     codes.dedup();
-    match &codes[..] {
-        [] => Ok(()),
-        [one] => writeln!(out, "`hsd explain {one}` tells more about it"),
-        [first, rest @ ..] => {
-            write!(out, "`hsd explain {first}` tells more, as for ")?;
-            let others: Vec<String> = rest.iter().take(7).map(Code::to_string).collect();
-            let more = if rest.len() > 7 { ", ..." } else { "" };
-            writeln!(out, "{}{more}", others.join(", "))
+    hint(&codes, report.language, out)
+}
+
+/// Where more is to be read.
+fn hint(codes: &[Code], language: Language, out: &mut dyn Write) -> io::Result<()> {
+    let (first, rest) = match codes {
+        [] => return Ok(()),
+        [first, rest @ ..] => (first, rest),
+    };
+    let others: Vec<String> = rest.iter().take(7).map(Code::to_string).collect();
+    let (others, more) = (others.join(", "), rest.len() > 7);
+    match (language, rest.is_empty()) {
+        (Language::English, true) => writeln!(out, "`hsd explain {first}` tells more about it"),
+        (Language::English, false) => {
+            let more = if more { ", ..." } else { "" };
+            writeln!(
+                out,
+                "`hsd explain {first}` tells more, as for {others}{more}"
+            )
+        }
+        (Language::Japanese, true) => writeln!(out, "詳しくは `hsd explain {first}`"),
+        (Language::Japanese, false) => {
+            let more = if more { " など" } else { "" };
+            writeln!(
+                out,
+                "詳しくは `hsd explain {first}` ({others}{more} も同様)"
+            )
         }
     }
+}
+
+/// What miette has drawn, with its word for the mend in the reader's language. Only that word begins a line
+/// behind two blanks; both words take as many columns, which the lines below it rely on.
+fn worded(drawn: &str, language: Language) -> String {
+    let line = |line: &str| match line.find("  help: ") {
+        Some(at) if language == Language::Japanese && is_style(&line[..at]) => {
+            line.replacen("  help: ", "  対処: ", 1)
+        }
+        _ => line.to_owned(),
+    };
+    drawn.split_inclusive('\n').map(line).collect()
+}
+
+/// Whether a text is nothing but at most one escape sequence of colours.
+fn is_style(text: &str) -> bool {
+    let inner = text
+        .strip_prefix("\u{1b}[")
+        .and_then(|t| t.strip_suffix('m'));
+    text.is_empty() || inner.is_some_and(|t| t.bytes().all(|b| b.is_ascii_digit() || b == b';'))
 }
 
 /// The messages with their lines: errors before warnings before notes where they are too many, yet in the
@@ -74,11 +114,22 @@ impl Message {
     fn new(report: &Report<'_>, d: &Diagnostic) -> Message {
         let (here, elsewhere): (Vec<_>, Vec<_>) =
             d.labels.iter().partition(|l| l.span.file == d.span.file);
-        let mut help = d.help.lines().map(clean::line).collect::<Vec<_>>();
+        let language = report.language;
+        let mut help = d
+            .help
+            .in_language(language)
+            .lines()
+            .map(clean::line)
+            .collect::<Vec<_>>();
         // A snippet shows one file; places in others are named.
         help.extend(elsewhere.iter().map(|l| {
             let (at, name) = (report.position(l.span), report.name(l.span.file));
-            let text = format!("{name}:{}:{}: {}", at.line, at.column, l.message);
+            let text = format!(
+                "{name}:{}:{}: {}",
+                at.line,
+                at.column,
+                l.message.in_language(language)
+            );
             clean::line(&text)
         }));
         let excerpt = report.lines(d.span.file).map(|lines| {
@@ -87,7 +138,10 @@ impl Message {
             Excerpt::new(report.name(d.span.file), lines, &ranges)
         });
         let marks = excerpt.iter().flat_map(Excerpt::marks);
-        let texts = std::iter::once(None).chain(here.iter().map(|l| Some(clean::line(&l.message))));
+        let texts = std::iter::once(None).chain(
+            here.iter()
+                .map(|l| Some(clean::line(l.message.in_language(language)))),
+        );
         let labels = marks.zip(texts).enumerate().map(|(i, (range, text))| {
             let span = (range.start, range.len());
             if i == 0 {
@@ -97,9 +151,10 @@ impl Message {
             }
         });
         let labels = labels.collect();
+        let word = name(d.severity);
         Message {
-            code: format!("{}[{}]", word(d.severity), d.code),
-            text: clean::line(&d.message),
+            code: format!("{}[{}]", language.choose(word.en, word.ja), d.code),
+            text: clean::line(d.message.in_language(language)),
             help: (!help.is_empty()).then(|| help.join("\n")),
             severity: d.severity,
             labels,

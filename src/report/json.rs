@@ -63,7 +63,7 @@ fn message<'a>(report: &'a Report<'_>, d: &'a Diagnostic) -> Message<'a> {
     let label = |l: &'a crate::diagnostic::Label| {
         let at = report.position(l.span);
         Label {
-            message: &l.message,
+            message: l.message.in_language(report.language),
             file: report.name(l.span.file),
             line: at.line,
             column: at.column,
@@ -73,12 +73,12 @@ fn message<'a>(report: &'a Report<'_>, d: &'a Diagnostic) -> Message<'a> {
     Message {
         code: d.code.to_string(),
         severity: word(d.severity),
-        message: &d.message,
+        message: d.message.in_language(report.language),
         file: report.name(d.span.file),
         line: at.line,
         column: at.column,
         span: d.span.into(),
-        help: &d.help,
+        help: d.help.in_language(report.language),
         labels: d.labels.iter().map(label).collect(),
     }
 }

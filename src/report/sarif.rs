@@ -1,6 +1,6 @@
 //! SARIF 2.1.0, for code-scanning services. Rules come from the pages of `hsd explain`.
 
-use super::{Report, title, word};
+use super::{Report, title};
 use crate::diagnostic::{Code, Diagnostic, pages};
 use crate::source::Span;
 use serde::Serialize;
@@ -144,18 +144,25 @@ fn rule(code: Code) -> Rule {
 }
 
 fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcome<'a> {
-    let text = match &*d.help {
-        "" => d.message.clone(),
-        help => format!("{} (help: {help})", d.message),
+    let language = report.language;
+    let (message, word) = (
+        d.message.in_language(language),
+        language.choose("help", "対処"),
+    );
+    let text = match d.help.in_language(language) {
+        "" => message.to_owned(),
+        help => format!("{message} ({word}: {help})"),
     };
     let label = |l: &'a crate::diagnostic::Label| Location {
         physical_location: place(report, l.span),
-        message: Some(Text { text: &*l.message }),
+        message: Some(Text {
+            text: l.message.in_language(language),
+        }),
     };
     Outcome {
         rule_id: d.code.to_string(),
         rule_index: codes.binary_search(&d.code).unwrap_or(0),
-        level: word(d.severity),
+        level: super::word(d.severity),
         message: Text { text },
         locations: [Location {
             physical_location: place(report, d.span),

@@ -28,6 +28,7 @@ fn hsd(folder: &Path, arguments: &[&str]) -> Output {
     command
         .current_dir(folder)
         .args(arguments)
+        .env("LC_ALL", "C")
         .stdin(Stdio::null());
     command.output().unwrap()
 }
@@ -291,6 +292,7 @@ fn texts_are_not_overwritten() {
 fn piped(arguments: &[&str], input: &str) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_hsd"))
         .args(arguments)
+        .env("LC_ALL", "C")
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
