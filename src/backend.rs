@@ -10,6 +10,7 @@ pub mod gltf;
 pub mod number;
 pub mod obj;
 pub mod pictures;
+pub mod regions_svg;
 pub mod sound;
 pub mod stl;
 

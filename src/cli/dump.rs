@@ -4,6 +4,7 @@ use super::input::Inputs;
 use super::options::{Reading, exit, report};
 use super::{Outcome, Stop};
 use crate::backend::dump;
+use crate::backend::regions_svg::regions_svg;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
@@ -12,11 +13,12 @@ use crate::source::Source;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 
-/// Show what the program makes of texts on the way to a model, as JSON.
+/// Show what the program makes of texts on the way to a model, as JSON or, for roofs in plan, as a picture.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   hsd dump --stage regions shop.hsd                  how the plan is divided into roofs
+  hsd dump --stage regions --format svg shop.hsd     the same drawn
   hsd dump --stage program shop.hsd | jq .houses     codes looked up, repeats counted out")]
 pub(super) struct Dump {
     #[command(flatten)]
@@ -25,9 +27,21 @@ pub(super) struct Dump {
     /// After which step.
     #[arg(long, value_enum)]
     stage: Stage,
+
+    /// How it is written.
+    #[arg(long, value_enum, default_value_t = Form::Json)]
+    format: Form,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Form {
+    /// One line of JSON.
+    Json,
+    /// A picture, of regions only.
+    Svg,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Stage {
     /// As written.
     Ast,
@@ -43,6 +57,11 @@ enum Stage {
 
 impl Dump {
     pub(super) fn run(&self, language: Language) -> Outcome {
+        if self.format == Form::Svg && self.stage != Stage::Regions {
+            return Err(Stop::Usage(
+                "only `--stage regions` can be drawn: `--format svg` goes with no other".into(),
+            ));
+        }
         self.reading.check_folders()?;
         let mut out = Diagnostics::new();
         let limit = self.reading.limits().bytes;
@@ -76,6 +95,7 @@ impl Dump {
         }
         let building = driver::building(program, out);
         match self.stage {
+            Stage::Regions if self.format == Form::Svg => Ok(regions_svg(&building)),
             Stage::Regions => dump::regions(&building),
             Stage::Scene => dump::scene(&driver::scene(&building, Detail::default())),
             _ => dump::building(&building),

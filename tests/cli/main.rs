@@ -390,6 +390,23 @@ fn dumps_are_json() {
 }
 
 #[test]
+fn regions_can_be_drawn() {
+    let folder = folder();
+    let drawn = |stage| {
+        let command = ["dump", "--stage", stage, "--format", "svg", "sound.hsd"];
+        hsd(folder.path(), &command)
+    };
+    let picture = drawn("regions");
+    assert_eq!(code(&picture), 0, "{}", stderr(&picture));
+    let picture = stdout(&picture);
+    assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
+    assert!(picture.contains("<path d=\"M"), "{picture}");
+    let wrong = drawn("building");
+    assert_eq!(code(&wrong), 2);
+    assert!(stderr(&wrong).contains("`--stage regions`"));
+}
+
+#[test]
 fn the_catalogue_is_listed() {
     let folder = folder();
     let json = hsd(folder.path(), &["parts", "--format", "json", "GDE 2"]);

@@ -5,5 +5,8 @@ mod branch_cut_check;
 mod kd_check;
 mod least_cut_check;
 mod outlines;
+mod page;
 mod properties;
 mod shapes;
+#[path = "../support/mod.rs"]
+mod support;
