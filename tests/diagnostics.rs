@@ -4,7 +4,7 @@
 
 mod support;
 
-use hsd::diagnostic::{Code, pages};
+use hsd::diagnostic::{Code, Diagnostic, Text, pages};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use support::{
@@ -116,9 +116,9 @@ fn every_page_is_in_the_list() {
     assert_none(&findings);
 }
 
-/// Codes that the messages can carry: the whole numbers that begin a list of arguments.
-fn codes_in_messages() -> BTreeSet<u16> {
-    let mut codes = BTreeSet::new();
+/// The files of the wording, by path.
+fn message_sources() -> Vec<(String, String)> {
+    let mut found = vec![];
     let mut folders = vec![root().join("src/diagnostic/messages")];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder).expect("messages are there") {
@@ -126,12 +126,22 @@ fn codes_in_messages() -> BTreeSet<u16> {
             if path.is_dir() {
                 folders.push(path);
             } else {
-                let text = fs::read_to_string(path).expect("messages are UTF-8");
-                codes.extend(codes_in(&text));
+                let text = fs::read_to_string(&path).expect("messages are UTF-8");
+                let name = path.strip_prefix(root()).unwrap_or(&path);
+                found.push((name.display().to_string(), text));
             }
         }
     }
-    codes
+    found
+}
+
+/// Codes that the messages can carry: the whole numbers that begin a list of arguments.
+fn codes_in_messages() -> BTreeSet<u16> {
+    let sources = message_sources();
+    sources
+        .iter()
+        .flat_map(|(_, text)| codes_in(text))
+        .collect()
 }
 
 fn codes_in(text: &str) -> Vec<u16> {
@@ -168,6 +178,46 @@ fn messages_fixtures_and_pages_belong_together() {
     findings.sort();
     findings.dedup();
     assert_none(&findings);
+}
+
+/// Whether a text holds kana or kanji.
+fn is_japanese(text: &str) -> bool {
+    text.chars()
+        .any(|c| matches!(c, '\u{3041}'..='\u{30ff}' | '\u{4e00}'..='\u{9fff}'))
+}
+
+/// The texts of a message that a Japanese reader would find in English. Labels of one word may be names.
+fn untranslated(d: &Diagnostic) -> Vec<&Text> {
+    let labels = d.labels.iter().map(|l| &l.message);
+    let sentences = labels.filter(|text| text.en.contains(' '));
+    let all = [&d.message, &d.help].into_iter().chain(sentences);
+    all.filter(|text| text.ja == text.en || !is_japanese(&text.ja))
+        .collect()
+}
+
+#[test]
+fn messages_speak_japanese() {
+    let mut findings = BTreeSet::new();
+    for path in texts(FIXTURES) {
+        for d in &compile_file(&path).diagnostics {
+            let texts = untranslated(d);
+            findings.extend(texts.iter().map(|text| format!("{}: {text}", d.code)));
+        }
+    }
+    // Messages that no small text can trigger: all words of the wording stand in `text!`.
+    for (file, text) in message_sources() {
+        let lines = text.lines().zip(1..);
+        let plain = [
+            ".help(\"",
+            ".help(format!",
+            "span, \"",
+            "span, format!",
+            "line, \"",
+        ];
+        let alone = lines.filter(|(line, _)| plain.iter().any(|p| line.contains(p)));
+        findings.extend(alone.map(|(line, number)| format!("{file}:{number}: {}", line.trim())));
+    }
+    assert_none(&findings.into_iter().collect::<Vec<_>>());
 }
 
 /// The examples of a page: what stands between fences that name a form of the language.

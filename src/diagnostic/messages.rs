@@ -1,5 +1,5 @@
-//! All wording, in one place, so that another language can follow. One `#[cold]` function a message;
-//! a file a stage, as the codes have it.
+//! All wording, in one place and in both languages. One `#[cold]` function a message; a file a stage, as the codes
+//! have it.
 
 pub mod file;
 pub mod legacy;
@@ -7,4 +7,5 @@ pub mod parts;
 pub mod pictures;
 pub mod plan;
 pub mod roofs;
+mod words;
 pub mod xml;

@@ -25,7 +25,7 @@ mod words;
 
 use super::faults::Faults;
 use crate::ast::{Document, House};
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::diagnostic::messages::{file, legacy as say};
 use crate::source::{Limits, Source, Span};
 use header::Header;
@@ -72,6 +72,10 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
     }
     document
 }
+
+/// The sections as messages call them.
+const WALLS: Noun = noun("walls", "壁");
+const ROOFS: Noun = noun("roofs", "屋根");
 
 /// Which lines a house expects.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
@@ -214,8 +218,8 @@ impl<'a> Reader<'a> {
         } else if house.blank.is_none() {
             self.faults.say(say::no_blank_line(
                 start,
-                "header",
-                if roof { "roofs" } else { "walls" },
+                noun("header", "ヘッダー"),
+                if roof { ROOFS } else { WALLS },
             ));
         }
         if roof { Section::Roofs } else { Section::Walls }
@@ -232,7 +236,7 @@ impl<'a> Reader<'a> {
                     end: span.start,
                     ..span
                 };
-                self.faults.say(say::no_blank_line(start, "walls", "roofs"));
+                self.faults.say(say::no_blank_line(start, WALLS, ROOFS));
             }
             return if roof { Section::Roofs } else { Section::Walls };
         };

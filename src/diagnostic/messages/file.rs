@@ -1,92 +1,147 @@
 //! Messages about the file as a whole (HSD00xx) and limits (HSD09xx).
 
-use crate::diagnostic::{Diagnostic, Severity};
+use crate::diagnostic::{Diagnostic, Severity, Text};
 use crate::source::Span;
+use crate::text;
 
 /// Nothing but blanks, comments and separators.
 #[cold]
 pub fn no_house(span: Span) -> Diagnostic {
-    Diagnostic::error(1, span, "there is no house in this file").help(
+    let message = text!(
+        "there is no house in this file",
+        "このファイルには家がありません"
+    );
+    Diagnostic::error(1, span, message).help(text!(
         "begin with a header line such as `0 0 180`, a line of storey heights, a blank line, and then the walls",
+        "`0 0 180` のようなヘッダー行、階高の行、空行の順に書き、そのあとに壁を書いてください"
+    ))
+}
+
+/// What is to be done about an encoding.
+fn leave_or_save() -> Text {
+    text!(
+        "nothing has to be done; save it as UTF-8 if you like (positions count the bytes of the file as it is)",
+        "このままでかまいません。必要なら UTF-8 で保存してください (位置は元のファイルのバイト数で数えます)"
     )
 }
 
 /// The bytes are no UTF-8 but make sense as Shift_JIS.
 #[cold]
 pub fn shift_jis(span: Span) -> Diagnostic {
-    Diagnostic::note(2, span, "the file is read as Shift_JIS")
-        .help("nothing has to be done; save it as UTF-8 if you like (positions count the bytes of the file as it is)")
+    let message = text!(
+        "the file is read as Shift_JIS",
+        "ファイルを Shift_JIS として読みました"
+    );
+    Diagnostic::note(2, span, message).help(leave_or_save())
 }
 
 /// A byte order mark or a declaration names another encoding, or the bytes make sense in no other.
 #[cold]
 pub fn other_encoding(span: Span, encoding: &str) -> Diagnostic {
-    Diagnostic::note(3, span, format!("the file is read as {encoding}"))
-        .help("nothing has to be done; save it as UTF-8 if you like (positions count the bytes of the file as it is)")
+    let message = text!(
+        "the file is read as {encoding}",
+        "ファイルを {encoding} として読みました"
+    );
+    Diagnostic::note(3, span, message).help(leave_or_save())
 }
 
 /// Some bytes mean nothing in the encoding.
 #[cold]
 pub fn malformed(span: Span, encoding: &str, count: usize) -> Diagnostic {
-    let message = match count {
-        0 | 1 => format!("the bytes here are no {encoding} text"),
-        n => format!(
-            "the bytes here and in {} more places are no {encoding} text",
-            n - 1
+    let more = count.saturating_sub(1);
+    let message = match more {
+        0 => text!(
+            "the bytes here are no {encoding} text",
+            "ここのバイト列は {encoding} の文字ではありません"
+        ),
+        _ => text!(
+            "the bytes here and in {more} more places are no {encoding} text",
+            "ここと、ほか{more}か所のバイト列は {encoding} の文字ではありません"
         ),
     };
-    Diagnostic::error(4, span, message)
-        .help("open the file in the encoding it was written in and save it as UTF-8")
+    Diagnostic::error(4, span, message).help(text!(
+        "open the file in the encoding it was written in and save it as UTF-8",
+        "書いたときの文字コードで開き、UTF-8 で保存し直してください"
+    ))
 }
 
 /// Full of NUL characters.
 #[cold]
 pub fn not_a_text(span: Span) -> Diagnostic {
-    Diagnostic::error(5, span, "this is not a text file: it holds NUL characters").help(
+    let message = text!(
+        "this is not a text file: it holds NUL characters",
+        "テキストファイルではありません。NUL 文字が含まれています"
+    );
+    Diagnostic::error(5, span, message).help(text!(
         "name the text of a house, not a picture or a model; a text in UTF-16 without a byte order mark must be saved as UTF-8",
-    )
+        "画像やモデルではなく、家を書いたテキストを指定してください。バイト順マークのない UTF-16 は UTF-8 で保存し直してください"
+    ))
 }
 
 /// A character that steers a terminal, in the middle of a text.
 #[cold]
 pub fn control_character(span: Span, character: char) -> Diagnostic {
     let number = u32::from(character);
-    Diagnostic::error(
-        6,
-        span,
-        format!("there is a control character, U+{number:04X}"),
-    )
-    .help("delete it, or put a blank in its place")
+    let message = text!(
+        "there is a control character, U+{number:04X}",
+        "制御文字 U+{number:04X} があります"
+    );
+    Diagnostic::error(6, span, message).help(text!(
+        "delete it, or put a blank in its place",
+        "削除するか、空白に置き換えてください"
+    ))
 }
 
 /// Lines that end with a carriage return alone.
 #[cold]
 pub fn old_line_ends(span: Span) -> Diagnostic {
-    Diagnostic::note(7, span, "lines end with a carriage return alone, as on very old Macintoshes")
-        .help("nothing has to be done; save the file with line feeds so that line numbers agree with your editor")
+    let message = text!(
+        "lines end with a carriage return alone, as on very old Macintoshes",
+        "改行が CR だけです (ごく古い Macintosh の形式)"
+    );
+    Diagnostic::note(7, span, message).help(text!(
+        "nothing has to be done; save the file with line feeds so that line numbers agree with your editor",
+        "このままでかまいません。改行を LF にして保存すると、行番号がエディターと一致します"
+    ))
 }
 
 /// A file that was named is not there, or not for us.
 #[cold]
 pub fn unreadable(span: Span, why: &str) -> Diagnostic {
-    Diagnostic::error(8, span, format!("the file cannot be read: {why}")).help(
+    let message = text!(
+        "the file cannot be read: {why}",
+        "ファイルを読めません: {why}"
+    );
+    Diagnostic::error(8, span, message).help(text!(
         "see that its name is spelled right, that it is a text file, and that you may read it",
-    )
+        "名前が正しいか、テキストファイルか、読み取りが許可されているかを確かめてください"
+    ))
 }
 
 /// More bytes than the limit.
 #[cold]
 pub fn too_large(span: Span, size: usize, limit: usize) -> Diagnostic {
-    let message = format!("the file has {size} bytes, more than the limit of {limit}");
-    Diagnostic::error(901, span, message)
-        .help("divide it into several files, or raise the limit on the command line")
+    let message = text!(
+        "the file has {size} bytes, more than the limit of {limit}",
+        "ファイルが {size} バイトあり、上限の {limit} バイトを超えています"
+    );
+    Diagnostic::error(901, span, message).help(text!(
+        "divide it into several files, or raise the limit on the command line",
+        "いくつかのファイルに分けるか、コマンドラインで上限を上げてください"
+    ))
 }
 
 /// A reader has said enough about one file.
 #[cold]
 pub fn more_messages(span: Span, count: usize, worst: Severity) -> Diagnostic {
-    let mut told = Diagnostic::error(909, span, format!("{count} more messages on this file are not shown"))
-        .help("mend the ones above and check again; if there are very many, the file may not be the text of a house");
+    let message = text!(
+        "{count} more messages on this file are not shown",
+        "このファイルへの指摘がほかに{count}件ありますが、表示しません"
+    );
+    let mut told = Diagnostic::error(909, span, message).help(text!(
+        "mend the ones above and check again; if there are very many, the file may not be the text of a house",
+        "上の指摘を直してから、もう一度調べてください。指摘があまりに多いときは、家のテキストではないかもしれません"
+    ));
     told.severity = worst;
     told
 }

@@ -8,21 +8,3 @@ mod walls;
 pub use header::*;
 pub use roofs::*;
 pub use walls::*;
-
-/// Words in a sentence, each in backquotes.
-fn list(words: &[&str]) -> String {
-    let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
-    match quoted.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        _ => quoted.concat(),
-    }
-}
-
-/// What an author wrote, in backquotes, not longer than a line of a report.
-fn quote(text: &str) -> String {
-    let mut short: String = text.chars().take(40).collect();
-    if short.len() < text.len() {
-        short.push('…');
-    }
-    format!("`{short}`")
-}

@@ -1,7 +1,9 @@
 //! Messages about parts and operations (HSD03xx), and the limit on parts (HSD0904).
 
+use super::words::any_of;
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
+use crate::text;
 
 /// A width as an author would write it.
 fn units(width: f64) -> String {
@@ -12,116 +14,161 @@ fn units(width: f64) -> String {
 /// A code is neither a part nor a picture.
 #[cold]
 pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
+    let message = text!(
+        "`{code}` is neither a part nor a part picture",
+        "`{code}` という部材も部材画像もありません"
+    );
+    let any = any_of(near);
     let help = if near.is_empty() {
-        format!(
-            "put the picture `{code}.png` into the folder of this file or its `textures` folder, or \
-             name another folder by --textures"
+        text!(
+            "put the picture `{code}.png` into the folder of this file or its `textures` folder, or name another folder by --textures",
+            "画像 `{code}.png` をこのファイルのフォルダーかその中の `textures` フォルダーに置くか、--textures で別のフォルダーを指定してください"
         )
     } else {
-        format!("did you mean {}? `hsd parts` lists all parts", any_of(near))
+        text!([any]
+            "did you mean {any}? `hsd parts` lists all parts",
+            "{any} ではありませんか。部材の一覧は `hsd parts` で見られます"
+        )
     };
-    let message = format!("`{code}` is neither a part nor a part picture");
     Diagnostic::error(301, span, message).help(help)
 }
 
 /// The name of a part where its code should stand.
 #[cold]
 pub fn part_name(span: Span, name: &str, code: &str) -> Diagnostic {
-    let message = format!("`{name}` is the name of a part, not its code");
-    Diagnostic::error(301, span, message).help(format!(
-        "`{name}` is the part `{code}`: write its code in five columns"
+    let message = text!(
+        "`{name}` is the name of a part, not its code",
+        "`{name}` は部材の名前で、部材コードではありません"
+    );
+    Diagnostic::error(301, span, message).help(text!(
+        "`{name}` is the part `{code}`: write its code in five columns",
+        "`{name}` の部材コードは `{code}` です。五桁で書いてください"
     ))
-}
-
-fn any_of(names: &[String]) -> String {
-    let quoted: Vec<String> = names.iter().map(|n| format!("`{n}`")).collect();
-    match quoted.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        _ => quoted.concat(),
-    }
 }
 
 /// A control letter slipped into a code whose blanks were lost.
 #[cold]
 pub fn lost_blanks(span: Span, text: &str, code: &str, control: char) -> Diagnostic {
+    let message = text!(
+        "`{text}` is not a part; the blanks before `{control}` seem to be lost",
+        "`{text}` という部材はありません。`{control}` の前の空白が抜けたようです"
+    );
     let mended = format!("{code:<5}{control}");
-    let message = format!("`{text}` is not a part; the blanks before `{control}` seem to be lost");
-    Diagnostic::error(302, span, message).help(format!(
-        "did you mean `{mended}`? A code fills five columns, the turn follows it"
+    Diagnostic::error(302, span, message).help(text!(
+        "did you mean `{mended}`? A code fills five columns, the turn follows it",
+        "`{mended}` ではありませんか。部材コードは五桁を占め、曲がりはその次に書きます"
     ))
 }
 
 /// Small letters in a code.
 #[cold]
 pub fn lower_case(span: Span, text: &str, code: &str) -> Diagnostic {
-    let message = format!("`{text}` is not a part, but `{}` is", code.trim_end());
-    Diagnostic::error(303, span, message).help(format!(
-        "write capital letters: `{}`; only the `h` of half a unit is small",
-        code.trim_end()
+    let code = code.trim_end();
+    let message = text!(
+        "`{text}` is not a part, but `{code}` is",
+        "`{text}` という部材はありませんが、`{code}` はあります"
+    );
+    Diagnostic::error(303, span, message).help(text!(
+        "write capital letters: `{code}`; only the `h` of half a unit is small",
+        "大文字で `{code}` と書いてください。小文字は 0.5 U を表す `h` だけです"
     ))
 }
 
 /// Nothing between two commas, or nothing at all.
 #[cold]
 pub fn empty_code(span: Span) -> Diagnostic {
-    Diagnostic::error(304, span, "a code is missing here")
-        .help("write a code, or take the comma away; an open bay is written `.....`")
+    let message = text!("a code is missing here", "ここに部材コードがありません");
+    Diagnostic::error(304, span, message).help(text!(
+        "write a code, or take the comma away; an open bay is written `.....`",
+        "部材コードを書くか、コンマを取ってください。吹放しは `.....` と書きます"
+    ))
 }
 
 /// Not one weight for each code.
 #[cold]
 pub fn weight_count(span: Span, weights: usize, codes: usize) -> Diagnostic {
-    let message = format!("{weights} weights for {codes} codes");
-    Diagnostic::error(305, span, message)
-        .help(format!("give {codes} weights, one for each code, or none"))
+    let message = text!(
+        "{weights} weights for {codes} codes",
+        "部材コード{codes}個に対して重みが{weights}個あります"
+    );
+    Diagnostic::error(305, span, message).help(text!(
+        "give {codes} weights, one for each code, or none",
+        "重みは部材コードごとにひとつ、あわせて{codes}個書くか、すべて省いてください"
+    ))
 }
 
 /// A draw that would move the rest of the wall.
 #[cold]
 pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnostic {
     let (width, usual) = (units(width), units(usual));
-    let message = format!("the codes of this draw differ in width: {usual} and {width}");
+    let message = text!(
+        "the codes of this draw differ in width: {usual} and {width}",
+        "抽選する部材の幅が揃っていません: {usual} と {width}"
+    );
+    let label = text!(
+        "{usual} wide; this width counts",
+        "幅 {usual}。この幅を使います"
+    );
     Diagnostic::error(306, span, message)
-        .label(first, format!("{usual} wide; this width counts"))
-        .help("choose codes of one width, so that the outline does not depend on the draw")
+        .label(first, label)
+        .help(text!(
+            "choose codes of one width, so that the outline does not depend on the draw",
+            "外周が抽選に左右されないよう、同じ幅の部材を選んでください"
+        ))
 }
 
 /// A replacement that would move the rest of the wall.
 #[cold]
 pub fn replaced_width(span: Span, code: &str, new: f64, there: Span, old: f64) -> Diagnostic {
     let (new, old) = (units(new), units(old));
-    let message = format!("`{code}` is {new} wide, but the part it replaces {old}");
+    let message = text!(
+        "`{code}` is {new} wide, but the part it replaces {old}",
+        "`{code}` の幅は {new} ですが、置き換えられる部材の幅は {old} です"
+    );
     Diagnostic::error(307, span, message)
-        .label(there, format!("{old} wide"))
-        .help(format!(
-            "choose a part of {old}, so that the outline stays closed"
+        .label(there, text!("{old} wide", "幅 {old}"))
+        .help(text!(
+            "choose a part of {old}, so that the outline stays closed",
+            "外周が閉じたままになるよう、幅 {old} の部材を選んでください"
         ))
 }
 
 /// A draw that finds nothing to draw again.
 #[cold]
 pub fn idle_random(span: Span) -> Diagnostic {
-    let message = "no code of this `random` stands in its element, so nothing is drawn";
-    Diagnostic::warning(308, span, message).help(
-        "beside parts, `random` draws again where a code of its list stands: put one of its codes \
-         where the draw shall be",
-    )
+    let message = text!(
+        "no code of this `random` stands in its element, so nothing is drawn",
+        "この `random` の部材コードが要素の中にないため、抽選されません"
+    );
+    Diagnostic::warning(308, span, message).help(text!(
+        "beside parts, `random` draws again where a code of its list stands: put one of its codes where the draw shall be",
+        "部材と並ぶ `random` は、その一覧にある部材コードの場所を抽選し直します。抽選したい場所に一覧のコードをひとつ置いてください"
+    ))
 }
 
 /// A substitution that finds nothing.
 #[cold]
 pub fn idle_replace(span: Span) -> Diagnostic {
-    let message = "nothing in its element fits this `replace`, so nothing is replaced";
-    Diagnostic::warning(309, span, message)
-        .help("`code` names what stands there now, `with` what shall come instead")
+    let message = text!(
+        "nothing in its element fits this `replace`, so nothing is replaced",
+        "この `replace` に当てはまるものが要素の中になく、何も置き換わりません"
+    );
+    Diagnostic::warning(309, span, message).help(text!(
+        "`code` names what stands there now, `with` what shall come instead",
+        "`code` には今ある部材コード、`with` には置き換える部材コードを書きます"
+    ))
 }
 
 /// A position where no part is.
 #[cold]
 pub fn beyond_the_row(span: Span, position: u32, longest: usize) -> Diagnostic {
-    let message = format!("position {position} lies beyond the row, which has {longest} parts");
-    Diagnostic::warning(310, span, message).help(format!(
-        "positions count from 1 to {longest}; a split counts as one"
+    let message = text!(
+        "position {position} lies beyond the row, which has {longest} parts",
+        "位置 {position} は行の外です。この行の部材は{longest}個です"
+    );
+    Diagnostic::warning(310, span, message).help(text!(
+        "positions count from 1 to {longest}; a split counts as one",
+        "位置は 1 から {longest} まで数えます。`split` はひとつと数えます"
     ))
 }
 
@@ -130,123 +177,189 @@ pub fn beyond_the_row(span: Span, position: u32, longest: usize) -> Diagnostic {
 pub fn unequal_halves(span: Span, halves: (Span, Span), upper: f64, lower: f64) -> Diagnostic {
     let (above, below) = (units(upper), units(lower));
     let wide = units(upper.max(lower));
-    let message = format!("the upper half of this split is {above} wide, the lower half {below}");
+    let message = text!(
+        "the upper half of this split is {above} wide, the lower half {below}",
+        "この `split` は上段の幅が {above}、下段の幅が {below} です"
+    );
     Diagnostic::error(311, span, message)
-        .label(halves.0, format!("{above} wide"))
-        .label(halves.1, format!("{below} wide"))
-        .help(format!("give both halves parts of {wide} in all"))
+        .label(halves.0, text!("{above} wide", "幅 {above}"))
+        .label(halves.1, text!("{below} wide", "幅 {below}"))
+        .help(text!(
+            "give both halves parts of {wide} in all",
+            "上段も下段も、部材の幅の合計を {wide} にしてください"
+        ))
 }
 
 /// Nobody says what stands in a floor.
 #[cold]
 pub fn floor_without_parts(span: Span, id: &str, picture: &str) -> Diagnostic {
-    let message = format!(
-        "floor `{id}` has no parts, no other floor `{id}` has any, and there is no picture \
-         `{picture}.png`"
+    let message = text!(
+        "floor `{id}` has no parts, no other floor `{id}` has any, and there is no picture `{picture}.png`",
+        "`Floor` の `{id}` に部材がなく、同じ名前のほかの `Floor` にも部材がなく、画像 `{picture}.png` もありません"
     );
-    Diagnostic::error(312, span, message).help(format!(
-        "write parts into the floor, or put `{picture}.png` and its neighbours into the folder of \
-         this file, its `textures` folder, or the one named by --textures"
+    Diagnostic::error(312, span, message).help(text!(
+        "write parts into the floor, or put `{picture}.png` and its neighbours into the folder of this file, its `textures` folder, or the one named by --textures",
+        "`Floor` に部材を書くか、`{picture}.png` とその仲間の画像を、このファイルのフォルダー、その中の `textures` フォルダー、または --textures で指定したフォルダーに置いてください"
     ))
 }
 
 /// Nobody can guess where a courtyard lies.
 #[cold]
 pub fn hole_without_start(span: Span) -> Diagnostic {
-    Diagnostic::error(313, span, "a hole must say where its walk starts").help(
-        "give the corner at its right and back, for example start=\"2 5\": a to the left and b to \
-         the back, in units from the house's origin",
-    )
+    let message = text!(
+        "a hole must say where its walk starts",
+        "中庭には始点の指定が必要です"
+    );
+    Diagnostic::error(313, span, message).help(text!(
+        "give the corner at its right and back, for example start=\"2 5\": a to the left and b to the back, in units from the house's origin",
+        "中庭の右奥の隅を start=\"2 5\" のように書いてください。家の原点から左へ a、奥へ b を U で数えます"
+    ))
 }
 
 /// The facades of a storey disagree.
 #[cold]
 pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagnostic {
-    let message = format!("this floor is {height} shaku high, its storey elsewhere {other}");
+    let message = text!(
+        "this floor is {height} shaku high, its storey elsewhere {other}",
+        "ここの階高は {height} 尺ですが、同じ階のほかの立面では {other} 尺です"
+    );
+    let label = text!(
+        "{other} shaku; the largest height counts",
+        "{other} 尺。最も大きい階高を使います"
+    );
     Diagnostic::warning(315, span, message)
-        .label(there, format!("{other} shaku; the largest height counts"))
-        .help("give all floors of a storey the same height")
+        .label(there, label)
+        .help(text!(
+            "give all floors of a storey the same height",
+            "同じ階の `Floor` には同じ階高を書いてください"
+        ))
 }
 
 /// A turn that looks like the angle between two walls.
 #[cold]
 pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
     let interior = 180.0 - angle.abs();
-    let message =
-        format!("the walk turns by {angle} degrees here, nearly back to where it came from");
-    Diagnostic::note(316, span, message).help(format!(
-        "`angle` is the turn from the facade before; if {angle} is the angle between the two walls, \
-         write {interior}"
+    let message = text!(
+        "the walk turns by {angle} degrees here, nearly back to where it came from",
+        "ここで {angle} 度曲がり、ほとんど来た方へ折り返しています"
+    );
+    Diagnostic::note(316, span, message).help(text!(
+        "`angle` is the turn from the facade before; if {angle} is the angle between the two walls, write {interior}",
+        "`angle` は前の立面から曲がる角度です。{angle} が二つの壁のなす角なら {interior} と書いてください"
     ))
 }
 
 /// Gloss for nothing.
 #[cold]
 pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
-    let message = format!("no part of this house is called `{code}`");
+    let message = text!(
+        "no part of this house is called `{code}`",
+        "この家に `{code}` という部材はありません"
+    );
+    let any = any_of(near);
     Diagnostic::warning(317, span, message).help(if near.is_empty() {
-        "name a part or a part picture that stands in the house".to_owned()
+        text!(
+            "name a part or a part picture that stands in the house",
+            "家の中にある部材か部材画像を指定してください"
+        )
     } else {
-        format!("did you mean {}?", any_of(near))
+        text!([any] "did you mean {any}?", "{any} ではありませんか")
     })
 }
 
 /// A house of nothing.
 #[cold]
 pub fn empty_house(span: Span) -> Diagnostic {
-    Diagnostic::error(318, span, "this house has no storey and no facade")
-        .help("give it a Storey with Rows, or a Structure with Facades")
+    let message = text!(
+        "this house has no storey and no facade",
+        "この家には階も立面もありません"
+    );
+    Diagnostic::error(318, span, message).help(text!(
+        "give it a Storey with Rows, or a Structure with Facades",
+        "`Row` の入った `Storey` か、`Facade` の入った `Structure` を書いてください"
+    ))
 }
 
 /// Upper pictures without lower ones.
 #[cold]
 pub fn no_lower_picture(span: Span, name: &str) -> Diagnostic {
-    let message = format!(
-        "there is a picture `{name}u1.png` but no `{name}l1.png`: the upper pieces fill the whole \
-         height"
+    let message = text!(
+        "there is a picture `{name}u1.png` but no `{name}l1.png`: the upper pieces fill the whole height",
+        "画像 `{name}u1.png` はありますが `{name}l1.png` がないため、上段の画像を全高に貼ります"
     );
-    Diagnostic::note(319, span, message).help(format!(
-        "add `{name}l1.png` for what is below, or call the picture `{name}.png` if it is undivided"
+    Diagnostic::note(319, span, message).help(text!(
+        "add `{name}l1.png` for what is below, or call the picture `{name}.png` if it is undivided",
+        "下段の画像 `{name}l1.png` を加えるか、上下に分けないなら画像の名前を `{name}.png` にしてください"
     ))
 }
 
 /// A wall without a storey.
 #[cold]
 pub fn facade_without_floors(span: Span) -> Diagnostic {
-    Diagnostic::warning(320, span, "this facade has no floor; its side stays open")
-        .help("write a Floor for each storey")
+    let message = text!(
+        "this facade has no floor; its side stays open",
+        "この立面には `Floor` がなく、この面は開いたままになります"
+    );
+    Diagnostic::warning(320, span, message).help(text!(
+        "write a Floor for each storey",
+        "階ごとに `Floor` を書いてください"
+    ))
 }
 
 /// Two ways of writing at once.
 #[cold]
 pub fn storeys_and_structure(span: Span, storey: Span) -> Diagnostic {
-    let message = "a house is written by storeys or by facades, not both; the facades are left out";
+    let message = text!(
+        "a house is written by storeys or by facades, not both; the facades are left out",
+        "家は階で書くか立面で書くかのどちらかです。立面の方は読みません"
+    );
     Diagnostic::error(321, span, message)
-        .label(storey, "the storeys begin here")
-        .help("make two houses of it, or write the facades as Rows")
+        .label(
+            storey,
+            text!("the storeys begin here", "階はここから始まります"),
+        )
+        .help(text!(
+            "make two houses of it, or write the facades as Rows",
+            "二軒の家に分けるか、立面を `Row` で書いてください"
+        ))
 }
 
 /// More than one replacement.
 #[cold]
 pub fn several_withs(span: Span) -> Diagnostic {
-    let message = "`with` takes one code; the first counts";
-    Diagnostic::error(322, span, message).help("use `random` to choose among several codes")
+    let message = text!(
+        "`with` takes one code; the first counts",
+        "`with` に書ける部材コードはひとつです。最初のものを使います"
+    );
+    Diagnostic::error(322, span, message).help(text!(
+        "use `random` to choose among several codes",
+        "いくつかの部材から選ぶには `random` を使ってください"
+    ))
 }
 
 /// A code that white space tore in two.
 #[cold]
 pub fn torn_code(span: Span, code: &str) -> Diagnostic {
-    let message = format!("white space divides this list, so `{code}` falls in two");
-    Diagnostic::error(314, span, message).help(format!(
-        "put commas between the codes, or write the blanks in a code as `_`: `{}`",
-        code.replace(' ', "_")
+    let joined = code.replace(' ', "_");
+    let message = text!(
+        "white space divides this list, so `{code}` falls in two",
+        "この一覧は空白で区切られるため、`{code}` が二つに分かれてしまいます"
+    );
+    Diagnostic::error(314, span, message).help(text!(
+        "put commas between the codes, or write the blanks in a code as `_`: `{joined}`",
+        "部材コードをコンマで区切るか、コードの中の空白を `_` にして `{joined}` と書いてください"
     ))
 }
 
 /// Too many parts, or too much work on them.
 #[cold]
 pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
-    let message = format!("this house would exceed {limit} parts, or too much work on them");
-    Diagnostic::error(904, span, message)
-        .help("repeat less often, make several houses of it, or raise the limit for parts")
+    let message = text!(
+        "this house would exceed {limit} parts, or too much work on them",
+        "この家は部材数か処理量の上限 ({limit}) を超えます"
+    );
+    Diagnostic::error(904, span, message).help(text!(
+        "repeat less often, make several houses of it, or raise the limit for parts",
+        "繰り返しを減らすか、何軒かに分けるか、部材数の上限を上げてください"
+    ))
 }

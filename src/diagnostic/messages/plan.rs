@@ -1,66 +1,89 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Text};
 use crate::lower::Mend;
 use crate::source::Span;
+use crate::text;
 use glam::DVec2;
 
 /// A number of units without needless decimals.
-fn units(n: f64) -> String {
+fn units(n: f64) -> Text {
     let n = (n * 1000.0).round() / 1000.0;
-    if n == 1.0 {
-        "1 unit".into()
-    } else {
-        format!("{n} units")
-    }
+    let plural = if n == 1.0 { "" } else { "s" };
+    text!("{n} unit{plural}", "{n} U")
 }
 
 /// A gap as "2 units to the left and 1 unit to the front".
-fn gap_words(gap: DVec2) -> String {
-    let sides = [
-        (gap.x, "to the left", "to the right"),
-        (gap.y, "to the back", "to the front"),
-    ];
-    let words: Vec<String> = sides
+fn gap_words(gap: DVec2) -> Text {
+    let across = if gap.x > 0.0 {
+        text!("to the left", "左")
+    } else {
+        text!("to the right", "右")
+    };
+    let along = if gap.y > 0.0 {
+        text!("to the back", "奥")
+    } else {
+        text!("to the front", "手前")
+    };
+    let words = [(gap.x, across), (gap.y, along)];
+    let words: Vec<Text> = words
         .iter()
-        .filter(|(by, ..)| by.abs() > crate::geometry::SAME)
-        .map(|(by, more, less)| {
-            format!(
-                "{} {}",
-                units(by.abs()),
-                if *by > 0.0 { more } else { less }
-            )
+        .filter(|(by, _)| by.abs() > crate::geometry::SAME)
+        .map(|(by, side)| {
+            let far = units(by.abs());
+            text!([far, side] "{far} {side}", "{side}へ {far}")
         })
         .collect();
-    words.join(" and ")
+    joined(&words, " and ", "、")
+}
+
+fn joined(words: &[Text], between: &str, between_ja: &str) -> Text {
+    let en: Vec<&str> = words.iter().map(|w| &*w.en).collect();
+    let ja: Vec<&str> = words.iter().map(|w| &*w.ja).collect();
+    Text::both(en.join(between), ja.join(between_ja))
 }
 
 /// The walk ends beside its start.
 #[cold]
 pub(crate) fn open_perimeter(last: Span, gap: DVec2, mends: &[Mend]) -> Diagnostic {
-    let message = format!(
-        "the walls do not close: they end {} of where they began",
-        gap_words(gap)
+    let away = gap_words(gap);
+    let message = text!([away]
+        "the walls do not close: they end {away} of where they began",
+        "外周が閉じていません。壁の終点が始点から{away} ずれています"
     );
     let mut diagnostic = Diagnostic::error(401, last, message);
     let mut advice = vec![];
     for mend in mends {
-        let verb = if mend.by > 0.0 { "longer" } else { "shorter" };
-        let words = format!("{} {verb}", units(mend.by.abs()));
-        advice.push(format!("the line of {} {words}", units(mend.length)));
+        let (by, length) = (units(mend.by.abs()), units(mend.length));
+        let words = if mend.by > 0.0 {
+            text!([by] "{by} longer", "{by} 長く")
+        } else {
+            text!([by] "{by} shorter", "{by} 短く")
+        };
+        advice.push(
+            text!([length, words] "the line of {length} {words}", "長さ {length} の行を {words}"),
+        );
         if mend.line != last {
-            diagnostic = diagnostic.label(mend.line, format!("{words} here would close it"));
+            diagnostic = diagnostic.label(
+                mend.line,
+                text!([words] "{words} here would close it", "ここを {words}すると閉じます"),
+            );
         }
     }
+    let both = gap.x.abs() > crate::geometry::SAME && gap.y.abs() > crate::geometry::SAME;
+    let lines = joined(&advice, ", or ", "、または");
     diagnostic.help(if advice.is_empty() {
-        "lengthen or shorten a line that runs in the direction of the gap".to_owned()
-    } else if gap.x.abs() > crate::geometry::SAME && gap.y.abs() > crate::geometry::SAME {
-        format!(
-            "one line for each direction must change: make {}",
-            advice.join(", or ")
+        text!(
+            "lengthen or shorten a line that runs in the direction of the gap",
+            "ずれの方向に延びる行を長くするか短くしてください"
+        )
+    } else if both {
+        text!([lines]
+            "one line for each direction must change: make {lines}",
+            "それぞれの方向で行をひとつ直します。{lines}してください"
         )
     } else {
-        format!("make {}", advice.join(", or "))
+        text!([lines] "make {lines}", "{lines}してください")
     })
 }
 
@@ -69,19 +92,40 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, mends: &[Mend]) -> Diagnost
 pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
     let closing = 1.0;
     let n = ((missing - closing) / 2.0).round();
-    let (count, letter) = (
-        n.abs().max(1.0),
-        if missing > 0.0 { "left" } else { "right" },
-    );
-    Diagnostic::error(
-        402,
-        span,
-        format!("the turns do not go once round the house: about {count} too many to the {letter}"),
-    )
-    .help(format!(
-        "a closed storey has four right turns more than left turns; look for {} that should not be there",
-        if missing > 0.0 { "an `L`" } else { "a line end (right turn) without its `L`" }
-    ))
+    let count = n.abs().max(1.0);
+    let (message, help) = if missing > 0.0 {
+        (
+            text!(
+                "the turns do not go once round the house: about {count} too many to the left",
+                "曲がりが家をちょうど一周していません。左折がおよそ{count}回多すぎます"
+            ),
+            text!(
+                "a closed storey has four right turns more than left turns; look for an `L` that should not be there",
+                "閉じた階では右折が左折より四回多くなります。余分な `L` がないか調べてください"
+            ),
+        )
+    } else {
+        (
+            text!(
+                "the turns do not go once round the house: about {count} too many to the right",
+                "曲がりが家をちょうど一周していません。右折がおよそ{count}回多すぎます"
+            ),
+            text!(
+                "a closed storey has four right turns more than left turns; look for a line end (right turn) without its `L` that should not be there",
+                "閉じた階では右折が左折より四回多くなります。`L` を書き忘れた行末 (右折になります) がないか調べてください"
+            ),
+        )
+    };
+    Diagnostic::error(402, span, message).help(help)
+}
+
+/// An open walk may be meant so; what would close it is only a warning there.
+fn graded(open: bool) -> fn(u16, Span, Text) -> Diagnostic {
+    if open {
+        Diagnostic::warning
+    } else {
+        Diagnostic::error
+    }
 }
 
 /// One line end turned the other way would close the walk.
@@ -89,141 +133,204 @@ pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
 pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool) -> Diagnostic {
     let (message, help) = if is_left {
         (
-            "one `L` too many: the walls do not close",
-            "remove the `L` at the end of this line",
+            text!(
+                "one `L` too many: the walls do not close",
+                "`L` がひとつ多く、外周が閉じません"
+            ),
+            text!(
+                "remove the `L` at the end of this line: with this one turn the other way the walls close exactly",
+                "この行の末尾の `L` を取ってください。ここを右折にすると外周がちょうど閉じます"
+            ),
         )
     } else {
         (
-            "an `L` is missing: the walls do not close",
-            "write `L` at the end of this line",
+            text!(
+                "an `L` is missing: the walls do not close",
+                "`L` がひとつ足りず、外周が閉じません"
+            ),
+            text!(
+                "write `L` at the end of this line: with this one turn the other way the walls close exactly",
+                "この行の末尾に `L` と書いてください。ここを左折にすると外周がちょうど閉じます"
+            ),
         )
     };
-    let new = if open {
-        Diagnostic::warning
-    } else {
-        Diagnostic::error
-    };
-    new(403, line, message.to_owned()).help(format!(
-        "{help}: with this one turn the other way the walls close exactly"
-    ))
+    graded(open)(403, line, message).help(help)
 }
 
 /// An `L` that stands one line too early or too late.
 #[cold]
 pub(crate) fn turn_to_move(line: Span, next: Span, is_left: bool, open: bool) -> Diagnostic {
-    let (here, there, way) = if is_left {
-        (line, next, "next")
+    let (here, there, help) = if is_left {
+        let help = text!(
+            "move the `L` from the end of this line to the end of the next one",
+            "`L` をこの行の末尾から次の行の末尾へ移してください"
+        );
+        (line, next, help)
     } else {
-        (next, line, "previous")
+        let help = text!(
+            "move the `L` from the end of this line to the end of the previous one",
+            "`L` をこの行の末尾から前の行の末尾へ移してください"
+        );
+        (next, line, help)
     };
-    let new = if open {
-        Diagnostic::warning
-    } else {
-        Diagnostic::error
-    };
-    new(
-        418,
-        here,
-        "the `L` stands at the wrong line: the walls do not close".to_owned(),
-    )
-    .label(there, "with the `L` here the walls close exactly")
-    .help(format!(
-        "move the `L` from the end of this line to the end of the {way} one"
-    ))
+    let message = text!(
+        "the `L` stands at the wrong line: the walls do not close",
+        "`L` のある行が違うため、外周が閉じません"
+    );
+    let label = text!(
+        "with the `L` here the walls close exactly",
+        "`L` がここにあれば外周がちょうど閉じます"
+    );
+    graded(open)(418, here, message)
+        .label(there, label)
+        .help(help)
 }
 
 /// A facade that stands alone.
 #[cold]
 pub(crate) fn open_facade(span: Span, gap: DVec2) -> Diagnostic {
-    Diagnostic::note(
-        404,
-        span,
-        format!(
-            "an open facade: the walls end {} of where they began",
-            gap_words(gap)
-        ),
-    )
-    .help("it gets no roof; to make it a house, go on until the walls close")
+    let away = gap_words(gap);
+    let message = text!([away]
+        "an open facade: the walls end {away} of where they began",
+        "閉じていない立面です。壁の終点が始点から{away} 離れています"
+    );
+    Diagnostic::note(404, span, message).help(text!(
+        "it gets no roof; to make it a house, go on until the walls close",
+        "屋根は架かりません。家にするには、外周が閉じるまで壁を続けてください"
+    ))
 }
 
 /// Two walls cross or touch.
 #[cold]
 pub(crate) fn walls_meet(second: Span, first: Span, crossing: bool) -> Diagnostic {
-    let (code, verb) = if crossing {
-        (405, "crosses")
+    let (code, message) = if crossing {
+        let message = text!(
+            "this wall crosses an earlier one",
+            "この壁は前の壁と交差しています"
+        );
+        (405, message)
     } else {
-        (406, "touches")
+        let message = text!(
+            "this wall touches an earlier one",
+            "この壁は前の壁に接しています"
+        );
+        (406, message)
     };
-    Diagnostic::error(code, second, format!("this wall {verb} an earlier one"))
-        .label(first, "the other wall")
-        .help("an outline may meet itself nowhere: check the lengths and turns between these two lines")
+    Diagnostic::error(code, second, message)
+        .label(first, text!("the other wall", "相手の壁"))
+        .help(text!(
+            "an outline may meet itself nowhere: check the lengths and turns between these two lines",
+            "外周は自分自身と交わることも接することもできません。この二行のあいだの長さと曲がりを確かめてください"
+        ))
 }
 
 /// A courtyard that lies in no house.
 #[cold]
 pub(crate) fn hole_outside(span: Span) -> Diagnostic {
-    Diagnostic::error(407, span, "this courtyard does not lie inside the walls").help(
+    let message = text!(
+        "this courtyard does not lie inside the walls",
+        "この中庭は外周の内側にありません"
+    );
+    Diagnostic::error(407, span, message).help(text!(
         "set `start` to the courtyard's corner with the least a and the greatest b, inside the outer walls",
-    )
+        "`start` には、外周の内側で、中庭の a が最も小さく b が最も大きい隅を書いてください"
+    ))
 }
 
 /// An outer loop inside another.
 #[cold]
 pub(crate) fn loop_inside(span: Span) -> Diagnostic {
-    Diagnostic::error(408, span, "this loop lies inside another one")
-        .help("write `hole=\"yes\"` if it is a courtyard, or move it outside by `start`")
+    let message = text!(
+        "this loop lies inside another one",
+        "この外周は別の外周の内側にあります"
+    );
+    Diagnostic::error(408, span, message).help(text!(
+        "write `hole=\"yes\"` if it is a courtyard, or move it outside by `start`",
+        "中庭なら `hole=\"yes\"` と書き、そうでなければ `start` で外へ移してください"
+    ))
 }
 
 /// Facades that do not close.
 #[cold]
 pub(crate) fn ring_open(span: Span, last: Span, percent: f64, gap: f64) -> Diagnostic {
     let share = (percent * 10.0).round() / 10.0;
-    let message = format!(
-        "the ring of facades does not close: {} are missing, {share} % of its length",
-        units(gap)
+    let missing = units(gap);
+    let message = text!([missing]
+        "the ring of facades does not close: {missing} are missing, {share} % of its length",
+        "立面が一周して閉じていません。{missing} (全長の {share} %) 足りません"
     );
-    Diagnostic::error(409, span, message).label(last, "the last facade ends away from the first").help(
-        "at most 1 % is spread over the ring; correct a `ratio` or an `angle` (the turns of a closed ring add up to 360)",
-    )
+    let label = text!(
+        "the last facade ends away from the first",
+        "最後の立面が最初の立面に届いていません"
+    );
+    Diagnostic::error(409, span, message)
+        .label(last, label)
+        .help(text!(
+            "at most 1 % is spread over the ring; correct a `ratio` or an `angle` (the turns of a closed ring add up to 360)",
+            "1 % までのずれは全体に割り振ります。`ratio` か `angle` を直してください (閉じた一周の曲がりの和は 360 度です)"
+        ))
 }
 
 /// A walk without a part.
 #[cold]
 pub(crate) fn no_wall(span: Span) -> Diagnostic {
-    Diagnostic::error(
-        410,
-        span,
+    let message = text!(
         "nothing is built here: the walk has no part with a width",
-    )
-    .help("write at least one part such as `KSK  `, or remove it")
+        "ここには何も建ちません。幅のある部材がひとつもありません"
+    );
+    Diagnostic::error(410, span, message).help(text!(
+        "write at least one part such as `KSK  `, or remove it",
+        "`KSK  ` のような部材を少なくともひとつ書くか、取り除いてください"
+    ))
 }
 
 /// A turn of half a circle.
 #[cold]
 pub(crate) fn turns_back(line: Span, next: Span) -> Diagnostic {
-    Diagnostic::error(411, next, "this wall runs back along the one before")
-        .label(line, "the wall before")
-        .help("between two lines with parts one turn of 90 degrees is usual; a lone `R` or `L` adds another")
+    let message = text!(
+        "this wall runs back along the one before",
+        "この壁は直前の壁に沿って折り返しています"
+    );
+    Diagnostic::error(411, next, message)
+        .label(line, text!("the wall before", "直前の壁"))
+        .help(text!(
+            "between two lines with parts one turn of 90 degrees is usual; a lone `R` or `L` adds another",
+            "部材のある二行のあいだの曲がりはふつう 90 度一回です。`R` や `L` だけの行は、もう一回曲げます"
+        ))
 }
 
 /// A walk with the house on the wrong side.
 #[cold]
 pub(crate) fn wrong_way_round(span: Span, hole: bool) -> Diagnostic {
     if hole {
-        return Diagnostic::error(417, span, "the courtyard is walked the wrong way round")
-            .help("walk a courtyard with its walls' house on the right: its corners turn left (`turn=\"L\"`)");
+        let message = text!(
+            "the courtyard is walked the wrong way round",
+            "中庭を回る向きが逆です"
+        );
+        return Diagnostic::error(417, span, message).help(text!(
+            "walk a courtyard with its walls' house on the right: its corners turn left (`turn=\"L\"`)",
+            "中庭は家を右に見て回ります。隅は左折 (`turn=\"L\"`) にしてください"
+        ));
     }
-    Diagnostic::error(412, span, "the walls run the wrong way round: the house lies on their left")
-        .help("parts follow each other to the LEFT as seen from outside and corners turn right: remove the `L`s")
+    let message = text!(
+        "the walls run the wrong way round: the house lies on their left",
+        "外周を回る向きが逆です。家が進行方向の左側にあります"
+    );
+    Diagnostic::error(412, span, message).help(text!(
+        "parts follow each other to the LEFT as seen from outside and corners turn right: remove the `L`s",
+        "部材は外から見て左へ並び、隅では右折します。`L` を取ってください"
+    ))
 }
 
 /// A plan beyond all measure.
 #[cold]
 pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
-    Diagnostic::error(
-        413,
-        line,
-        format!("this wall ends more than {largest} units from the start"),
-    )
-    .help("check the widths and repeats before it")
+    let message = text!(
+        "this wall ends more than {largest} units from the start",
+        "この壁の終点は始点から {largest} U より遠くにあります"
+    );
+    Diagnostic::error(413, line, message).help(text!(
+        "check the widths and repeats before it",
+        "これより前の幅と繰り返しを確かめてください"
+    ))
 }

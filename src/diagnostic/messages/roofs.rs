@@ -1,328 +1,373 @@
 //! Messages about roofs (HSD05xx).
 
-use crate::diagnostic::Diagnostic;
+use super::words::short;
+use crate::diagnostic::{Diagnostic, Noun, Text, noun};
 use crate::source::Span;
+use crate::text;
 
 /// The name and the letter of a covering.
-fn covering(kind: char) -> &'static str {
+fn covering(kind: char) -> Noun {
     match kind {
-        'K' => "tiles (K)",
-        'I' => "boards (I)",
-        'S' => "shingles (S)",
-        'H' => "bark (H)",
-        'Y' => "thatch (Y)",
-        _ => "metal (T)",
+        'K' => noun("tiles (K)", "桟瓦葺 (K)"),
+        'I' => noun("boards (I)", "板葺 (I)"),
+        'S' => noun("shingles (S)", "柿葺 (S)"),
+        'H' => noun("bark (H)", "檜皮葺 (H)"),
+        'Y' => noun("thatch (Y)", "茅葺 (Y)"),
+        _ => noun("metal (T)", "金属板葺 (T)"),
     }
 }
 
-/// A number without needless decimals.
-fn short(value: f64) -> String {
-    let text = format!("{value:.2}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
-}
-
 /// A length in units: "1 unit", "1.5 units".
-fn units(value: f64) -> String {
+fn units(value: f64) -> Text {
     let number = short(value);
     let ending = if number == "1" { "" } else { "s" };
-    format!("{number} unit{ending}")
+    text!("{number} unit{ending}", "{number} U")
 }
 
 /// Roofs over walls that bound nothing.
 #[cold]
 pub fn open_facade(wished: Span, walk: Span, storey: u32) -> Diagnostic {
-    Diagnostic::error(
-        501,
-        wished,
-        format!("a roof is asked for, but storey {storey} is an open facade that bounds no area"),
-    )
-    .help("close the walk back to its start, or take the roofs out; a facade stands without them")
-    .label(walk, "this walk does not come back to its start")
+    let message = text!(
+        "a roof is asked for, but storey {storey} is an open facade that bounds no area",
+        "屋根の指定がありますが、{storey}階は閉じていない立面で、囲む面積がありません"
+    );
+    let label = text!(
+        "this walk does not come back to its start",
+        "この外周は始点に戻っていません"
+    );
+    Diagnostic::error(501, wished, message)
+        .help(text!(
+            "close the walk back to its start, or take the roofs out; a facade stands without them",
+            "外周を始点まで戻して閉じるか、屋根を取り除いてください。立面だけなら屋根は要りません"
+        ))
+        .label(walk, label)
 }
 
 /// A roof line beside the house.
 #[cold]
 pub fn over_no_wall(line: Span, shape: &str) -> Diagnostic {
-    Diagnostic::warning(
-        502,
-        line,
-        format!("this {} roof stands over no wall of its storey", shape),
-    )
-    .help(
-        "give the rectangle in units from the house's origin: a to the left along the first line, \
-         b back from it; a roof outside the walls is HIS, KAT or KAR",
-    )
+    let message = text!(
+        "this {shape} roof stands over no wall of its storey",
+        "この {shape} の屋根の下に、その階の壁がありません"
+    );
+    Diagnostic::warning(502, line, message).help(text!(
+        "give the rectangle in units from the house's origin: a to the left along the first line, b back from it; a roof outside the walls is HIS, KAT or KAR",
+        "矩形は家の原点から U で書いてください。a は最初の行に沿って左へ、b は奥へ測ります。壁の外に架ける屋根は HIS、KAT、KAR です"
+    ))
 }
 
 /// A roof line that leaves the walls by some units.
 #[cold]
 pub fn partly_outside(line: Span, share: f64) -> Diagnostic {
-    Diagnostic::warning(
-        503,
-        line,
-        format!(
-            "{} % of this roof's rectangle lies outside the walls",
-            short((share * 100.0).round())
-        ),
-    )
-    .help("the rectangle is that of the walls; eaves come on top of it by E, verges by G")
+    let share = short((share * 100.0).round());
+    let message = text!(
+        "{share} % of this roof's rectangle lies outside the walls",
+        "この屋根の矩形の {share} % が壁の外に出ています"
+    );
+    Diagnostic::warning(503, line, message).help(text!(
+        "the rectangle is that of the walls; eaves come on top of it by E, verges by G",
+        "矩形には壁の範囲を書いてください。軒の出は E、螻羽の出は G で加わります"
+    ))
 }
 
 /// Two roof lines over each other at one height.
 #[cold]
 pub fn overlapping(line: Span, other: Span) -> Diagnostic {
-    Diagnostic::note(
-        504,
-        line,
+    let message = text!(
         "this roof overlaps another one at the same height",
-    )
-    .help("where both stand, the higher one shows; change one rectangle if that is not meant")
-    .label(other, "the other roof")
+        "この屋根は同じ高さの別の屋根と重なっています"
+    );
+    Diagnostic::note(504, line, message)
+        .help(text!(
+            "where both stand, the higher one shows; change one rectangle if that is not meant",
+            "重なるところでは高い方の屋根が見えます。意図と違うときは一方の矩形を直してください"
+        ))
+        .label(other, text!("the other roof", "もう一方の屋根"))
 }
 
 /// An upper storey that stands out far over the lower one.
 #[cold]
 pub fn overhang(upper: Span, lower: Span, number: u32, by: f64) -> Diagnostic {
-    Diagnostic::warning(
-        505,
-        upper,
-        format!(
-            "storey {} stands out by {} beyond storey {} below it, over nothing",
-            number + 1,
-            units(by),
-            number
-        ),
-    )
-    .help("set the upper storey's start point, by leading blanks or start=\"a b\", or mend the length of its lines")
-    .label(lower, format!("storey {number}"))
+    let (above, by) = (number + 1, units(by));
+    let message = text!([by]
+        "storey {above} stands out by {by} beyond storey {number} below it, over nothing",
+        "{above}階が{number}階より {by} 張り出し、下に何もありません"
+    );
+    Diagnostic::warning(505, upper, message)
+        .help(text!(
+            "set the upper storey's start point, by leading blanks or start=\"a b\", or mend the length of its lines",
+            "上の階の始点を行頭の空きか start=\"a b\" で決めるか、行の長さを直してください"
+        ))
+        .label(lower, text!("storey {number}", "{number}階"))
 }
 
 /// An upper storey that stands out a little (degoshi, dashigeta).
 #[cold]
 pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
-    Diagnostic::note(
-        506,
-        upper,
-        format!(
-            "storey {} juts out by {} beyond storey {}",
-            number + 1,
-            units(by),
-            number
-        ),
-    )
-    .help("up to one unit is common (degoshi, dashigeta); boards and brackets close it from below")
+    let (above, by) = (number + 1, units(by));
+    let message = text!([by]
+        "storey {above} juts out by {by} beyond storey {number}",
+        "{above}階が{number}階より {by} 張り出しています"
+    );
+    Diagnostic::note(506, upper, message).help(text!(
+        "up to one unit is common (degoshi, dashigeta); boards and brackets close it from below",
+        "1 U までの張り出しはよくあります (出格子、出桁)。下は板と腕木で塞ぎます"
+    ))
 }
 
 /// A pitch that the covering does not bear.
 #[cold]
 pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagnostic {
-    let why = if pitch < band.0 {
-        "too gentle: rain comes in"
+    let (pitch_text, least, most) = (short(pitch), short(band.0), short(band.1));
+    let kind = covering(kind);
+    let message = if pitch < band.0 {
+        text!([kind]
+            "a pitch of {pitch_text} sun for {kind} is too gentle: rain comes in",
+            "{kind}に {pitch_text} 寸勾配は緩すぎて雨が漏ります"
+        )
     } else {
-        "too steep: it slides off"
+        text!([kind]
+            "a pitch of {pitch_text} sun for {kind} is too steep: it slides off",
+            "{kind}に {pitch_text} 寸勾配は急すぎて葺材が滑り落ちます"
+        )
     };
-    Diagnostic::warning(
-        507,
-        span,
-        format!(
-            "a pitch of {} sun for {} is {why}",
-            short(pitch),
-            covering(kind)
-        ),
-    )
-    .help(format!(
-        "choose between {} and {} sun",
-        short(band.0),
-        short(band.1)
+    Diagnostic::warning(507, span, message).help(text!(
+        "choose between {least} and {most} sun",
+        "{least} 寸から {most} 寸のあいだにしてください"
     ))
 }
 
 /// A ridge across a wide roof.
 #[cold]
 pub fn long_span(direction: Span, span: f64) -> Diagnostic {
-    Diagnostic::note(
-        508,
-        direction,
-        format!(
-            "with this ridge the roof spans {} units, more than beams of 3 ken bear",
-            short(span)
-        ),
-    )
-    .help("turn the ridge (X or Y), or divide the roof; halls of palaces and temples do span more")
+    let wide = short(span);
+    let message = text!(
+        "with this ridge the roof spans {wide} units, more than beams of 3 ken bear",
+        "この棟の向きでは梁間が {wide} U になり、三間梁では支えられません"
+    );
+    Diagnostic::note(508, direction, message).help(text!(
+        "turn the ridge (X or Y), or divide the roof; halls of palaces and temples do span more",
+        "棟の向き (X か Y) を変えるか、屋根を分けてください。御殿や寺の堂にはこれを超えるものもあります"
+    ))
 }
 
 /// A roof in the air.
 #[cold]
 pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnostic {
-    Diagnostic::warning(
-        509,
-        height,
-        format!(
-            "this roof stands at {} shaku, far from the nearest storey's top: storey {storey} ends at {}",
-            short(shaku),
-            short(top)
-        ),
-    )
-    .help(format!("write {} or `*`; heights are shaku above the ground, not above the storey", short(top)))
+    let (shaku, top) = (short(shaku), short(top));
+    let message = text!(
+        "this roof stands at {shaku} shaku, far from the nearest storey's top: storey {storey} ends at {top}",
+        "この屋根は {shaku} 尺の高さにあり、最も近い{storey}階の上端 ({top} 尺) から離れています"
+    );
+    Diagnostic::warning(509, height, message).help(text!(
+        "write {top} or `*`; heights are shaku above the ground, not above the storey",
+        "{top} か `*` と書いてください。高さは階の床からではなく、地面から尺で測ります"
+    ))
 }
 
 /// A shape of a later version.
 #[cold]
 pub fn not_built_yet(span: Span, shape: &str) -> Diagnostic {
-    Diagnostic::note(
-        510,
-        span,
-        format!("{} is built as a gable by this version", shape),
-    )
-    .help("write KIR if a gable is meant")
+    let message = text!(
+        "{shape} is built as a gable by this version",
+        "この版では {shape} を切妻で造ります"
+    );
+    Diagnostic::note(510, span, message).help(text!(
+        "write KIR if a gable is meant",
+        "切妻でよければ KIR と書いてください"
+    ))
 }
 
 /// A lean-to whose outer wall gets too low.
 #[cold]
 pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
-    Diagnostic::warning(
-        511,
-        storey,
-        format!(
-            "a lean-to on storey {number} would leave its outer wall only {} m high, so a gable is built",
-            short(left)
-        ),
-    )
-    .help("make the storey higher or the strip shallower, or give the strip a roof line of its own")
+    let left = short(left);
+    let message = text!(
+        "a lean-to on storey {number} would leave its outer wall only {left} m high, so a gable is built",
+        "{number}階に下屋を架けると外壁の高さが {left} m しか残らないため、切妻にしました"
+    );
+    Diagnostic::warning(511, storey, message).help(text!(
+        "make the storey higher or the strip shallower, or give the strip a roof line of its own",
+        "階高を上げるか、下屋の奥行を浅くするか、そこに屋根の行を書いてください"
+    ))
 }
 
 /// A pent roof away from every wall.
 #[cold]
 pub fn pent_in_the_air(line: Span) -> Diagnostic {
-    Diagnostic::warning(512, line, "this pent roof (HIS) touches no wall to hang on").help(
+    let message = text!(
+        "this pent roof (HIS) touches no wall to hang on",
+        "この庇 (HIS) は取り付く壁に接していません"
+    );
+    Diagnostic::warning(512, line, message).help(text!(
         "let one side of its rectangle lie on a wall line: b from 0 to -1 along the first line",
-    )
+        "矩形の一辺を壁の線に重ねてください。最初の行に沿う庇なら b は 0 から -1 です"
+    ))
 }
 
 /// A pent roof above the wall it hangs on.
 #[cold]
 pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagnostic {
-    Diagnostic::warning(
-        513,
-        height,
-        format!(
-            "the upper edge of this pent roof lies at {} shaku, above the walls, which end at {}",
-            short(upper),
-            short(top)
-        ),
-    )
-    .help(format!(
-        "the height is that of the low edge; {} or less fits this wall, depth and pitch",
-        short((fitting * 100.0).floor() / 100.0)
+    let (upper, top) = (short(upper), short(top));
+    let fitting = short((fitting * 100.0).floor() / 100.0);
+    let message = text!(
+        "the upper edge of this pent roof lies at {upper} shaku, above the walls, which end at {top}",
+        "この庇の上端は {upper} 尺で、壁の上端 ({top} 尺) より高くなっています"
+    );
+    Diagnostic::warning(513, height, message).help(text!(
+        "the height is that of the low edge; {fitting} or less fits this wall, depth and pitch",
+        "高さは軒先で測ります。この壁と出と勾配なら {fitting} 以下にしてください"
     ))
 }
 
 /// A pent roof over the rooms.
 #[cold]
 pub fn pent_over_rooms(place: Span) -> Diagnostic {
-    Diagnostic::warning(517, place, "this pent roof (HIS) lies over the rooms instead of outside the walls")
-        .help("its rectangle is the strip outside the wall: along a front of 6 units, `0 0 6 -1`; units, not shaku")
+    let message = text!(
+        "this pent roof (HIS) lies over the rooms instead of outside the walls",
+        "この庇 (HIS) は壁の外ではなく部屋の上にあります"
+    );
+    Diagnostic::warning(517, place, message).help(text!(
+        "its rectangle is the strip outside the wall: along a front of 6 units, `0 0 6 -1`; units, not shaku",
+        "矩形には壁の外の帯を書きます。間口 6 U の正面なら `0 0 6 -1` です (尺ではなく U)"
+    ))
 }
 
 /// A pent roof that slopes towards its wall, or along it.
 #[cold]
 pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
-    Diagnostic::warning(518, direction, "this pent roof (HIS) does not fall away from the wall it hangs on")
-        .help("F falls to the front, B to the back, L to the left, R to the right; `*` leaves it to the wall")
+    let message = text!(
+        "this pent roof (HIS) does not fall away from the wall it hangs on",
+        "この庇 (HIS) は取り付く壁から外へ流れていません"
+    );
+    Diagnostic::warning(518, direction, message).help(text!(
+        "F falls to the front, B to the back, L to the left, R to the right; `*` leaves it to the wall",
+        "F は正面、B は背面、L は左、R は右へ流れます。`*` なら壁に合わせます"
+    ))
 }
 
 /// A fall for a two-sided roof, or a ridge for a single slope.
 #[cold]
 pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnostic {
-    let (message, help) = match one_sided {
-        true => (
-            "has one slope and no ridge to turn",
-            "write the side it falls to: F, B, L or R",
-        ),
-        false => (
-            "has a ridge and falls to both sides",
-            "write X (ridge parallel to the first line) or Y",
-        ),
+    let (message, help) = if one_sided {
+        (
+            text!(
+                "{shape} has one slope and no ridge to turn",
+                "{shape} は片流れで、向きを決める棟がありません"
+            ),
+            text!(
+                "write the side it falls to: F, B, L or R",
+                "流れる側を F、B、L、R のどれかで書いてください"
+            ),
+        )
+    } else {
+        (
+            text!(
+                "{shape} has a ridge and falls to both sides",
+                "{shape} は棟があり、両側へ流れます"
+            ),
+            text!(
+                "write X (ridge parallel to the first line) or Y",
+                "X (棟が最初の行と平行) か Y と書いてください"
+            ),
+        )
     };
-    Diagnostic::warning(514, direction, format!("{} {message}", shape)).help(help)
+    Diagnostic::warning(514, direction, message).help(help)
 }
 
 /// A sloped roof wished for a plan that has no rectangles.
 #[cold]
 pub fn flat_only(span: Span, shape: &str) -> Diagnostic {
-    Diagnostic::note(
-        515,
-        span,
-        format!(
-            "{} is built flat by this version where walls are not at right angles",
-            shape
-        ),
-    )
-    .help("write RIK if a flat roof is meant, or give roof lines for rectangles")
+    let message = text!(
+        "{shape} is built flat by this version where walls are not at right angles",
+        "壁が直角でないところでは、この版は {shape} を陸屋根で造ります"
+    );
+    Diagnostic::note(515, span, message).help(text!(
+        "write RIK if a flat roof is meant, or give roof lines for rectangles",
+        "陸屋根でよければ RIK と書き、そうでなければ矩形ごとに屋根の行を書いてください"
+    ))
 }
 
 /// A roof line inside the storey above.
 #[cold]
 pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
-    Diagnostic::warning(
-        516,
-        line,
-        format!(
-            "this roof lies wholly inside storey {}: nothing of it is built",
-            storey + 1
-        ),
-    )
-    .help("give it the height of the topmost storey there, or `*`")
-    .label(upper, "this storey stands there")
+    let above = storey + 1;
+    let message = text!(
+        "this roof lies wholly inside storey {above}: nothing of it is built",
+        "この屋根は全体が{above}階の中にあるため、造られません"
+    );
+    Diagnostic::warning(516, line, message)
+        .help(text!(
+            "give it the height of the topmost storey there, or `*`",
+            "そこで最も上の階の高さか `*` を書いてください"
+        ))
+        .label(
+            upper,
+            text!("this storey stands there", "ここにこの階があります"),
+        )
 }
 
 /// More roof lines than anybody means.
 #[cold]
 pub fn too_many_lines(first: Span, count: usize, limit: usize) -> Diagnostic {
-    let message =
-        format!("the house has {count} roof lines; those after the first {limit} are left out");
-    Diagnostic::warning(906, first, message)
-        .help("make one roof of what lies side by side, or several houses")
+    let message = text!(
+        "the house has {count} roof lines; those after the first {limit} are left out",
+        "この家には屋根の行が{count}行あります。{limit}行より後は読みません"
+    );
+    Diagnostic::warning(906, first, message).help(text!(
+        "make one roof of what lies side by side, or several houses",
+        "並んだ屋根をひとつにまとめるか、何軒かに分けてください"
+    ))
 }
 
 /// Roofs piled into each other.
 #[cold]
 pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
-    let message = format!(
-        "so many roofs of storey {storey} stand in each other's way that no valleys are made between them"
+    let message = text!(
+        "so many roofs of storey {storey} stand in each other's way that no valleys are made between them",
+        "{storey}階の屋根が多く入り組んでいるため、取り合いの谷を作りません"
     );
-    Diagnostic::warning(906, place, message).help(
+    Diagnostic::warning(906, place, message).help(text!(
         "write one roof line for each rectangle, beside each other rather than one in another",
-    )
+        "屋根の行は矩形ごとにひとつ、重ねずに並べて書いてください"
+    ))
 }
 
 /// A plan of very many corners.
 #[cold]
 pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize) -> Diagnostic {
-    let message = format!(
-        "storey {number} has {corners} corners to be roofed, more than {limit}: it gets a flat roof"
+    let message = text!(
+        "storey {number} has {corners} corners to be roofed, more than {limit}: it gets a flat roof",
+        "{number}階は屋根を架ける外周の隅が{corners}か所あり、上限の{limit}か所を超えるため陸屋根にします"
     );
-    Diagnostic::warning(906, storey, message)
-        .help("divide the house into several, or give it fewer corners")
+    Diagnostic::warning(906, storey, message).help(text!(
+        "divide the house into several, or give it fewer corners",
+        "何軒かに分けるか、隅を減らしてください"
+    ))
 }
 
 /// The search for the best cuts of a run is used up.
 #[cold]
 pub fn too_much_search(storey: Span, number: u32) -> Diagnostic {
-    let message = format!(
-        "the best cuts of storey {number} would take longer than is left to search: its roofs, and those of plans like it from here on, are divided by a quicker rule"
+    let message = text!(
+        "the best cuts of storey {number} would take longer than is left to search: its roofs, and those of plans like it from here on, are divided by a quicker rule",
+        "{number}階の最良の分割を探す手間が残りの枠を超えるため、これ以降の同様の平面も含めて、屋根を速い規則で分割します"
     );
-    Diagnostic::warning(906, storey, message)
-        .help("give the plans fewer corners, write their roofs, or compile fewer of them at once")
+    Diagnostic::warning(906, storey, message).help(text!(
+        "give the plans fewer corners, write their roofs, or compile fewer of them at once",
+        "平面の隅を減らすか、屋根を書くか、一度に扱う家を減らしてください"
+    ))
 }
 
 /// A storey, the one above and the roof lines cut each other into too many fields.
 #[cold]
 pub fn too_intricate(storey: Span, number: u32) -> Diagnostic {
-    let message = format!(
-        "what is open of storey {number} falls into too many pieces: it gets no automatic roof"
+    let message = text!(
+        "what is open of storey {number} falls into too many pieces: it gets no automatic roof",
+        "{number}階の屋根を架ける部分が細かく分かれすぎるため、自動では屋根を架けません"
     );
-    Diagnostic::warning(906, storey, message).help(
+    Diagnostic::warning(906, storey, message).help(text!(
         "let the walls of the storey above, and the roof lines, stand over walls of this storey",
-    )
+        "上の階の壁と屋根の行を、この階の壁の上に揃えてください"
+    ))
 }

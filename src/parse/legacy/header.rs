@@ -4,6 +4,7 @@ use super::line::Line;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{House, RoofMethod, RoofMode};
 use crate::diagnostic::messages::legacy as say;
+use crate::diagnostic::noun;
 use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
 
@@ -23,31 +24,31 @@ const HIGH: f64 = 40.0;
 /// First numbers of a header; a whole country fits into the bounds.
 const PLACE: [Range64; 3] = [
     Range64 {
-        what: "x",
+        what: noun("x", "x"),
         bounds: -1e8..=1e8,
-        unit: "metres",
+        unit: noun("metres", "メートル"),
     },
     Range64 {
-        what: "y",
+        what: noun("y", "y"),
         bounds: -1e8..=1e8,
-        unit: "metres",
+        unit: noun("metres", "メートル"),
     },
     Range64 {
-        what: "the azimuth",
+        what: noun("the azimuth", "方位角"),
         bounds: -360.0..=360.0,
-        unit: "degrees",
+        unit: noun("degrees", "度"),
     },
 ];
 
 const STOREY: Range64 = Range64 {
-    what: "a storey height",
+    what: noun("a storey height", "階高"),
     bounds: 0.1..=1000.0,
-    unit: "shaku",
+    unit: noun("shaku", "尺"),
 };
 const UNIT: Range64 = Range64 {
-    what: "the unit",
+    what: noun("the unit", "基準単位"),
     bounds: 0.1..=100.0,
-    unit: "shaku",
+    unit: noun("shaku", "尺"),
 };
 
 /// What has been read of a header.
@@ -212,7 +213,7 @@ fn place(words: &[Word<'_>], house: &mut House, faults: &mut Faults<'_>) {
         faults.say(say::missing_number(only.span.after(), "y"));
     }
     if let Some(surplus) = words.get(PLACE.len()..).filter(|w| !w.is_empty()) {
-        faults.say(say::surplus(all(surplus, faults.source), "the azimuth"));
+        faults.say(say::surplus(all(surplus, faults.source), PLACE[2].what));
     }
 }
 
@@ -277,7 +278,7 @@ fn seed(text: &str, span: Span, faults: &mut Faults<'_>) -> Option<Spanned<u64>>
     if value.is_none() {
         faults.say(match number(text) {
             Some(_) => say::bad_seed(span, text),
-            None => say::not_a_number(span, text, "the seed"),
+            None => say::not_a_number(span, text, noun("the seed", "乱数の種")),
         });
     }
     value.map(|value| Spanned::new(value, span))

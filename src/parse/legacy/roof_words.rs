@@ -1,71 +1,72 @@
 //! The words of roof lines: option letters with their bounds, and the names that authors write out for letters.
 
 use super::words::Range64;
+use crate::diagnostic::noun;
 
 /// Options with a number, by letter.
 pub(super) const OPTIONS: [(char, Range64); 8] = [
     (
         'P',
         Range64 {
-            what: "the pitch",
+            what: noun("the pitch", "勾配"),
             bounds: 0.1..=30.0,
-            unit: "sun per shaku",
+            unit: noun("sun per shaku", "寸勾配"),
         },
     ),
     (
         'E',
         Range64 {
-            what: "the eaves",
+            what: noun("the eaves", "軒の出"),
             bounds: 0.0..=20.0,
-            unit: "shaku",
+            unit: noun("shaku", "尺"),
         },
     ),
     (
         'G',
         Range64 {
-            what: "the verge",
+            what: noun("the verge", "螻羽の出"),
             bounds: 0.0..=20.0,
-            unit: "shaku",
+            unit: noun("shaku", "尺"),
         },
     ),
     (
         'T',
         Range64 {
-            what: "the thickness",
+            what: noun("the thickness", "屋根の厚さ"),
             bounds: 0.05..=5.0,
-            unit: "shaku",
+            unit: noun("shaku", "尺"),
         },
     ),
     (
         'M',
         Range64 {
-            what: "the number of ridge courses",
+            what: noun("the number of ridge courses", "のし瓦の段数"),
             bounds: 0.0..=20.0,
-            unit: "courses",
+            unit: noun("courses", "段"),
         },
     ),
     (
         'S',
         Range64 {
-            what: "the sag of the slope",
+            what: noun("the sag of the slope", "反り"),
             bounds: -20.0..=20.0,
-            unit: "per cent",
+            unit: noun("per cent", "パーセント"),
         },
     ),
     (
         'C',
         Range64 {
-            what: "the place of the gable",
+            what: noun("the place of the gable", "妻の位置"),
             bounds: 0.0..=0.5,
-            unit: "of the span",
+            unit: noun("of the span", "梁間に対する比"),
         },
     ),
     (
         'R',
         Range64 {
-            what: "the length of the ridge",
+            what: noun("the length of the ridge", "棟の長さ"),
             bounds: 0.0..=1.0,
-            unit: "of the roof's length",
+            unit: noun("of the roof's length", "屋根の長さに対する比"),
         },
     ),
 ];

@@ -5,18 +5,19 @@ use super::roof_words::{KIND_NAMES, OPTIONS, SHAPE_NAMES, named};
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
 use crate::diagnostic::messages::legacy as say;
+use crate::diagnostic::{Noun, noun};
 use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
 
 const HEIGHT: Range64 = Range64 {
-    what: "the height of the eaves",
+    what: noun("the height of the eaves", "軒の高さ"),
     bounds: 0.1..=10_000.0,
-    unit: "shaku",
+    unit: noun("shaku", "尺"),
 };
 const CORNER: Range64 = Range64 {
-    what: "a corner",
+    what: noun("a corner", "隅の位置"),
     bounds: -10_000.0..=10_000.0,
-    unit: "units",
+    unit: noun("units", "U"),
 };
 
 const DIRECTIONS: [(char, RoofDirection); 6] = [
@@ -116,7 +117,7 @@ impl<'w> Fields<'w, '_, '_> {
     fn kind_and_direction(
         &mut self,
     ) -> (Option<Spanned<RoofKind>>, Option<Spanned<RoofDirection>>) {
-        let Some(word) = self.letters("its kind") else {
+        let Some(word) = self.letters(noun("its kind", "葺き方")) else {
             return (None, self.direction());
         };
         let text = self.capital(word);
@@ -145,7 +146,7 @@ impl<'w> Fields<'w, '_, '_> {
     }
 
     fn direction(&mut self) -> Option<Spanned<RoofDirection>> {
-        let word = self.letters("its direction")?;
+        let word = self.letters(noun("its direction", "向き"))?;
         let text = self.capital(word);
         let mut letters = text.chars();
         let found = letters
@@ -160,7 +161,7 @@ impl<'w> Fields<'w, '_, '_> {
     }
 
     /// The next word, unless a number or a shape shows that a field of letters was left out.
-    fn letters(&mut self, what: &'static str) -> Option<&'w Word<'w>> {
+    fn letters(&mut self, what: Noun) -> Option<&'w Word<'w>> {
         match self.peek() {
             Some(w) if !numeric(w.text) && shape(w.text).is_none() => self.next(),
             _ => {
@@ -181,7 +182,7 @@ impl<'w> Fields<'w, '_, '_> {
             }
             _ => {
                 self.faults
-                    .say(say::missing_field(self.gap(), "its height"));
+                    .say(say::missing_field(self.gap(), noun("its height", "高さ")));
                 None
             }
         }
@@ -189,7 +190,8 @@ impl<'w> Fields<'w, '_, '_> {
 
     fn shape(&mut self) -> Option<Spanned<RoofShape>> {
         let Some(word) = self.peek().filter(|w| !numeric(w.text)) else {
-            self.faults.say(say::missing_field(self.gap(), "its shape"));
+            self.faults
+                .say(say::missing_field(self.gap(), noun("its shape", "形")));
             return None;
         };
         self.next();
@@ -249,7 +251,8 @@ impl<'w> Fields<'w, '_, '_> {
         let mut seen: Vec<(char, Span)> = vec![];
         while let Some(word) = self.next() {
             if numeric(word.text) {
-                self.faults.say(say::surplus(word.span, "the corners"));
+                self.faults
+                    .say(say::surplus(word.span, noun("the corners", "隅の数値")));
                 continue;
             }
             let text = self.capital(word);

@@ -1,6 +1,7 @@
 //! Words and numbers: what header and roof lines are made of.
 
 use super::line::Line;
+use crate::diagnostic::Noun;
 use crate::diagnostic::messages::legacy as say;
 use crate::parse::faults::Faults;
 use crate::source::{Source, Span, Spanned};
@@ -67,11 +68,11 @@ pub(super) fn numeric(text: &str) -> bool {
 /// What a number is for, and what it may be.
 pub(super) struct Range64 {
     /// As messages call it.
-    pub(super) what: &'static str,
+    pub(super) what: Noun,
     /// Its bounds.
     pub(super) bounds: RangeInclusive<f64>,
     /// The unit of measure, for messages.
-    pub(super) unit: &'static str,
+    pub(super) unit: Noun,
 }
 
 /// Reads a number within bounds; reports and returns `None` for everything else.

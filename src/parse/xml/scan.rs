@@ -7,16 +7,25 @@
 
 use super::tag::{Attribute, is_blank, is_name_start, narrow};
 use crate::diagnostic::messages::xml as say;
+use crate::diagnostic::{Noun, noun};
 use crate::parse::faults::Faults;
 use quick_xml::{Reader, events::Event};
 use std::ops::Range;
 
 /// What may hold a `<`: how it begins, what it is, how it ends. A document type is refused, ended or not.
-const ENCLOSED: [(&str, &str, &str); 4] = [
-    ("<!--", "comment `<!--`", "-->"),
-    ("<![CDATA[", "text section `<![CDATA[`", "]]>"),
-    ("<?", "processing instruction `<?`", "?>"),
-    ("<!DOCTYPE", "", ">"),
+const ENCLOSED: [(&str, Noun, &str); 4] = [
+    ("<!--", noun("comment `<!--`", "注釈 `<!--` "), "-->"),
+    (
+        "<![CDATA[",
+        noun("text section `<![CDATA[`", "CDATA 区間 `<![CDATA[` "),
+        "]]>",
+    ),
+    (
+        "<?",
+        noun("processing instruction `<?`", "処理命令 `<?` "),
+        "?>",
+    ),
+    ("<!DOCTYPE", noun("", ""), ">"),
 ];
 
 /// A piece of the file.
@@ -272,10 +281,10 @@ impl<'a, 'f> Scanner<'a, 'f> {
     /// Steps over something without an end.
     fn endless(&mut self, start: usize) -> Option<Token<'a>> {
         let kind = ENCLOSED.iter().find(|k| self.rest().starts_with(k.0));
-        if let Some((open, what, end)) = kind.filter(|k| !k.1.is_empty()) {
+        if let Some((open, what, end)) = kind.filter(|k| !k.1.en.is_empty()) {
             self.at += open.len();
             let range = start..self.at;
-            self.faults.at(&range, |s| say::not_ended(s, what, end));
+            self.faults.at(&range, |s| say::not_ended(s, *what, end));
         } else {
             self.refuse(start);
             let rest = self.rest();

@@ -5,6 +5,7 @@ use super::suggest::narrow_ascii;
 use super::tag::{Attribute, is_blank};
 use crate::diagnostic::messages::xml as say;
 use crate::source::{Span, Spanned};
+use crate::text;
 use std::ops::{Range, RangeInclusive};
 
 /// Further from the origin than any house of this world in metres, and further than any wall in U or shaku.
@@ -74,8 +75,11 @@ impl<'t> Reader<'t, '_> {
             _ => {
                 let (least, most) = (*range.start(), *range.end());
                 self.faults.push(|| {
-                    let bounds = format!("a whole number from {least} to {most}");
-                    say::out_of_range(span, name, text, &bounds)
+                    let bounds = text!(
+                        "a whole number from {least} to {most}",
+                        "{least} から {most} までの整数"
+                    );
+                    say::out_of_range(span, name, text, bounds)
                 });
                 None
             }
@@ -217,12 +221,11 @@ impl<'t> Reader<'t, '_> {
         }
         let (least, most) = (*range.start(), *range.end());
         self.faults.push(|| {
-            say::out_of_range(
-                span,
-                name,
-                text,
-                &format!("a number from {least} to {most}"),
-            )
+            let bounds = text!(
+                "a number from {least} to {most}",
+                "{least} から {most} までの数値"
+            );
+            say::out_of_range(span, name, text, bounds)
         });
         None
     }

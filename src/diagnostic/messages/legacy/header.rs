@@ -1,28 +1,49 @@
 //! Messages about the header, the sections and the heights of the legacy text.
 
-use super::{list, quote};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::messages::words::{any_of, quote};
+use crate::diagnostic::{Diagnostic, Noun, Text};
 use crate::source::Span;
+use crate::text;
 
 /// Codes or roofs stand where the place of the house should.
 #[cold]
 pub fn no_header(span: Span) -> Diagnostic {
-    Diagnostic::error(101, span, "the header is missing: the line `x y [azimuth]` with the place of the house")
-        .help("write `0 0 180`, a line of storey heights such as `9.0`, and a blank line before the walls")
+    let message = text!(
+        "the header is missing: the line `x y [azimuth]` with the place of the house",
+        "ヘッダーがありません。家の位置を示す行 `x y [方位角]` が必要です"
+    );
+    Diagnostic::error(101, span, message).help(text!(
+        "write `0 0 180`, a line of storey heights such as `9.0`, and a blank line before the walls",
+        "壁の前に、`0 0 180`、階高の行 (`9.0` など)、空行の順に書いてください"
+    ))
 }
 
 /// A number that must be there is not.
 #[cold]
-pub fn missing_number(span: Span, what: &str) -> Diagnostic {
-    Diagnostic::error(102, span, format!("the number of {what} is missing"))
-        .help("write both local coordinates in metres, and the azimuth if the house does not face south: `0 0 180`")
+pub fn missing_number(span: Span, what: impl Into<Text>) -> Diagnostic {
+    let what = what.into();
+    let message = text!([what]
+        "the number of {what} is missing",
+        "{what} の数値がありません"
+    );
+    Diagnostic::error(102, span, message).help(text!(
+        "write both local coordinates in metres, and the azimuth if the house does not face south: `0 0 180`",
+        "平面座標をメートルで二つ書いてください。南向きでなければ方位角も書きます: `0 0 180`"
+    ))
 }
 
 /// A word that should be a number.
 #[cold]
-pub fn not_a_number(span: Span, text: &str, what: &str) -> Diagnostic {
-    Diagnostic::error(103, span, format!("{} is no number for {what}", quote(text)))
-        .help("write digits with a point for the fraction, without a unit, and part numbers by blanks: `9.0 5.5`")
+pub fn not_a_number(span: Span, text: &str, what: impl Into<Text>) -> Diagnostic {
+    let (quoted, what) = (quote(text), what.into());
+    let message = text!([what]
+        "{quoted} is no number for {what}",
+        "{quoted} は{what}の数値として読めません"
+    );
+    Diagnostic::error(103, span, message).help(text!(
+        "write digits with a point for the fraction, without a unit, and part numbers by blanks: `9.0 5.5`",
+        "数字と小数点だけで単位を付けずに書き、数値どうしは空白で区切ってください: `9.0 5.5`"
+    ))
 }
 
 /// A number that no house has.
@@ -30,35 +51,42 @@ pub fn not_a_number(span: Span, text: &str, what: &str) -> Diagnostic {
 pub fn out_of_range(
     span: Span,
     text: &str,
-    what: &str,
+    what: impl Into<Text>,
     least: f64,
     most: f64,
-    unit: &str,
+    unit: Noun,
 ) -> Diagnostic {
-    Diagnostic::error(
-        104,
-        span,
-        format!("{} is out of range for {what}", quote(text)),
-    )
-    .help(format!("give a number from {least} to {most} {unit}"))
+    let (quoted, what) = (quote(text), what.into());
+    let message = text!([what]
+        "{quoted} is out of range for {what}",
+        "{quoted} は{what}の範囲を外れています"
+    );
+    Diagnostic::error(104, span, message).help(text!([unit]
+        "give a number from {least} to {most} {unit}",
+        "{least} から {most} まで ({unit}) の数値を書いてください"
+    ))
 }
 
 /// A line of the header that begins with no known key.
 #[cold]
 pub fn unknown_key(span: Span, text: &str, near: Option<&str>, keys: &[&str]) -> Diagnostic {
+    let quoted = quote(text);
+    let message = text!(
+        "{quoted} is no key of the header",
+        "{quoted} というヘッダーの項目はありません"
+    );
+    let all = any_of(keys);
     let help = match near {
-        Some(key) => format!("write `{key}`, a blank, and its value"),
-        None => format!(
-            "write one of {}; a comment begins with `#` in the first column",
-            list(keys)
+        Some(key) => text!(
+            "write `{key}`, a blank, and its value",
+            "`{key}`、空白、値の順に書いてください"
+        ),
+        None => text!([all]
+            "write one of {all}; a comment begins with `#` in the first column",
+            "{all} のどれかを書いてください。注釈は一桁目の `#` で始めます"
         ),
     };
-    Diagnostic::error(
-        105,
-        span,
-        format!("{} is no key of the header", quote(text)),
-    )
-    .help(help)
+    Diagnostic::error(105, span, message).help(help)
 }
 
 /// A word that is none of those a key takes.
@@ -70,114 +98,164 @@ pub fn bad_choice(
     near: Option<&str>,
     choices: &[&str],
 ) -> Diagnostic {
+    let (quoted, all) = (quote(text), any_of(choices));
+    let message = text!(
+        "`{key}` cannot be {quoted}",
+        "`{key}` に {quoted} は書けません"
+    );
     let help = match near {
-        Some(word) => format!("write `{key} {word}`"),
-        None => format!("write {} after `{key}`", list(choices)),
+        Some(word) => text!("write `{key} {word}`", "`{key} {word}` と書いてください"),
+        None => text!([all] "write {all} after `{key}`", "`{key}` の後に {all} と書いてください"),
     };
-    Diagnostic::error(106, span, format!("`{key}` cannot be {}", quote(text))).help(help)
+    Diagnostic::error(106, span, message).help(help)
 }
 
 /// More words than a line takes.
 #[cold]
-pub fn surplus(span: Span, what: &str) -> Diagnostic {
-    Diagnostic::error(
-        107,
-        span,
-        format!("there is more after {what} than the line can hold"),
-    )
-    .help("delete it; a comment needs a line of its own that begins with `#`")
+pub fn surplus(span: Span, what: impl Into<Text>) -> Diagnostic {
+    let what = what.into();
+    let message = text!([what]
+        "there is more after {what} than the line can hold",
+        "{what} の後に余分なものがあります"
+    );
+    Diagnostic::error(107, span, message).help(text!(
+        "delete it; a comment needs a line of its own that begins with `#`",
+        "削除してください。注釈は `#` で始まる独立した行に書きます"
+    ))
 }
 
 /// A key or option that was given before.
 #[cold]
 pub fn twice(span: Span, key: &str, before: Span) -> Diagnostic {
-    Diagnostic::warning(
-        108,
-        span,
-        format!("`{key}` is given twice; this one counts"),
-    )
-    .help("delete one of the two")
-    .label(before, "the first one")
+    let message = text!(
+        "`{key}` is given twice; this one counts",
+        "`{key}` が二度書かれています。後の方を使います"
+    );
+    Diagnostic::warning(108, span, message)
+        .help(text!(
+            "delete one of the two",
+            "どちらか一方を削除してください"
+        ))
+        .label(before, text!("the first one", "一つ目"))
 }
 
 /// A line of the header after the walls have begun.
 #[cold]
 pub fn late_key(span: Span, key: &str) -> Diagnostic {
-    Diagnostic::error(109, span, format!("`{key}` belongs in the header"))
-        .help("move the line up, before the blank line that begins the walls")
+    let message = text!(
+        "`{key}` belongs in the header",
+        "`{key}` はヘッダーに書くものです"
+    );
+    Diagnostic::error(109, span, message).help(text!(
+        "move the line up, before the blank line that begins the walls",
+        "この行を、壁の前の空行より上へ移してください"
+    ))
 }
 
 /// Two sections without the blank line between them.
 #[cold]
-pub fn no_blank_line(span: Span, before: &str, after: &str) -> Diagnostic {
-    Diagnostic::warning(
-        110,
-        span,
-        format!("there is no blank line between the {before} and the {after}"),
-    )
-    .help("put a blank line before this one")
+pub fn no_blank_line(span: Span, before: Noun, after: Noun) -> Diagnostic {
+    let message = text!([before, after]
+        "there is no blank line between the {before} and the {after}",
+        "{before}と{after}のあいだに空行がありません"
+    );
+    Diagnostic::warning(110, span, message).help(text!(
+        "put a blank line before this one",
+        "この行の前に空行を入れてください"
+    ))
 }
 
 /// A line of numbers after the heights.
 #[cold]
 pub fn third_numbers(span: Span, heights: Span) -> Diagnostic {
-    Diagnostic::error(
-        111,
-        span,
+    let message = text!(
         "the header has two lines of numbers: the place, and the storey heights",
-    )
-    .help("write all storey heights on one line, from the ground up")
-    .label(heights, "the storey heights are here")
+        "ヘッダーの数値の行は、位置と階高の二行だけです"
+    );
+    Diagnostic::error(111, span, message)
+        .help(text!(
+            "write all storey heights on one line, from the ground up",
+            "階高は一階から順に、すべて一行に書いてください"
+        ))
+        .label(
+            heights,
+            text!("the storey heights are here", "階高はここにあります"),
+        )
 }
 
 /// More heights than storeys.
 #[cold]
 pub fn surplus_heights(span: Span, heights: usize, storeys: usize) -> Diagnostic {
-    Diagnostic::warning(
-        112,
-        span,
-        format!("there are {heights} storey heights, but the walls of {storeys}"),
-    )
-    .help("delete the surplus heights, or close each storey with `^` after its last wall")
+    let message = text!(
+        "there are {heights} storey heights, but the walls of {storeys}",
+        "階高は{heights}階分ありますが、壁は{storeys}階分しかありません"
+    );
+    Diagnostic::warning(112, span, message).help(text!(
+        "delete the surplus heights, or close each storey with `^` after its last wall",
+        "余分な階高を削除するか、階ごとに最後の壁の後に `^` を書いて区切ってください"
+    ))
 }
 
 /// A comment that does not begin its line.
 #[cold]
 pub fn comment_column(span: Span) -> Diagnostic {
-    Diagnostic::error(113, span, "a comment must begin in the first column")
-        .help("put the comment on a line of its own, with `#` as its first character")
+    let message = text!(
+        "a comment must begin in the first column",
+        "注釈は一桁目から始めなければなりません"
+    );
+    Diagnostic::error(113, span, message).help(text!(
+        "put the comment on a line of its own, with `#` as its first character",
+        "注釈は独立した行に、`#` を先頭にして書いてください"
+    ))
 }
 
 /// A comment as other languages write it.
 #[cold]
 pub fn comment_sign(span: Span, sign: &str) -> Diagnostic {
-    Diagnostic::error(113, span, format!("`{sign}` begins no comment"))
-        .help("a comment begins with `#` in the first column")
+    let message = text!(
+        "`{sign}` begins no comment",
+        "`{sign}` は注釈の始まりではありません"
+    );
+    Diagnostic::error(113, span, message).help(text!(
+        "a comment begins with `#` in the first column",
+        "注釈は一桁目の `#` で始めてください"
+    ))
 }
 
 /// Text beside `%`.
 #[cold]
 pub fn after_separator(span: Span) -> Diagnostic {
-    Diagnostic::error(114, span, "a `%` between two houses stands alone on its line")
-        .help("delete the rest of the line; write a comment on its own line, the name of a house as `name ...` in its header")
+    let message = text!(
+        "a `%` between two houses stands alone on its line",
+        "家と家を区切る `%` の行には、ほかに何も書けません"
+    );
+    Diagnostic::error(114, span, message).help(text!(
+        "delete the rest of the line; write a comment on its own line, the name of a house as `name ...` in its header",
+        "行の残りを削除してください。注釈は独立した行に、家の名前はヘッダーに `name ...` と書きます"
+    ))
 }
 
 /// A second header without `%`.
 #[cold]
 pub fn no_separator(span: Span) -> Diagnostic {
-    Diagnostic::error(
-        115,
-        span,
+    let message = text!(
         "a header begins here, but the house before it is not closed",
-    )
-    .help("write `%` alone on a line between two houses")
+        "ここから次のヘッダーが始まりますが、前の家が終わっていません"
+    );
+    Diagnostic::error(115, span, message).help(text!(
+        "write `%` alone on a line between two houses",
+        "家と家のあいだに `%` だけの行を書いてください"
+    ))
 }
 
 /// A header without walls.
 #[cold]
 pub fn no_walls(span: Span) -> Diagnostic {
-    Diagnostic::error(116, span, "this house has no walls")
-        .help("after the header and a blank line, write one line of part codes for each wall, clockwise from the front")
+    let message = text!("this house has no walls", "この家には壁がありません");
+    Diagnostic::error(116, span, message).help(text!(
+        "after the header and a blank line, write one line of part codes for each wall, clockwise from the front",
+        "ヘッダーと空行の後に、壁ごとに部材コードを一行ずつ、正面から時計回りに書いてください"
+    ))
 }
 
 /// A key or header value without anything after it.
@@ -191,27 +269,38 @@ pub fn missing_value(span: Span, key: &str) -> Diagnostic {
         "street" => "yes",
         _ => "corner house",
     };
-    Diagnostic::error(117, span, format!("`{key}` has no value")).help(format!(
-        "write for example `{key} {example}`, or delete the line"
+    let message = text!("`{key}` has no value", "`{key}` の値がありません");
+    Diagnostic::error(117, span, message).help(text!(
+        "write for example `{key} {example}`, or delete the line",
+        "`{key} {example}` のように書くか、行を削除してください"
     ))
 }
 
 /// A seed that is negative, broken or too large.
 #[cold]
 pub fn bad_seed(span: Span, text: &str) -> Diagnostic {
-    Diagnostic::error(118, span, format!("{} cannot be a seed", quote(text)))
-        .help(format!("write a whole number from 0 to {}", u64::MAX))
+    let (quoted, most) = (quote(text), u64::MAX);
+    let message = text!(
+        "{quoted} cannot be a seed",
+        "{quoted} は乱数の種にできません"
+    );
+    Diagnostic::error(118, span, message).help(text!(
+        "write a whole number from 0 to {most}",
+        "0 から {most} までの整数を書いてください"
+    ))
 }
 
 /// One line of numbers, which is the place; the heights were left out or taken for it.
 #[cold]
 pub fn no_heights(place: Span) -> Diagnostic {
-    Diagnostic::note(
-        119,
-        place,
+    let message = text!(
         "only one line of numbers: it is read as the place, and every storey is 9 shaku high",
-    )
-    .help("write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them")
+        "数値の行がひとつしかないため、位置として読み、階高はすべて 9 尺とします"
+    );
+    Diagnostic::note(119, place, message).help(text!(
+        "write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them",
+        "次の行に `9.0` のように階高を書いてください。この数値が階高なら、前に `0 0 180` の行を書きます"
+    ))
 }
 
 /// A height that is likely given in metres (below), in sun or in centimetres (above).
@@ -220,22 +309,30 @@ pub fn odd_height(span: Span, height: f64) -> Diagnostic {
     let tenths = |value: f64| (value * 10.0).round() / 10.0;
     let metres = (height * 1000.0 / 33.0).round() / 100.0;
     let (unit, shaku) = match height {
-        h if h < 40.0 => ("metres", h * 3.3),
-        h if h <= 150.0 => ("sun", h / 10.0),
-        h => ("centimetres", h * 0.033),
+        h if h < 40.0 => (text!("metres", "メートル"), h * 3.3),
+        h if h <= 150.0 => (text!("sun", "寸"), h / 10.0),
+        h => (text!("centimetres", "センチメートル"), h * 0.033),
     };
-    let message = format!("a storey of {height} shaku is {metres} m high");
-    Diagnostic::warning(137, span, message).help(format!(
-        "heights are in shaku, and 1 m is 3.3 shaku: write `{:?}` if {unit} are meant",
-        tenths(shaku)
+    let shaku = tenths(shaku);
+    let message = text!(
+        "a storey of {height} shaku is {metres} m high",
+        "階高 {height} 尺は {metres} m になります"
+    );
+    Diagnostic::warning(137, span, message).help(text!([unit]
+        "heights are in shaku, and 1 m is 3.3 shaku: write `{shaku:?}` if {unit} are meant",
+        "高さの単位は尺です (1 m は 3.3 尺)。{unit}のつもりなら `{shaku:?}` と書いてください"
     ))
 }
 
 /// A tag after legacy lines.
 #[cold]
 pub fn xml_after_text(span: Span) -> Diagnostic {
-    let message = "the XML form begins here, but lines of the legacy form stand before it";
-    Diagnostic::error(139, span, message).help(
+    let message = text!(
+        "the XML form begins here, but lines of the legacy form stand before it",
+        "ここから XML 形式が始まりますが、その前に従来形式の行があります"
+    );
+    Diagnostic::error(139, span, message).help(text!(
         "delete the lines before the first tag, or write comments as `<!-- ... -->`; the XML form is read from here on",
-    )
+        "最初のタグより前の行を削除するか、注釈なら `<!-- ... -->` と書いてください。ここから先を XML 形式として読みます"
+    ))
 }

@@ -1,45 +1,78 @@
 //! Messages about roof lines (HSD0140 and on).
 
-use super::quote;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::messages::words::quote;
+use crate::diagnostic::{Diagnostic, Text, noun};
 use crate::source::Span;
+use crate::text;
 
 /// A kind letter that does not exist.
 #[cold]
 pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
-    let all = "K tiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`";
-    let help = match near {
-        Some(kind) => format!("write `{kind}`; the kinds are {all}"),
-        None => format!("write {all}"),
-    };
-    Diagnostic::error(140, span, format!("{} is no kind of roof", quote(text))).help(help)
+    let all = noun(
+        "K tiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`",
+        "K 桟瓦、G 本瓦、I 板、S 柿、H 檜皮、Y 茅、T 金属板、または `*`",
+    );
+    let quoted = quote(text);
+    let message = text!(
+        "{quoted} is no kind of roof",
+        "{quoted} という葺き方はありません"
+    );
+    Diagnostic::error(140, span, message).help(match near {
+        Some(kind) => text!([all]
+            "write `{kind}`; the kinds are {all}",
+            "`{kind}` と書いてください。葺き方は {all} です"
+        ),
+        None => text!([all] "write {all}", "{all} のどれかを書いてください"),
+    })
 }
 
 /// A direction letter that does not exist.
 #[cold]
 pub fn unknown_direction(span: Span, text: &str) -> Diagnostic {
-    Diagnostic::error(141, span, format!("{} is no direction of a roof", quote(text))).help(
+    let quoted = quote(text);
+    let message = text!(
+        "{quoted} is no direction of a roof",
+        "{quoted} という屋根の向きはありません"
+    );
+    Diagnostic::error(141, span, message).help(text!(
         "write X for a ridge along the front, Y for one at right angles to it, F, B, L or R for the side a single slope falls to, or `*`",
-    )
+        "棟が正面に平行なら X、直交するなら Y、片流れなら流れる側を F、B、L、R で、または `*` と書いてください"
+    ))
 }
 
 /// Three letters that are no shape.
 #[cold]
 pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
-    let all = "KIR, YOS, YOK, IRI, HAK, HOG, KAT, HIS, TER, KAR, RIK or `*`";
-    let help = match near {
-        Some(shape) => format!("did you mean `{shape}`? The shapes are {all}"),
-        None => format!("write one of {all}"),
-    };
-    Diagnostic::error(142, span, format!("{} is no shape of a roof", quote(text))).help(help)
+    let all = noun(
+        "KIR, YOS, YOK, IRI, HAK, HOG, KAT, HIS, TER, KAR, RIK or `*`",
+        "KIR、YOS、YOK、IRI、HAK、HOG、KAT、HIS、TER、KAR、RIK、`*`",
+    );
+    let quoted = quote(text);
+    let message = text!(
+        "{quoted} is no shape of a roof",
+        "{quoted} という屋根の形はありません"
+    );
+    Diagnostic::error(142, span, message).help(match near {
+        Some(shape) => text!([all]
+            "did you mean `{shape}`? The shapes are {all}",
+            "`{shape}` ではありませんか。屋根の形は {all} です"
+        ),
+        None => text!([all] "write one of {all}", "{all} のどれかを書いてください"),
+    })
 }
 
 /// A word after the corners that is no option.
 #[cold]
 pub fn unknown_option(span: Span, text: &str) -> Diagnostic {
-    Diagnostic::error(143, span, format!("{} is no option of a roof", quote(text))).help(
+    let quoted = quote(text);
+    let message = text!(
+        "{quoted} is no option of a roof",
+        "{quoted} という屋根の指定はありません"
+    );
+    Diagnostic::error(143, span, message).help(text!(
         "write P pitch, E eaves, G verge, T thickness, M ridge courses, S sag, C gable or R ridge length with a number glued to it, or O alone",
-    )
+        "P 勾配、E 軒の出、G 螻羽の出、T 厚さ、M のし瓦の段数、S 反り、C 妻の位置、R 棟の長さのどれかに数値を続けて書くか、O だけを書いてください"
+    ))
 }
 
 /// A ridge for one slope, or a fall for two.
@@ -47,94 +80,146 @@ pub fn unknown_option(span: Span, text: &str) -> Diagnostic {
 pub fn direction_misfit(span: Span, shape_span: Span, shape: &str, ridge: bool) -> Diagnostic {
     let (message, help) = if ridge {
         (
-            format!("a {shape} roof has no ridge, so it needs the side to which it falls"),
-            "write F front, B back, L left or R right",
+            text!(
+                "a {shape} roof has no ridge, so it needs the side to which it falls",
+                "{shape} の屋根には棟がないため、流れる側の指定が必要です"
+            ),
+            text!(
+                "write F front, B back, L left or R right",
+                "F 正面、B 背面、L 左、R 右のどれかを書いてください"
+            ),
         )
     } else {
         (
-            format!("a {shape} roof has a ridge, so it cannot fall to one side"),
-            "write X for a ridge along the front or Y for one at right angles to it; a lean-to is KAT",
+            text!(
+                "a {shape} roof has a ridge, so it cannot fall to one side",
+                "{shape} の屋根には棟があるため、片側へ流すことはできません"
+            ),
+            text!(
+                "write X for a ridge along the front or Y for one at right angles to it; a lean-to is KAT",
+                "棟が正面に平行なら X、直交するなら Y と書いてください。片流れは KAT です"
+            ),
         )
     };
     Diagnostic::error(144, span, message)
         .help(help)
-        .label(shape_span, "the shape")
+        .label(shape_span, text!("the shape", "屋根の形"))
 }
 
 /// A field left out before a later one.
 #[cold]
-pub fn missing_field(span: Span, what: &str) -> Diagnostic {
-    Diagnostic::error(145, span, format!("the roof lacks {what}")).help(
+pub fn missing_field(span: Span, what: impl Into<Text>) -> Diagnostic {
+    let what = what.into();
+    let message = text!([what] "the roof lacks {what}", "屋根の{what}がありません");
+    Diagnostic::error(145, span, message).help(text!(
         "write kind, direction, height, shape, then a0 b0 a1 b1, with `*` for what is to be found out: `K X * KIR 0 0 6 8`",
-    )
+        "葺き方、向き、高さ、形、a0 b0 a1 b1 の順に書いてください。任せるところは `*` とします: `K X * KIR 0 0 6 8`"
+    ))
 }
 
 /// Fewer than four corner numbers.
 #[cold]
 pub fn missing_corners(span: Span, count: usize) -> Diagnostic {
-    let what = match 4 - count.min(4) {
-        1 => "one of the four corner numbers is missing".to_owned(),
-        4 => "the corners of the roof are missing".to_owned(),
-        n => format!("{n} of the four corner numbers are missing"),
+    let missing = 4 - count.min(4);
+    let message = match missing {
+        1 => text!(
+            "one of the four corner numbers is missing",
+            "隅を示す四つの数値がひとつ足りません"
+        ),
+        4 => text!(
+            "the corners of the roof are missing",
+            "屋根の隅の数値がありません"
+        ),
+        _ => text!(
+            "{missing} of the four corner numbers are missing",
+            "隅を示す四つの数値が{missing}つ足りません"
+        ),
     };
-    Diagnostic::error(146, span, what)
-        .help("write a0 b0 a1 b1 after the shape: two opposite corners in units, to the left and to the back of the start")
+    Diagnostic::error(146, span, message).help(text!(
+        "write a0 b0 a1 b1 after the shape: two opposite corners in units, to the left and to the back of the start",
+        "形の後に a0 b0 a1 b1 と書いてください。始点から左と奥へ U で測った、向かい合う二つの隅です"
+    ))
 }
 
 /// A rectangle without width or depth.
 #[cold]
 pub fn no_extent(span: Span, other: Span, axis: char, text: &str) -> Diagnostic {
-    let extent = if axis == 'a' { "width" } else { "depth" };
-    Diagnostic::error(
-        147,
-        span,
-        format!("the roof has no {extent}: {axis}0 and {axis}1 are both {text}"),
-    )
-    .help("give two opposite corners of the rectangle, in the order a0 b0 a1 b1")
-    .label(other, format!("{axis}0"))
+    let extent = if axis == 'a' {
+        noun("width", "間口")
+    } else {
+        noun("depth", "奥行")
+    };
+    let message = text!([extent]
+        "the roof has no {extent}: {axis}0 and {axis}1 are both {text}",
+        "屋根の{extent}がありません。{axis}0 も {axis}1 も {text} です"
+    );
+    Diagnostic::error(147, span, message)
+        .help(text!(
+            "give two opposite corners of the rectangle, in the order a0 b0 a1 b1",
+            "矩形の向かい合う二つの隅を a0 b0 a1 b1 の順に書いてください"
+        ))
+        .label(other, format!("{axis}0"))
 }
 
 /// Kind and direction as one word.
 #[cold]
 pub fn glued(span: Span, text: &str) -> Diagnostic {
     let spread: Vec<String> = text.chars().map(String::from).collect();
-    Diagnostic::error(
-        148,
-        span,
-        format!("kind and direction are two fields, not {}", quote(text)),
-    )
-    .help(format!("write `{}`", spread.join(" ")))
+    let (quoted, spread) = (quote(text), spread.join(" "));
+    let message = text!(
+        "kind and direction are two fields, not {quoted}",
+        "{quoted} は葺き方と向きの二項目に分けて書くものです"
+    );
+    Diagnostic::error(148, span, message)
+        .help(text!("write `{spread}`", "`{spread}` と書いてください"))
 }
 
 /// Lower case in a roof line.
 #[cold]
 pub fn lower_roof(span: Span) -> Diagnostic {
-    Diagnostic::warning(149, span, "the letters of a roof line are capitals")
-        .help("write them as capitals")
+    let message = text!(
+        "the letters of a roof line are capitals",
+        "屋根の行の文字は大文字です"
+    );
+    Diagnostic::warning(149, span, message)
+        .help(text!("write them as capitals", "大文字で書いてください"))
 }
 
 /// An option letter without a number, or apart from it.
 #[cold]
-pub fn bare_option(span: Span, letter: char, what: &str, apart: Option<&str>) -> Diagnostic {
-    let help = match apart {
-        Some(number) => format!("write the number right after the letter: `{letter}{number}`"),
-        None => format!("write {what} right after the letter, or delete the `{letter}`"),
-    };
-    Diagnostic::error(
-        150,
-        span,
-        format!("the option `{letter}` has no number for {what}"),
-    )
-    .help(help)
+pub fn bare_option(
+    span: Span,
+    letter: char,
+    what: impl Into<Text>,
+    apart: Option<&str>,
+) -> Diagnostic {
+    let what = what.into();
+    let message = text!([what]
+        "the option `{letter}` has no number for {what}",
+        "指定 `{letter}` に{what}の数値がありません"
+    );
+    Diagnostic::error(150, span, message).help(match apart {
+        Some(number) => text!(
+            "write the number right after the letter: `{letter}{number}`",
+            "数値を文字のすぐ後に続けて `{letter}{number}` と書いてください"
+        ),
+        None => text!([what]
+            "write {what} right after the letter, or delete the `{letter}`",
+            "{what}を文字のすぐ後に書くか、`{letter}` を削除してください"
+        ),
+    })
 }
 
 /// Half a course of ridge tiles.
 #[cold]
 pub fn no_whole_number(span: Span, text: &str) -> Diagnostic {
-    Diagnostic::error(
-        151,
-        span,
-        format!("{} is no whole number of ridge courses", quote(text)),
-    )
-    .help("write a whole number, for example `M3`")
+    let quoted = quote(text);
+    let message = text!(
+        "{quoted} is no whole number of ridge courses",
+        "{quoted} はのし瓦の段数として整数ではありません"
+    );
+    Diagnostic::error(151, span, message).help(text!(
+        "write a whole number, for example `M3`",
+        "`M3` のように整数を書いてください"
+    ))
 }

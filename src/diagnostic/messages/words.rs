@@ -1,0 +1,44 @@
+//! Words that several messages are made of.
+
+use crate::diagnostic::Text;
+use std::fmt::Display;
+
+/// Words of the language as a choice: "`K`, `I` or `S`". Nothing for none.
+pub(super) fn any_of<T: Display>(words: &[T]) -> Text {
+    joined(words, "or", "か")
+}
+
+/// Words of the language one and all: "`K`, `I` and `S`". Nothing for none.
+pub(super) fn all_of<T: Display>(words: &[T]) -> Text {
+    joined(words, "and", "と")
+}
+
+fn joined<T: Display>(words: &[T], last: &str, last_ja: &str) -> Text {
+    let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
+    match quoted.split_last() {
+        Some((end, rest)) if !rest.is_empty() => Text::both(
+            format!("{} {last} {end}", rest.join(", ")),
+            format!("{} {last_ja} {end}", rest.join("、")),
+        ),
+        _ => quoted.concat().into(),
+    }
+}
+
+/// What an author wrote, in backquotes, on one line and not longer than a line of a report.
+pub(super) fn quote(text: &str) -> String {
+    format!("`{}`", shortened(text))
+}
+
+/// The same without the backquotes, for longer examples.
+pub(super) fn shortened(text: &str) -> String {
+    let mut chars = text.chars();
+    let head: String = chars.by_ref().take(40).collect();
+    let end = if chars.next().is_some() { "…" } else { "" };
+    format!("{}{end}", head.replace(['\n', '\r', '\t'], " "))
+}
+
+/// A number without needless decimals.
+pub(super) fn short(value: f64) -> String {
+    let text = format!("{value:.2}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
