@@ -2,7 +2,7 @@
 //!
 //! The way of a storey: its plan less the storey above ([`plan`]) less roof lines (`explicit`) is
 //! cut and merged into rectangles ([`partition`]); [`ridge::regions`] says how each is roofed (main
-//! roof, branch running into its trunk, lean-to); a shape ([`gable`], [`lean_to`], [`pent`],
+//! roof, branch running into its trunk, lean-to); a shape ([`hall`], [`lean_to`], [`pent`],
 //! [`flat`]) turns each into a [`form::Form`]; roofs of one height meet in valleys (`meet`); what
 //! remains of each becomes a closed solid ([`sheet`]) with gable walls. What it wears (ridge tiles, barge boards,
 //! rafters) is made by tessellation, from the solids and a small [`Dress`](crate::building::Dress).
@@ -20,15 +20,17 @@ mod assemble;
 mod automatic;
 pub mod branch_cut;
 pub mod chord;
+mod corners;
 pub mod effort;
+pub mod end;
 mod explicit;
 pub mod facet;
 pub mod flat;
 pub mod form;
 mod forms;
 pub mod frame;
-pub mod gable;
 pub mod gable_wall;
+pub mod hall;
 mod headroom;
 mod house;
 pub mod kd;
@@ -44,9 +46,11 @@ mod overhang;
 pub mod partition;
 pub mod pent;
 pub mod plan;
+pub mod profile;
 mod raster;
 mod report;
 pub mod ridge;
+mod run_in;
 mod scan;
 pub mod sheet;
 mod sides;

@@ -122,6 +122,11 @@ impl RoofShape {
             .map(|(_, shape)| *shape)
     }
 
+    /// Whether it is a hip whose four slopes rise alike; `ratio` = the length of its ridge is given.
+    pub fn has_equal_slopes(self, ratio: bool) -> bool {
+        matches!(self, RoofShape::Hip | RoofShape::Pyramid) && !ratio
+    }
+
     /// Its three letters.
     pub fn letters(self) -> &'static str {
         Self::ALL

@@ -1,9 +1,9 @@
 //! Automatic roofs: each region of a storey becomes a gable, a branch, a lean-to or a flat roof.
 
+use super::end::End;
 use super::facet::EPS;
 use super::forms::{Context, Planned};
 use super::frame::{end_sides, near_side};
-use super::gable::End;
 use super::gable_wall::{SUNK, panel};
 use super::lean_to::{Flank, LeanTo};
 use super::look::Look;
@@ -122,22 +122,20 @@ impl<'c, 'h> Automatic<'c, 'h> {
             match (region.ridge, region.fall) {
                 (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
                     Some(slope) => self.tucked_roof(n, slope, ceilings),
-                    None => self
-                        .context
-                        .gable(region.cell, along(fall), self.base, None),
+                    None => self.context.hall(region.cell, along(fall), self.base, None),
                 },
                 (None, Some(fall)) => {
                     let look = self.looks[n];
                     self.context
                         .lean_to_with(region.cell, fall, self.base, look)
                 }
-                (ridge, _) => self.gable(n, ridge.unwrap_or(Ridge::A)),
+                (ridge, _) => self.hall(n, ridge.unwrap_or(Ridge::A)),
             }
         };
         (0..self.count).map(roof).collect()
     }
 
-    fn gable(&self, n: usize, ridge: Ridge) -> Planned {
+    fn hall(&self, n: usize, ridge: Ridge) -> Planned {
         let (region, look) = (&self.regions[n], self.looks[n]);
         let near = near_side(ridge);
         let ends = end_sides(near).map(|side| {
@@ -158,10 +156,10 @@ impl<'c, 'h> Automatic<'c, 'h> {
             }
         });
         self.context
-            .gable_with(region.cell, ridge, self.base, look, ends)
+            .hall_with(region.cell, ridge, self.base, look, ends)
     }
 
-    /// The end of gable `n` that joins no trunk. It may still lie on the slope of a roof that stands
+    /// The end of roof `n` that joins no trunk. It may still lie on the slope of a roof that stands
     /// higher, as at the far end of a wing between two halls: then it dies there as well.
     fn other_end(&self, n: usize, side: Side, plain: End) -> End {
         let region = &self.regions[n];
@@ -195,38 +193,6 @@ impl<'c, 'h> Automatic<'c, 'h> {
         plain
     }
 
-    /// The end of branch `n` that lies with `side` on its trunk: the ridge runs on until it dies in
-    /// the trunk's slope (domain.md 3.7). Where it stands higher than the trunk, it ends over the
-    /// trunk's ridge in a gable of its own.
-    fn run_in(&self, n: usize, trunk: usize, side: Side, plain: End) -> End {
-        let (own, other) = (&self.looks[n], &self.looks[trunk]);
-        let region = &self.regions[trunk];
-        let run = match (region.ridge, region.fall) {
-            (Some(ridge), _) if ridge != side.ridge_into() => {
-                side.measure(&region.cell).1 as f64 / 2.0
-            }
-            (None, Some(fall)) if fall == side.opposite() && region.over.is_none() => {
-                side.measure(&region.cell).1 as f64
-            }
-            // Against the trunk's gable, or over a lean-to that lies lower.
-            _ => return plain,
-        };
-        let run = run / crate::geometry::STEPS as f64 * self.context.unit;
-        let span = self.context.metres(self.regions[n].span());
-        let height = own.pitch * span / 2.0 + own.drop() - other.drop();
-        if height > other.pitch * run + 1e-6 {
-            return End {
-                reach: run,
-                ..plain
-            };
-        }
-        let reach = (height / other.pitch + 0.02).clamp(0.02, run);
-        End {
-            reach,
-            ..End::default()
-        }
-    }
-
     /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
     /// at its lower surface.
     fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> Planned {
@@ -251,7 +217,11 @@ impl<'c, 'h> Automatic<'c, 'h> {
     fn tucked_slope(&self, n: usize, fall: Side) -> LeanTo {
         let region = &self.regions[n];
         let depth = self.context.metres(fall.measure(&region.cell).1);
-        let mut look = self.looks[n];
+        let mut look = Look {
+            // Walls end along a plane below it.
+            sori: 0.0,
+            ..self.looks[n]
+        };
         let below = |joint: f64, look: &Look| {
             joint - self.tuck(n, fall, look) - look.drop() - look.pitch * depth
         };
@@ -312,7 +282,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             return TUCKED;
         };
         let eaves_side = match self.regions[trunk].ridge {
-            Some(ridge) => ridge != fall.ridge_into(),
+            Some(ridge) => ridge != fall.ridge_into() || self.cap(trunk).has_corners(),
             None => true,
         };
         let trunk = &self.looks[trunk];

@@ -204,11 +204,6 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
     if let Some(pitch) = style.pitch {
         check_pitch(pitch, kind, out);
     }
-    if let Some(shape) = style.shape
-        && !is_built(shape.value)
-    {
-        out.push(say::not_built_yet(shape.span, shape.value.letters()));
-    }
     let Some(direction) = line.direction else {
         return;
     };
@@ -252,12 +247,6 @@ pub(super) fn check_pitch(
             .map_or('K', |k| k.0);
         out.push(say::odd_pitch(pitch.span, pitch.value, letter, band));
     }
-}
-
-/// Whether this version has the shape; the others become gables.
-pub(super) fn is_built(shape: RoofShape) -> bool {
-    use RoofShape::{BroadGable, Flat, Gable, LeanTo, Pent};
-    matches!(shape, Gable | BroadGable | Flat | LeanTo | Pent)
 }
 
 /// The side a single slope falls to.
@@ -309,16 +298,12 @@ pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnos
             context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style)
         }
         _ => {
-            let long = ridge_wish.unwrap_or_else(|| context.automatic_ridge(&one.cell, one.shape));
-            context.gable(one.cell, long, one.base, style)
+            let run = context.ridge(&one.cell, &one.line.style, ridge_wish);
+            context.hall(one.cell, run, one.base, style)
         }
     };
     planned.roof.span = Some(one.line.span);
-    planned.roof.shape = if is_built(one.shape) {
-        one.shape
-    } else {
-        RoofShape::Gable
-    };
+    planned.roof.shape = one.shape;
     planned
 }
 

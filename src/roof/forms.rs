@@ -1,9 +1,10 @@
 //! From a rectangle and options to a roof: what stands beside each side decides its ends.
 
+use super::end::{Cap, End};
 use super::flat;
 use super::form::Form;
 use super::frame::{Rect, end_sides, metres, near_side};
-use super::gable::{End, Gable};
+use super::hall::Hall;
 use super::headroom::Headroom;
 use super::lean_to::{Flank, LeanTo};
 use super::level::Level;
@@ -103,20 +104,20 @@ impl Context<'_> {
         Look::gable(style, self.style, self.metres(span), self.unit)
     }
 
-    /// The end of a gable that joins no other roof.
+    /// The end of a roof that joins no other.
     pub(super) fn plain_end(&self, cell: &Cell, side: Side, look: &Look) -> End {
         if self.is_walled(cell, side) {
             return End::default();
         }
         End {
-            reach: 0.0,
             verge: look.verge,
             wall: true,
+            ..End::default()
         }
     }
 
-    /// A gable over a cell of its own.
-    pub(super) fn gable(
+    /// A two-sloped roof over a cell of its own.
+    pub(super) fn hall(
         &self,
         cell: Cell,
         ridge: Ridge,
@@ -126,35 +127,55 @@ impl Context<'_> {
         let look = self.gable_look(&cell, ridge, style);
         let near = near_side(ridge);
         let ends = end_sides(near).map(|side| self.plain_end(&cell, side, &look));
-        self.gable_with(cell, ridge, base, look, ends)
+        self.hall_with(cell, ridge, base, look, ends)
     }
 
-    /// A gable with given ends.
-    pub(super) fn gable_with(
+    /// A two-sloped roof with given ends; the free ones get the treatment of its shape.
+    pub(super) fn hall_with(
         &self,
         cell: Cell,
         ridge: Ridge,
         base: f64,
         look: Look,
-        ends: [End; 2],
+        mut ends: [End; 2],
     ) -> Planned {
-        let gable = Gable {
+        let near = near_side(ridge);
+        let (length, span) = match ridge {
+            Ridge::A => (cell.width(), cell.depth()),
+            Ridge::B => (cell.depth(), cell.width()),
+        };
+        let length = self.metres(length) + ends.iter().map(|e| e.reach).sum::<f64>();
+        let free = ends.map(|e| e.wall && e.reach == 0.0);
+        let cap = Cap::of(&look, length, self.metres(span) / 2.0, free == [true; 2]);
+        for (end, _) in ends.iter_mut().zip(free).filter(|(_, free)| *free) {
+            end.cap = cap;
+        }
+        let hall = Hall {
             rect: self.rect(&cell),
-            near: near_side(ridge),
+            near,
             base,
             look,
             ends,
         };
         Planned {
-            form: gable.form(),
+            form: hall.form(),
             look,
-            roof: self.roof(RoofShape::Gable, &look),
+            roof: self.roof(look.shape, &look),
             base,
         }
     }
 
+    /// The ridge of a written roof. Equal slopes on four sides have theirs along the long side, whatever
+    /// the author wishes.
+    pub(super) fn ridge(&self, cell: &Cell, style: &RoofStyle, wish: Option<Ridge>) -> Ridge {
+        let shape = style.shape.map_or(RoofShape::Gable, |s| s.value);
+        let ratio = style.ratio.or(self.style.ratio).is_some();
+        let wish = wish.filter(|_| !shape.has_equal_slopes(ratio) || cell.width() == cell.depth());
+        wish.unwrap_or_else(|| self.automatic_ridge(cell, shape))
+    }
+
     /// The ridge that a shape gets where nobody says.
-    pub(super) fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
+    fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
         let long = if cell.depth() > cell.width() {
             Ridge::B
         } else {

@@ -76,6 +76,16 @@ impl Plane {
         }
     }
 
+    /// The plane through three points; none where they lie in one line seen from above.
+    pub fn through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
+        let normal = (q - p).cross(r - p);
+        let slope = -normal.truncate() / normal.z;
+        (normal.z.abs() > 1e-9).then(|| Plane {
+            z: p.z - slope.dot(p.truncate()),
+            slope,
+        })
+    }
+
     /// Height over a point.
     pub fn at(&self, p: DVec2) -> f64 {
         self.z + self.slope.dot(p)

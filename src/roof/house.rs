@@ -80,12 +80,6 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
         let kind = style.kind.map_or(crate::ast::RoofKind::Tiles, |k| k.value);
         explicit::check_pitch(pitch, kind, out);
     }
-    if let Some(shape) = style.shape
-        && !explicit::is_built(shape.value)
-        && levels.iter().any(|l| l.orthogonal && !l.is_open())
-    {
-        out.push(say::not_built_yet(shape.span, shape.value.letters()));
-    }
 }
 
 /// The rectangle of the pent roof that a two-storeyed street house gets by itself (domain.md 4.5).
@@ -242,10 +236,10 @@ impl Storey<'_, '_> {
         };
         let shape = self.house.roofs.style.shape.map_or(usual, |s| s.value);
         let flat = many || shape == RoofShape::Flat;
-        if shape == RoofShape::BroadGable {
-            broaden(&mut found);
-        }
-        done.plans.push(report::plan(level, &found, flat));
+        let ratio = self.house.roofs.style.ratio.is_some();
+        turn(&mut found, shape, shape.has_equal_slopes(ratio));
+        let shape = if flat { RoofShape::Flat } else { shape };
+        done.plans.push(report::plan(level, &found, shape));
         if found.is_empty() {
             return vec![];
         }
@@ -391,13 +385,19 @@ fn strips(open: &Plan) -> Vec<Region> {
     cells.into_iter().map(Region::main).collect()
 }
 
-/// Main roofs with their ridges along the short side (YOK).
-fn broaden(regions: &mut [Region]) {
+/// Main roofs with their ridges where their shape wants them: along the short side (YOK), or along the long
+/// side even on a street where all slopes are equal.
+fn turn(regions: &mut [Region], shape: RoofShape, equal_slopes: bool) {
+    let (wide, deep) = match shape {
+        RoofShape::BroadGable => (Ridge::B, Ridge::A),
+        _ if equal_slopes => (Ridge::A, Ridge::B),
+        _ => return,
+    };
     for region in regions {
         if region.role == Role::Main && region.joins.is_none() && region.against_wall.is_none() {
             region.ridge = match region.cell.width().cmp(&region.cell.depth()) {
-                std::cmp::Ordering::Greater => Some(Ridge::B),
-                std::cmp::Ordering::Less => Some(Ridge::A),
+                std::cmp::Ordering::Greater => Some(wide),
+                std::cmp::Ordering::Less => Some(deep),
                 std::cmp::Ordering::Equal => region.ridge,
             };
         }

@@ -9,8 +9,10 @@
 use super::facet::Facet;
 use super::form::Form;
 use super::frame::{Frame, Plane, Rect};
-use super::gable_wall::{SUNK, panel, wedge};
+use super::gable_wall::{Fill, SUNK, panel};
+use super::hall::{Edge, Strip};
 use super::look::Look;
+use super::profile::Profile;
 use super::ridge::Side;
 use crate::building::Finish;
 
@@ -45,47 +47,77 @@ impl LeanTo {
     pub fn form(&self) -> Form {
         let frame = Frame::new(&self.rect, self.near);
         let drop = self.look.drop();
+        let profile = self.profile(&frame);
         Form {
-            facets: vec![self.facet(&frame)],
+            facets: self.facets(&frame, &profile),
             drop,
             floor: self.low + drop + 1e-4,
-            solids: self.walls(&frame),
+            solids: self.walls(&frame, &profile),
             under: None,
             hung: false,
         }
     }
 
-    /// Its lower surface.
+    /// Its lower surface, of straight ones.
     pub fn soffit(&self) -> Plane {
         Frame::new(&self.rect, self.near).rising(self.low, self.look.pitch)
     }
 
-    fn facet(&self, frame: &Frame) -> Facet {
-        let [start, end] = self.ends;
-        let (length, eaves) = (frame.length, -self.look.eaves);
-        let (u0, u1, high) = (-start.over, length + end.over, frame.depth + self.high.over);
-        let outline = [
-            (frame.at(u0, eaves), true),
-            (frame.at(u1, eaves), true),
-            (frame.at(u1, high), true),
-            (frame.at(u0, high), true),
-        ];
-        let body = [
-            (0.0, eaves),
-            (length, eaves),
-            (length, frame.depth),
-            (0.0, frame.depth),
-        ];
-        let plane = self.soffit().raised(self.look.drop());
-        Facet::new(&outline, &body.map(|(u, v)| frame.at(u, v)), plane)
+    /// Its rafter line.
+    fn profile(&self, frame: &Frame) -> Profile {
+        Profile::new(&self.look, frame.depth, &[])
     }
 
-    fn walls(&self, frame: &Frame) -> Vec<crate::building::Solid> {
+    fn facets(&self, frame: &Frame, profile: &Profile) -> Vec<Facet> {
+        let [start, end] = self.ends;
+        let base = self.low + self.look.drop();
+        let length = frame.length;
+        let strips = profile.strips().enumerate();
+        let facets = strips.filter_map(|(i, (lower, upper))| {
+            let last = i + 2 == profile.knots.len();
+            let over = if last { self.high.over } else { 0.0 };
+            let edge = |v: f64| Edge {
+                v,
+                z: base + profile.height(v),
+            };
+            let strip = Strip {
+                frame,
+                lower: edge(lower.d),
+                upper: edge(upper.d + over),
+                from: [-start.over; 2],
+                to: [length + end.over; 2],
+                body: [[0.0; 2], [length; 2]],
+                eaves: i == 0,
+                verges: [true; 2],
+                ridge: last,
+            };
+            let mut facet = strip.facet()?;
+            if over > 0.0 {
+                let body = [
+                    (0.0, lower.d),
+                    (length, lower.d),
+                    (length, upper.d),
+                    (0.0, upper.d),
+                ];
+                facet.body = body.map(|(u, v)| frame.at(u, v)).to_vec();
+            }
+            Some(facet)
+        });
+        facets.collect()
+    }
+
+    fn walls(&self, frame: &Frame, profile: &Profile) -> Vec<crate::building::Solid> {
         let mut walls = Vec::new();
         let ends = [(self.ends[0], -1.0, 0.0), (self.ends[1], 1.0, frame.length)];
         for (end, outward, u) in ends {
             if end.wall {
-                walls.push(wedge(frame, u, outward, self.low, &self.look, end.over));
+                let fill = Fill {
+                    frame,
+                    u,
+                    outward,
+                    verge: end.over,
+                };
+                walls.push(fill.beside(profile, self.low));
             }
         }
         if self.high.wall {

@@ -1,7 +1,7 @@
 //! What one roof looks like: the author's options, and `domain.md` 4.3 and 4.4 for the rest.
 
 use super::sheet::Coat;
-use crate::ast::{RoofKind, RoofStyle};
+use crate::ast::{RoofKind, RoofShape, RoofStyle};
 use crate::building::{Dress, Finish};
 use crate::geometry::SHAKU;
 use crate::source::Spanned;
@@ -9,6 +9,8 @@ use crate::source::Spanned;
 /// The resolved options of one roof, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
+    /// Form.
+    pub shape: RoofShape,
     /// Covering.
     pub kind: RoofKind,
     /// Rise per horizontal metre.
@@ -17,6 +19,14 @@ pub struct Look {
     pub eaves: f64,
     /// Overhang beyond the gable wall.
     pub verge: f64,
+    /// The same of the upper gable of an irimoya.
+    pub barge: f64,
+    /// Sagitta of the slope as a share of its length: sori, or mukuri where negative.
+    pub sori: f64,
+    /// Place of an irimoya's gable or height of a half-hip, share of the span; `None` = as usual.
+    pub gable: Option<f64>,
+    /// Length of a hip's ridge, share of the roof's; `None` = equal slopes.
+    pub ratio: Option<f64>,
     /// Thickness at right angles to the slope.
     pub thickness: f64,
     /// Courses of ridge tiles.
@@ -34,6 +44,15 @@ const TILE_PITCHES: [(f64, f64); 5] = [
     (17.0, 0.60),
 ];
 
+/// What a temple has by itself: the gentlest tiles and its sori (domain.md 4.3), eaves by the span and their
+/// bounds in metres (4.4: 8 to 12 shaku on great ones), and how far its barge boards stand out (7.10).
+const TEMPLE_PITCH: f64 = 0.5;
+const TEMPLE_SORI: f64 = 4.0;
+const TEMPLE_EAVES: f64 = 0.3;
+const TEMPLE_BARGE: f64 = 0.5;
+/// How far the barge boards of other irimoya stand out, metres.
+const BARGE: f64 = 0.4;
+
 /// The gentlest default of lean-tos (domain.md 4.3: geya 3 sun).
 const LEAN_TO_PITCH: f64 = 0.3;
 
@@ -42,16 +61,25 @@ impl Look {
     /// `house` those of the whole house.
     pub fn gable(line: Option<&RoofStyle>, house: &RoofStyle, span: f64, unit: f64) -> Look {
         let mut look = Look::plain(line, house);
+        look.shape = shape(line, house);
+        let temple = look.shape == RoofShape::Temple;
+        let eaves = match temple {
+            true => (TEMPLE_EAVES * span).clamp(2.5 * SHAKU, 12.0 * SHAKU),
+            false => 2.5 * SHAKU,
+        };
         look.eaves = wish(line, house, |s| s.eaves).map_or_else(
             // Deep eaves round a narrow roof would be an umbrella.
-            || (2.5 * SHAKU).min(SHAKU.max(span / 3.0)),
+            || eaves.min(SHAKU.max(span / 3.0)),
             |shaku| shaku * SHAKU,
         );
+        if temple && wish(line, house, |s| s.sori).is_none() {
+            look.sori = TEMPLE_SORI / 100.0;
+        }
         look.noshi =
             wish(line, house, |s| s.noshi).unwrap_or(if span > 8.0 * unit { 5 } else { 3 });
         if own_pitch(line, house).is_none() && look.kind == RoofKind::Tiles {
             let run = span / 2.0 + look.eaves;
-            look.pitch = raised(run);
+            look.pitch = raised(run).max(if temple { TEMPLE_PITCH } else { 0.0 });
         }
         look.bounded()
     }
@@ -70,11 +98,20 @@ impl Look {
     fn plain(line: Option<&RoofStyle>, house: &RoofStyle) -> Look {
         let kind = wish(line, house, |s| s.kind).unwrap_or(RoofKind::Tiles);
         let (pitch, thickness) = defaults(kind);
+        let barge = match shape(line, house) {
+            RoofShape::Temple => TEMPLE_BARGE,
+            _ => BARGE,
+        };
         Look {
+            shape: RoofShape::LeanTo,
             kind,
             pitch: own_pitch(line, house).map_or(pitch, |sun| sun / 10.0),
             eaves: 2.5 * SHAKU,
             verge: wish(line, house, |s| s.verge).unwrap_or(0.5) * SHAKU,
+            barge: wish(line, house, |s| s.verge).map_or(barge, |shaku| shaku * SHAKU),
+            sori: wish(line, house, |s| s.sori).unwrap_or(0.0) / 100.0,
+            gable: wish(line, house, |s| s.gable),
+            ratio: wish(line, house, |s| s.ratio),
             thickness: wish(line, house, |s| s.thickness).map_or(thickness, |shaku| shaku * SHAKU),
             noshi: wish(line, house, |s| s.noshi).unwrap_or(3),
             ends: !wish(line, house, |s| s.plain_ridge).unwrap_or(false),
@@ -86,7 +123,11 @@ impl Look {
         self.pitch = self.pitch.clamp(0.005, 5.0);
         self.eaves = self.eaves.clamp(0.0, 10.0);
         self.verge = self.verge.clamp(0.0, 10.0);
+        self.barge = self.barge.clamp(0.02, 10.0);
         self.thickness = self.thickness.clamp(0.02, 2.0);
+        self.sori = self.sori.clamp(-0.5, 0.5);
+        self.gable = self.gable.map(|c| c.clamp(0.0, 0.5));
+        self.ratio = self.ratio.map(|r| r.clamp(0.0, 1.0));
         self.noshi = self.noshi.min(40);
         self
     }
@@ -96,15 +137,20 @@ impl Look {
         self.thickness * (1.0 + self.pitch * self.pitch).sqrt()
     }
 
-    /// What it wears; gegyo and a second row of rafters are for shapes to ask for.
+    /// What it wears.
     pub fn dress(&self) -> Dress {
+        let upper_gable = matches!(self.shape, RoofShape::HipAndGable | RoofShape::Temple);
         Dress {
             eaves: self.eaves,
-            verge: self.verge,
+            verge: if upper_gable { self.barge } else { self.verge },
             noshi: self.noshi,
             ends: self.ends,
-            pendant: false,
-            rafters: 1,
+            pendant: upper_gable || self.shape == RoofShape::Karahafu,
+            rafters: if self.shape == RoofShape::Temple {
+                2
+            } else {
+                1
+            },
         }
     }
 
@@ -116,6 +162,15 @@ impl Look {
             joint: Finish::Plaster,
             soffit: Finish::Soffit,
         }
+    }
+}
+
+/// The form of a two-sided roof; a line without one is a gable, whatever the house has.
+fn shape(line: Option<&RoofStyle>, house: &RoofStyle) -> RoofShape {
+    let shape = line.map_or(house.shape, |s| s.shape);
+    match shape.map_or(RoofShape::Gable, |s| s.value) {
+        RoofShape::LeanTo | RoofShape::Pent | RoofShape::Flat => RoofShape::Gable,
+        shape => shape,
     }
 }
 

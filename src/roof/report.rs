@@ -6,11 +6,11 @@ use crate::ast::RoofShape;
 use crate::building::{PlanRegion, Ring, StoreyPlan, rect_of};
 use glam::DVec2;
 
-/// The automatic regions of an orthogonal storey.
-pub(super) fn plan(level: &Level<'_>, regions: &[Region], flat: bool) -> StoreyPlan {
-    let region = |r: &Region| match flat {
-        true => flat_region(rect_of(r.cell), None),
-        false => PlanRegion {
+/// The automatic regions of an orthogonal storey, whose roofs are of this shape.
+pub(super) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofShape) -> StoreyPlan {
+    let region = |r: &Region| match shape {
+        RoofShape::Flat => flat_region(rect_of(r.cell), None),
+        _ => PlanRegion {
             rect: rect_of(r.cell),
             polygon: None,
             ridge: r.ridge.map(|ridge| match ridge {
@@ -23,10 +23,11 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], flat: bool) -> StoreyP
                 Role::Branch => "branch",
                 Role::LeanTo => "lean-to",
             },
-            shape: if r.role == Role::LeanTo {
-                RoofShape::LeanTo
-            } else {
-                RoofShape::Gable
+            shape: match (r.role, shape) {
+                (Role::LeanTo, _) => RoofShape::LeanTo,
+                // Nobody's plan is all lean-tos: these two are for roof lines.
+                (_, RoofShape::LeanTo | RoofShape::Pent) => RoofShape::Gable,
+                (_, shape) => shape,
             },
             // Written roofs have no place in the list.
             over: match r.role {

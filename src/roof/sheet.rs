@@ -44,6 +44,10 @@ pub fn sheet(pieces: &[Piece], drop: f64, coat: &Coat, floor: f64) -> Vec<Solid>
         .collect()
 }
 
+/// Corners with the same place in plan are one if their heights differ by less, metres: an upper gable
+/// stands over the slope below it.
+const SAME: f64 = 1e-5;
+
 /// A face of the mesh: point indices, and for each whether the edge that starts there is a rim.
 type Loop = Vec<(u32, bool)>;
 
@@ -60,7 +64,8 @@ impl Mesh {
         for (outline, plane) in pieces {
             let mut face: Loop = Vec::with_capacity(outline.len());
             for corner in outline {
-                let id = weld.id(corner.at, plane, &mut mesh.points);
+                let at = corner.at.extend(plane.at(corner.at));
+                let id = weld.id(at, &mut mesh.points);
                 match face.last() {
                     Some(&(last, _)) if last == id => face.pop(),
                     _ => None,
@@ -120,6 +125,7 @@ impl Mesh {
             let (p, q) = (self.plan(from), self.plan(to));
             let (lo, hi) = (p.min(q) - EPS, p.max(q) + EPS);
             let way = (q - p).normalize_or_zero();
+            let (foot, rise) = (self.points[from as usize].z, self.rise(from, to));
             let start = by_x.partition_point(|id| self.points[*id as usize].x < lo.x);
             let mut on: Vec<(f64, u32)> = by_x[start..]
                 .iter()
@@ -127,14 +133,22 @@ impl Mesh {
                 .filter(|id| **id != from && **id != to)
                 .filter_map(|id| {
                     let r = self.plan(*id);
+                    let at = way.dot(r - p);
+                    let level = (foot + rise * at - self.points[*id as usize].z).abs() < SAME;
                     let inside = r.y >= lo.y && r.y <= hi.y;
-                    (inside && way.perp_dot(r - p).abs() < EPS).then(|| (way.dot(r - p), *id))
+                    (inside && level && way.perp_dot(r - p).abs() < EPS).then_some((at, *id))
                 })
                 .collect();
             on.sort_by(|a, b| a.0.total_cmp(&b.0));
             whole.extend(on.into_iter().map(|(_, id)| (id, rim)));
         }
         whole
+    }
+
+    /// Rise for each metre of the way between two points in plan.
+    fn rise(&self, from: u32, to: u32) -> f64 {
+        let way = self.points[to as usize] - self.points[from as usize];
+        way.z / way.truncate().length()
     }
 
     /// Whether `j` turns from the way `i` to `k`.
@@ -310,15 +324,16 @@ fn find(root: &mut [usize], mut n: usize) -> usize {
 /// Gives equal corners the same number.
 struct Weld {
     /// All corners sorted by x, with the number once they have one; `None` while few.
-    sorted: Option<Vec<(DVec2, u32)>>,
+    sorted: Option<Vec<(DVec3, u32)>>,
 }
 
 impl Weld {
     fn of(pieces: &[Piece]) -> Weld {
         let count: usize = pieces.iter().map(|p| p.0.len()).sum();
         let sorted = (count > 64).then(|| {
-            let corners = pieces.iter().flat_map(|p| &p.0);
-            let mut all: Vec<(DVec2, u32)> = corners.map(|c| (c.at, u32::MAX)).collect();
+            let corners = pieces.iter().flat_map(|p| p.0.iter().map(|c| (c.at, &p.1)));
+            let point = |(at, plane): (DVec2, &Plane)| (at.extend(plane.at(at)), u32::MAX);
+            let mut all: Vec<(DVec3, u32)> = corners.map(point).collect();
             all.sort_by(|p, q| p.0.x.total_cmp(&q.0.x).then(p.0.y.total_cmp(&q.0.y)));
             all
         });
@@ -326,13 +341,10 @@ impl Weld {
     }
 
     /// The number of a corner, a new one with its height where it is new.
-    fn id(&mut self, at: DVec2, plane: &Plane, points: &mut Vec<DVec3>) -> u32 {
-        let same = |p: DVec2| (p - at).abs().max_element() < EPS;
+    fn id(&mut self, at: DVec3, points: &mut Vec<DVec3>) -> u32 {
+        let same = |p: DVec3| (p - at).abs().cmplt(DVec3::new(EPS, EPS, SAME)).all();
         let known = match &mut self.sorted {
-            None => points
-                .iter()
-                .position(|p| same(p.truncate()))
-                .map(|n| n as u32),
+            None => points.iter().position(|p| same(*p)).map(|n| n as u32),
             Some(sorted) => {
                 let start = sorted.partition_point(|p| p.0.x <= at.x - EPS);
                 let near = sorted[start..]
@@ -347,7 +359,7 @@ impl Weld {
             }
         };
         known.unwrap_or_else(|| {
-            points.push(at.extend(plane.at(at)));
+            points.push(at);
             points.len() as u32 - 1
         })
     }

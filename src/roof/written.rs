@@ -61,8 +61,8 @@ fn seen(one: &Placed<'_>, context: &Context<'_>) -> Option<(Region, Look)> {
             Some((roof, Look::lean_to(style, context.style, depth)))
         }
         _ => {
-            let run = one.line.direction.and_then(|d| ridge(d.value));
-            let run = run.unwrap_or_else(|| context.automatic_ridge(&one.cell, one.shape));
+            let wish = one.line.direction.and_then(|d| ridge(d.value));
+            let run = context.ridge(&one.cell, &one.line.style, wish);
             let look = context.gable_look(&one.cell, run, style);
             let roof = Region {
                 ridge: Some(run),

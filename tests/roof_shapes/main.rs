@@ -5,6 +5,7 @@
 mod common;
 mod fixtures;
 mod flat;
+mod halls;
 mod messages;
 mod plans;
 mod random;

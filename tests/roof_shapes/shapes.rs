@@ -91,19 +91,6 @@ fn the_broad_gable_turns_its_ridge() {
 }
 
 #[test]
-fn shapes_of_later_versions_are_gables_with_a_note() {
-    let mut house = house(vec![vec![ring(&rect(0.0, 0.0, 6.0, 4.0))]]);
-    house.roofs.style.shape = Some(spanned(RoofShape::Hip));
-    let (building, out) = build(house);
-    assert_eq!(codes(&out), vec![510]);
-    assert_eq!(
-        building.roofs[0].plans[0].regions[0].shape,
-        RoofShape::Gable
-    );
-    assert_sound(&building);
-}
-
-#[test]
 fn a_branch_dies_in_its_trunk_and_stands_lower() {
     // T: bar 18 x 5, stem 4 wide.
     let t = [
@@ -134,8 +121,8 @@ fn a_branch_dies_in_its_trunk_and_stands_lower() {
         top_at(&building, 8.9, 3.1).unwrap(),
         H + drop + 0.4 * 1.9 * U,
     );
-    // Before the meeting point the branch's ridge is the highest (a cap stands on it).
-    assert!(top_at(&building, 9.0, 4.0).unwrap() > branch);
+    // Before the meeting point the branch's ridge is the highest.
+    near(top_at(&building, 9.0, 4.0).unwrap(), branch);
     // Beyond the trunk's ridge nothing of the branch shows.
     near(top_at(&building, 9.0, 1.0).unwrap(), H + drop + 0.4 * U);
     // One gable wall less: none where it runs in.

@@ -165,19 +165,6 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
     ))
 }
 
-/// A shape of a later version.
-#[cold]
-pub fn not_built_yet(span: Span, shape: &str) -> Diagnostic {
-    let message = text!(
-        "{shape} is built as a gable by this version",
-        "この版では {shape} を切妻で造ります"
-    );
-    Diagnostic::note(510, span, message).help(text!(
-        "write KIR if a gable is meant",
-        "切妻でよければ KIR と書いてください"
-    ))
-}
-
 /// A lean-to whose outer wall gets too low.
 #[cold]
 pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
