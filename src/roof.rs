@@ -18,6 +18,7 @@ use crate::diagnostic::Diagnostics;
 
 mod assemble;
 mod automatic;
+pub mod board;
 pub mod branch_cut;
 pub mod chord;
 mod corners;

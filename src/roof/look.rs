@@ -1,5 +1,6 @@
 //! What one roof looks like: the author's options, and `domain.md` 4.3 and 4.4 for the rest.
 
+use super::board::upright;
 use super::sheet::Coat;
 use crate::ast::{RoofKind, RoofShape, RoofStyle};
 use crate::building::{Dress, Finish};
@@ -134,7 +135,7 @@ impl Look {
 
     /// How far the upper surface lies above the lower one, measured upright.
     pub fn drop(&self) -> f64 {
-        self.thickness * (1.0 + self.pitch * self.pitch).sqrt()
+        upright(self.thickness, self.pitch)
     }
 
     /// What it wears.

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
 
+mod boards;
 mod common;
 mod fixtures;
 mod flat;
