@@ -170,7 +170,7 @@ pub struct PlanRegion {
     pub ridge: Option<&'static str>,
     /// F, B, L, R of a lean-to.
     pub fall: Option<&'static str>,
-    /// main, branch or lean-to.
+    /// main, branch, lean-to, or skirt: round the storey above, whose walls cut it.
     pub role: &'static str,
     /// Its form.
     pub shape: RoofShape,

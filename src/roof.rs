@@ -56,6 +56,7 @@ mod scan;
 pub mod sheet;
 mod sides;
 pub mod six_vertex;
+mod skirt;
 mod slabs;
 pub mod solid;
 pub mod street;

@@ -5,6 +5,7 @@ use super::level::Level;
 use super::look::{Look, band};
 use super::plan::{Cell, Plan};
 use super::ridge::{Ridge, Side};
+use super::skirt::Skirt;
 use super::tops::Tops;
 use super::written::falls_to;
 use crate::ast::{RoofDirection, RoofLine, RoofShape};
@@ -35,6 +36,11 @@ impl Placed<'_> {
     /// Whether it takes its rectangle out of the automatic regions.
     pub(super) fn covers(&self) -> bool {
         self.shape != RoofShape::Pent
+    }
+
+    /// Whether it stands on the top of its storey, not over the roofs of higher ones.
+    fn stands_on(&self, context: &Context<'_>) -> bool {
+        self.base < context.level.storey.z1 + 0.5
     }
 }
 
@@ -298,8 +304,12 @@ pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnos
             context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style)
         }
         _ => {
+            let skirt = Skirt::over(one.cell, one.shape, context);
             let run = context.ridge(&one.cell, &one.line.style, ridge_wish);
-            context.hall(one.cell, run, one.base, style)
+            match skirt.filter(|_| one.stands_on(context)) {
+                Some(skirt) => skirt.planned(context, one.base, style, one.line.span, out),
+                None => context.hall(one.cell, run, one.base, style),
+            }
         }
     };
     planned.roof.span = Some(one.line.span);

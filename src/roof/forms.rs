@@ -38,7 +38,9 @@ pub(super) struct Context<'h> {
     pub(super) style: &'h RoofStyle,
     /// The storey.
     pub(super) level: &'h Level<'h>,
-    /// The plan of the storey above.
+    /// The storey above, if it is closed and at right angles.
+    pub(super) above: Option<&'h Level<'h>>,
+    /// Its plan.
     pub(super) upper: Option<&'h Plan>,
     /// Top of the highest walls, metres.
     pub(super) roof_top: f64,

@@ -108,12 +108,24 @@ impl Headroom {
             } else {
                 0.0
             };
-            let room = height - base - look.drop() - cap;
-            if run > 0.0 && look.pitch * run > room {
-                look.pitch = (room / run).max(GENTLEST).min(look.pitch);
-            }
+            look.pitch = gentler(&look, run, height - base - cap);
         }
         look
+    }
+
+    /// The lowest of what stands over a rectangle, metres.
+    pub(super) fn lowest(&self, rect: &Rect) -> Option<f64> {
+        let over = self.under.iter().filter(|u| u.0.overlaps(rect));
+        over.map(|u| u.1).reduce(f64::min)
+    }
+}
+
+/// The pitch of a look, gentler where its upper surface would rise by more than `room` over a run, metres.
+pub(super) fn gentler(look: &Look, run: f64, room: f64) -> f64 {
+    let room = room - look.drop();
+    match run > 0.0 && look.pitch * run > room {
+        true => (room / run).max(GENTLEST).min(look.pitch),
+        false => look.pitch,
     }
 }
 

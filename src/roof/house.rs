@@ -13,6 +13,7 @@ use super::level::{Level, Point, first_line, is_facade, levels};
 use super::partition::{Method, partition_within};
 use super::plan::{Cell, Plan};
 use super::ridge::{Region, Ridge, Role, regions_by};
+use super::skirt::Skirt;
 use super::written::Written;
 use super::{overhang, report, slabs, street, written};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
@@ -162,6 +163,7 @@ impl Storey<'_, '_> {
             unit: self.house.unit,
             style: &self.house.roofs.style,
             level,
+            above: upper.filter(|u| plain(u)),
             upper: upper.filter(|u| plain(u)).map(|u| &u.plan),
             roof_top: self.top,
             headroom: std::mem::take(&mut self.headroom),
@@ -210,6 +212,11 @@ impl Storey<'_, '_> {
         let level = context.level;
         let mut found = Vec::new();
         let wanted = self.house.roofs.mode == RoofMode::Auto;
+        if let Some(skirt) = self.skirt(context).filter(|_| wanted) {
+            done.plans.push(report::skirt(level, &skirt));
+            let place = first_wall(level);
+            return vec![skirt.planned(context, level.storey.z1, None, place, out)];
+        }
         let open = self.open(context).filter(|_| wanted);
         if wanted && open.is_none() {
             out.push(say::too_intricate(level.storey.span, level.storey.number));
@@ -256,6 +263,14 @@ impl Storey<'_, '_> {
         let automatic = Automatic::new(context, found, &trunks);
         automatic.report(out);
         automatic.roofs(&mut done.ceilings)
+    }
+
+    /// The roof of a storey that carries a smaller one and no roof lines.
+    fn skirt<'c>(&self, context: &Context<'c>) -> Option<Skirt<'c>> {
+        let shape = self.house.roofs.style.shape?.value;
+        let covered = self.lines.iter().any(|l| l.covers());
+        let cell = context.level.plan.as_cell().filter(|_| !covered)?;
+        Skirt::over(cell, shape, context)
     }
 
     /// What neither the storey above nor a roof line covers; none where their walls and this storey's

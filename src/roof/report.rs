@@ -2,6 +2,7 @@
 
 use super::level::Level;
 use super::ridge::{Region, Ridge, Role, Side};
+use super::skirt::Skirt;
 use crate::ast::RoofShape;
 use crate::building::{PlanRegion, Ring, StoreyPlan, rect_of};
 use glam::DVec2;
@@ -13,10 +14,7 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofShape) -> S
         _ => PlanRegion {
             rect: rect_of(r.cell),
             polygon: None,
-            ridge: r.ridge.map(|ridge| match ridge {
-                Ridge::A => "a",
-                Ridge::B => "b",
-            }),
+            ridge: r.ridge.map(ridge_letter),
             fall: r.fall.map(letter),
             role: match r.role {
                 Role::Main => "main",
@@ -37,6 +35,20 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofShape) -> S
         },
     };
     with_regions(level, regions.iter().map(region).collect())
+}
+
+/// A storey roofed as a whole round the storey above.
+pub(super) fn skirt(level: &Level<'_>, skirt: &Skirt<'_>) -> StoreyPlan {
+    let region = PlanRegion {
+        rect: rect_of(skirt.cell),
+        polygon: None,
+        ridge: Some(ridge_letter(skirt.ridge())),
+        fall: None,
+        role: "skirt",
+        shape: RoofShape::Hip,
+        over: None,
+    };
+    with_regions(level, vec![region])
 }
 
 /// One flat region for each ring that is not orthogonal.
@@ -76,6 +88,13 @@ fn with_regions(level: &Level<'_>, regions: Vec<PlanRegion>) -> StoreyPlan {
         outlines: level.rings(false).map(Ring::corners).collect(),
         holes: level.rings(true).map(Ring::corners).collect(),
         regions,
+    }
+}
+
+fn ridge_letter(ridge: Ridge) -> &'static str {
+    match ridge {
+        Ridge::A => "a",
+        Ridge::B => "b",
     }
 }
 

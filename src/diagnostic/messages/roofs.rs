@@ -165,6 +165,20 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
     ))
 }
 
+/// A skirt that would rise over the storey it surrounds.
+#[cold]
+pub fn high_skirt(span: Span, rise: f64, storey: u32, top: f64, pitch: f64) -> Diagnostic {
+    let (rise, top, pitch) = (short(rise), short(top), short(pitch));
+    let message = text!(
+        "this roof would rise to {rise} shaku round storey {storey}, which leaves it room up to {top}, so it is built with {pitch} sun",
+        "この屋根は{storey}階の周りで {rise} 尺まで上がりますが、そこには {top} 尺までの余地しかないため、{pitch} 寸勾配にしました"
+    );
+    Diagnostic::warning(510, span, message).help(text!(
+        "make the storey above higher, let its walls stand back less, or write a gentler pitch",
+        "上の階を高くするか、その壁の後退を小さくするか、緩い勾配を書いてください"
+    ))
+}
+
 /// A lean-to whose outer wall gets too low.
 #[cold]
 pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
