@@ -114,7 +114,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(c) => c.run(language),
         Command::Dump(c) => c.run(language),
         Command::Parts(c) => c.run(),
-        Command::Explain(c) => c.run(),
+        Command::Explain(c) => c.run(language),
         Command::Textures(c) => c.run(),
         Command::Completions(c) => c.run(),
     };

@@ -7,6 +7,7 @@ mod support;
 use hsd::diagnostic::{Code, Diagnostic, Text, pages};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::path::PathBuf;
 use support::{
     assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts,
 };
@@ -81,20 +82,24 @@ fn fixtures_say_what_they_should() {
 
 /// The pages of the folder, by code.
 fn pages_there() -> BTreeMap<u16, String> {
-    let folder = fs::read_dir(root().join(PAGES)).expect("pages are there");
-    let page = |entry: std::io::Result<fs::DirEntry>| {
-        let path = entry.expect("can be listed").path();
+    pages_in(PAGES)
+}
+
+fn pages_in(folder: &str) -> BTreeMap<u16, String> {
+    let folder = fs::read_dir(root().join(folder)).expect("pages are there");
+    let files = folder.map(|entry| entry.expect("can be listed").path());
+    let page = |path: PathBuf| {
         let code = code_of(&stem(&path)).unwrap_or_else(|| panic!("{}: no code", path.display()));
         (code, fs::read_to_string(&path).expect("pages are UTF-8"))
     };
-    folder.map(page).collect()
+    files.filter(|path| path.is_file()).map(page).collect()
 }
 
 #[test]
 fn every_page_is_in_the_list() {
     let there = pages_there();
     let mut findings = vec![];
-    let listed: Vec<u16> = pages::PAGES.iter().map(|(code, _)| code.0).collect();
+    let listed: Vec<u16> = pages::PAGES.iter().map(|page| page.code.0).collect();
     for code in listed.iter().filter(|code| !there.contains_key(code)) {
         findings.push(format!("{} is in pages.rs, not in the folder", Code(*code)));
     }
@@ -218,6 +223,39 @@ fn messages_speak_japanese() {
         findings.extend(alone.map(|(line, number)| format!("{file}:{number}: {}", line.trim())));
     }
     assert_none(&findings.into_iter().collect::<Vec<_>>());
+}
+
+/// All that stands between fences, with the words behind the first ones.
+fn fenced(page: &str) -> Vec<&str> {
+    page.split("```").skip(1).step_by(2).collect()
+}
+
+#[test]
+fn every_page_has_its_japanese_one() {
+    let japanese = pages_in(&format!("{PAGES}/ja"));
+    let english = pages_there();
+    let mut findings = vec![];
+    for (&code, page) in &english {
+        let name = Code(code);
+        let Some(ja) = japanese.get(&code) else {
+            findings.push(format!("{name}: no page in {PAGES}/ja"));
+            continue;
+        };
+        if fenced(page) != fenced(ja) {
+            findings.push(format!("{name}: the examples differ"));
+        }
+        let title = ja.lines().next().unwrap_or_default();
+        if !title.starts_with(&format!("# {name}: ")) || !is_japanese(title) {
+            findings.push(format!("{name}: the first line is no title in Japanese"));
+        }
+        let prose = ja.split("```").step_by(2);
+        let english = prose.flat_map(str::lines).skip(1);
+        let english = english.filter(|l| l.contains(' ') && !is_japanese(l));
+        findings.extend(english.map(|line| format!("{name}: not Japanese: {line}")));
+    }
+    let alone = japanese.keys().filter(|code| !english.contains_key(code));
+    findings.extend(alone.map(|code| format!("{}: only in Japanese", Code(*code))));
+    assert_none(&findings);
 }
 
 /// The examples of a page: what stands between fences that name a form of the language.

@@ -1,7 +1,7 @@
 //! `hsd explain`: the page of a message.
 
 use super::{Exit, Outcome, Stop};
-use crate::diagnostic::{Code, pages};
+use crate::diagnostic::{Code, Language, pages};
 use crate::report::title;
 use clap::Args;
 use std::io::{self, Write};
@@ -18,18 +18,19 @@ pub(super) struct Explain {
 }
 
 impl Explain {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         let mut out = io::stdout().lock();
         match &self.code {
             None => {
-                for (code, page) in pages::PAGES {
-                    writeln!(out, "{code}  {}", title(page))?;
+                for page in pages::PAGES {
+                    let title = title(page.in_language(language));
+                    writeln!(out, "{}  {title}", page.code)?;
                 }
             }
             Some(text) => {
                 let page = number(text).and_then(|n| pages::page(Code(n)));
                 let page = page.ok_or_else(|| unknown(text))?;
-                writeln!(out, "{}", page.trim_end())?;
+                writeln!(out, "{}", page.in_language(language).trim_end())?;
             }
         }
         out.flush()?;
@@ -52,7 +53,7 @@ fn unknown(text: &str) -> Stop {
         let message = "is no code of a message; codes look like HSD0104, `hsd explain` lists them";
         return Stop::Usage(format!("{text:?} {message}"));
     };
-    let mut near: Vec<Code> = pages::PAGES.iter().map(|(code, _)| *code).collect();
+    let mut near: Vec<Code> = pages::PAGES.iter().map(|page| page.code).collect();
     near.sort_by_key(|c| (c.0.abs_diff(wanted), c.0));
     near.truncate(3);
     near.sort_unstable();

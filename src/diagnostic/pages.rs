@@ -1,19 +1,39 @@
-//! The pages of `hsd explain`: cause, example and mend of every code, from `grammar/diagnostics/`.
+//! The pages of `hsd explain`: cause, example and mend of every code, from `grammar/diagnostics/`, and in Japanese
+//! from the folder `ja` in it.
 
-use super::Code;
+use super::{Code, Language};
 
-/// The page of a number of four digits, from the folder.
+/// The page of a code.
+#[derive(Clone, Copy, Debug)]
+pub struct Page {
+    /// The code.
+    pub code: Code,
+    /// English.
+    pub en: &'static str,
+    /// Japanese, with the same examples.
+    pub ja: &'static str,
+}
+
+impl Page {
+    /// What a reader of this language is shown.
+    pub fn in_language(&self, language: Language) -> &'static str {
+        language.choose(self.en, self.ja)
+    }
+}
+
+/// The page of a number of four digits, from the folders.
 macro_rules! pages {
     ($($number:literal)*) => {
-        &[$((
-            Code(code($number)),
-            include_str!(concat!("../../grammar/diagnostics/HSD", $number, ".md")),
-        )),*]
+        &[$(Page {
+            code: Code(code($number)),
+            en: include_str!(concat!("../../grammar/diagnostics/HSD", $number, ".md")),
+            ja: include_str!(concat!("../../grammar/diagnostics/ja/HSD", $number, ".md")),
+        }),*]
     };
 }
 
 /// All codes with their pages, ascending. A test compares the list with the folder.
-pub static PAGES: &[(Code, &str)] = pages! {
+pub static PAGES: &[Page] = pages! {
     "0001" "0002" "0003" "0004" "0005" "0006" "0007" "0008"
     "0101" "0102" "0103" "0104" "0105" "0106" "0107" "0108" "0109" "0110" "0111" "0112"
     "0113" "0114" "0115" "0116" "0117" "0118" "0119" "0120" "0121" "0122" "0123" "0124"
@@ -45,9 +65,6 @@ const fn code(digits: &str) -> u16 {
 }
 
 /// The page of a code.
-pub fn page(code: Code) -> Option<&'static str> {
-    PAGES
-        .iter()
-        .find(|(c, _)| *c == code)
-        .map(|(_, page)| *page)
+pub fn page(code: Code) -> Option<&'static Page> {
+    PAGES.iter().find(|page| page.code == code)
 }

@@ -1,7 +1,7 @@
 //! SARIF 2.1.0, for code-scanning services. Rules come from the pages of `hsd explain`.
 
 use super::{Report, title};
-use crate::diagnostic::{Code, Diagnostic, pages};
+use crate::diagnostic::{Code, Diagnostic, Language, pages};
 use crate::source::Span;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -111,7 +111,7 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
     let driver = Driver {
         name: "hsd",
         semantic_version: env!("CARGO_PKG_VERSION"),
-        rules: codes.iter().map(|c| rule(*c)).collect(),
+        rules: codes.iter().map(|c| rule(*c, report.language)).collect(),
     };
     let results = report
         .diagnostics
@@ -131,8 +131,8 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
 }
 
 /// A code with its page.
-fn rule(code: Code) -> Rule {
-    let page = pages::page(code);
+fn rule(code: Code, language: Language) -> Rule {
+    let page = pages::page(code).map(|p| p.in_language(language));
     Rule {
         id: code.to_string(),
         short_description: page.map(|p| Text { text: title(p) }),

@@ -123,12 +123,12 @@ pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagno
     let message = if pitch < band.0 {
         text!([kind]
             "a pitch of {pitch_text} sun for {kind} is too gentle: rain comes in",
-            "{kind}に {pitch_text} 寸勾配は緩すぎて雨が漏ります"
+            "{kind} に {pitch_text} 寸勾配は緩すぎて雨が漏ります"
         )
     } else {
         text!([kind]
             "a pitch of {pitch_text} sun for {kind} is too steep: it slides off",
-            "{kind}に {pitch_text} 寸勾配は急すぎて葺材が滑り落ちます"
+            "{kind} に {pitch_text} 寸勾配は急すぎて葺材が滑り落ちます"
         )
     };
     Diagnostic::warning(507, span, message).help(text!(

@@ -90,8 +90,8 @@ pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> 
     let inside = any_of(&names).ja;
     let home_ja = match (names.is_empty(), home.contains("outermost")) {
         (true, _) => "最も外側に書くものです".to_owned(),
-        (false, true) => format!("{inside} の中か、最も外側に書くものです"),
-        (false, false) => format!("{inside} の中に書くものです"),
+        (false, true) => format!(" {inside} の中か、最も外側に書くものです"),
+        (false, false) => format!(" {inside} の中に書くものです"),
     };
     Diagnostic::error(223, span, message).help(text!(
         "`{name}` belongs in {home}; it is not read here",
