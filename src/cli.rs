@@ -6,8 +6,10 @@
 mod build;
 mod check;
 mod completions;
+mod diff;
 mod dump;
 mod explain;
+mod fmt;
 mod input;
 mod language;
 mod options;
@@ -89,6 +91,7 @@ enum Command {
     Dump(dump::Dump),
     Parts(parts::Parts),
     Explain(explain::Explain),
+    Fmt(fmt::Fmt),
     Textures(textures::Textures),
     Completions(completions::Completions),
 }
@@ -115,6 +118,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Dump(c) => c.run(language),
         Command::Parts(c) => c.run(),
         Command::Explain(c) => c.run(language),
+        Command::Fmt(c) => c.run(),
         Command::Textures(c) => c.run(),
         Command::Completions(c) => c.run(),
     };

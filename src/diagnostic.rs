@@ -10,7 +10,7 @@ mod text;
 pub use text::{Language, Noun, Text, noun};
 
 /// A stable number, shown as `HSD0104`. The hundreds tell the stage: 00 file, 01 legacy text, 02 XML,
-/// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 09 limits.
+/// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 08 layouts, 09 limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Code(pub u16);
 

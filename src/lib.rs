@@ -17,6 +17,8 @@
 //! | [`tessellate::tessellate`] | [`scene::Scene`] | part codes and plans: meshes, materials, a tree of nodes |
 //! | [`backend`] | bytes | |
 //!
+//! [`print`] goes the other way: a text laid out anew, or in the other form of the language.
+//!
 //! # Nouns and verbs
 //!
 //! The trees between the steps are noun modules: data, small accessors, invariants in their headers. The steps are
@@ -50,6 +52,7 @@ pub mod tessellate;
 pub mod check;
 
 // Around the chain.
+pub mod print;
 pub mod backend;
 pub mod driver;
 

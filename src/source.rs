@@ -98,8 +98,9 @@ impl Span {
 }
 
 impl serde::Serialize for Span {
+    /// As `[start, end]`, under a name by which a serializer can tell places from content.
     fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        [self.start, self.end].serialize(s)
+        s.serialize_newtype_struct("Span", &[self.start, self.end])
     }
 }
 

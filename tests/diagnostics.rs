@@ -21,6 +21,7 @@ const WITHOUT_FIXTURE: &[(u16, &str)] = &[
     (601, "a file that cannot be read: tests/pictures.rs"),
     (602, "a file that is no picture: tests/pictures.rs"),
     (603, "a fault of the program: tests/pictures.rs"),
+    (801, "a fault of the program, which no text is known to bring about"),
     (901, "a file of more than 16 MiB: tests/robust.rs"),
     (905, "a picture of too many pixels: tests/pictures.rs"),
     (
@@ -42,6 +43,7 @@ const WITHOUT_EXAMPLE: &[(u16, &str)] = &[
     (601, "the picture is not there"),
     (602, "the picture is none"),
     (603, "a fault of the program"),
+    (801, "a fault of the program"),
     (901, "the file is too long to print"),
     (902, "the nesting is too deep to print"),
     (905, "the picture is too large"),

@@ -77,6 +77,11 @@ impl Inputs {
         Ok(inputs)
     }
 
+    /// Whether each source is to be taken, in order.
+    pub(super) fn taken(&self) -> impl Iterator<Item = bool> {
+        self.refused.iter().map(|refused| !refused)
+    }
+
     /// The sources that are to be compiled.
     pub(super) fn accepted(&self) -> Vec<&Source> {
         let both = self.sources.iter().zip(&self.refused);

@@ -190,13 +190,17 @@ fn prepare(
     target: &Path,
     content: &Content<'_>,
 ) -> io::Result<(u64, Option<(NamedTempFile, PathBuf)>)> {
+    let mut rights = None;
     let target = match fs::metadata(target) {
         Ok(known) if known.is_dir() => return Err(io::Error::other("is a folder")),
         Ok(known) if !known.is_file() => {
             let mut device = fs::OpenOptions::new().write(true).open(target)?;
             return Ok((content.pour(&mut device)?, None));
         }
-        Ok(_) => target.canonicalize()?,
+        Ok(known) => {
+            rights = Some(known.permissions());
+            target.canonicalize()?
+        }
         Err(_) => target.to_owned(),
     };
     let folder = match target.parent() {
@@ -214,6 +218,10 @@ fn prepare(
     // The temporary name, which these errors would tell, is nothing to the reader.
     let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
     let length = content.fill(file.as_file_mut())?;
+    // A file keeps what its owner allows others.
+    if let Some(rights) = rights {
+        file.as_file().set_permissions(rights)?;
+    }
     Ok((length, Some((file, target))))
 }
 

@@ -6,6 +6,7 @@ pub mod legacy;
 pub mod parts;
 pub mod pictures;
 pub mod plan;
+pub mod print;
 pub mod roofs;
 mod words;
 pub mod xml;

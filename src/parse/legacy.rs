@@ -34,8 +34,35 @@ use std::ops::Range;
 
 use walls::Walls;
 
+/// What a line of the text is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LineKind {
+    /// White space only.
+    Blank,
+    /// For human readers.
+    Comment,
+    /// `%` between houses.
+    Separator,
+    /// Place, heights or a setting.
+    Header,
+    /// Codes.
+    Wall,
+    /// A roof.
+    Roof,
+}
+
 /// Reads a file of the legacy form.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
+    parse_lines(source, limits, out, &mut |_, _| {})
+}
+
+/// Reads a file of the legacy form, and tells of each line what it is, with its range of the source's text.
+pub fn parse_lines(
+    source: &Source,
+    limits: &Limits,
+    out: &mut Diagnostics,
+    each: &mut dyn FnMut(Range<usize>, LineKind),
+) -> Document {
     let mut reader = Reader {
         faults: Faults::new(source, out),
         document: Document::default(),
@@ -52,7 +79,8 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
             reader.faults.say(say::xml_after_text(span));
             break;
         }
-        reader.line(&text[line.clone()], line.start, end);
+        let kind = reader.line(&text[line.clone()], line.start, end);
+        each(line, kind);
     }
     if xml.is_none() || reader.house.walls.begun() {
         reader.finish_house();
@@ -116,7 +144,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn line(&mut self, raw: &'a str, at: usize, end: Range<usize>) {
+    fn line(&mut self, raw: &'a str, at: usize, end: Range<usize>) -> LineKind {
         // Some programs of the time end a file with Ctrl-Z.
         let last = end.end == self.faults.source.text().len();
         let raw = if last {
@@ -125,22 +153,29 @@ impl<'a> Reader<'a> {
             raw
         };
         if raw.starts_with('#') {
-            return;
+            return LineKind::Comment;
         }
         if raw.trim_start().is_empty() {
             self.house.header.gap = self.house.header.begun();
             self.house.blank = Some(at..end.end);
-            return;
+            return LineKind::Blank;
         }
         let line = Line::new(raw, at);
         let text = line.text.trim();
         match text.as_bytes().first() {
-            None => self.faults.mended_fields(&line),
-            Some(b'%') => self.separator(&line, text),
+            None => {
+                self.faults.mended_fields(&line);
+                LineKind::Blank
+            }
+            Some(b'%') => {
+                self.separator(&line, text);
+                LineKind::Separator
+            }
             Some(b'#') => {
                 self.faults.mended_before(&line, 0);
                 let span = line.whole(self.faults.source);
                 self.faults.say(say::comment_column(span));
+                LineKind::Comment
             }
             Some(_) => match other_comment(text) {
                 Some(sign) => {
@@ -148,6 +183,7 @@ impl<'a> Reader<'a> {
                     let start = at + start;
                     let span = self.faults.source.span(start..start + sign.len());
                     self.faults.say(say::comment_sign(span, sign));
+                    LineKind::Comment
                 }
                 None => self.content(&line),
             },
@@ -165,7 +201,7 @@ impl<'a> Reader<'a> {
         self.finish_house();
     }
 
-    fn content(&mut self, line: &Line<'_>) {
+    fn content(&mut self, line: &Line<'_>) -> LineKind {
         let section = self.section_of(line);
         let house = &mut self.house;
         let span = line.whole(self.faults.source);
@@ -174,14 +210,24 @@ impl<'a> Reader<'a> {
         match section {
             Some(section) => house.section = section,
             // A key among walls or roofs is read there and then.
-            None => return house.header.read(line, &mut house.house, &mut self.faults),
+            None => {
+                house.header.read(line, &mut house.house, &mut self.faults);
+                return LineKind::Header;
+            }
         }
         match house.section {
-            Section::Header => house.header.read(line, &mut house.house, &mut self.faults),
-            Section::Walls => house.walls.read(line, &mut self.faults),
+            Section::Header => {
+                house.header.read(line, &mut house.house, &mut self.faults);
+                LineKind::Header
+            }
+            Section::Walls => {
+                house.walls.read(line, &mut self.faults);
+                LineKind::Wall
+            }
             Section::Roofs => {
                 let roof = roofs::read(line, &mut self.faults);
                 house.house.roofs.lines.extend(roof);
+                LineKind::Roof
             }
         }
     }

@@ -1,0 +1,166 @@
+//! `hsd fmt`: texts laid out anew, in place or elsewhere.
+
+use super::input::{Inputs, STDIN};
+use super::options::{Reading, report};
+use super::output::{self, Files};
+use super::terminal::counted;
+use super::{Exit, Outcome, Stop, diff};
+use crate::diagnostic::Diagnostics;
+use crate::print;
+use crate::report::{Format, Report};
+use crate::source::Source;
+use clap::Args;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Lay out texts: codes in their columns, elements on their lines.
+///
+/// Each text is written back to its file, in its encoding and with its line ends; comments and the order of
+/// everything are kept, and what the text means never changes. A text with errors is left as it is.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd fmt shop.hsd                 lay out a text, in place
+  hsd fmt --check *.hsd            say which texts would change, and change none (exit status 1)
+  hsd fmt - < shop.hsd             from standard input to standard output")]
+pub(super) struct Fmt {
+    #[command(flatten)]
+    reading: Reading,
+
+    /// Write to this file, into this folder (`tidy/`), or to standard output (`-`), instead of in place.
+    #[arg(short, long, value_name = "OUT")]
+    output: Option<PathBuf>,
+
+    /// Change nothing; list the texts that would change, with their first lines that do.
+    #[arg(long, conflicts_with = "output")]
+    check: bool,
+}
+
+/// What came of the texts.
+#[derive(Default)]
+struct Tally {
+    /// Texts that were, or would be, changed.
+    changed: usize,
+    /// Whether some text has errors.
+    spoiled: bool,
+}
+
+impl Fmt {
+    pub(super) fn run(&self) -> Outcome {
+        self.reading.check_folders()?;
+        let targets = self.targets()?;
+        let limits = self.reading.limits();
+        let mut out = Diagnostics::new();
+        let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
+        let mut tally = Tally::default();
+        for ((source, target), accepted) in inputs.sources.iter().zip(&targets).zip(inputs.taken())
+        {
+            let text = accepted.then(|| print::format(source, &limits, &mut out));
+            match text.flatten() {
+                Some(text) => self.one(source, &text, target, &mut tally)?,
+                None => tally.spoiled = true,
+            }
+        }
+        let list = out.into_sorted();
+        if !list.is_empty() {
+            let told = Report::new(&inputs.sources, &list);
+            report(&told, Format::Human, &mut io::stderr())?;
+        }
+        self.sum_up(&tally, inputs.sources.len())?;
+        Ok(match () {
+            () if inputs.failed() => Exit::Unread,
+            () if tally.spoiled || self.check && tally.changed > 0 => Exit::Errors,
+            () => Exit::Done,
+        })
+    }
+
+    /// Writes one text, or says how it would change.
+    fn one(
+        &self,
+        source: &Source,
+        text: &str,
+        target: &Path,
+        tally: &mut Tally,
+    ) -> Result<(), Stop> {
+        let changes = text != source.text();
+        tally.changed += usize::from(changes);
+        if self.check {
+            if changes {
+                let lines = diff::short(source.text(), text).join("\n");
+                writeln!(io::stdout(), "{}\n{lines}", source.name())?;
+            }
+            return Ok(());
+        }
+        let in_place = self.output.is_none() && target.as_os_str() != STDIN;
+        if in_place && !changes {
+            return Ok(());
+        }
+        if in_place && fs::metadata(target).is_ok_and(|m| m.permissions().readonly()) {
+            let denied = io::Error::from(io::ErrorKind::PermissionDenied);
+            return Err(Stop::at(target.display(), denied));
+        }
+        let bytes = print::encode(text, source);
+        output::write(target, Files::bytes(bytes)).map(drop)
+    }
+
+    /// Where each text goes.
+    fn targets(&self) -> Result<Vec<PathBuf>, Stop> {
+        let inputs = &self.reading.inputs;
+        let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
+        if stdin > 1 {
+            return Err(Stop::Usage("standard input can be read once only".into()));
+        }
+        let Some(output) = &self.output else {
+            return Ok(inputs.clone());
+        };
+        let folder = output
+            .to_string_lossy()
+            .ends_with(['/', std::path::MAIN_SEPARATOR]);
+        if output.is_dir() || folder {
+            fs::create_dir_all(output).map_err(|e| Stop::at(output.display(), e))?;
+            return into_folder(inputs, output);
+        }
+        if inputs.len() > 1 {
+            let shown = output.display();
+            let message =
+                format!("{shown} can hold one text; for several give a folder, as `-o {shown}/`");
+            return Err(Stop::Usage(message));
+        }
+        Ok(vec![output.clone()])
+    }
+
+    fn sum_up(&self, tally: &Tally, all: usize) -> Result<(), Stop> {
+        let stdout = |path: &PathBuf| path.as_os_str() == STDIN;
+        if self.output.is_some() || self.reading.inputs.iter().any(stdout) {
+            return Ok(());
+        }
+        let (files, changed) = (counted(all, "file"), tally.changed);
+        let done = if self.check {
+            "would be laid out anew"
+        } else {
+            "laid out anew"
+        };
+        writeln!(io::stderr(), "{files}, {changed} {done}")?;
+        Ok(())
+    }
+}
+
+/// A file of the same name in a folder for each text.
+fn into_folder(inputs: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Stop> {
+    let mut taken = std::collections::BTreeMap::new();
+    let mut targets = vec![];
+    for input in inputs {
+        let name = match input.as_os_str() == STDIN {
+            true => Path::new("stdin.hsd").as_os_str(),
+            false => input.file_name().unwrap_or_default(),
+        };
+        let target = folder.join(name);
+        if let Some(other) = taken.insert(target.to_string_lossy().to_lowercase(), input) {
+            let (a, b, out) = (other.display(), input.display(), target.display());
+            return Err(Stop::Usage(format!("{a} and {b} would both become {out}")));
+        }
+        targets.push(target);
+    }
+    Ok(targets)
+}

@@ -1,0 +1,289 @@
+//! What a tree says, without where it is written.
+//!
+//! Two texts mean the same where the trees of both are the same but for their places. So this serializer writes down
+//! everything but [`Span`](crate::source::Span)s, which go by their name, and knows nothing else of the trees: what is
+//! added to them is compared too.
+
+use serde::ser::{self, Serialize, Serializer};
+use std::fmt::Error;
+
+/// The content of a tree as bytes; equal for trees that differ in places only.
+pub fn essence(tree: &impl Serialize) -> Vec<u8> {
+    let mut writer = Writer { bytes: vec![] };
+    // Writing to memory does not fail, and no tree of ours refuses to be written.
+    let written = tree.serialize(&mut writer);
+    debug_assert!(written.is_ok());
+    writer.bytes
+}
+
+struct Writer {
+    bytes: Vec<u8>,
+}
+
+type Done = Result<(), Error>;
+
+impl Writer {
+    fn tag(&mut self, tag: u8) -> Done {
+        self.bytes.push(tag);
+        Ok(())
+    }
+
+    fn number(&mut self, number: u64) -> Done {
+        self.bytes.extend(number.to_le_bytes());
+        Ok(())
+    }
+
+    fn text(&mut self, text: &[u8]) -> Done {
+        self.number(text.len() as u64)?;
+        self.bytes.extend(text);
+        Ok(())
+    }
+
+    fn open(&mut self) -> Result<&mut Self, Error> {
+        self.tag(b'(')?;
+        Ok(self)
+    }
+}
+
+impl<'w> Serializer for &'w mut Writer {
+    type Ok = ();
+    type Error = Error;
+    type SerializeSeq = &'w mut Writer;
+    type SerializeTuple = &'w mut Writer;
+    type SerializeTupleStruct = &'w mut Writer;
+    type SerializeTupleVariant = &'w mut Writer;
+    type SerializeMap = &'w mut Writer;
+    type SerializeStruct = &'w mut Writer;
+    type SerializeStructVariant = &'w mut Writer;
+
+    fn serialize_bool(self, v: bool) -> Done {
+        self.tag(u8::from(v))
+    }
+
+    fn serialize_i8(self, v: i8) -> Done {
+        self.serialize_i64(v.into())
+    }
+
+    fn serialize_i16(self, v: i16) -> Done {
+        self.serialize_i64(v.into())
+    }
+
+    fn serialize_i32(self, v: i32) -> Done {
+        self.serialize_i64(v.into())
+    }
+
+    fn serialize_i64(self, v: i64) -> Done {
+        self.number(v as u64)
+    }
+
+    fn serialize_u8(self, v: u8) -> Done {
+        self.number(v.into())
+    }
+
+    fn serialize_u16(self, v: u16) -> Done {
+        self.number(v.into())
+    }
+
+    fn serialize_u32(self, v: u32) -> Done {
+        self.number(v.into())
+    }
+
+    fn serialize_u64(self, v: u64) -> Done {
+        self.number(v)
+    }
+
+    fn serialize_f32(self, v: f32) -> Done {
+        self.serialize_f64(v.into())
+    }
+
+    fn serialize_f64(self, v: f64) -> Done {
+        self.number((v + 0.0).to_bits()) // -0 is 0
+    }
+
+    fn serialize_char(self, v: char) -> Done {
+        self.number(u64::from(u32::from(v)))
+    }
+
+    fn serialize_str(self, v: &str) -> Done {
+        self.text(v.as_bytes())
+    }
+
+    fn serialize_bytes(self, v: &[u8]) -> Done {
+        self.text(v)
+    }
+
+    fn serialize_none(self) -> Done {
+        self.tag(b'-')
+    }
+
+    fn serialize_some<T: ?Sized + Serialize>(self, value: &T) -> Done {
+        self.tag(b'+')?;
+        value.serialize(self)
+    }
+
+    fn serialize_unit(self) -> Done {
+        Ok(())
+    }
+
+    fn serialize_unit_struct(self, _: &'static str) -> Done {
+        Ok(())
+    }
+
+    fn serialize_unit_variant(self, _: &'static str, index: u32, _: &'static str) -> Done {
+        self.number(index.into())
+    }
+
+    fn serialize_newtype_struct<T: ?Sized + Serialize>(
+        self,
+        name: &'static str,
+        value: &T,
+    ) -> Done {
+        match name {
+            "Span" => Ok(()),
+            _ => value.serialize(self),
+        }
+    }
+
+    fn serialize_newtype_variant<T: ?Sized + Serialize>(
+        self,
+        _: &'static str,
+        index: u32,
+        _: &'static str,
+        value: &T,
+    ) -> Done {
+        self.number(index.into())?;
+        value.serialize(self)
+    }
+
+    fn serialize_seq(self, _: Option<usize>) -> Result<Self, Error> {
+        self.open()
+    }
+
+    fn serialize_tuple(self, _: usize) -> Result<Self, Error> {
+        self.open()
+    }
+
+    fn serialize_tuple_struct(self, _: &'static str, _: usize) -> Result<Self, Error> {
+        self.open()
+    }
+
+    fn serialize_tuple_variant(
+        self,
+        _: &'static str,
+        index: u32,
+        _: &'static str,
+        _: usize,
+    ) -> Result<Self, Error> {
+        self.number(index.into())?;
+        self.open()
+    }
+
+    fn serialize_map(self, _: Option<usize>) -> Result<Self, Error> {
+        self.open()
+    }
+
+    fn serialize_struct(self, _: &'static str, _: usize) -> Result<Self, Error> {
+        self.open()
+    }
+
+    fn serialize_struct_variant(
+        self,
+        _: &'static str,
+        index: u32,
+        _: &'static str,
+        _: usize,
+    ) -> Result<Self, Error> {
+        self.number(index.into())?;
+        self.open()
+    }
+}
+
+/// Members one after another, and a bracket behind them, so that no two lists run into each other.
+macro_rules! members {
+    ($($of:ident $member:ident),*) => {$(
+        impl ser::$of for &mut Writer {
+            type Ok = ();
+            type Error = Error;
+
+            fn $member<T: ?Sized + Serialize>(&mut self, value: &T) -> Done {
+                self.tag(b',')?;
+                value.serialize(&mut **self)
+            }
+
+            fn end(self) -> Done {
+                self.tag(b')')
+            }
+        }
+    )*};
+}
+
+members!(
+    SerializeSeq serialize_element,
+    SerializeTuple serialize_element,
+    SerializeTupleStruct serialize_field,
+    SerializeTupleVariant serialize_field
+);
+
+/// The same with names: of fields, or of their values in a map.
+macro_rules! named_members {
+    ($($of:ident),*) => {$(
+        impl ser::$of for &mut Writer {
+            type Ok = ();
+            type Error = Error;
+
+            fn serialize_field<T: ?Sized + Serialize>(&mut self, _: &'static str, value: &T) -> Done {
+                self.tag(b',')?;
+                value.serialize(&mut **self)
+            }
+
+            fn end(self) -> Done {
+                self.tag(b')')
+            }
+        }
+    )*};
+}
+
+named_members!(SerializeStruct, SerializeStructVariant);
+
+impl ser::SerializeMap for &mut Writer {
+    type Ok = ();
+    type Error = Error;
+
+    fn serialize_key<T: ?Sized + Serialize>(&mut self, key: &T) -> Done {
+        self.tag(b',')?;
+        key.serialize(&mut **self)
+    }
+
+    fn serialize_value<T: ?Sized + Serialize>(&mut self, value: &T) -> Done {
+        value.serialize(&mut **self)
+    }
+
+    fn end(self) -> Done {
+        self.tag(b')')
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::source::{FileId, Span, Spanned};
+
+    #[test]
+    fn places_do_not_count_and_all_else_does() {
+        let span = |start, end| Span {
+            file: FileId(0),
+            start,
+            end,
+        };
+        let one = |value: &str, start| vec![Some(Spanned::new(value.to_owned(), span(start, 9)))];
+        assert_eq!(essence(&one("GSI", 0)), essence(&one("GSI", 4)));
+        assert_ne!(essence(&one("GSI", 0)), essence(&one("GDE", 0)));
+        assert_ne!(essence(&vec![1.0]), essence(&vec![1.5]));
+        assert_ne!(
+            essence(&(vec![1u8], vec![2u8])),
+            essence(&(vec![1u8, 2], vec![0u8; 0]))
+        );
+        assert_eq!(essence(&Some(span(1, 2))), essence(&Some(span(3, 4))));
+        assert_ne!(essence(&Some(span(1, 2))), essence(&None::<Span>));
+    }
+}

@@ -1,0 +1,167 @@
+//! Lays out a legacy text: codes in their five columns, fields of roof lines below each other, one blank line
+//! where there are several.
+//!
+//! Conventions, where the contract leaves a choice:
+//! - the last code of a line loses the blanks that fill it up, since editors take them away too; a control letter
+//!   after it keeps them;
+//! - a void is `.....`, wherever five blanks say it;
+//! - fields of header lines stand one blank apart; numbers keep their spelling, but the height of a roof has a
+//!   decimal;
+//! - the fields of roof lines stand in the columns of `domain.md` 6, numbers to the right; where one is too long, the
+//!   column is as much wider in all roof lines of the house;
+//! - blank lines stand where the author put them, one for several, none at both ends of the file.
+
+use super::table::{Table, tables};
+use crate::ast::{CodeText, Document, Item, Piece, Row};
+use crate::diagnostic::Diagnostics;
+use crate::parse::legacy::{LineKind, parse_lines};
+use crate::source::{Limits, Source};
+
+/// Columns of a code.
+const CELL: usize = 5;
+
+/// A void that can be seen.
+const VOID: &str = ".....";
+
+/// Lays out a text without errors, with line feeds.
+pub(super) fn format(source: &Source, limits: &Limits, document: &Document) -> String {
+    let mut lines = vec![];
+    let each = &mut |range, kind| lines.push((range, kind));
+    parse_lines(source, limits, &mut Diagnostics::new(), each);
+    let mut printer = Printer {
+        text: String::with_capacity(source.text().len() + 64),
+        gap: false,
+        apart: false,
+        section: None,
+    };
+    let mut rows = rows(document).peekable();
+    let tables = tables(source.text(), &lines);
+    let mut house = 0;
+    for (range, kind) in &lines {
+        let raw = source.text()[range.clone()].trim_end_matches(['\u{1a}']);
+        match kind {
+            LineKind::Blank => (printer.gap, printer.apart) = (true, true),
+            LineKind::Comment => printer.line(*kind, |text| text.push_str(raw.trim())),
+            LineKind::Separator => {
+                printer.line(*kind, |text| text.push('%'));
+                house += 1;
+            }
+            LineKind::Header => printer.line(*kind, |text| header(raw, text)),
+            LineKind::Wall => {
+                let here = |row: &&Row| source.text_range(row.span).start < range.end;
+                let row = rows.next_if(here);
+                printer.line(*kind, |text| wall(row, raw, text));
+            }
+            LineKind::Roof => printer.line(*kind, |text| {
+                tables
+                    .get(house)
+                    .unwrap_or(&Table::default())
+                    .line(raw, text)
+            }),
+        }
+    }
+    printer.text
+}
+
+/// The lines of codes, in the order of the file.
+fn rows(document: &Document) -> impl Iterator<Item = &Row> {
+    let storeys = document.houses.iter().flat_map(|house| &house.storeys);
+    let loops = storeys.filter_map(one).flat_map(|storey| &storey.loops);
+    loops.flat_map(|walk| &walk.rows).filter_map(one)
+}
+
+/// The thing itself; a legacy text knows no operations.
+fn one<T>(item: &Item<T>) -> Option<&T> {
+    match item {
+        Item::One(thing) => Some(thing),
+        _ => None,
+    }
+}
+
+struct Printer {
+    text: String,
+    /// Whether blank lines came since the last line.
+    gap: bool,
+    /// Whether blank lines came since the last line that is no comment.
+    apart: bool,
+    /// What the last line was that is no comment.
+    section: Option<LineKind>,
+}
+
+impl Printer {
+    fn line(&mut self, kind: LineKind, write: impl FnOnce(&mut String)) {
+        if kind != LineKind::Comment {
+            let parts = matches!(kind, LineKind::Wall | LineKind::Roof);
+            let begins = self.section.is_some_and(|before| before != kind);
+            self.gap |= parts && begins && !self.apart;
+            self.section = Some(kind);
+            self.apart = false;
+        }
+        if self.gap && !self.text.is_empty() {
+            self.text.push('\n');
+        }
+        self.gap = false;
+        write(&mut self.text);
+        let end = self
+            .text
+            .trim_end_matches(|c: char| c != '\n' && c.is_whitespace());
+        self.text.truncate(end.len());
+        self.text.push('\n');
+    }
+}
+
+fn header(raw: &str, text: &mut String) {
+    let raw = raw.trim();
+    let key = raw.split_whitespace().next().unwrap_or_default();
+    if key == "name" {
+        // A name may hold any number of blanks.
+        text.push_str("name ");
+        text.push_str(raw[key.len()..].trim());
+    } else {
+        words(raw, text);
+    }
+}
+
+/// Writes the words of a line one blank apart.
+pub(super) fn words(raw: &str, text: &mut String) {
+    for (i, word) in raw.split_whitespace().enumerate() {
+        if i > 0 {
+            text.push(' ');
+        }
+        text.push_str(word);
+    }
+}
+
+fn wall(row: Option<&Row>, raw: &str, text: &mut String) {
+    let turn = row.and_then(|row| row.turn.as_ref());
+    let control = match turn {
+        Some(turn) if turn.value < 0.0 => "L",
+        Some(_) => "R",
+        None if raw.trim_end().ends_with('^') => "^",
+        None => "",
+    };
+    let pieces = row.map_or(&[][..], |row| &row.pieces);
+    let list = pieces.iter().filter_map(one).filter_map(Piece::code);
+    codes(list.map(|code| code.value), text, control);
+}
+
+/// Writes codes, and a control letter after them.
+pub(super) fn codes(list: impl Iterator<Item = CodeText>, text: &mut String, control: &str) {
+    let start = text.len();
+    for code in list {
+        let code = code.as_str().trim_end_matches(' ');
+        let before = text.len();
+        text.push_str(if code.is_empty() { VOID } else { code });
+        while text.len() - before < CELL {
+            text.push(' ');
+        }
+    }
+    if control.is_empty() {
+        let end = text.trim_end_matches(' ').len().max(start);
+        // One column alone would be taken for a slip or a control letter.
+        if (end - start) % CELL != 1 {
+            text.truncate(end);
+        }
+    }
+    text.push_str(control);
+}

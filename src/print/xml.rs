@@ -1,0 +1,331 @@
+//! Lays out an XML text: two blanks a level, an element a line, attributes in the author's order.
+//!
+//! Nothing here depends on what the language knows of an element, but for which of them hold codes ([`HOLDS_CODES`]):
+//! unknown elements and attributes are laid out like any others. Conventions:
+//! - an element without content is `<x/>`, one with a single child may stay on one line; quotes and references stay as they are written;
+//! - tags that are longer than [`WIDTH`] columns go on in further lines, four blanks in;
+//! - blank lines stand where the author put them, one for several, none at the ends of an element;
+//! - a comment behind something stays on its line, others get lines of their own; further lines of a comment are
+//!   moved with the first;
+//! - in and below elements with codes the author's line breaks are kept, since every one divides codes (language.md 3),
+//!   and blanks that are columns stay; only the indentation is made anew. Where such an element holds no text and is
+//!   too long for a line, each child gets one.
+
+mod raw;
+
+use raw::{Element, Node};
+
+/// Columns of a line.
+const WIDTH: usize = 100;
+
+/// Elements whose text is codes of five columns.
+const HOLDS_CODES: [&str; 5] = ["Row", "Floor", "split", "upper", "lower"];
+
+/// Lays out a text with these line ends; `None` where it is not well-formed. Line breaks in values and in sections
+/// of plain text stay what they are.
+pub(super) fn format(text: &str, end: &'static str) -> Option<String> {
+    let nodes = raw::read(text)?;
+    if nodes.iter().any(is_content) {
+        return None; // text outside of all elements
+    }
+    let mut printer = Printer {
+        text: String::with_capacity(text.len() + text.len() / 8),
+        line: 0,
+        flat: false,
+        end,
+    };
+    printer.structure(&nodes, 0);
+    printer.push(end);
+    Some(printer.text)
+}
+
+/// Whether a node is text that is no white space.
+fn is_content(node: &Node<'_>) -> bool {
+    match node {
+        Node::Text(text) => !is_white(text),
+        Node::Verbatim(_) => true,
+        _ => false,
+    }
+}
+
+fn is_white(text: &str) -> bool {
+    text.chars().all(is_blank)
+}
+
+/// White space, as the reader takes it away round line breaks.
+fn is_blank(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
+}
+
+/// Line breaks in white space.
+fn breaks(text: &str) -> usize {
+    lines(text).count() - 1
+}
+
+/// The lines of a text, whatever they end with.
+fn lines(text: &str) -> impl Iterator<Item = &str> {
+    text.split('\n').flat_map(|line| {
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        line.split('\r')
+    })
+}
+
+struct Printer {
+    text: String,
+    /// Where the last line begins in it.
+    line: usize,
+    /// Whether tags are written without line breaks, to be measured.
+    flat: bool,
+    /// What ends a line.
+    end: &'static str,
+}
+
+impl Printer {
+    /// Columns of the last line.
+    fn column(&self) -> usize {
+        columns(&self.text[self.line..])
+    }
+
+    fn push(&mut self, text: &str) {
+        let before = self.text.len();
+        self.text.push_str(text);
+        if let Some(at) = text.rfind(['\n', '\r']) {
+            self.line = before + at + 1;
+        }
+    }
+
+    fn new_line(&mut self, depth: usize) {
+        self.push(self.end);
+        self.blanks(2 * depth);
+    }
+
+    fn blanks(&mut self, count: usize) {
+        self.text.extend(std::iter::repeat_n(' ', count));
+    }
+
+    /// Nodes among which white space means nothing, a line each; the last line is left open.
+    fn structure(&mut self, nodes: &[Node<'_>], depth: usize) {
+        let mut white = 0;
+        let mut first = true;
+        for node in nodes {
+            if let Node::Text(text) = node {
+                white += breaks(text);
+                continue;
+            }
+            let begins = self.text.is_empty();
+            let behind = white == 0 && matches!(node, Node::Comment { .. }) && !begins;
+            if behind {
+                self.push(" ");
+            } else if !begins {
+                if white > 1 && !first {
+                    self.push(self.end);
+                }
+                self.new_line(depth);
+            }
+            self.node(node, depth, false);
+            (white, first) = (0, false);
+        }
+    }
+
+    fn node(&mut self, node: &Node<'_>, depth: usize, codes: bool) {
+        match node {
+            Node::Text(text) | Node::Verbatim(text) | Node::Instruction(text) => self.push(text),
+            Node::Comment { text, column } => self.comment(text, *column),
+            Node::Element(element) => self.element(element, depth, codes),
+        }
+    }
+
+    /// Writes an element; `codes` = it stands among codes.
+    fn element(&mut self, element: &Element<'_>, depth: usize, codes: bool) {
+        let children = &element.children;
+        if children
+            .iter()
+            .all(|c| matches!(c, Node::Text(text) if is_white(text)))
+        {
+            return self.tag(element, depth, "/>");
+        }
+        let codes = codes || HOLDS_CODES.contains(&element.name) || children.iter().any(is_content);
+        let broken = children
+            .iter()
+            .any(|c| matches!(c, Node::Text(text) if breaks(text) > 0));
+        let may_stay = !broken && (codes || is_single(children));
+        let stays = may_stay
+            && (self.flat || children.iter().any(is_content) || self.fits(element, depth, codes));
+        self.tag(element, depth, ">");
+        if stays {
+            self.inline(children, depth, codes);
+        } else if !codes {
+            self.structure(children, depth + 1);
+            self.new_line(depth);
+        } else if broken {
+            self.broken(children, depth);
+        } else {
+            self.column_of(children, depth);
+        }
+        self.push("</");
+        self.push(element.name);
+        self.push(">");
+    }
+
+    /// Whether an element fits into the line, or breaks it by itself.
+    fn fits(&self, element: &Element<'_>, depth: usize, codes: bool) -> bool {
+        let mut trial = Printer {
+            text: String::new(),
+            line: 0,
+            flat: true,
+            end: "\n",
+        };
+        trial.element(element, depth, codes);
+        let (line, more) = trial.text.split_once('\n').unwrap_or((&trial.text, ""));
+        (codes || more.is_empty()) && self.column() + columns(line) <= WIDTH
+    }
+
+    /// Children in the line of their parent.
+    fn inline(&mut self, children: &[Node<'_>], depth: usize, codes: bool) {
+        for (i, child) in children.iter().enumerate() {
+            if !vanishes(children, i) {
+                self.node(child, depth, codes);
+            }
+        }
+    }
+
+    /// Children without text, a line each.
+    fn column_of(&mut self, children: &[Node<'_>], depth: usize) {
+        for (i, child) in children.iter().enumerate() {
+            if !vanishes(children, i) {
+                self.new_line(depth + 1);
+                self.node(child, depth + 1, true);
+            }
+        }
+        self.new_line(depth);
+    }
+
+    /// Children in the lines that the author gave them.
+    fn broken(&mut self, children: &[Node<'_>], depth: usize) {
+        // A line break where a run of codes begins or ends moves nothing, unless blanks stand there.
+        let opens = match children.first() {
+            Some(Node::Text(text)) => !text.starts_with(is_blank),
+            first => matches!(first, Some(Node::Element(_))),
+        };
+        let closes = match children.last() {
+            Some(Node::Text(text)) => !text.ends_with(is_blank),
+            last => matches!(last, Some(Node::Element(_))),
+        };
+        let (mut pending, mut first) = (usize::from(opens), true);
+        for (i, child) in children.iter().enumerate() {
+            let Node::Text(text) = child else {
+                self.flush(&mut pending, &mut first, depth + 1);
+                self.node(child, depth + 1, true);
+                continue;
+            };
+            if vanishes(children, i) {
+                continue;
+            }
+            let last = breaks(text);
+            for (k, line) in lines(text).enumerate() {
+                pending += usize::from(k > 0);
+                let line = if k > 0 {
+                    line.trim_start_matches(is_blank)
+                } else {
+                    line
+                };
+                let line = if k < last {
+                    line.trim_end_matches(is_blank)
+                } else {
+                    line
+                };
+                if !line.is_empty() {
+                    self.flush(&mut pending, &mut first, depth + 1);
+                    self.push(line);
+                }
+            }
+        }
+        if pending > 0 || closes {
+            self.new_line(depth);
+        }
+    }
+
+    /// Writes the line breaks that are due.
+    fn flush(&mut self, pending: &mut usize, first: &mut bool, depth: usize) {
+        if *pending > 1 && !*first {
+            self.push(self.end);
+        }
+        if *pending > 0 {
+            self.new_line(depth);
+        }
+        (*pending, *first) = (0, false);
+    }
+
+    fn tag(&mut self, element: &Element<'_>, depth: usize, end: &str) {
+        self.push("<");
+        self.push(element.name);
+        let whole: usize = element
+            .attributes
+            .iter()
+            .map(|a| 2 + columns(a.name) + columns(a.value))
+            .sum();
+        let long = !self.flat && self.column() + whole + end.len() > WIDTH;
+        for (i, attribute) in element.attributes.iter().enumerate() {
+            let last = i + 1 == element.attributes.len();
+            let length = 2 + columns(attribute.name) + columns(attribute.value);
+            let length = length + if last { end.len() } else { 0 };
+            if long && i > 0 && self.column() + length > WIDTH {
+                self.push(self.end);
+                self.blanks(2 * depth + 4);
+            } else {
+                self.push(" ");
+            }
+            self.push(attribute.name);
+            self.push("=");
+            self.push(attribute.value);
+        }
+        self.push(end);
+    }
+
+    fn comment(&mut self, text: &str, column: usize) {
+        let here = self.column();
+        for (i, line) in lines(text).enumerate() {
+            if i == 0 {
+                self.push(line.trim_end());
+                continue;
+            }
+            self.push(self.end);
+            let words = line.trim_start_matches(' ');
+            if words.starts_with('\t') {
+                self.push(line.trim_end());
+            } else if !words.is_empty() {
+                let blanks = line.len() - words.len();
+                self.blanks((blanks + here).saturating_sub(column));
+                self.push(words.trim_end());
+            }
+        }
+    }
+}
+
+/// Whether there is one element and nothing else, and it is empty or holds codes.
+fn is_single(nodes: &[Node<'_>]) -> bool {
+    let mut content = nodes.iter().filter(|n| !matches!(n, Node::Text(_)));
+    match (content.next(), content.next()) {
+        (Some(Node::Element(e)), None) => e.children.is_empty() || HOLDS_CODES.contains(&e.name),
+        _ => false,
+    }
+}
+
+/// Whether a node is white space between elements, of which no code can be made.
+fn vanishes(nodes: &[Node<'_>], index: usize) -> bool {
+    let joins = |i: Option<usize>| {
+        let node = i.and_then(|i| nodes.get(i));
+        node.is_some_and(|n| !matches!(n, Node::Element(_)))
+    };
+    matches!(&nodes[index], Node::Text(text) if is_white(text) && breaks(text) == 0)
+        && !joins(index.checked_sub(1))
+        && !joins(Some(index + 1))
+}
+
+/// Columns of a text on the screen: two for most letters beyond ASCII.
+fn columns(text: &str) -> usize {
+    if text.is_ascii() {
+        return text.len();
+    }
+    text.chars().map(|c| if c.is_ascii() { 1 } else { 2 }).sum()
+}

@@ -1,0 +1,112 @@
+//! The markup of a well-formed text as it is written: nothing is resolved, nothing is left out.
+
+use quick_xml::events::{BytesStart, Event};
+use quick_xml::reader::Reader;
+use std::ops::Range;
+
+/// Elements nested deeper are refused, as by the reader of the language, since the printer recurses.
+const DEEPEST: usize = 256;
+
+/// A piece of the text.
+pub(super) enum Node<'a> {
+    /// Text with its references.
+    Text(&'a str),
+    /// `<![CDATA[...]]>`.
+    Verbatim(&'a str),
+    /// `<?...?>`, the declaration too.
+    Instruction(&'a str),
+    /// `<!--...-->`.
+    Comment {
+        /// With its marks.
+        text: &'a str,
+        /// Columns before it on its line.
+        column: usize,
+    },
+    /// `<x ...>...</x>` or `<x .../>`.
+    Element(Element<'a>),
+}
+
+/// An element.
+pub(super) struct Element<'a> {
+    pub(super) name: &'a str,
+    pub(super) attributes: Vec<Attribute<'a>>,
+    pub(super) children: Vec<Node<'a>>,
+}
+
+/// `name="value"`.
+pub(super) struct Attribute<'a> {
+    pub(super) name: &'a str,
+    /// With its quotes.
+    pub(super) value: &'a str,
+}
+
+/// The nodes of a text; `None` where it is not well-formed, has a document type, or nests too deep.
+pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
+    let mut reader = Reader::from_str(text);
+    let mut open: Vec<Element<'_>> = vec![];
+    let mut nodes = vec![];
+    let mut run: Option<Range<usize>> = None;
+    loop {
+        let start = reader.buffer_position() as usize;
+        let event = reader.read_event().ok()?;
+        let range = start..reader.buffer_position() as usize;
+        if matches!(event, Event::Text(_) | Event::GeneralRef(_)) {
+            run = Some(run.map_or(range.start, |r| r.start)..range.end);
+            continue;
+        }
+        if let Some(run) = run.take() {
+            nodes.push(Node::Text(&text[run]));
+        }
+        let raw = &text[range.clone()];
+        match event {
+            Event::Start(tag) => {
+                let mut element = element(text, &tag)?;
+                // What stands before it waits in its place.
+                std::mem::swap(&mut element.children, &mut nodes);
+                open.push(element);
+                (open.len() <= DEEPEST).then_some(())?;
+            }
+            Event::Empty(tag) => nodes.push(Node::Element(element(text, &tag)?)),
+            Event::End(_) => {
+                let mut element = open.pop()?;
+                std::mem::swap(&mut element.children, &mut nodes);
+                nodes.push(Node::Element(element));
+            }
+            Event::CData(_) => nodes.push(Node::Verbatim(raw)),
+            Event::Decl(_) | Event::PI(_) => nodes.push(Node::Instruction(raw)),
+            Event::Comment(_) => nodes.push(Node::Comment {
+                text: raw,
+                column: column(text, range.start),
+            }),
+            Event::Eof => return open.is_empty().then_some(nodes),
+            _ => return None,
+        }
+    }
+}
+
+fn element<'a>(text: &'a str, tag: &BytesStart<'_>) -> Option<Element<'a>> {
+    let part = |part: &str| {
+        let start = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize)?;
+        (start + part.len() <= text.len()).then_some(start..start + part.len())
+    };
+    let mut attributes = vec![];
+    for attribute in tag.attributes() {
+        let attribute = attribute.ok()?;
+        let (name, value) = (part(attribute.key.as_ref())?, part(&attribute.value)?);
+        attributes.push(Attribute {
+            name: &text[name],
+            value: text.get(value.start.checked_sub(1)?..value.end + 1)?,
+        });
+    }
+    Some(Element {
+        name: &text[part(tag.name().as_ref())?],
+        attributes,
+        children: vec![],
+    })
+}
+
+/// Columns before an offset on its line.
+fn column(text: &str, at: usize) -> usize {
+    let line = text[..at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
+    super::columns(&text[line..at])
+}
