@@ -214,7 +214,10 @@ fn mutate(text: &mut String, draws: &mut Draws) {
     match draws.next(4) {
         0 | 1 => text.insert_str(from, BITS[draws.next(BITS.len())]),
         2 => text.replace_range(from..to, ""),
-        _ => text.insert_str(to, &text[from..to].to_owned()),
+        _ => {
+            let copy = text[from..to].to_owned();
+            text.insert_str(to, &copy);
+        }
     }
 }
 

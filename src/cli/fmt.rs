@@ -17,7 +17,8 @@ use std::path::{Path, PathBuf};
 /// Lay out texts: codes in their columns, elements on their lines.
 ///
 /// Each text is written back to its file, in its encoding and with its line ends; comments and the order of
-/// everything are kept, and what the text means never changes. A text with errors is left as it is.
+/// everything are kept, and what the text means never changes. A text whose meaning is in doubt is left as it
+/// is: a legacy text with errors, an XML text that is not well-formed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
+mod fmt;
 mod folders;
 
 use hsd::cli::world::FolderWorld;
