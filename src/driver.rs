@@ -3,6 +3,10 @@
 //! Each step is a function of its own, so that a shell can stop after any of them; [`compile`] runs them all.
 //! Nothing here reads a file: pictures come through a [`World`].
 
+mod convert;
+
+pub use convert::convert;
+
 use crate::ast::Document;
 use crate::backend::pictures::{Library, Trouble};
 use crate::backend::{gltf, sound};

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `legacy`, `table` | lays out a legacy text; its roof lines |
 //! | `xml` | lays out an XML text |
+//! | `to_xml`, `to_legacy` | write a house in the other form |
 //! | `essence` | a tree without its places, to compare |
 //! | `encode` | a text as bytes in the encoding it came in |
 
@@ -16,10 +17,14 @@ mod encode;
 mod essence;
 mod legacy;
 mod table;
+mod to_legacy;
+mod to_xml;
 mod xml;
 
 pub use encode::encode;
 pub use essence::essence;
+pub use to_legacy::to_legacy;
+pub use to_xml::to_xml;
 
 use crate::ast::Document;
 use crate::diagnostic::messages::print as say;
@@ -42,6 +47,22 @@ impl Form {
         match source.text().trim_start().starts_with(['<', '＜']) {
             true => Form::Xml,
             false => Form::Legacy,
+        }
+    }
+
+    /// The other one.
+    pub fn other(self) -> Form {
+        match self {
+            Form::Legacy => Form::Xml,
+            Form::Xml => Form::Legacy,
+        }
+    }
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Form::Legacy => "legacy text",
+            Form::Xml => "XML",
         }
     }
 }

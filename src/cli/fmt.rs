@@ -6,10 +6,11 @@ use super::output::{self, Files};
 use super::terminal::counted;
 use super::{Exit, Outcome, Stop, diff};
 use crate::diagnostic::Diagnostics;
-use crate::print;
+use crate::driver;
+use crate::print::{self, Form};
 use crate::report::{Format, Report};
-use crate::source::Source;
-use clap::Args;
+use crate::source::{Limits, Source};
+use clap::{Args, ValueEnum};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -24,7 +25,8 @@ use std::path::{Path, PathBuf};
 Examples:
   hsd fmt shop.hsd                 lay out a text, in place
   hsd fmt --check *.hsd            say which texts would change, and change none (exit status 1)
-  hsd fmt - < shop.hsd             from standard input to standard output")]
+  hsd fmt - < shop.hsd             from standard input to standard output
+  hsd fmt --to xml shop.hsd -o shop-xml.hsd    the same house in the other form")]
 pub(super) struct Fmt {
     #[command(flatten)]
     reading: Reading,
@@ -36,6 +38,30 @@ pub(super) struct Fmt {
     /// Change nothing; list the texts that would change, with their first lines that do.
     #[arg(long, conflicts_with = "output")]
     check: bool,
+
+    /// Write it in this form of the language; a text that is in it already is only laid out.
+    ///
+    /// What the other form cannot say is an error, with its place. Repeats are counted out in the legacy form.
+    #[arg(long, value_enum, value_name = "FORM")]
+    to: Option<To>,
+}
+
+/// The forms of `--to`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum To {
+    /// Elements and attributes.
+    Xml,
+    /// Lines of five-column codes.
+    Legacy,
+}
+
+impl To {
+    fn form(self) -> Form {
+        match self {
+            To::Xml => Form::Xml,
+            To::Legacy => Form::Legacy,
+        }
+    }
 }
 
 /// What came of the texts.
@@ -57,7 +83,7 @@ impl Fmt {
         let mut tally = Tally::default();
         for ((source, target), accepted) in inputs.sources.iter().zip(&targets).zip(inputs.taken())
         {
-            let text = accepted.then(|| print::format(source, &limits, &mut out));
+            let text = accepted.then(|| self.text(source, &limits, &mut out));
             match text.flatten() {
                 Some(text) => self.one(source, &text, target, &mut tally)?,
                 None => tally.spoiled = true,
@@ -74,6 +100,16 @@ impl Fmt {
             () if tally.spoiled || self.check && tally.changed > 0 => Exit::Errors,
             () => Exit::Done,
         })
+    }
+
+    /// A text as it should be.
+    fn text(&self, source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option<String> {
+        let here = Form::of(source);
+        if self.to.is_none_or(|to| to.form() == here) {
+            return print::format(source, limits, out);
+        }
+        let world = self.reading.world(&self.reading.inputs);
+        driver::convert(source, &world, &self.reading.options(), out)
     }
 
     /// Writes one text, or says how it would change.

@@ -14,6 +14,14 @@ pub fn encode(text: &str, source: &Source) -> Vec<u8> {
     bytes.filter(readable).unwrap_or_else(|| utf8(text, marked))
 }
 
+/// The name by which a declaration tells the encoding of a source.
+pub(super) fn label(source: &Source) -> &'static str {
+    match source.encoding() {
+        "UTF-16LE" | "UTF-16BE" => "UTF-16",
+        other => other,
+    }
+}
+
 fn utf8(text: &str, marked: bool) -> Vec<u8> {
     let mark = if marked { MARK } else { "" };
     [mark, text].concat().into_bytes()

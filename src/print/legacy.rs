@@ -140,9 +140,13 @@ fn wall(row: Option<&Row>, raw: &str, text: &mut String) {
         None if raw.trim_end().ends_with('^') => "^",
         None => "",
     };
-    let pieces = row.map_or(&[][..], |row| &row.pieces);
-    let list = pieces.iter().filter_map(one).filter_map(Piece::code);
-    codes(list.map(|code| code.value), text, control);
+    codes(row.into_iter().flat_map(codes_of), text, control);
+}
+
+/// The codes of a line.
+pub(super) fn codes_of(row: &Row) -> impl Iterator<Item = CodeText> {
+    let pieces = row.pieces.iter().filter_map(one);
+    pieces.filter_map(Piece::code).map(|code| code.value)
 }
 
 /// Writes codes, and a control letter after them.

@@ -13,6 +13,8 @@
 
 mod raw;
 
+use std::ops::Range;
+
 use raw::{Element, Node};
 
 /// Columns of a line.
@@ -68,6 +70,43 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
         let line = line.strip_suffix('\r').unwrap_or(line);
         line.split('\r')
     })
+}
+
+/// The comments of a well-formed text, the last one first: where they count as standing, and their lines. One behind
+/// something on a line stands where the line begins, since it speaks of that.
+pub(super) fn comments(text: &str) -> Vec<(usize, Vec<String>)> {
+    let mut found = raw::comments(text);
+    found.reverse();
+    let place = |range: &Range<usize>| {
+        let line = text[..range.start].rfind(['\n', '\r']).map_or(0, |i| i + 1);
+        let alone = is_white(&text[line..range.start]);
+        let behind = text[line..range.start].trim_start_matches(is_blank);
+        if alone {
+            range.start
+        } else {
+            range.start - behind.len()
+        }
+    };
+    let content = |range: &Range<usize>| {
+        let inside = text[range.clone()]
+            .trim_start_matches("<!--")
+            .trim_end_matches("-->");
+        let mut all: Vec<String> = lines(inside).map(|l| l.trim().to_owned()).collect();
+        while all.last().is_some_and(String::is_empty) {
+            all.pop();
+        }
+        let first = all.iter().position(|l| !l.is_empty()).unwrap_or(0);
+        all.split_off(first)
+    };
+    found
+        .iter()
+        .map(|range| (place(range), content(range)))
+        .collect()
+}
+
+/// Where the elements of a name stand in a well-formed text, and the value of their first attribute.
+pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a str)> {
+    raw::elements(text, name)
 }
 
 struct Printer {
@@ -203,24 +242,25 @@ impl Printer {
     /// Children in the lines that the author gave them.
     fn broken(&mut self, children: &[Node<'_>], depth: usize) {
         // A line break where a run of codes begins or ends moves nothing, unless blanks stand there.
-        let opens = match children.first() {
+        let stays: Vec<usize> = (0..children.len())
+            .filter(|i| !vanishes(children, *i))
+            .collect();
+        let at = |index: Option<&usize>| index.map(|i| &children[*i]);
+        let opens = match at(stays.first()) {
             Some(Node::Text(text)) => !text.starts_with(is_blank),
             first => matches!(first, Some(Node::Element(_))),
         };
-        let closes = match children.last() {
+        let closes = match at(stays.last()) {
             Some(Node::Text(text)) => !text.ends_with(is_blank),
             last => matches!(last, Some(Node::Element(_))),
         };
         let (mut pending, mut first) = (usize::from(opens), true);
-        for (i, child) in children.iter().enumerate() {
+        for child in stays.iter().map(|i| &children[*i]) {
             let Node::Text(text) = child else {
                 self.flush(&mut pending, &mut first, depth + 1);
                 self.node(child, depth + 1, true);
                 continue;
             };
-            if vanishes(children, i) {
-                continue;
-            }
             let last = breaks(text);
             for (k, line) in lines(text).enumerate() {
                 pending += usize::from(k > 0);

@@ -23,7 +23,7 @@ fn check_changes_nothing_and_tells_what_would_change() {
     assert_eq!(code(&output), 1);
     assert_eq!(
         stdout(&output),
-        "loose.hsd\n    3 - \n    4 - KSK  KSK··\n    5 - KSK  KSK··\n    3 + KSK  KSK\n    4 + KSK  KSK\n"
+        "loose.hsd\n    3 - \n    4 - KSK  KSK··\n    5 - KSK  KSK··\n    5 + KSK  KSK\n    6 + KSK  KSK\n"
     );
     assert_eq!(stderr(&output), "2 files, 1 would be laid out anew\n");
     assert_eq!(read(&folder, "loose.hsd"), LOOSE);

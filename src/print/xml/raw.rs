@@ -84,6 +84,43 @@ pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
     }
 }
 
+/// Where the comments stand.
+pub(super) fn comments(text: &str) -> Vec<Range<usize>> {
+    let mut found = vec![];
+    each(text, |event, range| {
+        if let Event::Comment(_) = event {
+            found.push(range);
+        }
+    });
+    found
+}
+
+/// Where the tags of a name stand, and the value of the first attribute of each with its quotes.
+pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a str)> {
+    let mut found = vec![];
+    each(text, |event, range| {
+        if let Event::Start(tag) | Event::Empty(tag) = event
+            && let Some(element) = element(text, &tag)
+            && element.name == name
+        {
+            found.push((range, element.attributes.first().map_or("", |a| a.value)));
+        }
+    });
+    found
+}
+
+/// Every event of a text with its range, up to the first fault.
+fn each<'a>(text: &'a str, mut see: impl FnMut(Event<'a>, Range<usize>)) {
+    let mut reader = Reader::from_str(text);
+    loop {
+        let start = reader.buffer_position() as usize;
+        match reader.read_event() {
+            Err(_) | Ok(Event::Eof) => return,
+            Ok(event) => see(event, start..reader.buffer_position() as usize),
+        }
+    }
+}
+
 fn element<'a>(text: &'a str, tag: &BytesStart<'_>) -> Option<Element<'a>> {
     let part = |part: &str| {
         let start = (part.as_ptr() as usize).checked_sub(text.as_ptr() as usize)?;

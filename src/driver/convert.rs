@@ -1,0 +1,76 @@
+//! A text in the other form of the language, if it makes the same building there.
+
+use super::{building, documents, program};
+use crate::building::Building;
+use crate::catalog::Catalog;
+use crate::diagnostic::messages::print as say;
+use crate::diagnostic::{Diagnostics, Severity};
+use crate::expand::Options;
+use crate::print::{self, Form};
+use crate::program::Roofs;
+use crate::source::{Source, World};
+
+/// Writes a text in the form that it is not in. Pictures are asked for in `world`, since codes may be names of them.
+///
+/// # Errors
+/// `None` where the text has errors or the other form cannot say it; `out` says why.
+pub fn convert(
+    source: &Source,
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Option<String> {
+    let to = Form::of(source).other();
+    let mut told = Diagnostics::new();
+    let made = written(source, to, world, options, &mut told);
+    let errors = told.has_errors();
+    let news = told.into_sorted().into_iter();
+    news.filter(|d| d.severity == Severity::Error)
+        .for_each(|d| out.push(d));
+    let text = made.filter(|_| !errors)?;
+    let again = Source::new(source.id(), source.name(), &print::encode(&text, source));
+    let built = |source| walls_and_roofs(source, world, options);
+    if built(source) == built(&again) {
+        return Some(text);
+    }
+    out.push(say::not_the_same(source.span(0..0), to.name()));
+    None
+}
+
+fn written(
+    source: &Source,
+    to: Form,
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Option<String> {
+    let documents = documents(&[source], &options.limits, out);
+    if out.has_errors() {
+        return None;
+    }
+    if to == Form::Xml {
+        return print::to_xml(source, &options.limits, out);
+    }
+    let program = program(&[source], &documents, world, options, out);
+    if out.has_errors() {
+        return None;
+    }
+    let document = documents.first()?;
+    print::to_legacy(source, document, &program, Catalog::builtin(), out)
+}
+
+/// What is built, without places; `None` where the text cannot be read.
+fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Option<Vec<u8>> {
+    let mut out = Diagnostics::new();
+    let documents = documents(&[source], &options.limits, &mut out);
+    if out.has_errors() {
+        return None;
+    }
+    let program = program(&[source], &documents, world, options, &mut out);
+    let Building { mut shell, roofs } = building(program, &mut out);
+    // What the author said of roofs may stand at another place; what comes of it is compared.
+    for house in &mut shell.houses {
+        house.roofs = Roofs::default();
+    }
+    Some(print::essence(&Building { shell, roofs }))
+}
