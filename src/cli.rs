@@ -118,7 +118,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Dump(c) => c.run(language),
         Command::Parts(c) => c.run(),
         Command::Explain(c) => c.run(language),
-        Command::Fmt(c) => c.run(),
+        Command::Fmt(c) => c.run(language),
         Command::Textures(c) => c.run(),
         Command::Completions(c) => c.run(),
     };

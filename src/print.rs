@@ -28,7 +28,7 @@ pub use to_xml::to_xml;
 
 use crate::ast::Document;
 use crate::diagnostic::messages::print as say;
-use crate::diagnostic::{Diagnostics, Severity};
+use crate::diagnostic::{Diagnostics, Severity, Text};
 use crate::parse;
 use crate::source::{Limits, Source};
 
@@ -59,10 +59,10 @@ impl Form {
     }
 
     /// What it is called.
-    pub fn name(self) -> &'static str {
+    pub fn name(self) -> Text {
         match self {
-            Form::Legacy => "legacy text",
-            Form::Xml => "XML",
+            Form::Legacy => say::legacy_form(),
+            Form::Xml => say::xml_form(),
         }
     }
 }

@@ -265,7 +265,7 @@ fn a_large_text_takes_no_time() {
             &Limits::default(),
             &mut Diagnostics::new(),
         );
-        let most = if cfg!(debug_assertions) { 6 } else { 1 };
+        let most = if cfg!(debug_assertions) { 60 } else { 1 };
         assert!(
             start.elapsed() < Duration::from_secs(most),
             "{:.60} {:?}",

@@ -5,7 +5,7 @@ use super::options::{Reading, report};
 use super::output::{self, Files};
 use super::terminal::counted;
 use super::{Exit, Outcome, Stop, diff};
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::print::{self, Form};
 use crate::report::{Format, Report};
@@ -74,7 +74,7 @@ struct Tally {
 }
 
 impl Fmt {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
         let targets = self.targets()?;
         let limits = self.reading.limits();
@@ -91,7 +91,7 @@ impl Fmt {
         }
         let list = out.into_sorted();
         if !list.is_empty() {
-            let told = Report::new(&inputs.sources, &list);
+            let told = Report::new(&inputs.sources, &list).in_language(language);
             report(&told, Format::Human, &mut io::stderr())?;
         }
         self.sum_up(&tally, inputs.sources.len())?;

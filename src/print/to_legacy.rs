@@ -229,9 +229,11 @@ impl Writer<'_> {
         }
         let (mut text, mut heading) = (String::new(), 0);
         let mut turn_to = |text: &mut String, target: i32| {
+            // The end of a line turns right by itself.
+            let right = if text.ends_with('.') { "\n" } else { "R\n" };
             match (target - heading).rem_euclid(4) {
-                1 => text.push_str("R\n"),
-                2 => text.push_str("R\nR\n"),
+                1 => text.push_str(right),
+                2 => text.extend([right, "R\n"]),
                 3 => text.push_str("L\n"),
                 _ => {}
             }

@@ -72,20 +72,17 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The comments of a well-formed text, the last one first: where they count as standing, and their lines. One behind
-/// something on a line stands where the line begins, since it speaks of that.
+/// The comments of a well-formed text, the last one first: where they count as standing, and their lines. One at the
+/// end of a line stands where the line begins, since it speaks of that.
 pub(super) fn comments(text: &str) -> Vec<(usize, Vec<String>)> {
     let mut found = raw::comments(text);
     found.reverse();
     let place = |range: &Range<usize>| {
         let line = text[..range.start].rfind(['\n', '\r']).map_or(0, |i| i + 1);
-        let alone = is_white(&text[line..range.start]);
-        let behind = text[line..range.start].trim_start_matches(is_blank);
-        if alone {
-            range.start
-        } else {
-            range.start - behind.len()
-        }
+        let before = text[line..range.start].trim_start_matches(is_blank);
+        let after = text[range.end..].split(['\n', '\r']).next();
+        let last = after.is_none_or(is_white);
+        range.start - if last { before.len() } else { 0 }
     };
     let content = |range: &Range<usize>| {
         let inside = text[range.clone()]
