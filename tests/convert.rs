@@ -193,21 +193,16 @@ fn fixtures_say_what_cannot_be_written() {
 
 #[test]
 fn the_examples_of_pages_cannot_be_written() {
-    for (code, page) in pages::PAGES
-        .iter()
-        .filter(|(c, _)| (802..900).contains(&c.0))
-    {
+    let layouts = pages::PAGES.iter();
+    for page in layouts.filter(|page| (802..900).contains(&page.code.0)) {
         let example = page
+            .en
             .split("\n```")
             .nth(1)
-            .and_then(|e| e.split_once('\n'))
-            .unwrap()
-            .1;
-        let (made, out) = converted(&format!("{example}\n"));
-        assert!(
-            made.is_none() && out.iter().any(|d| d.code == *code),
-            "{code}"
-        );
+            .and_then(|e| e.split_once('\n'));
+        let (made, out) = converted(&format!("{}\n", example.unwrap().1));
+        let told = out.iter().any(|d| d.code == page.code);
+        assert!(made.is_none() && told, "{}", page.code);
     }
 }
 
@@ -286,7 +281,7 @@ fn random_text(draws: &mut Draws) -> String {
 fn random_texts_are_the_same_houses_in_xml_and_back() {
     let mut draws = Draws(0x9e37_79b9_7f4a_7c15);
     let mut back = 0;
-    for round in 0..600 {
+    for round in 0..200 {
         let text = random_text(&mut draws);
         let (xml, out) = converted(&text);
         let told = out.into_sorted();
@@ -305,5 +300,5 @@ fn random_texts_are_the_same_houses_in_xml_and_back() {
             back += 1;
         }
     }
-    assert!(back > 20, "{back}"); // others hold unknown codes
+    assert!(back > 5, "{back}"); // others hold unknown codes
 }
