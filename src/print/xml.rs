@@ -164,6 +164,10 @@ impl Printer {
     }
 
     fn node(&mut self, node: &Node<'_>, depth: usize, codes: bool) {
+        // No letter has more bytes than twice its columns: the measure is full.
+        if self.flat && self.text.len() > 2 * WIDTH {
+            return;
+        }
         match node {
             Node::Text(text) | Node::Verbatim(text) | Node::Instruction(text) => self.push(text),
             Node::Comment { text, column } => self.comment(text, *column),
