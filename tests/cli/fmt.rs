@@ -129,3 +129,32 @@ fn a_file_keeps_its_rights() {
     assert_eq!(code(&hsd(folder.path(), &["fmt", "loose.hsd"])), 3);
     assert_eq!(read(&folder, "loose.hsd"), LOOSE);
 }
+
+#[test]
+fn a_house_is_written_in_the_other_form() {
+    let folder = loose();
+    let output = hsd(
+        folder.path(),
+        &["fmt", "--to", "xml", "loose.hsd", "-o", "x.hsd"],
+    );
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    let xml = read(&folder, "x.hsd");
+    assert!(
+        xml.starts_with("<House>\n  <Storey>\n    <Row>KSK  KSK</Row>\n"),
+        "{xml}"
+    );
+    let output = hsd(folder.path(), &["fmt", "--to", "xml", "x.hsd", "--check"]);
+    assert_eq!(code(&output), 0, "it is in that form already");
+    let output = hsd(folder.path(), &["fmt", "--to", "legacy", "x.hsd"]);
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert_eq!(
+        read(&folder, "x.hsd"),
+        TIDY.replacen("0 0\n", "0 0\n9.0\n", 1)
+    );
+    let drawn = "<House><Storey><Row><random code=\"KSM, MRE\"/></Row></Storey></House>\n";
+    fs::write(folder.path().join("drawn.hsd"), drawn).unwrap();
+    let output = hsd(folder.path(), &["fmt", "--to", "legacy", "drawn.hsd"]);
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("HSD0803"), "{}", stderr(&output));
+    assert_eq!(read(&folder, "drawn.hsd"), drawn);
+}

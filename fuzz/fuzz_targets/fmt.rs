@@ -1,0 +1,31 @@
+//! No bytes whatever disturb `hsd fmt`: what it lays out or writes in the other form can be read again, and is laid out once
+//! and for all.
+
+#![no_main]
+
+use hsd::diagnostic::{Code, Diagnostics};
+use hsd::expand::Options;
+use hsd::print::{encode, format};
+use hsd::source::{FileId, Limits, NoPictures, Source};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let (limits, mut out) = (
+        Limits {
+            parts: 20_000,
+            ..Limits::default()
+        },
+        Diagnostics::new(),
+    );
+    let source = Source::new(FileId(0), "fuzz.hsd", bytes);
+    if let Some(text) = format(&source, &limits, &mut out) {
+        let again = Source::new(FileId(0), "fuzz.hsd", &encode(&text, &source));
+        assert_eq!(format(&again, &limits, &mut out).as_deref(), Some(&*text));
+    }
+    assert!(out.iter().all(|d| d.code != Code(801)));
+    let options = Options {
+        limits,
+        ..Options::default()
+    };
+    let _ = hsd::driver::convert(&source, &NoPictures, &options, &mut out);
+});
