@@ -1,7 +1,14 @@
-//! Partition and ridge rules: from a plain rectangle to the densest plan that is searched exactly.
+//! Partition and ridge rules: from a plain rectangle to the densest plan that is searched exactly; and the mean
+//! real house, divided and roofed.
+
+mod outlines;
+mod texts;
 
 use divan::Bencher;
-use hsd::roof::partition::Method;
+use divan::counter::ItemsCount;
+use hsd::building::Shell;
+use hsd::diagnostic::Diagnostics;
+use hsd::roof::partition::{Method, partition};
 use hsd::roof::plan::{Cell, Plan};
 use hsd::roof::ridge::regions;
 
@@ -55,4 +62,56 @@ fn least_cut(bencher: Bencher<'_, '_>, name: &str) {
 fn kd(bencher: Bencher<'_, '_>, name: &str) {
     let plan = plan(name);
     bencher.bench(|| regions(divan::black_box(&plan), None, Method::Kd, None, 4));
+}
+
+#[divan::bench(args = OUTLINES)]
+fn branch_cut(bencher: Bencher<'_, '_>, name: &str) {
+    let plan = plan(name);
+    bencher.bench(|| regions(divan::black_box(&plan), None, Method::BranchCut, None, 4));
+}
+
+/// The outlines of a museum village; the time of one is the mean.
+#[divan::bench(args = [Method::Kd, Method::LeastCut, Method::BranchCut])]
+fn real_outlines_divided(bencher: Bencher<'_, '_>, method: Method) {
+    let plans = outlines::village();
+    bencher.counter(ItemsCount::new(plans.len())).bench(|| {
+        let cells = |plan| partition(divan::black_box(plan), method).len();
+        plans.iter().map(cells).sum::<usize>()
+    });
+}
+
+/// The same divided by `least-cut`, their walls given, up to closed solids.
+#[divan::bench]
+fn real_outlines_roofed(bencher: Bencher<'_, '_>) {
+    roofed(bencher, &outlines::village());
+}
+
+/// What one house of so many corners costs.
+#[divan::bench(args = [4, 6, 8, 10, 12, 14, 16, 20, 26])]
+fn corners_divided(bencher: Bencher<'_, '_>, corners: usize) {
+    let plans = outlines::of(corners, 40);
+    bencher.counter(ItemsCount::new(plans.len())).bench(|| {
+        let cells = |plan| partition(divan::black_box(plan), Method::LeastCut).len();
+        plans.iter().map(cells).sum::<usize>()
+    });
+}
+
+/// The same up to closed solids.
+#[divan::bench(args = [4, 6, 8, 10, 12, 14, 16, 20, 26])]
+fn corners_roofed(bencher: Bencher<'_, '_>, corners: usize) {
+    roofed(bencher, &outlines::of(corners, 40));
+}
+
+fn roofed(bencher: Bencher<'_, '_>, plans: &[Plan]) {
+    let shell = shell(plans);
+    bencher
+        .counter(ItemsCount::new(plans.len()))
+        .with_inputs(|| shell.clone())
+        .bench_values(|shell| hsd::roof::roof(shell, &mut Diagnostics::new()));
+}
+
+/// The walls of houses of one storey.
+fn shell(plans: &[Plan]) -> Shell {
+    let text: Vec<String> = plans.iter().map(outlines::text).collect();
+    texts::shell(&text.join("%\n"))
 }

@@ -1,7 +1,7 @@
 //! Texts to measure with: as large as asked, the same in every run.
 #![allow(dead_code, unreachable_pub)] // each bench uses its own share
 
-use hsd::building::Building;
+use hsd::building::{Building, Shell};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
 use hsd::expand::Options;
@@ -24,6 +24,18 @@ pub fn building(text: &str) -> Building {
     let told = out.iter().next().map(|d| d.message.clone());
     assert!(!out.has_errors(), "the text is wrong: {told:?}");
     building
+}
+
+/// The walls of houses without their roofs; free of errors as well.
+pub fn shell(text: &str) -> Shell {
+    let options = Options::default();
+    let mut out = Diagnostics::new();
+    let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
+    let documents = driver::documents(&[&source], &options.limits, &mut out);
+    let program = driver::program(&[&source], &documents, &NoPictures, &options, &mut out);
+    let shell = hsd::lower::lower(program, &mut out);
+    assert!(!out.has_errors(), "the text is wrong");
+    shell
 }
 
 /// A legacy text of `bytes` or a little more: dressed houses, one after another.
