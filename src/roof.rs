@@ -7,6 +7,9 @@
 //! remains of each becomes a closed solid ([`sheet`]) with gable walls. What it wears (ridge tiles, barge boards,
 //! rafters) is made by tessellation, from the solids and a small [`Dress`](crate::building::Dress).
 //!
+//! Plans that are not at right angles, and any plan by `method skeleton`, are roofed as a whole (`polygonal`): the
+//! straight skeleton ([`skeleton`]) gives one slope over each wall ([`hipped`]). Towns ask for such a roof with [`over`].
+//!
 //! A further shape is one further file that makes a [`form::Form`]: upper facets, their drop, and
 //! what stands under them. Meeting and closing are the same for all.
 //!
@@ -21,7 +24,9 @@ mod automatic;
 pub mod board;
 pub mod branch_cut;
 pub mod chord;
+mod convex;
 mod corners;
+mod eaves;
 pub mod effort;
 pub mod end;
 mod explicit;
@@ -33,6 +38,7 @@ pub mod frame;
 pub mod gable_wall;
 pub mod hall;
 mod headroom;
+pub mod hipped;
 mod house;
 pub mod kd;
 pub mod lean_to;
@@ -50,12 +56,15 @@ pub mod plan;
 pub mod profile;
 mod raster;
 mod report;
+mod polygonal;
+mod polygons;
 pub mod ridge;
 mod run_in;
 mod scan;
 pub mod sheet;
 mod sides;
 pub mod six_vertex;
+pub mod skeleton;
 mod skirt;
 mod slabs;
 pub mod solid;
@@ -63,6 +72,8 @@ pub mod street;
 mod tops;
 pub mod triangulate;
 mod written;
+
+pub use hipped::over;
 
 /// Roofs all houses.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {

@@ -1,14 +1,18 @@
 //! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
 
 use super::forms::Planned;
-use super::frame::Rect;
 use super::meet::{apart, meet};
 use super::sheet::sheet;
 use crate::building::Roof;
+use glam::DVec2;
 
-/// The roofs of one storey, in order. `walls` are rectangles of the storey above, which roofs do not
+/// The roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not
 /// enter. Returns whether all met; where too many stand in each other's way they stay as they are.
-pub(super) fn assemble(mut planned: Vec<Planned>, walls: &[Rect], roofs: &mut Vec<Roof>) -> bool {
+pub(super) fn assemble(
+    mut planned: Vec<Planned>,
+    walls: &[Vec<DVec2>],
+    roofs: &mut Vec<Roof>,
+) -> bool {
     let mut all_met = true;
     let mut start = 0;
     // Stable, so that indices of trunks keep their meaning within a height.
@@ -30,7 +34,7 @@ pub(super) fn assemble(mut planned: Vec<Planned>, walls: &[Rect], roofs: &mut Ve
     all_met
 }
 
-fn group(planned: &mut [Planned], walls: &[Rect], roofs: &mut Vec<Roof>) -> bool {
+fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -> bool {
     let forms: Vec<_> = planned
         .iter_mut()
         .map(|p| std::mem::take(&mut p.form))

@@ -5,29 +5,27 @@ use super::assemble::assemble;
 use super::automatic::Automatic;
 use super::effort::Effort;
 use super::explicit::{self, Placed};
-use super::flat;
 use super::forms::{Context, Planned};
-use super::frame::Rect;
 use super::headroom::Headroom;
 use super::level::{Level, Point, first_line, is_facade, levels};
 use super::partition::{Method, partition_within};
 use super::plan::{Cell, Plan};
+use super::polygonal::{self, Polygonal};
 use super::ridge::{Region, Ridge, Role, regions_by};
 use super::skirt::Skirt;
 use super::written::Written;
 use super::{overhang, report, slabs, street, written};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
-use crate::building::{House, HouseRoofs, Ring};
+use crate::building::{House, HouseRoofs};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
-use crate::geometry::{STEPS, area2};
+use crate::geometry::STEPS;
 use crate::source::Span;
-use glam::DVec2;
 use std::cell::OnceCell;
 
 /// A storey with more corners under the open sky, or round its rings where they are not at right angles,
 /// gets one flat roof: no sloped roofs over so many parts could be told from a mistake, nor be waited for.
-const MOST_CORNERS: usize = 1000;
+pub(super) const MOST_CORNERS: usize = 1000;
 
 /// The roofs of a house.
 pub(super) fn roofs(house: &House, effort: &Effort, out: &mut Diagnostics) -> HouseRoofs {
@@ -170,12 +168,19 @@ impl Storey<'_, '_> {
             outline: OnceCell::new(),
             upper_outline: OnceCell::new(),
         };
+        let rectangular = plain(level) && upper.is_none_or(plain);
         let mut planned = match level.is_open() {
             true => vec![],
-            false if plain(level) && upper.is_none_or(plain) => {
-                self.orthogonal(&context, done, out)
+            false if rectangular && !self.wants_skeleton() => self.orthogonal(&context, done, out),
+            false => {
+                let of = Polygonal {
+                    house: self.house,
+                    context: &context,
+                    upper,
+                    lines: &self.lines,
+                };
+                of.roofs(done, out)
             }
-            false => self.polygonal(&context, upper, done, out),
         };
         planned.extend(
             self.lines
@@ -183,8 +188,7 @@ impl Storey<'_, '_> {
                 .map(|line| explicit::planned(line, &context, out)),
         );
         planned.extend(self.pent.map(|cell| self.hang_pent(&context, cell)));
-        let walls = context.upper.map(slabs::strips).unwrap_or_default();
-        let walls: Vec<Rect> = walls.iter().map(|c| context.rect(c)).collect();
+        let walls = upper.map_or(vec![], |u| polygonal::walls(self.house, u));
         if !assemble(planned, &walls, &mut done.roofs) {
             let place = self
                 .lines
@@ -192,6 +196,15 @@ impl Storey<'_, '_> {
                 .map_or(level.storey.span, |l| l.line.span);
             out.push(say::too_many_meet(place, level.storey.number));
         }
+    }
+
+    /// Whether the author asks for one hipped roof over all, and for nothing that lies flat.
+    fn wants_skeleton(&self) -> bool {
+        let roofs = &self.house.roofs;
+        let many = self.levels[self.k].plan.corners() > MOST_CORNERS;
+        roofs.method == RoofMethod::Skeleton
+            && !polygonal::is_flat(self.house, &self.levels[self.k])
+            && !many
     }
 
     fn hang_pent(&self, context: &Context<'_>, cell: Cell) -> Planned {
@@ -214,8 +227,7 @@ impl Storey<'_, '_> {
         let wanted = self.house.roofs.mode == RoofMode::Auto;
         if let Some(skirt) = self.skirt(context).filter(|_| wanted) {
             done.plans.push(report::skirt(level, &skirt));
-            let place = first_wall(level);
-            return vec![skirt.planned(context, level.storey.z1, None, place, out)];
+            return vec![skirt.planned(context, level.storey.z1, None, first_wall(level), out)];
         }
         let open = self.open(context).filter(|_| wanted);
         if wanted && open.is_none() {
@@ -317,74 +329,6 @@ impl Storey<'_, '_> {
         let beside: Vec<_> = trunks.iter().map(|t| t.beside).collect();
         regions_by(open, context.upper, cut, front, STEPS, &beside)
     }
-
-    /// A storey whose walls, or whose upper storey's walls, are not at right angles: one flat roof a
-    /// ring, unless the storey above repeats it.
-    fn polygonal(
-        &self,
-        context: &Context<'_>,
-        upper: Option<&Level<'_>>,
-        done: &mut HouseRoofs,
-        out: &mut Diagnostics,
-    ) -> Vec<Planned> {
-        let level = context.level;
-        let covered = upper.is_some_and(|u| same_plan(level, u));
-        let wanted = self.house.roofs.mode == RoofMode::Auto && !covered && self.lines.is_empty();
-        let rings: Vec<&Ring> = if wanted {
-            level.rings(false).collect()
-        } else {
-            vec![]
-        };
-        done.plans.push(report::polygons(level, &rings));
-        if let Some(shape) = self.house.roofs.style.shape
-            && shape.value != RoofShape::Flat
-            && !rings.is_empty()
-        {
-            out.push(say::flat_only(shape.span, shape.value.letters()));
-        }
-        rings
-            .iter()
-            .map(|ring| self.polygon(context, ring, upper))
-            .collect()
-    }
-
-    fn polygon(&self, context: &Context<'_>, ring: &Ring, upper: Option<&Level<'_>>) -> Planned {
-        let level = context.level;
-        let base = level.storey.z1;
-        let outline = self.corners(ring, 1.0);
-        let inside = |hole: &&Ring| {
-            hole.walls
-                .first()
-                .is_some_and(|w| within(&ring.corners(), w.from))
-        };
-        let holes: Vec<Vec<DVec2>> = level
-            .rings(true)
-            .filter(inside)
-            .map(|h| self.corners(h, -1.0))
-            .collect();
-        let (look, thick) = context.flat_look(None);
-        let mut solids = flat::slab(&outline, &holes, base, look.kind, thick);
-        if !level.parapet && upper.is_none() {
-            for border in std::iter::once(&outline).chain(&holes) {
-                let border: flat::Border = border.iter().map(|p| (*p, true)).collect();
-                solids.extend(flat::upstands(&border, base));
-            }
-        }
-        context.flat_of(solids, look, base)
-    }
-
-    /// The corners of a ring in the house frame, turning counter-clockwise times `turn`.
-    fn corners(&self, ring: &Ring, turn: f64) -> Vec<DVec2> {
-        let mut corners: Vec<DVec2> = ring
-            .corners()
-            .iter()
-            .map(|p| self.house.place(*p, 0.0).truncate())
-            .collect();
-        if area2(&corners) * turn < 0.0 {
-            corners.reverse();
-        }
-        corners
-    }
 }
 
 /// The first wall: it stands for a storey that may fill a thousand lines.
@@ -417,29 +361,4 @@ fn turn(regions: &mut [Region], shape: RoofShape, equal_slopes: bool) {
             };
         }
     }
-}
-
-/// Whether two storeys have the same corners, wherever their walks start.
-fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
-    let corners = |level: &Level<'_>| {
-        let mut all: Vec<(i64, i64)> = level.plan.loops.iter().flatten().copied().collect();
-        all.sort_unstable();
-        all
-    };
-    let (p, q) = (corners(lower), corners(upper));
-    // A tenth of a millimetre: lowering spreads small errors over the corners.
-    let near = |a: i64, b: i64| (a - b).abs() <= STEPS / 10_000;
-    p.len() == q.len()
-        && p.iter()
-            .zip(&q)
-            .all(|(p, q)| near(p.0, q.0) && near(p.1, q.1))
-}
-
-/// Whether a point lies inside a polygon (even-odd, half-open).
-fn within(polygon: &[DVec2], p: DVec2) -> bool {
-    let next = polygon.iter().cycle().skip(1);
-    polygon.iter().zip(next).fold(false, |inside, (q, r)| {
-        let spans = (q.y <= p.y) != (r.y <= p.y);
-        inside != (spans && p.x < q.x + (p.y - q.y) / (r.y - q.y) * (r.x - q.x))
-    })
 }

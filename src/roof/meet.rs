@@ -23,19 +23,21 @@ pub(super) fn apart(forms: &[Form]) -> Vec<Met> {
     forms.iter().map(whole).collect()
 }
 
-/// What remains of each form. `walls` are rectangles that nothing may enter: the upper storey. None
+/// What remains of each form. `walls` are convex and nothing may enter them: the upper storey. None
 /// where too many stand in each other's way.
-pub(super) fn meet(forms: &[Form], walls: &[Rect]) -> Option<Vec<Met>> {
+pub(super) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<Met>> {
     if let ([_], []) = (forms, walls) {
         return Some(apart(forms));
     }
     let boxes: Vec<Rect> = forms.iter().map(bounds).collect();
-    let (roofs, storey) = (Nearby::new(boxes.clone()), Nearby::new(walls.to_vec()));
+    let (roofs, storey) = (
+        Nearby::new(boxes.clone()),
+        Nearby::new(walls.iter().map(|w| round(w.iter().copied())).collect()),
+    );
     let mut left = forms.len().saturating_mul(MOST_NEAR) + 1000;
     for of in &boxes {
         left = left.checked_sub(roofs.overlapping(of).len())?;
     }
-    let walls: Vec<[DVec2; 4]> = walls.iter().map(Rect::corners).collect();
     let wall_sides: Vec<Vec<HalfPlane>> = walls.iter().map(|w| edges(w)).collect();
     let sides_of = |form: &Form| form.facets.iter().map(|f| edges(&f.body)).collect();
     let sides: Vec<Vec<Vec<HalfPlane>>> = forms.iter().map(sides_of).collect();
@@ -68,12 +70,16 @@ fn whole(form: &Form) -> Vec<Piece> {
 }
 
 fn bounds(form: &Form) -> Rect {
-    let corners = form.facets.iter().flat_map(|f| &f.outline).map(|c| c.at);
+    round(form.facets.iter().flat_map(|f| &f.outline).map(|c| c.at))
+}
+
+/// The box round some corners.
+fn round(corners: impl Iterator<Item = DVec2>) -> Rect {
     let none = Rect {
         min: DVec2::MAX,
         max: DVec2::MIN,
     };
-    corners.fold(none, |r, p| Rect {
+    corners.fold(none, |r: Rect, p| Rect {
         min: r.min.min(p),
         max: r.max.max(p),
     })

@@ -51,15 +51,21 @@ pub(super) fn skirt(level: &Level<'_>, skirt: &Skirt<'_>) -> StoreyPlan {
     with_regions(level, vec![region])
 }
 
-/// One flat region for each ring that is not orthogonal.
-pub(super) fn polygons(level: &Level<'_>, rings: &[&Ring]) -> StoreyPlan {
-    let region = |ring: &&Ring| {
-        let corners = ring.corners();
+/// A region for each outline of a storey that is roofed as a whole, in U.
+pub(super) fn polygons(
+    level: &Level<'_>,
+    outlines: Vec<Vec<DVec2>>,
+    shape: RoofShape,
+) -> StoreyPlan {
+    let region = |corners: Vec<DVec2>| {
         let min = corners.iter().copied().fold(DVec2::MAX, DVec2::min);
         let max = corners.iter().copied().fold(DVec2::MIN, DVec2::max);
-        flat_region([min.x, min.y, max.x, max.y], Some(corners))
+        PlanRegion {
+            shape,
+            ..flat_region([min.x, min.y, max.x, max.y], Some(corners))
+        }
     };
-    let mut regions: Vec<PlanRegion> = rings.iter().map(region).collect();
+    let mut regions: Vec<PlanRegion> = outlines.into_iter().map(region).collect();
     regions.sort_by(|p, q| {
         p.rect[1]
             .total_cmp(&q.rect[1])

@@ -63,7 +63,7 @@ fn is_ear(ring: &[DVec2], i: usize, j: usize, k: usize) -> bool {
 }
 
 /// One ring out of an outline and its holes, joined by the shortest bridges that cross nothing.
-fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
+pub(super) fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
     let mut ring = outline.to_vec();
     let mut rest: Vec<&Vec<DVec2>> = holes.iter().filter(|h| h.len() > 2).collect();
     // From the hole that reaches farthest on, so that a bridge meets only what is joined already.

@@ -60,17 +60,16 @@ fn a_flat_terrace_ends_at_the_upper_wall() {
 }
 
 #[test]
-fn round_plans_are_flat_with_their_courts() {
+fn round_plans_are_flat_with_their_courts_where_asked_for() {
     let circle = |n: usize, r: f64| -> Vec<(f64, f64)> {
         let at = |i: usize| std::f64::consts::TAU * i as f64 / n as f64;
         (0..n)
             .map(|i| (10.0 + r * at(i).cos(), 10.0 + r * at(i).sin()))
             .collect()
     };
-    let building = quiet(house(vec![vec![
-        ring(&circle(36, 9.0)),
-        hole(&circle(24, 4.0)),
-    ]]));
+    let mut round = house(vec![vec![ring(&circle(36, 9.0)), hole(&circle(24, 4.0))]]);
+    round.roofs.style.shape = Some(spanned(RoofShape::Flat));
+    let building = quiet(round);
     assert_sound(&building);
     near(top_at(&building, 10.0, 3.0).unwrap(), H + 0.03);
     assert_eq!(top_at(&building, 10.0, 10.0), None);

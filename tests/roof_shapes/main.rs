@@ -12,3 +12,4 @@ mod plans;
 mod random;
 mod shapes;
 mod stacked;
+mod whole;

@@ -276,16 +276,16 @@ pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnosti
     Diagnostic::warning(514, direction, message).help(help)
 }
 
-/// A sloped roof wished for a plan that has no rectangles.
+/// A shape over rectangles wished for a roof over a whole outline.
 #[cold]
-pub fn flat_only(span: Span, shape: &str) -> Diagnostic {
+pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
     let message = text!(
-        "{shape} is built flat by this version where walls are not at right angles",
-        "壁が直角でないところでは、この版は {shape} を陸屋根で造ります"
+        "{shape} needs rectangles: over a whole outline the roof is hipped (YOS)",
+        "{shape} には矩形が要ります。平面全体に架ける屋根は寄棟 (YOS) です"
     );
     Diagnostic::note(515, span, message).help(text!(
-        "write RIK if a flat roof is meant, or give roof lines for rectangles",
-        "陸屋根でよければ RIK と書き、そうでなければ矩形ごとに屋根の行を書いてください"
+        "write YOS if a hipped roof is meant, RIK for a flat one, or roof lines for rectangles",
+        "寄棟でよければ YOS、陸屋根なら RIK と書き、そうでなければ矩形ごとに屋根の行を書いてください"
     ))
 }
 
@@ -344,6 +344,26 @@ pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize)
     Diagnostic::warning(906, storey, message).help(text!(
         "divide the house into several, or give it fewer corners",
         "何軒かに分けるか、隅を減らしてください"
+    ))
+}
+
+/// An outline that no hipped roof was found for; `touching` = since walls of it touch.
+#[cold]
+pub fn no_hipped_roof(storey: Span, number: u32, touching: bool) -> Diagnostic {
+    let message = if touching {
+        text!(
+            "storey {number} gets a flat roof instead of a hipped one: walls of it touch each other",
+            "{number} 階は壁どうしが接しているため、寄棟ではなく陸屋根になります"
+        )
+    } else {
+        text!(
+            "storey {number} gets a flat roof instead of a hipped one: its outline is too small or too intricate",
+            "{number} 階は平面が小さすぎるか入り組みすぎているため、寄棟ではなく陸屋根になります"
+        )
+    };
+    Diagnostic::warning(906, storey, message).help(text!(
+        "keep the walls farther apart, or give the outline fewer corners",
+        "壁の間をもっと離すか、角を減らしてください"
     ))
 }
 

@@ -1,0 +1,87 @@
+//! Straight skeletons: what a plan's edges sweep when all move inwards at one speed, for hipped roofs over any
+//! outline.
+//!
+//! | file | idea |
+//! |---|---|
+//! | [`contour`] | an outline with courts made fit: turned one way, mere dents left out, or why it is none |
+//! | [`wave`] | the moving outline: loops of corners, each on the way of two lines |
+//! | [`queue`](queue) | which corners meet what next |
+//! | [`collide`](collide) | what becomes of everything that meets at one point |
+//! | [`faces`](faces) | from the ways of the corners to one polygon an edge |
+//! | [`verify`](verify) | whether these tile the outline at the heights they should have |
+//!
+//! Nothing is exact here, so everything is checked afterwards; where the check fails the corners are moved by a few
+//! hundredths of a millimetre, always the same ones, and the way is gone again. There are no libraries for this that
+//! compute in f64 under a licence of ours.
+//!
+//! Frame: plan metres, whatever the origin; outlines counter-clockwise, courts clockwise, interior on the left. A time
+//! is a distance from the edge, so the height of a roof of pitch p is p times the time.
+
+use glam::DVec2;
+
+mod collide;
+pub mod contour;
+mod faces;
+pub(super) mod pairs;
+mod queue;
+mod verify;
+pub mod wave;
+
+pub use contour::{Contours, Invalid};
+
+/// A corner of the plan or a place where edges met.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Node {
+    /// Where, metres.
+    pub at: DVec2,
+    /// Distance from the edges whose faces meet here, metres; 0 on the outline.
+    pub time: f64,
+}
+
+/// An edge of the prepared outline and what it sweeps.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Face {
+    /// The line of the edge.
+    pub line: wave::Line,
+    /// What the caller wrote at the edge.
+    pub tag: u32,
+    /// The edge before it in its ring.
+    pub before: u32,
+    /// The nodes round it, counter-clockwise; the first two are the ends of the edge.
+    pub nodes: Vec<u32>,
+}
+
+/// A straight skeleton.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Skeleton {
+    /// Corners first, in the order of the edges that start there.
+    pub nodes: Vec<Node>,
+    /// One for each edge.
+    pub faces: Vec<Face>,
+}
+
+impl Skeleton {
+    /// The greatest distance from the outline, metres.
+    pub fn depth(&self) -> f64 {
+        self.nodes.iter().map(|n| n.time).fold(0.0, f64::max)
+    }
+}
+
+/// How often the corners are moved before it is given up.
+const ATTEMPTS: u32 = 4;
+
+/// The skeleton of prepared contours; `None` where every attempt fails, which no outline that was tried does.
+///
+/// Takes some microseconds an edge for plans of houses, and grows with the square of the edges.
+pub fn skeleton(contours: &Contours) -> Option<Skeleton> {
+    (0..ATTEMPTS).find_map(|attempt| {
+        let moved = contours.shaken(attempt);
+        let swept = collide::sweep(&moved)?;
+        let skeleton = faces::faces(&moved, swept)?;
+        verify::holds(&moved, &skeleton).then(|| contours.back(skeleton))
+    })
+}
+
+#[cfg(test)]
+#[path = "skeleton/tests.rs"]
+mod tests;
