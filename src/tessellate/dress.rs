@@ -1,41 +1,134 @@
-//! What a roof wears beyond its solids: ridge tiles, end tiles, barge boards.
+//! What a roof wears beyond its solids: ridge tiles, end tiles, eaves and verge tiles, barge boards, rafters.
 //!
 //! The lines to be dressed are read off the finished solids ([`seams`]), so that they are right after every
 //! junction and for every shape; sizes come from `domain.md` 4.4 and the few wishes of [`Dress`]. All of it are
 //! closed bodies that reach a little into what carries them, so that no face lies in another's plane.
 //!
+//! | detail | shows |
+//! |---|---|
+//! | 0 | ridges and hips as plain blocks |
+//! | 1 | end tiles and barge boards as well |
+//! | 2 | silhouettes: ridge courses as a picture under a round cap, end tiles, pendants, thick eaves, fascias, plain eaves and verge tiles, flashings, valley gutters |
+//! | 3 | ridge courses and cap tiles one by one, rafters, the fronts of eaves tiles, rows of round tiles, battens and stones, standing seams |
+//!
 //! [`Dress`]: crate::building::Dress
 
 mod barge;
 mod body;
+mod crown;
+mod flashing;
+mod gegyo;
+mod line;
+mod onigawara;
+mod rafters;
 mod ridge;
+mod rim;
+mod rows;
 mod seams;
+mod slope;
+mod stack;
+mod stones;
+mod tiles;
 
 #[cfg(test)]
 mod tests;
 
 use super::mesh::Soup;
+use crate::ast::RoofKind;
 use crate::building::Roof;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 pub(super) use body::Body;
-use seams::{Kind, Surface};
+use seams::{Kind, Seam, Surface};
+use slope::Field;
+
+/// A roof that is being dressed.
+struct Tailor<'a> {
+    roof: &'a Roof,
+    surface: &'a Surface,
+    detail: Detail,
+}
 
 /// The bodies that dress a roof at a detail.
-pub(super) fn dress(roof: &Roof, _detail: Detail) -> Vec<Body> {
+pub(super) fn dress(roof: &Roof, detail: Detail) -> Vec<Body> {
     let surface = Surface::of(&roof.solids);
     if surface.facets.is_empty() {
         return vec![];
     }
+    let tailor = Tailor {
+        roof,
+        surface: &surface,
+        detail,
+    };
+    let fields = match detail {
+        Detail::Body | Detail::Flat => vec![],
+        _ => Field::all(&surface),
+    };
     let mut bodies = Vec::new();
     for seam in surface.seams() {
-        match seam.kind {
-            Kind::Ridge | Kind::Hip => ridge::cap(&surface, &seam, roof, &mut bodies),
-            Kind::Verge => barge::boards(&seam, &roof.dress, &mut bodies),
-            Kind::Valley | Kind::Eaves | Kind::Crest | Kind::Flank => {}
+        tailor.seam(&seam, &fields, &mut bodies);
+    }
+    for rim in rim::rims(&surface) {
+        stack::edge(&tailor, &rim, &mut bodies);
+    }
+    if detail == Detail::Everything {
+        for field in &fields {
+            tailor.slope(field, &mut bodies);
         }
     }
     bodies
+}
+
+impl Tailor<'_> {
+    fn seam(&self, seam: &Seam, fields: &[Field], bodies: &mut Vec<Body>) {
+        let tiled = matches!(self.roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
+        match seam.kind {
+            Kind::Ridge | Kind::Hip => {
+                match tiled {
+                    true => ridge::tiles(self, seam, bodies),
+                    false => crown::ridge(self, seam, bodies),
+                }
+                if seam.kind == Kind::Hip {
+                    rafters::hip(self, seam, bodies);
+                }
+            }
+            Kind::Eaves => {
+                rafters::eaves(self, fields, seam, bodies);
+                match self.roof.kind {
+                    RoofKind::Tiles => tiles::eaves(self, fields, seam, bodies),
+                    RoofKind::CoverTiles => rows::eaves(self, fields, seam, bodies),
+                    _ => {}
+                }
+            }
+            Kind::Verge => {
+                barge::boards(self, seam, bodies);
+                if tiled {
+                    tiles::verge(self, seam, bodies);
+                }
+            }
+            Kind::Valley => flashing::valley(self, seam, bodies),
+            Kind::Crest | Kind::Flank => flashing::wall(self, seam, bodies),
+        }
+    }
+
+    /// What lies on the slope itself.
+    fn slope(&self, field: &Field, bodies: &mut Vec<Body>) {
+        match self.roof.kind {
+            RoofKind::CoverTiles => rows::cover_tiles(field, bodies),
+            RoofKind::Metal => rows::seams(field, bodies),
+            RoofKind::Boards => stones::battens(field, bodies),
+            _ => {}
+        }
+    }
+
+    /// How steeply the covering falls away beside a seam, at most, per metre across it.
+    fn lean(&self, seam: &Seam) -> f64 {
+        let ways = seam.points.windows(2).map(|w| w[1] - w[0]);
+        let leans = seam.spans.iter().zip(ways);
+        leans
+            .flat_map(|(span, way)| self.surface.leans(span, way))
+            .fold(0.0, f64::max)
+    }
 }
 
 /// Adds bodies to the soups of their surfaces.

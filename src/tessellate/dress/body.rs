@@ -33,40 +33,67 @@ impl Body {
         if n < 3 || sections.len() < 2 {
             return None;
         }
-        let mut points = Vec::with_capacity(n * sections.len());
-        points.extend(sections.iter().flat_map(|s| &s[..n]));
-        let mut faces: Vec<Corners> = Vec::with_capacity(n * (sections.len() - 1) + 2);
         let count = n as u32;
         let last = count * (sections.len() as u32 - 1);
-        faces.push((0..count).rev().collect());
-        faces.push((last..last + count).collect());
-        for s in 0..sections.len() as u32 - 1 {
+        let mut body = Body::between(finish, sections, n, false);
+        body.faces.push((0..count).rev().collect());
+        body.faces.push((last..last + count).collect());
+        body.outward()
+    }
+
+    /// The same where the last section goes on in the first: a ring without ends.
+    pub(super) fn ring(finish: SurfaceId, sections: &[Vec<DVec3>]) -> Option<Body> {
+        let n = sections.iter().map(Vec::len).min()?;
+        if n < 3 || sections.len() < 3 {
+            return None;
+        }
+        Body::between(finish, sections, n, true).outward()
+    }
+
+    /// The sides between sections.
+    fn between(finish: SurfaceId, sections: &[Vec<DVec3>], n: usize, round: bool) -> Body {
+        let mut points = Vec::with_capacity(n * sections.len());
+        points.extend(sections.iter().flat_map(|s| &s[..n]));
+        let (count, all) = (n as u32, sections.len() as u32);
+        let pieces = if round { all } else { all - 1 };
+        let mut faces: Vec<Corners> = Vec::with_capacity(n * pieces as usize + 2);
+        for s in 0..pieces {
             for i in 0..count {
                 let j = (i + 1) % count;
-                let (p, q) = (s * count, (s + 1) * count);
+                let (p, q) = (s * count, (s + 1) % all * count);
                 quad(&points, [p + i, p + j, q + j, q + i], &mut faces);
             }
         }
-        let mut body = Body {
+        Body {
             finish,
             soft: false,
             points,
             faces,
-        };
-        let volume = body.volume();
+        }
+    }
+
+    /// The body with its faces outward; nothing where it has no volume.
+    fn outward(mut self) -> Option<Body> {
+        let volume = self.volume();
         if volume.abs() < 1e-9 || !volume.is_finite() {
             return None;
         }
         if volume < 0.0 {
-            body.faces.iter_mut().for_each(|f| f.reverse());
+            self.faces.iter_mut().for_each(|f| f.reverse());
         }
-        Some(body)
+        Some(self)
     }
 
     /// A plane section swept along a straight way.
     pub(super) fn sweep(finish: SurfaceId, section: Vec<DVec3>, way: DVec3) -> Option<Body> {
         let end = section.iter().map(|p| *p + way).collect();
         Body::loft(finish, &[section, end])
+    }
+
+    /// The same with its sides shaded as curves.
+    pub(super) fn softly(mut self) -> Body {
+        self.soft = true;
+        self
     }
 
     /// Six times its volume.

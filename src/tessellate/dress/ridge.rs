@@ -1,149 +1,202 @@
-//! Ridges and hips: courses of ridge tiles under a cap, or the ridge of another covering, and the end tiles
-//! (onigawara). Sizes from domain.md 4.4.
+//! Ridges and hips of tiles: a bed, courses of flat tiles (noshi) that step in as they rise, round caps (kanmuri)
+//! and end tiles. Sizes from domain.md 4.4.
 
+use super::Tailor;
 use super::body::Body;
-use super::seams::{End, Kind, Seam, Surface};
+use super::line::Line;
+use super::onigawara::{self, Place};
+use super::seams::{End, Kind, Seam};
 use crate::ast::RoofKind;
-use crate::building::Roof;
 use crate::material::SurfaceId;
+use crate::scene::Detail;
 use glam::DVec3;
 
-/// How far a cap reaches down beside the ridge line beyond the slopes, metres.
+/// How far a ridge reaches down beside its line beyond the slopes, metres.
 const SUNK: f64 = 0.02;
-
-/// So far a cap runs on into what covers its end, metres.
+/// Height of a course, and of its joint, metres.
+const COURSE: f64 = 0.035;
+const JOINT: f64 = 0.010;
+/// Height of the bed (dai), metres.
+const BED: f64 = 0.015;
+/// Height of the cap, metres.
+const CAP: f64 = 0.08;
+/// Each course is so much wider than the one above on both sides, metres.
+const STEP: f64 = 0.007;
+/// Length of a cap tile, metres.
+const UNIT: f64 = 0.26;
+/// So far a ridge runs on into what covers its end, metres.
 const INTO: f64 = 0.15;
-
-/// What is shorter gets no cap, metres.
+/// What is shorter gets no ridge, metres.
 const SHORTEST: f64 = 0.05;
 
-/// The surface of a ridge.
-pub(super) fn surface(kind: RoofKind) -> SurfaceId {
-    SurfaceId::named(match kind {
-        RoofKind::Tiles | RoofKind::Bark => "kawara_edge",
-        RoofKind::CoverTiles => "noshi",
-        RoofKind::Boards | RoofKind::Shingles => "cedar",
-        RoofKind::Thatch => "bark",
-        RoofKind::Metal => "sheet_roof",
-    })
-}
-
-/// Width of a ridge, metres.
-fn width(roof: &Roof) -> f64 {
-    match roof.kind {
-        // Small ridges take the 5-sun cap, large ones that of 6 sun.
-        RoofKind::Tiles | RoofKind::CoverTiles => match roof.dress.noshi > 4 {
-            true => 0.18,
-            false => 0.15,
-        },
-        RoofKind::Boards => 0.20,
-        RoofKind::Shingles => 0.24,
-        RoofKind::Bark => 0.30,
-        RoofKind::Thatch => 0.60,
-        RoofKind::Metal => 0.16,
+/// Half the width of its cap, metres: 5 or 6 sun, wider on roofs of cover tiles.
+pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
+    let half = if noshi > 4 { 0.09 } else { 0.075 };
+    match kind {
+        RoofKind::CoverTiles => half * 1.3,
+        _ => half,
     }
 }
 
-/// The cap along a ridge or hip and the tiles at its free ends.
-pub(super) fn cap(surface: &Surface, seam: &Seam, roof: &Roof, bodies: &mut Vec<Body>) {
-    let (Some(first), Some(last)) = (seam.points.first(), seam.points.last()) else {
+/// A ridge or hip of tiles with the end tiles at its free ends.
+pub(super) fn tiles(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
+    let Some(line) = run_on(seam) else {
         return;
     };
-    if first.distance(*last) < SHORTEST {
-        return;
-    }
+    let (kind, dress) = (tailor.roof.kind, &tailor.roof.dress);
     let hip = seam.kind == Kind::Hip;
-    let (width, whole) = (width(roof), roof.dress.ridge_height(roof.kind));
     // The ridges of hips are two courses lower.
-    let height = match hip {
-        true => (whole - 0.07).max(whole * 0.6),
-        false => whole,
+    let courses = match hip {
+        true => dress.noshi.saturating_sub(2).max(1),
+        false => dress.noshi,
     };
-    let leans = seam.spans.iter().zip(seam.points.windows(2));
-    let lean = leans
-        .flat_map(|(span, w)| surface.leans(span, w[1] - w[0]))
-        .fold(0.0, f64::max);
-    let size = Size {
-        half: width / 2.0,
-        foot: SUNK + lean * width / 2.0,
-        height,
-    };
-    let line = run_on(seam);
-    let sections: Vec<Vec<DVec3>> = (0..line.len()).map(|i| size.section(&line, i)).collect();
-    bodies.extend(Body::loft(self::surface(roof.kind), &sections));
-    let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
-    if !tiled || !roof.dress.ends {
+    let half = half_width(kind, dress.noshi) * if hip { 0.9 } else { 1.0 };
+    let lean = tailor.lean(seam);
+    let top = BED + COURSE * f64::from(courses);
+    let finish = SurfaceId::named("ibushi");
+    match tailor.detail {
+        Detail::Body | Detail::Flat => {
+            let foot = SUNK + lean * half;
+            let profile = plain(half, foot, top + CAP);
+            let finish = SurfaceId::named(match kind {
+                RoofKind::CoverTiles => "noshi",
+                _ => "kawara_edge",
+            });
+            bodies.extend(Body::loft(finish, &line.sections(&profile)));
+        }
+        Detail::Openings => {
+            let foot = SUNK + lean * (half + STEP);
+            let wall = [
+                (-half - STEP, -foot),
+                (half + STEP, -foot),
+                (half, top),
+                (-half, top),
+            ];
+            let courses = SurfaceId::named("noshi");
+            bodies.extend(Body::loft(courses, &line.sections(&wall)));
+            let cap = line.sections(&arch(half + 0.006, CAP, top));
+            bodies.extend(Body::loft(finish, &cap).map(Body::softly));
+        }
+        Detail::Everything => {
+            let wall = line.sections(&stepped(half, lean, courses));
+            bodies.extend(Body::loft(finish, &wall));
+            caps(&line, half, top, finish, bodies);
+        }
+    }
+    if !dress.ends || tailor.detail == Detail::Body {
         return;
     }
-    let n = line.len();
-    for (end, at, back) in [(0, line[0], line[1]), (1, line[n - 1], line[n - 2])] {
+    let n = line.points.len();
+    let ends = [
+        (0, line.points[0], line.points[1]),
+        (1, line.points[n - 1], line.points[n - 2]),
+    ];
+    for (end, at, back) in ends {
         // The main ridge of a hipped roof ends in the open as well, over its hips.
         if seam.ends[end] == End::Free || (seam.ends[end] == End::Met && !hip) {
-            bodies.extend(end_tile(at, at - back, &size, lean, roof));
+            let place = Place {
+                at,
+                out: at - back,
+                half: half + STEP * f64::from(courses) / 2.0,
+                height: top + CAP,
+                lean,
+            };
+            match tailor.detail {
+                Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
+                _ => onigawara::tile(finish, &place, kind == RoofKind::CoverTiles, bodies),
+            }
         }
     }
 }
 
-/// Half width, depth below and height above the line, metres.
-struct Size {
-    half: f64,
-    foot: f64,
-    height: f64,
-}
-
-impl Size {
-    /// The upright section at corner `i` of a line.
-    fn section(&self, line: &[DVec3], i: usize) -> Vec<DVec3> {
-        let (before, after) = (line[i.max(1) - 1], line[(i + 1).min(line.len() - 1)]);
-        let across = (after - before)
-            .truncate()
-            .perp()
-            .normalize_or_zero()
-            .extend(0.0);
-        let shoulder = self.height - (0.08_f64).min(self.height / 2.0);
-        let profile = [
-            (-1.0, -self.foot),
-            (1.0, -self.foot),
-            (1.0, shoulder),
-            (0.5, self.height),
-            (-0.5, self.height),
-            (-1.0, shoulder),
-        ];
-        let corner = |(w, z): (f64, f64)| line[i] + across * (w * self.half) + DVec3::Z * z;
-        profile.map(corner).to_vec()
+/// The line of a seam, run on a little into what covers its ends; `None` where it is too short for anything.
+pub(super) fn run_on(seam: &Seam) -> Option<Line> {
+    let mut line = Line {
+        points: seam.points.clone(),
+    };
+    if line.length() < SHORTEST {
+        return None;
     }
-}
-
-/// The line of a seam, run on a little into what covers its ends.
-fn run_on(seam: &Seam) -> Vec<DVec3> {
-    let mut line = seam.points.clone();
-    let n = line.len();
+    let n = line.points.len();
     for (end, at, back) in [(0, 0, 1), (1, n - 1, n - 2)] {
-        let out = (line[at] - line[back]).normalize_or_zero();
-        line[at] += match (seam.ends[end], seam.kind) {
+        let out = (line.points[at] - line.points[back]).normalize_or_zero();
+        line.points[at] += match (seam.ends[end], seam.kind) {
             (End::Joint, _) => out * INTO,
             (End::Met, Kind::Ridge) => out * 0.05,
             _ => DVec3::ZERO,
         };
     }
-    line
+    Some(line)
 }
 
-/// The onigawara: a block with a rounded head, a little higher and wider than the ridge.
-fn end_tile(at: DVec3, out: DVec3, size: &Size, lean: f64, roof: &Roof) -> Option<Body> {
-    let out = out.truncate().normalize_or_zero().extend(0.0);
-    let (half, top) = (size.half + 0.05, size.height + 0.08);
-    let foot = SUNK + lean * half;
-    let across = out.truncate().perp().extend(0.0);
-    let profile = [
+/// A plain block with its upper edges cut.
+pub(super) fn plain(half: f64, foot: f64, height: f64) -> [(f64, f64); 6] {
+    let shoulder = height - CAP.min(height / 2.0);
+    [
         (-half, -foot),
         (half, -foot),
-        (half, top - half * 0.6),
-        (half * 0.5, top),
-        (-half * 0.5, top),
-        (-half, top - half * 0.6),
-    ];
-    let back = at - out * 0.06;
-    let section = profile.map(|(w, z)| back + across * w + DVec3::Z * z);
-    Body::sweep(surface(roof.kind), section.to_vec(), out * 0.10)
+        (half, shoulder),
+        (half * 0.5, height),
+        (-half * 0.5, height),
+        (-half, shoulder),
+    ]
+}
+
+/// A half round over a base.
+pub(super) fn arch(half: f64, height: f64, base: f64) -> Vec<(f64, f64)> {
+    const STEPS: u32 = 5;
+    let sunk = (half, base - 0.006);
+    let arc = (0..=STEPS).map(|i| {
+        let angle = std::f64::consts::PI * f64::from(i) / f64::from(STEPS);
+        (half * libm::cos(angle), base + height * libm::sin(angle))
+    });
+    let mut profile = vec![(-sunk.0, sunk.1), sunk];
+    profile.extend(arc);
+    profile
+}
+
+/// The bed and the courses on it, each tile proud of its joint.
+fn stepped(half: f64, lean: f64, courses: u32) -> Vec<(f64, f64)> {
+    let width = |i: u32| half + STEP * f64::from(courses.saturating_sub(i + 1));
+    let back = 0.012;
+    let base = width(0) - back;
+    let mut right = vec![(base, -SUNK - lean * base)];
+    for i in 0..courses {
+        let foot = BED + COURSE * f64::from(i);
+        let own = width(i);
+        right.extend([
+            (own - back, foot + JOINT),
+            (own, foot + JOINT),
+            (own, foot + COURSE),
+        ]);
+        if i + 1 < courses {
+            right.push((width(i + 1) - back, foot + COURSE));
+        }
+    }
+    if courses == 0 {
+        right.push((base, BED));
+    }
+    let left: Vec<(f64, f64)> = right.iter().rev().map(|(w, z)| (-w, *z)).collect();
+    right.extend(left);
+    right
+}
+
+/// Cap tiles one after the other, each a little wider where it laps over the next.
+fn caps(line: &Line, half: f64, top: f64, finish: SurfaceId, bodies: &mut Vec<Body>) {
+    let length = line.length();
+    let count = (length / UNIT).round().clamp(1.0, 2000.0);
+    let unit = length / count;
+    for i in 0..count as u32 {
+        let from = f64::from(i) * unit;
+        let part = Line {
+            points: vec![line.at(from), line.at(from + unit)],
+        };
+        let (wide, narrow) = (
+            arch(half + 0.012, CAP, top),
+            arch(half + 0.002, CAP - 0.010, top),
+        );
+        let section = |i: usize, profile: &[(f64, f64)]| part.sections(profile).swap_remove(i);
+        let sections = [section(0, &wide), section(1, &narrow)];
+        bodies.extend(Body::loft(finish, &sections).map(Body::softly));
+    }
 }

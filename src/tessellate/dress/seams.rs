@@ -176,6 +176,40 @@ impl Surface {
         }
     }
 
+    /// Pairs of facets that belong to one slope.
+    pub(super) fn kinks(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.sides.iter().filter_map(|side| {
+            let Beside::Facet(other) = side.beside else {
+                return None;
+            };
+            let (f, g) = (side.facet as usize, other as usize);
+            let alike = self.facets[f].fall().dot(self.facets[g].fall()) > SAME_FALL;
+            alike.then_some((f, g))
+        })
+    }
+
+    /// The area of a facet in plan, square metres.
+    pub(super) fn area(&self, facet: usize) -> f64 {
+        let corners = &self.facets[facet].corners;
+        let plan: Vec<DVec2> = corners.iter().map(|i| self.at(*i).truncate()).collect();
+        crate::geometry::area2(&plan) / 2.0
+    }
+
+    /// Edges of the rim: from, to, how deep it is at both.
+    pub(super) fn rim_sides(&self) -> impl Iterator<Item = (u32, u32, [f64; 2])> + '_ {
+        self.sides.iter().filter_map(|side| match side.beside {
+            Beside::Rim(deep) => Some((side.from, side.to, deep)),
+            _ => None,
+        })
+    }
+
+    /// How deep the rim of the covering is at a point on it.
+    pub(super) fn deep_at(&self, p: DVec3) -> Option<f64> {
+        let mut sides = self.rim_sides();
+        let found = sides.find(|(from, _, _)| self.at(*from).distance(p) < WELD)?;
+        Some(found.2[0])
+    }
+
     /// A point by its number.
     fn at(&self, id: u32) -> DVec3 {
         self.points[id as usize]

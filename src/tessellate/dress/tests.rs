@@ -167,7 +167,10 @@ fn a_gable_has_a_ridge_two_eaves_and_two_verges() {
     let ridge = &seams[0];
     assert_eq!(ridge.ends, [End::Free, End::Free]);
     assert!((ridge.points[0].distance(ridge.points[1]) - 8.0).abs() < 1e-9);
-    let verge = seams.iter().find(|s| s.kind == Kind::Verge).expect("a verge");
+    let verge = seams
+        .iter()
+        .find(|s| s.kind == Kind::Verge)
+        .expect("a verge");
     assert_eq!(verge.points.len(), 3);
     assert!((verge.points[1].z - 4.2).abs() < 1e-9);
     assert!((verge.spans[0].deep[0] - 0.12).abs() < 1e-9);

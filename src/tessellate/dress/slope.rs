@@ -1,0 +1,198 @@
+//! One slope with its frame: what lies in rows up the slope or in courses along it is laid out here, in one phase
+//! over all facets that the slope was cut into.
+
+use super::body::Body;
+use super::seams::Surface;
+use crate::material::SurfaceId;
+use glam::{DVec2, DVec3, dvec2};
+
+/// What is shorter than this is left out, metres.
+const SHORTEST: f64 = 0.02;
+
+/// A facet in the frame of its slope. Plan coordinates: s to the right as seen from outside, t up the slope, both in
+/// metres from the origin of the house, so that rows agree with the pictures of coverings.
+#[derive(Clone, Debug)]
+pub(super) struct Field {
+    right: DVec2,
+    up: DVec2,
+    /// A point and the rise of its plane.
+    at: DVec3,
+    rise: DVec2,
+    /// Its corners as (s, t), counter-clockwise.
+    corners: Vec<DVec2>,
+}
+
+impl Field {
+    /// Every facet, in the frame of the largest facet of its slope.
+    pub(super) fn all(surface: &Surface) -> Vec<Field> {
+        let count = surface.facets.len();
+        let mut slope: Vec<usize> = (0..count).collect();
+        // Slopes are small groups: names run along until nothing changes.
+        for _ in 0..count {
+            let mut changed = false;
+            for (f, g) in surface.kinks() {
+                let least = slope[f].min(slope[g]);
+                changed |= slope[f] != slope[g];
+                (slope[f], slope[g]) = (least, least);
+            }
+            if !changed {
+                break;
+            }
+        }
+        let mut largest: Vec<(f64, usize)> = vec![(0.0, 0); count];
+        for f in 0..count {
+            let area = surface.area(f);
+            if area > largest[slope[f]].0 {
+                largest[slope[f]] = (area, f);
+            }
+        }
+        let field = |f: usize| {
+            let main = &surface.facets[largest[slope[f]].1];
+            let facet = &surface.facets[f];
+            let up = -main.fall();
+            let right = -up.perp();
+            let points = facet.corners.iter().map(|i| surface.points[*i as usize]);
+            let frame = |p: DVec3| dvec2(right.dot(p.truncate()), up.dot(p.truncate()));
+            Field {
+                right,
+                up,
+                at: surface.points[facet.corners[0] as usize],
+                rise: facet.rise,
+                corners: points.map(frame).collect(),
+            }
+        };
+        (0..count).map(field).collect()
+    }
+
+    /// The s of a point.
+    pub(super) fn s(&self, p: DVec3) -> f64 {
+        self.right.dot(p.truncate())
+    }
+
+    /// Metres up the slope on one metre in plan.
+    pub(super) fn pitch(&self) -> f64 {
+        self.rise.dot(self.up)
+    }
+
+    /// What an upright metre on the slope is at right angles to it.
+    pub(super) fn stretch(&self) -> f64 {
+        (1.0 + self.rise.length_squared()).sqrt()
+    }
+
+    /// The point of the surface at (s, t), raised upright.
+    pub(super) fn point(&self, s: f64, t: f64, lift: f64) -> DVec3 {
+        let plan = self.right * s + self.up * t;
+        let z = self.at.z + self.rise.dot(plan - self.at.truncate());
+        plan.extend(z + lift)
+    }
+
+    /// Least and greatest s and t.
+    pub(super) fn bounds(&self) -> (DVec2, DVec2) {
+        let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let corners = self.corners.iter();
+        corners.fold(none, |(lo, hi), c| (lo.min(*c), hi.max(*c)))
+    }
+
+    /// From where to where the facet reaches on the line of a given s, in t.
+    pub(super) fn column(&self, s: f64) -> Option<(f64, f64)> {
+        self.across(|c| c, s)
+    }
+
+    /// From where to where it reaches on the line of a given t, in s.
+    pub(super) fn course(&self, t: f64) -> Option<(f64, f64)> {
+        self.across(|c| dvec2(c.y, c.x), t)
+    }
+
+    fn across(&self, turn: impl Fn(DVec2) -> DVec2, x: f64) -> Option<(f64, f64)> {
+        let n = self.corners.len();
+        let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
+        for i in 0..n {
+            let (p, q) = (turn(self.corners[i]), turn(self.corners[(i + 1) % n]));
+            if (p.x - x) * (q.x - x) <= 0.0 && (p.x - q.x).abs() > 1e-9 {
+                let y = p.y + (q.y - p.y) * (x - p.x) / (q.x - p.x);
+                (lo, hi) = (lo.min(y), hi.max(y));
+            }
+        }
+        (hi - lo > SHORTEST).then_some((lo, hi))
+    }
+
+    /// A row up the slope at `s`: a profile of (s, height at right angles to the slope), cut upright where the
+    /// facet ends and where t leaves `within`.
+    pub(super) fn row(
+        &self,
+        finish: SurfaceId,
+        s: f64,
+        profile: &[(f64, f64)],
+        within: (f64, f64),
+    ) -> Option<Body> {
+        let mut ends = [Vec::new(), Vec::new()];
+        for (x, _) in profile {
+            let (lo, hi) = self.column(s + x)?;
+            let (lo, hi) = (lo.max(within.0), hi.min(within.1));
+            if hi - lo < SHORTEST {
+                return None;
+            }
+            ends[0].push((*x, lo));
+            ends[1].push((*x, hi));
+        }
+        // Where the border turns inside the row it is cut square.
+        square(&mut ends[0], f64::max);
+        square(&mut ends[1], f64::min);
+        let stretch = self.stretch();
+        let section = |end: &[(f64, f64)]| -> Vec<DVec3> {
+            let places = end.iter().zip(profile);
+            places
+                .map(|((x, t), (_, height))| self.point(s + x, *t, height * stretch))
+                .collect()
+        };
+        if ends[0]
+            .iter()
+            .zip(&ends[1])
+            .any(|(lo, hi)| hi.1 - lo.1 < SHORTEST)
+        {
+            return None;
+        }
+        Body::loft(finish, &ends.map(|end| section(&end)))
+    }
+
+    /// A bar along the slope at `t`: a profile of (t, height), cut upright where the facet ends.
+    pub(super) fn bar(&self, finish: SurfaceId, t: f64, profile: &[(f64, f64)]) -> Option<Body> {
+        let stretch = self.stretch();
+        let mut sections = [Vec::new(), Vec::new()];
+        for (y, height) in profile {
+            let (lo, hi) = self.course(t + y)?;
+            sections[0].push(self.point(lo, t + y, height * stretch));
+            sections[1].push(self.point(hi, t + y, height * stretch));
+        }
+        Body::loft(finish, &sections)
+    }
+
+    /// The places of rows: multiples of `step` moved by `phase` inside the facet, at least `margin` from its ends.
+    pub(super) fn places(&self, step: f64, phase: f64, margin: f64) -> impl Iterator<Item = f64> {
+        let (lo, hi) = self.bounds();
+        places(lo.x + margin, hi.x - margin, step, phase)
+    }
+}
+
+/// Multiples of `step` moved by `phase`, from `lo` to `hi`; never more than some thousands.
+pub(super) fn places(lo: f64, hi: f64, step: f64, phase: f64) -> impl Iterator<Item = f64> {
+    const MOST: i64 = 4000;
+    let first = ((lo - phase) / step).ceil() as i64;
+    let last = ((hi - phase) / step).floor() as i64;
+    let count = (last.saturating_sub(first) + 1).clamp(0, MOST);
+    (first..first + count).map(move |i| i as f64 * step + phase)
+}
+
+/// Cuts an end of a row, as (x, t), at right angles where its places lie on no straight line.
+fn square(end: &mut [(f64, f64)], inner: fn(f64, f64) -> f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    let by_x = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0);
+    let first = end.iter().copied().min_by(by_x).unwrap_or(none);
+    let last = end.iter().copied().max_by(by_x).unwrap_or(none);
+    let slope = (last.1 - first.1) / (last.0 - first.0);
+    let straight = |(x, t): &(f64, f64)| (first.1 + slope * (x - first.0) - t).abs() < 1e-7;
+    if !end.iter().all(straight) {
+        let cut = end.iter().map(|p| p.1).reduce(inner).unwrap_or_default();
+        end.iter_mut().for_each(|p| p.1 = cut);
+    }
+}
