@@ -48,6 +48,7 @@ use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
 use alike::{Alike, Roofs};
 use compact_str::{CompactString, format_compact};
+use dress::Neighbours;
 use facade::Line;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use room::Rooms;
@@ -158,9 +159,11 @@ impl<'a> Walker<'a> {
         for (i, soffit) in roofs.soffits.iter().enumerate() {
             self.soffit(root, soffit, i + 1);
         }
+        let neighbours = Neighbours::of(roofs);
         for (i, roof) in roofs.roofs.iter().enumerate() {
             let gables = self.gables(house, roof, &standing);
-            self.roof(root, roof, gables, i + 1);
+            let beyond = neighbours.beyond(i, roof);
+            self.roof(root, roof, Alike::new(roof, gables, beyond, i + 1), i + 1);
         }
     }
 
@@ -255,15 +258,17 @@ impl<'a> Walker<'a> {
         node.storey = Some(soffit.storey);
     }
 
-    fn roof(&mut self, root: NodeId, roof: &'a Roof, gables: Vec<SurfaceId>, number: usize) {
+    fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: Alike<'a>, number: usize) {
         let name = format_compact!("roof {number}");
-        let mesh = match self.roofs.entry(Alike::new(roof, gables, number)) {
-            Entry::Occupied(known) => *known.get(),
+        let (mesh, rows) = match self.roofs.entry(alike) {
+            Entry::Occupied(known) => known.get().clone(),
             Entry::Vacant(new) => {
-                let worn = dress::dress(roof, self.detail);
-                let gables = new.key().gables();
-                let made = self.store.solids(&name, &roof.solids, gables, &worn);
-                *new.insert(made)
+                let worn = dress::dress(roof, new.key().beyond(), self.detail);
+                let (gables, bodies) = (new.key().gables(), &worn.bodies);
+                let mesh = self.store.solids(&name, &roof.solids, gables, bodies);
+                let rows = worn.rows.iter();
+                let rows = rows.map(|row| (*row, self.store.rafters(row.size)));
+                new.insert((mesh, rows.collect())).clone()
             }
         };
         let node = self.node(Some(root), Kind::Roof, name, DVec3::ZERO);
@@ -271,6 +276,13 @@ impl<'a> Walker<'a> {
         node.storey = Some(roof.storey);
         node.span = roof.span;
         node.shape = Some(roof.shape.letters().into());
+        let own = self.last();
+        for (row, mesh) in rows.iter() {
+            let node = self.node(Some(own), Kind::Member, "rafters".into(), row.at);
+            node.turn = row.right;
+            node.mesh = Some(*mesh);
+            node.storey = Some(roof.storey);
+        }
     }
 }
 

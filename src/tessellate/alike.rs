@@ -1,5 +1,6 @@
 //! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
 
+use super::dress::{Beyond, Rafters};
 use super::store::Quick;
 use crate::ast::RoofKind;
 use crate::building::{Dress, Face, Roof, Solid};
@@ -8,10 +9,14 @@ use crate::scene::MeshId;
 use glam::DVec3;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
+use std::rc::Rc;
 
-/// The meshes of all roofs so far; `None` where a roof shows nothing. Never walked, so that its order cannot
+/// The meshes of all roofs so far. Never walked, so that its order cannot
 /// matter.
-pub(super) type Roofs<'a> = HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>;
+pub(super) type Roofs<'a> = HashMap<Alike<'a>, Shown, BuildHasherDefault<Quick>>;
+
+/// What a roof shows: its mesh, and the rows of rafters under its eaves.
+pub(super) type Shown = (Option<MeshId>, Rc<[(Rafters, MeshId)]>);
 
 /// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and its
 /// solids to the last bit.
@@ -20,20 +25,31 @@ pub(super) struct Alike<'a> {
     number: usize,
     kind: RoofKind,
     dress: Dress,
+    beyond: Beyond,
     solids: &'a [Solid],
     /// What its gables are filled with, solid by solid.
     gables: Vec<SurfaceId>,
 }
 
 impl<'a> Alike<'a> {
-    pub(super) fn new(roof: &'a Roof, gables: Vec<SurfaceId>, number: usize) -> Alike<'a> {
+    pub(super) fn new(
+        roof: &'a Roof,
+        gables: Vec<SurfaceId>,
+        beyond: Beyond,
+        number: usize,
+    ) -> Alike<'a> {
         Alike {
             number,
             kind: roof.kind,
             dress: roof.dress,
+            beyond,
             solids: &roof.solids,
             gables,
         }
+    }
+
+    pub(super) fn beyond(&self) -> &Beyond {
+        &self.beyond
     }
 
     pub(super) fn gables(&self) -> &[SurfaceId] {
@@ -69,6 +85,7 @@ impl PartialEq for Alike<'_> {
         self.number == other.number
             && self.kind == other.kind
             && self.dress == other.dress
+            && self.beyond == other.beyond
             && self.gables == other.gables
             && self.solids.len() == other.solids.len()
             && self.solids.iter().zip(other.solids).all(solid)

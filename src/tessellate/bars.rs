@@ -2,7 +2,7 @@
 
 use super::bay::{Bay, Layer, Rect};
 use super::mesh::{Axis, Soup};
-use super::round::fill_corners;
+use super::round::arcade;
 use super::smooth::soft_bar;
 use crate::catalog::body::{Bars, Place, Rails, Studs};
 use crate::catalog::value::Sides;
@@ -78,7 +78,7 @@ fn shaped(bay: &mut Bay<'_>, bars: &Bars, finish: SurfaceId, bar: Rect, layer: L
     if bars.round {
         // A bar round about is seen from behind too; a plastered one is not.
         let all = 2.0 * edge >= layer.thick.min(bar.width()) - 1e-9;
-        let outline = soft_bar(x, y, edge, if edge > 0.015 { 3 } else { 2 }, all);
+        let outline = soft_bar(x, y, edge, 2, all);
         bay.bodies
             .rounded(finish, &outline, Axis::Z, bar.z0, bar.z1);
     } else {
@@ -97,11 +97,12 @@ fn slits(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect, row: &[(f64,
     };
     let mut from = rect.x0;
     let ends = row.iter().map(|(x, width, _)| (*x, x + width));
+    let mut gaps = Vec::with_capacity(row.len() + 1);
     for (x0, x1) in ends.chain([(rect.x1, rect.x1)]) {
-        let gap = rect.across(from, x0);
-        fill_corners(bay, place.finish, layer, gap, gap.width() / 2.0);
+        gaps.push((from, x0));
         from = x1;
     }
+    arcade(bay, place.finish, layer, rect, &gaps);
 }
 
 /// The middles of a number of pieces between two ends.

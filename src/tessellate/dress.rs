@@ -14,6 +14,7 @@
 //! [`Dress`]: crate::building::Dress
 
 mod barge;
+mod beyond;
 mod body;
 mod crown;
 mod flashing;
@@ -38,7 +39,9 @@ use crate::ast::RoofKind;
 use crate::building::Roof;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
+pub(super) use beyond::{Beyond, Neighbours};
 pub(super) use body::Body;
+pub(super) use rafters::Rafters;
 use seams::{Kind, Seam, Surface};
 use slope::Field;
 
@@ -49,11 +52,21 @@ struct Tailor<'a> {
     detail: Detail,
 }
 
-/// The bodies that dress a roof at a detail.
-pub(super) fn dress(roof: &Roof, detail: Detail) -> Vec<Body> {
+/// What a roof wears.
+#[derive(Debug, Default)]
+pub(super) struct Dressing {
+    /// Bodies that belong to this roof alone.
+    pub(super) bodies: Vec<Body>,
+    /// Rows of rafters that others may have as well.
+    pub(super) rows: Vec<Rafters>,
+}
+
+/// What dresses a roof at a detail; `beyond` is what its joints lie against.
+pub(super) fn dress(roof: &Roof, beyond: &Beyond, detail: Detail) -> Dressing {
+    let mut worn = Dressing::default();
     let surface = Surface::of(&roof.solids);
     if surface.facets.is_empty() {
-        return vec![];
+        return worn;
     }
     let tailor = Tailor {
         roof,
@@ -64,24 +77,24 @@ pub(super) fn dress(roof: &Roof, detail: Detail) -> Vec<Body> {
         Detail::Body | Detail::Flat => vec![],
         _ => Field::all(&surface),
     };
-    let mut bodies = Vec::new();
-    for seam in surface.seams() {
-        tailor.seam(&seam, &fields, &mut bodies);
+    for seam in surface.seams(beyond) {
+        tailor.seam(&seam, &fields, &mut worn);
     }
     for rim in rim::rims(&surface) {
-        stack::edge(&tailor, &rim, &mut bodies);
+        stack::edge(&tailor, &rim, &mut worn.bodies);
     }
     if detail == Detail::Everything {
         for field in &fields {
-            tailor.slope(field, &mut bodies);
+            tailor.slope(field, &mut worn.bodies);
         }
     }
-    bodies
+    worn
 }
 
 impl Tailor<'_> {
-    fn seam(&self, seam: &Seam, fields: &[Field], bodies: &mut Vec<Body>) {
+    fn seam(&self, seam: &Seam, fields: &[Field], worn: &mut Dressing) {
         let tiled = matches!(self.roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
+        let bodies = &mut worn.bodies;
         match seam.kind {
             Kind::Ridge | Kind::Hip => {
                 match tiled {
@@ -93,12 +106,12 @@ impl Tailor<'_> {
                 }
             }
             Kind::Eaves => {
-                rafters::eaves(self, fields, seam, bodies);
                 match self.roof.kind {
                     RoofKind::Tiles => tiles::eaves(self, fields, seam, bodies),
                     RoofKind::CoverTiles => rows::eaves(self, fields, seam, bodies),
                     _ => {}
                 }
+                rafters::eaves(self, fields, seam, worn);
             }
             Kind::Verge => {
                 barge::boards(self, seam, bodies);

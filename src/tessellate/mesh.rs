@@ -220,7 +220,7 @@ pub(super) fn axes(normal: DVec3) -> (DVec3, DVec3) {
 }
 
 /// Whether points spread farther in x than in y.
-fn lies(points: impl Iterator<Item = DVec2>) -> bool {
+pub(super) fn lies(points: impl Iterator<Item = DVec2>) -> bool {
     let (mut lo, mut hi) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for p in points {
         lo = lo.min(p);

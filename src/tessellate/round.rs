@@ -32,8 +32,7 @@ pub(super) fn fill_corners(
     if r < 0.005 {
         return;
     }
-    // About two centimetres a step, since small arcs are seen from near.
-    let steps = ((r * FRAC_PI_2 / 0.02) as usize).clamp(4, 12);
+    let steps = steps(r);
     for (x, dx) in [(rect.x0, 1.0), (rect.x1, -1.0)] {
         for (z, dz) in [(rect.z0, 1.0), (rect.z1, -1.0)] {
             let arc = (0..=steps).map(|i| {
@@ -46,6 +45,45 @@ pub(super) fn fill_corners(
             bay.bodies.rounded(finish, &outline, Axis::Y, y0, y1);
         }
     }
+}
+
+/// Fills the ends of upright gaps in one row so that they end in half circles: one body above and one below, which
+/// run through the bars between the gaps.
+pub(super) fn arcade(
+    bay: &mut Bay<'_>,
+    finish: SurfaceId,
+    layer: Layer,
+    rect: Rect,
+    gaps: &[(f64, f64)],
+) {
+    /// How far the bodies reach into the frame, metres.
+    const INTO: f64 = 0.002;
+    let (y0, y1) = (-layer.front, layer.thick - layer.front);
+    let radius = |(x0, x1): (f64, f64)| ((x1 - x0) / 2.0).min(rect.height() / 2.0);
+    let gaps = gaps.iter().copied().filter(|g| radius(*g) >= 0.005);
+    let gaps: Vec<(f64, f64)> = gaps.collect();
+    let (Some(first), Some(last)) = (gaps.first(), gaps.last()) else {
+        return;
+    };
+    for (z, dz) in [(rect.z0, 1.0), (rect.z1, -1.0)] {
+        let mut outline = vec![dvec2(z - dz * INTO, last.1), dvec2(z - dz * INTO, first.0)];
+        for &(x0, x1) in &gaps {
+            let (r, middle) = (radius((x0, x1)), (x0 + x1) / 2.0);
+            let steps = 2 * steps(r);
+            outline.extend((0..=steps).map(|i| {
+                let angle = 2.0 * FRAC_PI_2 * i as f64 / steps as f64;
+                let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                dvec2(z + dz * r * (1.0 - sin), middle - r * cos)
+            }));
+        }
+        bay.bodies.rounded(finish, &outline, Axis::Y, y0, y1);
+    }
+}
+
+/// How many straight pieces a quarter of a circle has: about two centimetres a step, since small arcs are seen
+/// from near.
+fn steps(radius: f64) -> usize {
+    ((radius * FRAC_PI_2 / 0.02).ceil() as usize).clamp(3, 12)
 }
 
 /// A round bar in the middle of its place, as thick as the place is at its thinnest.

@@ -3,7 +3,7 @@
 use super::atlas::Atlas;
 use super::bake::{WALL, bake};
 use super::bay::Bay;
-use super::dress::Body;
+use super::dress::{Body, Rafters};
 use super::mesh::{Bodies, Soup};
 use super::{detail, dress, part};
 use crate::building::Solid;
@@ -24,6 +24,8 @@ pub(super) enum Key {
     Post([u32; 3]),
     /// A level member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),
+    /// A row of rafters: what its shape depends on.
+    Rafters([u32; 8]),
 }
 
 /// What the mesh of a part depends on.
@@ -231,6 +233,22 @@ impl Store {
         let primitives = primitives.collect();
         let name = name.to_owned();
         Some(self.push(Mesh { name, primitives }))
+    }
+
+    /// The mesh of a row of rafters.
+    pub(super) fn rafters(&mut self, size: [u32; 8]) -> MeshId {
+        self.mesh(Key::Rafters(size), |store| {
+            let mut soups = vec![];
+            dress::pour(&Rafters::bodies(size), &mut soups);
+            let primitives = soups.into_iter().map(|(finish, soup)| {
+                let material = store.surface(finish, Share::default());
+                primitive(material, soup)
+            });
+            Mesh {
+                name: "rafters".to_owned(),
+                primitives: primitives.collect(),
+            }
+        })
     }
 
     /// The material of a surface; what is no glass shares one whatever mirrors.

@@ -52,7 +52,8 @@ pub(super) fn boards(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
     };
     let stations = verge.stations(tailor.detail >= Detail::Openings);
     let sections: Vec<Vec<DVec3>> = stations.iter().map(|s| verge.section(s)).collect();
-    bodies.extend(Body::loft(SurfaceId::named("cedar"), &sections));
+    let board = Body::loft(SurfaceId::named("cedar"), &sections);
+    bodies.extend(board.map(Body::softly));
     let apex = stations
         .iter()
         .filter(|s| s.apex)

@@ -1,10 +1,10 @@
 //! Closed bodies between sections: boards, caps and tiles of any bend.
 
-use super::super::mesh::{Soup, grain_along};
+use super::super::mesh::{Soup, axes, grain_along, lies};
 use super::super::polygon;
 use crate::building::Corners;
 use crate::material::SurfaceId;
-use glam::DVec3;
+use glam::{DVec2, DVec3, dvec2};
 
 /// Quads that leave their plane by more than this are divided, metres.
 const PLANE: f64 = 1e-7;
@@ -21,8 +21,12 @@ pub(in crate::tessellate) struct Body {
     pub(in crate::tessellate) soft: bool,
     /// Shared corners, metres.
     pub(in crate::tessellate) points: Vec<DVec3>,
-    /// Plane faces, counter-clockwise seen from outside.
+    /// Plane faces, counter-clockwise seen from outside; the ends stand last.
     pub(in crate::tessellate) faces: Vec<Corners>,
+    /// Points in a section.
+    round: u32,
+    /// How many faces are sides.
+    sides: usize,
 }
 
 impl Body {
@@ -68,6 +72,8 @@ impl Body {
             finish,
             soft: false,
             points,
+            round: count,
+            sides: faces.len(),
             faces,
         }
     }
@@ -109,33 +115,132 @@ impl Body {
         fans.sum()
     }
 
-    /// Its triangles.
-    pub(super) fn pour(&self, soup: &mut Soup) {
+    /// Its triangles. Corners of faces that agree in normal and picture are one vertex.
+    pub(in crate::tessellate) fn pour(&self, soup: &mut Soup) {
+        let shapes: Vec<Vec<DVec3>> = self.faces.iter().map(|f| self.corners(f)).collect();
+        let normals: Vec<DVec3> = shapes.iter().map(|s| polygon::normal(s)).collect();
+        let shades = Shades::of(self, &normals);
+        let unrolled = if self.soft { self.unrolled() } else { vec![] };
         let grain = grain_along(self.finish);
-        let corners = |face: &Corners| -> Vec<DVec3> {
-            face.iter().map(|i| self.points[*i as usize]).collect()
+        let mut made: Vec<Vec<u32>> = vec![vec![]; self.points.len()];
+        for (n, face) in self.faces.iter().enumerate() {
+            let planar = planar(&shapes[n], normals[n], grain);
+            let mut ids: Corners = Corners::new();
+            for (k, point) in face.iter().enumerate() {
+                let uv = unrolled.get(n).map_or(planar[k], |face| face[k]);
+                let (normal, uv) = (
+                    shades.at(n, *point).as_vec3().to_array(),
+                    uv.as_vec2().to_array(),
+                );
+                let same = |id: &&u32| {
+                    let i = **id as usize;
+                    soup.normals[i] == normal && soup.uvs[i] == uv
+                };
+                let known = made[*point as usize].iter().find(same).copied();
+                ids.push(known.unwrap_or_else(|| {
+                    let id = soup.positions.len() as u32;
+                    soup.positions.push(shapes[n][k].as_vec3().to_array());
+                    soup.normals.push(normal);
+                    soup.uvs.push(uv);
+                    made[*point as usize].push(id);
+                    id
+                }));
+            }
+            polygon::triangulate(&shapes[n], normals[n], |triangle| {
+                soup.indices.extend(triangle.map(|i| ids[i as usize]));
+            });
+        }
+    }
+
+    fn corners(&self, face: &Corners) -> Vec<DVec3> {
+        face.iter().map(|i| self.points[*i as usize]).collect()
+    }
+
+    /// Texture coordinates of the sides of a soft body: round its sections, and along it. Faces beyond them are its
+    /// ends.
+    fn unrolled(&self) -> Vec<Vec<DVec2>> {
+        let n = self.round as usize;
+        if n == 0 {
+            return vec![];
+        }
+        let all = self.points.len() / n;
+        let lengths = |count: usize, at: &dyn Fn(usize) -> DVec3| -> Vec<f64> {
+            let mut sum = 0.0;
+            let steps = (0..count).map(|i| {
+                sum += at(i).distance(at(i + 1));
+                sum
+            });
+            std::iter::once(0.0).chain(steps).collect()
         };
-        if !self.soft {
-            self.faces
-                .iter()
-                .for_each(|f| soup.face(&corners(f), grain));
-            return;
-        }
-        let faces: Vec<Vec<DVec3>> = self.faces.iter().map(corners).collect();
-        let normals: Vec<DVec3> = faces.iter().map(|f| polygon::normal(f)).collect();
-        let mut beside: Vec<Vec<u32>> = vec![vec![]; self.points.len()];
-        for (n, face) in self.faces.iter().enumerate() {
-            face.iter().for_each(|i| beside[*i as usize].push(n as u32));
-        }
-        for (n, face) in self.faces.iter().enumerate() {
-            let shade = |i: &u32| -> DVec3 {
-                let near = beside[*i as usize].iter().map(|m| normals[*m as usize]);
-                let alike = near.filter(|normal| normal.dot(normals[n]) > SOFT);
-                alike.sum::<DVec3>().normalize_or_zero()
+        let across = lengths(n, &|i| self.points[i % n]);
+        let along = lengths(all, &|s| self.points[s % all * n]);
+        let side = |face: &Corners| -> Vec<DVec2> {
+            let has = |i: usize| face.iter().any(|p| *p as usize % n == i);
+            let on = |s: usize| face.iter().any(|p| *p as usize / n == s);
+            // The last side of a section ends where the first begins, and so does the last section of a ring.
+            let (round, over) = (has(0) && has(n - 1), on(0) && on(all - 1) && all > 2);
+            let place = |p: &u32| {
+                let (s, i) = (*p as usize / n, *p as usize % n);
+                dvec2(
+                    across[if i == 0 && round { n } else { i }],
+                    along[if s == 0 && over { all } else { s }],
+                )
             };
-            let shades: Vec<DVec3> = face.iter().map(shade).collect();
-            soup.shaded(&faces[n], &shades, grain);
+            face.iter().map(place).collect()
+        };
+        let ends = if self.faces.len() > self.sides { 2 } else { 0 };
+        let count = self.faces.len() - ends;
+        let mut sides: Vec<Vec<DVec2>> = self.faces[..count].iter().map(side).collect();
+        // Pictures are not to be seen from behind.
+        if sides
+            .first()
+            .is_some_and(|s| crate::geometry::area2(s) < 0.0)
+        {
+            sides.iter_mut().flatten().for_each(|uv| uv.x = -uv.x);
         }
+        sides
+    }
+}
+
+/// Texture coordinates of a plane face.
+fn planar(corners: &[DVec3], normal: DVec3, grain: bool) -> Vec<DVec2> {
+    let (right, up) = axes(normal);
+    let flat = |p: &DVec3| dvec2(right.dot(*p), up.dot(*p));
+    let turned = grain && lies(corners.iter().map(flat));
+    let place = |p: &DVec3| {
+        let uv = flat(p);
+        if turned { dvec2(-uv.y, uv.x) } else { uv }
+    };
+    corners.iter().map(place).collect()
+}
+
+/// The normals of a body's corners, face by face.
+struct Shades<'a> {
+    normals: &'a [DVec3],
+    /// The faces at each point; empty on bodies with hard edges.
+    beside: Vec<Vec<u32>>,
+}
+
+impl Shades<'_> {
+    fn of<'a>(body: &Body, normals: &'a [DVec3]) -> Shades<'a> {
+        let mut beside = vec![];
+        if body.soft {
+            beside = vec![vec![]; body.points.len()];
+            for (n, face) in body.faces.iter().enumerate() {
+                face.iter().for_each(|i| beside[*i as usize].push(n as u32));
+            }
+        }
+        Shades { normals, beside }
+    }
+
+    fn at(&self, face: usize, point: u32) -> DVec3 {
+        let own = self.normals[face];
+        let Some(near) = self.beside.get(point as usize) else {
+            return own;
+        };
+        let near = near.iter().map(|m| self.normals[*m as usize]);
+        let alike = near.filter(|normal| normal.dot(own) > SOFT);
+        alike.sum::<DVec3>().normalize_or(own)
     }
 }
 

@@ -83,7 +83,8 @@ fn shield(
     let across = out.truncate().perp().extend(0.0);
     let foot = place.at + out * back;
     let corner = |(w, z): &(f64, f64)| foot + across * *w + DVec3::Z * *z;
-    Body::sweep(finish, profile.iter().map(corner).collect(), out * thick)
+    let body = Body::sweep(finish, profile.iter().map(corner).collect(), out * thick);
+    body.map(Body::softly)
 }
 
 /// The round bar over it, which rises as it stands out.

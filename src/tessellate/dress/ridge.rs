@@ -23,9 +23,7 @@ const CAP: f64 = 0.08;
 /// Each course is so much wider than the one above on both sides, metres.
 const STEP: f64 = 0.007;
 /// Length of a cap tile, metres.
-const UNIT: f64 = 0.26;
-/// So far a ridge runs on into what covers its end, metres.
-const INTO: f64 = 0.15;
+const UNIT: f64 = 0.29;
 /// What is shorter gets no ridge, metres.
 const SHORTEST: f64 = 0.05;
 
@@ -121,7 +119,7 @@ pub(super) fn run_on(seam: &Seam) -> Option<Line> {
     for (end, at, back) in [(0, 0, 1), (1, n - 1, n - 2)] {
         let out = (line.points[at] - line.points[back]).normalize_or_zero();
         line.points[at] += match (seam.ends[end], seam.kind) {
-            (End::Joint, _) => out * INTO,
+            (End::Joint, _) => out * seam.runs[end],
             (End::Met, Kind::Ridge) => out * 0.05,
             _ => DVec3::ZERO,
         };
@@ -144,15 +142,16 @@ pub(super) fn plain(half: f64, foot: f64, height: f64) -> [(f64, f64); 6] {
 
 /// A half round over a base.
 pub(super) fn arch(half: f64, height: f64, base: f64) -> Vec<(f64, f64)> {
-    const STEPS: u32 = 5;
-    let sunk = (half, base - 0.006);
+    const STEPS: u32 = 4;
     let arc = (0..=STEPS).map(|i| {
         let angle = std::f64::consts::PI * f64::from(i) / f64::from(STEPS);
-        (half * libm::cos(angle), base + height * libm::sin(angle))
+        // Its foot lies in what it covers.
+        (
+            half * libm::cos(angle),
+            base - 0.006 + (height + 0.006) * libm::sin(angle),
+        )
     });
-    let mut profile = vec![(-sunk.0, sunk.1), sunk];
-    profile.extend(arc);
-    profile
+    arc.collect()
 }
 
 /// The bed and the courses on it, each tile proud of its joint.

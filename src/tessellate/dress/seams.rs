@@ -4,6 +4,7 @@
 //! A slope is cut into facets in many ways: by other roofs, into convex pieces, into the strips of a curve. Facets
 //! whose falls point nearly the same way are one slope, and pieces of a line on one straight way are one seam.
 
+use super::beyond::Beyond;
 use crate::building::{Corners, Face, Finish, Solid};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -88,7 +89,8 @@ enum Beside {
     Facet(u32),
     /// The open; how deep the edge of the covering is at both ends, metres.
     Rim([f64; 2]),
-    Joint,
+    /// A wall or another roof; which of them in the order of edges.
+    Joint(u32),
 }
 
 /// A piece of a seam on one straight way.
@@ -111,7 +113,12 @@ pub(super) struct Seam {
     /// One less than points.
     pub(super) spans: Vec<Span>,
     pub(super) ends: [End; 2],
+    /// How far ridges run on beyond ends at joints, metres.
+    pub(super) runs: [f64; 2],
 }
+
+/// So far a ridge runs on into what covers its end where nobody measured, metres.
+const INTO: f64 = 0.15;
 
 impl Surface {
     /// The covering of some solids.
@@ -158,12 +165,16 @@ impl Surface {
                 owner.insert((from, to), n as u32);
             }
         }
+        let mut joints = 0;
         for (n, facet) in self.facets.iter().enumerate() {
             for (from, to) in edges(&facet.corners) {
                 let beside = match (owner.get(&(to, from)), rims.get(&(from, to))) {
                     (Some(other), _) => Beside::Facet(*other),
                     (None, Some(deep)) => Beside::Rim(*deep),
-                    (None, None) => Beside::Joint,
+                    (None, None) => {
+                        joints += 1;
+                        Beside::Joint(joints - 1)
+                    }
                 };
                 let facet = n as u32;
                 self.sides.push(Side {
@@ -215,13 +226,22 @@ impl Surface {
         self.points[id as usize]
     }
 
+    /// The ends of edges at joints, in their order.
+    pub(super) fn joints(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
+        let joints = self
+            .sides
+            .iter()
+            .filter(|s| matches!(s.beside, Beside::Joint(_)));
+        joints.map(|s| (self.at(s.from), self.at(s.to)))
+    }
+
     /// All seams, ridges first.
-    pub(super) fn seams(&self) -> Vec<Seam> {
+    pub(super) fn seams(&self, beyond: &Beyond) -> Vec<Seam> {
         let mut pieces: Vec<(Kind, Side)> = Vec::with_capacity(self.sides.len());
         for side in &self.sides {
             // Of the two sides of an inner edge one is enough.
             let twice = matches!(side.beside, Beside::Facet(_)) && side.from > side.to;
-            if let Some(kind) = self.kind(side).filter(|_| !twice) {
+            if let Some(kind) = self.kind(side, beyond).filter(|_| !twice) {
                 let upward = self.at(side.from).z <= self.at(side.to).z;
                 let side = match (kind, side.beside) {
                     (Kind::Hip, Beside::Facet(other)) if !upward => Side {
@@ -238,12 +258,23 @@ impl Surface {
         pieces.sort_by_key(|(kind, _)| *kind);
         let ends = self.ends();
         let kinds = pieces.chunk_by(|a, b| a.0 == b.0);
-        kinds
-            .flat_map(|same| self.chains(same[0].0, same, &ends))
-            .collect()
+        let seams = kinds.flat_map(|same| self.chains(same[0].0, same, &ends));
+        let mut seams: Vec<Seam> = seams.collect();
+        let ridges = seams
+            .iter_mut()
+            .filter(|s| matches!(s.kind, Kind::Ridge | Kind::Hip));
+        let mut runs = beyond.runs.iter();
+        for seam in ridges {
+            for end in 0..2 {
+                if seam.ends[end] == End::Joint {
+                    seam.runs[end] = runs.next().copied().unwrap_or(INTO);
+                }
+            }
+        }
+        seams
     }
 
-    fn kind(&self, side: &Side) -> Option<Kind> {
+    fn kind(&self, side: &Side, beyond: &Beyond) -> Option<Kind> {
         let facet = &self.facets[side.facet as usize];
         let way = self.at(side.to) - self.at(side.from);
         let run = way.truncate().length();
@@ -272,11 +303,17 @@ impl Surface {
                 high if high < -0.5 => Kind::Crest,
                 _ => Kind::Verge,
             }),
-            Beside::Joint => match facet.fall().dot(out) {
-                low if low > 0.94 => None,
-                high if high < -0.94 => Some(Kind::Crest),
-                along if along.abs() < 0.34 => Some(Kind::Flank),
-                _ => Some(Kind::Valley),
+            Beside::Joint(n) => match beyond.rises.get(n as usize) {
+                // Another slope: only where both rise from the joint water runs along it.
+                Some(Some(rise)) => {
+                    (facet.rise.dot(out) - rise.dot(out) < -0.05).then_some(Kind::Valley)
+                }
+                Some(None) => match facet.fall().dot(out) {
+                    low if low > 0.5 => None,
+                    high if high < -0.94 => Some(Kind::Crest),
+                    _ => Some(Kind::Flank),
+                },
+                None => None,
             },
         }
     }
@@ -287,7 +324,7 @@ impl Surface {
         for side in &self.sides {
             let end = match side.beside {
                 Beside::Rim(_) => End::Free,
-                Beside::Joint => End::Joint,
+                Beside::Joint(_) => End::Joint,
                 Beside::Facet(_) => continue,
             };
             for id in [side.from, side.to] {
@@ -402,6 +439,7 @@ impl Surface {
                 end(sides.first().map(|s| s.from)),
                 end(sides.last().map(|s| s.to)),
             ],
+            runs: [0.0; 2],
         }
     }
 

@@ -64,6 +64,16 @@ impl Field {
         (0..count).map(field).collect()
     }
 
+    /// To the right in plan as seen from outside, unit length.
+    pub(super) fn right(&self) -> DVec2 {
+        self.right
+    }
+
+    /// Whether it falls just as its slope does.
+    pub(super) fn is_straight(&self) -> bool {
+        self.rise.dot(self.right).abs() < 1e-6 && self.pitch() > 0.0
+    }
+
     /// The s of a point.
     pub(super) fn s(&self, p: DVec3) -> f64 {
         self.right.dot(p.truncate())

@@ -46,7 +46,7 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, bodies: 
         // From crest to crest the foot of the front sags as the pan does.
         let mut cuts = vec![lo, hi];
         for crest in places(lo - WIDTH, hi, WIDTH, CREST) {
-            let inner = [0.0, 0.34, 0.66].map(|share| crest + share * WIDTH);
+            let inner = [0.0, 0.33, 0.67].map(|share| crest + share * WIDTH);
             cuts.extend(
                 inner
                     .into_iter()
@@ -59,9 +59,13 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, bodies: 
             0.030 * libm::sin(std::f64::consts::PI * share)
         };
         let sections = cuts.iter().map(|s| front(at(*s), out, 0.055 + sag(*s)));
-        bodies.extend(Body::loft(finish, &sections.collect::<Vec<_>>()));
-        for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
-            bodies.extend(disc(finish, at(crest), out, DISC, (-0.028, OUT + 0.016), 7));
+        let front = Body::loft(finish, &sections.collect::<Vec<_>>());
+        bodies.extend(front.map(Body::softly));
+        // Discs are for halls: on a house they would weigh more than the rest of the roof.
+        if tailor.roof.dress.noshi > 4 {
+            for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
+                bodies.extend(disc(finish, at(crest), out, DISC, (-0.028, OUT + 0.016), 7));
+            }
         }
     }
 }
@@ -71,10 +75,9 @@ fn front(at: DVec3, out: DVec2, hang: f64) -> Vec<DVec3> {
     let (fore, back) = ((out * OUT).extend(0.0), (out * (OUT - THICK)).extend(0.0));
     let (top, low) = (DVec3::Z * 0.006, DVec3::Z * -hang);
     vec![
-        at + back + low,
         at + fore + low,
         at + fore + top,
-        at + back + top,
+        at + back + top + low * 0.4,
     ]
 }
 
@@ -128,5 +131,6 @@ pub(super) fn verge(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
         profile.into_iter().map(place).collect()
     };
     let sections: Vec<Vec<DVec3>> = (0..=last).map(section).collect();
-    bodies.extend(Body::loft(SurfaceId::named("ibushi"), &sections));
+    let tiles = Body::loft(SurfaceId::named("ibushi"), &sections);
+    bodies.extend(tiles.map(Body::softly));
 }
