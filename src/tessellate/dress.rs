@@ -29,6 +29,7 @@ mod seams;
 mod slope;
 mod stack;
 mod stones;
+mod surface;
 mod tiles;
 
 #[cfg(test)]
@@ -42,8 +43,9 @@ use crate::scene::Detail;
 pub(super) use beyond::{Beyond, Neighbours};
 pub(super) use body::Body;
 pub(super) use rafters::Rafters;
-use seams::{Kind, Seam, Surface};
+use seams::{Kind, Seam};
 use slope::Field;
+use surface::Surface;
 
 /// A roof that is being dressed.
 struct Tailor<'a> {

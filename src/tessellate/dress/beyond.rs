@@ -1,7 +1,8 @@
 //! What lies beyond the joints of a roof: another slope that rises from them, or a wall. Roofs that are alike show
 //! one mesh only where this is the same as well, so that it is found before anything is dressed.
 
-use super::seams::{End, Kind, Surface};
+use super::seams::{End, Kind};
+use super::surface::Surface;
 use crate::building::{Finish, HouseRoofs, Roof};
 use glam::{DVec2, DVec3};
 
@@ -26,10 +27,12 @@ pub(in crate::tessellate) struct Beyond {
 /// The slopes of all roofs of a house.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Neighbours {
-    /// Whose they are, where they lie, their plan, a point and their rise.
     slopes: Vec<Slope>,
+    /// The coverings of the roofs.
+    surfaces: Vec<Surface>,
 }
 
+/// One facet: whose it is, where it lies, its plan, a point and its rise.
 #[derive(Debug)]
 struct Slope {
     roof: usize,
@@ -64,6 +67,7 @@ impl Neighbours {
                     rise: facet.rise,
                 });
             }
+            all.surfaces.push(surface);
         }
         if all.slopes.len() > MANY {
             all.slopes.clear();
@@ -74,10 +78,9 @@ impl Neighbours {
     /// What lies beyond the joints of one of them.
     pub(in crate::tessellate) fn beyond(&self, n: usize, roof: &Roof) -> Beyond {
         let mut beyond = Beyond::default();
-        if self.slopes.is_empty() || !has_joints(roof) {
+        let Some(surface) = self.surfaces.get(n).filter(|_| !self.slopes.is_empty()) else {
             return beyond;
-        }
-        let surface = Surface::of(&roof.solids);
+        };
         for (from, to) in surface.joints() {
             let middle = from.midpoint(to);
             let out = -(to - from).truncate().perp().normalize_or_zero();

@@ -48,8 +48,11 @@ pub(super) fn ridge(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
             let profile = fold(0.30, lean, 0.06);
             bodies.extend(Body::loft(named("thatch"), &line.sections(&profile)));
         }
-        RoofKind::Shingles => boxed(&line, lean, (0.12, 0.15), "cedar", shown, bodies),
-        RoofKind::Bark => boxed(&line, lean, (0.15, 0.30), "ibushi", shown, bodies),
+        RoofKind::Shingles => boxed(&line, lean, (0.12, 0.15), ["cedar"; 2], shown, bodies),
+        RoofKind::Bark => {
+            let tiles = ["noshi", "ibushi"];
+            boxed(&line, lean, (0.15, 0.30), tiles, shown, bodies);
+        }
         RoofKind::Thatch => {
             saddle(&line, lean, bodies);
             if shown {
@@ -72,12 +75,12 @@ fn fold(wide: f64, lean: f64, thick: f64) -> [(f64, f64); 6] {
     ]
 }
 
-/// A box of boards (hako-mune) with a cover that stands out.
+/// A box (hako-mune) of boards, or of boards under tiles, with a cover that stands out.
 fn boxed(
     line: &Line,
     lean: f64,
     (half, height): (f64, f64),
-    cover: &str,
+    [wall, cover]: [&str; 2],
     shown: bool,
     bodies: &mut Vec<Body>,
 ) {
@@ -92,8 +95,8 @@ fn boxed(
         return;
     }
     let neck = height - 0.07;
-    let wall = [(-half, -foot), (half, -foot), (half, neck), (-half, neck)];
-    bodies.extend(Body::loft(cedar, &line.sections(&wall)));
+    let sides = [(-half, -foot), (half, -foot), (half, neck), (-half, neck)];
+    bodies.extend(Body::loft(SurfaceId::named(wall), &line.sections(&sides)));
     let sill = half + 0.035;
     let foot = SUNK + lean * sill;
     let skirt = [
@@ -141,10 +144,13 @@ fn riders(line: &Line, lean: f64, bodies: &mut Vec<Body>) {
         let way = (along - from).normalize_or_zero();
         let across = way.truncate().perp().normalize_or_zero().extend(0.0);
         for side in [-1.0, 1.0] {
-            // From above the ridge on one side down over the slope on the other; the pair lies side by side.
+            // From above the ridge on one side over the shoulder of the bundles and down beside them on the other;
+            // the pair lies side by side.
             let at = from + way * (side * 0.055);
-            let head = at + across * (-side * 0.12) + DVec3::Z * 0.52;
-            let foot = at + across * (side * 0.72) + DVec3::Z * (0.12 - lean * 0.62);
+            let on = |x: f64| {
+                at + across * (side * x) + DVec3::Z * (0.41 + (0.11 - x) * 1.4 * lean.max(0.7))
+            };
+            let (head, foot) = (on(-0.14), on(0.68));
             bodies.extend(log(finish, head, foot, way, 0.05));
         }
     }

@@ -10,7 +10,7 @@ use crate::material::SurfaceId;
 use crate::scene::Detail;
 
 /// Half the width of a gutter, and how high it lies over the slopes, metres.
-const GUTTER: (f64, f64) = (0.11, 0.012);
+const GUTTER: (f64, f64) = (0.09, 0.012);
 /// Courses against a wall: how far they reach over the slope, and the height of one, metres. Walls stand out by
 /// half their thickness from the line that roofs end on.
 const COURSES: (f64, f64) = (0.20, 0.04);
@@ -28,7 +28,7 @@ pub(super) fn valley(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
         return;
     }
     let thatched = matches!(tailor.roof.kind, RoofKind::Thatch);
-    let finish = SurfaceId::named(if thatched { "bark" } else { "sheet" });
+    let finish = SurfaceId::named(if thatched { "bark" } else { "sheet_roof" });
     let (wide, high) = GUTTER;
     for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
         let [left, right] = tailor.surface.leans(span, ends[1] - ends[0]);

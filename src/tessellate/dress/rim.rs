@@ -1,7 +1,7 @@
 //! The rim of a covering as it is walked: eaves, verges and crests one after the other, with the roof on the left.
 
 use super::body::Body;
-use super::seams::Surface;
+use super::surface::Surface;
 use crate::material::SurfaceId;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;

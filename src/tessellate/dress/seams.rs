@@ -1,25 +1,16 @@
-//! The lines of a roof that want dressing, read off the faces of its solids: where two slopes meet above (ridge,
-//! hip) or below (valley), and what their free edges are (eaves, verge, crest).
+//! The lines of a roof that want dressing: where two slopes meet above (ridge, hip) or below (valley), and what
+//! their free edges are (eaves, verge, crest).
 //!
 //! A slope is cut into facets in many ways: by other roofs, into convex pieces, into the strips of a curve. Facets
 //! whose falls point nearly the same way are one slope, and pieces of a line on one straight way are one seam.
 
 use super::beyond::Beyond;
-use crate::building::{Corners, Face, Finish, Solid};
+use super::surface::{Beside, SAME_FALL, Side, Surface, WELD};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
-/// Slopes gentler than this are level and have no seams.
-const LEVEL: f64 = 0.003;
-
-/// Falls that point the same way as far as this, in the cosine, belong to one slope: 20 degrees.
-const SAME_FALL: f64 = 0.94;
-
 /// Pieces of a seam that go on within this, in the cosine, are one line in plan: 20 degrees.
 const GOES_ON: f64 = 0.94;
-
-/// Points nearer than this are one, metres.
-const WELD: f64 = 1e-6;
 
 /// What a seam is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -51,48 +42,6 @@ pub(super) enum End {
     Joint,
 }
 
-/// A plane sloping piece of the covering.
-#[derive(Clone, Debug)]
-pub(super) struct Facet {
-    /// Indices of points, counter-clockwise seen from above.
-    pub(super) corners: Corners,
-    /// Rise per metre in plan: points up the slope.
-    pub(super) rise: DVec2,
-}
-
-impl Facet {
-    /// Down the slope in plan, unit length.
-    pub(super) fn fall(&self) -> DVec2 {
-        -self.rise.normalize_or_zero()
-    }
-}
-
-/// The covering of one roof.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Surface {
-    pub(super) points: Vec<DVec3>,
-    pub(super) facets: Vec<Facet>,
-    sides: Vec<Side>,
-}
-
-/// An edge of a facet, with the facet on its left.
-#[derive(Clone, Copy, Debug)]
-struct Side {
-    from: u32,
-    to: u32,
-    facet: u32,
-    beside: Beside,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Beside {
-    Facet(u32),
-    /// The open; how deep the edge of the covering is at both ends, metres.
-    Rim([f64; 2]),
-    /// A wall or another roof; which of them in the order of edges.
-    Joint(u32),
-}
-
 /// A piece of a seam on one straight way.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
@@ -121,120 +70,6 @@ pub(super) struct Seam {
 const INTO: f64 = 0.15;
 
 impl Surface {
-    /// The covering of some solids.
-    pub(super) fn of(solids: &[Solid]) -> Surface {
-        let mut surface = Surface::default();
-        let mut known: BTreeMap<[i64; 3], u32> = BTreeMap::new();
-        let mut rims: BTreeMap<(u32, u32), [f64; 2]> = BTreeMap::new();
-        for solid in solids {
-            let covers = |f: &&Face| matches!(f.finish, Finish::Covering(_));
-            if solid.faces.iter().find(covers).is_none() {
-                continue;
-            }
-            let mut number = |i: u32| -> Option<u32> {
-                let p = *solid.points.get(i as usize)?;
-                let key = p.to_array().map(|x| (x / WELD).round() as i64);
-                Some(*known.entry(key).or_insert_with(|| {
-                    surface.points.push(p);
-                    surface.points.len() as u32 - 1
-                }))
-            };
-            let mut faces: Vec<(Corners, Finish)> = Vec::with_capacity(solid.faces.len());
-            for face in &solid.faces {
-                if matches!(face.finish, Finish::Covering(_) | Finish::Edge(_)) {
-                    let corners: Corners = face.corners.iter().filter_map(|i| number(*i)).collect();
-                    faces.push((corners, face.finish));
-                }
-            }
-            for (corners, finish) in faces {
-                match finish {
-                    Finish::Covering(_) => surface.facets.extend(facet(&surface.points, corners)),
-                    _ => rim(&surface.points, &corners, &mut rims),
-                }
-            }
-        }
-        surface.find_sides(&rims);
-        surface
-    }
-
-    /// All edges of facets with what lies beside them.
-    fn find_sides(&mut self, rims: &BTreeMap<(u32, u32), [f64; 2]>) {
-        let mut owner: BTreeMap<(u32, u32), u32> = BTreeMap::new();
-        for (n, facet) in self.facets.iter().enumerate() {
-            for (from, to) in edges(&facet.corners) {
-                owner.insert((from, to), n as u32);
-            }
-        }
-        let mut joints = 0;
-        for (n, facet) in self.facets.iter().enumerate() {
-            for (from, to) in edges(&facet.corners) {
-                let beside = match (owner.get(&(to, from)), rims.get(&(from, to))) {
-                    (Some(other), _) => Beside::Facet(*other),
-                    (None, Some(deep)) => Beside::Rim(*deep),
-                    (None, None) => {
-                        joints += 1;
-                        Beside::Joint(joints - 1)
-                    }
-                };
-                let facet = n as u32;
-                self.sides.push(Side {
-                    from,
-                    to,
-                    facet,
-                    beside,
-                });
-            }
-        }
-    }
-
-    /// Pairs of facets that belong to one slope.
-    pub(super) fn kinks(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.sides.iter().filter_map(|side| {
-            let Beside::Facet(other) = side.beside else {
-                return None;
-            };
-            let (f, g) = (side.facet as usize, other as usize);
-            let alike = self.facets[f].fall().dot(self.facets[g].fall()) > SAME_FALL;
-            alike.then_some((f, g))
-        })
-    }
-
-    /// The area of a facet in plan, square metres.
-    pub(super) fn area(&self, facet: usize) -> f64 {
-        let corners = &self.facets[facet].corners;
-        let plan: Vec<DVec2> = corners.iter().map(|i| self.at(*i).truncate()).collect();
-        crate::geometry::area2(&plan) / 2.0
-    }
-
-    /// Edges of the rim: from, to, how deep it is at both.
-    pub(super) fn rim_sides(&self) -> impl Iterator<Item = (u32, u32, [f64; 2])> + '_ {
-        self.sides.iter().filter_map(|side| match side.beside {
-            Beside::Rim(deep) => Some((side.from, side.to, deep)),
-            _ => None,
-        })
-    }
-
-    /// How deep the rim of the covering is at a point on it.
-    pub(super) fn deep_at(&self, p: DVec3) -> Option<f64> {
-        let mut sides = self.rim_sides();
-        let found = sides.find(|(from, _, _)| self.at(*from).distance(p) < WELD)?;
-        Some(found.2[0])
-    }
-
-    /// A point by its number.
-    fn at(&self, id: u32) -> DVec3 {
-        self.points[id as usize]
-    }
-
-    /// The ends of edges at joints, in their order.
-    pub(super) fn joints(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
-        let joints = self
-            .sides
-            .iter()
-            .filter(|s| matches!(s.beside, Beside::Joint(_)));
-        joints.map(|s| (self.at(s.from), self.at(s.to)))
-    }
-
     /// All seams, ridges first.
     pub(super) fn seams(&self, beyond: &Beyond) -> Vec<Seam> {
         let mut pieces: Vec<(Kind, Side)> = Vec::with_capacity(self.sides.len());
@@ -472,42 +307,5 @@ fn turned(side: Side, forward: bool) -> Side {
         to: side.from,
         facet: other,
         beside: Beside::Facet(side.facet),
-    }
-}
-
-fn edges(corners: &Corners) -> impl Iterator<Item = (u32, u32)> + '_ {
-    let n = corners.len();
-    (0..n).map(move |i| (corners[i], corners[(i + 1) % n]))
-}
-
-/// A face of the covering; level and upright ones have no fall.
-fn facet(points: &[DVec3], corners: Corners) -> Option<Facet> {
-    let first = points[*corners.first()? as usize];
-    let at = |i: usize| points[corners[i] as usize] - first;
-    let normal: DVec3 = (1..corners.len().max(1) - 1)
-        .map(|i| at(i).cross(at(i + 1)))
-        .sum();
-    if normal.z <= 1e-9 {
-        return None;
-    }
-    let rise = -normal.truncate() / normal.z;
-    (rise.length() > LEVEL).then_some(Facet { corners, rise })
-}
-
-/// The edge that a face of the rim hangs on, and how deep it hangs at both ends: its two highest corners beside
-/// each other with something under them.
-fn rim(points: &[DVec3], corners: &Corners, rims: &mut BTreeMap<(u32, u32), [f64; 2]>) {
-    let below = |id: u32| {
-        let top = points[id as usize];
-        let under = corners.iter().map(|i| points[*i as usize]);
-        let under = under.filter(|p| (p.truncate() - top.truncate()).length() < 1e-4);
-        under.map(|p| top.z - p.z).fold(0.0, f64::max)
-    };
-    for (from, to) in edges(corners) {
-        let deep = [below(to), below(from)];
-        if deep[0] > 0.0 || deep[1] > 0.0 {
-            // Run the other way by the face above.
-            rims.insert((to, from), deep);
-        }
     }
 }

@@ -2,7 +2,7 @@
 //! over all facets that the slope was cut into.
 
 use super::body::Body;
-use super::seams::Surface;
+use super::surface::Surface;
 use crate::material::SurfaceId;
 use glam::{DVec2, DVec3, dvec2};
 

@@ -19,19 +19,16 @@ pub(super) fn edge(tailor: &Tailor<'_>, rim: &Rim, bodies: &mut Vec<Body>) {
         return;
     }
     let fine = tailor.detail == Detail::Everything;
-    let (name, body): (_, fn(&Corner, bool) -> Vec<(f64, f64)>) = match tailor.roof.kind {
-        RoofKind::Shingles => ("shingle", |c, fine| {
-            layers(c, (0.14, 0.022), if fine { 4 } else { 1 })
-        }),
-        RoofKind::Bark => ("bark", |c, fine| {
-            layers(c, (0.34, 0.045), if fine { 5 } else { 1 })
-        }),
-        RoofKind::Thatch => ("thatch", |c, fine| roll(c, if fine { 5 } else { 3 })),
-        _ => return,
+    let few = |count: u32| if fine { count } else { 1 };
+    let body = |name: &str, profile: &dyn Fn(&Corner) -> Vec<(f64, f64)>| {
+        rim.body(SurfaceId::named(name), profile)
     };
-    let made = rim.body(SurfaceId::named(name), |corner| body(corner, fine));
-    let soft = tailor.roof.kind == RoofKind::Thatch;
-    bodies.extend(made.map(|b| if soft { b.softly() } else { b }));
+    bodies.extend(match tailor.roof.kind {
+        RoofKind::Shingles => body("shingle", &|c| layers(c, (0.14, 0.022), few(4))),
+        RoofKind::Bark => body("bark", &|c| layers(c, (0.34, 0.045), few(5))),
+        RoofKind::Thatch => body("thatch", &|c| roll(c, 2 + few(3))).map(Body::softly),
+        _ => None,
+    });
 }
 
 /// Layers that step in from the top to the foot: the least height of all together, and how far the topmost stands

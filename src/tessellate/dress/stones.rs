@@ -30,7 +30,11 @@ pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
         let Some((from, to)) = field.course(t) else {
             continue;
         };
-        let shift = if row % 2 == 0 { 0.0 } else { 0.5 * STONES };
+        let shift = if row.is_multiple_of(2) {
+            0.0
+        } else {
+            0.5 * STONES
+        };
         for (n, s) in places(from + 0.15, to - 0.15, STONES, shift).enumerate() {
             let chance = |salt: u32| chance(n as u32, row, salt);
             let s = s + 0.12 * (chance(0) - 0.5);
@@ -48,7 +52,7 @@ fn stone(at: DVec3, size: f64, turn: f64) -> Option<Body> {
     let ring = |(wide, up): (f64, f64)| -> Vec<DVec3> {
         let corner = |i: u32| {
             let angle = turn + std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
-            let long = if i % 2 == 0 { 1.0 } else { 0.86 };
+            let long = if i.is_multiple_of(2) { 1.0 } else { 0.86 };
             let radius = size * wide * long;
             at + DVec3::new(
                 1.2 * radius * libm::cos(angle),

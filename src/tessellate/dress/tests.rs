@@ -1,10 +1,12 @@
 //! Dressing of known roofs: seams where they must be, bodies closed, sizes that follow the roof.
 
-use super::seams::{End, Kind, Seam, Surface};
-use super::{Beyond, Body, Rafters, dress};
+use super::seams::{End, Kind, Seam};
+use super::surface::Surface;
+use super::{Beyond, Body, Neighbours, Rafters, dress};
 use crate::ast::{RoofKind, RoofShape};
-use crate::building::{Dress, Face, Finish, Roof, Solid};
+use crate::building::{Dress, Face, Finish, HouseRoofs, Roof, Solid};
 use crate::check::solid_flaws;
+use crate::material::SurfaceId;
 use crate::roof::facet::Corner;
 use crate::roof::frame::Plane;
 use crate::roof::sheet::{Coat, sheet};
@@ -270,4 +272,109 @@ fn everything_worn_is_closed() {
             }
         }
     }
+}
+
+/// How many bodies of a surface a roof wears.
+fn worn(roof: &Roof, surface: &str) -> usize {
+    let finish = SurfaceId::named(surface);
+    let bodies = bodies(roof, Detail::Everything);
+    bodies.iter().filter(|b| b.finish == finish).count()
+}
+
+#[test]
+fn rows_and_stones_follow_the_size_of_the_roof() {
+    let of = |kind, length| roof(kind, gable(kind, length, 6.0, 0.3));
+    // A row of cover tiles, and a disc before it, every 272 mm on both sides.
+    let rows = |length| worn(&of(RoofKind::CoverTiles, length), "ibushi");
+    let more = (16.0 - 8.0) / 0.272 * 4.0 + (16.0 - 8.0) / 0.29;
+    assert!((rows(16.0) as f64 - rows(8.0) as f64 - more).abs() < 8.0);
+    let seams = |length| worn(&of(RoofKind::Metal, length), "sheet_roof");
+    assert!((seams(16.0) as f64 - seams(8.0) as f64 - 2.0 * 8.0 / 0.455).abs() < 3.0);
+    let stones = |length| worn(&of(RoofKind::Boards, length), "stone") as f64;
+    assert!(stones(8.0) > 30.0 && (stones(16.0) / stones(8.0) - 2.0).abs() < 0.15);
+    let steep = roof(RoofKind::Boards, gable(RoofKind::Boards, 8.0, 6.0, 0.5));
+    assert_eq!(worn(&steep, "stone"), 0);
+}
+
+#[test]
+fn rows_keep_their_phase_where_a_slope_is_cut() {
+    let low = [
+        (0.0, 0.0, true),
+        (5.0, 0.0, true),
+        (5.0, 2.0, false),
+        (0.0, 2.0, true),
+    ];
+    let left = [
+        (0.0, 2.0, false),
+        (2.1, 2.0, false),
+        (2.1, 4.0, true),
+        (0.0, 4.0, true),
+    ];
+    let right = [
+        (2.1, 2.0, false),
+        (5.0, 2.0, true),
+        (5.0, 4.0, true),
+        (2.1, 4.0, false),
+    ];
+    let rise = [0.0, 0.5];
+    let solids = solids(
+        RoofKind::Metal,
+        &[(&low, rise, 3.0), (&left, rise, 3.0), (&right, rise, 3.0)],
+    );
+    let surface = Surface::of(&solids);
+    let fields = super::slope::Field::all(&surface);
+    let places = |n: usize| fields[n].places(0.272, 0.136, 0.0).collect::<Vec<f64>>();
+    let (whole, both) = (places(0), [places(1), places(2)].concat());
+    assert!(whole.len() > 15 && both.len() + 1 >= whole.len());
+    let known = |s: &f64| whole.iter().any(|w| (w - s).abs() < 1e-9);
+    assert!(both.iter().all(known));
+}
+
+#[test]
+fn less_detail_wears_less_and_always_the_same() {
+    for kind in KINDS {
+        let roof = roof(kind, hip(kind, 9.0, 6.0, 0.5));
+        let faces = |detail| bodies(&roof, detail).iter().map(|b| b.faces.len()).sum();
+        let counts: [usize; 4] = Detail::ALL.map(faces);
+        assert!(
+            counts.is_sorted() && counts[0] < counts[3],
+            "{kind:?}: {counts:?}"
+        );
+        let told = || format!("{:?}", dress(&roof, &Beyond::default(), Detail::Everything));
+        assert_eq!(told(), told());
+    }
+}
+
+#[test]
+fn a_joint_is_a_valley_before_a_slope_and_a_flank_before_a_wall() {
+    let kind = RoofKind::Tiles;
+    let own = [
+        (0.0, 0.0, true),
+        (3.0, 0.0, false),
+        (5.0, 2.0, true),
+        (0.0, 2.0, true),
+    ];
+    let beside = [
+        (3.0, 0.0, true),
+        (9.0, 0.0, true),
+        (9.0, 2.0, true),
+        (5.0, 2.0, false),
+    ];
+    let slope = || solids(kind, &[(&own, [0.0, 0.5], 3.0)]);
+    let kinds = |other: Vec<Solid>| {
+        let both = HouseRoofs {
+            roofs: vec![roof(kind, slope()), roof(kind, other)],
+            ..HouseRoofs::default()
+        };
+        let beyond = Neighbours::of(&both).beyond(0, &both.roofs[0]);
+        let seams = Surface::of(&both.roofs[0].solids).seams(&beyond);
+        seams.iter().map(|s| s.kind).collect::<Vec<_>>()
+    };
+    let rises = solids(kind, &[(&beside, [0.5, 0.0], 1.5)]);
+    assert!(kinds(rises).contains(&Kind::Valley));
+    let goes_on = solids(kind, &[(&beside, [0.0, 0.5], 3.0)]);
+    let found = kinds(goes_on);
+    assert!(!found.contains(&Kind::Valley) && !found.contains(&Kind::Flank));
+    let far = solids(kind, &[(&beside, [0.0, 0.5], 9.0)]);
+    assert!(kinds(far).contains(&Kind::Flank));
 }
