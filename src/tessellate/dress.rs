@@ -6,7 +6,7 @@
 //!
 //! | detail | shows |
 //! |---|---|
-//! | 0 | ridges and hips as plain blocks |
+//! | 0 | ridges and hips as plain blocks, finials |
 //! | 1 | end tiles and barge boards as well |
 //! | 2 | silhouettes: ridge courses as a picture under a round cap, end tiles, pendants, thick eaves, fascias, plain eaves and verge tiles, flashings, valley gutters |
 //! | 3 | ridge courses and cap tiles one by one, rafters, the fronts of eaves tiles, rows of round tiles, battens and stones, standing seams |
@@ -17,6 +17,7 @@ mod barge;
 mod beyond;
 mod body;
 mod crown;
+mod finial;
 mod flashing;
 mod gegyo;
 mod line;
@@ -79,9 +80,11 @@ pub(super) fn dress(roof: &Roof, beyond: &Beyond, detail: Detail) -> Dressing {
         Detail::Body | Detail::Flat => vec![],
         _ => Field::all(&surface),
     };
-    for seam in surface.seams(beyond) {
-        tailor.seam(&seam, &fields, &mut worn);
+    let seams = surface.seams(beyond);
+    for seam in &seams {
+        tailor.seam(seam, &fields, &mut worn);
     }
+    finial::finials(&tailor, &seams, &mut worn.bodies);
     for rim in rim::rims(&surface) {
         stack::edge(&tailor, &rim, &mut worn.bodies);
     }

@@ -109,8 +109,8 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, worn: &m
                     continue;
                 }
                 let to = if outside { f64::INFINITY } else { row.to };
-                worn.bodies
-                    .extend(rafter(field, s, deep, &Row { to, ..*row }));
+                let own = Row { to, ..*row };
+                rafter(fields, field.slope(), s, deep, &own, &mut worn.bodies);
             }
             worn.rows.extend(alike.row(field, row, deep));
         }
@@ -194,23 +194,22 @@ impl Rafters {
     }
 }
 
-/// A rafter at `s` under a covering `deep` metres thick, as far as its facet reaches.
-fn rafter(field: &Field, s: f64, deep: f64, row: &Row) -> Option<Body> {
+/// A rafter at `s` under a covering `deep` metres thick, bent as its slope is.
+fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: &mut Vec<Body>) {
     let half = row.size.1;
-    let (low, _) = field.column(s)?;
+    let own = || fields.iter().filter(|f| f.slope() == slope);
+    let reach = |s: f64| own().filter_map(move |f| f.column(s)).map(|c| c.0);
+    let Some(low) = reach(s).reduce(f64::min) else {
+        return;
+    };
     let top = -(deep + row.below);
-    let foot = top - row.size.0 * field.stretch();
-    let mut sections = [Vec::new(), Vec::new()];
-    for (x, z) in [(-half, foot), (half, foot), (half, top), (-half, top)] {
-        let (lo, hi) = field.column(s + x)?;
-        let (from, to) = ((low + row.from).max(lo), (low + row.to).min(hi));
-        if to - from < 0.05 {
-            return None;
-        }
-        sections[0].push(field.point(s + x, from, z));
-        sections[1].push(field.point(s + x, to, z));
+    let within = (low + row.from, low + row.to);
+    for field in own() {
+        let foot = top - row.size.0 * field.stretch();
+        let profile = [(-half, foot), (half, foot), (half, top), (-half, top)];
+        let finish = SurfaceId::named("cedar");
+        bodies.extend(field.upright_row(finish, s, &profile, within));
     }
-    Body::loft(SurfaceId::named("cedar"), &sections)
 }
 
 /// The board before the ends of the rafters.

@@ -23,8 +23,6 @@ const SEAM: (f64, f64) = (0.009, 0.028);
 /// How far rows reach into the slope, metres.
 const SUNK: f64 = 0.012;
 
-const ALL: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
-
 /// The rows of a facet.
 pub(super) fn cover_tiles(field: &Field, bodies: &mut Vec<Body>) {
     const STEPS: u32 = 5;
@@ -35,7 +33,7 @@ pub(super) fn cover_tiles(field: &Field, bodies: &mut Vec<Body>) {
     }
     let finish = SurfaceId::named("ibushi");
     for s in field.places(ROW, ROW / 2.0, RADIUS) {
-        let row = field.row(finish, s, &profile, ALL);
+        let row = field.row(finish, s, &profile);
         bodies.extend(row.map(Body::softly));
     }
 }
@@ -46,7 +44,7 @@ pub(super) fn seams(field: &Field, bodies: &mut Vec<Body>) {
     let profile = [(-half, -SUNK), (half, -SUNK), (half, high), (-half, high)];
     let finish = SurfaceId::named("sheet_roof");
     for s in field.places(SHEET, 0.0, 4.0 * half) {
-        bodies.extend(field.row(finish, s, &profile, ALL));
+        bodies.extend(field.row(finish, s, &profile));
     }
 }
 

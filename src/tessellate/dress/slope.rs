@@ -15,6 +15,8 @@ const SHORTEST: f64 = 0.02;
 pub(super) struct Field {
     right: DVec2,
     up: DVec2,
+    /// The number of its slope.
+    slope: usize,
     /// A point and the rise of its plane.
     at: DVec3,
     rise: DVec2,
@@ -56,12 +58,18 @@ impl Field {
             Field {
                 right,
                 up,
+                slope: slope[f],
                 at: surface.points[facet.corners[0] as usize],
                 rise: facet.rise,
                 corners: points.map(frame).collect(),
             }
         };
         (0..count).map(field).collect()
+    }
+
+    /// The number of its slope, the same for all its facets.
+    pub(super) fn slope(&self) -> usize {
+        self.slope
     }
 
     /// To the right in plan as seen from outside, unit length.
@@ -127,8 +135,16 @@ impl Field {
     }
 
     /// A row up the slope at `s`: a profile of (s, height at right angles to the slope), cut upright where the
-    /// facet ends and where t leaves `within`.
-    pub(super) fn row(
+    /// facet ends.
+    pub(super) fn row(&self, finish: SurfaceId, s: f64, profile: &[(f64, f64)]) -> Option<Body> {
+        let stretch = self.stretch();
+        let raised: Vec<(f64, f64)> = profile.iter().map(|(x, h)| (*x, h * stretch)).collect();
+        let all = (f64::NEG_INFINITY, f64::INFINITY);
+        self.upright_row(finish, s, &raised, all)
+    }
+
+    /// The same with upright heights, so that rows bend with their slope, and cut where t leaves `within`.
+    pub(super) fn upright_row(
         &self,
         finish: SurfaceId,
         s: f64,
@@ -148,11 +164,10 @@ impl Field {
         // Where the border turns inside the row it is cut square.
         square(&mut ends[0], f64::max);
         square(&mut ends[1], f64::min);
-        let stretch = self.stretch();
         let section = |end: &[(f64, f64)]| -> Vec<DVec3> {
             let places = end.iter().zip(profile);
             places
-                .map(|((x, t), (_, height))| self.point(s + x, *t, height * stretch))
+                .map(|((x, t), (_, height))| self.point(s + x, *t, *height))
                 .collect()
         };
         if ends[0]
