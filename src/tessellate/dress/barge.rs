@@ -105,7 +105,7 @@ impl Verge<'_> {
                 continue;
             }
             // Straight verges get corners between, bent ones have them.
-            let pieces = if last <= 2 { 4 } else { 1 };
+            let pieces = if last <= 2 { 2 } else { 1 };
             let next = self.upper(i + 1);
             for k in 1..pieces {
                 let between = at.lerp(next, f64::from(k) / f64::from(pieces));

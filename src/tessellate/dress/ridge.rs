@@ -23,7 +23,7 @@ const CAP: f64 = 0.08;
 /// Each course is so much wider than the one above on both sides, metres.
 const STEP: f64 = 0.007;
 /// Length of a cap tile, metres.
-const UNIT: f64 = 0.29;
+const UNIT: f64 = 0.32;
 /// What is shorter gets no ridge, metres.
 const SHORTEST: f64 = 0.05;
 
@@ -81,28 +81,48 @@ pub(super) fn tiles(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
             caps(&line, half, top, finish, bodies);
         }
     }
-    if !dress.ends || tailor.detail == Detail::Body {
-        return;
+    if dress.ends && tailor.detail != Detail::Body {
+        let size = (half + STEP * f64::from(courses) / 2.0, top + CAP);
+        ends(tailor, seam, &line, size, bodies);
     }
-    let n = line.points.len();
+}
+
+/// The tiles that close the free ends of a ridge of this half width and height.
+fn ends(
+    tailor: &Tailor<'_>,
+    seam: &Seam,
+    line: &Line,
+    (half, height): (f64, f64),
+    bodies: &mut Vec<Body>,
+) {
+    let finish = SurfaceId::named("ibushi");
+    let (n, hip) = (line.points.len(), seam.kind == Kind::Hip);
     let ends = [
         (0, line.points[0], line.points[1]),
         (1, line.points[n - 1], line.points[n - 2]),
     ];
     for (end, at, back) in ends {
-        // The main ridge of a hipped roof ends in the open as well, over its hips.
-        if seam.ends[end] == End::Free || (seam.ends[end] == End::Met && !hip) {
-            let place = Place {
-                at,
-                out: at - back,
-                half: half + STEP * f64::from(courses) / 2.0,
-                height: top + CAP,
-                lean,
-            };
-            match tailor.detail {
-                Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
-                _ => onigawara::tile(finish, &place, kind == RoofKind::CoverTiles, bodies),
-            }
+        let closed = match seam.ends[end] {
+            // Hips run upwards, and lean on something above.
+            End::Free => !hip || end == 0,
+            // The main ridge of a hipped roof ends over its hips.
+            End::Met => !hip,
+            End::Joint => false,
+        };
+        if !closed {
+            continue;
+        }
+        let place = Place {
+            at,
+            out: at - back,
+            half,
+            height,
+            lean: tailor.lean(seam),
+        };
+        let bar = tailor.roof.kind == RoofKind::CoverTiles;
+        match tailor.detail {
+            Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
+            _ => onigawara::tile(finish, &place, bar, bodies),
         }
     }
 }
@@ -142,7 +162,7 @@ pub(super) fn plain(half: f64, foot: f64, height: f64) -> [(f64, f64); 6] {
 
 /// A half round over a base.
 pub(super) fn arch(half: f64, height: f64, base: f64) -> Vec<(f64, f64)> {
-    const STEPS: u32 = 4;
+    const STEPS: u32 = 3;
     let arc = (0..=STEPS).map(|i| {
         let angle = std::f64::consts::PI * f64::from(i) / f64::from(STEPS);
         // Its foot lies in what it covers.

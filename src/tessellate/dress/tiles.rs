@@ -32,10 +32,12 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, bodies: 
         return;
     }
     let finish = SurfaceId::named("ibushi");
+    // Fronts tile by tile are for halls: on a house they would weigh as much as the rest of its roof.
+    let great = tailor.detail == Detail::Everything && tailor.roof.dress.noshi > 4;
     for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
         let field = &fields[span.left as usize];
         let out = -level_left(ends[1] - ends[0]);
-        let wavy = tailor.detail == Detail::Everything && out.dot(STREET) < 0.9;
+        let wavy = great && out.dot(STREET) < 0.9;
         if !wavy {
             plain(finish, ends, out, bodies);
             continue;
@@ -61,11 +63,9 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, bodies: 
         let sections = cuts.iter().map(|s| front(at(*s), out, 0.055 + sag(*s)));
         let front = Body::loft(finish, &sections.collect::<Vec<_>>());
         bodies.extend(front.map(Body::softly));
-        // Discs are for halls: on a house they would weigh more than the rest of the roof.
-        if tailor.roof.dress.noshi > 4 {
-            for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
-                bodies.extend(disc(finish, at(crest), out, DISC, (-0.028, OUT + 0.016), 7));
-            }
+        for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
+            let place = (-0.028, OUT + 0.016);
+            bodies.extend(disc(finish, at(crest), out, DISC, place, 7));
         }
     }
 }
