@@ -11,17 +11,21 @@ mod dump;
 mod explain;
 mod fmt;
 mod input;
+mod japanese;
 mod language;
 mod options;
 mod output;
 mod parts;
+mod reason;
 mod terminal;
 mod textures;
 mod watch;
 pub mod world;
 
+use crate::diagnostic::{Language, Text};
+use crate::text;
 use clap::error::{ContextKind, ContextValue, ErrorKind as Wrong};
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
@@ -40,9 +44,9 @@ enum Exit {
 #[derive(Debug)]
 enum Stop {
     /// The command line makes no sense.
-    Usage(String),
+    Usage(Text),
     /// A file could not be read or written.
-    Io(String),
+    Io(Text),
     /// Nobody reads on.
     Pipe,
 }
@@ -50,17 +54,41 @@ enum Stop {
 impl Stop {
     /// A failure at a file.
     fn at(what: impl std::fmt::Display, error: io::Error) -> Stop {
+        let why = reason::of(&error);
         match error.kind() {
             ErrorKind::BrokenPipe => Stop::Pipe,
-            _ => Stop::Io(format!("{what}: {error}")),
+            _ => Stop::Io(text!([why] "{what}: {why}", "{what}: {why}")),
         }
+    }
+}
+
+impl Stop {
+    /// Standard input was named more than once.
+    fn stdin_twice() -> Stop {
+        Stop::Usage(text!(
+            "standard input can be read once only",
+            "標準入力を読めるのは一度だけです"
+        ))
+    }
+
+    /// Two inputs have one output.
+    fn one_output(a: &Path, b: &Path, output: &Path) -> Stop {
+        let (a, b, out) = (a.display(), b.display(), output.display());
+        Stop::Usage(text!(
+            "{a} and {b} would both become {out}",
+            "{a} も {b} も {out} になってしまいます"
+        ))
     }
 }
 
 /// Failures at standard output and error.
 impl From<io::Error> for Stop {
     fn from(error: io::Error) -> Self {
-        Stop::at("cannot write", error)
+        let why = reason::of(&error);
+        match error.kind() {
+            ErrorKind::BrokenPipe => Stop::Pipe,
+            _ => Stop::Io(text!([why] "cannot write: {why}", "書き込めません: {why}")),
+        }
     }
 }
 
@@ -100,27 +128,20 @@ enum Command {
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let language = language::of(&arguments);
-    let cli = match Cli::try_parse_from(arguments) {
+    let parsed = command(language).try_get_matches_from(arguments);
+    let cli = match parsed.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
-        Err(error) => {
-            if let Some(text) = text_for_command(&error) {
-                let hint = format!("`{text}` is a file; to make a model of it: hsd build {text}");
-                let _ = writeln!(io::stderr(), "hsd: {hint}");
-                return ExitCode::from(2);
-            }
-            let _ = error.print(); // help for a closed pipe is lost, and nobody minds
-            return ExitCode::from(error.exit_code() as u8);
-        }
+        Err(error) => return refused(&error, language),
     };
     let outcome = match cli.command {
         Command::Build(c) => c.run(language),
         Command::Check(c) => c.run(language),
         Command::Dump(c) => c.run(language),
-        Command::Parts(c) => c.run(),
+        Command::Parts(c) => c.run(language),
         Command::Explain(c) => c.run(language),
         Command::Fmt(c) => c.run(language),
-        Command::Textures(c) => c.run(),
-        Command::Completions(c) => c.run(),
+        Command::Textures(c) => c.run(language),
+        Command::Completions(c) => c.run(language),
     };
     let (message, status) = match outcome {
         Ok(exit) => return ExitCode::from(exit as u8),
@@ -128,8 +149,42 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Err(Stop::Usage(message)) => (message, 2),
         Err(Stop::Io(message)) => (message, 3),
     };
-    let _ = writeln!(io::stderr(), "hsd: {message}");
+    let _ = writeln!(io::stderr(), "hsd: {}", message.in_language(language));
     ExitCode::from(status)
+}
+
+/// The command line with help for readers of this language.
+fn command(language: Language) -> clap::Command {
+    match language {
+        Language::English => Cli::command(),
+        Language::Japanese => japanese::command(Cli::command()),
+    }
+}
+
+/// Shows what was asked for instead of a run, or why there is none.
+fn refused(error: &clap::Error, language: Language) -> ExitCode {
+    if let Some(name) = text_for_command(error) {
+        let hint = text!(
+            "`{name}` is a file; to make a model of it: hsd build {name}",
+            "`{name}` はファイルです。モデルを作るには: hsd build {name}"
+        );
+        let _ = writeln!(io::stderr(), "hsd: {}", hint.in_language(language));
+        return ExitCode::from(2);
+    }
+    let helps = matches!(
+        error.kind(),
+        Wrong::DisplayHelp
+            | Wrong::DisplayHelpOnMissingArgumentOrSubcommand
+            | Wrong::DisplayVersion
+    );
+    // Help for a closed pipe is lost, and nobody minds.
+    let _ = match language {
+        Language::Japanese if !helps => {
+            write!(io::stderr(), "{}", japanese::complaint(error))
+        }
+        _ => error.print(),
+    };
+    ExitCode::from(error.exit_code() as u8)
 }
 
 /// The file that was named in the place of a subcommand.

@@ -3,16 +3,17 @@
 use super::input::{Inputs, STDIN};
 use super::options::{Reading, exit, report};
 use super::output::{self, Model};
-use super::terminal::{bytes, counted};
+use super::terminal::{HOUSE, bytes, counted};
 use super::{Outcome, Stop, watch};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::pictures::Library;
-use crate::diagnostic::{Diagnostic, Diagnostics, Language};
+use crate::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};
 use crate::scene::{Detail, Scene};
 use crate::source::Source;
+use crate::text;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::cell::OnceCell;
@@ -73,8 +74,14 @@ pub(super) struct Build {
 }
 
 /// How to get what was left out of this program.
-const NO_COMPRESS: &str = "this hsd is built without --compress; with a C++ compiler at hand, \
-    `cargo build --release --features compress` makes one that has it";
+const NO_COMPRESS: Noun = noun(
+    "this hsd is built without --compress; with a C++ compiler at hand, \
+     `cargo build --release --features compress` makes one that has it",
+    "この hsd には --compress が含まれていません。C++ コンパイラーがあれば \
+     `cargo build --release --features compress` で含めて作れます",
+);
+
+const MODEL: Noun = noun("model", "モデル{}個");
 
 /// Texts that make one model.
 #[derive(Debug)]
@@ -110,7 +117,7 @@ impl Build {
                 Ok(false) => {}
                 Err(Stop::Io(message)) => {
                     if let Some(Stop::Io(before)) = failure.replace(Stop::Io(message)) {
-                        status.line(&format!("hsd: {before}"))?;
+                        status.line(&text!([before] "hsd: {before}", "hsd: {before}"))?;
                     }
                 }
                 Err(stop) => return Err(stop),
@@ -122,12 +129,15 @@ impl Build {
             return Err(stop);
         }
         if jobs.len() > 1 && !self.quiet {
-            let written = counted(jobs.len() - spoiled, "model");
-            let errors = match spoiled {
-                0 => String::new(),
-                n => format!(", {} not written", counted(n, "model")),
-            };
-            status.line(&format!("wrote {written}{errors}"))?;
+            let written = counted(jobs.len() - spoiled, MODEL);
+            let unwritten = counted(spoiled, MODEL);
+            status.line(&match spoiled {
+                0 => text!([written] "wrote {written}", "{written}を書きました"),
+                _ => text!([written, unwritten]
+                    "wrote {written}, {unwritten} not written",
+                    "{written}を書きました。{unwritten}は書いていません"
+                ),
+            })?;
         }
         Ok(exit(spoiled > 0))
     }
@@ -184,8 +194,10 @@ impl Build {
         match self.reading.inputs.iter().find(is_model) {
             Some(model) => {
                 let shown = model.display();
-                let message = format!("{shown} is no text: the model's name goes after -o");
-                Err(Stop::Usage(format!("{message}, as in `-o {shown}`")))
+                Err(Stop::Usage(text!(
+                    "{shown} is no text: the model's name goes after -o, as in `-o {shown}`",
+                    "{shown} はテキストではありません。モデルの名前は `-o {shown}` のように -o の後に書いてください"
+                )))
             }
             None => Ok(()),
         }
@@ -197,7 +209,10 @@ impl Build {
             (false, _) => return Ok(()),
             (true, Model::Glb) if cfg!(feature = "compress") => return Ok(()),
             (true, Model::Glb) => NO_COMPRESS,
-            (true, _) => "--compress makes a .glb only",
+            (true, _) => noun(
+                "--compress makes a .glb only",
+                "--compress で作れるのは .glb だけです",
+            ),
         };
         Err(Stop::Usage(message.into()))
     }
@@ -207,7 +222,7 @@ impl Build {
         let inputs = &self.reading.inputs;
         let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
         if stdin > 1 || (stdin > 0 && self.watch) {
-            return Err(Stop::Usage("standard input can be read once only".into()));
+            return Err(Stop::stdin_twice());
         }
         let Some(output) = &self.output else {
             let model = self.format.unwrap_or_default();
@@ -239,8 +254,10 @@ impl Build {
         };
         let several = self.textures_beside || matches!(model, Model::Gltf | Model::Obj);
         if stdout && several {
-            let message = "standard output takes one file: .glb or .stl, textures inside";
-            return Err(Stop::Usage(message.into()));
+            return Err(Stop::Usage(text!(
+                "standard output takes one file: .glb or .stl, textures inside",
+                "標準出力に書けるのはひとつのファイル (.glb か .stl、テクスチャーも中に) だけです"
+            )));
         }
         Ok(vec![Job {
             inputs: inputs.clone(),
@@ -258,8 +275,11 @@ impl Job {
         let same = |input: &&PathBuf| output.is_some() && real(input) == output;
         match self.inputs.iter().find(same) {
             Some(text) if text.is_file() => {
-                let message = "is a text to be read; it would be overwritten";
-                Err(Stop::Usage(format!("{} {message}", text.display())))
+                let shown = text.display();
+                Err(Stop::Usage(text!(
+                    "{shown} is a text to be read; it would be overwritten",
+                    "{shown} は読むテキストです。上書きされてしまいます"
+                )))
             }
             _ => Ok(()),
         }
@@ -268,9 +288,10 @@ impl Job {
     /// Fails where the bytes of a model would be poured on the screen.
     fn spares_the_screen(&self) -> Result<(), Stop> {
         if self.output.as_os_str() == STDIN && io::stdout().is_terminal() {
-            let message =
-                "a model is no text for the screen; give a file by -o, as in `-o house.glb`";
-            return Err(Stop::Usage(message.into()));
+            return Err(Stop::Usage(text!(
+                "a model is no text for the screen; give a file by -o, as in `-o house.glb`",
+                "モデルは画面に表示できません。`-o house.glb` のように -o でファイルを指定してください"
+            )));
         }
         Ok(())
     }
@@ -293,8 +314,7 @@ fn each(
         let output = output(input);
         let key = output.to_string_lossy().to_lowercase();
         if let Some(other) = taken.insert(key, input) {
-            let (a, b, out) = (other.display(), input.display(), output.display());
-            return Err(Stop::Usage(format!("{a} and {b} would both become {out}")));
+            return Err(Stop::one_output(other, input, &output));
         }
         jobs.push(Job {
             inputs: vec![input.clone()],
@@ -319,32 +339,33 @@ fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Stop> {
 }
 
 /// `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
-fn told(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> String {
+fn told(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> Text {
     let place = match output.as_os_str() == STDIN {
-        true => "the model".into(),
-        false => output.display().to_string(),
+        true => text!("the model", "モデル"),
+        false => output.display().to_string().into(),
     };
-    format!(
-        "wrote {place}: {}, {}, {} in {} ms",
-        counted(houses, "house"),
-        counted(triangles, "triangle"),
-        bytes(size as usize),
-        took.as_millis()
+    let houses = counted(houses, HOUSE);
+    let triangles = counted(triangles, noun("triangle", "三角形{}枚"));
+    let (size, took) = (bytes(size as usize), took.as_millis());
+    text!([place, houses, triangles, size]
+        "wrote {place}: {houses}, {triangles}, {size} in {took} ms",
+        "{place} を書きました: {houses}、{triangles}、{size}、{took} ms"
     )
 }
 
-fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> String {
-    let (nodes, meshes) = (
-        counted(scene.nodes.len(), "node"),
-        counted(scene.meshes.len(), "mesh"),
-    );
-    let materials = counted(scene.materials.len(), "material");
-    let mut lines = vec![format!("  {nodes}, {meshes}, {materials}")];
+fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> Text {
+    let nodes = counted(scene.nodes.len(), noun("node", "ノード{}個"));
+    let meshes = counted(scene.meshes.len(), noun("mesh", "メッシュ{}個"));
+    let materials = counted(scene.materials.len(), noun("material", "材質{}種"));
     let time = |(name, took): &(&str, Duration)| {
         format!("  {name:<16} {:9.3} ms", took.as_secs_f64() * 1e3)
     };
-    lines.extend(times.iter().map(time));
-    lines.join("\n")
+    let times: Vec<String> = times.iter().map(time).collect();
+    let times = times.join("\n");
+    text!([nodes, meshes, materials]
+        "  {nodes}, {meshes}, {materials}\n{times}",
+        "  {nodes}、{meshes}、{materials}\n{times}"
+    )
 }
 
 /// What is said on standard error while jobs run: with a bar where many take long and somebody watches.
@@ -370,7 +391,8 @@ impl Status {
         }
     }
 
-    fn line(&self, text: &str) -> Result<(), Stop> {
+    fn line(&self, text: &Text) -> Result<(), Stop> {
+        let text = text.in_language(self.language);
         self.above(|| writeln!(io::stderr(), "{text}"))?;
         Ok(())
     }

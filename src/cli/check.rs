@@ -2,11 +2,12 @@
 
 use super::input::Inputs;
 use super::options::{FormatArg, Reading, exit, report};
-use super::terminal::counted;
+use super::terminal::{FILE, HOUSE, counted};
 use super::{Exit, Outcome};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
+use crate::text;
 use clap::Args;
 use std::io::{self, Write};
 
@@ -46,8 +47,13 @@ impl Check {
         let format = Format::from(self.format);
         if format == Format::Human && list.is_empty() {
             let (files, houses) = (inputs.sources.len(), shell.houses.len());
-            let (files, houses) = (counted(files, "file"), counted(houses, "house"));
-            writeln!(io::stderr(), "{files}, {houses}: nothing to complain about")?;
+            let files = counted(files, FILE);
+            let houses = counted(houses, HOUSE);
+            let clean = text!([files, houses]
+                "{files}, {houses}: nothing to complain about",
+                "{files}、{houses}: 問題はありません"
+            );
+            writeln!(io::stderr(), "{}", clean.in_language(language))?;
         } else {
             report(
                 &Report::new(&inputs.sources, &list).in_language(language),

@@ -1,7 +1,8 @@
 //! `hsd completions`: what a shell needs to complete our command line.
 
-use super::{Cli, Exit, Outcome};
-use clap::{Args, CommandFactory};
+use super::{Exit, Outcome, command};
+use crate::diagnostic::Language;
+use clap::Args;
 use clap_complete::Shell;
 use std::io::{self, Write};
 
@@ -18,9 +19,9 @@ pub(super) struct Completions {
 }
 
 impl Completions {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         let mut script = vec![]; // the generator panics where a pipe closes
-        clap_complete::generate(self.shell, &mut Cli::command(), "hsd", &mut script);
+        clap_complete::generate(self.shell, &mut command(language), "hsd", &mut script);
         io::stdout().write_all(&script)?;
         Ok(Exit::Done)
     }

@@ -10,6 +10,7 @@ use crate::driver;
 use crate::report::{Format, Report};
 use crate::scene::Detail;
 use crate::source::Source;
+use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 
@@ -58,16 +59,22 @@ enum Stage {
 impl Dump {
     pub(super) fn run(&self, language: Language) -> Outcome {
         if self.format == Form::Svg && self.stage != Stage::Regions {
-            return Err(Stop::Usage(
-                "only `--stage regions` can be drawn: `--format svg` goes with no other".into(),
-            ));
+            return Err(Stop::Usage(text!(
+                "only `--stage regions` can be drawn: `--format svg` goes with no other",
+                "図にできるのは `--stage regions` だけです。`--format svg` はほかでは使えません"
+            )));
         }
         self.reading.check_folders()?;
         let mut out = Diagnostics::new();
         let limit = self.reading.limits().bytes;
         let inputs = Inputs::read(&self.reading.inputs, limit, &mut out)?;
         let text = self.text(&inputs.accepted(), &mut out);
-        let text = text.map_err(|e| Stop::Io(format!("cannot be written as JSON: {e}")))?;
+        let text = text.map_err(|e| {
+            Stop::Io(text!(
+                "cannot be written as JSON: {e}",
+                "JSON として書けません: {e}"
+            ))
+        })?;
         let list = out.into_sorted();
         if !list.is_empty() {
             report(

@@ -3,6 +3,7 @@
 use super::{Exit, Outcome, Stop};
 use crate::diagnostic::{Code, Language, pages};
 use crate::report::title;
+use crate::text;
 use clap::Args;
 use std::io::{self, Write};
 
@@ -50,18 +51,19 @@ fn number(text: &str) -> Option<u16> {
 
 fn unknown(text: &str) -> Stop {
     let Some(wanted) = number(text) else {
-        let message = "is no code of a message; codes look like HSD0104, `hsd explain` lists them";
-        return Stop::Usage(format!("{text:?} {message}"));
+        return Stop::Usage(text!(
+            "{text:?} is no code of a message; codes look like HSD0104, `hsd explain` lists them",
+            "{text:?} は指摘のコードではありません。コードは HSD0104 のような形で、`hsd explain` で一覧できます"
+        ));
     };
     let mut near: Vec<Code> = pages::PAGES.iter().map(|page| page.code).collect();
     near.sort_by_key(|c| (c.0.abs_diff(wanted), c.0));
     near.truncate(3);
     near.sort_unstable();
     let near: Vec<String> = near.iter().map(Code::to_string).collect();
-    let hint = if near.is_empty() {
-        String::new()
-    } else {
-        format!("; the nearest are {}", near.join(", "))
-    };
-    Stop::Usage(format!("there is no message {}{hint}", Code(wanted)))
+    let (wanted, near) = (Code(wanted), near.join(", "));
+    Stop::Usage(text!(
+        "there is no message {wanted}; the nearest are {near}",
+        "{wanted} という指摘はありません。近いものは {near} です"
+    ))
 }

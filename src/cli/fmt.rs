@@ -3,13 +3,14 @@
 use super::input::{Inputs, STDIN};
 use super::options::{Reading, report};
 use super::output::{self, Files};
-use super::terminal::counted;
+use super::terminal::{FILE, counted};
 use super::{Exit, Outcome, Stop, diff};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::print::{self, Form};
 use crate::report::{Format, Report};
 use crate::source::{Limits, Source};
+use crate::text;
 use clap::{Args, ValueEnum};
 use std::fs;
 use std::io::{self, Write};
@@ -94,7 +95,7 @@ impl Fmt {
             let told = Report::new(&inputs.sources, &list).in_language(language);
             report(&told, Format::Human, &mut io::stderr())?;
         }
-        self.sum_up(&tally, inputs.sources.len())?;
+        self.sum_up(&tally, inputs.sources.len(), language)?;
         Ok(match () {
             () if inputs.failed() => Exit::Unread,
             () if tally.spoiled || self.check && tally.changed > 0 => Exit::Errors,
@@ -146,7 +147,7 @@ impl Fmt {
         let inputs = &self.reading.inputs;
         let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
         if stdin > 1 {
-            return Err(Stop::Usage("standard input can be read once only".into()));
+            return Err(Stop::stdin_twice());
         }
         let Some(output) = &self.output else {
             return Ok(inputs.clone());
@@ -160,25 +161,29 @@ impl Fmt {
         }
         if inputs.len() > 1 {
             let shown = output.display();
-            let message =
-                format!("{shown} can hold one text; for several give a folder, as `-o {shown}/`");
-            return Err(Stop::Usage(message));
+            return Err(Stop::Usage(text!(
+                "{shown} can hold one text; for several give a folder, as `-o {shown}/`",
+                "{shown} に書けるテキストはひとつです。複数なら `-o {shown}/` のようにフォルダーを指定してください"
+            )));
         }
         Ok(vec![output.clone()])
     }
 
-    fn sum_up(&self, tally: &Tally, all: usize) -> Result<(), Stop> {
+    fn sum_up(&self, tally: &Tally, all: usize, language: Language) -> Result<(), Stop> {
         let stdout = |path: &PathBuf| path.as_os_str() == STDIN;
         if self.output.is_some() || self.reading.inputs.iter().any(stdout) {
             return Ok(());
         }
-        let (files, changed) = (counted(all, "file"), tally.changed);
-        let done = if self.check {
-            "would be laid out anew"
+        let (files, changed) = (counted(all, FILE), tally.changed);
+        let told = if self.check {
+            text!([files]
+                "{files}, {changed} would be laid out anew",
+                "{files}中 {changed} を整えることになります"
+            )
         } else {
-            "laid out anew"
+            text!([files] "{files}, {changed} laid out anew", "{files}中 {changed} を整えました")
         };
-        writeln!(io::stderr(), "{files}, {changed} {done}")?;
+        writeln!(io::stderr(), "{}", told.in_language(language))?;
         Ok(())
     }
 }
@@ -194,8 +199,7 @@ fn into_folder(inputs: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Stop> 
         };
         let target = folder.join(name);
         if let Some(other) = taken.insert(target.to_string_lossy().to_lowercase(), input) {
-            let (a, b, out) = (other.display(), input.display(), target.display());
-            return Err(Stop::Usage(format!("{a} and {b} would both become {out}")));
+            return Err(Stop::one_output(other, input, &target));
         }
         targets.push(target);
     }

@@ -1,11 +1,12 @@
 //! Reading the inputs.
 
-use super::Stop;
+use super::{Stop, reason};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::file as say;
 use crate::source::{FileId, Source};
+use crate::text;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
 /// The name that stands for standard input, and for standard output.
@@ -51,7 +52,10 @@ impl Inputs {
         };
         for (path, number) in paths.iter().zip(0usize..) {
             let id = u16::try_from(number).map_err(|_| {
-                Stop::Usage("too many inputs: 65,536 files can be read in one run".into())
+                Stop::Usage(text!(
+                    "too many inputs: 65,536 files can be read in one run",
+                    "入力が多すぎます。一度に読めるのは 65,536 ファイルまでです"
+                ))
             })?;
             let shown = if path.as_os_str() == STDIN {
                 "<stdin>".to_owned()
@@ -69,7 +73,7 @@ impl Inputs {
                 out.push(say::too_large(start, size, limit));
             }
             if let Some(error) = failure {
-                out.push(say::unreadable(start, &error.to_string()));
+                out.push(say::unreadable(start, reason::of(&error)));
                 inputs.failure.get_or_insert(Stop::at(&shown, error));
             }
             inputs.sources.push(source);
@@ -101,7 +105,11 @@ fn read(path: &Path, limit: usize) -> io::Result<(Vec<u8>, usize)> {
         let file = File::open(path)?;
         let kind = file.metadata()?;
         if kind.is_dir() {
-            return Err(io::Error::other("is a folder; name the texts in it"));
+            let why = text!(
+                "is a folder; name the texts in it",
+                "フォルダーです。中のテキストを指定してください"
+            );
+            return Err(reason::error(ErrorKind::Other, why));
         }
         if kind.len() > limit as u64 {
             return Ok((vec![], usize::try_from(kind.len()).unwrap_or(usize::MAX)));

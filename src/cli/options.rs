@@ -7,6 +7,7 @@ use crate::diagnostic::Severity;
 use crate::expand;
 use crate::report::{Format, Report};
 use crate::source::Limits;
+use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -102,10 +103,13 @@ impl Reading {
     /// Fails for folders that were named and are none.
     pub(super) fn check_folders(&self) -> Result<(), Stop> {
         match self.textures.iter().find(|f| !f.is_dir()) {
-            Some(f) => Err(Stop::Io(format!(
-                "{}: there is no such folder",
-                f.display()
-            ))),
+            Some(f) => {
+                let shown = f.display();
+                Err(Stop::Io(text!(
+                    "{shown}: there is no such folder",
+                    "{shown}: そのようなフォルダーはありません"
+                )))
+            }
             None => Ok(()),
         }
     }

@@ -1,11 +1,13 @@
 //! Writing outputs: every file under a temporary name first, then all renamed. A reader sees the old file or
 //! the new one, never a part of it.
 
-use super::Stop;
 use super::input::STDIN;
+use super::{Stop, reason};
 use crate::backend::gltf::{self, Glb};
 use crate::backend::{Images, OutFile, obj, stl};
+use crate::diagnostic::Text;
 use crate::scene::Scene;
+use crate::text;
 use clap::ValueEnum;
 use std::borrow::Cow;
 use std::fs;
@@ -55,11 +57,16 @@ impl Model {
         }
         let shown = path.display();
         let folder = match path.extension() {
-            None => format!("; if it is to be a folder, write `{shown}/`"),
-            Some(_) => String::new(),
+            None => text!(
+                "; if it is to be a folder, write `{shown}/`",
+                "。フォルダーなら `{shown}/` と書いてください"
+            ),
+            Some(_) => Text::default(),
         };
-        let message = format!("{shown}: models end in .glb, .gltf, .obj or .stl{folder}");
-        Err(Stop::Usage(message))
+        Err(Stop::Usage(text!([folder]
+            "{shown}: models end in .glb, .gltf, .obj or .stl{folder}",
+            "{shown}: モデルの拡張子は .glb、.gltf、.obj、.stl のどれかです{folder}"
+        )))
     }
 
     /// All files of a model; `path` names the main one.
@@ -192,7 +199,10 @@ fn prepare(
 ) -> io::Result<(u64, Option<(NamedTempFile, PathBuf)>)> {
     let mut rights = None;
     let target = match fs::metadata(target) {
-        Ok(known) if known.is_dir() => return Err(io::Error::other("is a folder")),
+        Ok(known) if known.is_dir() => {
+            let why = text!("is a folder", "フォルダーです");
+            return Err(reason::error(io::ErrorKind::Other, why));
+        }
         Ok(known) if !known.is_file() => {
             let mut device = fs::OpenOptions::new().write(true).open(target)?;
             return Ok((content.pour(&mut device)?, None));
@@ -212,8 +222,12 @@ fn prepare(
         fs::create_dir(folder)?;
     }
     if !folder.is_dir() {
-        let message = format!("there is no folder {}", folder.display());
-        return Err(io::Error::new(io::ErrorKind::NotFound, message));
+        let shown = folder.display();
+        let why = text!(
+            "there is no folder {shown}",
+            "フォルダー {shown} がありません"
+        );
+        return Err(reason::error(io::ErrorKind::NotFound, why));
     }
     // The temporary name, which these errors would tell, is nothing to the reader.
     let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;

@@ -5,6 +5,8 @@ mod sheet;
 use super::terminal::{padded, width};
 use super::{Exit, Outcome, Stop};
 use crate::catalog::{Catalog, PartDef};
+use crate::diagnostic::{Language, Noun, noun};
+use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -45,17 +47,22 @@ enum List {
 }
 
 impl Parts {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         let all = Catalog::builtin().parts().iter();
         let parts: Vec<&PartDef> = all.filter(|p| self.takes(p)).collect();
         if let Some(output) = &self.sheet {
             return sheet::write(&parts, output);
         }
         let text = match self.format {
-            List::Table => table(&parts),
+            List::Table => table(&parts, language),
             List::Json => {
                 let text = serde_json::to_string_pretty(&parts);
-                text.map_err(|e| Stop::Io(format!("cannot be written as JSON: {e}")))? + "\n"
+                text.map_err(|e| {
+                    Stop::Io(text!(
+                        "cannot be written as JSON: {e}",
+                        "JSON として書けません: {e}"
+                    ))
+                })? + "\n"
             }
         };
         let mut out = io::stdout().lock();
@@ -63,7 +70,11 @@ impl Parts {
         out.flush()?;
         if parts.is_empty() {
             let filter = self.filter.as_deref().unwrap_or_default();
-            writeln!(io::stderr(), "no part has {filter:?} in its code or a name")?;
+            let none = text!(
+                "no part has {filter:?} in its code or a name",
+                "コードか名前に {filter:?} を含む部材はありません"
+            );
+            writeln!(io::stderr(), "{}", none.in_language(language))?;
         }
         Ok(Exit::Done)
     }
@@ -143,26 +154,43 @@ fn class_word(class: char) -> &'static str {
 }
 
 /// What the columns and letters of the table mean.
-const LEGEND: &str = "
+const LEGEND: Noun = noun(
+    "
 Width in U (0.909 m), from and to in shaku (0.303 m) above the storey's floor.
 Era: E Edo, M Meiji to early Shōwa, N modern, all: any. `.....` stands for a code of five blanks.
-";
+",
+    "
+幅は U (0.909 m)、下端と上端は階の床から尺 (0.303 m) で表します。
+時代: E 江戸、M 明治から昭和初期、N 近代以降、all いつでも。`.....` は空白五つのコードを表します。
+",
+);
 
-fn table(parts: &[&PartDef]) -> String {
+/// The heads of the columns that have one.
+const HEADS: [Noun; 6] = [
+    noun("code", "コード"),
+    noun("width U", "幅 U"),
+    noun("from shaku", "下端 尺"),
+    noun("to shaku", "上端 尺"),
+    noun("era", "時代"),
+    noun("name", "名称"),
+];
+
+fn table(parts: &[&PartDef], language: Language) -> String {
     if parts.is_empty() {
         return String::new();
     }
+    let words = HEADS.map(|head| language.choose(head.en, head.ja).to_owned());
+    let [code, width_u, from, to, era, name] = words;
     let head = [
-        "code",
-        "width U",
-        "from shaku",
-        "to shaku",
-        "era",
-        "name",
-        "",
-        "",
-    ]
-    .map(str::to_owned);
+        code,
+        width_u,
+        from,
+        to,
+        era,
+        name,
+        String::new(),
+        String::new(),
+    ];
     let height = |h: Option<f64>| h.map_or(String::new(), rounded);
     let row = |p: &&PartDef| {
         [
@@ -188,5 +216,5 @@ fn table(parts: &[&PartDef]) -> String {
         out.push_str(cells.collect::<Vec<_>>().join("  ").trim_end());
         out.push('\n');
     }
-    out + LEGEND
+    out + language.choose(LEGEND.en, LEGEND.ja)
 }

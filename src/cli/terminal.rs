@@ -1,6 +1,8 @@
 //! What the screen can show.
 
+use crate::diagnostic::{Noun, Text, noun};
 use crate::report::Style;
+use crate::text;
 use std::io::IsTerminal;
 
 /// Columns where the terminal does not say.
@@ -39,20 +41,27 @@ pub(super) fn padded(text: &str, columns: usize) -> String {
 }
 
 /// `1.2 MB`.
-pub(super) fn bytes(count: usize) -> String {
+pub(super) fn bytes(count: usize) -> Text {
     match count {
-        0..1_000 => format!("{count} bytes"),
-        1_000..1_000_000 => format!("{:.1} kB", count as f64 / 1e3),
-        _ => format!("{:.1} MB", count as f64 / 1e6),
+        0..1_000 => text!("{count} bytes", "{count} バイト"),
+        1_000..1_000_000 => format!("{:.1} kB", count as f64 / 1e3).into(),
+        _ => format!("{:.1} MB", count as f64 / 1e6).into(),
     }
 }
 
-/// `1 house`, `2 houses`.
-pub(super) fn counted(count: usize, word: &str) -> String {
-    let plural = match (count, word.ends_with('h')) {
+/// Files, to be counted.
+pub(super) const FILE: Noun = noun("file", "{}ファイル");
+
+/// Houses, to be counted.
+pub(super) const HOUSE: Noun = noun("house", "家{}軒");
+
+/// `1 house`, `2 houses`; the Japanese noun has `{}` where the number stands.
+pub(super) fn counted(count: usize, Noun { en, ja }: Noun) -> Text {
+    let plural = match (count, en.ends_with('h')) {
         (1, _) => "",
         (_, true) => "es",
         (_, false) => "s",
     };
-    format!("{count} {word}{plural}")
+    let ja = ja.replace("{}", &count.to_string());
+    text!("{count} {en}{plural}", "{ja}")
 }

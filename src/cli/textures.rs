@@ -2,6 +2,8 @@
 
 use super::terminal::counted;
 use super::{Exit, Outcome, Stop};
+use crate::diagnostic::{Language, noun};
+use crate::text;
 use crate::texture;
 use clap::Args;
 use std::io::{self, Write};
@@ -27,17 +29,22 @@ pub(super) struct Textures {
 }
 
 impl Textures {
-    pub(super) fn run(&self) -> Outcome {
+    pub(super) fn run(&self, language: Language) -> Outcome {
         if let Some(folder) = &self.output {
             let shown = folder.display();
             let files = texture::write_all(folder).map_err(|e| Stop::at(&shown, e))?;
-            let count = counted(files.len(), "picture");
-            writeln!(io::stderr(), "wrote {count} to {shown}")?;
+            let count = counted(files.len(), noun("picture", "画像{}枚"));
+            let told = text!([count]
+                "wrote {count} to {shown}",
+                "{count}を {shown} に書きました"
+            );
+            writeln!(io::stderr(), "{}", told.in_language(language))?;
         }
         if let Some(file) = &self.sheet {
             let shown = file.display();
             std::fs::write(file, texture::contact_sheet()).map_err(|e| Stop::at(&shown, e))?;
-            writeln!(io::stderr(), "wrote {shown}")?;
+            let told = text!("wrote {shown}", "{shown} を書きました");
+            writeln!(io::stderr(), "{}", told.in_language(language))?;
         }
         Ok(Exit::Done)
     }

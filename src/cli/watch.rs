@@ -3,6 +3,7 @@
 use super::build::{Build, Job};
 use super::{Outcome, Stop};
 use crate::diagnostic::Language;
+use crate::text;
 use notify_debouncer_full::notify::{EventKind, RecursiveMode};
 use notify_debouncer_full::{DebouncedEvent, new_debouncer};
 use std::collections::BTreeSet;
@@ -17,7 +18,7 @@ const QUIET: Duration = Duration::from_millis(50);
 /// Builds, waits, builds again; ends when the process is interrupted.
 pub(super) fn run(build: &Build, jobs: &[Job], language: Language) -> Outcome {
     let (sender, events) = mpsc::channel();
-    let failed = |e: notify_debouncer_full::notify::Error| Stop::Io(format!("cannot watch: {e}"));
+    let failed = |e: notify_debouncer_full::notify::Error| unwatched(&e);
     let mut debouncer = new_debouncer(QUIET, None, sender).map_err(failed)?;
     let inputs: Vec<PathBuf> = jobs.iter().flat_map(|j| j.inputs()).cloned().collect();
     let mut texts = BTreeSet::new();
@@ -40,19 +41,26 @@ pub(super) fn run(build: &Build, jobs: &[Job], language: Language) -> Outcome {
     loop {
         match build.all(jobs, language) {
             Ok(_) => {}
-            Err(Stop::Io(message)) => writeln!(io::stderr(), "hsd: {message}")?,
+            Err(Stop::Io(message)) => {
+                writeln!(io::stderr(), "hsd: {}", message.in_language(language))?;
+            }
             Err(stop) => return Err(stop),
         }
         loop {
-            let batch = events
-                .recv()
-                .map_err(|e| Stop::Io(format!("cannot watch: {e}")))?;
+            let batch = events.recv().map_err(|e| unwatched(&e))?;
             let mut list = batch.into_iter().flatten();
             if list.any(|e| matters(&e, &texts)) {
                 break;
             }
         }
     }
+}
+
+fn unwatched(error: &dyn std::fmt::Display) -> Stop {
+    Stop::Io(text!(
+        "cannot watch: {error}",
+        "変更を監視できません: {error}"
+    ))
 }
 
 /// Whether an event changes a text or a picture; outputs in the same folder do not count.

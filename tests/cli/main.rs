@@ -4,6 +4,7 @@
 
 mod fmt;
 mod folders;
+mod languages;
 
 use hsd::cli::world::FolderWorld;
 use hsd::source::World;

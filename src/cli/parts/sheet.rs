@@ -7,6 +7,7 @@ use crate::cli::output::{self, Files, Model};
 use crate::cli::{Exit, Outcome, Stop};
 use crate::scene::Detail;
 use crate::tessellate::sheet;
+use crate::text;
 use crate::texture;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -31,8 +32,10 @@ pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
         }
         _ => {
             let shown = to.display();
-            let message = format!("{shown}: a sheet ends with .html or .glb");
-            return Err(Stop::Usage(message));
+            return Err(Stop::Usage(text!(
+                "{shown}: a sheet ends with .html or .glb",
+                "{shown}: 絵の拡張子は .html か .glb です"
+            )));
         }
     }
     Ok(Exit::Done)

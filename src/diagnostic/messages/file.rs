@@ -107,8 +107,9 @@ pub fn old_line_ends(span: Span) -> Diagnostic {
 
 /// A file that was named is not there, or not for us.
 #[cold]
-pub fn unreadable(span: Span, why: &str) -> Diagnostic {
-    let message = text!(
+pub fn unreadable(span: Span, why: impl Into<Text>) -> Diagnostic {
+    let why = why.into();
+    let message = text!([why]
         "the file cannot be read: {why}",
         "ファイルを読めません: {why}"
     );
