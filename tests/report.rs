@@ -338,6 +338,18 @@ fn reports_speak_japanese() {
         ),
         "{human}"
     );
+    let style = Style {
+        color: true,
+        width: 80,
+    };
+    let mut coloured = vec![];
+    let report = Report::new(&sources, &list).in_language(Language::Japanese);
+    report.write(Format::Human, style, &mut coloured).unwrap();
+    let coloured = String::from_utf8(coloured).unwrap();
+    assert!(
+        coloured.contains("  対処: \u{1b}[0m五桁") && !coloured.contains("help: \u{1b}"),
+        "{coloured}"
+    );
     let short = written(Format::Short);
     let line = "町家.hsd:2:15: error[HSD0104]: `ＡＬＣ板` という部材はありません \
                 (対処: 五桁の部材コードを書いてください) (2行目: 直前の部材)\n";
