@@ -1,5 +1,7 @@
 //! A short diff of two texts, line by line, for a reader who wants to know what would change.
 
+use crate::diagnostic::Language;
+
 /// Lines shown.
 const MOST: usize = 12;
 
@@ -7,7 +9,7 @@ const MOST: usize = 12;
 const NEAR: usize = 60;
 
 /// The first lines that differ: `3 - before`, `3 + after`, with blanks at their ends made visible.
-pub(super) fn short(before: &str, after: &str) -> Vec<String> {
+pub(super) fn short(before: &str, after: &str, language: Language) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
     let (mut i, mut j, mut shown) = (0, 0, vec![]);
     while (i < old.len() || j < new.len()) && shown.len() <= MOST {
@@ -22,10 +24,12 @@ pub(super) fn short(before: &str, after: &str) -> Vec<String> {
     }
     if shown.len() > MOST {
         shown.truncate(MOST);
-        shown.push("    and more".into());
+        let more = language.choose("and more", "ほかにもあります");
+        shown.push(format!("    {more}"));
     }
     if shown.is_empty() && before != after {
-        shown.push("    line ends".into());
+        let ends = language.choose("line ends", "改行");
+        shown.push(format!("    {ends}"));
     }
     shown
 }
@@ -57,6 +61,7 @@ mod tests {
 
     #[test]
     fn lines_that_differ_are_shown_and_no_others() {
+        let short = |before: &str, after: &str| short(before, after, Language::English);
         assert_eq!(short("a\nb\nc\n", "a\nb\nc\n"), [""; 0]);
         assert_eq!(
             short("a\nb  \nc\n", "a\nb\nc\n"),

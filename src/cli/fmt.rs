@@ -86,7 +86,7 @@ impl Fmt {
         {
             let text = accepted.then(|| self.text(source, &limits, &mut out));
             match text.flatten() {
-                Some(text) => self.one(source, &text, target, &mut tally)?,
+                Some(text) => self.one(source, &text, target, &mut tally, language)?,
                 None => tally.spoiled = true,
             }
         }
@@ -120,12 +120,13 @@ impl Fmt {
         text: &str,
         target: &Path,
         tally: &mut Tally,
+        language: Language,
     ) -> Result<(), Stop> {
         let changes = text != source.text();
         tally.changed += usize::from(changes);
         if self.check {
             if changes {
-                let lines = diff::short(source.text(), text).join("\n");
+                let lines = diff::short(source.text(), text, language).join("\n");
                 writeln!(io::stdout(), "{}\n{lines}", source.name())?;
             }
             return Ok(());
