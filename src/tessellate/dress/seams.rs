@@ -188,7 +188,10 @@ impl Surface {
         // The piece that goes on from this one at a point; ridges may be joined head to head.
         let next = |n: usize, point: u32, ahead: DVec2| -> Option<(usize, bool)> {
             let others = at.get(&point)?.iter().copied().filter(|m| *m != n);
+            // Hips run upwards: two that face each other over a point are two.
+            let onward = pieces[n].1.to == point;
             let going = others.map(|m| (m, pieces[m].1.from == point));
+            let going = going.filter(|(_, forward)| kind != Kind::Hip || *forward == onward);
             let mut going = going.filter(|(m, forward)| {
                 let way = way(*m);
                 (if *forward { way } else { -way }).dot(ahead) > GOES_ON

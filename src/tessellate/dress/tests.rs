@@ -191,6 +191,15 @@ fn a_hipped_roof_has_four_hips_that_end_free_below() {
 }
 
 #[test]
+fn a_pyramid_has_four_hips_and_a_finial() {
+    let pyramid = hip(RoofKind::Bark, 5.0, 5.0, 0.5);
+    assert_eq!(count(&seams(&pyramid), Kind::Hip), 4);
+    let apex = |b: &Body| b.points.iter().any(|p| p.z > 3.0 + 2.5 * 0.5 + 0.5);
+    let bodies = bodies(&roof(RoofKind::Bark, pyramid), Detail::Body);
+    assert_eq!(bodies.iter().filter(|b| apex(b)).count(), 1);
+}
+
+#[test]
 fn an_l_has_a_valley_and_a_hip() {
     let seams = seams(&corner(RoofKind::Tiles, 0.4));
     let kinds = [
