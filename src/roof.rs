@@ -53,6 +53,7 @@ mod overhang;
 pub mod partition;
 pub mod pent;
 pub mod plan;
+mod porch;
 pub mod profile;
 mod raster;
 mod report;

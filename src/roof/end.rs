@@ -52,6 +52,8 @@ pub struct End {
     pub wall: bool,
     /// The treatment; of ends that run on always a gable.
     pub cap: Cap,
+    /// Whether its corners stand free, so that sori raises them: at v = 0 and at v = depth.
+    pub rises: [bool; 2],
 }
 
 impl Cap {
@@ -97,6 +99,11 @@ impl Cap {
 }
 
 impl End {
+    /// Which of its corners rise.
+    pub fn raised(&self) -> [bool; 2] {
+        self.rises.map(|r| r && self.cap.has_corners())
+    }
+
     /// Where the main slopes begin at both distances of a strip, verges included.
     pub fn start(&self, strip: [f64; 2], half: f64) -> [f64; 2] {
         match self.cap {

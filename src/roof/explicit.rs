@@ -4,6 +4,7 @@ use super::forms::{Context, Planned};
 use super::level::Level;
 use super::look::{Look, band};
 use super::plan::{Cell, Plan};
+use super::porch;
 use super::ridge::{Ridge, Side};
 use super::skirt::Skirt;
 use super::tops::Tops;
@@ -302,6 +303,11 @@ pub(super) fn planned(one: &Placed<'_>, context: &Context<'_>, out: &mut Diagnos
         }
         RoofShape::Flat => {
             context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style)
+        }
+        RoofShape::Karahafu => {
+            let run = porch::ridge(&one.cell, context, ridge_wish);
+            let run = run.unwrap_or_else(|| context.ridge(&one.cell, &one.line.style, None));
+            porch::planned(one, run, context)
         }
         _ => {
             let skirt = Skirt::over(one.cell, one.shape, context);

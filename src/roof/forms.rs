@@ -9,7 +9,7 @@ use super::headroom::Headroom;
 use super::lean_to::{Flank, LeanTo};
 use super::level::Level;
 use super::look::Look;
-use super::outline::Outline;
+use super::outline::{Outline, piece};
 use super::pent::Pent;
 use super::plan::{Cell, Plan};
 use super::ridge::{Ridge, Side};
@@ -72,6 +72,19 @@ impl Context<'_> {
     /// Whether an upper wall stands along the whole side.
     pub(super) fn is_walled(&self, cell: &Cell, side: Side) -> bool {
         self.upper.is_some() && self.upper_outline().whole(cell, side)
+    }
+
+    /// Whether walls run along both sides up to the corner between them.
+    fn is_corner(&self, cell: &Cell, side: Side, other: Side) -> bool {
+        let reaches = |along: Side, end: Side| {
+            let (_, lo, hi) = piece(cell, along);
+            let walls = self.outline().along(cell, along);
+            match end {
+                Side::Left | Side::Back => walls.last().is_some_and(|w| w.1 == hi),
+                Side::Right | Side::Front => walls.first().is_some_and(|w| w.0 == lo),
+            }
+        };
+        reaches(side, other) && reaches(other, side)
     }
 
     /// Metres of some plan steps.
@@ -149,8 +162,16 @@ impl Context<'_> {
         let length = self.metres(length) + ends.iter().map(|e| e.reach).sum::<f64>();
         let free = ends.map(|e| e.wall && e.reach == 0.0);
         let cap = Cap::of(&look, length, self.metres(span) / 2.0, free == [true; 2]);
-        for (end, _) in ends.iter_mut().zip(free).filter(|(_, free)| *free) {
-            end.cap = cap;
+        for (i, side) in end_sides(near)
+            .into_iter()
+            .enumerate()
+            .filter(|(i, _)| free[*i])
+        {
+            ends[i].cap = cap;
+            if look.sori > 0.0 && cap.has_corners() {
+                ends[i].rises =
+                    [near, near.opposite()].map(|eaves| self.is_corner(&cell, side, eaves));
+            }
         }
         let hall = Hall {
             rect: self.rect(&cell),

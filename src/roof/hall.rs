@@ -23,6 +23,9 @@ use smallvec::SmallVec;
 /// Edges shorter than this are a point, metres.
 const SAME: f64 = 1e-6;
 
+/// How far sheets lie apart that are to share no corner, metres.
+const APART: f64 = 1e-3;
+
 /// A two-sloped roof over a rectangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Hall {
@@ -45,11 +48,19 @@ impl Hall {
         let mut facets = Vec::with_capacity(2);
         let slopes = Slopes::of(self);
         let [start, end] = self.ends;
-        slopes.main(self.near, [start, end], &mut facets);
-        slopes.main(self.near.opposite(), [end, start], &mut facets);
+        let (start_up, end_up) = (start.raised(), end.raised());
+        let far = self.near.opposite();
+        slopes.main(
+            self.near,
+            [start, end],
+            [start_up[0], end_up[0]],
+            &mut facets,
+        );
+        slopes.main(far, [end, start], [end_up[1], start_up[1]], &mut facets);
+        // Seen from the start the near side lies to the right, from the end to the left.
         let [first, last] = super::frame::end_sides(self.near);
-        slopes.end(first, start, &mut facets);
-        slopes.end(last, end, &mut facets);
+        slopes.end(first, start, [start_up[1], start_up[0]], &mut facets);
+        slopes.end(last, end, end_up, &mut facets);
         Form {
             facets,
             drop,
@@ -100,7 +111,7 @@ impl<'h> Slopes<'h> {
     fn of(hall: &'h Hall) -> Slopes<'h> {
         let frame = Frame::new(&hall.rect, hall.near);
         let half = frame.depth / 2.0;
-        let corners = hall.ends.iter().any(|e| e.cap.has_corners());
+        let corners = hall.ends.iter().any(|e| e.raised() != [false; 2]);
         let bends = hall.ends.map(|e| e.bends(half));
         let mut at = [f64::NAN; 5];
         for (place, d) in at.iter_mut().zip(bends.iter().flatten()) {
@@ -124,7 +135,7 @@ impl<'h> Slopes<'h> {
     }
 
     /// The strips of the slope that falls to `near`; the ends are those at u = 0 and u = length.
-    fn main(&self, near: Side, [start, end]: [End; 2], facets: &mut Vec<Facet>) {
+    fn main(&self, near: Side, [start, end]: [End; 2], lifted: [bool; 2], facets: &mut Vec<Facet>) {
         let frame = Frame::new(&self.hall.rect, near);
         let half = self.half;
         for (i, (lower, upper)) in self.profile.strips().enumerate() {
@@ -143,13 +154,12 @@ impl<'h> Slopes<'h> {
                 verges: [start, end].map(|e| !self.shares_hip(&e, d)),
                 ridge: false,
             };
-            let lifted = [start, end].map(|e| e.cap.has_corners());
             self.lay(&strip, d, lifted, facets);
         }
     }
 
     /// The strips of an end's own slope, which falls to `side`.
-    fn end(&self, side: Side, end: End, facets: &mut Vec<Facet>) {
+    fn end(&self, side: Side, end: End, lifted: [bool; 2], facets: &mut Vec<Facet>) {
         let eaves = -self.profile.knots[0].d;
         let Some((from, to)) = end.slope(eaves, self.half) else {
             return;
@@ -158,10 +168,11 @@ impl<'h> Slopes<'h> {
         let within = |d: f64| d > from - 1e-6 && d < to + 1e-6;
         let strips = self.profile.strips();
         let own = strips.filter(|(p, q)| within(p.d) && within(q.d));
-        // No corner of what lies under the upper gable is one of the slopes above it.
+        // What lies under the upper gable is a sheet of its own: a hair lower, so that it shares no corner
+        // with the slopes above, in whose planes its edges lie.
         let beyond = end
             .beyond_hips()
-            .map(|wall| (self.profile.knot(to), self.profile.knot(wall)));
+            .map(|wall| (self.lowered(to), self.lowered(wall)));
         for (i, (lower, upper)) in own.chain(beyond).enumerate() {
             let contour = |k: Knot| end.contour(k.d, self.half);
             let (from, to) = (
@@ -180,7 +191,16 @@ impl<'h> Slopes<'h> {
                 ridge: false,
             };
             let d = [lower.d, upper.d];
-            self.lay(&strip, d, [end.cap.has_corners(); 2], facets);
+            self.lay(&strip, d, lifted, facets);
+        }
+    }
+
+    /// A point of the rafter line a hair lower.
+    fn lowered(&self, d: f64) -> Knot {
+        let knot = self.profile.knot(d);
+        Knot {
+            z: knot.z - APART,
+            ..knot
         }
     }
 

@@ -247,13 +247,7 @@ impl Storey<'_, '_> {
                 out.push(say::too_much_search(first_wall(level), level.storey.number));
             }
         }
-        // A wall that rises round the roof on purpose hides a flat one.
-        let usual = if level.parapet {
-            RoofShape::Flat
-        } else {
-            RoofShape::Gable
-        };
-        let shape = self.house.roofs.style.shape.map_or(usual, |s| s.value);
+        let shape = self.shape(level);
         let flat = many || shape == RoofShape::Flat;
         let ratio = self.house.roofs.style.ratio.is_some();
         turn(&mut found, shape, shape.has_equal_slopes(ratio));
@@ -275,6 +269,15 @@ impl Storey<'_, '_> {
         let automatic = Automatic::new(context, found, &trunks);
         automatic.report(out);
         automatic.roofs(&mut done.ceilings)
+    }
+
+    /// The shape of automatic roofs: a wall that rises round the roof on purpose hides a flat one.
+    fn shape(&self, level: &Level<'_>) -> RoofShape {
+        let usual = match level.parapet {
+            true => RoofShape::Flat,
+            false => RoofShape::Gable,
+        };
+        self.house.roofs.style.shape.map_or(usual, |s| s.value)
     }
 
     /// The roof of a storey that carries a smaller one and no roof lines.

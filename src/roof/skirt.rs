@@ -87,6 +87,7 @@ impl<'h> Skirt<'h> {
         };
         let end = End {
             cap,
+            rises: [true; 2],
             ..End::default()
         };
         let hall = Hall {

@@ -238,8 +238,8 @@ fn an_irimoya_has_a_skirt_and_an_upper_gable() {
         let building = quiet(hall);
         assert_sound(&building);
         let roof = &roofs(&building)[0];
-        // The roof itself and the two gable walls.
-        assert_eq!(roof.solids.len(), 3);
+        // The roof itself, what lies under its upper gables, and the two gable walls.
+        assert_eq!(roof.solids.len(), 5);
         let drop = 0.12 * (1.25_f64).sqrt();
         let inset = wall * 8.0;
         // Just outside the barge board the skirt shows, inside it the upper gable.
@@ -448,4 +448,77 @@ fn a_skirt_without_room_is_gentler_and_said() {
     let skirt = &roofs(&building)[0];
     let upper = &roofs(&building)[1];
     assert!(extent(skirt).1.z < extent(upper).0.z);
+}
+
+#[test]
+fn a_karahafu_before_a_hall_is_closed_by_it() {
+    // In the wall where it stays below its top, in the roof where it rises over that.
+    for (height, rises) in [(5.0, false), (8.0, true), (9.0, true)] {
+        let mut hall = house(vec![vec![ring(&rect(0.0, 0.0, 14.0, 10.0))]]);
+        hall.roofs.style.shape = Some(spanned(RoofShape::HipAndGable));
+        let mut porch = line(
+            RoofShape::Karahafu,
+            None,
+            Some(height),
+            [4.0, 0.0, 10.0, -3.0],
+        );
+        porch.style.pitch = Some(spanned(4.0));
+        hall.roofs.lines = vec![porch];
+        let (building, out) = build(hall);
+        // Far below the top of the walls it is warned about.
+        assert!(codes(&out).iter().all(|c| *c == 509), "{:?}", codes(&out));
+        assert_sound(&building);
+        let porch = roofs(&building)
+            .iter()
+            .find(|r| r.shape == RoofShape::Karahafu)
+            .unwrap();
+        // One gable wall, at its free end.
+        let gables = porch
+            .solids
+            .iter()
+            .filter(|s| s.faces[0].finish == Finish::Gable);
+        assert_eq!(gables.count(), 1);
+        let (lo, hi) = extent(porch);
+        close(
+            hi.z,
+            height * SHAKU + 0.4 * 3.0 * U + 0.12 * (1.16_f64).sqrt(),
+            "crown",
+        );
+        assert!(lo.y < -3.0 * U);
+        assert_eq!(hi.y > 0.1, rises, "{height} {}", hi.y);
+    }
+}
+
+#[test]
+fn corners_rise_only_where_they_stand_free() {
+    // An L whose branch goes on along the end of the trunk.
+    let l = [
+        (0.0, 0.0),
+        (16.0, 0.0),
+        (16.0, 14.0),
+        (10.0, 14.0),
+        (10.0, 6.0),
+        (0.0, 6.0),
+    ];
+    let mut house = house(vec![vec![ring(&l)]]);
+    house.roofs.style.shape = Some(spanned(RoofShape::Hip));
+    house.roofs.style.sori = Some(spanned(4.0));
+    house.roofs.style.pitch = Some(spanned(5.0));
+    let building = quiet(house);
+    assert_sound(&building);
+    let eaves = |b: f64| {
+        let along = |p: &DVec3| p.x < -16.0 * U - 0.7 && (p.y - b * U).abs() < 0.8 * U;
+        let points = roofs(&building).iter().flat_map(covering);
+        points.filter(along).map(|p| p.z).fold(f64::MIN, f64::max)
+    };
+    // Where trunk and branch meet the eaves run on level; at the corners they rise.
+    assert!(
+        eaves(14.5) > eaves(6.0) + 0.1,
+        "{} {}",
+        eaves(14.5),
+        eaves(6.0)
+    );
+    let over = roofs(&building)[0].dress.eaves;
+    let level = eaves_height(0.5, 4.0, 3.0 * U, over).unwrap() + 0.12 * (1.25_f64).sqrt();
+    close(eaves(6.0), H + level, "level eaves");
 }

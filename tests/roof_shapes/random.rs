@@ -80,6 +80,35 @@ fn random_plans_are_closed_and_covered() {
 }
 
 #[test]
+fn random_plans_under_every_shape_are_closed_and_covered() {
+    let mut draws = Draws(23);
+    for n in 0..240 {
+        let mut house = house(vec![rings(&mut draws, 20)]);
+        house.street = draws.below(3) == 0;
+        let style = &mut house.roofs.style;
+        let shape = [
+            RoofShape::Hip,
+            RoofShape::HipAndGable,
+            RoofShape::Temple,
+            RoofShape::HalfHip,
+            RoofShape::Karahafu,
+            RoofShape::Gable,
+        ][n % 6];
+        style.shape = Some(spanned(shape));
+        match draws.below(4) {
+            0 => style.sori = Some(spanned(4.0)),
+            1 => style.sori = Some(spanned(-3.0)),
+            2 => style.ratio = Some(spanned(0.4)),
+            _ => style.gable = Some(spanned(draws.below(50) as f64 / 100.0)),
+        }
+        let (building, out) = build(house);
+        assert!(out.iter().all(|d| d.code.0 == 511), "{n}");
+        assert_sound(&building);
+        assert_covered(&format!("plan {n} {shape:?}"), &building, 0, &[]);
+    }
+}
+
+#[test]
 fn random_plans_with_plain_eaves_stay_within_bounds() {
     let mut draws = Draws(11);
     for _ in 0..60 {
