@@ -25,8 +25,8 @@ mod words;
 
 use super::faults::Faults;
 use crate::ast::{Document, House};
-use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::diagnostic::messages::{file, legacy as say};
+use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::source::{Limits, Source, Span};
 use header::Header;
 use line::Line;

@@ -7,7 +7,8 @@ mod roofs;
 use glam::{DVec2, Vec3, dvec2};
 use hsd::ast::{CodeText, RoofKind, RoofShape, StoreyKind};
 use hsd::building::{
-    Building, Ceiling, Dress, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey, Wall,
+    Building, Ceiling, Dress, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey,
+    Wall,
 };
 use hsd::catalog::{Catalog, PartId};
 use hsd::geometry::SHAKU;

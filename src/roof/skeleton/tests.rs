@@ -324,7 +324,10 @@ fn outlines_that_are_almost_at_right_angles_have_skeletons() {
         let (sine, cosine) = (libm::sin(turn), libm::cos(turn));
         for corners in &plan.clean().loops {
             let mut place = |p: &(i64, i64)| {
-                let (x, y) = (p.0 as f64 + off * draw.next(), p.1 as f64 + off * draw.next());
+                let (x, y) = (
+                    p.0 as f64 + off * draw.next(),
+                    p.1 as f64 + off * draw.next(),
+                );
                 (x * cosine - y * sine, x * sine + y * cosine)
             };
             let outline: Vec<(f64, f64)> = corners.iter().map(&mut place).collect();
