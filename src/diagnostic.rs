@@ -1,5 +1,6 @@
 //! What a pass has to say about its input. Passes hold no prose: every message is one function of
-//! [`messages`], every code has a page for `hsd explain` in `grammar/diagnostics/`.
+//! [`messages`], in English and Japanese side by side ([`text!`](crate::text)); every code has a page for `hsd explain` in
+//! `grammar/diagnostics/` and a Japanese one in `grammar/diagnostics/ja/`.
 
 use crate::source::Span;
 

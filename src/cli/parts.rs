@@ -23,6 +23,11 @@ Examples:
 
 Classes: K wall, T door, M window, G lattice, H post, A opening, N modern.")]
 pub(super) struct Parts {
+    /// Only parts with this in their code or a name; one capital letter means a class.
+    ///
+    /// Long vowels may be written in any way: `koshi`, `koushi` and `kōshi` find the same.
+    filter: Option<String>,
+
     /// How the list is written.
     #[arg(long, value_enum, default_value_t)]
     format: List,
@@ -30,11 +35,6 @@ pub(super) struct Parts {
     /// Write pictures: .html is a page with all names and sizes, .glb a model of the parts in rows.
     #[arg(long, value_name = "OUT", conflicts_with = "format")]
     sheet: Option<PathBuf>,
-
-    /// Only parts with this in their code or a name; one capital letter means a class.
-    ///
-    /// Long vowels may be written in any way: `koshi`, `koushi` and `kōshi` find the same.
-    filter: Option<String>,
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]

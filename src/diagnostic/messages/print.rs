@@ -170,7 +170,7 @@ pub fn parapet(span: Span) -> Diagnostic {
 pub fn start_between(span: Span) -> Diagnostic {
     let message = text!(
         "the legacy form cannot start here: voids lead whole units only",
-        "従来形式ではここから始められません。空白部材は整数の単位でしか進みません"
+        "従来形式ではここから始められません。空きでは 1 U の整数倍しか進めません"
     );
     Diagnostic::error(813, span, message).help(text!(
         "start at whole units, at most 1000 from the origin, or keep the file in XML",
