@@ -174,31 +174,8 @@ impl Surface {
 
     /// Pieces of one kind joined to lines.
     fn chains(&self, kind: Kind, pieces: &[(Kind, Side)], ends: &[End]) -> Vec<Seam> {
-        let mut at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
-        for (n, (_, side)) in pieces.iter().enumerate() {
-            at.entry(side.from).or_default().push(n);
-            at.entry(side.to).or_default().push(n);
-        }
-        let way = |n: usize| {
-            let side = &pieces[n].1;
-            (self.at(side.to) - self.at(side.from))
-                .truncate()
-                .normalize_or_zero()
-        };
-        // The piece that goes on from this one at a point; ridges may be joined head to head.
-        let next = |n: usize, point: u32, ahead: DVec2| -> Option<(usize, bool)> {
-            let others = at.get(&point)?.iter().copied().filter(|m| *m != n);
-            // Hips run upwards: two that face each other over a point are two.
-            let onward = pieces[n].1.to == point;
-            let going = others.map(|m| (m, pieces[m].1.from == point));
-            let going = going.filter(|(_, forward)| kind != Kind::Hip || *forward == onward);
-            let mut going = going.filter(|(m, forward)| {
-                let way = way(*m);
-                (if *forward { way } else { -way }).dot(ahead) > GOES_ON
-            });
-            let found = going.next()?;
-            going.next().is_none().then_some(found)
-        };
+        let joints = Joints::new(self, kind, pieces);
+        let (way, next) = (|n| joints.way(n), |n, at, way| joints.next(n, at, way));
         let mut used = vec![false; pieces.len()];
         let mut seams = Vec::new();
         for start in 0..pieces.len() {
@@ -310,5 +287,53 @@ fn turned(side: Side, forward: bool) -> Side {
         to: side.from,
         facet: other,
         beside: Beside::Facet(side.facet),
+    }
+}
+
+/// Which piece of one kind goes on from which.
+struct Joints<'s> {
+    surface: &'s Surface,
+    kind: Kind,
+    pieces: &'s [(Kind, Side)],
+    /// The pieces at each point.
+    at: BTreeMap<u32, Vec<usize>>,
+}
+
+impl<'s> Joints<'s> {
+    fn new(surface: &'s Surface, kind: Kind, pieces: &'s [(Kind, Side)]) -> Joints<'s> {
+        let mut at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        for (n, (_, side)) in pieces.iter().enumerate() {
+            at.entry(side.from).or_default().push(n);
+            at.entry(side.to).or_default().push(n);
+        }
+        Joints {
+            surface,
+            kind,
+            pieces,
+            at,
+        }
+    }
+
+    /// The direction of a piece in plan.
+    fn way(&self, n: usize) -> DVec2 {
+        let side = &self.pieces[n].1;
+        let (from, to) = (self.surface.at(side.from), self.surface.at(side.to));
+        (to - from).truncate().normalize_or_zero()
+    }
+
+    /// The piece that goes on from this one at a point, and whether it starts there; ridges may be joined head to
+    /// head. None where several do.
+    fn next(&self, n: usize, point: u32, ahead: DVec2) -> Option<(usize, bool)> {
+        let others = self.at.get(&point)?.iter().copied().filter(|m| *m != n);
+        // Hips run upwards: two that face each other over a point are two.
+        let onward = self.pieces[n].1.to == point;
+        let going = others.map(|m| (m, self.pieces[m].1.from == point));
+        let going = going.filter(|(_, forward)| self.kind != Kind::Hip || *forward == onward);
+        let mut going = going.filter(|(m, forward)| {
+            let way = self.way(*m);
+            (if *forward { way } else { -way }).dot(ahead) > GOES_ON
+        });
+        let found = going.next()?;
+        going.next().is_none().then_some(found)
     }
 }
