@@ -7,14 +7,24 @@
 use crate::diagnostic::messages::file;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
 use crate::source::{Source, Span};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Messages on one file that are passed on.
 const ENOUGH: usize = 500;
 
-/// The faults found in one source.
+/// The faults found in one source, and in those that it includes. Their texts count as if they stood behind one
+/// another: so a range tells the file too.
 pub(super) struct Faults<'a> {
+    /// The source that is being read.
     pub(super) source: &'a Source,
+    /// Where its text begins among all texts.
+    base: usize,
+    /// All sources but the first, with where they begin.
+    more: Vec<(usize, &'a Source)>,
+    first: &'a Source,
+    /// What was said already, where something may be read several times.
+    once: Option<BTreeSet<(u16, Span)>>,
     out: &'a mut Diagnostics,
     said: usize,
     /// The worst of those left out.
@@ -25,20 +35,61 @@ impl<'a> Faults<'a> {
     pub(super) fn new(source: &'a Source, out: &'a mut Diagnostics) -> Self {
         Faults {
             source,
+            base: 0,
+            more: vec![],
+            first: source,
+            once: None,
             out,
             said: 0,
             worst: None,
         }
     }
 
+    /// Goes on to a source that the others include, and says where its text begins among all texts.
+    pub(super) fn enter(&mut self, source: &'a Source) -> usize {
+        let (last, at) = match self.more.last() {
+            Some((at, last)) => (*last, *at),
+            None => (self.first, 0),
+        };
+        self.base = at + last.text().len() + 1;
+        self.more.push((self.base, source));
+        self.source = source;
+        self.base
+    }
+
+    /// Goes back to the first source: from now on ranges are those of all texts.
+    pub(super) fn leave(&mut self) {
+        (self.source, self.base) = (self.first, 0);
+    }
+
+    /// From now on says a thing once for a place.
+    pub(super) fn say_once(&mut self) {
+        self.once.get_or_insert_default();
+    }
+
+    /// The source at an offset, and where it begins.
+    pub(super) fn source_at(&self, at: usize) -> (usize, &'a Source) {
+        let next = self.more.partition_point(|(base, _)| *base <= at);
+        next.checked_sub(1)
+            .map_or((0, self.first), |i| self.more[i])
+    }
+
     /// The span of a range of the text.
     pub(super) fn span(&self, range: &Range<usize>) -> Span {
-        self.source.span(range.clone())
+        if self.more.is_empty() {
+            return self.first.span(range.clone());
+        }
+        let (base, source) = self.source_at(self.base + range.start);
+        let offset = |at: usize| (self.base + at).saturating_sub(base);
+        source.span(offset(range.start)..offset(range.end))
     }
 
     /// The author's words in a range of the text.
     pub(super) fn quote(&self, range: &Range<usize>) -> &'a str {
-        self.source.text().get(range.clone()).unwrap_or_default()
+        let (base, source) = self.source_at(self.base + range.start);
+        let offset = |at: usize| (self.base + at).saturating_sub(base);
+        let range = offset(range.start)..offset(range.end);
+        source.text().get(range).unwrap_or_default()
     }
 
     /// Takes a message about a range of the text.
@@ -49,6 +100,18 @@ impl<'a> Faults<'a> {
 
     /// Takes a message. Its wording is made only where it can still matter.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
+        if self.once.is_some() {
+            let message = message();
+            let news = |once: &mut BTreeSet<_>| once.insert((message.code.0, message.span));
+            if self.once.as_mut().is_none_or(news) {
+                self.count(|| message);
+            }
+        } else {
+            self.count(message);
+        }
+    }
+
+    fn count(&mut self, message: impl FnOnce() -> Diagnostic) {
         self.said += 1;
         if self.said <= ENOUGH {
             self.out.push(message());
@@ -65,8 +128,8 @@ impl<'a> Faults<'a> {
     /// Says how much was left out.
     pub(super) fn finish(self) {
         if let Some(worst) = self.worst {
-            let end = self.source.text().len();
-            let span = self.span(&(end..end));
+            let end = self.first.text().len();
+            let span = self.first.span(end..end);
             let more = self.said - ENOUGH;
             self.out.push(file::more_messages(span, more, worst));
         }
