@@ -5,10 +5,13 @@
 //! the rest is counted only, and the last message says how many there were.
 
 use crate::diagnostic::messages::file;
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Text};
 use crate::source::{Source, Span};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::ops::Range;
+
+/// Messages of one code on one place, where something is read several times.
+const A_FEW: usize = 4;
 
 /// Messages on one file that are passed on.
 const ENOUGH: usize = 500;
@@ -24,7 +27,7 @@ pub(super) struct Faults<'a> {
     more: Vec<(usize, &'a Source)>,
     first: &'a Source,
     /// What was said already, where something may be read several times.
-    once: Option<BTreeSet<(u16, Span)>>,
+    once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
     out: &'a mut Diagnostics,
     said: usize,
     /// The worst of those left out.
@@ -62,7 +65,7 @@ impl<'a> Faults<'a> {
         (self.source, self.base) = (self.first, 0);
     }
 
-    /// From now on says a thing once for a place.
+    /// From now on says the same thing once for a place.
     pub(super) fn say_once(&mut self) {
         self.once.get_or_insert_default();
     }
@@ -102,13 +105,25 @@ impl<'a> Faults<'a> {
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
         if self.once.is_some() {
             let message = message();
-            let news = |once: &mut BTreeSet<_>| once.insert((message.code.0, message.span));
-            if self.once.as_mut().is_none_or(news) {
+            if self.is_news(&message) {
                 self.count(|| message);
             }
         } else {
             self.count(message);
         }
+    }
+
+    /// Whether a message says something new of its place. Values differ from copy to copy; a few of them tell enough.
+    fn is_news(&mut self, message: &Diagnostic) -> bool {
+        let Some(once) = &mut self.once else {
+            return true;
+        };
+        let said = once.entry((message.code.0, message.span)).or_default();
+        let news = said.len() < A_FEW && !said.contains(&message.message);
+        if news {
+            said.push(message.message.clone());
+        }
+        news
     }
 
     fn count(&mut self, message: impl FnOnce() -> Diagnostic) {

@@ -9,6 +9,7 @@ mod commands;
 mod draws;
 mod files;
 mod growth;
+mod hostile;
 mod machiya;
 mod values;
 

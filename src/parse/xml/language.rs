@@ -103,7 +103,8 @@ pub(super) fn work_out<'a>(
 
 /// Whether nothing is to be computed.
 fn is_plain(tree: &Tree<'_>, faults: &Faults<'_>) -> bool {
-    let computes = |e: &Element<'_>| schema::named(e.name).is_some_and(|s| is_language(s.tag));
+    const NAMES: [&str; 7] = ["Param", "let", "define", "use", "if", "else", "include"];
+    let computes = |e: &Element<'_>| NAMES.contains(&e.name);
     !faults.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }
 
@@ -278,7 +279,7 @@ impl<'a> Maker<'a, '_> {
         branch: Branch,
     ) -> Branch {
         match spot.tag() {
-            Some(Tag::Param) => self.param(spot, parent.tag(), scope),
+            Some(Tag::Param) => self.param(spot, parent, scope),
             Some(Tag::Let) => self.assign(spot, scope),
             Some(Tag::Define) => {}
             Some(Tag::Use) => self.use_piece(spot, scope, into),

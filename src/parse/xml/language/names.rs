@@ -32,8 +32,8 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// Takes the parameter of a house or a file.
-    pub(super) fn param(&mut self, spot: &Spot<'_, 'a>, parent: Option<Tag>, scope: &Scope<'a>) {
-        match parent {
+    pub(super) fn param(&mut self, spot: &Spot<'_, 'a>, parent: &Spot<'_, 'a>, scope: &Scope<'a>) {
+        match parent.tag() {
             Some(Tag::House | Tag::Houses | Tag::Structure | Tag::Catalog) => {
                 self.parameter(spot, scope, Given::Run);
             }
@@ -41,8 +41,9 @@ impl<'a> Maker<'a, '_> {
             _ => {
                 let element = spot.element();
                 let home = schema::named(element.name).map_or("", |s| s.home);
+                let outer = parent.element().name;
                 self.faults.at(&element.name_range, |s| {
-                    say::wrong_place(s, element.name, Some("this element"), home)
+                    say::wrong_place(s, element.name, Some(outer), home)
                 });
             }
         }
