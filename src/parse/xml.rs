@@ -69,10 +69,13 @@ pub(super) fn parse_from(
         faults: &mut faults,
         suggest: suggest::Suggest::new(),
     };
-    let houses = reader.houses();
+    let houses = match made.over {
+        true => vec![],
+        false => reader.houses(),
+    };
     faults.finish();
     Document {
-        houses: if made.over { vec![] } else { houses },
+        houses,
         parameters: made.parameters,
     }
 }

@@ -2,7 +2,7 @@
 
 use super::support::{Run, assert_none, flaws, on_all_processors, root};
 use super::{Texts, options};
-use hsd::diagnostic::Diagnostics;
+use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::source::{FileId, Source};
 
 fn build(text: &str, parameters: &[(&str, &str)]) -> Run {
@@ -43,7 +43,8 @@ fn every_front_and_depth_builds() {
         let set: Vec<(&str, &str)> = set.iter().map(|(n, v)| (*n, &**v)).collect();
         let run = build(&text, &set);
         let mut findings = flaws(&run);
-        if !run.diagnostics.is_empty() {
+        // Notes on long spans are what a carpenter would say of a deep and narrow house.
+        if run.diagnostics.iter().any(|d| d.severity > Severity::Note) {
             findings.push(run.short());
         }
         let plan = &run.building.roofs[0].plans[0].outlines[0];

@@ -46,6 +46,9 @@ use storeys::Storeys;
 /// What the parts of a house cost is counted by `expand`; a copied element takes more room here than a part there.
 const ELEMENT: u64 = 8;
 
+/// Messages that list what is known; nobody reads more of them.
+const HINTS: u32 = 200;
+
 /// Columns of text that take the room of a part.
 const COLUMNS: usize = 5;
 
@@ -84,6 +87,7 @@ pub(super) fn work_out<'a>(
         uses: vec![],
         files: files::Files::default(),
         depth: 0,
+        hints: HINTS,
         copying: false,
         room: setting.limits.parts as u64,
         over: false,
@@ -130,6 +134,8 @@ struct Maker<'a, 'f> {
     files: files::Files<'a>,
     /// Elements, conditions, uses and files that are open.
     depth: usize,
+    /// How many messages may still list what is known: gathering that takes time.
+    hints: u32,
     /// Whether more is being made than is written.
     copying: bool,
     /// Parts that may still be made of copies.
@@ -298,6 +304,15 @@ impl<'a> Maker<'a, '_> {
             let child = Child::Element(made);
             self.made.elements[into].children.push(child);
         }
+    }
+
+    /// What is known, for a message, as long as there is use in it.
+    fn known(&mut self, gather: impl FnOnce() -> Vec<String>) -> Vec<String> {
+        if self.hints == 0 {
+            return vec![];
+        }
+        self.hints -= 1;
+        gather()
     }
 
     /// Adds a text to an element.

@@ -62,10 +62,9 @@ fn end_of(text: &str, from: usize) -> (usize, bool) {
             '}' => return (next, true),
             '{' | '\n' | '\r' => return (at, false),
             '\'' | '"' => {
-                let line = text[next..]
-                    .find(['\n', '\r'])
-                    .map_or(text.len(), |i| next + i);
-                at = text[next..line].find(c).map_or(next, |i| next + i + 1);
+                let end = text[next..].find([c, '\n', '\r']).map(|i| next + i);
+                let end = end.filter(|end| text[*end..].starts_with(c));
+                at = end.map_or(next, |end| end + 1);
             }
             _ => at = next,
         }
@@ -222,7 +221,7 @@ impl<'a> Maker<'a, '_> {
         match problem {
             Problem::Reported => {}
             Problem::Unknown(name) => {
-                let known = scope.names();
+                let known = self.known(|| scope.names());
                 let near = self.suggest.among(name, known.iter().map(|n| &**n));
                 self.faults
                     .at(place, |s| say::unknown_name(s, name, near, &known));

@@ -59,7 +59,7 @@ impl<'a> Maker<'a, '_> {
             return;
         };
         let Some((piece, home)) = scope.piece(&name.value) else {
-            let known = scope.pieces();
+            let known = self.known(|| scope.pieces());
             let near = self.suggest.among(&name.value, known.iter().map(|n| &**n));
             self.faults
                 .push(|| say::unknown_piece(name.span, &name.value, near, &known));
