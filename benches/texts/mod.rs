@@ -32,8 +32,9 @@ pub fn shell(text: &str) -> Shell {
     let options = Options::default();
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
-    let documents = driver::documents(&[&source], &options.limits, &mut out);
-    let program = driver::program(&[&source], &documents, &NoPictures, &options, &mut out);
+    let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
+    let (sources, expand) = (&[&source], &options.expand);
+    let program = driver::program(sources, &documents, &NoPictures, expand, &mut out);
     let shell = hsd::lower::lower(program, &mut out);
     assert!(!out.has_errors(), "the text is wrong");
     shell
