@@ -104,6 +104,10 @@ impl<'a> Faults<'a> {
     /// Takes a message. Its wording is made only where it can still matter.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
         if self.once.is_some() {
+            if self.said > ENOUGH && self.worst == Some(Severity::Error) {
+                self.said += 1;
+                return;
+            }
             let message = message();
             if self.is_news(&message) {
                 self.count(|| message);
