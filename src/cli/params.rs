@@ -8,6 +8,7 @@ use crate::diagnostic::messages::xml::bounds;
 use crate::diagnostic::{Diagnostics, Language, Severity};
 use crate::driver;
 use crate::report::{Format, Report};
+use crate::text;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -63,7 +64,12 @@ impl Params {
                     .map(|(file, parameter)| Row { file, parameter })
                     .collect();
                 let text = serde_json::to_string_pretty(&rows);
-                text.map_err(|e| Stop::Io(format!("cannot be written as JSON: {e}")))? + "\n"
+                text.map_err(|e| {
+                    Stop::Io(text!(
+                        "cannot be written as JSON: {e}",
+                        "JSON として書けません: {e}"
+                    ))
+                })? + "\n"
             }
         };
         let mut list = out.into_sorted();
