@@ -4,14 +4,14 @@
 import * as THREE from 'three';
 import { model_loader } from './loader.mjs';
 
-const WIDTH = 960, HEIGHT = 640, EYE = 1.5;
+const EYE = 1.5; // metres
+let WIDTH = 960, HEIGHT = 640;
 const SUN = new THREE.Vector3(-0.55, 0.72, 0.62).normalize(); // from the south-west, a little behind the front viewer
 const SUN_COLOR = new THREE.Color(1.0, 0.93, 0.82), SKY_COLOR = new THREE.Color(0.72, 0.84, 1.0);
 const SUN_STRENGTH = 3.8, SKY_STRENGTH = 2.1, SUN_SHARE = 0.4; // share of the lights that stand for the sun
 const HAZE = new THREE.Color(0.66, 0.77, 0.88), ZENITH = new THREE.Color(0.13, 0.32, 0.70);
 
 const renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
-renderer.setSize(WIDTH, HEIGHT);
 renderer.shadowMap.enabled = true;
 renderer.shadowMap.type = THREE.BasicShadowMap; // the sum over many lights softens it
 renderer.shadowMap.autoUpdate = false;
@@ -220,15 +220,19 @@ function draw(material, target) {
   quad.geometry.dispose();
 }
 
-/** Takes the pictures of the Nth model with so many lights: data URLs by the name of the view. */
-window.take = async (n, of) => {
+/** Takes pictures of the Nth model with so many lights, of a size in pixels: data URLs by the name of the view. */
+window.take = async (n, of, views, size) => {
+  [WIDTH, HEIGHT] = size;
+  renderer.setSize(WIDTH, HEIGHT);
   const set = await stage(n);
   const level = Math.min(0, set.box.min.y);
-  const cameras = {
-    front: camera_from(set, new THREE.Vector3(-0.62, 0, 1).normalize(), level + EYE),
-    above: camera_from(set, new THREE.Vector3(0.72, 0.5, 1).normalize()),
-    back: camera_from(set, new THREE.Vector3(-0.75, 0.5, -1).normalize()),
+  const from = {
+    front: () => camera_from(set, new THREE.Vector3(-0.62, 0, 1).normalize(), level + EYE),
+    eaves: () => camera_from(set, new THREE.Vector3(-0.62, 0, 1).normalize(), level + 0.55 * (set.box.max.y - level)),
+    above: () => camera_from(set, new THREE.Vector3(0.72, 0.5, 1).normalize()),
+    back: () => camera_from(set, new THREE.Vector3(-0.75, 0.5, -1).normalize()),
   };
+  const cameras = Object.fromEntries(views.map(view => [view, from[view]()]));
   const shot = new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: THREE.HalfFloatType });
   const sums = Object.keys(cameras).map(() => new THREE.WebGLRenderTarget(WIDTH, HEIGHT, { type: THREE.FloatType, depthBuffer: false }));
   for (const sum of sums) { renderer.setRenderTarget(sum); renderer.clear(); }

@@ -4,9 +4,9 @@ mod texts;
 
 use divan::counter::BytesCount;
 use divan::{Bencher, black_box};
+use hsd::Options;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
-use hsd::expand::Options;
 use hsd::source::{FileId, Limits, NoPictures, Source};
 
 #[global_allocator]
@@ -31,7 +31,8 @@ fn expand_a_megabyte(bencher: Bencher<'_, '_>) {
     let text = texts::legacy(1_000_000);
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
     let (options, mut out) = (Options::default(), Diagnostics::new());
-    let documents = driver::documents(&[&source], &options.limits, &mut out);
+    let read = driver::documents(&[&source], &NoPictures, &options, &mut out);
+    let (documents, options) = (read.documents, options.expand);
     bencher.counter(BytesCount::of_str(&text)).bench_local(|| {
         let (sources, documents) = (&[&source], black_box(&documents));
         driver::program(sources, documents, &NoPictures, &options, &mut out)

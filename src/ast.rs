@@ -6,11 +6,13 @@
 
 mod pieces;
 mod roofs;
+mod value;
 
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
+pub use value::{Parameter, Value};
 
 use crate::source::{Span, Spanned};
 use serde::Serialize;
@@ -20,6 +22,9 @@ use serde::Serialize;
 pub struct Document {
     /// In the order of the file.
     pub houses: Vec<House>,
+    /// The parameters of the file and its houses, and of the files it includes.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parameters: Vec<Parameter>,
 }
 
 /// One house: settings, then storeys or facades, then roofs.

@@ -15,8 +15,10 @@ mod japanese;
 mod language;
 mod options;
 mod output;
+mod params;
 mod parts;
 mod reason;
+mod roots;
 mod terminal;
 mod textures;
 mod watch;
@@ -117,6 +119,7 @@ enum Command {
     Build(build::Build),
     Check(check::Check),
     Dump(dump::Dump),
+    Params(params::Params),
     Parts(parts::Parts),
     Explain(explain::Explain),
     Fmt(fmt::Fmt),
@@ -137,6 +140,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Build(c) => c.run(language),
         Command::Check(c) => c.run(language),
         Command::Dump(c) => c.run(language),
+        Command::Params(c) => c.run(language),
         Command::Parts(c) => c.run(language),
         Command::Explain(c) => c.run(language),
         Command::Fmt(c) => c.run(language),

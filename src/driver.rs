@@ -7,12 +7,12 @@ mod convert;
 
 pub use convert::convert;
 
-use crate::ast::Document;
+use crate::ast::{Document, Parameter};
 use crate::backend::pictures::{Library, Trouble};
 use crate::backend::{gltf, sound};
 use crate::building::{Building, Shell};
 use crate::catalog::Catalog;
-use crate::diagnostic::messages::pictures as say;
+use crate::diagnostic::messages::{pictures as say, xml};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expand;
 use crate::lower;
@@ -20,15 +20,17 @@ use crate::parse;
 use crate::program::{Content, PictureId, Program, Unit};
 use crate::roof;
 use crate::scene::{Detail, Scene};
-use crate::source::{FileId, Limits, NoPictures, Source, Span, World};
+use crate::source::{FileId, Limits, NoPictures, Shelf, Source, Span, World};
 use crate::tessellate;
 use std::time::{Duration, Instant};
 
 /// What a shell may ask of a run.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Seed and limits.
     pub expand: expand::Options,
+    /// Parameters of the texts and their values; the last of a name counts.
+    pub parameters: Vec<(String, String)>,
     /// How much of the joinery is shape.
     pub detail: Detail,
 }
@@ -36,6 +38,8 @@ pub struct Options {
 /// What a run made, and how long each step took.
 #[derive(Debug, Default)]
 pub struct Compiled {
+    /// Files that were read beside the sources, for reports.
+    pub included: Vec<Source>,
     /// Walls and roofs.
     pub building: Building,
     /// What the back ends write.
@@ -52,9 +56,10 @@ pub fn compile(
     out: &mut Diagnostics,
 ) -> Compiled {
     let mut times = vec![];
-    let documents = timed(&mut times, "parse", || {
-        documents(sources, &options.expand.limits, out)
+    let read = timed(&mut times, "parse", || {
+        documents(sources, world, options, out)
     });
+    let (documents, included) = (read.documents, read.included);
     let program = timed(&mut times, "expand", || {
         program(sources, &documents, world, &options.expand, out)
     });
@@ -64,6 +69,7 @@ pub fn compile(
         scene(&building, options.detail)
     });
     Compiled {
+        included,
         building,
         scene,
         times,
@@ -105,10 +111,64 @@ pub fn timed<T>(
     made
 }
 
-/// The documents of the sources, in their order.
-pub fn documents(sources: &[&Source], limits: &Limits, out: &mut Diagnostics) -> Vec<Document> {
-    let parsed = sources.iter().map(|s| parse::parse(s, limits, out));
-    parsed.collect()
+/// What reading makes.
+#[derive(Debug)]
+pub struct Read {
+    /// The documents of the sources, in their order.
+    pub documents: Vec<Document>,
+    /// Files that were read beside the sources, for reports.
+    pub included: Vec<Source>,
+}
+
+/// Reads the sources. The files that they include are read once, whoever includes them.
+pub fn documents(
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Read {
+    let limits = options.expand.limits;
+    let first = sources.iter().map(|s| usize::from(s.id().0) + 1).max();
+    let shelf = Shelf::new(first.unwrap_or(0), limits.includes);
+    let setting = parse::Setting {
+        limits,
+        parameters: &options.parameters,
+        world,
+        shelf: &shelf,
+    };
+    let documents = sources.iter().map(|s| parse::parse_in(s, setting, out));
+    let documents: Vec<Document> = documents.collect();
+    unknown_parameters(sources, &documents, &options.parameters, out);
+    Read {
+        documents,
+        included: shelf.into_sources(),
+    }
+}
+
+/// Says which parameters are to be set that there are none of.
+fn unknown_parameters(
+    sources: &[&Source],
+    documents: &[Document],
+    given: &[(String, String)],
+    out: &mut Diagnostics,
+) {
+    let Some(source) = sources.first() else {
+        return;
+    };
+    let known = || documents.iter().flat_map(|d| &d.parameters);
+    for (name, _) in given {
+        if known().any(|p| p.name == *name) {
+            continue;
+        }
+        let mut all: Vec<Parameter> = vec![];
+        for parameter in known() {
+            if !all.iter().any(|p| p.name == parameter.name) {
+                all.push(parameter.clone());
+            }
+        }
+        let near = parse::nearest(name, all.iter().map(|p| &*p.name));
+        out.push(xml::no_such_parameter(source.span(0..0), name, near, &all));
+    }
 }
 
 /// The program of all documents.

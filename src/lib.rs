@@ -10,7 +10,7 @@
 //! | step | makes | what no longer exists after it |
 //! |---|---|---|
 //! | [`Source::new`](source::Source::new) | [`Source`](source::Source) | encodings; spans count bytes of the original file ever after |
-//! | [`parse::parse`] | [`ast::Document`] | syntax: the legacy text and XML give one tree |
+//! | [`parse::parse`] | [`ast::Document`] | syntax: the legacy text and XML give one tree; expressions, parameters, conditions, named pieces, included files |
 //! | [`expand::expand`] | [`program::Program`] | repeat, split lists, random, replace, unknown codes, defaults |
 //! | [`lower::lower`] | [`building::Shell`] | turns and rows: every wall has two ends |
 //! | [`roof::roof`] | [`building::Building`] | open tops: regions cover every uncovered area once, solids lie over them |

@@ -8,39 +8,82 @@
 //! been made, and returns every house it found.
 
 use crate::ast::Document;
-use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::file as say;
-use crate::source::{Limits, Source};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::source::{Limits, NoPictures, Shelf, Source, World};
 
+mod expr;
 mod faults;
 pub mod legacy;
 pub mod xml;
 
-/// Reads a file of either syntax.
+/// What a file is read with.
+#[derive(Clone, Copy)]
+pub struct Setting<'a> {
+    /// Bounds on what is taken in.
+    pub limits: Limits,
+    /// Parameters and their values; the last of a name counts.
+    pub parameters: &'a [(String, String)],
+    /// Where the texts lie that others include.
+    pub world: &'a dyn World,
+    /// Where those that were read are kept.
+    pub shelf: &'a Shelf,
+}
+
+impl<'a> Setting<'a> {
+    /// No parameters, no other files.
+    pub fn alone(limits: &Limits, shelf: &'a Shelf) -> Setting<'a> {
+        Setting {
+            limits: *limits,
+            parameters: &[],
+            world: &NoPictures,
+            shelf,
+        }
+    }
+}
+
+/// The known word that is nearest to one, if it may be a slip of that.
+pub fn nearest<'k>(word: &str, known: impl Iterator<Item = &'k str> + Clone) -> Option<&'k str> {
+    xml::nearest(word, known)
+}
+
+/// Reads a file of either syntax that stands for itself.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    if source.size() > limits.bytes {
-        out.push(say::too_large(
-            source.span(0..0),
-            source.size(),
-            limits.bytes,
-        ));
+    let shelf = Shelf::new(0, 0);
+    parse_in(source, Setting::alone(limits, &shelf), out)
+}
+
+/// Reads a file of either syntax.
+pub fn parse_in(source: &Source, setting: Setting<'_>, out: &mut Diagnostics) -> Document {
+    let limits = &setting.limits;
+    if !is_readable(source, limits, &mut |d| out.push(d)) {
         return Document::default();
     }
-    let text = source.text();
-    if looks_binary(text) {
-        let nul = text.find('\0').unwrap_or(0);
-        out.push(say::not_a_text(source.span(nul..nul + 1)));
-        return Document::default();
-    }
-    encoding(source, out);
-    match text.trim_start().chars().next() {
+    match source.text().trim_start().chars().next() {
         None => {
             out.push(say::no_house(source.span(0..0)));
             Document::default()
         }
-        Some('<' | '＜') => xml::parse(source, limits, out),
+        Some('<' | '＜') => xml::parse_from(source, 0, setting, out),
         Some(_) => legacy::parse(source, limits, out),
     }
+}
+
+/// Whether a file is a text of tolerable length; says how its bytes were read.
+fn is_readable(source: &Source, limits: &Limits, out: &mut dyn FnMut(Diagnostic)) -> bool {
+    if source.size() > limits.bytes {
+        let start = source.span(0..0);
+        out(say::too_large(start, source.size(), limits.bytes));
+        return false;
+    }
+    let text = source.text();
+    if looks_binary(text) {
+        let nul = text.find('\0').unwrap_or(0);
+        out(say::not_a_text(source.span(nul..nul + 1)));
+        return false;
+    }
+    encoding(source, out);
+    true
 }
 
 /// A tenth of NUL characters among the first thousand: a picture, an archive, or UTF-16 without a mark.
@@ -51,18 +94,18 @@ fn looks_binary(text: &str) -> bool {
 }
 
 /// Says once how the bytes were read, where that is not plain UTF-8.
-fn encoding(source: &Source, out: &mut Diagnostics) {
+fn encoding(source: &Source, out: &mut dyn FnMut(Diagnostic)) {
     let start = source.span(0..0);
     match source.encoding() {
         "UTF-8" => {}
-        "Shift_JIS" => out.push(say::shift_jis(start)),
-        other => out.push(say::other_encoding(start, other)),
+        "Shift_JIS" => out(say::shift_jis(start)),
+        other => out(say::other_encoding(start, other)),
     }
     if source.malformed() {
         let text = source.text();
         let at = text.find('\u{fffd}').unwrap_or(0);
         let count = text.matches('\u{fffd}').count();
         let span = source.span(at..at + '\u{fffd}'.len_utf8());
-        out.push(say::malformed(span, source.encoding(), count));
+        out(say::malformed(span, source.encoding(), count));
     }
 }

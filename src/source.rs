@@ -5,6 +5,10 @@
 //! order mark) and make spans with [`Source::span`]; only a report needs the way back,
 //! [`Source::text_range`].
 
+mod shelf;
+
+pub use shelf::Shelf;
+
 use std::ops::Range;
 
 /// Bounds on what a build takes in (language.md 7), each with a flag to raise it.
@@ -14,6 +18,8 @@ pub struct Limits {
     pub bytes: usize,
     /// Depth of nested elements.
     pub nesting: usize,
+    /// Files that others include.
+    pub includes: usize,
     /// Expanded parts of one house.
     pub parts: usize,
     /// Pixels of one picture.
@@ -25,6 +31,7 @@ impl Default for Limits {
         Limits {
             bytes: 16 << 20,
             nesting: 64,
+            includes: 256,
             parts: 2_000_000,
             pixels: 64 << 20,
         }
@@ -38,6 +45,33 @@ pub trait World {
 
     /// The bytes of a picture found before.
     fn picture_bytes(&self, path: &str) -> std::io::Result<Vec<u8>>;
+
+    /// The path of the text that the text of the name `from` includes as `href`.
+    ///
+    /// # Errors
+    /// Where there is none, or it may not be read.
+    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+        let _ = (from, href);
+        Err(NoText::Missing)
+    }
+
+    /// The bytes of a text found before, which is no longer than `limit`.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    fn text_bytes(&self, path: &str, limit: usize) -> std::io::Result<Vec<u8>> {
+        let _ = limit;
+        Err(std::io::Error::new(std::io::ErrorKind::NotFound, path))
+    }
+}
+
+/// Why a text that is included cannot be had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoText {
+    /// There is no such file.
+    Missing,
+    /// It would lie outside the root folder of the build.
+    Outside,
 }
 
 /// A part picture that exists.

@@ -55,7 +55,11 @@ fn written(text: &str) -> String {
 fn built(text: &str) -> Vec<u8> {
     let (source, options) = (source(text.as_bytes()), Options::default());
     let mut out = Diagnostics::new();
-    let documents = documents(&[&source], &options.limits, &mut out);
+    let reading = hsd::Options {
+        expand: options,
+        ..hsd::Options::default()
+    };
+    let documents = documents(&[&source], &Pictures, &reading, &mut out).documents;
     let program = program(&[&source], &documents, &Pictures, &options, &mut out);
     let mut building = building(program, &mut out);
     for house in &mut building.shell.houses {

@@ -178,6 +178,7 @@ mod build {
         let source = Source::new(FileId(0), "test.hsd", " ".repeat(1 << 16).as_bytes());
         let document = Document {
             houses: vec![house],
+            ..Document::default()
         };
         let mut out = hsd::diagnostic::Diagnostics::new();
         let documents = [(&source, &document)];

@@ -159,6 +159,11 @@ fn every_fixture_shows_its_code_and_no_other() {
         let path = entry.unwrap().path();
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
         let ours = name.starts_with("HSD02") || name.starts_with("HSD0902");
+        // Those of several files are read with them in tests/diagnostics.rs.
+        let files = ["HSD0268_above", "HSD0269", "HSD0270"];
+        if files.iter().any(|f| name.starts_with(f)) {
+            continue;
+        }
         if !ours || !name.ends_with(".hsd") {
             continue;
         }
@@ -171,7 +176,8 @@ fn every_fixture_shows_its_code_and_no_other() {
             "{name}: {list:#?}"
         );
         assert_eq!(found.len(), 1, "{name}: {list:#?}");
-        assert!(name.contains("no_element") || !document.houses.is_empty());
+        let houseless = text.contains("<Catalog>") || name.contains("no_element");
+        assert!(houseless || !document.houses.is_empty());
         let page = format!(
             "{}/grammar/diagnostics/{}.md",
             env!("CARGO_MANIFEST_DIR"),

@@ -1,10 +1,10 @@
 //! Texts to measure with: as large as asked, the same in every run.
 #![allow(dead_code, unreachable_pub)] // each bench uses its own share
 
+use hsd::Options;
 use hsd::building::{Building, Shell};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
-use hsd::expand::Options;
 use hsd::source::{FileId, NoPictures, Source};
 
 /// Source to building, as `hsd check` does it.
@@ -12,8 +12,9 @@ pub fn check(text: &str) -> (Building, Diagnostics) {
     let options = Options::default();
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
-    let documents = driver::documents(&[&source], &options.limits, &mut out);
-    let program = driver::program(&[&source], &documents, &NoPictures, &options, &mut out);
+    let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
+    let (sources, expand) = (&[&source], &options.expand);
+    let program = driver::program(sources, &documents, &NoPictures, expand, &mut out);
     drop(documents);
     (driver::building(program, &mut out), out)
 }
@@ -31,8 +32,9 @@ pub fn shell(text: &str) -> Shell {
     let options = Options::default();
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
-    let documents = driver::documents(&[&source], &options.limits, &mut out);
-    let program = driver::program(&[&source], &documents, &NoPictures, &options, &mut out);
+    let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
+    let (sources, expand) = (&[&source], &options.expand);
+    let program = driver::program(sources, &documents, &NoPictures, expand, &mut out);
     let shell = hsd::lower::lower(program, &mut out);
     assert!(!out.has_errors(), "the text is wrong");
     shell

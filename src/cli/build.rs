@@ -150,8 +150,8 @@ impl Build {
         let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
         let world = self.reading.world(&job.inputs);
         let options = driver::Options {
-            expand: self.reading.options(),
             detail: Detail::ALL[usize::from(self.detail)],
+            ..self.reading.options()
         };
         let mut compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let Compiled {
@@ -162,7 +162,8 @@ impl Build {
         library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
         let list = out.into_sorted();
-        status.report(&inputs.sources, &list)?;
+        let included = std::mem::take(&mut compiled.included);
+        status.report(&inputs.and(included), &list)?;
         if list.iter().any(|d| self.reading.spoils(d.severity)) {
             return Ok(true);
         }

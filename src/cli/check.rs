@@ -36,8 +36,9 @@ impl Check {
         let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
         let sources = inputs.accepted();
         let world = self.reading.world(&self.reading.inputs);
-        let documents = driver::documents(&sources, &limits, &mut out);
-        let program = driver::program(&sources, &documents, &world, &options, &mut out);
+        let read = driver::documents(&sources, &world, &options, &mut out);
+        let (documents, included) = (read.documents, read.included);
+        let program = driver::program(&sources, &documents, &world, &options.expand, &mut out);
         drop(documents); // the next steps take their room
         let building = driver::building(program, &mut out);
         let shell = &building.shell;
@@ -45,8 +46,9 @@ impl Check {
         driver::pictures(&paths, shell, &world, &limits, &mut out);
         let list = out.into_sorted();
         let format = Format::from(self.format);
+        let (failed, files) = (inputs.failed(), inputs.sources.len());
         if format == Format::Human && list.is_empty() {
-            let (files, houses) = (inputs.sources.len(), shell.houses.len());
+            let houses = shell.houses.len();
             let files = counted(files, FILE);
             let houses = counted(houses, HOUSE);
             let clean = text!([files, houses]
@@ -56,12 +58,12 @@ impl Check {
             writeln!(io::stderr(), "{}", clean.in_language(language))?;
         } else {
             report(
-                &Report::new(&inputs.sources, &list).in_language(language),
+                &Report::new(&inputs.and(included), &list).in_language(language),
                 format,
                 &mut io::stdout(),
             )?;
         }
-        if inputs.failed() {
+        if failed {
             return Ok(Exit::Unread);
         }
         Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))

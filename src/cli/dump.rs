@@ -68,7 +68,8 @@ impl Dump {
         let mut out = Diagnostics::new();
         let limit = self.reading.limits().bytes;
         let inputs = Inputs::read(&self.reading.inputs, limit, &mut out)?;
-        let text = self.text(&inputs.accepted(), &mut out);
+        let mut included = vec![];
+        let text = self.text(&inputs.accepted(), &mut included, &mut out);
         let text = text.map_err(|e| {
             Stop::Io(text!(
                 "cannot be written as JSON: {e}",
@@ -78,7 +79,7 @@ impl Dump {
         let list = out.into_sorted();
         if !list.is_empty() {
             report(
-                &Report::new(&inputs.sources, &list).in_language(language),
+                &Report::new(&inputs.and(included), &list).in_language(language),
                 Format::Human,
                 &mut io::stderr(),
             )?;
@@ -89,14 +90,23 @@ impl Dump {
         Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))
     }
 
-    fn text(&self, sources: &[&Source], out: &mut Diagnostics) -> serde_json::Result<String> {
-        let (limits, options) = (self.reading.limits(), self.reading.options());
+    fn text(
+        &self,
+        sources: &[&Source],
+        included: &mut Vec<Source>,
+        out: &mut Diagnostics,
+    ) -> serde_json::Result<String> {
+        let options = self.reading.options();
         let world = self.reading.world(&self.reading.inputs);
-        let documents = driver::documents(sources, &limits, out);
+        let driver::Read {
+            documents,
+            included: read,
+        } = driver::documents(sources, &world, &options, out);
+        *included = read;
         if let Stage::Ast = self.stage {
             return dump::ast(sources, &documents);
         }
-        let program = driver::program(sources, &documents, &world, &options, out);
+        let program = driver::program(sources, &documents, &world, &options.expand, out);
         if let Stage::Program = self.stage {
             return dump::program(&program);
         }

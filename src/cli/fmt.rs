@@ -110,7 +110,7 @@ impl Fmt {
             return print::format(source, limits, out);
         }
         let world = self.reading.world(&self.reading.inputs);
-        driver::convert(source, &world, &self.reading.options(), out)
+        driver::convert(source, &world, &self.reading.options().expand, out)
     }
 
     /// Writes one text, or says how it would change.

@@ -86,6 +86,13 @@ impl Inputs {
         self.refused.iter().map(|refused| !refused)
     }
 
+    /// The sources and those that they include, for a report.
+    pub(super) fn and(self, included: Vec<Source>) -> Vec<Source> {
+        let mut sources = self.sources;
+        sources.extend(included);
+        sources
+    }
+
     /// The sources that are to be compiled.
     pub(super) fn accepted(&self) -> Vec<&Source> {
         let both = self.sources.iter().zip(&self.refused);

@@ -4,6 +4,7 @@ use super::input::STDIN;
 use super::world::FolderWorld;
 use super::{Exit, Stop};
 use crate::diagnostic::Severity;
+use crate::driver;
 use crate::expand;
 use crate::report::{Format, Report};
 use crate::source::Limits;
@@ -25,6 +26,14 @@ pub(super) struct Reading {
     #[arg(long, value_name = "DIR")]
     textures: Vec<PathBuf>,
 
+    /// Set a parameter of the houses; may be given several times. `hsd params IN` lists them.
+    #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parameter)]
+    parameters: Vec<(String, String)>,
+
+    /// The folder below which included files lie; without it the folder of each text.
+    #[arg(long, value_name = "DIR")]
+    root: Option<PathBuf>,
+
     /// Draw everything random with this number instead of the seed of the house.
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -41,6 +50,10 @@ pub(super) struct Reading {
     #[arg(long, value_name = "N", default_value_t = Limits::default().nesting)]
     max_nesting: usize,
 
+    /// Refuse to include more files.
+    #[arg(long, value_name = "N", default_value_t = Limits::default().includes)]
+    max_includes: usize,
+
     /// Refuse houses with more parts, repeats counted out.
     #[arg(long, value_name = "N", default_value_t = Limits::default().parts)]
     max_parts: usize,
@@ -55,15 +68,22 @@ impl Reading {
         Limits {
             bytes: self.max_bytes.min(u32::MAX as usize), // spans count in 32 bits
             nesting: self.max_nesting,
+            includes: self.max_includes,
             parts: self.max_parts,
             pixels: self.max_pixels,
         }
     }
 
-    pub(super) fn options(&self) -> expand::Options {
-        expand::Options {
+    /// What a run is to do; all of the joinery is shape.
+    pub(super) fn options(&self) -> driver::Options {
+        let expand = expand::Options {
             seed: self.seed,
             limits: self.limits(),
+        };
+        driver::Options {
+            expand,
+            parameters: self.parameters.clone(),
+            ..driver::Options::default()
         }
     }
 
@@ -73,13 +93,7 @@ impl Reading {
             return self.textures.clone();
         }
         let mut folders = vec![];
-        for input in inputs {
-            let own = match input.parent() {
-                _ if input.as_os_str() == STDIN => Path::new("."),
-                None => Path::new("."),
-                Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
-                Some(parent) => parent,
-            };
+        for own in inputs.iter().map(|input| home(input)) {
             // Joined to ".", names in messages would begin with "./".
             let below = if own == Path::new(".") {
                 Path::new("")
@@ -97,12 +111,22 @@ impl Reading {
 
     /// The world of some of the inputs.
     pub(super) fn world(&self, inputs: &[PathBuf]) -> FolderWorld {
-        FolderWorld::new(self.folders(inputs), self.max_pixels)
+        let pictures = FolderWorld::new(self.folders(inputs), self.max_pixels);
+        pictures.with_roots(self.roots(inputs))
+    }
+
+    /// The folders below which texts may be included.
+    pub(super) fn roots(&self, inputs: &[PathBuf]) -> Vec<PathBuf> {
+        match &self.root {
+            Some(root) => vec![root.clone()],
+            None => inputs.iter().map(|input| home(input).to_owned()).collect(),
+        }
     }
 
     /// Fails for folders that were named and are none.
     pub(super) fn check_folders(&self) -> Result<(), Stop> {
-        match self.textures.iter().find(|f| !f.is_dir()) {
+        let mut named = self.textures.iter().chain(&self.root);
+        match named.find(|f| !f.is_dir()) {
             Some(f) => {
                 let shown = f.display();
                 Err(Stop::Io(text!(
@@ -121,6 +145,26 @@ impl Reading {
             Severity::Warning => self.deny.is_some(),
             Severity::Note => false,
         }
+    }
+}
+
+/// The folder of an input.
+fn home(input: &Path) -> &Path {
+    match input.parent() {
+        _ if input.as_os_str() == STDIN => Path::new("."),
+        None => Path::new("."),
+        Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+        Some(parent) => parent,
+    }
+}
+
+/// `frontage=5`.
+fn parameter(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.trim().is_empty() => {
+            Ok((name.trim().to_owned(), value.to_owned()))
+        }
+        _ => Err("a parameter is set as in `frontage=5`".into()),
     }
 }
 

@@ -65,12 +65,13 @@ fn unwatched(error: &dyn std::fmt::Display) -> Stop {
 
 /// Whether an event changes a text or a picture; outputs in the same folder do not count.
 fn matters(event: &DebouncedEvent, texts: &BTreeSet<PathBuf>) -> bool {
-    let picture = |p: &Path| {
+    // A text beside the others may be included by them.
+    let read = |p: &Path| {
         let ending = p.extension().and_then(|e| e.to_str()).unwrap_or_default();
-        ["png", "jpg", "jpeg"]
+        ["png", "jpg", "jpeg", "hsd"]
             .iter()
             .any(|e| ending.eq_ignore_ascii_case(e))
     };
     !matches!(event.kind, EventKind::Access(_))
-        && event.paths.iter().any(|p| texts.contains(p) || picture(p))
+        && event.paths.iter().any(|p| texts.contains(p) || read(p))
 }

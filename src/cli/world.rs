@@ -1,9 +1,10 @@
-//! Part pictures on disk.
+//! Part pictures on disk, and texts that others include.
 //!
-//! A name is looked up in a listing of the folder, never joined to a path, and what is found must lie in the
+//! A picture's name is looked up in a listing of the folder, never joined to a path, and what is found must lie in the
 //! folder after all links are followed: whatever a text says, no file outside is read.
 
-use crate::source::{PictureFile, World};
+use super::roots::Roots;
+use crate::source::{NoText, PictureFile, World};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
@@ -16,6 +17,7 @@ const ENDINGS: [&str; 6] = ["png", "jpg", "jpeg", "PNG", "JPG", "JPEG"];
 #[derive(Debug)]
 pub struct FolderWorld {
     folders: Vec<Folder>,
+    roots: Roots,
     /// Bytes of a file worth reading: more cannot be a picture within the limit of pixels.
     bytes: u64,
 }
@@ -36,8 +38,16 @@ impl FolderWorld {
         };
         FolderWorld {
             folders: folders.into_iter().map(folder).collect(),
+            roots: Roots::default(),
             bytes: pixels.saturating_mul(8).max(1 << 20),
         }
+    }
+
+    /// The same with texts below these folders.
+    #[must_use]
+    pub fn with_roots(self, roots: Vec<PathBuf>) -> FolderWorld {
+        let roots = Roots::new(roots);
+        FolderWorld { roots, ..self }
     }
 }
 
@@ -85,6 +95,14 @@ impl World for FolderWorld {
             ));
         }
         fs::read(path)
+    }
+
+    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+        self.roots.find(from, href)
+    }
+
+    fn text_bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
+        self.roots.bytes(path, limit)
     }
 }
 

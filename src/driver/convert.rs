@@ -44,7 +44,7 @@ fn written(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Option<String> {
-    let documents = documents(&[source], &options.limits, out);
+    let documents = documents(&[source], world, &reading(options), out).documents;
     if out.has_errors() {
         return None;
     }
@@ -59,10 +59,18 @@ fn written(
     print::to_legacy(source, document, &program, Catalog::builtin(), out)
 }
 
+/// What a text is read with: its parameters are at their defaults.
+fn reading(options: &Options) -> super::Options {
+    super::Options {
+        expand: *options,
+        ..super::Options::default()
+    }
+}
+
 /// What is built, without places; `None` where the text cannot be read.
 fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Option<Vec<u8>> {
     let mut out = Diagnostics::new();
-    let documents = documents(&[source], &options.limits, &mut out);
+    let documents = documents(&[source], world, &reading(options), &mut out).documents;
     if out.has_errors() {
         return None;
     }

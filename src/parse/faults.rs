@@ -5,16 +5,29 @@
 //! the rest is counted only, and the last message says how many there were.
 
 use crate::diagnostic::messages::file;
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity};
+use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Text};
 use crate::source::{Source, Span};
+use std::collections::BTreeMap;
 use std::ops::Range;
+
+/// Messages of one code on one place, where something is read several times.
+const A_FEW: usize = 4;
 
 /// Messages on one file that are passed on.
 const ENOUGH: usize = 500;
 
-/// The faults found in one source.
+/// The faults found in one source, and in those that it includes. Their texts count as if they stood behind one
+/// another: so a range tells the file too.
 pub(super) struct Faults<'a> {
+    /// The source that is being read.
     pub(super) source: &'a Source,
+    /// Where its text begins among all texts.
+    base: usize,
+    /// All sources but the first, with where they begin.
+    more: Vec<(usize, &'a Source)>,
+    first: &'a Source,
+    /// What was said already, where something may be read several times.
+    once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
     out: &'a mut Diagnostics,
     said: usize,
     /// The worst of those left out.
@@ -25,20 +38,61 @@ impl<'a> Faults<'a> {
     pub(super) fn new(source: &'a Source, out: &'a mut Diagnostics) -> Self {
         Faults {
             source,
+            base: 0,
+            more: vec![],
+            first: source,
+            once: None,
             out,
             said: 0,
             worst: None,
         }
     }
 
+    /// Goes on to a source that the others include, and says where its text begins among all texts.
+    pub(super) fn enter(&mut self, source: &'a Source) -> usize {
+        let (last, at) = match self.more.last() {
+            Some((at, last)) => (*last, *at),
+            None => (self.first, 0),
+        };
+        self.base = at + last.text().len() + 1;
+        self.more.push((self.base, source));
+        self.source = source;
+        self.base
+    }
+
+    /// Goes back to the first source: from now on ranges are those of all texts.
+    pub(super) fn leave(&mut self) {
+        (self.source, self.base) = (self.first, 0);
+    }
+
+    /// From now on says the same thing once for a place.
+    pub(super) fn say_once(&mut self) {
+        self.once.get_or_insert_default();
+    }
+
+    /// The source at an offset, and where it begins.
+    pub(super) fn source_at(&self, at: usize) -> (usize, &'a Source) {
+        let next = self.more.partition_point(|(base, _)| *base <= at);
+        next.checked_sub(1)
+            .map_or((0, self.first), |i| self.more[i])
+    }
+
     /// The span of a range of the text.
     pub(super) fn span(&self, range: &Range<usize>) -> Span {
-        self.source.span(range.clone())
+        if self.more.is_empty() {
+            return self.first.span(range.clone());
+        }
+        let (base, source) = self.source_at(self.base + range.start);
+        let offset = |at: usize| (self.base + at).saturating_sub(base);
+        source.span(offset(range.start)..offset(range.end))
     }
 
     /// The author's words in a range of the text.
     pub(super) fn quote(&self, range: &Range<usize>) -> &'a str {
-        self.source.text().get(range.clone()).unwrap_or_default()
+        let (base, source) = self.source_at(self.base + range.start);
+        let offset = |at: usize| (self.base + at).saturating_sub(base);
+        let range = offset(range.start)..offset(range.end);
+        source.text().get(range).unwrap_or_default()
     }
 
     /// Takes a message about a range of the text.
@@ -49,6 +103,34 @@ impl<'a> Faults<'a> {
 
     /// Takes a message. Its wording is made only where it can still matter.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
+        if self.once.is_some() {
+            if self.said > ENOUGH && self.worst == Some(Severity::Error) {
+                self.said += 1;
+                return;
+            }
+            let message = message();
+            if self.is_news(&message) {
+                self.count(|| message);
+            }
+        } else {
+            self.count(message);
+        }
+    }
+
+    /// Whether a message says something new of its place. Values differ from copy to copy; a few of them tell enough.
+    fn is_news(&mut self, message: &Diagnostic) -> bool {
+        let Some(once) = &mut self.once else {
+            return true;
+        };
+        let said = once.entry((message.code.0, message.span)).or_default();
+        let news = said.len() < A_FEW && !said.contains(&message.message);
+        if news {
+            said.push(message.message.clone());
+        }
+        news
+    }
+
+    fn count(&mut self, message: impl FnOnce() -> Diagnostic) {
         self.said += 1;
         if self.said <= ENOUGH {
             self.out.push(message());
@@ -65,8 +147,8 @@ impl<'a> Faults<'a> {
     /// Says how much was left out.
     pub(super) fn finish(self) {
         if let Some(worst) = self.worst {
-            let end = self.source.text().len();
-            let span = self.span(&(end..end));
+            let end = self.first.text().len();
+            let span = self.first.span(end..end);
             let more = self.said - ENOUGH;
             self.out.push(file::more_messages(span, more, worst));
         }

@@ -23,11 +23,12 @@ mod mended;
 mod walls;
 mod words;
 
+use super::Setting;
 use super::faults::Faults;
 use crate::ast::{Document, House};
 use crate::diagnostic::messages::{file, legacy as say};
 use crate::diagnostic::{Diagnostics, Noun, noun};
-use crate::source::{Limits, Source, Span};
+use crate::source::{Limits, Shelf, Source, Span};
 use header::Header;
 use line::Line;
 use std::ops::Range;
@@ -95,7 +96,8 @@ pub fn parse_lines(
     }
     faults.finish();
     if let Some(tag) = xml {
-        let rest = super::xml::parse_from(source, tag, limits, out);
+        let shelf = Shelf::new(0, 0);
+        let rest = super::xml::parse_from(source, tag, Setting::alone(limits, &shelf), out);
         document.houses.extend(rest.houses);
     }
     document

@@ -1,5 +1,6 @@
-//! The XML form (language.md 3), in two steps: [`tree`] reads the elements of any file, however broken, with their
-//! places; the rest turns that tree into the document by the tables of [`schema`].
+//! The XML form (language.md 3), in three steps: [`tree`] reads the elements of any file, however broken, with their
+//! places; [`language`] works out what is computed in it; the rest turns that tree into the document by the tables of
+//! [`schema`].
 //!
 //! What the contract leaves open is settled so:
 //! - `true`, `false`, `1`, `0` are read as `yes` and `no`; attributes with a colon in their name, and `xmlns`, are
@@ -8,11 +9,12 @@
 //! - `random` and `replace` may stand in whatever holds parts at any depth, and act on that; a `Floor` may hold its
 //!   base row as `Row`.
 //! - An unknown word that looks like a known one is read as that one, so that what stands in it is checked too.
-//! - `{k}` in codes and ids is left to `expand`; other expressions are not read by this version.
+//! - Expressions, conditions and named pieces are worked out on the tree, see [`language`].
 
 mod codes;
 mod facades;
 mod house;
+mod language;
 mod pieces;
 mod read;
 mod roofs;
@@ -25,39 +27,57 @@ mod text;
 mod tree;
 mod values;
 
+use super::Setting;
 use super::faults::Faults;
 use crate::ast::{Document, House};
 use crate::diagnostic::Diagnostics;
-use crate::source::{Limits, Source};
+use crate::source::{Limits, Shelf, Source};
 use read::{Node, Reader};
 use schema::Tag;
 
 /// Deeper nesting would overflow the stack of the passes, which recurse, whatever the limit is raised to.
 const DEEPEST: usize = 256;
 
-/// Reads a file in the XML form. Whatever is wrong with it is reported, and the rest of it read.
+/// Reads a file in the XML form that stands for itself: its parameters are at their defaults, and it can include
+/// nothing. Whatever is wrong with it is reported, and the rest of it read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    parse_from(source, 0, limits, out)
+    let shelf = Shelf::new(0, 0);
+    parse_from(source, 0, Setting::alone(limits, &shelf), out)
+}
+
+/// The known word that is nearest to one.
+pub(super) fn nearest<'k>(
+    word: &str,
+    known: impl Iterator<Item = &'k str> + Clone,
+) -> Option<&'k str> {
+    suggest::Suggest::new().among(word, known)
 }
 
 /// Reads what stands from this offset of the text on.
 pub(super) fn parse_from(
     source: &Source,
     at: usize,
-    limits: &Limits,
+    setting: Setting<'_>,
     out: &mut Diagnostics,
 ) -> Document {
     let mut faults = Faults::new(source, out);
-    let nesting = limits.nesting.min(DEEPEST);
+    let nesting = setting.limits.nesting.min(DEEPEST);
     let tree = tree::read(&mut faults, at, nesting, schema::HABITS);
+    let made = language::work_out(tree, setting, nesting, &mut faults);
     let mut reader = Reader {
-        tree: &tree,
+        tree: &made.tree,
         faults: &mut faults,
         suggest: suggest::Suggest::new(),
     };
-    let houses = reader.houses();
+    let houses = match made.over {
+        true => vec![],
+        false => reader.houses(),
+    };
     faults.finish();
-    Document { houses }
+    Document {
+        houses,
+        parameters: made.parameters,
+    }
 }
 
 impl Reader<'_, '_> {
@@ -70,6 +90,10 @@ impl Reader<'_, '_> {
             match schema.tag {
                 Tag::House => houses.push(self.house(schema, element)),
                 Tag::Structure => houses.push(self.lone_structure(schema, element)),
+                Tag::Catalog => {
+                    self.attributes(schema, element);
+                    self.no_children(element);
+                }
                 _ => {
                     self.attributes(schema, element);
                     for node in self.children(element, &schema::HOUSES) {

@@ -62,6 +62,7 @@ fn said_of_list(text: &str, list: &str) -> Vec<(u16, String)> {
     }));
     let document = Document {
         houses: vec![one_row(vec![item])],
+        ..Document::default()
     };
     let mut out = Diagnostics::new();
     expand(

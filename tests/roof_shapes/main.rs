@@ -6,6 +6,7 @@ mod boards;
 mod common;
 mod fixtures;
 mod flat;
+mod junctions;
 mod halls;
 mod messages;
 mod plans;

@@ -7,15 +7,17 @@ use hsd::building::{Building, Solid};
 use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::scene::{Kind, Mesh, Scene};
-use hsd::source::{FileId, NoPictures, PictureFile, Source, World};
+use hsd::source::{FileId, NoPictures, NoText, PictureFile, Source, Span, World};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub mod shapes;
+pub mod view;
 
 /// Everything the chain makes of one file.
 pub struct Run {
     pub source: Source,
+    pub included: Vec<Source>,
     pub diagnostics: Vec<Diagnostic>,
     pub building: Building,
     pub scene: Scene,
@@ -30,18 +32,25 @@ impl Run {
 
     /// The diagnostics as a reader in a terminal would have them in short form.
     pub fn short(&self) -> String {
-        self.diagnostics
-            .iter()
-            .map(|d| short(d, &self.source))
-            .collect()
+        self.diagnostics.iter().map(|d| short(d, self)).collect()
+    }
+
+    /// The file of a span.
+    fn file(&self, span: Span) -> &Source {
+        let mut all = std::iter::once(&self.source).chain(&self.included);
+        all.find(|s| s.id() == span.file)
+            .expect("the file is there")
     }
 }
 
 /// `4:1: error HSD0401: message` and its help and labels below it.
-fn short(d: &Diagnostic, source: &Source) -> String {
-    let place = |span| {
+fn short(d: &Diagnostic, run: &Run) -> String {
+    let place = |span: Span| {
+        let source = run.file(span);
         let (line, column) = source.line_column(span);
-        format!("{line}:{column}")
+        let other = source.id() != run.source.id();
+        let name = if other { source.name() } else { "" };
+        format!("{name}{}{line}:{column}", if other { ":" } else { "" })
     };
     let severity = match d.severity {
         Severity::Error => "error",
@@ -51,7 +60,7 @@ fn short(d: &Diagnostic, source: &Source) -> String {
     let mut text = format!("{}: {severity} {}: {}\n", place(d.span), d.code, d.message);
     text += &format!(
         "  marked: {:?}\n",
-        &source.text()[source.text_range(d.span)]
+        &run.file(d.span).text()[run.file(d.span).text_range(d.span)]
     );
     text += &format!("  help: {}\n", d.help);
     for label in &d.labels {
@@ -60,14 +69,14 @@ fn short(d: &Diagnostic, source: &Source) -> String {
     text
 }
 
-/// Part pictures in a folder.
+/// Part pictures in the folder `textures` of a folder, and texts below it.
 struct Folder(PathBuf);
 
 impl World for Folder {
     fn picture(&self, name: &str) -> Option<PictureFile> {
         let path = ["png", "jpg"]
             .iter()
-            .map(|ending| self.0.join(format!("{name}.{ending}")))
+            .map(|ending| self.0.join(format!("textures/{name}.{ending}")))
             .find(|path| path.is_file())?;
         let size = image::image_dimensions(&path).ok()?;
         let path = path.to_string_lossy().into_owned();
@@ -76,6 +85,20 @@ impl World for Folder {
 
     fn picture_bytes(&self, path: &str) -> std::io::Result<Vec<u8>> {
         std::fs::read(path)
+    }
+
+    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+        if href.contains("..") {
+            return Err(NoText::Outside);
+        }
+        let path = Path::new(from).with_file_name(href);
+        let there = self.0.join(&path).is_file();
+        let name = path.to_string_lossy().into_owned();
+        there.then_some(name).ok_or(NoText::Missing)
+    }
+
+    fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {
+        std::fs::read(self.0.join(path))
     }
 }
 
@@ -88,7 +111,7 @@ pub fn compile(name: &str, bytes: &[u8]) -> Run {
 pub fn compile_file(path: &Path) -> Run {
     let bytes = std::fs::read(path).expect("the file can be read");
     let name = path.file_name().expect("is a file").to_string_lossy();
-    let folder = path.parent().expect("is in a folder").join("textures");
+    let folder = path.parent().expect("is in a folder").to_owned();
     compile_in(&Folder(folder), &name, &bytes)
 }
 
@@ -98,6 +121,7 @@ fn compile_in(world: &dyn World, name: &str, bytes: &[u8]) -> Run {
     let made = hsd::compile(&[&source], world, &Options::default(), &mut out);
     Run {
         source,
+        included: made.included,
         diagnostics: out.into_sorted(),
         building: made.building,
         scene: made.scene,
@@ -188,6 +212,8 @@ pub fn flaws_of_diagnostics(run: &Run, bytes: usize) -> Vec<String> {
     for d in &run.diagnostics {
         let spans = std::iter::once(d.span).chain(d.labels.iter().map(|l| l.span));
         for span in spans {
+            let other = span.file != run.source.id();
+            let bytes = if other { run.file(span).size() } else { bytes };
             if span.start > span.end || span.end as usize > bytes {
                 flaws.push(format!("{}: {span:?} is outside of {bytes} bytes", d.code));
             }

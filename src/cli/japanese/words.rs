@@ -29,6 +29,16 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
         "省くと、各テキストのフォルダーとその中の `textures` フォルダーから探します。",
     ),
     (
+        "parameters",
+        "家の変数に値を与える。何度でも指定できる。変数は `hsd params IN` で分かる",
+        "",
+    ),
+    (
+        "root",
+        "取り込むファイルを探す基準フォルダー。省くと各テキストのフォルダー",
+        "",
+    ),
+    (
         "seed",
         "抽選をすべて、家の乱数の種の代わりにこの数で行う",
         "",
@@ -40,6 +50,11 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
         "",
     ),
     ("max_nesting", "これより深い要素の入れ子を受け付けない", ""),
+    (
+        "max_includes",
+        "これより多いファイルの取り込みを受け付けない",
+        "",
+    ),
     (
         "max_parts",
         "繰り返しを展開した部材がこれより多い家を受け付けない",
@@ -147,6 +162,20 @@ pub(super) static COMMANDS: &[Words] = &[
             ("scene", "メッシュ、材質、ノード"),
             ("json", "一行の JSON"),
             ("svg", "図。regions だけ"),
+        ],
+    },
+    Words {
+        path: "params",
+        about: "テキストの変数を一覧にする: `--param` で何をどの範囲で与えられるか",
+        more: "",
+        examples: "\
+例:
+  hsd params machiya.hsd                         与えられる変数
+  hsd build machiya.hsd --param frontage=5       値を与える",
+        arguments: &[("format", "標準出力への書き方", "")],
+        values: &[
+            ("table", "人が読む表"),
+            ("json", "プログラム向けの一つの配列"),
         ],
     },
     Words {

@@ -19,14 +19,6 @@ struct Column {
     range: Range<usize>,
 }
 
-/// What a line comes to.
-#[derive(Default)]
-struct Line {
-    columns: Vec<Column>,
-    /// Columns before which a new code begins, because an expression stood there.
-    breaks: Vec<usize>,
-}
-
 impl Reader<'_, '_> {
     /// Cuts a run into parts. A control letter at the end of a line is reported and returned as the turn it means;
     /// `turns` = the row has a `turn` to name.
@@ -60,24 +52,15 @@ impl Reader<'_, '_> {
     }
 
     /// The columns of a line; what cannot be a column is reported and replaced by its mend.
-    fn columns(&mut self, text: &Text<'_>, range: Range<usize>) -> Line {
+    fn columns(&mut self, text: &Text<'_>, range: Range<usize>) -> Vec<Column> {
         let whole = text.as_str();
-        let mut line = Line::default();
+        let mut line = vec![];
         let mut at = range.start;
         while let Some(c) = whole[at..range.end].chars().next() {
             let here = at..at + c.len_utf8();
             at = here.end;
             match c {
-                '{' => {
-                    let rest = &whole[here.start..range.end];
-                    at = here.start + rest.find('}').map_or(rest.len(), |i| i + 1);
-                    let place = text.range(here.start..at);
-                    let quoted = &whole[here.start..at];
-                    self.faults
-                        .at(&place, |s| say::expression_not_yet(s, quoted));
-                    line.breaks.push(line.columns.len());
-                }
-                ' '..='~' => line.push(Some(c as u8), here),
+                ' '..='~' => push(&mut line, Some(c as u8), here),
                 _ => {
                     at = here.start + same_kind(&whole[here.start..range.end]);
                     self.odd(text, here.start..at, &mut line);
@@ -88,18 +71,18 @@ impl Reader<'_, '_> {
     }
 
     /// Reports characters that are no columns.
-    fn odd(&mut self, text: &Text<'_>, range: Range<usize>, line: &mut Line) {
+    fn odd(&mut self, text: &Text<'_>, range: Range<usize>, line: &mut Vec<Column>) {
         let quoted = &text.as_str()[range.clone()];
         let place = text.range(range.clone());
         match quoted.chars().next() {
             Some('\t') => {
                 // To the end of the code under way; each further tab is a void.
-                let from = line.columns.len() - line.breaks.last().copied().unwrap_or(0);
+                let from = line.len();
                 let blanks = 5 * quoted.len() - from % 5;
                 self.faults
                     .at(&place, |s| say::tab_in_codes(s, from + 1, blanks));
                 for _ in 0..blanks {
-                    line.push(Some(b' '), range.clone());
+                    push(line, Some(b' '), range.clone());
                 }
             }
             Some(REPORTED) => {}
@@ -115,9 +98,9 @@ impl Reader<'_, '_> {
             let byte = narrow_ascii(c).map(|c| c as u8);
             // A full-width blank is as wide as two columns.
             if c == '\u{3000}' {
-                line.push(byte, here.clone());
+                push(line, byte, here.clone());
             }
-            line.push(byte, here);
+            push(line, byte, here);
         }
     }
 
@@ -125,29 +108,23 @@ impl Reader<'_, '_> {
     fn cut(
         &mut self,
         text: &Text<'_>,
-        line: &Line,
+        line: &[Column],
         turns: bool,
         parts: &mut Vec<Item<Piece>>,
     ) -> Option<Spanned<f64>> {
-        let mut from = 0;
-        let ends = line.breaks.iter().copied().chain([line.columns.len()]);
         let mut turn = None;
-        for end in ends {
-            for code in line.columns[from..end].chunks(5) {
-                let last = code.len() == 1 && end == line.columns.len();
-                match code[0].byte {
-                    Some(letter @ (b'L' | b'R' | b'^')) if last => {
-                        let place = text.range(code[0].range.clone());
-                        self.faults
-                            .at(&place, |s| say::control_letter(s, letter as char, turns));
-                        let degrees = if letter == b'L' { -90.0 } else { 90.0 };
-                        turn = (letter != b'^')
-                            .then(|| Spanned::new(degrees, self.faults.span(&place)));
-                    }
-                    _ => parts.extend(self.code(text, code)),
+        for code in line.chunks(5) {
+            match code[0].byte {
+                Some(letter @ (b'L' | b'R' | b'^')) if code.len() == 1 => {
+                    let place = text.range(code[0].range.clone());
+                    self.faults
+                        .at(&place, |s| say::control_letter(s, letter as char, turns));
+                    let degrees = if letter == b'L' { -90.0 } else { 90.0 };
+                    turn =
+                        (letter != b'^').then(|| Spanned::new(degrees, self.faults.span(&place)));
                 }
+                _ => parts.extend(self.code(text, code)),
             }
-            from = end;
         }
         turn
     }
@@ -171,10 +148,8 @@ impl Reader<'_, '_> {
     }
 }
 
-impl Line {
-    fn push(&mut self, byte: Option<u8>, range: Range<usize>) {
-        self.columns.push(Column { byte, range });
-    }
+fn push(line: &mut Vec<Column>, byte: Option<u8>, range: Range<usize>) {
+    line.push(Column { byte, range });
 }
 
 /// Length of the characters at the start of a text that one message can name together.

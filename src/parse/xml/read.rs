@@ -171,66 +171,74 @@ impl<'t> Reader<'t, '_> {
         schema: &'static Schema,
         element: &'t Element<'t>,
     ) -> Attributes<'t> {
-        let mut found = Attributes {
-            element,
-            schema,
-            list: vec![],
-        };
-        for attribute in &element.attributes {
-            if attribute.name.contains(':') || attribute.name == "xmlns" {
-                continue; // Other programs' business: name spaces, schema locations, xml:lang.
-            }
-            if let Some(name) = self.attribute_name(schema, attribute) {
-                self.add(&mut found, name, attribute);
-            }
-        }
-        for required in schema.required {
-            if !found.list.iter().any(|(n, ..)| n == required) {
-                self.faults.at(&element.name_range, |s| {
-                    say::attribute_missing(s, schema.name, required)
-                });
-            }
-        }
-        found
+        check(self.faults, &mut self.suggest, schema, element)
     }
+}
 
-    fn attribute_name(
-        &mut self,
-        schema: &'static Schema,
-        attribute: &Attribute<'_>,
-    ) -> Option<&'static str> {
-        let canonical = schema::canonical(attribute.name);
-        let known = schema.attributes.iter().find(|a| **a == canonical);
-        if known.is_some() {
-            return known.copied();
+/// The attributes of an element, checked by name.
+pub(super) fn check<'t>(
+    faults: &mut Faults<'_>,
+    suggest: &mut Suggest,
+    schema: &'static Schema,
+    element: &'t Element<'t>,
+) -> Attributes<'t> {
+    let mut found = Attributes {
+        element,
+        schema,
+        list: vec![],
+    };
+    for attribute in &element.attributes {
+        if attribute.is_foreign() {
+            continue;
         }
-        let bears = schema.attributes.iter().copied();
-        let code = bears.clone().find(|a| *a == "code").map(|_| "texturecode");
-        let near = schema::meant(schema.tag, attribute.name).or_else(|| {
-            let words = bears.clone().chain(code);
-            self.suggest.among(attribute.name, words)
-        });
-        if !attribute.faulty {
-            self.faults.at(&attribute.name_range, |s| {
-                say::unknown_attribute(s, attribute.name, schema.name, near, schema.attributes)
+        if let Some(name) = attribute_name(faults, suggest, schema, attribute) {
+            found.add(faults, name, attribute);
+        }
+    }
+    for required in schema.required {
+        if !found.list.iter().any(|(n, ..)| n == required) {
+            faults.at(&element.name_range, |s| {
+                say::attribute_missing(s, schema.name, required)
             });
         }
-        let near = schema::canonical(near?);
-        bears.into_iter().find(|a| *a == near)
     }
+    found
+}
 
-    fn add(
-        &mut self,
-        found: &mut Attributes<'t>,
-        name: &'static str,
-        attribute: &'t Attribute<'t>,
-    ) {
-        let first = found.list.iter().find(|(n, ..)| *n == name);
+fn attribute_name(
+    faults: &mut Faults<'_>,
+    suggest: &mut Suggest,
+    schema: &'static Schema,
+    attribute: &Attribute<'_>,
+) -> Option<&'static str> {
+    let canonical = schema::canonical(attribute.name);
+    let known = schema.attributes.iter().find(|a| **a == canonical);
+    if known.is_some() {
+        return known.copied();
+    }
+    let bears = schema.attributes.iter().copied();
+    let code = bears.clone().find(|a| *a == "code").map(|_| "texturecode");
+    let near = schema::meant(schema.tag, attribute.name).or_else(|| {
+        let words = bears.clone().chain(code);
+        suggest.among(attribute.name, words)
+    });
+    if !attribute.faulty {
+        faults.at(&attribute.name_range, |s| {
+            say::unknown_attribute(s, attribute.name, schema.name, near, schema.attributes)
+        });
+    }
+    let near = schema::canonical(near?);
+    bears.into_iter().find(|a| *a == near)
+}
+
+impl<'t> Attributes<'t> {
+    fn add(&mut self, faults: &mut Faults<'_>, name: &'static str, attribute: &'t Attribute<'t>) {
+        let first = self.list.iter().find(|(n, ..)| *n == name);
         if let Some((_, first, _)) = first {
             // Twins of the same spelling were reported by the tree.
             if first.name != attribute.name && !attribute.faulty {
-                let before = self.faults.span(&first.name_range);
-                self.faults.at(&attribute.name_range, |s| {
+                let before = faults.span(&first.name_range);
+                faults.at(&attribute.name_range, |s| {
                     say::attribute_twice(s, attribute.name, first.name, before)
                 });
             }
@@ -239,30 +247,9 @@ impl<'t> Reader<'t, '_> {
         let text = attribute.value.as_str();
         let empty = text.trim_matches(is_blank).is_empty() && !void(text);
         if empty && !attribute.faulty {
-            self.faults
-                .at(&attribute.range, |s| say::value_empty(s, attribute.name));
+            faults.at(&attribute.range, |s| say::value_empty(s, attribute.name));
         }
-        let expression = !empty && self.expression(name, attribute);
-        found.list.push((name, attribute, !empty && !expression));
-    }
-
-    /// Reports an expression in braces; only `{k}` in a code or an id is left to the next pass.
-    fn expression(&mut self, name: &str, attribute: &Attribute<'_>) -> bool {
-        let text = attribute.value.as_str();
-        let names = matches!(name, "code" | "with" | "id");
-        let mut from = 0;
-        while let Some(open) = text[from..].find('{').map(|i| from + i) {
-            let end = text[open..].find('}').map_or(text.len(), |i| open + i + 1);
-            if !(names && text[open..end].trim_matches(['{', '}', ' ']) == "k") {
-                let range = attribute.value.range(open..end);
-                let quoted = &text[open..end];
-                self.faults
-                    .at(&range, |s| say::expression_not_yet(s, quoted));
-                return true;
-            }
-            from = end;
-        }
-        false
+        self.list.push((name, attribute, !empty));
     }
 }
 

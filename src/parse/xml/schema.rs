@@ -25,6 +25,14 @@ pub(super) enum Tag {
     Texture,
     Roofs,
     Roof,
+    Catalog,
+    Param,
+    Let,
+    Define,
+    Use,
+    If,
+    Else,
+    Include,
     /// Part of the language, but not read by this version.
     Later,
 }
@@ -68,6 +76,9 @@ const fn later(name: &'static str) -> Schema {
     element(Tag::Later, name, &[], &[], "")
 }
 
+/// Where elements of [`language`](super::language) belong.
+const ANY: &str = "any element";
+
 /// All elements.
 #[rustfmt::skip]
 pub(super) static ELEMENTS: &[Schema] = &[
@@ -95,15 +106,23 @@ pub(super) static ELEMENTS: &[Schema] = &[
         "noshi", "sori", "gable", "ratio", "plain_ridge"], &[], "`House`"),
     element(Tag::Roof, "Roof", &["a0", "b0", "a1", "b1", "ridge", "height", "kind", "shape", "pitch", "eaves",
         "verge", "thickness", "noshi", "sori", "gable", "ratio", "plain_ridge"], &["a0", "b0", "a1", "b1"], "`Roofs`"),
-    later("Param"), later("let"), later("define"), later("use"), later("if"), later("else"), later("include"),
-    later("Catalog"), later("PartDef"),
+    element(Tag::Catalog, "Catalog", &[], &[], "nothing: it is the outermost element"),
+    element(Tag::Param, "Param", &["name", "default", "min", "max", "step", "choices", "unit", "doc"], &["name"],
+        "`House`, `Houses`, `Structure`, `Catalog` or `define`"),
+    element(Tag::Let, "let", &["name", "value"], &["name", "value"], ANY),
+    element(Tag::Define, "define", &["name"], &["name"], ANY),
+    element(Tag::Use, "use", &["name"], &["name"], ANY),
+    element(Tag::If, "if", &["test"], &["test"], ANY),
+    element(Tag::Else, "else", &["test"], &[], ANY),
+    element(Tag::Include, "include", &["href"], &["href"], ANY),
+    later("PartDef"),
 ];
 
 const fn content(tags: &'static [Tag]) -> Content {
     Content { tags, text: false }
 }
 
-pub(super) static ROOT: Content = content(&[Tag::House, Tag::Houses, Tag::Structure]);
+pub(super) static ROOT: Content = content(&[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog]);
 pub(super) static HOUSES: Content = content(&[Tag::House]);
 pub(super) static HOUSE: Content = content(&[
     Tag::Storey,
@@ -170,10 +189,23 @@ pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
 
 /// What the tree must know to recover well.
 pub(super) static HABITS: Habits = Habits {
-    leaf: |name| matches!(name, "Part" | "random" | "replace" | "Texture" | "Roof"),
+    leaf: |name| {
+        matches!(
+            name,
+            "Part"
+                | "random"
+                | "replace"
+                | "Texture"
+                | "Roof"
+                | "Param"
+                | "let"
+                | "use"
+                | "include"
+        )
+    },
     alone: |name| {
-        let nests = matches!(name, "repeat" | "split" | "upper" | "lower");
-        !nests && named(name).is_some_and(|e| e.tag != Tag::Later)
+        let nests = ["repeat", "split", "upper", "lower", "if", "else", "define"];
+        !nests.contains(&name) && named(name).is_some_and(|e| e.tag != Tag::Later)
     },
     known: |name| named(name).is_some(),
 };

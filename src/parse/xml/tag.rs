@@ -9,6 +9,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 /// `name="value"`.
+#[derive(Clone)]
 pub(super) struct Attribute<'a> {
     pub(super) name: &'a str,
     pub(super) name_range: Range<usize>,
@@ -17,6 +18,13 @@ pub(super) struct Attribute<'a> {
     pub(super) range: Range<usize>,
     /// Whether something was wrong with it, so that nobody complains of it again.
     pub(super) faulty: bool,
+}
+
+impl Attribute<'_> {
+    /// Whether it is other programs' business: name spaces, schema locations, xml:lang.
+    pub(super) fn is_foreign(&self) -> bool {
+        self.name.contains(':') || self.name == "xmlns"
+    }
 }
 
 /// How a start tag ends.

@@ -32,7 +32,71 @@ struct Piece {
     atom: bool,
 }
 
-impl Text<'_> {
+impl<'a> Text<'a> {
+    /// A text in the place of what stands at a range of the file.
+    pub(super) fn instead(text: String, place: Range<usize>) -> Text<'a> {
+        let first = Piece {
+            at: 0,
+            from: place.start,
+            to: place.end,
+            atom: true,
+        };
+        Text {
+            text: Cow::Owned(text),
+            first,
+            more: vec![],
+        }
+    }
+
+    /// A range of the text as a text of its own.
+    pub(super) fn part(&self, range: Range<usize>) -> Text<'a> {
+        let text = match &self.text {
+            Cow::Borrowed(text) => Cow::Borrowed(&text[range.clone()]),
+            Cow::Owned(text) => Cow::Owned(text[range.clone()].to_owned()),
+        };
+        let next = self.more.partition_point(|p| p.at <= range.start);
+        let last = self.more.partition_point(|p| p.at < range.end);
+        let mut first = next.checked_sub(1).map_or(self.first, |i| self.more[i]);
+        if !first.atom {
+            first.from += range.start - first.at;
+        }
+        first.at = 0;
+        let more = &self.more[next..last.max(next)];
+        let moved = |p: &Piece| Piece {
+            at: p.at - range.start,
+            ..*p
+        };
+        Text {
+            text,
+            first,
+            more: more.iter().map(moved).collect(),
+        }
+    }
+
+    /// Puts another text behind this one.
+    pub(super) fn append(&mut self, other: Text<'a>) {
+        if self.text.is_empty() {
+            *self = other;
+            return;
+        }
+        if other.text.is_empty() {
+            return;
+        }
+        let by = self.text.len();
+        let pieces = std::iter::once(other.first).chain(other.more);
+        self.more
+            .extend(pieces.map(|p| Piece { at: p.at + by, ..p }));
+        self.text.to_mut().push_str(&other.text);
+    }
+
+    /// Moves the places in the file.
+    pub(super) fn shift(&mut self, by: usize) {
+        for piece in std::iter::once(&mut self.first).chain(&mut self.more) {
+            piece.from += by;
+            piece.to += by;
+        }
+    }
+
     /// The text without references.
     pub(super) fn as_str(&self) -> &str {
         &self.text

@@ -28,10 +28,33 @@ pub(super) struct Habits {
 }
 
 /// All elements of a file.
+#[derive(Default)]
 pub(super) struct Tree<'a> {
     pub(super) elements: Vec<Element<'a>>,
     /// The outermost ones; one, unless something is wrong.
     pub(super) roots: Vec<usize>,
+}
+
+impl Tree<'_> {
+    /// Moves all places in the file, since another one stands before it.
+    pub(super) fn shift(&mut self, by: usize) {
+        let shift = |range: &mut Range<usize>| *range = range.start + by..range.end + by;
+        for element in &mut self.elements {
+            shift(&mut element.name_range);
+            shift(&mut element.tag);
+            shift(&mut element.range);
+            for attribute in &mut element.attributes {
+                shift(&mut attribute.name_range);
+                shift(&mut attribute.range);
+                attribute.value.shift(by);
+            }
+            for child in &mut element.children {
+                if let Child::Text(text) = child {
+                    text.shift(by);
+                }
+            }
+        }
+    }
 }
 
 /// One element.

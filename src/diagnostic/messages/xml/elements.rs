@@ -184,20 +184,6 @@ pub fn not_yet(span: Span, name: &str) -> Diagnostic {
     ))
 }
 
-/// An expression in braces.
-#[cold]
-pub fn expression_not_yet(span: Span, text: &str) -> Diagnostic {
-    let text = quote(text);
-    let message = text!(
-        "the expression {text} is not supported by this version yet",
-        "式 {text} はこの版ではまだ使えません"
-    );
-    Diagnostic::error(229, span, message).help(text!(
-        "write the value itself; `{{k}}` in codes and ids is the only one that is read",
-        "値そのものを書いてください。読めるのは部材コードと id の中の `{{k}}` だけです"
-    ))
-}
-
 /// A split without one of its halves.
 #[cold]
 pub fn child_missing(span: Span, parent: &str, name: &str) -> Diagnostic {

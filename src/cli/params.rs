@@ -1,0 +1,143 @@
+//! `hsd params`: the parameters of texts.
+
+use super::input::Inputs;
+use super::options::{Reading, exit, report};
+use super::{Outcome, Stop};
+use crate::ast::{Document, Parameter};
+use crate::diagnostic::messages::xml::bounds;
+use crate::diagnostic::{Diagnostics, Language, Severity};
+use crate::driver;
+use crate::report::{Format, Report};
+use crate::text;
+use clap::{Args, ValueEnum};
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// List the parameters of texts: what can be set by `--param`, and to what.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd params machiya.hsd                         what can be set
+  hsd build machiya.hsd --param frontage=5       set it")]
+pub(super) struct Params {
+    #[command(flatten)]
+    reading: Reading,
+
+    /// How they are written, to standard output.
+    #[arg(long, value_enum, default_value_t)]
+    format: ParamsFormat,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum ParamsFormat {
+    /// For people.
+    #[default]
+    Table,
+    /// One array, for programs.
+    Json,
+}
+
+/// A parameter of a file.
+#[derive(Serialize)]
+struct Row<'a> {
+    file: &'a str,
+    #[serde(flatten)]
+    parameter: &'a Parameter,
+}
+
+impl Params {
+    pub(super) fn run(&self, language: Language) -> Outcome {
+        self.reading.check_folders()?;
+        let (limits, options) = (self.reading.limits(), self.reading.options());
+        let mut out = Diagnostics::new();
+        let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
+        let world = self.reading.world(&self.reading.inputs);
+        let sources = inputs.accepted();
+        let read = driver::documents(&sources, &world, &options, &mut out);
+        let names = sources.iter().map(|s| s.name());
+        let text = match self.format {
+            ParamsFormat::Table => table(&read.documents, language),
+            ParamsFormat::Json => {
+                let rows: Vec<Row<'_>> = names
+                    .zip(&read.documents)
+                    .flat_map(|(file, d)| of(d).into_iter().map(move |p| (file, p)))
+                    .map(|(file, parameter)| Row { file, parameter })
+                    .collect();
+                let text = serde_json::to_string_pretty(&rows);
+                text.map_err(|e| {
+                    Stop::Io(text!(
+                        "cannot be written as JSON: {e}",
+                        "JSON として書けません: {e}"
+                    ))
+                })? + "\n"
+            }
+        };
+        let mut list = out.into_sorted();
+        list.retain(|d| d.severity == Severity::Error);
+        let sources = inputs.and(read.included);
+        if !list.is_empty() {
+            report(
+                &Report::new(&sources, &list).in_language(language),
+                Format::Human,
+                &mut io::stderr(),
+            )?;
+        }
+        let mut stdout = io::stdout().lock();
+        stdout.write_all(text.as_bytes())?;
+        stdout.flush()?;
+        Ok(exit(!list.is_empty()))
+    }
+}
+
+/// The parameters of a document, each name once.
+fn of(document: &Document) -> Vec<&Parameter> {
+    let mut found: Vec<&Parameter> = vec![];
+    for parameter in &document.parameters {
+        if !found.iter().any(|p| p.name == parameter.name) {
+            found.push(parameter);
+        }
+    }
+    found
+}
+
+/// Columns as wide as what stands in them.
+fn table(documents: &[Document], language: Language) -> String {
+    let head = language.choose(
+        ["name", "value", "may be", "unit", "what it is"],
+        ["名前", "値", "取りうる値", "単位", "内容"],
+    );
+    let mut rows = vec![head.map(str::to_owned)];
+    for parameter in documents.iter().flat_map(of) {
+        let value = parameter.value.as_ref().or(parameter.default.as_ref());
+        let words = |words: &Option<String>| words.clone().unwrap_or_default();
+        rows.push([
+            parameter.name.clone(),
+            value.map_or_else(String::new, ToString::to_string),
+            bounds(parameter).in_language(language).replace('`', ""),
+            words(&parameter.unit),
+            words(&parameter.doc),
+        ]);
+    }
+    if rows.len() == 1 {
+        return language
+            .choose("no parameters\n", "変数はありません\n")
+            .into();
+    }
+    let width =
+        |text: &str| -> usize { text.chars().map(|c| 1 + usize::from(c > '\u{2e7f}')).sum() };
+    let widths: Vec<usize> = (0..5)
+        .map(|c| rows.iter().map(|r| width(&r[c])).max().unwrap_or(0))
+        .collect();
+    let mut text = String::new();
+    for row in rows {
+        let mut line = String::new();
+        for (cell, wide) in row.iter().zip(&widths) {
+            let cell: String = cell.chars().filter(|c| !c.is_control()).collect();
+            line += &cell;
+            line += &" ".repeat(wide.saturating_sub(width(&cell)) + 2);
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}

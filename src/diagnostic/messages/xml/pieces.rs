@@ -1,0 +1,234 @@
+//! Messages about conditions, named pieces and included files of the XML form.
+
+use super::language::{known, write};
+use crate::diagnostic::Diagnostic;
+use crate::diagnostic::messages::words::quote;
+use crate::source::Span;
+use crate::text;
+
+/// Links of a chain that a message names.
+const NAMED: usize = 12;
+
+/// Places that a chain is marked at.
+const MARKED: usize = 6;
+
+/// The names of a chain with words between them.
+fn names(chain: &[(String, Span)], between: &str) -> String {
+    let mut names: Vec<String> = chain.iter().map(|(name, _)| quote(name)).collect();
+    if names.len() > NAMED {
+        names.splice(NAMED / 2..names.len() - NAMED / 2, ["...".to_owned()]);
+    }
+    names.join(between)
+}
+
+/// Marks the links of a chain.
+fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
+    chain
+        .iter()
+        .take(MARKED)
+        .fold(found, |found, (name, span)| {
+            if *span == found.span {
+                return found;
+            }
+            let name = quote(name);
+            found.label(
+                *span,
+                text!("{name} is called for here", "{name} はここで使われています"),
+            )
+        })
+}
+
+/// `else` that follows no `if`.
+#[cold]
+pub fn else_without_if(span: Span) -> Diagnostic {
+    let message = text!(
+        "`else` does not follow an `if`",
+        "`else` の直前に `if` がありません"
+    );
+    Diagnostic::error(262, span, message).help(text!(
+        "put it directly behind the `</if>` that it belongs to",
+        "対応する `</if>` のすぐ後に置いてください"
+    ))
+}
+
+/// A piece that nobody defined.
+#[cold]
+pub fn unknown_piece(span: Span, name: &str, near: Option<&str>, names: &[String]) -> Diagnostic {
+    let name = quote(name);
+    let message = text!(
+        "no `define` has the name {name}",
+        "{name} という名前の `define` はありません"
+    );
+    Diagnostic::error(263, span, message).help(match near {
+        Some(near) => write(near),
+        None => {
+            let all = known(names);
+            text!([all] "defined here: {all}", "ここで定義されているもの: {all}")
+        }
+    })
+}
+
+/// A piece that would use itself.
+#[cold]
+pub fn piece_in_itself(span: Span, chain: &[(String, Span)], place: Span) -> Diagnostic {
+    let (en, ja) = (names(chain, " in which "), names(chain, " → "));
+    let message = text!(
+        "a piece would stand in itself: {en}",
+        "定義が自分自身を含んでいます: {ja}"
+    );
+    let found = Diagnostic::error(264, span, message)
+        .help(text!(
+            "pieces cannot repeat themselves; use `repeat`",
+            "定義で自分を繰り返すことはできません。`repeat` を使ってください"
+        ))
+        .label(
+            place,
+            text!("its definition is here", "定義はここにあります"),
+        );
+    marked(found, chain)
+}
+
+/// A parameter that the piece has not.
+#[cold]
+pub fn unknown_parameter(
+    span: Span,
+    name: &str,
+    piece: &str,
+    near: Option<&str>,
+    names: &[String],
+) -> Diagnostic {
+    let (name, piece) = (quote(name), quote(piece));
+    let message = text!(
+        "{piece} has no parameter {name}",
+        "{piece} に {name} という変数はありません"
+    );
+    Diagnostic::error(265, span, message).help(match near {
+        Some(near) => write(near),
+        None => {
+            let all = known(names);
+            text!([all] "its parameters: {all}", "変数: {all}")
+        }
+    })
+}
+
+/// A `use` that holds something.
+#[cold]
+pub fn use_with_content(span: Span) -> Diagnostic {
+    let message = text!(
+        "`use` holds nothing: it stands for what its `define` holds",
+        "`use` の中には何も書けません。`define` の中身がその場所に入ります"
+    );
+    Diagnostic::error(266, span, message).help(text!(
+        "end it by `/>`, and put what is in it before or behind it",
+        "`/>` で閉じ、中身は前か後ろに移してください"
+    ))
+}
+
+/// A file that cannot be included; `why` in the words of the system.
+#[cold]
+pub fn include_missing(span: Span, href: &str, why: Option<&str>) -> Diagnostic {
+    let href = quote(href);
+    let message = match why {
+        Some(why) => text!(
+            "{href} cannot be included: {why}",
+            "{href} を取り込めません: {why}"
+        ),
+        None => text!(
+            "{href} cannot be included: there is no such file",
+            "{href} を取り込めません。ファイルがありません"
+        ),
+    };
+    Diagnostic::error(267, span, message).help(text!(
+        "the name is read from the folder of the file in which it stands",
+        "名前は、それが書かれているファイルのフォルダーから見たものです"
+    ))
+}
+
+/// A file that may not be included.
+#[cold]
+pub fn include_outside(span: Span, href: &str) -> Diagnostic {
+    let href = quote(href);
+    let message = text!(
+        "{href} lies outside the root folder of the build",
+        "{href} は基準フォルダーの外にあります"
+    );
+    Diagnostic::error(268, span, message).help(text!(
+        "name a file in the folder of the text or below it, with `/` between folders; `--root DIR` names a higher folder as root",
+        "テキストのフォルダーかその下のファイルを、フォルダーを `/` で区切って書いてください。`--root DIR` でもっと上のフォルダーを基準にできます"
+    ))
+}
+
+/// Files that include each other.
+#[cold]
+pub fn include_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
+    let (en, ja) = (names(chain, ", which includes "), names(chain, " → "));
+    let message = text!(
+        "files include each other: {en}",
+        "ファイルが互いを取り込んでいます: {ja}"
+    );
+    let found = Diagnostic::error(269, span, message).help(text!(
+        "move what both need into a third file, and include that in both",
+        "両方に要るものを第三のファイルに移し、両方からそれを取り込んでください"
+    ));
+    marked(found, &chain[..chain.len().saturating_sub(1)])
+}
+
+/// A file of another form.
+#[cold]
+pub fn include_no_xml(span: Span) -> Diagnostic {
+    let message = text!(
+        "only files in the XML form can be included",
+        "取り込めるのは XML 形式のファイルだけです"
+    );
+    Diagnostic::error(270, span, message).help(text!(
+        "put the definitions into `<Catalog>...</Catalog>`",
+        "定義を `<Catalog>...</Catalog>` の中に書いてください"
+    ))
+}
+
+/// A file without definitions.
+#[cold]
+pub fn include_nothing(span: Span) -> Diagnostic {
+    let message = text!(
+        "this file is included, and defines nothing",
+        "このファイルは取り込まれていますが、何も定義していません"
+    );
+    Diagnostic::warning(270, span, message).help(text!(
+        "put `define`, `let` or `Param` directly into its outermost element",
+        "`define`、`let`、`Param` を最も外側の要素の直下に書いてください"
+    ))
+}
+
+/// More files than the limit.
+#[cold]
+pub fn too_many_includes(span: Span, limit: usize) -> Diagnostic {
+    let message = text!(
+        "more than {limit} files are included; this one is left out",
+        "取り込むファイルが {limit} 個を超えました。これは読みません"
+    );
+    Diagnostic::error(903, span, message).help(text!(
+        "join some of them, or raise the limit by `--max-includes`",
+        "いくつかをまとめるか、`--max-includes` で上限を上げてください"
+    ))
+}
+
+/// Uses and repetitions that grow beyond the limit.
+#[cold]
+pub fn copies_too_large(span: Span, limit: usize, chain: &[(String, Span)]) -> Diagnostic {
+    let (en, ja) = (names(chain, " in which "), names(chain, " → "));
+    let message = match chain {
+        [] => text!(
+            "repetitions come to more than {limit} parts",
+            "繰り返しが部材 {limit} 個を超えます"
+        ),
+        _ => text!(
+            "pieces and repetitions come to more than {limit} parts: {en}",
+            "定義と繰り返しが部材 {limit} 個を超えます: {ja}"
+        ),
+    };
+    let found = Diagnostic::error(904, span, message).help(text!(
+        "repeat less, or raise the limit by `--max-parts`; the houses of this file are left out",
+        "繰り返しを減らすか、`--max-parts` で上限を上げてください。このファイルの家は作りません"
+    ));
+    marked(found, chain)
+}

@@ -1,0 +1,347 @@
+//! What is computed in a file (language.md 3), worked out on its elements: from a tree with expressions, parameters,
+//! conditions, named pieces and other files to a tree without any of them, which the rest of the reader then reads
+//! like any other. So every attribute of every element can be an expression, and no later pass knows of them.
+//!
+//! | file | works out |
+//! |---|---|
+//! | `braces` | `{...}` in attributes and codes |
+//! | `scope` | which names are known where |
+//! | `names` | `Param` and `let` |
+//! | `conditions` | `if` and `else` |
+//! | `storeys` | the number `k`, and repetitions in which it stands |
+//! | `pieces` | `define` and `use` |
+//! | `files` | `include` |
+//!
+//! - A name is known behind its `let` or `Param` in the same element and whatever stands in that; a piece in the whole
+//!   element. `if` and `else` count as what they hold, so that names given in them are known behind them.
+//! - A piece knows the names of the place where it is defined, and its own parameters; not those of the place of use.
+//! - What stands in the tree keeps its places: that of a computed value are the braces, that of a piece its definition.
+//! - A file without any of this goes through as it is.
+
+mod braces;
+mod conditions;
+mod files;
+mod names;
+mod pieces;
+mod scope;
+mod storeys;
+
+use super::schema::{self, Tag};
+use super::suggest::Suggest;
+use super::text::Text;
+use super::tree::{Child, Element, Tree};
+use crate::ast::Parameter;
+use crate::diagnostic::messages::xml as say;
+use crate::parse::Setting;
+use crate::parse::expr::Expr;
+use crate::parse::faults::Faults;
+use crate::source::Span;
+use conditions::Branch;
+use pieces::Used;
+use scope::{Frame, Scope};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use storeys::Storeys;
+
+/// What the parts of a house cost is counted by `expand`; a copied element takes more room here than a part there.
+const ELEMENT: u64 = 8;
+
+/// Messages that list what is known; nobody reads more of them.
+const HINTS: u32 = 200;
+
+/// Columns of text that take the room of a part.
+const COLUMNS: usize = 5;
+
+/// A tree in which nothing is left to be computed.
+pub(super) struct Made<'a> {
+    pub(super) tree: Tree<'a>,
+    pub(super) parameters: Vec<Parameter>,
+    /// Whether it grew beyond the limit, and was given up.
+    pub(super) over: bool,
+}
+
+/// Works out what is computed in a tree. Elements nest at most `nesting` deep in the result.
+pub(super) fn work_out<'a>(
+    tree: Tree<'a>,
+    setting: Setting<'a>,
+    nesting: usize,
+    faults: &mut Faults<'a>,
+) -> Made<'a> {
+    if is_plain(&tree, faults) {
+        return Made {
+            tree,
+            parameters: vec![],
+            over: false,
+        };
+    }
+    faults.say_once();
+    let mut maker = Maker {
+        faults,
+        setting,
+        nesting,
+        suggest: Suggest::new(),
+        made: Tree::default(),
+        parameters: vec![],
+        parsed: BTreeMap::new(),
+        storeys: Storeys::default(),
+        uses: vec![],
+        files: files::Files::default(),
+        depth: 0,
+        hints: HINTS,
+        copying: false,
+        room: setting.limits.parts as u64,
+        over: false,
+    };
+    let tree = Rc::new(tree);
+    let scope = Frame::outermost();
+    for root in &tree.roots {
+        let made = maker.copy(&tree, *root, &scope);
+        maker.made.roots.extend(made);
+    }
+    Made {
+        tree: maker.made,
+        parameters: maker.parameters,
+        over: maker.over,
+    }
+}
+
+/// Whether nothing is to be computed.
+fn is_plain(tree: &Tree<'_>, faults: &Faults<'_>) -> bool {
+    const NAMES: [&str; 7] = ["Param", "let", "define", "use", "if", "else", "include"];
+    let computes = |e: &Element<'_>| NAMES.contains(&e.name);
+    !faults.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
+}
+
+/// The elements that are worked out here.
+fn is_language(tag: Tag) -> bool {
+    use Tag::{Define, Else, If, Include, Let, Param, Use};
+    matches!(tag, Define | Else | If | Include | Let | Param | Use)
+}
+
+/// The state of the work.
+struct Maker<'a, 'f> {
+    faults: &'f mut Faults<'a>,
+    setting: Setting<'a>,
+    nesting: usize,
+    suggest: Suggest,
+    made: Tree<'a>,
+    parameters: Vec<Parameter>,
+    /// Expressions by their place: a piece is read once however often it is used.
+    parsed: BTreeMap<usize, Option<Rc<Expr>>>,
+    storeys: Storeys,
+    /// The uses that are under way, outermost first.
+    uses: Vec<Used<'a>>,
+    files: files::Files<'a>,
+    /// Elements, conditions, uses and files that are open.
+    depth: usize,
+    /// How many messages may still list what is known: gathering that takes time.
+    hints: u32,
+    /// Whether more is being made than is written.
+    copying: bool,
+    /// Parts that may still be made of copies.
+    room: u64,
+    over: bool,
+}
+
+/// An element of a tree.
+struct Spot<'s, 'a> {
+    tree: &'s Rc<Tree<'a>>,
+    index: usize,
+}
+
+impl<'s, 'a> Spot<'s, 'a> {
+    fn element(&self) -> &'s Element<'a> {
+        &self.tree.elements[self.index]
+    }
+
+    fn tag(&self) -> Option<Tag> {
+        schema::named(self.element().name).map(|s| s.tag)
+    }
+
+    fn child(&self, index: usize) -> Spot<'s, 'a> {
+        Spot { index, ..*self }
+    }
+}
+
+impl<'a> Maker<'a, '_> {
+    /// Makes an element; `None` where it would nest too deep or there is no more room.
+    fn copy(&mut self, tree: &Rc<Tree<'a>>, index: usize, scope: &Scope<'a>) -> Option<usize> {
+        let spot = Spot { tree, index };
+        match spot.tag() {
+            Some(Tag::Storey | Tag::Floor) => self.storey(&spot, scope),
+            Some(Tag::House | Tag::Facade) => {
+                let outside = std::mem::take(&mut self.storeys);
+                let made = self.element(&spot, scope);
+                self.storeys = outside;
+                made
+            }
+            _ => self.element(&spot, scope),
+        }
+    }
+
+    /// Makes an element with its attributes and all it holds.
+    fn element(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) -> Option<usize> {
+        let element = spot.element();
+        if !self.take(
+            ELEMENT * (1 + element.attributes.len() as u64),
+            &element.name_range,
+        ) {
+            return None;
+        }
+        let made = self.made.elements.len();
+        let mut attributes = element.attributes.clone();
+        for attribute in attributes.iter_mut().filter(|a| !a.is_foreign()) {
+            if braces::are_in(&attribute.value)
+                && let Some(value) = self.filled(&attribute.value, scope)
+            {
+                attribute.value = value;
+            } else if braces::are_in(&attribute.value) {
+                attribute.value = Text::instead(String::new(), attribute.value.whole());
+                attribute.faulty = true;
+            }
+        }
+        self.made.elements.push(Element {
+            name: element.name,
+            name_range: element.name_range.clone(),
+            tag: element.tag.clone(),
+            range: element.range.clone(),
+            attributes,
+            children: vec![],
+            cut: element.cut,
+        });
+        self.inside(&spot.element().name_range, made, |maker| {
+            maker.content(spot, scope, made);
+        });
+        Some(made)
+    }
+
+    /// Does something a level deeper, unless that is too deep; `into` = the element that loses it then.
+    fn inside(
+        &mut self,
+        place: &std::ops::Range<usize>,
+        into: usize,
+        work: impl FnOnce(&mut Self),
+    ) {
+        if self.depth >= self.nesting {
+            let limit = self.nesting;
+            self.made.elements[into].cut = true;
+            self.faults.at(place, |s| say::nested_too_deep(s, limit));
+            return;
+        }
+        self.depth += 1;
+        work(self);
+        self.depth -= 1;
+    }
+
+    /// Makes what stands in an element.
+    fn content(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let children = &spot.element().children;
+        let names = |child: &Child<'_>| match child {
+            Child::Element(index) => spot.child(*index).tag().is_some_and(is_language),
+            Child::Text(_) => false,
+        };
+        if children.iter().any(names) {
+            self.list(spot, &Frame::within(scope), into);
+        } else {
+            self.list(spot, scope, into);
+        }
+    }
+
+    /// Makes what stands in an element, whose names are those of this frame.
+    fn list(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let children = &spot.element().children;
+        for child in children {
+            if let Child::Element(index) = child
+                && spot.child(*index).tag() == Some(Tag::Define)
+            {
+                self.define(&spot.child(*index), scope);
+            }
+        }
+        let mut branch = Branch::None;
+        for child in children {
+            if self.over {
+                return;
+            }
+            match child {
+                Child::Text(text) => {
+                    branch = Branch::None;
+                    self.codes(text, scope, into);
+                }
+                Child::Element(index) => {
+                    let child = spot.child(*index);
+                    branch = self.child(&child, spot, scope, into, branch);
+                }
+            }
+        }
+    }
+
+    /// Makes a child of an element; returns what an `else` behind it would mean.
+    fn child(
+        &mut self,
+        spot: &Spot<'_, 'a>,
+        parent: &Spot<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+        branch: Branch,
+    ) -> Branch {
+        match spot.tag() {
+            Some(Tag::Param) => self.param(spot, parent, scope),
+            Some(Tag::Let) => self.assign(spot, scope),
+            Some(Tag::Define) => {}
+            Some(Tag::Use) => self.use_piece(spot, scope, into),
+            Some(Tag::If) => return self.condition(spot, scope, into, Branch::Open),
+            Some(Tag::Else) => return self.condition(spot, scope, into, branch),
+            Some(Tag::Include) => self.include(spot, scope),
+            Some(Tag::Repeat) => self.repeat(spot, scope, into),
+            _ => self.add(spot, scope, into),
+        }
+        Branch::None
+    }
+
+    /// Makes an element in another.
+    fn add(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        if let Some(made) = self.copy(spot.tree, spot.index, scope) {
+            let child = Child::Element(made);
+            self.made.elements[into].children.push(child);
+        }
+    }
+
+    /// What is known, for a message, as long as there is use in it.
+    fn known(&mut self, gather: impl FnOnce() -> Vec<String>) -> Vec<String> {
+        if self.hints == 0 {
+            return vec![];
+        }
+        self.hints -= 1;
+        gather()
+    }
+
+    /// Adds a text to an element.
+    fn add_text(&mut self, text: Text<'a>, into: usize) {
+        let parts = 2 + text.as_str().len() / COLUMNS;
+        if self.take(parts as u64, &text.whole()) {
+            self.made.elements[into].children.push(Child::Text(text));
+        }
+    }
+
+    /// Takes room for so many parts, if more is made than is written; false when there is none left.
+    fn take(&mut self, parts: u64, place: &std::ops::Range<usize>) -> bool {
+        if self.copying || !self.uses.is_empty() {
+            match self.room.checked_sub(parts) {
+                Some(left) => self.room = left,
+                None => self.stop(place),
+            }
+        }
+        !self.over
+    }
+
+    #[cold]
+    fn stop(&mut self, place: &std::ops::Range<usize>) {
+        if !self.over {
+            self.over = true;
+            let chain: Vec<(String, Span)> = self.chain();
+            let limit = self.setting.limits.parts;
+            self.faults
+                .at(place, |s| say::copies_too_large(s, limit, &chain));
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! `{...}`: finding expressions in texts, and putting their values in their place.
+
+use super::super::tag::is_blank;
+use super::super::text::{REPORTED, Text};
+use super::{Maker, Scope};
+use crate::ast::Value;
+use crate::diagnostic::messages::xml as say;
+use crate::parse::expr::{self, Expr, Problem};
+use std::ops::Range;
+use std::rc::Rc;
+
+/// Longer texts are nobody's code or name; without a bound a few lines could fill the memory.
+const LONGEST: usize = 4096;
+
+/// A piece of a text with braces.
+enum Segment {
+    /// As it stands.
+    Plain(Range<usize>),
+    /// With its braces.
+    Expression(Range<usize>),
+    /// A brace that has no partner, and what would be its expression.
+    Loose(Range<usize>),
+}
+
+/// Whether a text has anything to do with expressions.
+pub(super) fn are_in(text: &Text<'_>) -> bool {
+    text.as_str().contains(['{', '}'])
+}
+
+/// Divides a text; an expression ends with its line.
+fn segments(text: &str) -> Vec<Segment> {
+    let (mut found, mut start) = (vec![], 0);
+    while let Some(open) = text[start..].find(['{', '}']).map(|i| start + i) {
+        if open > start {
+            found.push(Segment::Plain(start..open));
+        }
+        if text[open..].starts_with('}') {
+            found.push(Segment::Loose(open..open + 1));
+            start = open + 1;
+            continue;
+        }
+        let (end, closed) = end_of(text, open + 1);
+        found.push(if closed {
+            Segment::Expression(open..end)
+        } else {
+            Segment::Loose(open..end)
+        });
+        start = end;
+    }
+    if start < text.len() {
+        found.push(Segment::Plain(start..text.len()));
+    }
+    found
+}
+
+/// Where the expression ends that begins here, and whether by its brace. Braces in quotes do not count.
+fn end_of(text: &str, from: usize) -> (usize, bool) {
+    let mut at = from;
+    while let Some(c) = text[at..].chars().next() {
+        let next = at + c.len_utf8();
+        match c {
+            '}' => return (next, true),
+            '{' | '\n' | '\r' => return (at, false),
+            '\'' | '"' => {
+                let end = text[next..].find([c, '\n', '\r']).map(|i| next + i);
+                let end = end.filter(|end| text[*end..].starts_with(c));
+                at = end.map_or(next, |end| end + 1);
+            }
+            _ => at = next,
+        }
+    }
+    (at, false)
+}
+
+impl<'a> Maker<'a, '_> {
+    /// The value of an attribute: that of its expression if it is nothing else, else what its text reads as; `None`
+    /// where something was reported.
+    pub(super) fn value(&mut self, text: &Text<'_>, scope: &Scope<'a>) -> Option<Value> {
+        let whole = text.as_str();
+        if !are_in(text) {
+            return Some(Value::read(whole));
+        }
+        let start = whole.len() - whole.trim_start_matches(is_blank).len();
+        let end = whole.trim_end_matches(is_blank).len();
+        if let [Segment::Expression(range)] = &segments(&whole[start..end])[..] {
+            let range = start + range.start..start + range.end;
+            return self.expression(text, range, scope);
+        }
+        let filled = self.filled(text, scope)?;
+        Some(Value::Text(filled.as_str().to_owned()))
+    }
+
+    /// The text of an attribute with the values of its expressions; `None` where something was reported.
+    pub(super) fn filled<'t>(&mut self, text: &Text<'t>, scope: &Scope<'a>) -> Option<Text<'t>> {
+        let (mut filled, mut sound) = (text.part(0..0), true);
+        for segment in segments(text.as_str()) {
+            match segment {
+                Segment::Plain(range) => filled.append(text.part(range)),
+                Segment::Loose(range) => {
+                    self.loose(text, range);
+                    sound = false;
+                }
+                Segment::Expression(range) => match self.expression(text, range.clone(), scope) {
+                    Some(value) => {
+                        let place = text.range(range);
+                        filled.append(Text::instead(value.to_string(), place));
+                    }
+                    None => sound = false,
+                },
+            }
+        }
+        if filled.as_str().len() > LONGEST.max(text.as_str().len()) {
+            self.faults.at(&text.whole(), say::value_too_long);
+            return None;
+        }
+        sound.then_some(filled)
+    }
+
+    /// Adds the text of a wall line to an element: the value of each expression as a run of its own.
+    pub(super) fn codes(&mut self, text: &Text<'a>, scope: &Scope<'a>, into: usize) {
+        if !are_in(text) {
+            return self.add_text(text.clone(), into);
+        }
+        for segment in segments(text.as_str()) {
+            match segment {
+                Segment::Plain(range) => {
+                    let blank = text.as_str()[range.clone()].chars().all(is_blank);
+                    if !blank {
+                        self.add_text(text.part(range), into);
+                    }
+                }
+                Segment::Loose(range) => {
+                    self.loose(text, range.clone());
+                    let place = text.range(range);
+                    self.add_text(Text::instead(REPORTED.to_string(), place), into);
+                }
+                Segment::Expression(range) => {
+                    let value = self.expression(text, range.clone(), scope);
+                    let code = value.map_or(REPORTED.to_string(), |v| v.to_string());
+                    let place = text.range(range);
+                    self.add_text(Text::instead(code, place), into);
+                }
+            }
+        }
+    }
+
+    fn loose(&mut self, text: &Text<'_>, range: Range<usize>) {
+        let opens = text.as_str()[range.clone()].starts_with('{');
+        let brace = range.start..range.start + 1;
+        self.faults
+            .at(&text.range(brace), |s| say::brace_alone(s, opens));
+    }
+
+    /// The value of an expression with its braces; `None` where something was reported.
+    fn expression(
+        &mut self,
+        text: &Text<'_>,
+        range: Range<usize>,
+        scope: &Scope<'a>,
+    ) -> Option<Value> {
+        let expr = self.parsed(text, &range)?;
+        let storeys = &self.storeys;
+        let names = |name: &str| {
+            if name == "k" {
+                storeys.asked.set(true);
+                let number = storeys.number.ok_or(Problem::NoStorey)?;
+                return Ok(Value::Number(number as f64));
+            }
+            match scope.value(name) {
+                Some(bound) => bound.value.ok_or(Problem::Reported),
+                None => Err(Problem::Unknown(name.to_owned())),
+            }
+        };
+        let trouble = match expr::evaluate(&expr, &names) {
+            Ok(value) => return Some(value),
+            Err(trouble) => trouble,
+        };
+        let (start, inner) = (range.start + 1, trouble.range);
+        let place = text.range(start + inner.start..start + inner.end);
+        let quoted = text.as_str()[start..range.end - 1].get(inner)?;
+        self.trouble(&trouble.problem, &place, quoted, scope);
+        None
+    }
+
+    fn parsed(&mut self, text: &Text<'_>, range: &Range<usize>) -> Option<Rc<Expr>> {
+        let place = text.range(range.clone());
+        if let Some(parsed) = self.parsed.get(&place.start) {
+            return parsed.clone();
+        }
+        let inner = &text.as_str()[range.start + 1..range.end - 1];
+        let parsed = if inner.chars().all(is_blank) {
+            self.faults.at(&place, say::empty_braces);
+            None
+        } else {
+            let found = expr::parse(inner).map_err(|fault| {
+                let (start, at) = (range.start + 1, fault.range);
+                let quoted = &inner[at.clone()];
+                // At the end the closing brace is what was found.
+                let end = if quoted.is_empty() {
+                    at.end + 1
+                } else {
+                    at.end
+                };
+                let place = text.range(start + at.start..start + end);
+                self.faults
+                    .at(&place, |s| say::bad_expression(s, fault.wanted, quoted));
+            });
+            found.ok().map(Rc::new)
+        };
+        self.parsed.insert(place.start, parsed.clone());
+        parsed
+    }
+
+    fn trouble(
+        &mut self,
+        problem: &Problem,
+        place: &Range<usize>,
+        quoted: &str,
+        scope: &Scope<'a>,
+    ) {
+        match problem {
+            Problem::Reported => {}
+            Problem::Unknown(name) => {
+                let known = self.known(|| scope.names());
+                let near = self.suggest.among(name, known.iter().map(|n| &**n));
+                self.faults
+                    .at(place, |s| say::unknown_name(s, name, near, &known));
+            }
+            Problem::NoFunction(name) => {
+                let near = self.suggest.among(name, expr::FUNCTIONS.iter().copied());
+                self.faults.at(place, |s| {
+                    say::unknown_function(s, name, near, &expr::FUNCTIONS)
+                });
+            }
+            Problem::NoStorey => self.faults.at(place, say::no_storey),
+            Problem::Mismatch { wanted, found } => self
+                .faults
+                .at(place, |s| say::wrong_type(s, quoted, *wanted, found)),
+            Problem::Arguments {
+                function,
+                wanted,
+                found,
+            } => self.faults.at(place, |s| {
+                say::wrong_arguments(s, function, *wanted, *found)
+            }),
+            Problem::Division => self.faults.at(place, |s| say::division_by_zero(s, quoted)),
+            Problem::Bounds => self.faults.at(place, say::clamp_bounds),
+            Problem::Overflow => self.faults.at(place, |s| say::number_too_large(s, quoted)),
+            Problem::TooLong => self.faults.at(place, say::value_too_long),
+        }
+    }
+}

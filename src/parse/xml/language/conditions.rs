@@ -1,0 +1,66 @@
+//! `if` and `else`: one of them stands for what it holds.
+
+use super::super::read::check;
+use super::super::schema::{self, Tag};
+use super::{Maker, Scope, Spot};
+use crate::ast::Value;
+use crate::diagnostic::messages::xml as say;
+
+/// What an `else` means where it stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Branch {
+    /// Nothing: there is no `if` before it.
+    None,
+    /// Nothing before it was chosen.
+    Open,
+    /// Something before it was.
+    Chosen,
+}
+
+impl<'a> Maker<'a, '_> {
+    /// Works out an `if`, or an `else` behind that. An `else` with a test is another condition.
+    pub(super) fn condition(
+        &mut self,
+        spot: &Spot<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+        branch: Branch,
+    ) -> Branch {
+        let element = spot.element();
+        let Some(schema) = schema::named(element.name) else {
+            return branch;
+        };
+        if branch == Branch::None {
+            self.faults.at(&element.name_range, say::else_without_if);
+            return Branch::None;
+        }
+        let of = check(self.faults, &mut self.suggest, schema, element);
+        let test = of.get("test").map(|a| &a.value);
+        // Without a sound test neither this nor what follows is chosen: nobody knows which was meant.
+        let holds = match test {
+            _ if branch == Branch::Chosen => false,
+            None if schema.tag == Tag::Else => true,
+            None => return Branch::Chosen,
+            Some(test) => match self.value(test, scope) {
+                Some(Value::Truth(truth)) => truth,
+                Some(found) => {
+                    let quoted = test.as_str();
+                    self.faults
+                        .at(&test.whole(), |s| say::test_no_truth(s, quoted, &found));
+                    return Branch::Chosen;
+                }
+                None => return Branch::Chosen,
+            },
+        };
+        if holds {
+            self.inside(&element.name_range, into, |maker| {
+                maker.list(spot, scope, into);
+            });
+        }
+        match (schema.tag, test) {
+            (Tag::Else, None) => Branch::None,
+            _ if holds => Branch::Chosen,
+            _ => branch,
+        }
+    }
+}

@@ -1,0 +1,182 @@
+//! `include`: what another file defines. Of that file count the parameters, names, pieces and includes in its
+//! outermost element; its houses do not. Each file is read once, however often it is included.
+
+use super::super::read::check;
+use super::super::schema::{self, HABITS, Tag};
+use super::super::tree::{self, Child};
+use super::conditions::Branch;
+use super::scope::Frame;
+use super::{Maker, Scope, Spot, is_language};
+use crate::diagnostic::messages::xml as say;
+use crate::parse::is_readable;
+use crate::source::{NoText, Source, Span};
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::rc::Rc;
+
+/// The files that were included.
+#[derive(Default)]
+pub(super) struct Files<'a> {
+    /// By path; `None` where nothing came of it, which was reported.
+    done: BTreeMap<String, Option<Scope<'a>>>,
+    /// Those under way, outermost first: path, and where it is included.
+    open: Vec<(String, Span)>,
+}
+
+impl<'a> Maker<'a, '_> {
+    /// Takes over what a file defines.
+    pub(super) fn include(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) {
+        let element = spot.element();
+        let Some(schema) = schema::named(element.name) else {
+            return;
+        };
+        let of = check(self.faults, &mut self.suggest, schema, element);
+        let Some(href) = of.get("href") else {
+            return;
+        };
+        let place = href.value.whole();
+        let Some(path) = self
+            .filled(&href.value, scope)
+            .and_then(|href| self.path(href.as_str().trim(), &place))
+        else {
+            return;
+        };
+        if let Some(first) = self.files.open.iter().position(|(p, _)| *p == path) {
+            let span = self.faults.span(&place);
+            let mut chain = self.files.open[first..].to_vec();
+            chain.push((path, span));
+            self.faults.push(|| say::include_cycle(span, &chain));
+            return;
+        }
+        if !self.files.done.contains_key(&path) {
+            let file = self.file(&path, &place);
+            self.files.done.insert(path.clone(), file);
+        }
+        if let Some(Some(file)) = self.files.done.get(&path) {
+            scope.import(file);
+        }
+    }
+
+    /// The path that a reference leads to.
+    fn path(&mut self, href: &str, place: &Range<usize>) -> Option<String> {
+        let scheme = href.split_once(':').is_some_and(|(s, _)| !s.contains('/'));
+        if scheme || href.starts_with('/') || href.contains(['\\', '\0']) {
+            self.faults.at(place, |s| say::include_outside(s, href));
+            return None;
+        }
+        let (_, from) = self.faults.source_at(place.start);
+        match self.setting.world.text(from.name(), href) {
+            Ok(path) => Some(path),
+            Err(NoText::Outside) => {
+                self.faults.at(place, |s| say::include_outside(s, href));
+                None
+            }
+            Err(NoText::Missing) => {
+                self.faults
+                    .at(place, |s| say::include_missing(s, href, None));
+                None
+            }
+        }
+    }
+
+    /// What a file defines; `None` where nothing came of it.
+    fn file(&mut self, path: &str, place: &Range<usize>) -> Option<Scope<'a>> {
+        let source = self.source(path, place)?;
+        let base = self.faults.enter(source);
+        let mut readable = true;
+        if self.files.open.len() >= self.nesting {
+            let limit = self.nesting;
+            self.faults.at(&(0..0), |s| say::nested_too_deep(s, limit));
+            readable = false;
+        }
+        let faults = &mut *self.faults;
+        readable &= is_readable(source, &self.setting.limits, &mut |d| faults.say(d));
+        if readable && !source.text().trim_start().starts_with(['<', '＜']) {
+            self.faults.at(&(0..0), say::include_no_xml);
+            readable = false;
+        }
+        if !readable {
+            self.faults.leave();
+            return None;
+        }
+        let mut tree = tree::read(self.faults, 0, self.nesting, HABITS);
+        self.faults.leave();
+        tree.shift(base);
+        let span = self.faults.span(place);
+        self.files.open.push((path.to_owned(), span));
+        let scope = Frame::outermost();
+        self.definitions(&Rc::new(tree), &scope);
+        self.files.open.pop();
+        Some(scope)
+    }
+
+    fn source(&mut self, path: &str, place: &Range<usize>) -> Option<&'a Source> {
+        let shelf = self.setting.shelf;
+        if let Some(source) = shelf.find(path) {
+            return Some(source);
+        }
+        let limit = self.setting.limits.bytes;
+        let bytes = match self.setting.world.text_bytes(path, limit) {
+            Ok(bytes) => bytes,
+            Err(error) => {
+                let why = error.to_string();
+                self.faults
+                    .at(place, |s| say::include_missing(s, path, Some(&why)));
+                return None;
+            }
+        };
+        let source = shelf.add(path, &bytes);
+        if source.is_none() {
+            let limit = self.setting.limits.includes;
+            self.faults.at(place, |s| say::too_many_includes(s, limit));
+        }
+        source
+    }
+
+    /// What the outermost element of a file defines.
+    fn definitions(&mut self, tree: &Rc<tree::Tree<'a>>, scope: &Scope<'a>) {
+        let Some(root) = tree.roots.first() else {
+            return;
+        };
+        let root = Spot { tree, index: *root };
+        let storeys = std::mem::take(&mut self.storeys);
+        let children = root.element().children.iter();
+        let spots: Vec<Spot<'_, 'a>> = children
+            .filter_map(|child| match child {
+                Child::Element(index) => Some(root.child(*index)),
+                Child::Text(_) => None,
+            })
+            .filter(|spot| spot.tag().is_some_and(is_language))
+            .collect();
+        let (pieces, others): (Vec<_>, Vec<_>) =
+            spots.iter().partition(|s| s.tag() == Some(Tag::Define));
+        for piece in &pieces {
+            self.define(piece, scope);
+        }
+        if pieces.is_empty() && others.is_empty() {
+            self.faults
+                .at(&root.element().name_range, say::include_nothing);
+        }
+        // What is no definition lands in an element that nobody reads.
+        let aside = self.aside(&root);
+        let mut branch = Branch::None;
+        for spot in others {
+            branch = self.child(spot, &root, scope, aside, branch);
+        }
+        self.storeys = storeys;
+    }
+
+    fn aside(&mut self, root: &Spot<'_, 'a>) -> usize {
+        let element = root.element();
+        self.made.elements.push(tree::Element {
+            name: element.name,
+            name_range: element.name_range.clone(),
+            tag: element.tag.clone(),
+            range: element.range.clone(),
+            attributes: vec![],
+            children: vec![],
+            cut: false,
+        });
+        self.made.elements.len() - 1
+    }
+}

@@ -1,0 +1,201 @@
+//! `let` and `Param`: names for values.
+
+use super::super::read::{Attributes, check};
+use super::super::schema::{self, Tag};
+use super::scope::Bound;
+use super::{Maker, Scope, Spot};
+use crate::ast::{Parameter, Value};
+use crate::diagnostic::messages::xml as say;
+use crate::parse::expr;
+use crate::source::{Span, Spanned};
+
+/// Where a parameter's value comes from.
+pub(super) enum Given {
+    /// From the command line, for a house or a file.
+    Run,
+    /// From a `use`, if that names it. `None` inside = this was reported.
+    Use(Option<Spanned<Option<Value>>>),
+}
+
+impl<'a> Maker<'a, '_> {
+    /// Takes a `let`.
+    pub(super) fn assign(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) {
+        let element = spot.element();
+        let Some(schema) = schema::named(element.name) else {
+            return;
+        };
+        let of = check(self.faults, &mut self.suggest, schema, element);
+        let value = of.get("value").map(|v| self.value(&v.value, scope));
+        if let Some(name) = self.name(&of) {
+            self.bind(&name, value.flatten(), scope);
+        }
+    }
+
+    /// Takes the parameter of a house or a file.
+    pub(super) fn param(&mut self, spot: &Spot<'_, 'a>, parent: &Spot<'_, 'a>, scope: &Scope<'a>) {
+        match parent.tag() {
+            Some(Tag::House | Tag::Houses | Tag::Structure | Tag::Catalog) => {
+                self.parameter(spot, scope, Given::Run);
+            }
+            Some(Tag::Define) => {} // taken by its use
+            _ => {
+                let element = spot.element();
+                let home = schema::named(element.name).map_or("", |s| s.home);
+                let outer = parent.element().name;
+                self.faults.at(&element.name_range, |s| {
+                    say::wrong_place(s, element.name, Some(outer), home)
+                });
+            }
+        }
+    }
+
+    /// Works out a parameter and gives its name its value.
+    pub(super) fn parameter(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, given: Given) {
+        let element = spot.element();
+        let Some(schema) = schema::named(element.name) else {
+            return;
+        };
+        let of = check(self.faults, &mut self.suggest, schema, element);
+        let Some(name) = self.name(&of) else {
+            return;
+        };
+        let written = of.get("default").is_some();
+        let mut parameter = Parameter {
+            span: self.faults.span(&element.tag),
+            default: of.get("default").and_then(|d| self.value(&d.value, scope)),
+            value: None,
+            min: self.bound(&of, "min", scope),
+            max: self.bound(&of, "max", scope),
+            step: self.bound(&of, "step", scope).filter(|step| *step > 0.0),
+            choices: self.choices(&of, scope),
+            unit: self.words(&of, "unit", scope),
+            doc: self.words(&of, "doc", scope),
+            name: name.value.clone(),
+        };
+        if let (Some(default), Some(place)) = (&parameter.default, of.get("default"))
+            && !parameter.admits(default)
+        {
+            let place = place.value.whole();
+            self.faults.at(&place, |s| {
+                say::default_out_of_range(s, default, &parameter)
+            });
+        }
+        let at_run = matches!(given, Given::Run);
+        let value = self.given(&parameter, given, name.span);
+        parameter.value = value.unwrap_or_else(|| parameter.default.clone());
+        if parameter.value.is_none() && !written && !at_run {
+            let span = self.uses.last().map_or(name.span, |u| u.span);
+            self.faults
+                .push(|| say::parameter_missing(span, &name.value, Some(name.span)));
+        } else if parameter.value.is_none() && !written {
+            self.faults
+                .push(|| say::parameter_missing(name.span, &name.value, None));
+        }
+        self.bind(&name, parameter.value.clone(), scope);
+        if at_run {
+            self.parameters.push(parameter);
+        }
+    }
+
+    /// The value given to a parameter, if one is; `None` inside = it is not usable, which was reported.
+    fn given(&mut self, to: &Parameter, given: Given, name: Span) -> Option<Option<Value>> {
+        let (value, span) = match given {
+            Given::Use(given) => {
+                let given = given?;
+                match given.value {
+                    Some(value) => (value, given.span),
+                    None => return Some(None),
+                }
+            }
+            Given::Run => {
+                let mut set = self.setting.parameters.iter().rev();
+                let (_, text) = set.find(|(name, _)| *name == to.name)?;
+                let value = match to.choices.iter().find(|c| c.to_string() == text.trim()) {
+                    Some(choice) => choice.clone(),
+                    None => Value::read(text),
+                };
+                (value, name)
+            }
+        };
+        // A parameter that is a text may look like anything.
+        let value = match (&to.default, to.admits(&value)) {
+            (Some(Value::Text(_)), false) if to.choices.is_empty() => {
+                Value::Text(value.to_string())
+            }
+            _ => value,
+        };
+        if to.admits(&value) {
+            return Some(Some(value));
+        }
+        self.faults
+            .push(|| say::value_out_of_range(span, &value, to, name));
+        None
+    }
+
+    /// The name that an element gives.
+    fn name(&mut self, of: &Attributes<'_>) -> Option<Spanned<String>> {
+        let attribute = of.get("name")?;
+        let place = attribute.value.whole();
+        let name = attribute.value.as_str().trim();
+        if !expr::is_name(name) || expr::RESERVED.contains(&name) {
+            let plain = plain_name(name);
+            self.faults.at(&place, |s| say::no_name(s, name, &plain));
+            return None;
+        }
+        Some(Spanned::new(name.to_owned(), self.faults.span(&place)))
+    }
+
+    /// Gives a name to a value; one name is given once in an element.
+    pub(super) fn bind(&mut self, name: &Spanned<String>, value: Option<Value>, scope: &Scope<'a>) {
+        let place = name.span;
+        if let Some(before) = scope.bind(&name.value, Bound { value, place }) {
+            self.faults
+                .push(|| say::named_twice(place, &name.value, before));
+        }
+    }
+
+    fn bound(&mut self, of: &Attributes<'_>, name: &str, scope: &Scope<'a>) -> Option<f64> {
+        let attribute = of.get(name)?;
+        match self.value(&attribute.value, scope)? {
+            Value::Number(number) => Some(number),
+            found => {
+                let text = found.to_string();
+                self.faults.at(&attribute.value.whole(), |s| {
+                    say::not_a_number(s, name, &text, None)
+                });
+                None
+            }
+        }
+    }
+
+    fn choices(&mut self, of: &Attributes<'_>, scope: &Scope<'a>) -> Vec<Value> {
+        let words = self.words(of, "choices", scope).unwrap_or_default();
+        let comma = words.contains(',');
+        let pieces = words.split(|c: char| if comma { c == ',' } else { c.is_whitespace() });
+        let pieces = pieces.map(str::trim).filter(|p| !p.is_empty());
+        pieces.map(Value::read).collect()
+    }
+
+    fn words(&mut self, of: &Attributes<'_>, name: &str, scope: &Scope<'a>) -> Option<String> {
+        let filled = self.filled(&of.get(name)?.value, scope)?;
+        Some(filled.as_str().trim().to_owned())
+    }
+}
+
+/// What a name would be with letters, digits and `_` only; empty where it cannot be mended so.
+fn plain_name(name: &str) -> String {
+    let plain: String = name
+        .chars()
+        .map(|c| if c.is_alphanumeric() { c } else { '_' })
+        .collect();
+    let plain = if expr::RESERVED.contains(&name) {
+        format!("{plain}_")
+    } else {
+        plain
+    };
+    if expr::is_name(&plain) {
+        plain
+    } else {
+        String::new()
+    }
+}

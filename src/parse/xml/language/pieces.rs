@@ -1,0 +1,185 @@
+//! `define` and `use`: named pieces. The attributes of a `define` are its parameters and their defaults (an empty one
+//! must be given), and so are the `Param`s in it; those of a `use` set them.
+
+use super::super::read::check;
+use super::super::schema::{self, Tag};
+use super::super::tag::Attribute;
+use super::super::tree::{Child, Element};
+use super::names::Given;
+use super::scope::{Frame, Piece};
+use super::{ELEMENT, Maker, Scope, Spot};
+use crate::ast::Value;
+use crate::diagnostic::messages::xml as say;
+use crate::source::{Span, Spanned};
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A use under way.
+pub(super) struct Used<'a> {
+    name: String,
+    piece: Piece<'a>,
+    pub(super) span: Span,
+}
+
+/// What a use sets, by name. `None` = this was reported.
+type Arguments<'s, 'a> = BTreeMap<String, (&'s Attribute<'a>, Option<Value>)>;
+
+impl<'a> Maker<'a, '_> {
+    /// The names of the uses under way and where they stand.
+    pub(super) fn chain(&self) -> Vec<(String, Span)> {
+        let uses = self.uses.iter();
+        uses.map(|used| (used.name.clone(), used.span)).collect()
+    }
+
+    /// Takes a `define`.
+    pub(super) fn define(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) {
+        let element = spot.element();
+        let Some(name) = self.piece_name(element, scope) else {
+            return;
+        };
+        let place = name.span;
+        let piece = Piece {
+            tree: Rc::clone(spot.tree),
+            index: spot.index,
+            place,
+        };
+        if let Some(before) = scope.define(&name.value, piece) {
+            self.faults
+                .push(|| say::named_twice(place, &name.value, before));
+        }
+    }
+
+    /// Puts a piece in the place of its `use`.
+    pub(super) fn use_piece(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let element = spot.element();
+        if let Some(Child::Element(_) | Child::Text(_)) = element.children.first() {
+            self.faults.at(&element.name_range, say::use_with_content);
+        }
+        let Some(name) = self.piece_name(element, scope) else {
+            return;
+        };
+        let Some((piece, home)) = scope.piece(&name.value) else {
+            let known = self.known(|| scope.pieces());
+            let near = self.suggest.among(&name.value, known.iter().map(|n| &**n));
+            self.faults
+                .push(|| say::unknown_piece(name.span, &name.value, near, &known));
+            return;
+        };
+        if let Some(first) = self.uses.iter().position(|u| u.piece.is(&piece)) {
+            let mut chain = self.chain().split_off(first);
+            chain.push((name.value.clone(), name.span));
+            self.faults
+                .push(|| say::piece_in_itself(name.span, &chain, piece.place));
+            return;
+        }
+        let arguments = self.arguments(element, scope);
+        let tree = Rc::clone(&piece.tree);
+        let body = Spot {
+            tree: &tree,
+            index: piece.index,
+        };
+        self.uses.push(Used {
+            name: name.value.clone(),
+            piece,
+            span: name.span,
+        });
+        if self.take(ELEMENT, &element.name_range) {
+            let frame = Frame::within(&home);
+            self.parameters_of(&body, &name, arguments, &frame);
+            self.inside(&element.name_range, into, |maker| {
+                maker.list(&body, &frame, into);
+            });
+        }
+        self.uses.pop();
+    }
+
+    /// What a use sets, worked out where it stands.
+    fn arguments<'s>(&mut self, element: &'s Element<'a>, scope: &Scope<'a>) -> Arguments<'s, 'a> {
+        let mut arguments = BTreeMap::new();
+        for attribute in parameters(element) {
+            let value = self.value(&attribute.value, scope);
+            let entry = arguments.entry(attribute.name.to_owned());
+            entry.or_insert((attribute, value));
+        }
+        arguments
+    }
+
+    /// Gives a piece's parameters their values.
+    fn parameters_of(
+        &mut self,
+        body: &Spot<'_, 'a>,
+        name: &Spanned<String>,
+        mut arguments: Arguments<'_, 'a>,
+        frame: &Scope<'a>,
+    ) {
+        let mut known = vec![];
+        for parameter in parameters(body.element()) {
+            known.push(parameter.name.to_owned());
+            let place = self.faults.span(&parameter.name_range);
+            let given = arguments.remove(parameter.name);
+            let default = &parameter.value;
+            let value = match given {
+                Some((_, value)) => value,
+                None if default.as_str().trim().is_empty() => {
+                    self.faults
+                        .push(|| say::parameter_missing(name.span, parameter.name, Some(place)));
+                    None
+                }
+                None => self.value(default, frame),
+            };
+            let name = Spanned::new(parameter.name.to_owned(), place);
+            self.bind(&name, value, frame);
+        }
+        for child in &body.element().children {
+            let Child::Element(index) = child else {
+                continue;
+            };
+            let spot = body.child(*index);
+            if spot.tag() != Some(Tag::Param) {
+                continue;
+            }
+            let mut attributes = spot.element().attributes.iter();
+            let name = attributes.find(|a| a.name == "name");
+            let name = name.map_or("", |n| n.value.as_str().trim());
+            known.push(name.to_owned());
+            let given = arguments.remove(name).map(|(attribute, value)| {
+                let place = attribute.value.whole();
+                Spanned::new(value, self.faults.span(&place))
+            });
+            self.parameter(&spot, frame, Given::Use(given));
+        }
+        for (unknown, (attribute, _)) in arguments {
+            let near = self.suggest.among(&unknown, known.iter().map(|n| &**n));
+            self.faults.at(&attribute.name_range, |s| {
+                say::unknown_parameter(s, &unknown, &name.value, near, &known)
+            });
+        }
+    }
+
+    /// The name of a piece. At a `use` it may be worked out, so that a parameter can choose among pieces.
+    fn piece_name(&mut self, element: &Element<'a>, scope: &Scope<'a>) -> Option<Spanned<String>> {
+        let mut attributes = element.attributes.iter();
+        let Some(name) = attributes.find(|a| a.name == "name") else {
+            let schema = schema::named(element.name)?;
+            check(self.faults, &mut self.suggest, schema, element);
+            return None;
+        };
+        let filled = self.filled(&name.value, scope)?;
+        let text = filled.as_str().trim();
+        if text.is_empty() {
+            if !name.faulty {
+                self.faults
+                    .at(&name.range, |s| say::value_empty(s, name.name));
+            }
+            return None;
+        }
+        let span = self.faults.span(&name.value.whole());
+        Some(Spanned::new(text.to_owned(), span))
+    }
+}
+
+/// The attributes of a `define` or a `use` that are parameters.
+fn parameters<'s, 'a>(element: &'s Element<'a>) -> impl Iterator<Item = &'s Attribute<'a>> {
+    let all = element.attributes.iter();
+    all.filter(|a| a.name != "name" && !a.is_foreign())
+}

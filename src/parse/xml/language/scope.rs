@@ -1,0 +1,150 @@
+//! Which names and pieces are known where: frames inside one another, each a list of what was said in an element.
+
+use super::super::tree::Tree;
+use crate::ast::Value;
+use crate::source::Span;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A frame that several hold.
+pub(super) type Scope<'a> = Rc<Frame<'a>>;
+
+/// What was said in an element, and the frame round it.
+#[derive(Default)]
+pub(super) struct Frame<'a> {
+    outer: Option<Scope<'a>>,
+    names: RefCell<BTreeMap<String, Bound>>,
+    pieces: RefCell<BTreeMap<String, Piece<'a>>>,
+    /// Files included here and by these, each once.
+    files: RefCell<Vec<Scope<'a>>>,
+}
+
+/// What a name stands for.
+#[derive(Clone)]
+pub(super) struct Bound {
+    /// `None` = this was reported.
+    pub(super) value: Option<Value>,
+    pub(super) place: Span,
+}
+
+/// A `define`.
+#[derive(Clone)]
+pub(super) struct Piece<'a> {
+    pub(super) tree: Rc<Tree<'a>>,
+    pub(super) index: usize,
+    pub(super) place: Span,
+}
+
+impl Piece<'_> {
+    /// Whether it is the same element.
+    pub(super) fn is(&self, other: &Piece<'_>) -> bool {
+        std::ptr::addr_eq(Rc::as_ptr(&self.tree), Rc::as_ptr(&other.tree))
+            && self.index == other.index
+    }
+}
+
+impl<'a> Frame<'a> {
+    /// The frame of a file.
+    pub(super) fn outermost() -> Scope<'a> {
+        Rc::new(Frame::default())
+    }
+
+    /// A frame inside this one.
+    pub(super) fn within(outer: &Scope<'a>) -> Scope<'a> {
+        Rc::new(Frame {
+            outer: Some(Rc::clone(outer)),
+            ..Frame::default()
+        })
+    }
+
+    /// Gives a name, unless it is given in this frame already; then says where.
+    pub(super) fn bind(&self, name: &str, bound: Bound) -> Option<Span> {
+        let mut names = self.names.borrow_mut();
+        if let Some(before) = names.get(name) {
+            return Some(before.place);
+        }
+        names.insert(name.to_owned(), bound);
+        None
+    }
+
+    /// Names a piece, unless another has the name in this frame; then says where.
+    pub(super) fn define(&self, name: &str, piece: Piece<'a>) -> Option<Span> {
+        let mut pieces = self.pieces.borrow_mut();
+        if let Some(before) = pieces.get(name) {
+            return (!before.is(&piece)).then_some(before.place);
+        }
+        pieces.insert(name.to_owned(), piece);
+        None
+    }
+
+    /// Takes over what a file says.
+    pub(super) fn import(&self, file: &Scope<'a>) {
+        let mut files = self.files.borrow_mut();
+        let further = file.files.borrow();
+        for file in std::iter::once(file).chain(further.iter()) {
+            if !files.iter().any(|f| Rc::ptr_eq(f, file)) {
+                files.push(Rc::clone(file));
+            }
+        }
+    }
+
+    /// What a name stands for.
+    pub(super) fn value(&self, name: &str) -> Option<Bound> {
+        let own = |frame: &Frame<'a>| frame.names.borrow().get(name).cloned();
+        self.frames().find_map(|frame| {
+            let files = frame.files.borrow();
+            own(frame).or_else(|| files.iter().find_map(|f| own(f)))
+        })
+    }
+
+    /// A piece, and the frame in which it is defined.
+    pub(super) fn piece(self: &Rc<Self>, name: &str) -> Option<(Piece<'a>, Scope<'a>)> {
+        let own = |frame: &Scope<'a>| {
+            let found = frame.pieces.borrow().get(name).cloned();
+            found.map(|piece| (piece, Rc::clone(frame)))
+        };
+        let mut next = Some(self);
+        while let Some(frame) = next {
+            let files = frame.files.borrow();
+            let found = own(frame).or_else(|| files.iter().find_map(own));
+            if found.is_some() {
+                return found;
+            }
+            next = frame.outer.as_ref();
+        }
+        None
+    }
+
+    /// All names that are known here, the nearest first.
+    pub(super) fn names(&self) -> Vec<String> {
+        let keys = |frame: &Frame<'a>| frame.names.borrow().keys().cloned().collect();
+        self.gather(keys)
+    }
+
+    /// All pieces that are known here, the nearest first.
+    pub(super) fn pieces(&self) -> Vec<String> {
+        let keys = |frame: &Frame<'a>| frame.pieces.borrow().keys().cloned().collect();
+        self.gather(keys)
+    }
+
+    fn gather(&self, keys: impl Fn(&Frame<'a>) -> Vec<String>) -> Vec<String> {
+        let mut found: Vec<String> = vec![];
+        for frame in self.frames() {
+            let files = frame.files.borrow();
+            let files = files.iter().flat_map(|f| keys(f));
+            for name in keys(frame).into_iter().chain(files) {
+                // Far more names than anybody reads in a message.
+                if found.len() < 1000 && !found.contains(&name) {
+                    found.push(name);
+                }
+            }
+        }
+        found
+    }
+
+    /// This frame and those round it.
+    fn frames(&self) -> impl Iterator<Item = &Frame<'a>> {
+        std::iter::successors(Some(self), |frame| frame.outer.as_deref())
+    }
+}

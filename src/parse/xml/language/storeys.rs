@@ -1,0 +1,87 @@
+//! The number of the storey, `k`. It is counted over the expanded storeys of a house, or of a facade, from 1 and
+//! without parapets; so a repetition of storeys in which it stands is written out here, and each copy bears its own.
+
+use super::super::text::Text;
+use super::super::tree::Child;
+use super::{Maker, Scope, Spot};
+use std::cell::Cell;
+
+/// How far the storeys of a house or a facade are counted.
+#[derive(Default)]
+pub(super) struct Storeys {
+    /// Storeys so far.
+    count: u64,
+    /// The number of the one under way.
+    pub(super) number: Option<u64>,
+    /// Whether anybody asked for it.
+    pub(super) asked: Cell<bool>,
+}
+
+impl<'a> Maker<'a, '_> {
+    /// Makes a storey or a floor. A parapet has the number of the storey below it.
+    pub(super) fn storey(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) -> Option<usize> {
+        let outside = self.storeys.number.replace(self.storeys.count + 1);
+        let attributes = &spot.element().attributes;
+        let kind = attributes.iter().find(|a| a.name == "kind");
+        let kind = kind.and_then(|kind| self.filled(&kind.value, scope));
+        let parapet = kind.is_some_and(|kind| kind.as_str().trim() == "parapet");
+        if parapet && self.storeys.count > 0 {
+            self.storeys.number = Some(self.storeys.count);
+        } else {
+            self.storeys.count += 1;
+        }
+        let made = self.element(spot, scope);
+        self.storeys.number = outside;
+        made
+    }
+
+    /// Makes a repetition; where storeys in it ask for their number, a repetition for each round.
+    pub(super) fn repeat(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let before = self.storeys.count;
+        let asked = self.storeys.asked.replace(false);
+        let Some(first) = self.element(spot, scope) else {
+            return;
+        };
+        self.put(first, into);
+        let rounds = self.rounds(first);
+        let each = self.storeys.count - before;
+        let numbered = self.storeys.asked.get() && each > 0;
+        self.storeys.asked.set(asked || self.storeys.asked.get());
+        if !numbered || rounds < 2 {
+            let counted = each.saturating_mul(rounds);
+            self.storeys.count = before.saturating_add(counted);
+            return;
+        }
+        self.once(first);
+        let copying = std::mem::replace(&mut self.copying, true);
+        for _ in 1..rounds {
+            let Some(next) = self.element(spot, scope) else {
+                break;
+            };
+            self.once(next);
+            self.put(next, into);
+        }
+        self.copying = copying;
+    }
+
+    fn put(&mut self, made: usize, into: usize) {
+        let child = Child::Element(made);
+        self.made.elements[into].children.push(child);
+    }
+
+    /// How often a repetition goes round; 1 where that cannot be told.
+    fn rounds(&self, made: usize) -> u64 {
+        let mut attributes = self.made.elements[made].attributes.iter();
+        let num = attributes.find(|a| a.name == "num");
+        num.and_then(|num| num.value.as_str().trim().parse().ok())
+            .unwrap_or(1)
+    }
+
+    /// Makes a repetition go round once.
+    fn once(&mut self, made: usize) {
+        let mut attributes = self.made.elements[made].attributes.iter_mut();
+        if let Some(num) = attributes.find(|a| a.name == "num") {
+            num.value = Text::instead("1".into(), num.value.whole());
+        }
+    }
+}

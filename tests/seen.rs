@@ -1,0 +1,81 @@
+//! What is seen of models from outside: no face from behind (a gap, or a face inside out) and no two faces that fight
+//! for one place.
+
+mod support;
+
+use glam::{DVec3, dvec3};
+use hsd::scene::{Detail, Kind, Scene};
+use std::collections::BTreeMap;
+use support::view::View;
+use support::{assert_none, compile_file, root, stem, texts};
+
+/// Faces nearer to each other than this along the line of sight take turns in a viewer, metres.
+const SAME_DEPTH: f64 = 2e-4;
+
+/// From all round: from the height of the eaves, from a roof across the street, and from straight above.
+fn ways() -> Vec<DVec3> {
+    let mut ways = vec![dvec3(0.01, 0.02, -1.0)];
+    for k in 0..8 {
+        let (sin, cos) = (f64::from(k) * std::f64::consts::FRAC_PI_4 + 0.21).sin_cos();
+        ways.push(dvec3(cos, sin, -0.06));
+        ways.push(dvec3(cos, sin, -0.7));
+    }
+    ways
+}
+
+/// The findings about one scene: what is seen from behind and what fights, by node and place.
+fn findings(scene: &Scene, only_roofs: bool) -> Vec<String> {
+    let mut found: BTreeMap<String, (usize, DVec3)> = BTreeMap::new();
+    let mut lines = 0;
+    for way in ways() {
+        let view = View::of(scene, way, 220);
+        lines += view.hits.len();
+        for (place, [first, second]) in view.hits.iter().enumerate() {
+            let Some(first) = first else { continue };
+            let node = &scene.nodes[first.node as usize];
+            if only_roofs && node.kind != Kind::Roof {
+                continue;
+            }
+            let of = |what: &str| {
+                format!(
+                    "{what} {} ({})",
+                    node.name, scene.materials[first.material as usize].name
+                )
+            };
+            let mut note = |what: String| {
+                found.entry(what).or_insert((0, view.point(place))).0 += 1;
+            };
+            if !first.front {
+                note(of("from behind:"));
+            }
+            if let Some(second) = second
+                && second.depth - first.depth < SAME_DEPTH
+                && first.normal.dot(second.normal) > 0.999
+                && second.material != first.material
+            {
+                let other = &scene.materials[second.material as usize].name;
+                note(format!("{} and {other}", of("fight:")));
+            }
+        }
+    }
+    let many = found
+        .into_iter()
+        .filter(|(_, (count, _))| *count * 100_000 > lines);
+    many.map(|(what, (count, at))| format!("{what}: {count} of {lines}, first at {at:.3}"))
+        .collect()
+}
+
+#[test]
+fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
+    let mut all = vec![];
+    for path in texts("examples").into_iter().chain(texts("grammar/roofs")) {
+        let run = compile_file(&path);
+        for detail in Detail::ALL {
+            let scene = hsd::driver::scene(&run.building, detail);
+            let of = |f: String| format!("{} at detail {detail:?}: {f}", stem(&path));
+            all.extend(findings(&scene, true).into_iter().map(of));
+        }
+    }
+    assert!(root().is_dir());
+    assert_none(&all);
+}
