@@ -74,7 +74,7 @@ impl View {
         });
         let step = (hi - lo).max_element() / size as f64;
         // Lines of sight through no round number: none runs along an edge.
-        let origin = lo + dvec2(0.318_31, 0.367_88) * step;
+        let origin = lo + dvec2(0.347_21, 0.411_87) * step;
         let width = ((hi.x - lo.x) / step) as usize + 1;
         let height = ((hi.y - lo.y) / step) as usize + 1;
         let mut view = View {
