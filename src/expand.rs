@@ -110,7 +110,11 @@ impl<'a, 'c> Pass<'a, 'c> {
         let settings = &house.settings;
         let unit = settings.unit.as_ref();
         let unit = unit.and_then(positive).unwrap_or(UNIT);
-        let mut storeys = self.all_storeys(house, place, unit);
+        let monument = self.monument(house, unit);
+        let mut storeys = match monument {
+            Some(made) => made.storeys,
+            None => self.all_storeys(house, place, unit),
+        };
         if self.over {
             return None;
         }
@@ -130,6 +134,8 @@ impl<'a, 'c> Pass<'a, 'c> {
             unit_shaku: unit,
             street: settings.street.as_ref().is_some_and(|s| s.value),
             storeys,
+            platform: house.fittings.platform.clone(),
+            finials: house.fittings.finials.clone(),
             roofs: roofs::roofs(&house.roofs),
         })
     }

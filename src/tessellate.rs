@@ -19,6 +19,7 @@ mod corner;
 mod detail;
 mod dress;
 mod facade;
+mod fittings;
 mod kura;
 mod leaf;
 mod member;
@@ -66,10 +67,15 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         roofs: Roofs::default(),
         rooms: Rooms::default(),
         nodes: Vec::with_capacity(nodes(building)),
+        root: NodeId(0),
     };
     let none = HouseRoofs::default();
     for (i, house) in building.shell.houses.iter().enumerate() {
         walker.house(house, building.roofs.get(i).unwrap_or(&none), i + 1);
+        let root = walker.root;
+        for (n, fitting) in building.fittings.get(i).into_iter().flatten().enumerate() {
+            walker.fitting(root, fitting, n + 1);
+        }
     }
     let pictures = building.shell.pictures.iter();
     walker
@@ -94,6 +100,8 @@ struct Walker<'a> {
     roofs: Roofs<'a>,
     rooms: Rooms,
     nodes: Vec<Node>,
+    /// The house in the making.
+    root: NodeId,
 }
 
 /// What walls of a storey have in common.
@@ -118,7 +126,14 @@ impl Level<'_> {
 
     /// Whether the storey stands on the ground.
     fn grounded(&self) -> bool {
-        self.framed() && self.storey.number == 1 && self.storey.z0.abs() < SAME
+        let low = self.storey.number == 1 && self.storey.z0.abs() < SAME;
+        self.framed() && low && self.house.raised == 0.0
+    }
+
+    /// The posts that the author asked for: half a side, metres.
+    fn post(&self) -> Option<f64> {
+        let posts = self.storey.order.posts.as_ref();
+        posts.map(|p| p.size * crate::geometry::SHAKU / 2.0)
     }
 }
 
@@ -151,6 +166,7 @@ impl<'a> Walker<'a> {
         node.turn = Heading::new(180.0 - house.azimuth).vector();
         node.span = Some(house.span);
         let root = self.last();
+        self.root = root;
         let standing: Vec<OnceCell<Standing>> =
             house.storeys.iter().map(|_| OnceCell::new()).collect();
         for (storey, standing) in house.storeys.iter().zip(&standing) {

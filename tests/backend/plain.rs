@@ -60,6 +60,9 @@ fn regions_are_written_as_documented() {
         unit: 10.0 / 11.0,
         street: false,
         storeys: vec![],
+        raised: 0.0,
+        platform: None,
+        finials: vec![],
         roofs: Default::default(),
     };
     let plan = StoreyPlan {

@@ -354,6 +354,14 @@ pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
     ))
 }
 
+/// Neither one number nor two.
+#[cold]
+pub fn not_a_pair(span: Span, name: &str, count: usize) -> Diagnostic {
+    let text = format!("{} takes one number or two, not {count}", quote(name));
+    Diagnostic::error(244, span, text)
+        .help("write two numbers, across and in depth, such as `5 2`; one alone stands for both")
+}
+
 /// Weights that are all nought.
 #[cold]
 pub fn no_weight(span: Span) -> Diagnostic {

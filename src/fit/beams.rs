@@ -1,0 +1,78 @@
+//! Tie beams (nageshi) that run before the posts of a storey: at the foot, over the doors, under the sills.
+
+use super::{metres, outward, rings};
+use crate::ast::Posts;
+use crate::building::fittings::Beam;
+use crate::building::{House, Storey, Wall};
+use crate::geometry::SHAKU;
+use crate::program::{Content, Unit};
+
+/// Where the foot of each row lies in the height of the posts; parts of monuments have their doors and windows
+/// between them.
+const ROWS: [f64; 5] = [0.0, 0.74, 0.36, 0.9, 0.18];
+
+/// Height of a beam, as a share of the post's side.
+const HEIGHT: f64 = 0.62;
+
+/// The beams of all walls; they end where nothing stands in a bay.
+pub(super) fn beams(house: &House, storey: &Storey, posts: &Posts) -> Vec<Beam> {
+    let height = storey.wall_height();
+    let post = posts.size * SHAKU;
+    let mut made = vec![];
+    for wall in rings(storey).flat_map(|r| &r.walls) {
+        for (from, to) in runs(wall) {
+            for row in ROWS.iter().take(posts.nageshi as usize) {
+                made.push(beam(house, wall, (from, to), (post, storey.z0 + height * row)));
+            }
+        }
+    }
+    made
+}
+
+fn beam(
+    house: &House,
+    wall: &Wall,
+    (from, to): (f64, f64),
+    (post, foot): (f64, f64),
+) -> Beam {
+    // From the wall to a little before the posts.
+    let width = post / 2.0 + 0.03;
+    let beyond = |at: f64, end: f64| if (at - end).abs() < 1e-6 { width } else { 0.0 };
+    let length = wall.from.distance(wall.to);
+    let (from, to) = (from - beyond(from, 0.0) / house.unit, to + beyond(to, length) / house.unit);
+    let out = outward(wall) * (width / 2.0);
+    // Those along the front lie a little higher, so that at corners no two faces share a plane.
+    let lift = 0.012 * wall.direction.x.abs();
+    let at = |u: f64| (metres(house, wall.from + wall.direction * u) + out).extend(foot + lift);
+    Beam {
+        ends: [at(from), at(to)],
+        width,
+        height: post * HEIGHT,
+    }
+}
+
+/// Stretches of bays in which something stands, U from the right end.
+fn runs(wall: &Wall) -> Vec<(f64, f64)> {
+    let mut at = 0.0;
+    let mut runs: Vec<(f64, f64)> = vec![];
+    for unit in &wall.units {
+        let next = at + unit.width;
+        match runs.last_mut().filter(|r| (r.1 - at).abs() < 1e-9) {
+            _ if !closed(unit) || unit.width <= 0.0 => {}
+            Some(run) => run.1 = next,
+            None => runs.push((at, next)),
+        }
+        at = next;
+    }
+    runs
+}
+
+/// Whether beams run before a bay.
+fn closed(unit: &Unit) -> bool {
+    let open = crate::catalog::Catalog::builtin();
+    match &unit.content {
+        Content::Void => false,
+        Content::Part(id) => open.part(*id).class() != 'A' || open.part(*id).code() == "APW  ",
+        Content::Picture(_) | Content::Split(_) => true,
+    }
+}
