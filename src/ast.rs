@@ -13,7 +13,7 @@ mod value;
 pub use fittings::{
     Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
-pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda};
+pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,

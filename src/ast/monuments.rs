@@ -129,8 +129,6 @@ pub struct Hall {
     pub veranda: Given,
     /// Height of its floor.
     pub floor: Given,
-    /// Depth of the porch before the doors; 0 = none.
-    pub porch: Given,
     /// Logs on the ridge; 0 = no chigi.
     pub katsuogi: Option<Spanned<u64>>,
 }

@@ -33,7 +33,7 @@ impl<'t> Reader<'t, '_> {
                 storeys: self.whole_number(&of, "storeys", 1..=15),
                 width: self.number(&of, "width", SIZE),
                 bays: self.whole_number(&of, "bays", 1..=9),
-                taper: self.number(&of, "taper", 0.2..=1.0),
+                taper: self.number(&of, "taper", 0.2..=0.99),
                 rise: self.number(&of, "rise", 0.1..=3.0),
                 sorin: self.number(&of, "sorin", LENGTH),
             }),
@@ -58,7 +58,6 @@ impl<'t> Reader<'t, '_> {
                 upper: self.number(&of, "upper", SIZE),
                 veranda: self.number(&of, "veranda", LENGTH),
                 floor: self.number(&of, "floor", LENGTH),
-                porch: self.number(&of, "porch", LENGTH),
                 katsuogi: self.whole_number(&of, "katsuogi", 0..=99),
             }),
         };

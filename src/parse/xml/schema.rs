@@ -90,7 +90,7 @@ const ANY: &str = "any element";
 
 /// What halls and shrines may bear.
 #[rustfmt::skip]
-const HALL: &[&str] = &["bays", "bay", "doors", "aisle", "upper", "veranda", "floor", "porch", "katsuogi", "columns",
+const HALL: &[&str] = &["bays", "bay", "doors", "aisle", "upper", "veranda", "floor", "katsuogi", "columns",
     "post", "paint", "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"];
 
 /// All elements.

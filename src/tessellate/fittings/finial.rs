@@ -10,9 +10,6 @@ use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;
 use glam::{DVec2, DVec3};
 
-/// How far a finial reaches down into its roof, as a share of its height.
-pub(super) const SUNK: f64 = 0.06;
-
 pub(super) fn bodies(it: &Finial, detail: Detail) -> Bodies {
     let mut bodies = Bodies::default();
     let middle = (it.ridge[0] + it.ridge[1]) / 2.0;

@@ -6,7 +6,7 @@ use crate::building::fittings::{Platform, Stairs};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::{Axis, Bodies};
-use glam::{DVec2, DVec3, dvec2};
+use glam::{DVec2, dvec2};
 
 /// How far courses stand out before the panels, metres.
 const OUT: f64 = 0.06;

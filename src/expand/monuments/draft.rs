@@ -1,0 +1,281 @@
+//! A house in the making: rectangular storeys of bays.
+
+use crate::ast::{
+    Brackets, Finial, FinialKind, Measures, Order, Paint, Platform, Posts, RoofKind, RoofLine,
+    RoofShape, RoofStyle, Side, StoreyKind, Veranda,
+};
+use crate::catalog::Catalog;
+use crate::geometry::STEPS;
+use crate::program::{Content, Line, Loop, Split, Storey, Unit};
+use crate::source::{Span, Spanned};
+
+/// What stands in a bay, and its width in shaku.
+pub(super) type Bay = (&'static str, f64);
+
+/// A length of the plan in U, on the grid of the steps: walls close exactly.
+pub(super) fn units(shaku: f64, unit: f64) -> f64 {
+    let steps = STEPS as f64;
+    (shaku / unit * steps).round() / steps
+}
+
+/// A house in the making; lengths in shaku.
+pub(crate) struct Draft {
+    /// The element that asks for it.
+    pub(super) span: Span,
+    /// One U in shaku.
+    pub(super) unit: f64,
+    pub(crate) storeys: Vec<Storey>,
+    pub(super) platform: Option<Platform>,
+    pub(super) finials: Vec<Finial>,
+    /// What its roofs look like.
+    pub(super) style: RoofStyle,
+    /// Roofs with a place of their own.
+    pub(super) lines: Vec<RoofLine>,
+}
+
+/// A rectangular storey.
+pub(super) struct Level<'a> {
+    /// Its front right corner.
+    pub(super) start: [f64; 2],
+    /// Bays of the four walls in walk order, from right to left.
+    pub(super) walls: [&'a [Bay]; 4],
+    pub(super) height: f64,
+    /// From its foot to the floor of its veranda: plain wall.
+    pub(super) base: f64,
+    pub(super) order: Order,
+}
+
+impl Draft {
+    pub(super) fn new(span: Span, unit: f64) -> Draft {
+        Draft {
+            span,
+            unit,
+            storeys: vec![],
+            platform: None,
+            finials: vec![],
+            style: RoofStyle::default(),
+            lines: vec![],
+        }
+    }
+
+    /// How many parts it has.
+    pub(super) fn parts(&self) -> u64 {
+        let loops = self.storeys.iter().flat_map(|s| &s.loops);
+        let lines = loops.flat_map(|l| &l.lines);
+        lines.map(|l| l.units.len() as u64).sum()
+    }
+
+    /// Adds a storey.
+    pub(super) fn storey(&mut self, level: &Level<'_>) {
+        let zone = level.order.brackets.as_ref().map_or(0.0, Brackets::zone);
+        // The share of what stands above the base.
+        let wall = level.height - zone;
+        let share = (1.0 - level.base / wall.max(0.1)).clamp(0.05, 1.0);
+        let lines = level.walls.iter().map(|bays| self.line(bays, share));
+        let walk = self.walk(level.start, lines.collect(), false);
+        self.storeys.push(Storey {
+            span: self.span,
+            height: level.height,
+            kind: StoreyKind::Storey,
+            order: level.order.clone(),
+            loops: vec![walk],
+        });
+    }
+
+    /// Adds a wall inside the last storey, parallel to its front.
+    pub(super) fn inner(&mut self, start: [f64; 2], bays: &[Bay]) {
+        let line = self.line(bays, 1.0);
+        let walk = self.walk(start, vec![line], true);
+        if let Some(storey) = self.storeys.last_mut() {
+            storey.loops.push(walk);
+        }
+    }
+
+    fn walk(&self, [a, b]: [f64; 2], lines: Vec<Line>, inner: bool) -> Loop {
+        Loop {
+            span: self.span,
+            hole: false,
+            inner,
+            ring: false,
+            start: (units(a, self.unit), units(b, self.unit)),
+            lines,
+        }
+    }
+
+    fn line(&self, bays: &[Bay], share: f64) -> Line {
+        let units = bays.iter().map(|bay| self.bay(*bay, share)).collect();
+        Line {
+            span: self.span,
+            units,
+            turn: 90.0,
+            reflection: false,
+        }
+    }
+
+    fn bay(&self, (code, width): Bay, share: f64) -> Unit {
+        let width = units(width, self.unit);
+        let whole = |code: &str| Unit {
+            span: self.span,
+            width,
+            content: content(code),
+            height: None,
+            reflection: None,
+        };
+        if share > 0.999 || code == WALL {
+            return whole(code);
+        }
+        let split = Split {
+            ratio: share,
+            upper: vec![whole(code)],
+            lower: vec![whole(WALL)],
+        };
+        Unit {
+            content: Content::Split(Box::new(split)),
+            ..whole(code)
+        }
+    }
+
+    /// A value of the house's roofs.
+    pub(super) fn say<T>(&self, value: T) -> Option<Spanned<T>> {
+        Some(Spanned::new(value, self.span))
+    }
+
+    /// What all roofs look like by their measures, with defaults.
+    pub(super) fn look(&mut self, measures: &Measures, usual: &Usual) {
+        let of = |given: Option<Spanned<f64>>, usual: f64| given.or(self.say(usual));
+        self.style = RoofStyle {
+            kind: measures.kind.or(self.say(usual.kind)),
+            shape: measures.shape.or(self.say(usual.shape)),
+            pitch: of(measures.pitch, usual.pitch),
+            eaves: of(measures.eaves, usual.eaves),
+            verge: self.say(usual.verge),
+            thickness: of(measures.thickness, usual.thickness),
+            noshi: self.say(usual.noshi),
+            sori: of(measures.sori, usual.sori),
+            gable: self.say(usual.gable),
+            ratio: None,
+            plain_ridge: self.say(usual.plain),
+        };
+    }
+
+    /// The platform, unless its height is nought.
+    pub(super) fn platform(&mut self, measures: &Measures, height: f64, margin: f64, stairs: Stairs) {
+        let height = super::or(measures.platform, height);
+        let margin = measures.margin.map_or([margin; 2], |m| m.value);
+        let (sides, width) = stairs;
+        self.platform = (height > 0.0).then(|| Platform {
+            span: self.span,
+            height,
+            margin,
+            stairs: sides,
+            width: Some(width),
+        });
+    }
+
+    pub(super) fn finial(&mut self, kind: FinialKind, height: Option<f64>, count: Option<u32>) {
+        self.finials.push(Finial {
+            span: self.span,
+            kind,
+            height,
+            count,
+            at: None,
+        });
+    }
+
+    pub(super) fn posts(&self, size: f64, paint: Paint, nageshi: u32) -> Option<Posts> {
+        Some(Posts {
+            span: self.span,
+            size,
+            round: true,
+            paint,
+            nageshi,
+        })
+    }
+
+    pub(super) fn brackets(&self, steps: u32, height: f64, out: f64) -> Option<Brackets> {
+        Some(Brackets {
+            span: self.span,
+            steps,
+            height: Some(height),
+            out: Some(if steps == 0 { 0.0 } else { out }),
+            paint: None,
+        })
+    }
+
+    pub(super) fn veranda(
+        &self,
+        width: f64,
+        height: f64,
+        rail: crate::ast::Rail,
+        stairs: Vec<Side>,
+    ) -> Option<Veranda> {
+        (width > 0.0).then(|| Veranda {
+            span: self.span,
+            width,
+            height,
+            rail,
+            stairs,
+            paint: None,
+        })
+    }
+}
+
+/// Sides with stairs, and their width.
+pub(super) type Stairs = (Vec<Side>, f64);
+
+/// What roofs look like where nobody says.
+pub(super) struct Usual {
+    pub(super) kind: RoofKind,
+    pub(super) shape: RoofShape,
+    pub(super) pitch: f64,
+    pub(super) eaves: f64,
+    pub(super) verge: f64,
+    pub(super) thickness: f64,
+    pub(super) noshi: u32,
+    pub(super) sori: f64,
+    pub(super) gable: f64,
+    /// Whether the ridge ends without onigawara.
+    pub(super) plain: bool,
+}
+
+/// White plaster between posts.
+pub(super) const WALL: &str = "KSK";
+
+/// A part of the built-in catalogue; a test looks for every code that is used here.
+fn content(code: &str) -> Content {
+    let part = Catalog::builtin().find(&crate::ast::CodeText::new(code));
+    part.map_or(Content::Void, Content::Part)
+}
+
+/// Bays of a side, mirrored: `edge` at the ends, `next` beside them, `middle` in so many in the middle.
+pub(super) fn bays(count: u32, width: f64, edge: &'static str, middle: (&'static str, u32)) -> Vec<Bay> {
+    let inner = middle.1.min(count);
+    // An even number in the middle of an odd one would stand askew.
+    let first = (count - inner) / 2;
+    let is_middle = |i: u32| i >= first && i < first + inner;
+    (0..count)
+        .map(|i| (if is_middle(i) { middle.0 } else { edge }, width))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_known() {
+        for code in ["KSK", "KOB", "TIK", "TIH", "TSK", "TST", "MRG", "AFU"] {
+            assert!(matches!(content(code), Content::Part(_)), "{code}");
+        }
+    }
+
+    #[test]
+    fn doors_stand_in_the_middle() {
+        let codes = |n, m| -> Vec<&str> {
+            bays(n, 1.0, "a", ("b", m)).into_iter().map(|b| b.0).collect()
+        };
+        assert_eq!(codes(5, 3), ["a", "b", "b", "b", "a"]);
+        assert_eq!(codes(2, 7), ["b", "b"]);
+        assert_eq!(codes(1, 0), ["a"]);
+    }
+}
