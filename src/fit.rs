@@ -36,7 +36,7 @@ fn things(house: &House, roofs: &HouseRoofs, out: &mut Diagnostics) -> Vec<Fitti
     if let Some(platform) = &house.platform {
         match ground.and_then(|g| platform::platform(house, g, platform)) {
             Some(it) => made.push(fitting(platform.span, 0, Thing::Platform(it))),
-            None => out.push(say::nothing_to_stand_at(platform.span, "platform")),
+            None => out.push(say::nothing_to_stand_at(platform.span, "Platform")),
         }
     }
     for (i, storey) in house.storeys.iter().enumerate() {
@@ -45,7 +45,7 @@ fn things(house: &House, roofs: &HouseRoofs, out: &mut Diagnostics) -> Vec<Fitti
         if let Some(veranda) = &order.veranda {
             match veranda::veranda(house, storey, veranda, i == 0) {
                 Some(it) => made.push(fitting(veranda.span, number, Thing::Veranda(it))),
-                None => out.push(say::nothing_to_stand_at(veranda.span, "veranda")),
+                None => out.push(say::nothing_to_stand_at(veranda.span, "Veranda")),
             }
         }
         if let Some(posts) = order.posts.as_ref().filter(|p| p.nageshi > 0) {

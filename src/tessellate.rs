@@ -130,6 +130,12 @@ impl Level<'_> {
         self.framed() && low && self.house.raised == 0.0
     }
 
+    /// Whether its posts stand on a platform or the ground, not on a raised floor.
+    fn on_stone(&self) -> bool {
+        let veranda = self.storey.order.veranda.as_ref();
+        veranda.is_none_or(|v| v.height == 0.0)
+    }
+
     /// The posts that the author asked for: half a side, metres.
     fn post(&self) -> Option<f64> {
         let posts = self.storey.order.posts.as_ref();
@@ -233,6 +239,9 @@ impl<'a> Walker<'a> {
         if self.detail == Detail::Body {
             let mesh = self.body(level);
             self.nodes[level.node.0 as usize].mesh = mesh;
+            if level.post().is_some() {
+                self.bare_posts(level);
+            }
             return;
         }
         let rings: Vec<(&Ring, Vec<Line<'_>>)> = storey
@@ -244,6 +253,18 @@ impl<'a> Walker<'a> {
             self.ring(level, lines);
         }
         self.interior(level, &rings);
+    }
+
+    /// The posts of a storey without its walls: what an open hall is from afar.
+    fn bare_posts(&mut self, level: Level<'_>) {
+        for ring in &level.storey.rings {
+            let lines = self.lines(level, ring);
+            for (i, line) in lines.iter().enumerate() {
+                let (before, after) = Line::beside(&lines, i);
+                let facade = self.facade_node(level, line);
+                self.posts(level, facade, line, before, after);
+            }
+        }
     }
 
     /// The walls of a ring with their units in place.

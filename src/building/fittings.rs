@@ -112,6 +112,8 @@ pub struct Brackets {
     pub purlin: f64,
     /// Side of a post.
     pub post: f64,
+    /// From post to post where they stand closest.
+    pub bay: f64,
     /// Timber.
     pub paint: SurfaceId,
 }

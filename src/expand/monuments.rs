@@ -11,8 +11,8 @@ mod hall;
 mod pagoda;
 
 use super::Pass;
-use crate::ast::{self, Given, Monument, RoofLine, RoofStyle};
-use crate::diagnostic::messages::fittings as say;
+use crate::ast::{self, Given, Monument, RoofStyle};
+use crate::diagnostic::messages::fittings::{self as say, Scarce};
 use crate::program::{House, Storey};
 use crate::source::{Span, Spanned};
 use draft::Draft;
@@ -28,7 +28,8 @@ impl Pass<'_, '_> {
         };
         if let Some(first) = first {
             let first = self.head(first);
-            self.out.push(say::storeys_beside(span, name(monument), first));
+            self.out
+                .push(say::storeys_beside(span, name(monument), first));
         }
         let mut draft = Draft::new(span, unit);
         match monument {
@@ -42,7 +43,7 @@ impl Pass<'_, '_> {
     }
 
     /// A height that must not fall below the least that stands; says so where it does.
-    fn at_least(&mut self, span: Span, what: &str, has: f64, least: f64) -> f64 {
+    fn at_least(&mut self, span: Span, what: Scarce, has: f64, least: f64) -> f64 {
         if has < least {
             self.once(704, span, || say::no_room(span, what, has, least));
         }
@@ -118,25 +119,4 @@ fn or(given: Given, default: f64) -> f64 {
 /// The same of whole numbers.
 fn count(given: Option<Spanned<u64>>, default: u32) -> u32 {
     given.map_or(default, |n| u32::try_from(n.value).unwrap_or(default))
-}
-
-/// A roof over a rectangle of the plan: front right corner and size in shaku, eaves height in shaku.
-struct Over {
-    from: [f64; 2],
-    size: [f64; 2],
-    height: f64,
-}
-
-impl Over {
-    fn line(&self, span: Span, unit: f64, style: RoofStyle) -> RoofLine {
-        let [a, b] = self.from;
-        let [w, d] = self.size;
-        RoofLine {
-            span,
-            style,
-            direction: None,
-            height: Some(Spanned::new(self.height, span)),
-            corners: Spanned::new([a, b, a + w, b + d].map(|s| draft::units(s, unit)), span),
-        }
-    }
 }

@@ -59,7 +59,13 @@ pub(super) fn facing(points: &[DVec2], way: DVec2) -> Option<(DVec2, DVec2)> {
         dvec2(along.y, -along.x).dot(way) > 0.7
     };
     let facing = edges.filter(|(p, q)| looks(*p, *q));
-    facing.reduce(|a, b| if b.0.distance(b.1) > a.0.distance(a.1) + 1e-9 { b } else { a })
+    facing.reduce(|a, b| {
+        if b.0.distance(b.1) > a.0.distance(a.1) + 1e-9 {
+            b
+        } else {
+            a
+        }
+    })
 }
 
 #[cfg(test)]

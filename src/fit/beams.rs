@@ -4,12 +4,16 @@ use super::{metres, outward, rings};
 use crate::ast::Posts;
 use crate::building::fittings::Beam;
 use crate::building::{House, Storey, Wall};
+use crate::catalog::Catalog;
 use crate::geometry::SHAKU;
 use crate::program::{Content, Unit};
 
 /// Where the foot of each row lies in the height of the posts; parts of monuments have their doors and windows
 /// between them.
-const ROWS: [f64; 5] = [0.0, 0.74, 0.36, 0.9, 0.18];
+const ROWS: [f64; 5] = [0.0, LINTEL, 0.36, 0.9, 0.18];
+
+/// The row over doors.
+const LINTEL: f64 = 0.74;
 
 /// Height of a beam, as a share of the post's side.
 const HEIGHT: f64 = 0.62;
@@ -20,26 +24,26 @@ pub(super) fn beams(house: &House, storey: &Storey, posts: &Posts) -> Vec<Beam> 
     let post = posts.size * SHAKU;
     let mut made = vec![];
     for wall in rings(storey).flat_map(|r| &r.walls) {
-        for (from, to) in runs(wall) {
-            for row in ROWS.iter().take(posts.nageshi as usize) {
-                made.push(beam(house, wall, (from, to), (post, storey.z0 + height * row)));
+        for row in ROWS.iter().take(posts.nageshi as usize) {
+            // Between foot and lintel no beam crosses a door.
+            let crosses = |unit: &Unit| is_wall(unit, *row > 0.1 && *row < LINTEL);
+            for stretch in runs(wall, crosses) {
+                made.push(beam(house, wall, stretch, (post, storey.z0 + height * row)));
             }
         }
     }
     made
 }
 
-fn beam(
-    house: &House,
-    wall: &Wall,
-    (from, to): (f64, f64),
-    (post, foot): (f64, f64),
-) -> Beam {
+fn beam(house: &House, wall: &Wall, (from, to): (f64, f64), (post, foot): (f64, f64)) -> Beam {
     // From the wall to a little before the posts.
     let width = post / 2.0 + 0.03;
     let beyond = |at: f64, end: f64| if (at - end).abs() < 1e-6 { width } else { 0.0 };
     let length = wall.from.distance(wall.to);
-    let (from, to) = (from - beyond(from, 0.0) / house.unit, to + beyond(to, length) / house.unit);
+    let (from, to) = (
+        from - beyond(from, 0.0) / house.unit,
+        to + beyond(to, length) / house.unit,
+    );
     let out = outward(wall) * (width / 2.0);
     // Those along the front lie a little higher, so that at corners no two faces share a plane.
     let lift = 0.012 * wall.direction.x.abs();
@@ -51,14 +55,14 @@ fn beam(
     }
 }
 
-/// Stretches of bays in which something stands, U from the right end.
-fn runs(wall: &Wall) -> Vec<(f64, f64)> {
+/// Stretches of bays that beams cross, U from the right end.
+fn runs(wall: &Wall, crosses: impl Fn(&Unit) -> bool) -> Vec<(f64, f64)> {
     let mut at = 0.0;
     let mut runs: Vec<(f64, f64)> = vec![];
     for unit in &wall.units {
         let next = at + unit.width;
         match runs.last_mut().filter(|r| (r.1 - at).abs() < 1e-9) {
-            _ if !closed(unit) || unit.width <= 0.0 => {}
+            _ if unit.width <= 0.0 || !crosses(unit) => {}
             Some(run) => run.1 = next,
             None => runs.push((at, next)),
         }
@@ -67,12 +71,16 @@ fn runs(wall: &Wall) -> Vec<(f64, f64)> {
     runs
 }
 
-/// Whether beams run before a bay.
-fn closed(unit: &Unit) -> bool {
-    let open = crate::catalog::Catalog::builtin();
+/// Whether something stands in a bay, and where `doors` stand in the way, no door.
+fn is_wall(unit: &Unit, doors: bool) -> bool {
     match &unit.content {
         Content::Void => false,
-        Content::Part(id) => open.part(*id).class() != 'A' || open.part(*id).code() == "APW  ",
-        Content::Picture(_) | Content::Split(_) => true,
+        Content::Part(id) => {
+            let part = Catalog::builtin().part(*id);
+            let open = part.class() == 'A' && part.code() != "APW  ";
+            !open && !(doors && part.class() == 'T')
+        }
+        Content::Picture(_) => true,
+        Content::Split(split) => split.upper.iter().all(|u| is_wall(u, doors)),
     }
 }

@@ -49,6 +49,7 @@ pub(super) fn brackets(
         reach: zone.reach,
         purlin: f64::INFINITY,
         post: zone.post,
+        bay: f64::INFINITY,
         paint: paint(written.paint.or(posts.map(|p| p.paint))),
     };
     for ring in rings(storey) {
@@ -84,6 +85,7 @@ impl Zone<'_> {
             });
         }
         for pair in posts.windows(2) {
+            made.bay = made.bay.min((pair[1] - pair[0]) * self.house.unit);
             if bay_stands(wall, (pair[0] + pair[1]) / 2.0) {
                 made.struts.push(Head {
                     at: at((pair[0] + pair[1]) / 2.0).extend(self.z.0),

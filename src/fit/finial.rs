@@ -22,7 +22,12 @@ pub(super) fn finial(house: &House, roofs: &HouseRoofs, written: &ast::Finial) -
     let (highest, roof) = tops
         .into_iter()
         .reduce(|a, b| if b.0.z > a.0.z + 1e-9 { b } else { a })?;
-    let ridge = ridge(roof, highest);
+    // Tails and boards stand on the ridge tiles, masts and jewels on the bare apex.
+    let tiles = match written.kind {
+        FinialKind::Shibi | FinialKind::Chigi => roof.dress.ridge_height(roof.kind) * 0.8,
+        FinialKind::Sorin | FinialKind::Hoju => 0.0,
+    };
+    let ridge = ridge(roof, highest).map(|p| p + DVec3::Z * tiles);
     let length = ridge[0].distance(ridge[1]);
     let height = written.height.map(|h| h * SHAKU);
     Some(Finial {
@@ -69,8 +74,12 @@ fn ridge(roof: &Roof, highest: DVec3) -> [DVec3; 2] {
             .unwrap_or(from)
     };
     // Only what lies as high as the top across the ridge: a sagging one is narrow.
-    let first = far(highest, &|p| p.distance(highest) - 4.0 * (highest.z - p.z).max(0.0));
-    let second = far(first, &|p| p.distance(first) - 4.0 * (highest.z - p.z).max(0.0));
+    let first = far(highest, &|p| {
+        p.distance(highest) - 4.0 * (highest.z - p.z).max(0.0)
+    });
+    let second = far(first, &|p| {
+        p.distance(first) - 4.0 * (highest.z - p.z).max(0.0)
+    });
     [first, second]
 }
 

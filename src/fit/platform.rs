@@ -31,12 +31,7 @@ pub(super) fn platform(
 }
 
 /// A flight up to the middle of the side of an outline that looks this way.
-pub(super) fn flight(
-    outline: &[DVec2],
-    way: DVec2,
-    width: f64,
-    z: (f64, f64),
-) -> Option<Stairs> {
+pub(super) fn flight(outline: &[DVec2], way: DVec2, width: f64, z: (f64, f64)) -> Option<Stairs> {
     let (p, q) = facing(outline, way)?;
     let along = (q - p).normalize_or_zero();
     let width = width.min(p.distance(q));

@@ -82,7 +82,7 @@ pub(super) static TABLE: &[Surface] = &[
     worn("bengara_old", &BENGARA, 2),
     worn("sooted", &SOOTED, 0),
     // Red lead over cypress, its yellow ends, green window bars: gates, pagodas, shrines.
-    tinted(worn("vermilion", &HINOKI, 0), [0.66, 0.10, 0.055]),
+    tinted(worn("vermilion", &HINOKI, 0), [0.56, 0.085, 0.046]),
     plain("ochre", [0.72, 0.46, 0.09], 0.8),
     tinted(worn("verdigris_green", &HINOKI, 0), [0.05, 0.23, 0.16]),
     tinted(worn("boards", &PLANK, 1), SHELTERED),

@@ -252,14 +252,7 @@ impl Walker<'_> {
         before: Option<&Line<'_>>,
         after: Option<&Line<'_>>,
     ) {
-        let wall = line.wall;
-        let name = format_compact!("facade {}", wall.facade);
-        let at = level.house.place(wall.from, 0.0);
-        let node = self.node(Some(level.node), Kind::Facade, name, at);
-        node.turn = turn_of(wall.direction);
-        node.storey = Some(level.storey.number);
-        node.span = Some(wall.span);
-        let facade = self.last();
+        let facade = self.facade_node(level, line);
         for (i, stand) in line.stands.iter().enumerate() {
             self.stand(level, facade, line, stand, i + 1);
         }
@@ -267,6 +260,18 @@ impl Walker<'_> {
         self.corners(level, facade, line, before);
         self.members(level, facade, line, before, after);
         self.parapet(level, facade, line);
+    }
+
+    /// The node of a facade.
+    pub(super) fn facade_node(&mut self, level: Level<'_>, line: &Line<'_>) -> NodeId {
+        let wall = line.wall;
+        let name = format_compact!("facade {}", wall.facade);
+        let at = level.house.place(wall.from, 0.0);
+        let node = self.node(Some(level.node), Kind::Facade, name, at);
+        node.turn = turn_of(wall.direction);
+        node.storey = Some(level.storey.number);
+        node.span = Some(wall.span);
+        self.last()
     }
 
     /// One unit, and the wedge above it.

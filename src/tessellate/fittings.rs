@@ -45,12 +45,7 @@ impl Walker<'_> {
     }
 
     /// Bracket complexes, alike ones as one mesh.
-    fn heads(
-        &mut self,
-        root: NodeId,
-        it: &crate::building::fittings::Brackets,
-        fitting: &Fitting,
-    ) {
+    fn heads(&mut self, root: NodeId, it: &crate::building::fittings::Brackets, fitting: &Fitting) {
         let mut made: Vec<(brackets::Form, Option<MeshId>)> = vec![];
         let heads = it.heads.iter().map(|h| (brackets::Form::of(h), h));
         let struts = it.struts.iter().map(|h| (brackets::Form::Strut, h));

@@ -146,7 +146,7 @@ impl Walker<'_> {
     ) {
         let own = level.storey.order.posts.as_ref();
         let low = level.framed() && level.storey.number == 1 && z.0 == 0.0;
-        let pad = low && (level.grounded() || own.is_some());
+        let pad = low && (level.grounded() || own.is_some() && level.on_stone());
         let side = own.map_or(side, |p| p.size * SHAKU);
         let round = own.is_some_and(|p| p.round);
         let finish = SurfaceId::named(own.map_or("cedar", |p| p.paint.surface()));

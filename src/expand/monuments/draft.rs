@@ -31,6 +31,10 @@ pub(crate) struct Draft {
     pub(super) style: RoofStyle,
     /// Roofs with a place of their own.
     pub(super) lines: Vec<RoofLine>,
+    /// The rectangle of the last storey in U: a0, b0, a1, b1.
+    rect: [f64; 4],
+    /// Its top.
+    top: f64,
 }
 
 /// A rectangular storey.
@@ -55,6 +59,8 @@ impl Draft {
             finials: vec![],
             style: RoofStyle::default(),
             lines: vec![],
+            rect: [0.0; 4],
+            top: 0.0,
         }
     }
 
@@ -73,6 +79,10 @@ impl Draft {
         let share = (1.0 - level.base / wall.max(0.1)).clamp(0.05, 1.0);
         let lines = level.walls.iter().map(|bays| self.line(bays, share));
         let walk = self.walk(level.start, lines.collect(), false);
+        let (a, b) = walk.start;
+        let long = |line: &Line| line.units.iter().map(|u| u.width).sum::<f64>();
+        self.rect = [a, b, a + long(&walk.lines[0]), b + long(&walk.lines[1])];
+        self.top += level.height;
         self.storeys.push(Storey {
             span: self.span,
             height: level.height,
@@ -135,6 +145,17 @@ impl Draft {
         }
     }
 
+    /// Adds a roof over the whole of the last storey; the storey above will cut it.
+    pub(super) fn roof(&mut self, style: RoofStyle) {
+        self.lines.push(RoofLine {
+            span: self.span,
+            style,
+            direction: None,
+            height: self.say(self.top),
+            corners: Spanned::new(self.rect, self.span),
+        });
+    }
+
     /// A value of the house's roofs.
     pub(super) fn say<T>(&self, value: T) -> Option<Spanned<T>> {
         Some(Spanned::new(value, self.span))
@@ -159,7 +180,13 @@ impl Draft {
     }
 
     /// The platform, unless its height is nought.
-    pub(super) fn platform(&mut self, measures: &Measures, height: f64, margin: f64, stairs: Stairs) {
+    pub(super) fn platform(
+        &mut self,
+        measures: &Measures,
+        height: f64,
+        margin: f64,
+        stairs: Stairs,
+    ) {
         let height = super::or(measures.platform, height);
         let margin = measures.margin.map_or([margin; 2], |m| m.value);
         let (sides, width) = stairs;
@@ -248,7 +275,12 @@ fn content(code: &str) -> Content {
 }
 
 /// Bays of a side, mirrored: `edge` at the ends, `next` beside them, `middle` in so many in the middle.
-pub(super) fn bays(count: u32, width: f64, edge: &'static str, middle: (&'static str, u32)) -> Vec<Bay> {
+pub(super) fn bays(
+    count: u32,
+    width: f64,
+    edge: &'static str,
+    middle: (&'static str, u32),
+) -> Vec<Bay> {
     let inner = middle.1.min(count);
     // An even number in the middle of an odd one would stand askew.
     let first = (count - inner) / 2;
@@ -272,7 +304,10 @@ mod tests {
     #[test]
     fn doors_stand_in_the_middle() {
         let codes = |n, m| -> Vec<&str> {
-            bays(n, 1.0, "a", ("b", m)).into_iter().map(|b| b.0).collect()
+            bays(n, 1.0, "a", ("b", m))
+                .into_iter()
+                .map(|b| b.0)
+                .collect()
         };
         assert_eq!(codes(5, 3), ["a", "b", "b", "b", "a"]);
         assert_eq!(codes(2, 7), ["b", "b"]);

@@ -3,8 +3,9 @@
 //! 12, set back a little upstairs; heights as shares of the bay.
 
 use super::draft::{Draft, Level, Usual, WALL, bays};
-use super::{Over, Pass, count, or};
+use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
+use crate::diagnostic::messages::fittings::Scarce;
 
 /// Shares of a bay: columns, diameter of one, brackets, how far upper walls stand back, upper columns.
 const COLUMNS: f64 = 1.03;
@@ -15,6 +16,8 @@ const UPPER: f64 = 0.68;
 /// Overhang as a share of a bay, and the purlin's place in it.
 const EAVES: f64 = 0.706;
 const REACH: f64 = 0.36;
+/// The main roof is steeper than the skirt by so many sun.
+const STEEPER: f64 = 1.2;
 /// No columns are lower than this, shaku.
 const LEAST: f64 = 2.0;
 
@@ -28,7 +31,7 @@ impl Pass<'_, '_> {
         let doors = count(it.doors, nx.saturating_sub(2).max(1)).min(nx);
         let two = count(it.storeys, 2) == 2;
         let size = [f64::from(nx) * bx, f64::from(ny) * by];
-        let columns = self.at_least(it.span, "the ground storey", or(m.columns, COLUMNS * bx), LEAST);
+        let columns = self.at_least(it.span, Scarce::Ground, or(m.columns, COLUMNS * bx), LEAST);
         let eaves = or(m.eaves, EAVES * bx);
         let zone = BRACKETS * bx * (0.25 + 0.25 * f64::from(steps.min(3)));
         let post = or(m.post, POST * bx);
@@ -49,22 +52,32 @@ impl Pass<'_, '_> {
             walls: [front, &side, &open, &other],
             height: columns + zone,
             base: 0.0,
-            order: order(draft, 1),
+            order: order(draft, 3),
         });
+        if two {
+            // A hipped skirt, which the upper walls cut.
+            draft.roof(RoofStyle {
+                shape: draft.say(RoofShape::Hip),
+                ..RoofStyle::default()
+            });
+        }
         if row > 0 {
             draft.inner([0.0, f64::from(row) * by], &leaves);
         }
         if two {
             let most = size[0].min(size[1]) / 2.0 - 1.0;
             let inset = or(it.inset, INSET * bx).clamp(0.05, most.max(0.05));
-            self.upper(it, draft, Upper {
-                size,
-                bays: [nx, ny],
-                inset,
-                doors,
-                plate: columns + zone,
-                order: order(draft, 3),
-            });
+            self.upper(
+                it,
+                draft,
+                Upper {
+                    size,
+                    bays: [nx, ny],
+                    inset,
+                    doors,
+                    order: order(draft, 3),
+                },
+            );
         }
         let margin = or(m.eaves, EAVES * bx);
         let stairs = (vec![Side::Front, Side::Back], bx * f64::from(doors.max(1)));
@@ -85,7 +98,7 @@ impl Pass<'_, '_> {
         let base = hidden + bay * 0.16;
         let zone = up.order.brackets.as_ref().map_or(0.0, |b| b.zone());
         let wish = or(it.upper, UPPER * bay);
-        let columns = self.at_least(it.span, "the upper storey", wish, LEAST);
+        let columns = self.at_least(it.span, Scarce::Upper, wish, LEAST);
         let (bx, by) = (size[0] / f64::from(nx), size[1] / f64::from(ny));
         let front = bays(nx, bx, "MRG", ("TIK", up.doors));
         let side = bays(ny, by, "MRG", ("MRG", 0));
@@ -101,17 +114,11 @@ impl Pass<'_, '_> {
             base,
             order,
         });
-        let over = Over {
-            from: [up.inset; 2],
-            size,
-            height: up.plate + height,
-        };
-        let style = RoofStyle {
-            pitch: draft.say(pitch + 1.2),
+        draft.roof(RoofStyle {
+            shape: draft.style.shape,
+            pitch: draft.say(pitch + STEEPER),
             ..RoofStyle::default()
-        };
-        let line = over.line(it.span, draft.unit, style);
-        draft.lines.push(line);
+        });
     }
 }
 
@@ -121,8 +128,6 @@ struct Upper {
     bays: [u32; 2],
     inset: f64,
     doors: u32,
-    /// Height of the lower eaves plate.
-    plate: f64,
     order: Order,
 }
 

@@ -3,7 +3,8 @@
 
 use super::draft::{Bay, Draft, Level, Usual, WALL, bays};
 use super::{Pass, count, or};
-use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, Side};
+use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
+use crate::diagnostic::messages::fittings::Scarce;
 
 /// No columns are lower than this, shaku.
 const LEAST: f64 = 2.0;
@@ -81,8 +82,15 @@ impl Pass<'_, '_> {
         let [nx, ny] = it.bays.map_or(kind.bays, |b| b.value.map(|n| n as u32));
         let paint = m.paint.map_or(kind.paint, |p| p.value);
         let steps = count(m.steps, kind.steps);
-        let doors = count(it.doors, (nx + 1) / 2).min(nx);
-        let columns = self.at_least(it.span, "the hall", or(m.columns, kind.columns * bx), LEAST);
+        // As many as stand in the middle of the front.
+        let half = nx.div_ceil(2);
+        let doors = count(it.doors, half - (nx - half) % 2).min(nx);
+        let columns = self.at_least(
+            it.span,
+            Scarce::Ground,
+            or(m.columns, kind.columns * bx),
+            LEAST,
+        );
         let zone = bx * (0.16 + 0.11 * f64::from(steps));
         let eaves = or(m.eaves, kind.usual.eaves);
         let (veranda, floor) = (or(it.veranda, kind.veranda * bx), or(it.floor, kind.floor));
@@ -112,7 +120,7 @@ impl Pass<'_, '_> {
             order: order.clone(),
         });
         let margin = veranda + (0.3 * bx).max(2.0);
-        draft.platform(m, kind.platform, margin, (vec![Side::Front], bx * f64::from(doors.max(1))));
+        draft.platform(m, kind.platform, margin, (vec![Side::Front], bx));
         draft.look(m, &kind.usual);
         let size = [f64::from(nx) * bx, f64::from(ny) * by];
         self.core(it, draft, &codes, size, order);
@@ -134,16 +142,21 @@ impl Pass<'_, '_> {
             return;
         }
         let m = &it.measures;
+        draft.roof(RoofStyle {
+            shape: draft.say(RoofShape::Hip),
+            ..RoofStyle::default()
+        });
         let size = size.map(|s| s - 2.0 * aisle);
         let pitch = draft.style.pitch.map_or(5.0, |p| p.value);
         let thick = draft.style.thickness.map_or(0.7, |t| t.value);
         let hidden = pitch / 10.0 * aisle + thick * 1.15 + 0.5;
         let zone = order.brackets.as_ref().map_or(0.0, |b| b.zone());
         let wish = or(it.upper, or(m.columns, 12.0) * 0.35);
-        let clear = self.at_least(it.span, "the core above the aisle", wish, 1.0);
+        let clear = self.at_least(it.span, Scarce::Core, wish, 1.0);
         let count = |length: f64| ((length / 9.0).round() as u32).clamp(1, 60);
         let [nx, ny] = size.map(count);
-        let wall = |n: u32, length: f64| bays(n, length / f64::from(n), codes.wall, (codes.wall, 0));
+        let wall =
+            |n: u32, length: f64| bays(n, length / f64::from(n), codes.wall, (codes.wall, 0));
         let (front, side) = (wall(nx, size[0]), wall(ny, size[1]));
         draft.storey(&Level {
             start: [aisle; 2],

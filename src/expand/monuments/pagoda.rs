@@ -3,14 +3,17 @@
 //! documented height, and To-ji's, from the width and the taper alone.
 
 use super::draft::{Bay, Draft, Level, Usual, WALL};
-use super::{Over, Pass, count, or};
+use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
+use crate::diagnostic::messages::fittings::Scarce;
 
 /// Height of the first columns, and of the brackets on them, as shares of the first width.
 const COLUMNS: f64 = 0.49;
 const BRACKETS: f64 = 0.265;
 /// From one eaves plate to the next, as a share of the upper storey's width.
 const RISE: f64 = 0.83;
+/// Diameter of the first columns as a share of the first width.
+const POST: f64 = 0.085;
 /// Overhang, and the purlin's place in it.
 const EAVES: f64 = 0.47;
 const REACH: f64 = 0.36;
@@ -51,12 +54,16 @@ impl Pass<'_, '_> {
             };
             // What the skirt below hides, and what shows between it and the veranda.
             let hidden = pitch / 10.0 * inset + thickness * 1.15 + 0.4;
-            let base = if i == 0 { 0.0 } else { hidden + tier.width * 0.1 };
+            let base = if i == 0 {
+                0.0
+            } else {
+                hidden + tier.width * 0.1
+            };
             let zone = BRACKETS * tier.width;
-            let columns = self.at_least(span, "a storey of the pagoda", tier.height - base - zone, LEAST);
+            let columns = self.at_least(span, Scarce::Tier, tier.height - base - zone, LEAST);
             plate += base + zone + columns - tier.height;
             let order = Order {
-                posts: draft.posts(or(m.post, 0.09 * first) * tier.share.sqrt(), paint, 3),
+                posts: draft.posts(or(m.post, POST * first) * tier.share, paint, 3),
                 veranda: match i {
                     0 => None,
                     _ => draft.veranda(tier.width * 0.1, base, Rail::Crossed, vec![]),
@@ -72,19 +79,19 @@ impl Pass<'_, '_> {
                 base,
                 order,
             });
-            let over = Over {
-                from: [corner; 2],
-                size: [tier.width; 2],
-                height: plate,
-            };
-            let style = RoofStyle {
+            draft.roof(RoofStyle {
+                shape: draft.style.shape,
                 eaves: draft.say(eaves * tier.share),
                 ..RoofStyle::default()
-            };
-            draft.lines.push(over.line(span, draft.unit, style));
+            });
         }
         let platform = or(m.platform, 0.215 * first);
-        draft.platform(m, platform, 0.5 * first, (Side::ALL.map(|s| s.1).to_vec(), first * 0.35));
+        draft.platform(
+            m,
+            platform,
+            0.5 * first,
+            (Side::ALL.map(|s| s.1).to_vec(), first * 0.35),
+        );
         let last = tiers.last().map_or(first, |t| t.width);
         let body = platform + plate + pitch / 10.0 * last / 2.0 + thickness;
         let sorin = or(it.sorin, body * SORIN / (1.0 - SORIN));
@@ -122,14 +129,22 @@ fn tiers(it: &ast::Pagoda, first: f64) -> Vec<Tier> {
             0 => columns + BRACKETS * width,
             _ => rise * width,
         };
-        Tier { width, height, share }
+        Tier {
+            width,
+            height,
+            share,
+        }
     };
     (0..n).map(tier).collect()
 }
 
 /// Doors in the middle, windows beside them, walls beyond.
 fn side(bays: u32, width: f64) -> Vec<Bay> {
-    let wide = if bays > 2 && bays % 2 == 1 { MIDDLE } else { 1.0 };
+    let wide = if bays > 2 && bays % 2 == 1 {
+        MIDDLE
+    } else {
+        1.0
+    };
     let plain = width / (f64::from(bays) - 1.0 + wide);
     let bay = |i: u32| {
         let off = (2 * i).abs_diff(bays - 1);

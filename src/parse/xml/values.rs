@@ -194,9 +194,13 @@ impl<'t> Reader<'t, '_> {
         let Some(part) = pair.value.iter().find(|n| n.fract() != 0.0) else {
             return Some(pair);
         };
-        let bounds = format!("whole numbers from {least} to {most}");
-        self.faults
-            .push(|| say::out_of_range(pair.span, name, &part.to_string(), &bounds));
+        self.faults.push(|| {
+            let bounds = text!(
+                "whole numbers from {least} to {most}",
+                "{least} から {most} までの整数"
+            );
+            say::out_of_range(pair.span, name, &part.to_string(), bounds)
+        });
         None
     }
 

@@ -137,7 +137,8 @@ impl Carver<'_> {
             ring.push(at(length, foot));
         }
         ring.push(at(length, top));
-        self.bodies.slide(self.it.paint, &ring, (side * 2.0).extend(0.0), false);
+        self.bodies
+            .slide(self.it.paint, &ring, (side * 2.0).extend(0.0), false);
         if self.detail == Detail::Everything && self.painted() {
             for (at, out, cut) in [(from, -way, cut[0]), (to, way, cut[1])] {
                 if cut {
@@ -155,7 +156,14 @@ impl Carver<'_> {
     /// The yellow end of a member.
     fn end(&mut self, at: DVec2, out: DVec2, z: (f64, f64)) {
         let ochre = SurfaceId::named("ochre");
-        super::block(&mut self.bodies, ochre, (at, out), (-0.01, 0.006), self.thick - 0.01, z);
+        super::block(
+            &mut self.bodies,
+            ochre,
+            (at, out),
+            (-0.01, 0.006),
+            self.thick - 0.01,
+            z,
+        );
     }
 
     /// Foot and top of an arm of a level, and top of the blocks on it.
@@ -202,8 +210,9 @@ impl Carver<'_> {
             let here = way * (self.offset(k) * by);
             if wall {
                 // One at the step, and one in the wall, where every other one is longer.
-                let inner = post * if k % 2 == 0 { 1.65 } else { 2.05 };
-                let both = [(here, post * 1.65), (DVec2::ZERO, inner)];
+                let half = (post * 1.65).min(self.it.bay * 0.3);
+                let inner = half * if k % 2 == 0 { 1.0 } else { 1.25 };
+                let both = [(here, half), (DVec2::ZERO, inner)];
                 let apart = if here == DVec2::ZERO { 1 } else { 2 };
                 for (at, half) in both.into_iter().take(apart) {
                     self.across((at, side), (half, small), (foot, top, next));
@@ -213,7 +222,12 @@ impl Carver<'_> {
                 let out = way * ((self.offset(k + 1) * by) + small * 0.55);
                 // A hair lower than the arm across it.
                 let lower = 0.004;
-                self.arm(-way * (post * 0.5), out, (foot - lower, top - lower), [false, true]);
+                self.arm(
+                    -way * (post * 0.5),
+                    out,
+                    (foot - lower, top - lower),
+                    [false, true],
+                );
                 let place = way * (self.offset(k + 1) * by);
                 self.block(place, way, small, (top - 0.003, next));
             }
@@ -230,7 +244,12 @@ impl Carver<'_> {
         (half, small): (f64, f64),
         (foot, top, next): (f64, f64, f64),
     ) {
-        self.arm(at - side * half, at + side * half, (foot, top), [true, true]);
+        self.arm(
+            at - side * half,
+            at + side * half,
+            (foot, top),
+            [true, true],
+        );
         for u in [-1.0, 0.0, 1.0] {
             let place = at + side * (u * (half - small / 2.0));
             self.block(place, side, small, (top - 0.002, next));
@@ -246,7 +265,12 @@ impl Carver<'_> {
         let side = dvec2(-way.y, way.x) * (self.thick * 0.45);
         let at = |u: f64, up: f64| (way * u - side).extend(foot + (reach - u) * slope + up);
         let back = reach * 0.1;
-        let ring = [at(back, 0.0), at(nose, 0.0), at(nose + 0.03, deep), at(back, deep)];
+        let ring = [
+            at(back, 0.0),
+            at(nose, 0.0),
+            at(nose + 0.03, deep),
+            at(back, deep),
+        ];
         let across = (side * 2.0).extend(0.0);
         self.bodies.slide(self.it.paint, &ring, across, false);
         if self.painted() && self.detail == Detail::Everything {
@@ -258,7 +282,8 @@ impl Carver<'_> {
                 at(nose + 0.03, deep) + out - lift,
                 at(nose + 0.03, deep) - lift,
             ];
-            self.bodies.slide(SurfaceId::named("ochre"), &ring, across, false);
+            self.bodies
+                .slide(SurfaceId::named("ochre"), &ring, across, false);
         }
     }
 
@@ -267,7 +292,14 @@ impl Carver<'_> {
         let (_, top, next) = self.heights(0);
         let width = self.it.post * 0.42;
         let z = (self.it.post * 0.28 - 0.004, top);
-        super::block(&mut self.bodies, self.it.paint, (DVec2::ZERO, DVec2::NEG_Y), (-0.06, 0.07), width, z);
+        super::block(
+            &mut self.bodies,
+            self.it.paint,
+            (DVec2::ZERO, DVec2::NEG_Y),
+            (-0.06, 0.07),
+            width,
+            z,
+        );
         if self.detail > Detail::Flat {
             let small = (self.it.post * 0.58).max(self.thick * 1.35);
             self.block(DVec2::ZERO, DVec2::X, small, (top, next));
@@ -282,7 +314,14 @@ impl Carver<'_> {
             let out = self.offset(k) * by + post * 0.4;
             let wide = post * (1.4 + 0.5 * f64::from(k) * FRAC_1_SQRT_2);
             let z = (foot.max(0.0) + 0.001, next);
-            super::block(&mut self.bodies, self.it.paint, (DVec2::ZERO, way), (-post * 0.3, out), wide, z);
+            super::block(
+                &mut self.bodies,
+                self.it.paint,
+                (DVec2::ZERO, way),
+                (-post * 0.3, out),
+                wide,
+                z,
+            );
         }
     }
 }

@@ -42,8 +42,22 @@ fn hoju(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     let foot = at - DVec3::Z * (h * 0.25);
     let plan = (foot.truncate(), DVec2::X);
     let z = |share: f64| foot.z + h * share;
-    block(bodies, tile, plan, (-0.42 * h, 0.42 * h), 0.84 * h, (z(0.0), z(0.36)));
-    block(bodies, tile, plan, (-0.48 * h, 0.48 * h), 0.96 * h, (z(0.36), z(0.44)));
+    block(
+        bodies,
+        tile,
+        plan,
+        (-0.42 * h, 0.42 * h),
+        0.84 * h,
+        (z(0.0), z(0.36)),
+    );
+    block(
+        bodies,
+        tile,
+        plan,
+        (-0.48 * h, 0.48 * h),
+        0.96 * h,
+        (z(0.36), z(0.44)),
+    );
     let jewel = [
         (0.0, 0.44),
         (0.30, 0.44),
@@ -84,10 +98,29 @@ fn shibi(bodies: &mut Bodies, end: DVec3, other: DVec3, h: f64) {
     ];
     let at = |(u, t): (f64, f64)| foot + (out * (u * h) - side).extend(t * h);
     let ring: Vec<DVec3> = outline.map(at).to_vec();
-    bodies.slide(SurfaceId::named("ibushi"), &ring, (side * 2.0).extend(0.0), true);
+    bodies.slide(
+        SurfaceId::named("ibushi"),
+        &ring,
+        (side * 2.0).extend(0.0),
+        true,
+    );
     // A rib along the back.
-    let rib: Vec<DVec3> = [(0.20, 0.02), (0.31, 0.16), (0.33, 0.40), (0.27, 0.67), (0.12, 0.92), (0.20, 0.64), (0.24, 0.40), (0.22, 0.16)]
-        .map(|p| at(p) + (side * 0.6).extend(0.0))
-        .to_vec();
-    bodies.slide(SurfaceId::named("ibushi"), &rib, (side * 0.8).extend(0.0), false);
+    let rib: Vec<DVec3> = [
+        (0.20, 0.02),
+        (0.31, 0.16),
+        (0.33, 0.40),
+        (0.27, 0.67),
+        (0.12, 0.92),
+        (0.20, 0.64),
+        (0.24, 0.40),
+        (0.22, 0.16),
+    ]
+    .map(|p| at(p) + (side * 0.6).extend(0.0))
+    .to_vec();
+    bodies.slide(
+        SurfaceId::named("ibushi"),
+        &rib,
+        (side * 0.8).extend(0.0),
+        false,
+    );
 }

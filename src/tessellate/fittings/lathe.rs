@@ -52,8 +52,12 @@ pub(super) fn turned(
             ] {
                 // On the axis both corners are one.
                 let corner = on(p, way);
-                if corners.last().is_some_and(|last: &DVec3| last.distance(corner) < AXIS)
-                    || corners.first().is_some_and(|first| first.distance(corner) < AXIS)
+                if corners
+                    .last()
+                    .is_some_and(|last: &DVec3| last.distance(corner) < AXIS)
+                    || corners
+                        .first()
+                        .is_some_and(|first| first.distance(corner) < AXIS)
                 {
                     continue;
                 }

@@ -30,7 +30,13 @@ pub(super) fn bodies(it: &Platform, detail: Detail) -> Bodies {
     }
     let edge = (height * 0.2).clamp(0.05, 0.3);
     let base = (height * 0.14).clamp(0.03, 0.25);
-    bodies.prism(stone, &grown(&it.outline, -OUT), Axis::Z, foot + base, top - edge);
+    bodies.prism(
+        stone,
+        &grown(&it.outline, -OUT),
+        Axis::Z,
+        foot + base,
+        top - edge,
+    );
     bodies.prism(stone, &it.outline, Axis::Z, top - edge, top);
     bodies.prism(stone, &it.outline, Axis::Z, foot - SUNK, foot + base);
     if detail > Detail::Flat {
@@ -61,11 +67,21 @@ fn posts(bodies: &mut Bodies, it: &Platform, z: (f64, f64)) {
     for i in 0..n {
         let (p, q) = (it.outline[i], it.outline[(i + 1) % n]);
         let length = p.distance(q);
-        let (along, count) = ((q - p).normalize_or_zero(), (length / PANEL).round().min(200.0));
+        let (along, count) = (
+            (q - p).normalize_or_zero(),
+            (length / PANEL).round().min(200.0),
+        );
         let out = dvec2(along.y, -along.x);
         for k in 1..count as u32 {
             let at = p + along * (length * f64::from(k) / count) - out * OUT;
-            block(bodies, SurfaceId::named("stone_mossy"), (at, out), (-0.02, OUT * 0.5), 0.26, z);
+            block(
+                bodies,
+                SurfaceId::named("stone"),
+                (at, out),
+                (-0.04, OUT * 0.7),
+                0.3,
+                z,
+            );
         }
     }
 }
@@ -79,7 +95,7 @@ pub(super) fn flight(bodies: &mut Bodies, it: &Stairs, finish: SurfaceId, detail
     let side = dvec2(-it.out.y, it.out.x);
     let at = |u: f64, out: f64, z: f64| (it.at + side * u + it.out * out).extend(z);
     let cheek = (it.width * 0.08).clamp(0.08, 0.45);
-    let half = it.width / 2.0 - cheek;
+    let half = it.width / 2.0 - if count < 3 { 0.0 } else { cheek };
     let low = it.z.0 - SUNK;
     // The highest step lies a riser below the top; all reach a little into what they lead up to.
     let mut profile = vec![at(-half, -INTO, low), at(-half, run - tread, low)];
@@ -92,7 +108,7 @@ pub(super) fn flight(bodies: &mut Bodies, it: &Stairs, finish: SurfaceId, detail
     if count > 1 && half > 0.05 {
         bodies.slide(finish, &profile, way, false);
     }
-    if detail == Detail::Body {
+    if detail == Detail::Body || count < 3 {
         return;
     }
     for end in [-it.width / 2.0, it.width / 2.0 - cheek] {

@@ -20,8 +20,22 @@ pub(super) fn sorin(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     let h = h * 1.03;
     let plan = (foot.truncate(), DVec2::X);
     let z = |share: f64| foot.z + h * share;
-    block(bodies, bronze, plan, (-0.065 * h, 0.065 * h), 0.13 * h, (z(0.0), z(0.055)));
-    block(bodies, bronze, plan, (-0.075 * h, 0.075 * h), 0.15 * h, (z(0.055), z(0.068)));
+    block(
+        bodies,
+        bronze,
+        plan,
+        (-0.065 * h, 0.065 * h),
+        0.13 * h,
+        (z(0.0), z(0.055)),
+    );
+    block(
+        bodies,
+        bronze,
+        plan,
+        (-0.075 * h, 0.075 * h),
+        0.15 * h,
+        (z(0.055), z(0.068)),
+    );
     let scaled = |profile: &[(f64, f64)]| -> Vec<(f64, f64)> {
         profile.iter().map(|(r, t)| (r * h, t * h)).collect()
     };
@@ -67,12 +81,7 @@ pub(super) fn sorin(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
 /// A flat ring with four spokes.
 fn ring(bodies: &mut Bodies, foot: DVec3, (r, t, thick): (f64, f64, f64), detail: Detail) {
     let bronze = SurfaceId::named("bronze");
-    let profile = [
-        (r * 0.74, t),
-        (r, t),
-        (r, t + thick),
-        (r * 0.74, t + thick),
-    ];
+    let profile = [(r * 0.74, t), (r, t), (r, t + thick), (r * 0.74, t + thick)];
     turned(bodies, bronze, foot, &profile, sides(detail));
     if detail < Detail::Openings {
         return;
@@ -81,7 +90,14 @@ fn ring(bodies: &mut Bodies, foot: DVec3, (r, t, thick): (f64, f64, f64), detail
         let angle = FRAC_PI_2 * f64::from(k);
         let out = DVec2::new(libm::cos(angle), libm::sin(angle));
         let z = (foot.z + t + thick * 0.2, foot.z + t + thick * 0.8);
-        block(bodies, bronze, (foot.truncate(), out), (0.0, r * 0.8), thick, z);
+        block(
+            bodies,
+            bronze,
+            (foot.truncate(), out),
+            (0.0, r * 0.8),
+            thick,
+            z,
+        );
     }
 }
 
@@ -107,6 +123,11 @@ fn flame(bodies: &mut Bodies, foot: DVec3, h: f64, detail: Detail) {
         let ring: Vec<DVec3> = outline
             .map(|(r, t)| foot + (out * (r * h) - side).extend(t * h))
             .to_vec();
-        bodies.slide(SurfaceId::named("bronze"), &ring, (side * 2.0).extend(0.0), false);
+        bodies.slide(
+            SurfaceId::named("bronze"),
+            &ring,
+            (side * 2.0).extend(0.0),
+            false,
+        );
     }
 }

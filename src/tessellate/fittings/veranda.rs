@@ -50,7 +50,13 @@ pub(super) fn bodies(it: &Veranda, detail: Detail) -> Bodies {
 fn deck(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
     let top = it.top - UNDER;
     let ring = [side.outer[0], side.outer[1], side.inner[1], side.inner[0]];
-    bodies.prism(SurfaceId::named("boards"), &ring, Axis::Z, top - BOARDS, top);
+    bodies.prism(
+        SurfaceId::named("boards"),
+        &ring,
+        Axis::Z,
+        top - BOARDS,
+        top,
+    );
     // Mitred as the boards are.
     let width = (side.outer[0] - side.inner[0]).dot(ways(side).1).max(1e-6);
     let back = |by: f64| {
@@ -59,7 +65,13 @@ fn deck(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
     };
     let (near, far) = (back(0.03), back(0.03 + EDGE.0));
     let ring = [near[0], near[1], far[1], far[0]];
-    bodies.prism(it.paint, &ring, Axis::Z, top - BOARDS - EDGE.1, top - BOARDS);
+    bodies.prism(
+        it.paint,
+        &ring,
+        Axis::Z,
+        top - BOARDS - EDGE.1,
+        top - BOARDS,
+    );
 }
 
 /// Along a side, and out of the house.
@@ -78,14 +90,42 @@ fn below(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
         if it.grounded {
             if it.top - it.foot > 0.15 {
                 let span = (width - 0.2, width - 0.2 + SHORT);
-                block(bodies, it.paint, (wall, out), span, SHORT, (it.foot, top - EDGE.1));
+                block(
+                    bodies,
+                    it.paint,
+                    (wall, out),
+                    span,
+                    SHORT,
+                    (it.foot, top - EDGE.1),
+                );
             }
-            block(bodies, it.paint, (wall, out), (0.0, width - 0.1), 0.1, (top - 0.12, top));
+            block(
+                bodies,
+                it.paint,
+                (wall, out),
+                (0.0, width - 0.1),
+                0.1,
+                (top - 0.12, top),
+            );
         } else {
             let arm = (top - EDGE.1 - 0.002, top - 0.004);
-            block(bodies, it.paint, (wall, out), (0.0, width - 0.05), 0.12, arm);
+            block(
+                bodies,
+                it.paint,
+                (wall, out),
+                (0.0, width - 0.05),
+                0.12,
+                arm,
+            );
             let lower = (arm.0 - 0.14, arm.0);
-            block(bodies, it.paint, (wall, out), (0.0, width * 0.6), 0.12, lower);
+            block(
+                bodies,
+                it.paint,
+                (wall, out),
+                (0.0, width * 0.6),
+                0.12,
+                lower,
+            );
         }
     }
 }
@@ -97,17 +137,34 @@ fn plinth(bodies: &mut Bodies, it: &Veranda) {
         let (along, out) = ways(side);
         for at in &side.posts {
             let wall = side.inner[0] + along * *at;
-            block(bodies, it.paint, (wall, out), (-0.1, 0.1), 0.2, (it.foot, it.top - 0.02));
+            block(
+                bodies,
+                it.paint,
+                (wall, out),
+                (-0.1, 0.1),
+                0.2,
+                (it.foot, it.top - 0.02),
+            );
         }
     }
     // Every corner a little inwards.
     let middle = it.walls.iter().copied().sum::<DVec2>() / n.max(1) as f64;
     let convex = it.walls.len() == 4;
     let inner: Vec<DVec2> = match convex {
-        true => it.walls.iter().map(|p| *p + (middle - *p).normalize_or_zero() * 0.5).collect(),
+        true => it
+            .walls
+            .iter()
+            .map(|p| *p + (middle - *p).normalize_or_zero() * 0.5)
+            .collect(),
         false => it.walls.clone(),
     };
-    bodies.prism(SurfaceId::named("boards_dark"), &inner, Axis::Z, it.foot - 0.1, it.top - 0.03);
+    bodies.prism(
+        SurfaceId::named("boards_dark"),
+        &inner,
+        Axis::Z,
+        it.foot - 0.1,
+        it.top - 0.03,
+    );
 }
 
 /// The railing along one side.
@@ -123,8 +180,10 @@ fn railing(
         ways(before).0.perp_dot(along) > 0.05,
         along.perp_dot(ways(after).0) > 0.05,
     ];
-    let start = side.outer[0] - out * SET_BACK + along * (if convex[0] { SET_BACK } else { -SET_BACK });
-    let end = side.outer[1] - out * SET_BACK - along * (if convex[1] { SET_BACK } else { -SET_BACK });
+    let start =
+        side.outer[0] - out * SET_BACK + along * (if convex[0] { SET_BACK } else { -SET_BACK });
+    let end =
+        side.outer[1] - out * SET_BACK - along * (if convex[1] { SET_BACK } else { -SET_BACK });
     let length = (end - start).dot(along);
     if length < 0.3 {
         return;
@@ -169,7 +228,14 @@ impl Stretch {
             let foot = z + foot + lift;
             let from = -beyond[0] * share;
             let to = self.length + beyond[1] * share;
-            block(bodies, it.paint, (self.start, self.along), (from, to), width, (foot, foot + height));
+            block(
+                bodies,
+                it.paint,
+                (self.start, self.along),
+                (from, to),
+                width,
+                (foot, foot + height),
+            );
         };
         rail(0.05, 0.10, 0.11, 0.7);
         rail(0.42, 0.065, 0.10, 0.85);
@@ -211,7 +277,14 @@ impl Stretch {
         for k in 0..=count as u32 {
             let at = self.start + self.along * (self.length * f64::from(k) / count);
             let mut upright = |half: f64, foot: f64, top: f64| {
-                block(bodies, it.paint, (at, self.along), (-half, half), 2.0 * half, (z + foot, z + top));
+                block(
+                    bodies,
+                    it.paint,
+                    (at, self.along),
+                    (-half, half),
+                    2.0 * half,
+                    (z + foot, z + top),
+                );
             };
             upright(0.05, -0.01, 0.06);
             upright(0.035, 0.14, 0.43);
@@ -223,7 +296,14 @@ impl Stretch {
     /// A post with a bulb (擬宝珠 gibōshi).
     fn knob(&self, bodies: &mut Bodies, it: &Veranda, at: f64, z: f64, detail: Detail) {
         let at = self.start + self.along * at;
-        block(bodies, it.paint, (at, self.along), (-0.075, 0.075), 0.15, (z, z + 0.92));
+        block(
+            bodies,
+            it.paint,
+            (at, self.along),
+            (-0.075, 0.075),
+            0.15,
+            (z, z + 0.92),
+        );
         if detail < Detail::Openings {
             return;
         }
