@@ -78,7 +78,7 @@ fn is_wall(unit: &Unit, doors: bool) -> bool {
         Content::Part(id) => {
             let part = Catalog::builtin().part(*id);
             let open = part.class() == 'A' && part.code() != "APW  ";
-            !open && !(doors && part.class() == 'T')
+            !(open || doors && part.class() == 'T')
         }
         Content::Picture(_) => true,
         Content::Split(split) => split.upper.iter().all(|u| is_wall(u, doors)),

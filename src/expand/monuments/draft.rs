@@ -190,7 +190,7 @@ impl Draft {
         let height = super::or(measures.platform, height);
         let margin = measures.margin.map_or([margin; 2], |m| m.value);
         let (sides, width) = stairs;
-        self.platform = (height > 0.0).then(|| Platform {
+        self.platform = (height > 0.0).then_some(Platform {
             span: self.span,
             height,
             margin,
@@ -236,7 +236,7 @@ impl Draft {
         rail: crate::ast::Rail,
         stairs: Vec<Side>,
     ) -> Option<Veranda> {
-        (width > 0.0).then(|| Veranda {
+        (width > 0.0).then_some(Veranda {
             span: self.span,
             width,
             height,
