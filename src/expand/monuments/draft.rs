@@ -12,10 +12,19 @@ use crate::source::{Span, Spanned};
 /// What stands in a bay, and its width in shaku.
 pub(super) type Bay = (&'static str, f64);
 
-/// A length of the plan in U, on the grid of the steps: walls close exactly.
-pub(super) fn units(shaku: f64, unit: f64) -> f64 {
+/// Widths of bays are whole multiples of this in U, a tenth of a millimetre: walls close exactly, and storeys stand
+/// in each other's middle.
+const GRID: f64 = 1e-4;
+
+/// A length of the plan in U, on that grid.
+fn units(shaku: f64, unit: f64) -> f64 {
+    on_steps((shaku / unit / GRID).round() * GRID)
+}
+
+/// Without the dust of sums.
+fn on_steps(u: f64) -> f64 {
     let steps = STEPS as f64;
-    (shaku / unit * steps).round() / steps
+    (u * steps).round() / steps
 }
 
 /// A house in the making; lengths in shaku.
@@ -31,16 +40,16 @@ pub(crate) struct Draft {
     pub(super) style: RoofStyle,
     /// Roofs with a place of their own.
     pub(super) lines: Vec<RoofLine>,
+    /// Width and depth of the ground storey in U.
+    ground: Option<[f64; 2]>,
     /// The rectangle of the last storey in U: a0, b0, a1, b1.
     rect: [f64; 4],
     /// Its top.
     top: f64,
 }
 
-/// A rectangular storey.
+/// A rectangular storey, in the middle of the ground storey.
 pub(super) struct Level<'a> {
-    /// Its front right corner.
-    pub(super) start: [f64; 2],
     /// Bays of the four walls in walk order, from right to left.
     pub(super) walls: [&'a [Bay]; 4],
     pub(super) height: f64,
@@ -59,6 +68,7 @@ impl Draft {
             finials: vec![],
             style: RoofStyle::default(),
             lines: vec![],
+            ground: None,
             rect: [0.0; 4],
             top: 0.0,
         }
@@ -77,11 +87,17 @@ impl Draft {
         // The share of what stands above the base.
         let wall = level.height - zone;
         let share = (1.0 - level.base / wall.max(0.1)).clamp(0.05, 1.0);
-        let lines = level.walls.iter().map(|bays| self.line(bays, share));
-        let walk = self.walk(level.start, lines.collect(), false);
-        let (a, b) = walk.start;
+        let lines: Vec<Line> = level
+            .walls
+            .iter()
+            .map(|bays| self.line(bays, share))
+            .collect();
         let long = |line: &Line| line.units.iter().map(|u| u.width).sum::<f64>();
-        self.rect = [a, b, a + long(&walk.lines[0]), b + long(&walk.lines[1])];
+        let size = [long(&lines[0]), long(&lines[1])];
+        let ground = *self.ground.get_or_insert(size);
+        let [a, b] = [0, 1].map(|k| on_steps((ground[k] - size[k]) / 2.0));
+        self.rect = [a, b, on_steps(a + size[0]), on_steps(b + size[1])];
+        let walk = self.walk((a, b), lines, false);
         self.top += level.height;
         self.storeys.push(Storey {
             span: self.span,
@@ -92,22 +108,34 @@ impl Draft {
         });
     }
 
-    /// Adds a wall inside the last storey, parallel to its front.
-    pub(super) fn inner(&mut self, start: [f64; 2], bays: &[Bay]) {
+    /// Adds a square storey with the same bays on every side; `heights` are its base and its height.
+    pub(super) fn tier(&mut self, side: &[Bay], heights: (f64, f64), order: Order) {
+        let (base, height) = heights;
+        self.storey(&Level {
+            walls: [side, side, side, side],
+            height,
+            base,
+            order,
+        });
+    }
+
+    /// Adds a wall inside the ground storey, parallel to its front and so far behind it.
+    pub(super) fn inner(&mut self, behind: f64, bays: &[Bay]) {
         let line = self.line(bays, 1.0);
+        let start = (0.0, units(behind, self.unit));
         let walk = self.walk(start, vec![line], true);
         if let Some(storey) = self.storeys.last_mut() {
             storey.loops.push(walk);
         }
     }
 
-    fn walk(&self, [a, b]: [f64; 2], lines: Vec<Line>, inner: bool) -> Loop {
+    fn walk(&self, start: (f64, f64), lines: Vec<Line>, inner: bool) -> Loop {
         Loop {
             span: self.span,
             hole: false,
             inner,
             ring: false,
-            start: (units(a, self.unit), units(b, self.unit)),
+            start,
             lines,
         }
     }

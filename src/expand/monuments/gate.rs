@@ -36,8 +36,8 @@ impl Pass<'_, '_> {
         let zone = BRACKETS * bx * (0.25 + 0.25 * f64::from(steps.min(3)));
         let post = or(m.post, POST * bx);
         draft.look(m, &usual(bx));
-        let order = |draft: &Draft, nageshi| Order {
-            posts: draft.posts(post, paint, nageshi),
+        let order = |draft: &Draft| Order {
+            posts: draft.posts(post, paint, 3),
             veranda: None,
             brackets: draft.brackets(steps, zone, REACH * eaves),
         };
@@ -46,13 +46,12 @@ impl Pass<'_, '_> {
         let leaves = bays(nx, bx, WALL, ("TIK", doors));
         let open = bays(nx, bx, "AFU", ("AFU", 0));
         let front = if row == 0 { &leaves } else { &open };
-        let (side, other) = (bays(ny, by, WALL, (WALL, 0)), bays(ny, by, WALL, (WALL, 0)));
+        let side = bays(ny, by, WALL, (WALL, 0));
         draft.storey(&Level {
-            start: [0.0; 2],
-            walls: [front, &side, &open, &other],
+            walls: [front, &side, &open, &side],
             height: columns + zone,
             base: 0.0,
-            order: order(draft, 3),
+            order: order(draft),
         });
         if two {
             // A hipped skirt, which the upper walls cut.
@@ -62,22 +61,18 @@ impl Pass<'_, '_> {
             });
         }
         if row > 0 {
-            draft.inner([0.0, f64::from(row) * by], &leaves);
+            draft.inner(f64::from(row) * by, &leaves);
         }
         if two {
             let most = size[0].min(size[1]) / 2.0 - 1.0;
-            let inset = or(it.inset, INSET * bx).clamp(0.05, most.max(0.05));
-            self.upper(
-                it,
-                draft,
-                Upper {
-                    size,
-                    bays: [nx, ny],
-                    inset,
-                    doors,
-                    order: order(draft, 3),
-                },
-            );
+            let up = Upper {
+                size,
+                bays: [nx, ny],
+                inset: or(it.inset, INSET * bx).clamp(0.05, most.max(0.05)),
+                doors,
+                order: order(draft),
+            };
+            self.upper(it, draft, up);
         }
         let margin = or(m.eaves, EAVES * bx);
         let stairs = (vec![Side::Front, Side::Back], bx * f64::from(doors.max(1)));
@@ -108,7 +103,6 @@ impl Pass<'_, '_> {
         };
         let height = base + columns + zone;
         draft.storey(&Level {
-            start: [up.inset; 2],
             walls: [&front, &side, &front, &side],
             height,
             base,

@@ -113,7 +113,6 @@ impl Pass<'_, '_> {
             other[ny as usize - 1].0 = codes.window;
         }
         draft.storey(&Level {
-            start: [0.0; 2],
             walls: [&front, &side, &back, &other],
             height: columns + zone,
             base: 0.0,
@@ -159,7 +158,6 @@ impl Pass<'_, '_> {
             |n: u32, length: f64| bays(n, length / f64::from(n), codes.wall, (codes.wall, 0));
         let (front, side) = (wall(nx, size[0]), wall(ny, size[1]));
         draft.storey(&Level {
-            start: [aisle; 2],
             walls: [&front, &side, &front, &side],
             height: hidden + clear + zone,
             base: 0.0,
@@ -172,11 +170,10 @@ impl Pass<'_, '_> {
 
     /// What crowns the roof.
     fn crown(&mut self, it: &ast::Hall, draft: &mut Draft) {
-        let shape = draft.style.shape.map(|s| s.value);
+        // Pyramids wear their jewel already.
+        let pyramid = draft.style.shape.is_some_and(|s| s.value == RoofShape::Pyramid);
         let logs = count(it.katsuogi, if it.shrine { 5 } else { 0 });
-        if shape == Some(RoofShape::Pyramid) {
-            draft.finial(FinialKind::Hoju, None, None);
-        } else if logs > 0 {
+        if logs > 0 && !pyramid {
             draft.finial(FinialKind::Chigi, None, Some(logs));
         }
     }

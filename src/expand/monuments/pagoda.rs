@@ -2,7 +2,7 @@
 //! and the mast on it. Rules after Horyu-ji's (`domain.md` 4.8, S54 and S55), as shares of widths: they give its
 //! documented height, and To-ji's, from the width and the taper alone.
 
-use super::draft::{Bay, Draft, Level, Usual, WALL};
+use super::draft::{Bay, Draft, Usual, WALL};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
@@ -11,7 +11,7 @@ use crate::diagnostic::messages::fittings::Scarce;
 const COLUMNS: f64 = 0.49;
 const BRACKETS: f64 = 0.265;
 /// From one eaves plate to the next, as a share of the upper storey's width.
-const RISE: f64 = 0.83;
+const RISE: f64 = 0.855;
 /// Diameter of the first columns as a share of the first width.
 const POST: f64 = 0.085;
 /// Overhang, and the purlin's place in it.
@@ -54,11 +54,7 @@ impl Pass<'_, '_> {
             };
             // What the skirt below hides, and what shows between it and the veranda.
             let hidden = pitch / 10.0 * inset + thickness * 1.15 + 0.4;
-            let base = if i == 0 {
-                0.0
-            } else {
-                hidden + tier.width * 0.1
-            };
+            let base = f64::from(u8::from(i > 0)) * (hidden + tier.width * 0.1);
             let zone = BRACKETS * tier.width;
             let columns = self.at_least(span, Scarce::Tier, tier.height - base - zone, LEAST);
             plate += base + zone + columns - tier.height;
@@ -70,15 +66,8 @@ impl Pass<'_, '_> {
                 },
                 brackets: draft.brackets(steps, zone, REACH * eaves * tier.share),
             };
-            let corner = (first - tier.width) / 2.0;
-            let side = side(bays, tier.width);
-            draft.storey(&Level {
-                start: [corner; 2],
-                walls: [&side, &side, &side, &side],
-                height: base + columns + zone,
-                base,
-                order,
-            });
+            let walls = side(bays, tier.width);
+            draft.tier(&walls, (base, base + columns + zone), order);
             draft.roof(RoofStyle {
                 shape: draft.style.shape,
                 eaves: draft.say(eaves * tier.share),
@@ -86,12 +75,8 @@ impl Pass<'_, '_> {
             });
         }
         let platform = or(m.platform, 0.215 * first);
-        draft.platform(
-            m,
-            platform,
-            0.5 * first,
-            (Side::ALL.map(|s| s.1).to_vec(), first * 0.35),
-        );
+        let stairs = (Side::ALL.map(|s| s.1).to_vec(), first * 0.35);
+        draft.platform(m, platform, 0.5 * first, stairs);
         let last = tiers.last().map_or(first, |t| t.width);
         let body = platform + plate + pitch / 10.0 * last / 2.0 + thickness;
         let sorin = or(it.sorin, body * SORIN / (1.0 - SORIN));

@@ -13,6 +13,23 @@ use std::f64::consts::FRAC_PI_2;
 /// Rings of the mast.
 const RINGS: u32 = 9;
 
+/// Bowl, the flower on it, and the mast: radii and heights.
+const BOWL: [(f64, f64); 13] = [
+    (0.0, 0.068),
+    (0.055, 0.068),
+    (0.056, 0.085),
+    (0.050, 0.103),
+    (0.034, 0.118),
+    (0.020, 0.124),
+    (0.030, 0.136),
+    (0.056, 0.150),
+    (0.052, 0.155),
+    (0.022, 0.158),
+    (0.011, 0.165),
+    (0.011, 0.985),
+    (0.0, 0.985),
+];
+
 pub(super) fn sorin(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     let bronze = SurfaceId::named("bronze");
     let n = sides(detail);
@@ -39,23 +56,7 @@ pub(super) fn sorin(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     let scaled = |profile: &[(f64, f64)]| -> Vec<(f64, f64)> {
         profile.iter().map(|(r, t)| (r * h, t * h)).collect()
     };
-    // Bowl, and the flower on it.
-    let bowl = [
-        (0.0, 0.068),
-        (0.055, 0.068),
-        (0.056, 0.085),
-        (0.050, 0.103),
-        (0.034, 0.118),
-        (0.020, 0.124),
-        (0.030, 0.136),
-        (0.056, 0.150),
-        (0.052, 0.155),
-        (0.022, 0.158),
-        (0.011, 0.165),
-        (0.011, 0.985),
-        (0.0, 0.985),
-    ];
-    turned(bodies, bronze, foot, &scaled(&bowl), n);
+    turned(bodies, bronze, foot, &scaled(&BOWL), n);
     if detail > Detail::Body {
         for k in 0..RINGS {
             let share = f64::from(k) / f64::from(RINGS - 1);
