@@ -4,10 +4,16 @@
 //! out); elements nest at most `Limits::nesting` deep. Codes are still text: whether a part exists is the
 //! business of `expand`, the only pass that opens the catalogue for them.
 
+mod fittings;
+mod monuments;
 mod pieces;
 mod roofs;
 mod value;
 
+pub use fittings::{
+    Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
+};
+pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
@@ -42,6 +48,10 @@ pub struct House {
     pub storeys: Vec<Item<Storey>>,
     /// Walls given facade by facade (the `Structure` of 003), if the house is written that way.
     pub structures: Vec<Structure>,
+    /// The house written short, if it is.
+    pub monument: Option<Monument>,
+    /// What stands at it besides walls and roofs.
+    pub fittings: Fittings,
     /// Gloss of single textures (003-13).
     pub textures: Vec<Texture>,
     /// The roof section.
@@ -137,6 +147,8 @@ pub struct Storey {
     pub start: Option<Spanned<(f64, f64)>>,
     /// Storey or parapet.
     pub kind: StoreyKind,
+    /// Posts, veranda, brackets of its own.
+    pub order: Order,
     /// Rows that stand in the storey itself form one loop; further ones are courtyards or wings.
     pub loops: Vec<Loop>,
     /// `random` and `replace` directly in the storey: edits of all its rows.
@@ -159,6 +171,8 @@ pub struct Loop {
     pub span: Span,
     /// Whether the solid lies outside the loop: a courtyard.
     pub hole: bool,
+    /// Whether it is a wall inside the storey, which does not close.
+    pub inner: bool,
     /// Start point (a, b) in U, author frame.
     pub start: Option<Spanned<(f64, f64)>>,
     /// Wall lines.

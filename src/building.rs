@@ -7,10 +7,11 @@
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
 mod dress;
+pub mod fittings;
 
 pub use dress::Dress;
 
-use crate::ast::{RoofKind, RoofShape, StoreyKind};
+use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind};
 use crate::program::{Picture, Roofs, Unit};
 use crate::roof::plan::Cell;
 use crate::source::Span;
@@ -44,6 +45,13 @@ pub struct House {
     pub street: bool,
     /// From the ground up.
     pub storeys: Vec<Storey>,
+    /// How far the ground lies below the floor of the first storey, metres: the height of a platform or a
+    /// veranda. The house's origin is raised by it.
+    pub raised: f64,
+    /// What it stands on.
+    pub platform: Option<Platform>,
+    /// What crowns its roofs.
+    pub finials: Vec<Finial>,
     /// The roof section.
     pub roofs: Roofs,
 }
@@ -68,8 +76,20 @@ pub struct Storey {
     pub z0: f64,
     /// Its top.
     pub z1: f64,
+    /// Posts, veranda and brackets.
+    pub order: Order,
     /// Outer walks and courtyards.
     pub rings: Vec<Ring>,
+}
+
+impl Storey {
+    /// How high its walls and posts are under the brackets, metres.
+    pub fn wall_height(&self) -> f64 {
+        let height = self.z1 - self.z0;
+        let brackets = self.order.brackets.as_ref();
+        let zone = brackets.map_or(0.0, |b| b.zone() * crate::geometry::SHAKU);
+        (height - zone).max(height * 0.2)
+    }
 }
 
 /// A walk round a part of the storey.
@@ -129,6 +149,8 @@ pub struct Building {
     pub shell: Shell,
     /// The roofs of each house, as many as houses.
     pub roofs: Vec<HouseRoofs>,
+    /// What stands at each house besides, as many as houses.
+    pub fittings: Vec<Vec<fittings::Fitting>>,
 }
 
 /// The roofs of one house.

@@ -15,6 +15,7 @@ use crate::catalog::Catalog;
 use crate::diagnostic::messages::{pictures as say, xml};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::expand;
+use crate::fit;
 use crate::lower;
 use crate::parse;
 use crate::program::{Content, PictureId, Program, Unit};
@@ -183,10 +184,12 @@ pub fn program(
     expand::expand(&pairs, Catalog::builtin(), world, options, out)
 }
 
-/// Walls, then roofs.
+/// Walls, then roofs, then what stands at both.
 pub fn building(program: Program, out: &mut Diagnostics) -> Building {
     let shell = lower::lower(program, out);
-    roof::roof(shell, out)
+    let mut building = roof::roof(shell, out);
+    fit::fit(&mut building, out);
+    building
 }
 
 /// What is to be seen.

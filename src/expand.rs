@@ -23,6 +23,7 @@ mod edits;
 mod facades;
 mod floors;
 mod lists;
+mod monuments;
 mod random;
 mod repeat;
 mod replace;
@@ -110,7 +111,12 @@ impl<'a, 'c> Pass<'a, 'c> {
         let settings = &house.settings;
         let unit = settings.unit.as_ref();
         let unit = unit.and_then(positive).unwrap_or(UNIT);
-        let mut storeys = self.all_storeys(house, place, unit);
+        let mut draft = self.monument(house, unit);
+        let mut storeys = match &mut draft {
+            Some(draft) => std::mem::take(&mut draft.storeys),
+            None => self.all_storeys(house, place, unit),
+        };
+        monuments::share(&mut storeys, &house.fittings, draft.is_some());
         if self.over {
             return None;
         }
@@ -119,7 +125,7 @@ impl<'a, 'c> Pass<'a, 'c> {
         let number = |value: &Option<Spanned<f64>>, default| {
             value.as_ref().map_or(default, |value| value.value)
         };
-        Some(House {
+        let mut made = House {
             span: house.span,
             name: house
                 .name
@@ -130,8 +136,14 @@ impl<'a, 'c> Pass<'a, 'c> {
             unit_shaku: unit,
             street: settings.street.as_ref().is_some_and(|s| s.value),
             storeys,
+            platform: house.fittings.platform.clone(),
+            finials: house.fittings.finials.clone(),
             roofs: roofs::roofs(&house.roofs),
-        })
+        };
+        if let Some(draft) = draft {
+            monuments::furnish(&mut made, draft);
+        }
+        Some(made)
     }
 
     fn all_storeys(&mut self, house: &ast::House, place: Place, unit: f64) -> Vec<Storey> {

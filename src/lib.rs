@@ -14,6 +14,7 @@
 //! | [`expand::expand`] | [`program::Program`] | repeat, split lists, random, replace, unknown codes, defaults |
 //! | [`lower::lower`] | [`building::Shell`] | turns and rows: every wall has two ends |
 //! | [`roof::roof`] | [`building::Building`] | open tops: regions cover every uncovered area once, solids lie over them |
+//! | [`fit::fit`] | [`building::Building`] | platforms, verandas, brackets and finials without a place |
 //! | [`tessellate::tessellate`] | [`scene::Scene`] | part codes and plans: meshes, materials, a tree of nodes |
 //! | [`backend`] | bytes | |
 //!
@@ -47,6 +48,7 @@ pub mod expand;
 pub mod building;
 pub mod lower;
 pub mod roof;
+pub mod fit;
 pub mod scene;
 pub mod tessellate;
 pub mod check;

@@ -34,12 +34,14 @@ pub fn lower(program: Program, out: &mut Diagnostics) -> Shell {
 
 fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
     let (mut z, mut number) = (0.0, 0);
+    let raised = raised(&house);
+    let [x, y, ground] = house.origin;
     let mut storeys = Vec::with_capacity(house.storeys.len());
     for storey in house.storeys {
         let top = z + storey.height * SHAKU;
         let parapet = storey.kind == StoreyKind::Parapet;
         number += u32::from(!parapet);
-        let (span, kind) = (storey.span, storey.kind);
+        let (span, kind, order) = (storey.span, storey.kind, storey.order.clone());
         let rings = lower_storey(storey, out);
         storeys.push(Storey {
             span,
@@ -47,6 +49,7 @@ fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
             kind,
             z0: z,
             z1: top,
+            order,
             rings,
         });
         if !parapet {
@@ -56,26 +59,37 @@ fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
     House {
         span: house.span,
         name: house.name,
-        origin: house.origin,
+        origin: [x, y, ground + raised],
         azimuth: house.azimuth,
         unit: house.unit_shaku * SHAKU,
         street: house.street,
         storeys,
+        raised,
+        platform: house.platform,
+        finials: house.finials,
         roofs: house.roofs,
     }
+}
+
+/// How far a platform and the veranda of the ground storey raise the house, metres.
+fn raised(house: &program::House) -> f64 {
+    let ground = house.storeys.first();
+    let veranda = ground.and_then(|s| s.order.veranda.as_ref());
+    let platform = house.platform.as_ref().map_or(0.0, |p| p.height);
+    (platform + veranda.map_or(0.0, |v| v.height)) * SHAKU
 }
 
 fn lower_storey(storey: program::Storey, out: &mut Diagnostics) -> Vec<Ring> {
     let mut rings = Vec::with_capacity(storey.loops.len());
     let mut facade = 0;
     for walk in storey.loops {
-        let ring = walk.ring;
+        let (ring, inner) = (walk.ring, walk.inner);
         let mut walked = walk::walk(walk, &mut facade);
         if walked.walls.is_empty() {
             out.push(plan::no_wall(walked.span));
             continue;
         }
-        let closed = close::close(&mut walked, ring, out);
+        let closed = !inner && close::close(&mut walked, ring, out);
         rings.push(Ring {
             span: walked.span,
             hole: walked.hole,

@@ -1,7 +1,7 @@
 //! The program of a house: only steps. No repeat, split list, random, replace or unknown code is left;
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
-use crate::ast::{RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind};
+use crate::ast::{Finial, Order, Platform, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind};
 use crate::catalog::PartId;
 use crate::source::Span;
 use serde::Serialize;
@@ -47,6 +47,10 @@ pub struct House {
     pub street: bool,
     /// From the ground up.
     pub storeys: Vec<Storey>,
+    /// What it stands on.
+    pub platform: Option<Platform>,
+    /// What crowns its roofs.
+    pub finials: Vec<Finial>,
     /// The roof section.
     pub roofs: Roofs,
 }
@@ -75,6 +79,8 @@ pub struct Storey {
     pub height: f64,
     /// Storey or parapet.
     pub kind: StoreyKind,
+    /// Posts, veranda and brackets, the house's where it has none of its own.
+    pub order: Order,
     /// Outer walks and courtyards.
     pub loops: Vec<Loop>,
 }
@@ -86,6 +92,8 @@ pub struct Loop {
     pub span: Span,
     /// Whether the solid lies outside the loop.
     pub hole: bool,
+    /// Whether it is a wall inside the storey, which does not close.
+    pub inner: bool,
     /// Whether its lines are facades of a ring: a small closing error is spread, not reported.
     pub ring: bool,
     /// Start point (a, b) in U.

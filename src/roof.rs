@@ -84,5 +84,9 @@ pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
         .iter()
         .map(|house| house::roofs(house, &effort, out))
         .collect();
-    Building { shell, roofs }
+    Building {
+        shell,
+        roofs,
+        fittings: vec![],
+    }
 }

@@ -159,6 +159,14 @@ pub enum Kind {
     Member,
     /// A roof.
     Roof,
+    /// A stone platform.
+    Platform,
+    /// Boards round a storey, with their railing.
+    Veranda,
+    /// A bracket complex, or the beams on them.
+    Bracket,
+    /// What crowns a roof.
+    Finial,
 }
 
 impl Kind {
@@ -172,6 +180,10 @@ impl Kind {
             Kind::Post => "post",
             Kind::Member => "member",
             Kind::Roof => "roof",
+            Kind::Platform => "platform",
+            Kind::Veranda => "veranda",
+            Kind::Bracket => "bracket",
+            Kind::Finial => "finial",
         }
     }
 }

@@ -19,6 +19,7 @@ mod corner;
 mod detail;
 mod dress;
 mod facade;
+mod fittings;
 mod kura;
 mod leaf;
 mod member;
@@ -66,10 +67,15 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         roofs: Roofs::default(),
         rooms: Rooms::default(),
         nodes: Vec::with_capacity(nodes(building)),
+        root: NodeId(0),
     };
     let none = HouseRoofs::default();
     for (i, house) in building.shell.houses.iter().enumerate() {
         walker.house(house, building.roofs.get(i).unwrap_or(&none), i + 1);
+        let root = walker.root;
+        for (n, fitting) in building.fittings.get(i).into_iter().flatten().enumerate() {
+            walker.fitting(root, fitting, n + 1);
+        }
     }
     let pictures = building.shell.pictures.iter();
     walker
@@ -94,6 +100,8 @@ struct Walker<'a> {
     roofs: Roofs<'a>,
     rooms: Rooms,
     nodes: Vec<Node>,
+    /// The house in the making.
+    root: NodeId,
 }
 
 /// What walls of a storey have in common.
@@ -118,7 +126,20 @@ impl Level<'_> {
 
     /// Whether the storey stands on the ground.
     fn grounded(&self) -> bool {
-        self.framed() && self.storey.number == 1 && self.storey.z0.abs() < SAME
+        let low = self.storey.number == 1 && self.storey.z0.abs() < SAME;
+        self.framed() && low && self.house.raised == 0.0
+    }
+
+    /// Whether its posts stand on a platform or the ground, not on a raised floor.
+    fn on_stone(&self) -> bool {
+        let veranda = self.storey.order.veranda.as_ref();
+        veranda.is_none_or(|v| v.height == 0.0)
+    }
+
+    /// The posts that the author asked for: half a side, metres.
+    fn post(&self) -> Option<f64> {
+        let posts = self.storey.order.posts.as_ref();
+        posts.map(|p| p.size * crate::geometry::SHAKU / 2.0)
     }
 }
 
@@ -151,6 +172,7 @@ impl<'a> Walker<'a> {
         node.turn = Heading::new(180.0 - house.azimuth).vector();
         node.span = Some(house.span);
         let root = self.last();
+        self.root = root;
         let standing: Vec<OnceCell<Standing>> =
             house.storeys.iter().map(|_| OnceCell::new()).collect();
         for (storey, standing) in house.storeys.iter().zip(&standing) {
@@ -217,6 +239,9 @@ impl<'a> Walker<'a> {
         if self.detail == Detail::Body {
             let mesh = self.body(level);
             self.nodes[level.node.0 as usize].mesh = mesh;
+            if level.post().is_some() {
+                self.bare_posts(level);
+            }
             return;
         }
         let rings: Vec<(&Ring, Vec<Line<'_>>)> = storey
@@ -228,6 +253,18 @@ impl<'a> Walker<'a> {
             self.ring(level, lines);
         }
         self.interior(level, &rings);
+    }
+
+    /// The posts of a storey without its walls: what an open hall is from afar.
+    fn bare_posts(&mut self, level: Level<'_>) {
+        for ring in &level.storey.rings {
+            let lines = self.lines(level, ring);
+            for (i, line) in lines.iter().enumerate() {
+                let (before, after) = Line::beside(&lines, i);
+                let facade = self.facade_node(level, line);
+                self.posts(level, facade, line, before, after);
+            }
+        }
     }
 
     /// The walls of a ring with their units in place.

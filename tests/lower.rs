@@ -69,6 +69,7 @@ fn walk(text: &str) -> Loop {
     Loop {
         span: all,
         hole: false,
+        inner: false,
         ring: false,
         start: (0.0, 0.0),
         lines: lines(text),
@@ -82,6 +83,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
             span,
             height: 9.0,
             kind,
+            order: hsd::ast::Order::default(),
             loops,
         }
     });
@@ -93,6 +95,8 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         unit_shaku: 3.0,
         street: false,
         storeys: storeys.collect(),
+        platform: None,
+        finials: vec![],
         roofs: Roofs::default(),
     };
     let mut out = Diagnostics::new();

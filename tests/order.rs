@@ -21,6 +21,7 @@ const ORDER: &[&str] = &[
     "expand",
     "lower",
     "roof",
+    "fit",
     "tessellate",
     "print",
     "backend",

@@ -2,6 +2,7 @@
 //! have it.
 
 pub mod file;
+pub mod fittings;
 pub mod legacy;
 pub mod parts;
 pub mod pictures;

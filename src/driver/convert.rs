@@ -1,7 +1,6 @@
 //! A text in the other form of the language, if it makes the same building there.
 
 use super::{building, documents, program};
-use crate::building::Building;
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::print as say;
 use crate::diagnostic::{Diagnostics, Severity};
@@ -75,10 +74,10 @@ fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Opt
         return None;
     }
     let program = program(&[source], &documents, world, options, &mut out);
-    let Building { mut shell, roofs } = building(program, &mut out);
+    let mut built = building(program, &mut out);
     // What the author said of roofs may stand at another place; what comes of it is compared.
-    for house in &mut shell.houses {
+    for house in &mut built.shell.houses {
         house.roofs = Roofs::default();
     }
-    Some(print::essence(&Building { shell, roofs }))
+    Some(print::essence(&built))
 }

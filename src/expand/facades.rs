@@ -9,7 +9,7 @@ use super::repeat::{Flat, Scoped};
 use super::rows::bare_unit;
 use super::split::fit;
 use super::{Pass, positive};
-use crate::ast::{self, StoreyKind};
+use crate::ast::{self, Order, StoreyKind};
 use crate::diagnostic::messages::parts as say;
 use crate::geometry::{SAME, SHAKU};
 use crate::program::{Content, Line, Loop, Storey, Unit};
@@ -75,6 +75,7 @@ impl Pass<'_, '_> {
             span: level.span,
             height: level.height,
             kind: level.kind,
+            order: Order::default(),
             loops: vec![ring(structure, &mut walls, index)],
         };
         levels.iter().enumerate().map(storey).collect()
@@ -262,6 +263,7 @@ fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Lo
     Loop {
         span: structure.span,
         hole: false,
+        inner: false,
         ring: true,
         start: (0.0, 0.0),
         lines,

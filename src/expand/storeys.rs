@@ -53,6 +53,7 @@ impl Pass<'_, '_> {
             span: storey.span,
             height: height.unwrap_or(HEIGHT),
             kind: storey.kind,
+            order: storey.order.clone(),
             loops: vec![],
         };
         for (index, walk) in storey.loops.iter().enumerate() {
@@ -60,6 +61,7 @@ impl Pass<'_, '_> {
             made.loops.push(Loop {
                 span: walk.span,
                 hole: walk.hole,
+                inner: walk.inner,
                 ring: false,
                 start: self.start(walk, storey, index),
                 lines,

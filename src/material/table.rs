@@ -81,6 +81,10 @@ pub(super) static TABLE: &[Surface] = &[
     worn("bengara_worn", &BENGARA, 1),
     worn("bengara_old", &BENGARA, 2),
     worn("sooted", &SOOTED, 0),
+    // Red lead over cypress, its yellow ends, green window bars: gates, pagodas, shrines.
+    tinted(worn("vermilion", &HINOKI, 0), [0.56, 0.085, 0.046]),
+    plain("ochre", [0.72, 0.46, 0.09], 0.8),
+    tinted(worn("verdigris_green", &HINOKI, 0), [0.05, 0.23, 0.16]),
     tinted(worn("boards", &PLANK, 1), SHELTERED),
     worn("boards_dark", &PLANK, 3),
     worn("plank_fresh", &PLANK, 0),
@@ -210,6 +214,7 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("sign", &SHEET, 0), [0.95, 0.91, 0.78]),
     tinted(worn("sign_rusty", &SHEET, 1), [0.95, 0.91, 0.78]),
     plain("iron", [0.03, 0.03, 0.032], 0.6),
+    plain("bronze", [0.11, 0.14, 0.115], 0.55),
     // What lies in the dark behind openings.
     plain("dark", [0.012, 0.011, 0.01], 1.0),
     plain("groove", [0.05, 0.05, 0.05], 1.0),

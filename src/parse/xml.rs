@@ -13,8 +13,10 @@
 
 mod codes;
 mod facades;
+mod fittings;
 mod house;
 mod language;
+mod monuments;
 mod pieces;
 mod read;
 mod roofs;

@@ -74,6 +74,8 @@ pub(super) struct Bay<'a> {
     pub(super) around: SurfaceId,
     /// How much of it is shape.
     pub(super) detail: Detail,
+    /// Whether the posts beside it are in its picture; those that an author asked for are shapes.
+    pub(super) pictured: bool,
     /// How far the house reaches behind it, metres.
     pub(super) room: f64,
     pub(super) bodies: Bodies,
@@ -87,9 +89,10 @@ impl<'a> Bay<'a> {
         (z0, z1): (f64, f64),
         around: SurfaceId,
         detail: Detail,
+        posts: Option<f64>,
     ) -> Bay<'a> {
         let post = match part.stance {
-            Stance::Posts => HALF_POST.min(width / 4.0),
+            Stance::Posts => posts.unwrap_or(HALF_POST).min(width / 4.0),
             _ => 0.0,
         };
         let whole = Rect {
@@ -115,6 +118,7 @@ impl<'a> Bay<'a> {
             opening,
             around,
             detail,
+            pictured: posts.is_none(),
             room: super::part::DEEPEST,
             bodies: Bodies::default(),
         }

@@ -7,6 +7,7 @@ use super::mesh::Soup;
 use super::store::{Share, primitive};
 use super::{Level, Walker, part, turn_of};
 use crate::building::Ring;
+use crate::catalog::Catalog;
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::{Content, Unit};
@@ -86,7 +87,9 @@ impl Walker<'_> {
     /// The solid parts of a wall, neighbours of one look together.
     fn stretches(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
         let mut stretches: Vec<Stretch> = vec![];
-        for stand in line.stands.iter().filter(|s| s.solid()) {
+        let catalog = self.catalog;
+        let shown = |s: &&Stand<'_>| s.solid() && !shows_through(catalog, level, s);
+        for stand in line.stands.iter().filter(shown) {
             let mut bands = vec![];
             self.bands(stand.unit, stand, (0.0, stand.top()), &mut bands);
             if level.grounded() {
@@ -163,6 +166,14 @@ impl Walker<'_> {
                 band(store, top, z1, stand.around);
             }
         }
+    }
+}
+
+/// Whether a bay between posts that are drawn stands open.
+fn shows_through(catalog: &Catalog, level: Level<'_>, stand: &Stand<'_>) -> bool {
+    match &stand.unit.content {
+        Content::Part(id) => level.post().is_some() && super::room::is_open(catalog.part(*id)),
+        _ => false,
     }
 }
 

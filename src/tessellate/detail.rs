@@ -46,7 +46,7 @@ pub(super) fn build(bay: &mut Bay<'_>) {
     let (relief, flat): (Vec<&Element>, Vec<&Element>) =
         part.body.iter().partition(|e| stands_out(e, wall));
     panel(bay, Some(wall), |bay| {
-        if part.stance == Stance::Posts {
+        if part.stance == Stance::Posts && bay.pictured {
             posts(bay);
         }
         if part.from.is_some() {

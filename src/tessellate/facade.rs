@@ -76,7 +76,7 @@ impl<'a> Line<'a> {
                 known = Some((id, (stance, face), own_top));
             }
             let top = unit.height.map_or(level.height, |h| f64::from(h) * SHAKU);
-            let top = top.min(own_top);
+            let top = top.min(own_top).min(level.storey.wall_height());
             let at = |u: f64| wall.from + wall.direction * u;
             stands.push(Stand {
                 unit,
@@ -233,6 +233,8 @@ struct Slot<'a> {
     around: SurfaceId,
     /// How deep a passage may reach behind it, metres.
     room: f64,
+    /// Half a post, where the author asked for posts, metres.
+    post: Option<f64>,
     /// Whether the facade's glass mirrors.
     mirrors: bool,
     /// Whether it is half of a split unit.
@@ -250,14 +252,7 @@ impl Walker<'_> {
         before: Option<&Line<'_>>,
         after: Option<&Line<'_>>,
     ) {
-        let wall = line.wall;
-        let name = format_compact!("facade {}", wall.facade);
-        let at = level.house.place(wall.from, 0.0);
-        let node = self.node(Some(level.node), Kind::Facade, name, at);
-        node.turn = turn_of(wall.direction);
-        node.storey = Some(level.storey.number);
-        node.span = Some(wall.span);
-        let facade = self.last();
+        let facade = self.facade_node(level, line);
         for (i, stand) in line.stands.iter().enumerate() {
             self.stand(level, facade, line, stand, i + 1);
         }
@@ -265,6 +260,18 @@ impl Walker<'_> {
         self.corners(level, facade, line, before);
         self.members(level, facade, line, before, after);
         self.parapet(level, facade, line);
+    }
+
+    /// The node of a facade.
+    pub(super) fn facade_node(&mut self, level: Level<'_>, line: &Line<'_>) -> NodeId {
+        let wall = line.wall;
+        let name = format_compact!("facade {}", wall.facade);
+        let at = level.house.place(wall.from, 0.0);
+        let node = self.node(Some(level.node), Kind::Facade, name, at);
+        node.turn = turn_of(wall.direction);
+        node.storey = Some(level.storey.number);
+        node.span = Some(wall.span);
+        self.last()
     }
 
     /// One unit, and the wedge above it.
@@ -283,6 +290,7 @@ impl Walker<'_> {
             z: (0.0, stand.top()),
             around: stand.around,
             room: self.room(level, line, stand),
+            post: level.post(),
             mirrors: line.wall.reflection,
             half: false,
             number: (number, ""),
@@ -375,6 +383,7 @@ impl Walker<'_> {
                 None => Share::default(),
             },
             size: [slot.width, height, z0, z1].map(tenths),
+            post: slot.post.map_or(0, tenths),
             room: part::passage(part).map_or(0, |depth| tenths(slot.room.min(depth))),
         };
         self.store.part(id, part, key)

@@ -3,10 +3,11 @@
 use super::bay::Layer;
 use super::facade::{Line, Stand};
 use super::mesh::{Axis, Bodies, Soup};
+use super::smooth::soft_bar;
 use super::store::{Key, Share, primitive, tenths};
 use super::{Level, Walker};
 use crate::catalog::Stance;
-use crate::geometry::SAME;
+use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MaterialId, NodeId, Primitive};
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -119,7 +120,8 @@ impl Walker<'_> {
             }
             let inner = stand.offset > SAME;
             // Flat parts have the halves of their posts in their pictures.
-            let drawn = self.detail > Detail::Flat && !set;
+            let own = level.storey.order.posts.is_some();
+            let drawn = (own || self.detail > Detail::Flat) && !set;
             if inner && drawn && (shows(previous) || shows(Some(stand))) {
                 let height = height(previous, Some(stand));
                 self.post(level, facade, -stand.offset, (0.0, height), POST);
@@ -142,16 +144,35 @@ impl Walker<'_> {
         z: (f64, f64),
         side: f64,
     ) {
-        let pad = level.grounded() && z.0 == 0.0;
-        let key = [tenths(side), tenths(z.1 - z.0), u32::from(pad)];
+        let own = level.storey.order.posts.as_ref();
+        let low = level.framed() && level.storey.number == 1 && z.0 == 0.0;
+        let pad = low && (level.grounded() || own.is_some() && level.on_stone());
+        let side = own.map_or(side, |p| p.size * SHAKU);
+        let round = own.is_some_and(|p| p.round);
+        let finish = SurfaceId::named(own.map_or("cedar", |p| p.paint.surface()));
+        let key = [
+            tenths(side),
+            tenths(z.1 - z.0),
+            u32::from(pad),
+            u32::from(round),
+            finish.index() as u32,
+        ];
         let mesh = self.store.mesh(Key::Post(key), |store| {
             let mut bodies = Bodies::default();
             let [side, height] = [key[0], key[1]].map(|n| f64::from(n) / 10_000.0);
             let half = side / 2.0;
             // A millimetre lower than the walls, which lie over it.
             let top = dvec3(half, half, height - 0.001);
-            bodies.block(SurfaceId::named("cedar"), dvec3(-half, -half, 0.0), top);
-            if pad {
+            match round {
+                true => {
+                    let ring = soft_bar((-half, half), (-half, half), half, 4, true);
+                    bodies.rounded(finish, &ring, Axis::Z, 0.0, height - 0.001);
+                }
+                false => bodies.block(finish, dvec3(-half, -half, 0.0), top),
+            }
+            if pad && own.is_some() {
+                base_stone(&mut bodies, half);
+            } else if pad {
                 let (half, foot, top) = PAD;
                 let (lo, hi) = (dvec3(-half, -half, foot), dvec3(half, half, top));
                 bodies.block(SurfaceId::named("stone"), lo, hi);
@@ -258,6 +279,15 @@ impl Walker<'_> {
         node.mesh = Some(mesh);
         node.storey = Some(level.storey.number);
     }
+}
+
+/// The stone under a post that an author asked for: a slab with a round seat.
+fn base_stone(bodies: &mut Bodies, half: f64) {
+    let (seat, slab) = (half * 1.25, half * 1.7);
+    let ring = soft_bar((-seat, seat), (-seat, seat), seat, 4, true);
+    let stone = SurfaceId::named("stone");
+    bodies.rounded(stone, &ring, Axis::Z, -0.02, 0.06);
+    bodies.block(stone, dvec3(-slab, -slab, -0.15), dvec3(slab, slab, 0.02));
 }
 
 impl Beam {

@@ -102,7 +102,7 @@ fn is_full(level: Level<'_>, stand: &Stand<'_>) -> bool {
 }
 
 /// Whether a part is an opening with nothing in it, or only cloth.
-fn is_open(part: &PartDef) -> bool {
+pub(super) fn is_open(part: &PartDef) -> bool {
     let closed = |e: &Element| !matches!(e.shape, Shape::Slab(_) | Shape::Cloth(_));
     part.class() == 'A' && part.below == Below::Open && !part.body.iter().any(closed)
 }

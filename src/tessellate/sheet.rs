@@ -80,7 +80,7 @@ fn bodies(definition: &PartDef, detail: Detail) -> Bodies {
     };
     let width = definition.width() * UNIT;
     let around = definition.finish.unwrap_or(SurfaceId::named("plaster"));
-    let mut bay = Bay::new(definition, (width, height), (z0, z1), around, detail);
+    let mut bay = Bay::new(definition, (width, height), (z0, z1), around, detail, None);
     detail::build(&mut bay);
     if definition.stance == Stance::Posts && width > 0.0 {
         let layer = Layer {

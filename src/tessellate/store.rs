@@ -20,8 +20,8 @@ pub(super) enum Key {
     Part(PartKey),
     /// A part picture: number, width, height, share.
     Picture([u32; 4]),
-    /// A post: side, height, whether it stands on a stone.
-    Post([u32; 3]),
+    /// A post: side, height, whether it stands on a stone, is round, and its surface.
+    Post([u32; 5]),
     /// A level member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),
     /// A row of rafters: what its shape depends on.
@@ -36,6 +36,8 @@ pub(super) struct PartKey {
     pub(super) share: Share,
     /// Width, height, foot and top of the opening.
     pub(super) size: [u32; 4],
+    /// Half a post that the author asked for; 0 = the usual one.
+    pub(super) post: u32,
     /// How deep a passage may be, of parts that have one.
     pub(super) room: u32,
 }
@@ -164,7 +166,8 @@ impl Store {
             // The mesh is made from the key alone, so that it cannot depend on anything else.
             let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
             let size = (width, height);
-            let mut bay = Bay::new(part, size, (z0, z1), key.around, store.detail);
+            let post = (key.post > 0).then(|| f64::from(key.post) / 10_000.0);
+            let mut bay = Bay::new(part, size, (z0, z1), key.around, store.detail, post);
             bay.room = f64::from(key.room) / 10_000.0;
             let name = part.code().trim_end().to_owned();
             store.finish(name, part::build(bay), key.share)

@@ -60,6 +60,9 @@ fn regions_are_written_as_documented() {
         unit: 10.0 / 11.0,
         street: false,
         storeys: vec![],
+        raised: 0.0,
+        platform: None,
+        finials: vec![],
         roofs: Default::default(),
     };
     let plan = StoreyPlan {
@@ -90,6 +93,7 @@ fn regions_are_written_as_documented() {
             plans: vec![plan],
             ..Default::default()
         }],
+        fittings: vec![],
     };
     let expected = concat!(
         r#"{"version":1,"houses":[{"name":"","unit_m":0.909091,"storeys":[{"storey":1,"z":2.727273,"#,

@@ -56,6 +56,7 @@ fn holes_turn_left_and_need_a_start() {
     let hole = |start| Loop {
         span: at(),
         hole: true,
+        inner: false,
         start,
         rows: vec![row(codes("KTU  KTU  "))],
     };

@@ -1,7 +1,9 @@
 //! Houses made straight from corners, and ways to look at their roofs.
 
 use glam::{DVec2, DVec3, dvec2};
-use hsd::ast::{RoofDirection, RoofKind, RoofLine, RoofMode, RoofShape, RoofStyle, StoreyKind};
+use hsd::ast::{
+    Order, RoofDirection, RoofKind, RoofLine, RoofMode, RoofShape, RoofStyle, StoreyKind,
+};
 use hsd::building::{Building, House, Ring, Roof, Shell, Solid, Storey, Wall};
 use hsd::check::solid_flaws;
 use hsd::diagnostic::Diagnostics;
@@ -79,6 +81,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         kind: StoreyKind::Storey,
         z0: k as f64 * H,
         z1: (k + 1) as f64 * H,
+        order: Order::default(),
         rings,
     });
     House {
@@ -89,6 +92,9 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         unit: U,
         street: false,
         storeys: storeys.collect(),
+        raised: 0.0,
+        platform: None,
+        finials: vec![],
         roofs: Roofs::default(),
     }
 }

@@ -5,7 +5,7 @@ mod parts;
 mod roofs;
 
 use glam::{DVec2, Vec3, dvec2};
-use hsd::ast::{CodeText, RoofKind, RoofShape, StoreyKind};
+use hsd::ast::{CodeText, Order, RoofKind, RoofShape, StoreyKind};
 use hsd::building::{
     Building, Ceiling, Dress, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey,
     Wall,
@@ -95,6 +95,7 @@ fn storey(number: u32, z0: f64, height: f64, walls: Vec<Wall>) -> Storey {
         kind: StoreyKind::Storey,
         z0,
         z1: z0 + height,
+        order: Order::default(),
         rings: vec![Ring {
             span: span(),
             hole: false,
@@ -113,6 +114,9 @@ fn building(storeys: Vec<Storey>) -> Building {
         unit: UNIT,
         street: false,
         storeys,
+        raised: 0.0,
+        platform: None,
+        finials: vec![],
         roofs: Roofs::default(),
     };
     Building {
@@ -121,6 +125,7 @@ fn building(storeys: Vec<Storey>) -> Building {
             pictures: Vec::new(),
         },
         roofs: vec![HouseRoofs::default()],
+        fittings: vec![],
     }
 }
 

@@ -48,6 +48,10 @@ impl<'t> Reader<'t, '_> {
                         roofs = Some(self.faults.span(&child.name_range));
                     }
                 }
+                Tag::Pagoda | Tag::Gate | Tag::Hall | Tag::Shrine => {
+                    self.monument(schema, child, &mut house);
+                }
+                _ if self.fitting(schema, child, &mut house) => {}
                 _ => {
                     let item = self.item(schema, child, &schema::STOREYS, Self::storey);
                     house.storeys.extend(item);
@@ -113,6 +117,7 @@ impl<'t> Reader<'t, '_> {
                     let edit = self.replace(schema, child).map(Edit::Replace);
                     storey.edits.extend(edit);
                 }
+                _ if self.order(schema, child, &mut storey.order) => {}
                 _ => {
                     let item = self.item(schema, child, &schema::ROWS, Self::row);
                     own.rows.extend(item);
@@ -127,10 +132,11 @@ impl<'t> Reader<'t, '_> {
 
     fn walk(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Loop {
         let of = self.attributes(schema, element);
-        let hole = self.yes_no(&of, "hole");
+        let (hole, inner) = (self.yes_no(&of, "hole"), self.yes_no(&of, "inner"));
         Loop {
             span: self.whole(element),
             hole: hole.is_some_and(|h| h.value),
+            inner: inner.is_some_and(|i| i.value),
             start: self.point(&of, "start"),
             rows: self.items(element, &schema::ROWS, Self::row),
         }

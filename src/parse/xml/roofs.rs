@@ -19,7 +19,7 @@ const DIRECTIONS: &[(&str, RoofDirection)] = &[
     ("R", RoofDirection::Right),
 ];
 
-const KINDS: &[(&str, RoofKind)] = &[
+pub(super) const KINDS: &[(&str, RoofKind)] = &[
     ("K", RoofKind::Tiles),
     ("G", RoofKind::CoverTiles),
     ("I", RoofKind::Boards),

@@ -33,6 +33,15 @@ pub(super) enum Tag {
     If,
     Else,
     Include,
+    Platform,
+    Posts,
+    Veranda,
+    Brackets,
+    Finial,
+    Pagoda,
+    Gate,
+    Hall,
+    Shrine,
     /// Part of the language, but not read by this version.
     Later,
 }
@@ -79,6 +88,11 @@ const fn later(name: &'static str) -> Schema {
 /// Where elements of [`language`](super::language) belong.
 const ANY: &str = "any element";
 
+/// What halls and shrines may bear.
+#[rustfmt::skip]
+const HALL: &[&str] = &["bays", "bay", "doors", "aisle", "upper", "veranda", "floor", "katsuogi", "columns",
+    "post", "paint", "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"];
+
 /// All elements.
 #[rustfmt::skip]
 pub(super) static ELEMENTS: &[Schema] = &[
@@ -86,7 +100,7 @@ pub(super) static ELEMENTS: &[Schema] = &[
     element(Tag::House, "House", &["name", "unit", "seed", "azimuth", "x", "y", "z", "street"], &[],
         "`Houses`, or is the outermost element"),
     element(Tag::Storey, "Storey", &["height", "start", "kind"], &[], "`House`"),
-    element(Tag::Loop, "Loop", &["hole", "start"], &[], "`Storey`"),
+    element(Tag::Loop, "Loop", &["hole", "inner", "start"], &[], "`Storey`"),
     element(Tag::Row, "Row", &["turn"], &[], "`Storey` or `Loop`"),
     element(Tag::Part, "Part", &["code", "width", "height"], &["code"], "`Row`, `Floor`, `upper` or `lower`"),
     element(Tag::Structure, "Structure", &["size", "scale", "order"], &[],
@@ -106,6 +120,17 @@ pub(super) static ELEMENTS: &[Schema] = &[
         "noshi", "sori", "gable", "ratio", "plain_ridge"], &[], "`House`"),
     element(Tag::Roof, "Roof", &["a0", "b0", "a1", "b1", "ridge", "height", "kind", "shape", "pitch", "eaves",
         "verge", "thickness", "noshi", "sori", "gable", "ratio", "plain_ridge"], &["a0", "b0", "a1", "b1"], "`Roofs`"),
+    element(Tag::Platform, "Platform", &["height", "margin", "stairs", "width"], &[], "`House`"),
+    element(Tag::Posts, "Posts", &["size", "round", "paint", "nageshi"], &[], "`House` or `Storey`"),
+    element(Tag::Veranda, "Veranda", &["width", "height", "rail", "stairs", "paint"], &[], "`Storey`"),
+    element(Tag::Brackets, "Brackets", &["steps", "height", "out", "paint"], &[], "`House` or `Storey`"),
+    element(Tag::Finial, "Finial", &["kind", "height", "count", "at"], &["kind"], "`House`"),
+    element(Tag::Pagoda, "Pagoda", &["storeys", "width", "bays", "taper", "rise", "sorin", "columns", "post", "paint",
+        "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"], &[], "`House`"),
+    element(Tag::Gate, "Gate", &["bays", "bay", "storeys", "doors", "inset", "upper", "columns", "post", "paint",
+        "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"], &[], "`House`"),
+    element(Tag::Hall, "Hall", HALL, &[], "`House`"),
+    element(Tag::Shrine, "Shrine", HALL, &[], "`House`"),
     element(Tag::Catalog, "Catalog", &[], &[], "nothing: it is the outermost element"),
     element(Tag::Param, "Param", &["name", "default", "min", "max", "step", "choices", "unit", "doc"], &["name"],
         "`House`, `Houses`, `Structure`, `Catalog` or `define`"),
@@ -132,11 +157,27 @@ pub(super) static HOUSE: Content = content(&[
     Tag::Structure,
     Tag::Texture,
     Tag::Roofs,
+    Tag::Platform,
+    Tag::Posts,
+    Tag::Brackets,
+    Tag::Finial,
+    Tag::Pagoda,
+    Tag::Gate,
+    Tag::Hall,
+    Tag::Shrine,
 ]);
 pub(super) static STOREYS: Content =
     content(&[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace]);
-pub(super) static STOREY: Content =
-    content(&[Tag::Row, Tag::Loop, Tag::Repeat, Tag::Random, Tag::Replace]);
+pub(super) static STOREY: Content = content(&[
+    Tag::Row,
+    Tag::Loop,
+    Tag::Repeat,
+    Tag::Random,
+    Tag::Replace,
+    Tag::Posts,
+    Tag::Veranda,
+    Tag::Brackets,
+]);
 pub(super) static ROWS: Content = content(&[Tag::Row, Tag::Repeat, Tag::Random, Tag::Replace]);
 pub(super) static PIECES: Content = Content {
     tags: &[
@@ -190,18 +231,12 @@ pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
 /// What the tree must know to recover well.
 pub(super) static HABITS: Habits = Habits {
     leaf: |name| {
-        matches!(
-            name,
-            "Part"
-                | "random"
-                | "replace"
-                | "Texture"
-                | "Roof"
-                | "Param"
-                | "let"
-                | "use"
-                | "include"
-        )
+        let leaves = [
+            "Part", "random", "replace", "Texture", "Roof", "Platform", "Posts", "Veranda",
+            "Brackets", "Finial", "Pagoda", "Gate", "Hall", "Shrine", "Param", "let", "use",
+            "include",
+        ];
+        leaves.contains(&name)
     },
     alone: |name| {
         let nests = ["repeat", "split", "upper", "lower", "if", "else", "define"];

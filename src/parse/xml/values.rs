@@ -163,6 +163,66 @@ impl<'t> Reader<'t, '_> {
         None
     }
 
+    /// Two numbers, or one that stands for both.
+    pub(super) fn pair(
+        &mut self,
+        of: &Attributes<'t>,
+        name: &str,
+        range: RangeInclusive<f64>,
+    ) -> Option<Spanned<[f64; 2]>> {
+        let list = self.numbers(of, name, &range)?;
+        match list.value[..] {
+            [both] => Some(Spanned::new([both; 2], list.span)),
+            [one, two] => Some(Spanned::new([one, two], list.span)),
+            _ => {
+                self.faults
+                    .push(|| say::not_a_pair(list.span, name, list.value.len()));
+                None
+            }
+        }
+    }
+
+    /// The same of whole numbers.
+    pub(super) fn whole_pair(
+        &mut self,
+        of: &Attributes<'t>,
+        name: &str,
+        range: RangeInclusive<f64>,
+    ) -> Option<Spanned<[f64; 2]>> {
+        let (least, most) = (*range.start(), *range.end());
+        let pair = self.pair(of, name, range)?;
+        let Some(part) = pair.value.iter().find(|n| n.fract() != 0.0) else {
+            return Some(pair);
+        };
+        self.faults.push(|| {
+            let bounds = text!(
+                "whole numbers from {least} to {most}",
+                "{least} から {most} までの整数"
+            );
+            say::out_of_range(pair.span, name, &part.to_string(), bounds)
+        });
+        None
+    }
+
+    /// Words divided by blanks or commas; unknown ones are reported and taken for the nearest, or left out.
+    pub(super) fn words<T: Copy>(
+        &mut self,
+        of: &Attributes<'t>,
+        name: &str,
+        words: &[(&'static str, T)],
+    ) -> Vec<T> {
+        let Some(attribute) = of.get(name) else {
+            return vec![];
+        };
+        let text = attribute.value.as_str();
+        let found = pieces(text, |c| is_blank(c) || c == ',' || c == '、');
+        let word = |piece: Range<usize>| {
+            let span = self.faults.span(&attribute.value.range(piece.clone()));
+            self.word(span, name, &text[piece], words)
+        };
+        found.into_iter().filter_map(word).collect()
+    }
+
     /// Positions from 1 such as `"2,5-7"`, as inclusive ranges.
     pub(super) fn positions(
         &mut self,

@@ -354,6 +354,20 @@ pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
     ))
 }
 
+/// Neither one number nor two.
+#[cold]
+pub fn not_a_pair(span: Span, name: &str, count: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = text!(
+        "{name} takes one number or two, not {count}",
+        "{name} の数値は一つか二つですが、{count}個あります"
+    );
+    Diagnostic::error(244, span, message).help(text!(
+        "write two numbers, across and in depth, such as `5 2`; one alone stands for both",
+        "`5 2` のように、間口と奥行きの二つを書いてください。一つなら両方を表します"
+    ))
+}
+
 /// Weights that are all nought.
 #[cold]
 pub fn no_weight(span: Span) -> Diagnostic {

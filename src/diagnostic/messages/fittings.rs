@@ -1,0 +1,90 @@
+//! Messages about what stands at a house (HSD07xx): platforms, verandas, finials, and houses written short.
+
+use crate::diagnostic::Diagnostic;
+use crate::source::Span;
+use crate::text;
+
+/// A platform or a veranda round walls that do not close; `name` = the element.
+#[cold]
+pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
+    let message = text!(
+        "there are no closed walls for this `{name}` to lie round",
+        "この `{name}` が囲む閉じた壁がありません"
+    );
+    let help = text!(
+        "close the walls of the storey, or remove it",
+        "階の壁を閉じるか、この要素を取り除いてください"
+    );
+    Diagnostic::warning(701, span, message).help(help)
+}
+
+/// A finial on a house without a roof.
+#[cold]
+pub fn no_roof_below(span: Span) -> Diagnostic {
+    let message = text!(
+        "there is no roof below this finial",
+        "この棟飾りの下に屋根がありません"
+    );
+    let help = text!(
+        "write a roof under it, or remove `at` so that it stands on the highest roof",
+        "その下に屋根を書くか、`at` を取り除いて最も高い屋根に載せてください"
+    );
+    Diagnostic::warning(702, span, message).help(help)
+}
+
+/// Storeys beside a house written short.
+#[cold]
+pub fn storeys_beside(span: Span, name: &str, storey: Span) -> Diagnostic {
+    let message = text!(
+        "`{name}` is a whole house; the storeys beside it are left out",
+        "`{name}` は一棟の全体です。並んで書かれた階は使われません"
+    );
+    let help = text!(
+        "remove the storeys, or write them all out instead of `{name}`",
+        "階を取り除くか、`{name}` の代わりにすべての階を書いてください"
+    );
+    let label = text!("the storeys begin here", "階はここから始まります");
+    Diagnostic::error(703, span, message)
+        .help(help)
+        .label(storey, label)
+}
+
+/// Measures that leave no room for the columns of a storey.
+#[cold]
+pub fn no_room(span: Span, storey: Scarce, has: f64, takes: f64) -> Diagnostic {
+    let (en, ja) = storey.words();
+    let (has, takes) = (format!("{has:.1}"), format!("{takes:.1}"));
+    let message = text!(
+        "{en} has {has} shaku left for its columns; {takes} are taken",
+        "{ja}の柱に残る高さは {has} 尺です。{takes} 尺とします"
+    );
+    let help = text!(
+        "let the storeys taper less, set them back less, or make them higher",
+        "逓減や後退を小さくするか、階を高くしてください"
+    );
+    Diagnostic::warning(704, span, message).help(help)
+}
+
+/// Where room may be scarce.
+#[derive(Clone, Copy, Debug)]
+pub enum Scarce {
+    /// A storey of a pagoda.
+    Tier,
+    /// The ground storey of a gate or a hall.
+    Ground,
+    /// The upper storey of a gate.
+    Upper,
+    /// The core of a hall above the roof of its aisle.
+    Core,
+}
+
+impl Scarce {
+    fn words(self) -> (&'static str, &'static str) {
+        match self {
+            Scarce::Tier => ("a storey of the pagoda", "塔の層"),
+            Scarce::Ground => ("the ground storey", "初層"),
+            Scarce::Upper => ("the upper storey", "上層"),
+            Scarce::Core => ("the core above its aisle", "裳階の上の身舎"),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Houses written short (`domain.md` 4.8, 7.10): a pagoda, a gate, a hall or a shrine becomes storeys of bays, posts,
+//! verandas, brackets, a platform and roofs, as an author could write them out. What stands beside the element in its
+//! house (`Platform`, `Posts`, `Brackets`, `Finial`, `Roofs`) takes the place of what it would have made.
+//!
+//! - [`draft`]: the house in the making;
+//! - [`pagoda`], [`gate`], [`hall`]: one element each.
+
+mod draft;
+mod gate;
+mod hall;
+mod pagoda;
+
+use super::Pass;
+use crate::ast::{self, Given, Monument, RoofStyle};
+use crate::diagnostic::messages::fittings::{self as say, Scarce};
+use crate::program::{House, Storey};
+use crate::source::{Span, Spanned};
+use draft::Draft;
+
+impl Pass<'_, '_> {
+    /// The storeys of a house that is written short; `None` where it is not.
+    pub(super) fn monument(&mut self, house: &ast::House, unit: f64) -> Option<Draft> {
+        let monument = house.monument.as_ref()?;
+        let span = monument.span();
+        let first = match (house.storeys.first(), house.structures.first()) {
+            (Some(item), _) => Some(place_of(item)),
+            (None, structure) => structure.map(|s| s.span),
+        };
+        if let Some(first) = first {
+            let first = self.head(first);
+            self.out
+                .push(say::storeys_beside(span, name(monument), first));
+        }
+        let mut draft = Draft::new(span, unit);
+        match monument {
+            Monument::Pagoda(it) => self.pagoda(it, &mut draft),
+            Monument::Gate(it) => self.gate(it, &mut draft),
+            Monument::Hall(it) => self.hall(it, &mut draft),
+        }
+        let parts = draft.parts();
+        self.charge(parts, span);
+        Some(draft)
+    }
+
+    /// A height that must not fall below the least that stands; says so where it does.
+    fn at_least(&mut self, span: Span, what: Scarce, has: f64, least: f64) -> f64 {
+        if has < least {
+            self.once(704, span, || say::no_room(span, what, has, least));
+        }
+        has.max(least)
+    }
+}
+
+/// Gives a house what its short form made and nobody wrote beside it.
+pub(super) fn furnish(made: &mut House, draft: Draft) {
+    made.platform = made.platform.take().or(draft.platform);
+    if made.finials.is_empty() {
+        made.finials = draft.finials;
+    }
+    made.roofs.style = overlaid(&made.roofs.style, &draft.style);
+    made.roofs.lines.extend(draft.lines);
+    made.roofs.wished = made.roofs.wished.or(Some(draft.span));
+}
+
+/// What all storeys of a house have that have none of their own.
+pub(super) fn share(storeys: &mut [Storey], fittings: &ast::Fittings, short: bool) {
+    for storey in storeys {
+        let order = &mut storey.order;
+        // Beside a house written short they take the place of its own.
+        if short || order.posts.is_none() {
+            order.posts = fittings.posts.clone().or(order.posts.take());
+        }
+        if short || order.brackets.is_none() {
+            order.brackets = fittings.brackets.clone().or(order.brackets.take());
+        }
+    }
+}
+
+/// The first style, and the second where it says nothing.
+fn overlaid(over: &RoofStyle, under: &RoofStyle) -> RoofStyle {
+    RoofStyle {
+        kind: over.kind.or(under.kind),
+        shape: over.shape.or(under.shape),
+        pitch: over.pitch.or(under.pitch),
+        eaves: over.eaves.or(under.eaves),
+        verge: over.verge.or(under.verge),
+        thickness: over.thickness.or(under.thickness),
+        noshi: over.noshi.or(under.noshi),
+        sori: over.sori.or(under.sori),
+        gable: over.gable.or(under.gable),
+        ratio: over.ratio.or(under.ratio),
+        plain_ridge: over.plain_ridge.or(under.plain_ridge),
+    }
+}
+
+fn name(monument: &Monument) -> &'static str {
+    match monument {
+        Monument::Pagoda(_) => "Pagoda",
+        Monument::Gate(_) => "Gate",
+        Monument::Hall(h) if h.shrine => "Shrine",
+        Monument::Hall(_) => "Hall",
+    }
+}
+
+fn place_of(item: &ast::Item<ast::Storey>) -> Span {
+    match item {
+        ast::Item::One(storey) => storey.span,
+        ast::Item::Repeat(repeat) => repeat.span,
+        ast::Item::Random(random) => random.span,
+        ast::Item::Replace(replace) => replace.span,
+    }
+}
+
+/// A number, or what stands for it.
+fn or(given: Given, default: f64) -> f64 {
+    given.map_or(default, |n| n.value)
+}
+
+/// The same of whole numbers.
+fn count(given: Option<Spanned<u64>>, default: u32) -> u32 {
+    given.map_or(default, |n| u32::try_from(n.value).unwrap_or(default))
+}

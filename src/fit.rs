@@ -1,0 +1,114 @@
+//! Works out what stands at the walls and roofs of a house: platform, veranda, tie beams, bracket complexes,
+//! finials. Roofs are there already: purlins end under them, finials stand on them.
+//!
+//! - [`around`]: outlines a margin outside the walls;
+//! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one thing each.
+
+mod around;
+mod beams;
+mod brackets;
+mod finial;
+mod platform;
+mod veranda;
+
+use crate::building::fittings::{Fitting, Thing};
+use crate::building::{Building, House, HouseRoofs, Ring, Storey, Wall};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::fittings as say;
+use crate::geometry::SAME;
+use crate::program::Content;
+use crate::source::Span;
+use glam::{DVec2, dvec2};
+
+/// Adds everything to a building.
+pub fn fit(building: &mut Building, out: &mut Diagnostics) {
+    let none = HouseRoofs::default();
+    let houses = building.shell.houses.iter().enumerate();
+    let made = houses
+        .map(|(i, house)| things(house, building.roofs.get(i).unwrap_or(&none), out))
+        .collect();
+    building.fittings = made;
+}
+
+fn things(house: &House, roofs: &HouseRoofs, out: &mut Diagnostics) -> Vec<Fitting> {
+    let mut made = vec![];
+    let ground = house.storeys.first();
+    if let Some(platform) = &house.platform {
+        match ground.and_then(|g| platform::platform(house, g, platform)) {
+            Some(it) => made.push(fitting(platform.span, 0, Thing::Platform(it))),
+            None => out.push(say::nothing_to_stand_at(platform.span, "Platform")),
+        }
+    }
+    for (i, storey) in house.storeys.iter().enumerate() {
+        let order = &storey.order;
+        let number = storey.number;
+        if let Some(veranda) = &order.veranda {
+            match veranda::veranda(house, storey, veranda, i == 0) {
+                Some(it) => made.push(fitting(veranda.span, number, Thing::Veranda(it))),
+                None => out.push(say::nothing_to_stand_at(veranda.span, "Veranda")),
+            }
+        }
+        if let Some(posts) = order.posts.as_ref().filter(|p| p.nageshi > 0) {
+            let beams = beams::beams(house, storey, posts);
+            let paint = paint(Some(posts.paint));
+            made.push(fitting(posts.span, number, Thing::Beams(beams, paint)));
+        }
+        if let Some(brackets) = &order.brackets {
+            let it = brackets::brackets(house, storey, brackets, roofs);
+            made.push(fitting(brackets.span, number, Thing::Brackets(it)));
+        }
+    }
+    for finial in &house.finials {
+        match finial::finial(house, roofs, finial) {
+            Some(it) => made.push(fitting(finial.span, 0, Thing::Finial(it))),
+            None => out.push(say::no_roof_below(finial.span)),
+        }
+    }
+    made
+}
+
+fn fitting(span: Span, storey: u32, what: Thing) -> Fitting {
+    Fitting { span, storey, what }
+}
+
+/// The surface of a paint.
+fn paint(paint: Option<crate::ast::Paint>) -> crate::material::SurfaceId {
+    crate::material::SurfaceId::named(paint.unwrap_or_default().surface())
+}
+
+/// A plan point in the house frame, metres.
+fn metres(house: &House, p: DVec2) -> DVec2 {
+    house.place(p, 0.0).truncate()
+}
+
+/// Out of the house at a wall, house frame.
+fn outward(wall: &Wall) -> DVec2 {
+    // The interior is on the right of the walk.
+    dvec2(-wall.direction.y, -wall.direction.x)
+}
+
+/// The closed outer rings of a storey.
+fn rings(storey: &Storey) -> impl Iterator<Item = &Ring> {
+    storey.rings.iter().filter(|r| r.closed && !r.hole)
+}
+
+/// Where the posts of a wall stand, U from its right end: at the borders of its bays. Its ends are among them.
+fn posts_of(wall: &Wall) -> Vec<f64> {
+    let length = wall.from.distance(wall.to);
+    let mut at = 0.0;
+    let mut posts = vec![0.0];
+    for unit in wall.units.iter().filter(|u| u.width > 0.0) {
+        at += unit.width;
+        let known = posts.last().is_some_and(|last| at - last < SAME);
+        if !known && at < length - SAME {
+            posts.push(at);
+        }
+    }
+    posts.push(length);
+    posts
+}
+
+/// Whether a bay has a wall or a door, not nothing.
+fn stands(content: &Content) -> bool {
+    !matches!(content, Content::Void)
+}

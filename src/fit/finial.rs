@@ -1,0 +1,107 @@
+//! What crowns a roof: it stands on the apex or the ridge that the finished solids have.
+
+use super::metres;
+use crate::ast::{self, FinialKind};
+use crate::building::fittings::Finial;
+use crate::building::{Finish, House, HouseRoofs, Roof, Solid};
+use crate::geometry::SHAKU;
+use glam::{DVec2, DVec3};
+
+/// Points that lie so little lower belong to the ridge, metres: curved ridges sag.
+const LEVEL: f64 = 0.35;
+
+/// A finial on the highest roof, or on the highest over its place; `None` where there is no roof.
+pub(super) fn finial(house: &House, roofs: &HouseRoofs, written: &ast::Finial) -> Option<Finial> {
+    let place = written.at.map(|at| metres(house, at.value.into()));
+    let tops: Vec<(DVec3, &Roof)> = roofs
+        .roofs
+        .iter()
+        .filter(|roof| place.is_none_or(|p| covers(roof, p)))
+        .filter_map(|roof| Some((top(roof)?, roof)))
+        .collect();
+    let (highest, roof) = tops
+        .into_iter()
+        .reduce(|a, b| if b.0.z > a.0.z + 1e-9 { b } else { a })?;
+    // Tails and boards stand on the ridge tiles, masts and jewels on the bare apex.
+    let tiles = match written.kind {
+        FinialKind::Shibi | FinialKind::Chigi => roof.dress.ridge_height(roof.kind) * 0.8,
+        FinialKind::Sorin | FinialKind::Hoju => 0.0,
+    };
+    let ridge = ridge(roof, highest).map(|p| p + DVec3::Z * tiles);
+    let length = ridge[0].distance(ridge[1]);
+    let height = written.height.map(|h| h * SHAKU);
+    Some(Finial {
+        kind: written.kind,
+        ridge,
+        height: height.unwrap_or_else(|| usual(written.kind, length, span(roof))),
+        count: written.count.unwrap_or(odd(length / 1.3)),
+    })
+}
+
+/// The upper surfaces of a roof.
+fn covering(roof: &Roof) -> impl Iterator<Item = DVec3> {
+    let upper = |solid: &Solid| {
+        let faces = solid.faces.iter();
+        let faces = faces.filter(|f| matches!(f.finish, Finish::Covering(_)));
+        let points = faces.flat_map(|f| f.corners.iter());
+        let found: Vec<DVec3> = points
+            .filter_map(|i| solid.points.get(*i as usize).copied())
+            .collect();
+        found
+    };
+    roof.solids.iter().flat_map(upper)
+}
+
+fn top(roof: &Roof) -> Option<DVec3> {
+    covering(roof).reduce(|a, b| if b.z > a.z + 1e-9 { b } else { a })
+}
+
+/// Whether a roof lies over a place, by its bounds.
+fn covers(roof: &Roof, p: DVec2) -> bool {
+    let lo = covering(roof).fold(DVec2::INFINITY, |m, q| m.min(q.truncate()));
+    let hi = covering(roof).fold(DVec2::NEG_INFINITY, |m, q| m.max(q.truncate()));
+    lo.cmple(p).all() && p.cmple(hi).all()
+}
+
+/// The two highest points that lie farthest from each other, in one line with the ridge.
+fn ridge(roof: &Roof, highest: DVec3) -> [DVec3; 2] {
+    let level: Vec<DVec3> = covering(roof).filter(|p| p.z > highest.z - LEVEL).collect();
+    let far = |from: DVec3, by: &dyn Fn(DVec3) -> f64| {
+        level
+            .iter()
+            .copied()
+            .reduce(|a, b| if by(b) > by(a) + 1e-9 { b } else { a })
+            .unwrap_or(from)
+    };
+    // Only what lies as high as the top across the ridge: a sagging one is narrow.
+    let first = far(highest, &|p| {
+        p.distance(highest) - 4.0 * (highest.z - p.z).max(0.0)
+    });
+    let second = far(first, &|p| {
+        p.distance(first) - 4.0 * (highest.z - p.z).max(0.0)
+    });
+    [first, second]
+}
+
+/// The shorter side of a roof, metres.
+fn span(roof: &Roof) -> f64 {
+    let lo = covering(roof).fold(DVec2::INFINITY, |m, q| m.min(q.truncate()));
+    let hi = covering(roof).fold(DVec2::NEG_INFINITY, |m, q| m.max(q.truncate()));
+    (hi - lo).min_element()
+}
+
+/// How high a finial is where nobody says, metres: a sorin 0.3 of a pagoda of usual height, the others by the size
+/// of their roof.
+fn usual(kind: FinialKind, ridge: f64, span: f64) -> f64 {
+    match kind {
+        FinialKind::Sorin => 0.9 * span,
+        FinialKind::Hoju => (0.14 * span).clamp(0.5, 3.0),
+        FinialKind::Shibi => (0.09 * ridge).clamp(0.5, 2.2),
+        FinialKind::Chigi => (0.16 * ridge).clamp(0.6, 3.0),
+    }
+}
+
+/// The nearest odd number, 3 at least: of logs on the ridge there are mostly 3 to 9.
+fn odd(n: f64) -> u32 {
+    ((((n - 1.0) / 2.0).round() * 2.0) as u32 + 1).clamp(3, 11)
+}

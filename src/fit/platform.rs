@@ -1,0 +1,63 @@
+//! The stone platform under a house, and the stairs up to it.
+
+use super::around::{facing, moved, outline};
+use super::rings;
+use crate::ast;
+use crate::building::fittings::{Platform, Stairs};
+use crate::building::{House, Storey};
+use crate::geometry::SHAKU;
+use glam::{DVec2, dvec2};
+
+/// The platform under the largest ring of the ground storey; `None` where no ring is closed.
+pub(super) fn platform(
+    house: &House,
+    ground: &Storey,
+    written: &ast::Platform,
+) -> Option<Platform> {
+    let all = rings(ground).map(|r| outline(house, r));
+    let area = |points: &Vec<DVec2>| crate::geometry::area2(points);
+    let walls = all.reduce(|a, b| if area(&b) > area(&a) { b } else { a })?;
+    let [across, deep] = written.margin;
+    let outline = moved(&walls, dvec2(across, deep) * SHAKU);
+    let z = (-house.raised, written.height * SHAKU - house.raised);
+    let stairs = written.stairs.iter().filter_map(|side| {
+        let way = side.outward();
+        let width = written.width.map(|w| w * SHAKU);
+        let width = width.unwrap_or_else(|| middle_bay(house, ground, *side));
+        flight(&outline, dvec2(-way.x, way.y), width, z)
+    });
+    let stairs = stairs.collect();
+    Some(Platform { outline, z, stairs })
+}
+
+/// A flight up to the middle of the side of an outline that looks this way.
+pub(super) fn flight(outline: &[DVec2], way: DVec2, width: f64, z: (f64, f64)) -> Option<Stairs> {
+    let (p, q) = facing(outline, way)?;
+    let along = (q - p).normalize_or_zero();
+    let width = width.min(p.distance(q));
+    (z.1 - z.0 > 0.05 && width > 0.3).then(|| Stairs {
+        at: (p + q) / 2.0,
+        out: dvec2(along.y, -along.x),
+        width,
+        z,
+    })
+}
+
+/// The width of the bay in the middle of the walls on one side, metres.
+pub(super) fn middle_bay(house: &House, storey: &Storey, side: ast::Side) -> f64 {
+    let walls = rings(storey).flat_map(|r| &r.walls);
+    let out = |w: &crate::building::Wall| dvec2(w.direction.y, -w.direction.x);
+    let facing = walls.filter(|w| out(w).dot(side.outward()) > 0.7);
+    let length = |w: &crate::building::Wall| w.from.distance(w.to);
+    let longest = facing.reduce(|a, b| if length(b) > length(a) { b } else { a });
+    let Some(wall) = longest else {
+        return house.unit;
+    };
+    let middle = length(wall) / 2.0;
+    let mut at = 0.0;
+    let bay = wall.units.iter().find(|u| {
+        at += u.width;
+        u.width > 0.0 && at >= middle - 1e-6
+    });
+    bay.map_or(house.unit, |u| u.width * house.unit)
+}

@@ -1,0 +1,125 @@
+//! What stands at a house besides walls and roofs: platforms, verandas, brackets, finials. At detail 0 only what one
+//! sees from far, at 1 without small members, from 2 on everything.
+
+mod brackets;
+mod finial;
+mod lathe;
+mod platform;
+mod shrine;
+mod sorin;
+mod veranda;
+
+use super::Walker;
+use super::mesh::Bodies;
+use super::store::Share;
+use crate::building::fittings::{Beam, Fitting, Head, Thing};
+use crate::material::SurfaceId;
+use crate::scene::{Detail, Kind, MeshId, NodeId};
+use compact_str::{CompactString, format_compact};
+use glam::{DVec2, DVec3};
+
+impl Walker<'_> {
+    /// The nodes of a fitting, the n-th of its house.
+    pub(super) fn fitting(&mut self, root: NodeId, fitting: &Fitting, n: usize) {
+        let detail = self.detail;
+        let (kind, bodies) = match &fitting.what {
+            Thing::Platform(it) => (Kind::Platform, platform::bodies(it, detail)),
+            Thing::Veranda(it) => (Kind::Veranda, veranda::bodies(it, detail)),
+            Thing::Beams(..) if detail == Detail::Body => return,
+            Thing::Beams(it, paint) => {
+                let mut bodies = Bodies::default();
+                it.iter().for_each(|b| beam(&mut bodies, *paint, b));
+                (Kind::Member, bodies)
+            }
+            Thing::Brackets(it) => (Kind::Bracket, brackets::beams(it, detail)),
+            Thing::Finial(it) => (Kind::Finial, finial::bodies(it, detail)),
+        };
+        let name = format_compact!("{} {n}", kind.word());
+        let mesh = self.own(&name, bodies);
+        self.placed(root, kind, name, mesh, fitting);
+        if let Thing::Brackets(it) = &fitting.what
+            && detail > Detail::Body
+        {
+            self.heads(root, it, fitting);
+        }
+    }
+
+    /// Bracket complexes, alike ones as one mesh.
+    fn heads(&mut self, root: NodeId, it: &crate::building::fittings::Brackets, fitting: &Fitting) {
+        let mut made: Vec<(brackets::Form, Option<MeshId>)> = vec![];
+        let heads = it.heads.iter().map(|h| (brackets::Form::of(h), h));
+        let struts = it.struts.iter().map(|h| (brackets::Form::Strut, h));
+        for (form, head) in heads.chain(struts) {
+            let known = made.iter().find(|(f, _)| *f == form).map(|(_, mesh)| *mesh);
+            let mesh = known.unwrap_or_else(|| {
+                let mesh = self.own("bracket", brackets::head(it, form, self.detail));
+                made.push((form, mesh));
+                mesh
+            });
+            self.placed(root, Kind::Bracket, "bracket".into(), mesh, fitting);
+            let node = self.nodes.last_mut().expect("just placed");
+            node.at = head.at;
+            node.turn = turn(head);
+        }
+    }
+
+    /// A mesh of its own; `None` where it is empty.
+    fn own(&mut self, name: &str, bodies: Bodies) -> Option<MeshId> {
+        let mesh = self.store.finish(name.to_owned(), bodies, Share::default());
+        (!mesh.primitives.is_empty()).then(|| self.store.push(mesh))
+    }
+
+    fn placed(
+        &mut self,
+        root: NodeId,
+        kind: Kind,
+        name: CompactString,
+        mesh: Option<MeshId>,
+        fitting: &Fitting,
+    ) {
+        let node = self.node(Some(root), kind, name, DVec3::ZERO);
+        node.mesh = mesh;
+        node.span = Some(fitting.span);
+        node.storey = (fitting.storey > 0).then_some(fitting.storey);
+    }
+}
+
+/// The rotation of a frame whose y runs into the house.
+fn turn(head: &Head) -> DVec2 {
+    // Out of the house is -y.
+    DVec2::new(-head.out.y, head.out.x)
+}
+
+/// A beam with upright sides.
+fn beam(bodies: &mut Bodies, finish: SurfaceId, beam: &Beam) {
+    let way = beam.ends[1] - beam.ends[0];
+    let across = DVec2::new(way.y, -way.x).normalize_or_zero();
+    let half = (across * (beam.width / 2.0)).extend(0.0);
+    let up = DVec3::Z * beam.height;
+    let foot = beam.ends[0];
+    let ring = [foot - half, foot + half, foot + half + up, foot - half + up];
+    if way.length() > 1e-3 && across != DVec2::ZERO {
+        bodies.slide(finish, &ring, way, false);
+    }
+}
+
+/// A box that stands at a place and looks along a direction: from so far to so far along it, so wide, between two
+/// heights.
+fn block(
+    bodies: &mut Bodies,
+    finish: SurfaceId,
+    (at, out): (DVec2, DVec2),
+    (from, to): (f64, f64),
+    width: f64,
+    (foot, top): (f64, f64),
+) {
+    if to - from < 1e-3 || width < 1e-3 || top - foot < 1e-3 {
+        return;
+    }
+    let side = DVec2::new(-out.y, out.x) * (width / 2.0);
+    let near = at + out * from;
+    let [left, right] = [near - side, near + side].map(|p| p.extend(foot));
+    let up = DVec3::Z * (top - foot);
+    let ring = [left, right, right + up, left + up];
+    bodies.slide(finish, &ring, (out * (to - from)).extend(0.0), false);
+}

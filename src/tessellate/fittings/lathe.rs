@@ -1,0 +1,72 @@
+//! Bodies of revolution round an upright axis.
+
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::Bodies;
+use glam::{DVec2, DVec3, dvec2};
+use std::f64::consts::TAU;
+
+/// Radii nearer to the axis than this lie on it, metres.
+const AXIS: f64 = 1e-4;
+
+/// Turns a profile of (radius, height) round the axis through `at`. It runs upwards along the outside, from the axis
+/// to the axis, or back to its start where it bounds a ring. Neighbouring faces that bend little share their normals.
+pub(super) fn turned(
+    bodies: &mut Bodies,
+    finish: SurfaceId,
+    at: DVec3,
+    profile: &[(f64, f64)],
+    sides: usize,
+) {
+    let n = profile.len();
+    let ring = profile[0].0 > AXIS;
+    let steps = if ring { n } else { n - 1 };
+    let point = |i: usize| dvec2(profile[i % n].0, profile[i % n].1);
+    let normal = |i: usize| {
+        let way = point(i + 1) - point(i);
+        dvec2(way.y, -way.x).normalize_or_zero()
+    };
+    let shade = |own: DVec2, other: Option<DVec2>| match other {
+        Some(o) if own.dot(o) > 0.6 => (own + o).normalize_or_zero(),
+        _ => own,
+    };
+    for i in 0..steps {
+        let own = normal(i);
+        let before = (ring || i > 0).then(|| normal((i + n - 1) % n));
+        let after = (ring || i + 1 < steps).then(|| normal((i + 1) % n));
+        let normals = [shade(own, before), shade(own, after)];
+        let (lower, upper) = (point(i), point(i + 1));
+        for k in 0..sides {
+            let [a, b] = [k, k + 1].map(|k| {
+                let angle = TAU * (k % sides) as f64 / sides as f64;
+                dvec2(libm::cos(angle), libm::sin(angle))
+            });
+            let on = |p: DVec2, way: DVec2| at + (way * p.x).extend(p.y);
+            let out = |m: DVec2, way: DVec2| (way * m.x).extend(m.y);
+            let mut corners = vec![];
+            let mut shades = vec![];
+            for (p, m, way) in [
+                (lower, normals[0], a),
+                (lower, normals[0], b),
+                (upper, normals[1], b),
+                (upper, normals[1], a),
+            ] {
+                // On the axis both corners are one.
+                let corner = on(p, way);
+                if corners
+                    .last()
+                    .is_some_and(|last: &DVec3| last.distance(corner) < AXIS)
+                    || corners
+                        .first()
+                        .is_some_and(|first| first.distance(corner) < AXIS)
+                {
+                    continue;
+                }
+                corners.push(corner);
+                shades.push(out(m, way));
+            }
+            if corners.len() > 2 {
+                bodies.shaded(finish, &corners, &shades);
+            }
+        }
+    }
+}

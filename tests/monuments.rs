@@ -1,0 +1,291 @@
+//! Houses written short, and what stands at any house: the documented measures of Suzakumon and of two pagodas come
+//! out of the elements, other measures work as well, all bodies are closed, and nothing absurd makes them fail.
+
+mod support;
+
+use glam::DVec3;
+use hsd::building::fittings::{Fitting, Thing};
+use hsd::geometry::SHAKU;
+use hsd::scene::{Kind, Scene};
+use support::{Run, assert_none, compile, flaws, open_edges, root};
+
+fn house(content: &str) -> Run {
+    compile(
+        "house.hsd",
+        format!("<House>\n{content}\n</House>\n").as_bytes(),
+    )
+}
+
+/// Without errors, warnings, or flaws in any body, the closed ones closed.
+fn sound(run: &Run) {
+    let mut findings = own_flaws(run);
+    findings.extend(
+        run.diagnostics
+            .iter()
+            .map(|d| format!("{}: {}", d.code, d.message)),
+    );
+    findings.extend(open_fittings(&run.scene));
+    assert_none(&findings);
+}
+
+/// The roofs themselves are tested elsewhere, over more outlines than these.
+fn own_flaws(run: &Run) -> Vec<String> {
+    let all = flaws(run).into_iter();
+    all.filter(|f| !f.starts_with("mesh roof") && !f.starts_with("roof node"))
+        .collect()
+}
+
+fn open_fittings(scene: &Scene) -> Vec<String> {
+    let kinds = [Kind::Platform, Kind::Veranda, Kind::Bracket, Kind::Finial];
+    let nodes = scene.nodes.iter().filter(|n| kinds.contains(&n.kind));
+    let mut seen: Vec<_> = nodes.filter_map(|n| Some((n.mesh?, &n.name))).collect();
+    seen.sort_by_key(|(mesh, _)| mesh.0);
+    seen.dedup_by_key(|(mesh, _)| mesh.0);
+    seen.into_iter()
+        .filter_map(|(mesh, name)| {
+            let open = open_edges(&scene.meshes[mesh.0 as usize]);
+            (open > 0).then(|| format!("{name}: {open} open edges"))
+        })
+        .collect()
+}
+
+/// Extent of everything of one house, from the ground up, metres: across, deep, high.
+fn size_of(run: &Run, index: usize, kind: Kind) -> DVec3 {
+    let scene = &run.scene;
+    let roots: Vec<usize> = (0..scene.nodes.len())
+        .filter(|i| scene.nodes[*i].parent.is_none())
+        .collect();
+    let (mut lo, mut hi) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for node in scene.nodes.iter().filter(|n| n.kind == kind) {
+        let parent = node.parent.map(|p| p.0 as usize);
+        let Some(mesh) = node.mesh.filter(|_| parent == Some(roots[index])) else {
+            continue;
+        };
+        for p in scene.meshes[mesh.0 as usize]
+            .primitives
+            .iter()
+            .flat_map(|p| &p.positions)
+        {
+            let p = DVec3::from(p.map(f64::from)) + node.at;
+            (lo, hi) = (lo.min(p), hi.max(p));
+        }
+    }
+    hi - lo
+}
+
+fn fittings(run: &Run, house: usize) -> &[Fitting] {
+    &run.building.fittings[house]
+}
+
+/// The side of a storey along the front, metres.
+fn width(run: &Run, house: usize, storey: usize) -> f64 {
+    let house = &run.building.shell.houses[house];
+    let walls = &house.storeys[storey].rings[0].walls;
+    walls[0].from.distance(walls[0].to) * house.unit
+}
+
+/// The top of everything above the ground, metres.
+fn height(run: &Run, house: usize) -> f64 {
+    let raised = run.building.shell.houses[house].raised;
+    let tops = fittings(run, house).iter().filter_map(|f| match &f.what {
+        Thing::Finial(it) => Some(it.ridge[0].z + it.height),
+        _ => None,
+    });
+    let roofs = run.building.roofs[house].roofs.iter();
+    let points = roofs.flat_map(|r| &r.solids).flat_map(|s| &s.points);
+    raised + tops.chain(points.map(|p| p.z)).fold(0.0, f64::max)
+}
+
+fn near(found: f64, wanted: f64, by: f64) {
+    assert!((found - wanted).abs() <= by, "{found} instead of {wanted}");
+}
+
+fn example(name: &str) -> Run {
+    let path = root().join(format!("examples/{name}.hsd"));
+    compile(name, &std::fs::read(path).expect("the example is there"))
+}
+
+#[test]
+fn suzakumon_has_its_documented_measures() {
+    let run = example("suzakumon");
+    sound(&run);
+    // S30: 25.1 to 25.8 by 10.1 to 10.3 m.
+    assert!((25.1..25.8).contains(&width(&run, 0, 0)));
+    let walls = &run.building.shell.houses[0].storeys[0].rings[0].walls;
+    let depth = walls[1].from.distance(walls[1].to) * run.building.shell.houses[0].unit;
+    assert!((10.1..=10.31).contains(&depth), "{depth}");
+    // Platform of 33 by 18 m.
+    let platform = fittings(&run, 0).iter().find_map(|f| match &f.what {
+        Thing::Platform(it) => Some(it),
+        _ => None,
+    });
+    let outline = &platform.expect("has a platform").outline;
+    let lo = outline
+        .iter()
+        .copied()
+        .reduce(glam::DVec2::min)
+        .expect("corners");
+    let hi = outline
+        .iter()
+        .copied()
+        .reduce(glam::DVec2::max)
+        .expect("corners");
+    near(hi.x - lo.x, 33.0, 0.05);
+    near(hi.y - lo.y, 18.0, 0.05);
+    // Eaves of 12 shaku all round: the skirt is as wide as the walls and both.
+    let skirt = &run.building.roofs[0]
+        .roofs
+        .iter()
+        .find(|r| r.storey == 1)
+        .expect("a skirt")
+        .solids;
+    let xs = || skirt.iter().flat_map(|s| &s.points).map(|p| p.x);
+    let reach = xs().fold(f64::MIN, f64::max) - xs().fold(f64::MAX, f64::min);
+    near(reach, 25.76 + 2.0 * 12.0 * SHAKU, 0.4);
+    // Two storeys, 18 columns on the ground of which 14 stand in the outer walls.
+    assert_eq!(run.building.shell.houses[0].storeys.len(), 2);
+    let all = height(&run, 0);
+    assert!((19.0..23.0).contains(&all), "{all}");
+}
+
+#[test]
+fn pagodas_have_the_heights_of_horyuji_and_toji() {
+    let run = example("pagoda");
+    sound(&run);
+    near(width(&run, 0, 0), 6.42, 0.01);
+    near(width(&run, 0, 4), 3.21, 0.01);
+    // S54: 31.6 to 32.5 m, its finial 9.7 m.
+    let all = height(&run, 0);
+    assert!((31.6..=32.5).contains(&all), "{all}");
+    let sorin = |house: usize| {
+        let found = fittings(&run, house).iter().find_map(|f| match &f.what {
+            Thing::Finial(it) => Some(it.height),
+            _ => None,
+        });
+        found.expect("has a finial")
+    };
+    near(sorin(0), 9.7, 0.3);
+    near(sorin(0) / all, 0.3, 0.02);
+    // To-ji: three quarters of 9.48 m on top, about 55 m high.
+    near(width(&run, 1, 4), 0.75 * 9.48, 0.02);
+    near(height(&run, 1), 54.8, 2.0);
+}
+
+#[test]
+fn storeys_taper_evenly_whatever_their_number() {
+    for (n, taper) in [(3_u32, 0.6), (2, 0.9), (7, 0.5), (13, 0.75), (1, 0.7)] {
+        let text = format!("<Pagoda storeys=\"{n}\" width=\"20\" taper=\"{taper}\"/>");
+        let run = house(&text);
+        sound(&run);
+        for i in 0..n {
+            let down = f64::from(i) / f64::from((n - 1).max(1));
+            let wanted = 20.0 * SHAKU * (1.0 - (1.0 - taper) * down);
+            near(width(&run, 0, i as usize), wanted, 5e-4);
+        }
+    }
+}
+
+#[test]
+fn other_measures_work_too() {
+    for text in [
+        "<Gate bays=\"3 2\" bay=\"12\"/>",
+        "<Gate bays=\"3 2\" bay=\"10 9\" storeys=\"1\" platform=\"0\"/>",
+        "<Gate bays=\"1\" bay=\"8\" storeys=\"1\" steps=\"0\" kind=\"H\" shape=\"KIR\"/>",
+        "<Gate bays=\"9 3\" bay=\"20\" paint=\"keyaki\" inset=\"6\"/>",
+        "<Pagoda storeys=\"3\" width=\"9\" bays=\"1\" sorin=\"0\" platform=\"0\"/>",
+        "<Pagoda storeys=\"5\" width=\"100\" bays=\"5\" taper=\"0.8\"/>",
+        "<Hall bays=\"3 3\" shape=\"HOG\"/>",
+        "<Hall bays=\"7 6\" bay=\"11 10\" aisle=\"9\" paint=\"vermilion\" veranda=\"0\" platform=\"4\"/>",
+        "<Hall bays=\"5 4\" bay=\"9\" kind=\"Y\" pitch=\"9\" thickness=\"2\" shape=\"IRI\"/>",
+        "<Shrine bays=\"1\" bay=\"4\" katsuogi=\"0\"/>",
+        "<Shrine bays=\"5 3\" bay=\"12\" paint=\"vermilion\" kind=\"S\" shape=\"IRI\"/>",
+    ] {
+        let run = house(text);
+        let mut findings = own_flaws(&run);
+        findings.extend(open_fittings(&run.scene));
+        assert!(!run.has_errors(), "{text}: {}", run.short());
+        assert!(findings.is_empty(), "{text}: {findings:?}");
+    }
+}
+
+#[test]
+fn general_elements_stand_at_any_house() {
+    let wall = "<Row>KSK  TSH 2KSK</Row><Row>KSK  KSK  KSK</Row>";
+    let run = house(&format!(
+        "<Platform height=\"2\" margin=\"5 6\" stairs=\"F B\"/>\
+         <Posts size=\"0.6\" round=\"yes\" paint=\"hinoki\" nageshi=\"2\"/><Brackets steps=\"1\"/>\
+         <Storey height=\"14\"><Veranda width=\"4\" height=\"2\" rail=\"knobbed\" stairs=\"F\"/>{wall}{wall}</Storey>\
+         <Finial kind=\"hoju\"/><Roofs shape=\"HOG\" eaves=\"5\"/>"
+    ));
+    sound(&run);
+    near(run.building.shell.houses[0].raised, 4.0 * SHAKU, 1e-9);
+    near(run.building.shell.houses[0].origin[2], 4.0 * SHAKU, 1e-9);
+    let platform = size_of(&run, 0, Kind::Platform);
+    near(platform.x, (12.0 + 10.0) * SHAKU, 1e-4);
+    for kind in [Kind::Platform, Kind::Veranda, Kind::Bracket, Kind::Finial] {
+        let node = run.scene.nodes.iter().find(|n| n.kind == kind);
+        assert!(node.is_some_and(|n| n.span.is_some()), "{kind:?}");
+    }
+    // A complex on each post of 3 by 3 bays, and a strut between any two.
+    let heads = run.scene.nodes.iter().filter(|n| n.name == "bracket");
+    assert_eq!(heads.count(), 12 + 12);
+}
+
+#[test]
+fn what_an_author_writes_beside_a_short_form_takes_the_place_of_its_own() {
+    let run = house(
+        "<Gate/><Platform height=\"9\"/><Brackets steps=\"1\"/><Roofs kind=\"H\" eaves=\"8\"/>",
+    );
+    sound(&run);
+    let house = &run.building.shell.houses[0];
+    near(house.raised, 9.0 * SHAKU, 1e-9);
+    assert!(
+        house
+            .storeys
+            .iter()
+            .all(|s| s.order.brackets.as_ref().is_some_and(|b| b.steps == 1))
+    );
+    let kinds = run.building.roofs[0].roofs.iter().map(|r| r.kind);
+    assert!(kinds.into_iter().all(|k| k == hsd::ast::RoofKind::Bark));
+}
+
+#[test]
+fn every_detail_is_sound() {
+    use hsd::scene::Detail;
+    let run = example("suzakumon");
+    let mut before = 0;
+    for detail in Detail::ALL {
+        let scene = hsd::driver::scene(&run.building, detail);
+        assert_none(&open_fittings(&scene));
+        let triangles = scene.meshes.iter().flat_map(|m| &m.primitives);
+        let count: usize = triangles.map(|p| p.indices.len() / 3).sum();
+        assert!(count > before, "{detail:?}: {count} after {before}");
+        before = count;
+    }
+}
+
+#[test]
+fn nothing_absurd_makes_it_fail() {
+    for text in [
+        "<Pagoda storeys=\"15\" width=\"300\" bays=\"9\" taper=\"0.2\" rise=\"3\" pitch=\"30\" eaves=\"33\"/>",
+        "<Pagoda storeys=\"15\" width=\"0.1\" taper=\"0.99\" post=\"20\" sori=\"50\" thickness=\"6\"/>",
+        "<Pagoda columns=\"0.1\" rise=\"0.1\" margin=\"0 300\" platform=\"300\"/>",
+        "<Gate bays=\"60 60\" bay=\"40\" doors=\"60\" inset=\"300\" steps=\"4\"/>",
+        "<Gate bays=\"1 1\" bay=\"0.1\" columns=\"0.1\" upper=\"0.1\" sori=\"-50\"/>",
+        "<Gate inset=\"0\" pitch=\"30\" eaves=\"0\" thickness=\"6\"/>",
+        "<Hall bays=\"60 1\" bay=\"0.1 200\" aisle=\"300\" veranda=\"300\" floor=\"300\"/>",
+        "<Shrine bays=\"1 60\" katsuogi=\"99\" thickness=\"6\" post=\"20\" steps=\"4\"/>",
+        "<Platform height=\"300\" margin=\"300\" stairs=\"F B L R\" width=\"1000\"/><Gate/>",
+        "<Gate/><Finial kind=\"sorin\" height=\"1000\" at=\"1e8 -1e8\"/><Finial kind=\"chigi\" count=\"99\"/>",
+        "<Gate/><Gate/><Pagoda/><Hall/><Shrine/>",
+        "<Gate bays=\"2.5 nan\" bay=\"-1\" storeys=\"9\" taper=\"1\"/>",
+        "<Brackets steps=\"4\" height=\"300\" out=\"300\"/><Posts size=\"20\" nageshi=\"5\"/><Storey height=\"1\">\
+         <Veranda width=\"1e5\" height=\"300\"/><Row>KSK</Row><Row>KSK</Row><Row>KSK</Row><Row>KSK</Row></Storey>",
+        "<Storey><Loop inner=\"yes\"><Row>KSK  KSK</Row></Loop></Storey>",
+    ] {
+        let run = house(text);
+        let numbers = run.scene.meshes.iter().flat_map(|m| &m.primitives);
+        let all = numbers.flat_map(|p| p.positions.iter().flatten());
+        assert!(all.into_iter().all(|x| x.is_finite()), "{text}");
+    }
+}
