@@ -22,9 +22,9 @@ pub(super) fn chigi(bodies: &mut Bodies, it: &Finial, detail: Detail) {
     let across = DVec2::new(-along.y, along.x);
     let h = it.height;
     let (wide, thick) = (h * 0.16, h * 0.075);
-    // A ridge board that logs and boards lie on.
+    // Logs lie in the ridge a little.
     let low = p.z.min(q.z);
-    let top = low + h * 0.22;
+    let top = low + h * 0.015;
     let inset = (h * 0.18).min(length * 0.2);
     for (end, sign) in [(p, 1.0), (q, -1.0)] {
         for lean in [-1.0, 1.0] {
