@@ -22,15 +22,15 @@ use glam::{DVec2, dvec2};
 
 /// Adds everything to a building.
 pub fn fit(building: &mut Building, out: &mut Diagnostics) {
-    let none = HouseRoofs::default();
+    let mut none = HouseRoofs::default();
     let houses = building.shell.houses.iter().enumerate();
     let made = houses
-        .map(|(i, house)| things(house, building.roofs.get(i).unwrap_or(&none), out))
+        .map(|(i, house)| things(house, building.roofs.get_mut(i).unwrap_or(&mut none), out))
         .collect();
     building.fittings = made;
 }
 
-fn things(house: &House, roofs: &HouseRoofs, out: &mut Diagnostics) -> Vec<Fitting> {
+fn things(house: &House, roofs: &mut HouseRoofs, out: &mut Diagnostics) -> Vec<Fitting> {
     let mut made = vec![];
     let ground = house.storeys.first();
     if let Some(platform) = &house.platform {
@@ -60,7 +60,10 @@ fn things(house: &House, roofs: &HouseRoofs, out: &mut Diagnostics) -> Vec<Fitti
     }
     for finial in &house.finials {
         match finial::finial(house, roofs, finial) {
-            Some(it) => made.push(fitting(finial.span, 0, Thing::Finial(it))),
+            Some((it, roof)) => {
+                roofs.roofs[roof].dress.crowned |= finial::crowns(it.kind);
+                made.push(fitting(finial.span, 0, Thing::Finial(it)));
+            }
             None => out.push(say::no_roof_below(finial.span)),
         }
     }

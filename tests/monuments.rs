@@ -218,6 +218,9 @@ fn general_elements_stand_at_any_house() {
          <Finial kind=\"hoju\"/><Roofs shape=\"HOG\" eaves=\"5\"/>"
     ));
     sound(&run);
+    // The jewel that was written stands in place of the usual one.
+    let mut roofs = run.building.roofs[0].roofs.iter();
+    assert!(roofs.any(|r| r.dress.crowned));
     near(run.building.shell.houses[0].raised, 4.0 * SHAKU, 1e-9);
     near(run.building.shell.houses[0].origin[2], 4.0 * SHAKU, 1e-9);
     let platform = size_of(&run, 0, Kind::Platform);

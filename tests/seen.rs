@@ -66,7 +66,6 @@ fn findings(scene: &Scene, only_roofs: bool) -> Vec<String> {
 }
 
 #[test]
-#[ignore = "ridge ends still fight with verges"]
 fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
     let mut all = vec![];
     for path in texts("examples").into_iter().chain(texts("grammar/roofs")) {

@@ -15,6 +15,8 @@ pub struct Dress {
     pub noshi: u32,
     /// Whether ridges end in onigawara.
     pub ends: bool,
+    /// Whether a mast or jewel was written for its apex (sorin, hoju): the usual finial would stand inside it.
+    pub crowned: bool,
     /// Whether a pendant (gegyo) hangs under the apex of its gables.
     pub pendant: bool,
     /// Rows of rafters that show under the eaves: one on houses, two on temples.

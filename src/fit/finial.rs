@@ -10,17 +10,18 @@ use glam::{DVec2, DVec3};
 /// Points that lie so little lower belong to the ridge, metres: curved ridges sag.
 const LEVEL: f64 = 0.35;
 
-/// A finial on the highest roof, or on the highest over its place; `None` where there is no roof.
-pub(super) fn finial(house: &House, roofs: &HouseRoofs, written: &ast::Finial) -> Option<Finial> {
+/// A finial on the highest roof, or on the highest over its place, with the number of that roof; `None` where there
+/// is no roof.
+pub(super) fn finial(
+    house: &House,
+    roofs: &HouseRoofs,
+    written: &ast::Finial,
+) -> Option<(Finial, usize)> {
     let place = written.at.map(|at| metres(house, at.value.into()));
-    let tops: Vec<(DVec3, &Roof)> = roofs
-        .roofs
-        .iter()
-        .filter(|roof| place.is_none_or(|p| covers(roof, p)))
-        .filter_map(|roof| Some((top(roof)?, roof)))
-        .collect();
-    let (highest, roof) = tops
-        .into_iter()
+    let roofs = roofs.roofs.iter().enumerate();
+    let (highest, (number, roof)) = roofs
+        .filter(|(_, roof)| place.is_none_or(|p| covers(roof, p)))
+        .filter_map(|(n, roof)| Some((top(roof)?, (n, roof))))
         .reduce(|a, b| if b.0.z > a.0.z + 1e-9 { b } else { a })?;
     // Tails and boards stand on the ridge tiles, masts and jewels on the bare apex.
     let tiles = match written.kind {
@@ -30,12 +31,18 @@ pub(super) fn finial(house: &House, roofs: &HouseRoofs, written: &ast::Finial) -
     let ridge = ridge(roof, highest).map(|p| p + DVec3::Z * tiles);
     let length = ridge[0].distance(ridge[1]);
     let height = written.height.map(|h| h * SHAKU);
-    Some(Finial {
+    let finial = Finial {
         kind: written.kind,
         ridge,
         height: height.unwrap_or_else(|| usual(written.kind, length, span(roof))),
         count: written.count.unwrap_or(odd(length / 1.3)),
-    })
+    };
+    Some((finial, number))
+}
+
+/// Whether a finial of this kind takes the place of the usual jewel on an apex.
+pub(super) fn crowns(kind: FinialKind) -> bool {
+    matches!(kind, FinialKind::Sorin | FinialKind::Hoju)
 }
 
 /// The upper surfaces of a roof.

@@ -146,6 +146,7 @@ impl Look {
             verge: if upper_gable { self.barge } else { self.verge },
             noshi: self.noshi,
             ends: self.ends,
+            crowned: false,
             pendant: upper_gable || self.shape == RoofShape::Karahafu,
             rafters: if self.shape == RoofShape::Temple {
                 2

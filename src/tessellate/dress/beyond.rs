@@ -44,10 +44,11 @@ struct Slope {
 }
 
 impl Neighbours {
-    /// The slopes of the roofs of one house; none where it has a single roof, or too many slopes.
+    /// The slopes of the roofs of one house; none where no roof has a joint (the upper gable of an irimoya is one
+    /// with its skirt), or where there are too many.
     pub(in crate::tessellate) fn of(roofs: &HouseRoofs) -> Neighbours {
         let mut all = Neighbours::default();
-        if roofs.roofs.len() < 2 || !roofs.roofs.iter().any(has_joints) {
+        if !roofs.roofs.iter().any(has_joints) {
             return all;
         }
         for (n, roof) in roofs.roofs.iter().enumerate() {

@@ -16,7 +16,7 @@ const SUNK: f64 = 0.02;
 
 /// The ridge or hip of a roof that is not tiled.
 pub(super) fn ridge(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
-    let Some(line) = run_on(seam) else {
+    let Some(line) = run_on(tailor.roof.kind, seam) else {
         return;
     };
     let (kind, hip) = (tailor.roof.kind, seam.kind == Kind::Hip);
@@ -105,9 +105,12 @@ fn boxed(
         (half - 0.01, 0.05),
         (-half + 0.01, 0.05),
     ];
-    bodies.extend(Body::loft(cedar, &line.sections(&skirt)));
+    // No two of them end in one plane.
+    let skirt = line.longer(-0.01).sections(&skirt);
+    bodies.extend(Body::loft(cedar, &skirt));
     let lid = arch(half + 0.04, 0.075, neck - 0.005);
-    let lid = Body::loft(SurfaceId::named(cover), &line.sections(&lid));
+    let lid = line.longer(0.02).sections(&lid);
+    let lid = Body::loft(SurfaceId::named(cover), &lid);
     bodies.extend(lid.map(Body::softly));
 }
 

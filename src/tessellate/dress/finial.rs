@@ -24,7 +24,7 @@ const RINGS: [(f64, f64); 7] = [
 
 /// A finial on each point where three hips or more meet, and no ridge.
 pub(super) fn finials(tailor: &Tailor<'_>, seams: &[Seam], bodies: &mut Vec<Body>) {
-    if !tailor.roof.dress.ends {
+    if !tailor.roof.dress.ends || tailor.roof.dress.crowned {
         return;
     }
     let of = |kind: Kind| seams.iter().filter(move |s| s.kind == kind);

@@ -16,6 +16,8 @@ const GUTTER: (f64, f64) = (0.09, 0.012);
 const COURSES: (f64, f64) = (0.20, 0.04);
 /// How far everything reaches into the slope, metres.
 const SUNK: f64 = 0.02;
+/// How far courses stand out over a free crest, metres.
+const OVER: f64 = 0.016;
 /// Shorter lines have nothing, metres.
 const SHORTEST: f64 = 0.2;
 
@@ -77,14 +79,16 @@ pub(super) fn wall(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
         wide
     };
     let fall = tailor.lean(seam).max(0.0);
-    let mut profile = vec![(0.0, -SUNK), (wide, -fall * wide - SUNK)];
+    let free = seam.spans.iter().any(|s| s.deep != [0.0; 2]);
+    let back = if free { -OVER } else { 0.0 };
+    let mut profile = vec![(back, -SUNK), (wide, -fall * wide - SUNK)];
     for i in 0..courses {
         let own = wide * (1.0 - 0.2 * f64::from(i));
         // Each course falls a little less than the slope, so that water runs off it.
         let foot = -fall * own + high * f64::from(i) + if i > 0 { 0.004 } else { 0.0 };
         profile.extend([(own, foot), (own, -fall * own + high * f64::from(i + 1))]);
     }
-    profile.push((0.0, high * f64::from(courses)));
+    profile.push((back, high * f64::from(courses)));
     // Free ends stay inside the verge.
     let drawn = |end: End| if end == End::Free { 0.01 } else { 0.0 };
     let piece = line.part(drawn(seam.ends[0]), line.length() - drawn(seam.ends[1]));

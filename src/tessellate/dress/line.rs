@@ -45,6 +45,17 @@ impl Line {
         (0..self.points.len()).map(section).collect()
     }
 
+    /// The same, longer by this at both ends, metres.
+    pub(super) fn longer(&self, by: f64) -> Line {
+        let mut line = self.clone();
+        let last = line.points.len() - 1;
+        for (at, back) in [(0, 1), (last, last - 1)] {
+            let out = self.points[at] - self.points[back];
+            line.points[at] += out.normalize_or_zero() * by;
+        }
+        line
+    }
+
     /// The part between two distances.
     pub(super) fn part(&self, from: f64, to: f64) -> Line {
         let mut points = vec![self.at(from)];

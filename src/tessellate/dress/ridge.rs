@@ -38,7 +38,7 @@ pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
 
 /// A ridge or hip of tiles with the end tiles at its free ends.
 pub(super) fn tiles(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
-    let Some(line) = run_on(seam) else {
+    let Some(line) = run_on(tailor.roof.kind, seam) else {
         return;
     };
     let (kind, dress) = (tailor.roof.kind, &tailor.roof.dress);
@@ -72,7 +72,8 @@ pub(super) fn tiles(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
             ];
             let courses = SurfaceId::named("noshi");
             bodies.extend(Body::loft(courses, &line.sections(&wall)));
-            let cap = line.sections(&arch(half + 0.006, CAP, top));
+            // Its ends stand out, so that they lie in no plane of the courses' ends.
+            let cap = line.longer(0.012).sections(&arch(half + 0.006, CAP, top));
             bodies.extend(Body::loft(finish, &cap).map(Body::softly));
         }
         Detail::Everything => {
@@ -128,7 +129,7 @@ fn ends(
 }
 
 /// The line of a seam, run on a little into what covers its ends; `None` where it is too short for anything.
-pub(super) fn run_on(seam: &Seam) -> Option<Line> {
+pub(super) fn run_on(kind: RoofKind, seam: &Seam) -> Option<Line> {
     let mut line = Line {
         points: seam.points.clone(),
     };
@@ -141,10 +142,25 @@ pub(super) fn run_on(seam: &Seam) -> Option<Line> {
         line.points[at] += match (seam.ends[end], seam.kind) {
             (End::Joint, _) => out * seam.runs[end],
             (End::Met, Kind::Ridge) => out * 0.05,
+            (End::Free, Kind::Ridge) => out * beyond(kind),
+            // The hips of an irimoya run in over the slope at the foot of its gable's verge.
+            (End::Free, Kind::Hip) if end == 1 => out * 0.10,
             _ => DVec3::ZERO,
         };
     }
     Some(line)
+}
+
+/// How far a ridge stands out over the verge, metres: over whatever else does, so that its end lies in no plane of
+/// theirs.
+fn beyond(kind: RoofKind) -> f64 {
+    match kind {
+        // Verge tiles.
+        RoofKind::Tiles | RoofKind::CoverTiles => 0.03,
+        // The topmost layer of a thick edge.
+        RoofKind::Bark => 0.06,
+        RoofKind::Shingles | RoofKind::Boards | RoofKind::Metal | RoofKind::Thatch => 0.03,
+    }
 }
 
 /// A plain block with its upper edges cut.

@@ -90,6 +90,7 @@ impl Surface {
                 pieces.push((kind, side));
             }
         }
+        self.lengthen_hips(&mut pieces);
         pieces.sort_by_key(|(kind, _)| *kind);
         let ends = self.ends();
         let kinds = pieces.chunk_by(|a, b| a.0 == b.0);
@@ -107,6 +108,37 @@ impl Surface {
             }
         }
         seams
+    }
+
+    /// Makes level pieces below the foot of a hip part of it: raised corners take back most of its fall.
+    fn lengthen_hips(&self, pieces: &mut [(Kind, Side)]) {
+        let way = |s: &Side| {
+            (self.at(s.to) - self.at(s.from))
+                .truncate()
+                .normalize_or_zero()
+        };
+        let mut ridges: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        let mut feet: Vec<(u32, DVec2)> = vec![];
+        for (n, (kind, side)) in pieces.iter().enumerate() {
+            match kind {
+                Kind::Ridge => {
+                    ridges.entry(side.from).or_default().push(n);
+                    ridges.entry(side.to).or_default().push(n);
+                }
+                Kind::Hip => feet.push((side.from, way(side))),
+                _ => {}
+            }
+        }
+        while let Some((foot, upward)) = feet.pop() {
+            for n in ridges.get(&foot).into_iter().flatten() {
+                let (kind, side) = pieces[*n];
+                let side = turned(side, side.to == foot);
+                if kind == Kind::Ridge && way(&side).dot(upward) > GOES_ON {
+                    pieces[*n] = (Kind::Hip, side);
+                    feet.push((side.from, way(&side)));
+                }
+            }
+        }
     }
 
     fn kind(&self, side: &Side, beyond: &Beyond) -> Option<Kind> {

@@ -180,14 +180,16 @@ impl Field {
         Body::loft(finish, &ends.map(|end| section(&end)))
     }
 
-    /// A bar along the slope at `t`: a profile of (t, height), cut upright where the facet ends.
+    /// A bar along the slope at `t`: a profile of (t, height), cut upright a little beyond where the facet ends, so
+    /// that its ends lie in no plane of the roof's.
     pub(super) fn bar(&self, finish: SurfaceId, t: f64, profile: &[(f64, f64)]) -> Option<Body> {
+        const OVER: f64 = 0.01;
         let stretch = self.stretch();
         let mut sections = [Vec::new(), Vec::new()];
         for (y, height) in profile {
             let (lo, hi) = self.course(t + y)?;
-            sections[0].push(self.point(lo, t + y, height * stretch));
-            sections[1].push(self.point(hi, t + y, height * stretch));
+            sections[0].push(self.point(lo - OVER, t + y, height * stretch));
+            sections[1].push(self.point(hi + OVER, t + y, height * stretch));
         }
         Body::loft(finish, &sections)
     }

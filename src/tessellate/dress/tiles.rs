@@ -4,7 +4,7 @@
 use super::Tailor;
 use super::body::Body;
 use super::line::level_left;
-use super::seams::Seam;
+use super::seams::{End, Seam};
 use super::slope::{Field, places};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -20,6 +20,8 @@ const THICK: f64 = 0.024;
 const OUT: f64 = 0.012;
 /// The disc at the end of a roll: radius, metres.
 const DISC: f64 = 0.040;
+/// How far verge tiles reach out over the eaves, beyond the fronts there, metres.
+const OVER: f64 = 0.028;
 /// Verge tiles: how far they lap over the slope, down its edge, and how thick they are, metres.
 const LAP: (f64, f64, f64) = (0.10, 0.09, 0.022);
 
@@ -114,10 +116,17 @@ pub(super) fn verge(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
     }
     let (lap, down, thick) = LAP;
     let last = seam.points.len() - 1;
+    let mut points = seam.points.clone();
+    for (end, at, back) in [(0, 0, 1), (1, last, last - 1)] {
+        let way = seam.points[at] - seam.points[back];
+        if seam.ends[end] == End::Free && way.z < 0.0 {
+            points[at] += way * (OVER / way.truncate().length().max(OVER));
+        }
+    }
     let section = |i: usize| -> Vec<DVec3> {
         let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];
         let out = -level_left(way);
-        let place = |(w, z): (f64, f64)| seam.points[i] + (out * w).extend(z);
+        let place = |(w, z): (f64, f64)| points[i] + (out * w).extend(z);
         let profile = [
             (-lap, -0.02),
             (0.0, -0.02),
