@@ -303,8 +303,8 @@ impl<'a> Walker<'a> {
                 let worn = dress::dress(roof, new.key().beyond(), self.detail);
                 let (gables, bodies) = (new.key().gables(), &worn.bodies);
                 let mesh = self.store.solids(&name, &roof.solids, gables, bodies);
-                let rows = worn.rows.iter();
-                let rows = rows.map(|row| (*row, self.store.rafters(row.size)));
+                let runs = worn.runs.into_iter();
+                let rows = runs.map(|run| (run.clone(), self.store.row(run.row)));
                 new.insert((mesh, rows.collect())).clone()
             }
         };
@@ -314,9 +314,9 @@ impl<'a> Walker<'a> {
         node.span = roof.span;
         node.shape = Some(roof.shape.letters().into());
         let own = self.last();
-        for (row, mesh) in rows.iter() {
-            let node = self.node(Some(own), Kind::Member, "rafters".into(), row.at);
-            node.turn = row.right;
+        for (run, mesh) in rows.iter() {
+            let node = self.node(Some(own), Kind::Member, run.row.name.into(), run.at);
+            node.turn = run.right;
             node.mesh = Some(*mesh);
             node.storey = Some(roof.storey);
         }

@@ -1,6 +1,6 @@
 //! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
 
-use super::dress::{Beyond, Rafters};
+use super::dress::{Beyond, Run};
 use super::store::Quick;
 use crate::ast::RoofKind;
 use crate::building::{Dress, Face, Roof, Solid};
@@ -15,8 +15,8 @@ use std::rc::Rc;
 /// matter.
 pub(super) type Roofs<'a> = HashMap<Alike<'a>, Shown, BuildHasherDefault<Quick>>;
 
-/// What a roof shows: its mesh, and the rows of rafters under its eaves.
-pub(super) type Shown = (Option<MeshId>, Rc<[(Rafters, MeshId)]>);
+/// What a roof shows: its mesh, and the rows of tiles and rafters on and under it.
+pub(super) type Shown = (Option<MeshId>, Rc<[(Run, MeshId)]>);
 
 /// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and its
 /// solids to the last bit.

@@ -26,6 +26,7 @@ mod rafters;
 mod ridge;
 mod rim;
 mod rows;
+mod run;
 mod seams;
 mod slope;
 mod stack;
@@ -43,7 +44,7 @@ use crate::material::SurfaceId;
 use crate::scene::Detail;
 pub(super) use beyond::{Beyond, Neighbours};
 pub(super) use body::Body;
-pub(super) use rafters::Rafters;
+pub(super) use run::{Row, Run};
 use seams::{Kind, Seam};
 use slope::Field;
 use surface::Surface;
@@ -60,8 +61,8 @@ struct Tailor<'a> {
 pub(super) struct Dressing {
     /// Bodies that belong to this roof alone.
     pub(super) bodies: Vec<Body>,
-    /// Rows of rafters that others may have as well.
-    pub(super) rows: Vec<Rafters>,
+    /// Bodies in rows that others may have as well.
+    pub(super) runs: Vec<Run>,
 }
 
 /// What dresses a roof at a detail; `beyond` is what its joints lie against.
@@ -82,7 +83,7 @@ pub(super) fn dress(roof: &Roof, beyond: &Beyond, detail: Detail) -> Dressing {
     };
     let seams = surface.seams(beyond);
     for seam in &seams {
-        tailor.seam(seam, &fields, &mut worn);
+        tailor.seam(seam, &fields, &mut worn.bodies);
     }
     finial::finials(&tailor, &seams, &mut worn.bodies);
     for rim in rim::rims(&surface) {
@@ -92,14 +93,17 @@ pub(super) fn dress(roof: &Roof, beyond: &Beyond, detail: Detail) -> Dressing {
         for field in &fields {
             tailor.slope(field, &mut worn.bodies);
         }
+        if roof.kind == RoofKind::CoverTiles {
+            rows::cover_tiles(&fields, &mut worn.bodies);
+        }
     }
+    worn.runs = run::take(&mut worn.bodies);
     worn
 }
 
 impl Tailor<'_> {
-    fn seam(&self, seam: &Seam, fields: &[Field], worn: &mut Dressing) {
+    fn seam(&self, seam: &Seam, fields: &[Field], bodies: &mut Vec<Body>) {
         let tiled = matches!(self.roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
-        let bodies = &mut worn.bodies;
         match seam.kind {
             Kind::Ridge | Kind::Hip => {
                 match tiled {
@@ -116,7 +120,7 @@ impl Tailor<'_> {
                     RoofKind::CoverTiles => rows::eaves(self, fields, seam, bodies),
                     _ => {}
                 }
-                rafters::eaves(self, fields, seam, worn);
+                rafters::eaves(self, fields, seam, bodies);
             }
             Kind::Verge => {
                 barge::boards(self, seam, bodies);
@@ -132,7 +136,6 @@ impl Tailor<'_> {
     /// What lies on the slope itself.
     fn slope(&self, field: &Field, bodies: &mut Vec<Body>) {
         match self.roof.kind {
-            RoofKind::CoverTiles => rows::cover_tiles(field, bodies),
             RoofKind::Metal => rows::seams(field, bodies),
             RoofKind::Boards => stones::battens(field, bodies),
             _ => {}

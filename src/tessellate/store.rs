@@ -3,7 +3,7 @@
 use super::atlas::Atlas;
 use super::bake::{WALL, bake};
 use super::bay::Bay;
-use super::dress::{Body, Rafters};
+use super::dress::{Body, Row};
 use super::mesh::{Bodies, Soup};
 use super::{detail, dress, part};
 use crate::building::Solid;
@@ -14,7 +14,7 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
 /// What a mesh depends on. Lengths in tenths of a millimetre.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Key {
     /// A part of the catalogue.
     Part(PartKey),
@@ -24,8 +24,8 @@ pub(super) enum Key {
     Post([u32; 5]),
     /// A level member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),
-    /// A row of rafters: what its shape depends on.
-    Rafters([u32; 8]),
+    /// Tiles or rafters beside each other.
+    Row(Row),
 }
 
 /// What the mesh of a part depends on.
@@ -238,17 +238,17 @@ impl Store {
         Some(self.push(Mesh { name, primitives }))
     }
 
-    /// The mesh of a row of rafters.
-    pub(super) fn rafters(&mut self, size: [u32; 8]) -> MeshId {
-        self.mesh(Key::Rafters(size), |store| {
-            let mut soups = vec![];
-            dress::pour(&Rafters::bodies(size), &mut soups);
+    /// The mesh of bodies in a row.
+    pub(super) fn row(&mut self, row: Row) -> MeshId {
+        self.mesh(Key::Row(row.clone()), |store| {
+            let (mut soups, bodies) = (vec![], row.bodies().collect::<Vec<_>>());
+            dress::pour(&bodies, &mut soups);
             let primitives = soups.into_iter().map(|(finish, soup)| {
                 let material = store.surface(finish, Share::default());
                 primitive(material, soup)
             });
             Mesh {
-                name: "rafters".to_owned(),
+                name: row.name.to_owned(),
                 primitives: primitives.collect(),
             }
         })

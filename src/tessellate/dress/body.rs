@@ -24,9 +24,12 @@ pub(in crate::tessellate) struct Body {
     /// Plane faces, counter-clockwise seen from outside; the ends stand last.
     pub(in crate::tessellate) faces: Vec<Corners>,
     /// Points in a section.
-    round: u32,
+    pub(super) round: u32,
     /// How many faces are sides.
-    sides: usize,
+    pub(super) sides: usize,
+    /// What others like it are called, and what is to the right of all of them, unit length; `None` where it
+    /// stands alone.
+    pub(super) row: Option<(&'static str, DVec2)>,
 }
 
 impl Body {
@@ -75,6 +78,7 @@ impl Body {
             round: count,
             sides: faces.len(),
             faces,
+            row: None,
         }
     }
 
@@ -99,6 +103,12 @@ impl Body {
     /// The same with its sides shaded as curves.
     pub(super) fn softly(mut self) -> Body {
         self.soft = true;
+        self
+    }
+
+    /// The same as one of a row whose bodies have this to their right.
+    pub(super) fn one_of(mut self, name: &'static str, right: DVec2) -> Body {
+        self.row = Some((name, right));
         self
     }
 

@@ -2,8 +2,6 @@
 //! custom of wayo; under hips the hip rafter. Temples have two rows, the upper one (hien-daruki) standing out over
 //! the lower. A board (hirokomai) runs over their ends.
 
-use super::super::store::tenths;
-use super::Dressing;
 use super::Tailor;
 use super::body::Body;
 use super::line::level_left;
@@ -76,13 +74,12 @@ fn rows(tailor: &Tailor<'_>) -> Vec<Row> {
 }
 
 /// Rafters under one line of eaves, and the board before them.
-pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, worn: &mut Dressing) {
+pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, bodies: &mut Vec<Body>) {
     if tailor.detail < Detail::Openings || tailor.roof.dress.eaves < 2.0 * BACK {
         return;
     }
     let rows = rows(tailor);
-    rows.iter()
-        .for_each(|row| board(fields, seam, row, &mut worn.bodies));
+    rows.iter().for_each(|row| board(fields, seam, row, bodies));
     if tailor.detail < Detail::Everything {
         return;
     }
@@ -91,7 +88,6 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, worn: &m
         let (s0, s1) = (field.s(ends[0]), field.s(ends[1]));
         let (lo, hi) = (s0.min(s1), s0.max(s1));
         let deep = span.deep[0].max(span.deep[1]);
-        let level = (ends[0].z - ends[1].z).abs() < 1e-6 && field.is_straight();
         for row in &rows {
             // As many as fit, the same distance from both ends.
             let margin = 2.0 * row.size.1;
@@ -99,98 +95,15 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, worn: &m
                 .floor()
                 .clamp(0.0, 2000.0);
             let first = (lo + hi - count * row.apart) / 2.0;
-            let mut alike = Alike::default();
             for i in 0..=count as u32 {
                 let s = first + row.apart * f64::from(i);
                 // Under a verge they show up to the ridge.
                 let outside = (s - lo).min(hi - s) < tailor.roof.dress.verge;
-                if level && !outside && fits(field, s, row) {
-                    alike.add(s);
-                    continue;
-                }
                 let to = if outside { f64::INFINITY } else { row.to };
                 let own = Row { to, ..*row };
-                rafter(fields, field.slope(), s, deep, &own, &mut worn.bodies);
+                rafter(fields, field.slope(), s, deep, &own, bodies);
             }
-            worn.rows.extend(alike.row(field, row, deep));
         }
-    }
-}
-
-/// Whether a rafter stands whole in its facet.
-fn fits(field: &Field, s: f64, row: &Row) -> bool {
-    let Some((low, _)) = field.column(s) else {
-        return false;
-    };
-    [-row.size.1, row.size.1].iter().all(|x| {
-        let reach = field.column(s + x);
-        reach.is_some_and(|(lo, hi)| (lo - low).abs() < 1e-6 && hi >= low + row.to)
-    })
-}
-
-/// Rafters beside each other that are all the same: they share a mesh with other rows.
-#[derive(Default)]
-struct Alike {
-    first: Option<f64>,
-    count: u32,
-}
-
-impl Alike {
-    fn add(&mut self, s: f64) {
-        self.first.get_or_insert(s);
-        self.count += 1;
-    }
-
-    fn row(self, field: &Field, row: &Row, deep: f64) -> Option<Rafters> {
-        let s = self.first?;
-        let (low, _) = field.column(s)?;
-        Some(Rafters {
-            at: field.point(s, low, -deep),
-            right: field.right(),
-            size: [
-                self.count,
-                tenths(row.apart),
-                tenths(row.from),
-                tenths(row.to),
-                // Above zero, whatever lies below.
-                tenths(row.below + 1.0),
-                tenths(row.size.0),
-                tenths(row.size.1),
-                tenths(field.pitch()),
-            ],
-        })
-    }
-}
-
-/// A row of rafters that are all alike.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::tessellate) struct Rafters {
-    /// The first one's place on the lower surface at the eaves, metres.
-    pub(in crate::tessellate) at: DVec3,
-    /// To the right as seen from outside.
-    pub(in crate::tessellate) right: DVec2,
-    /// Everything that its shape depends on: their number, then in tenths of a millimetre how far they are apart,
-    /// where they begin and end, how far below the roof they lie and one metre, height, half width, and pitch.
-    pub(in crate::tessellate) size: [u32; 8],
-}
-
-impl Rafters {
-    /// The bodies of such a row in its own frame: x to the right, y up the slope, origin at the first one.
-    pub(in crate::tessellate) fn bodies(size: [u32; 8]) -> Vec<Body> {
-        let [_, apart, from, to, below, height, half, pitch] =
-            size.map(|n| f64::from(n) / 10_000.0);
-        let top = 1.0 - below;
-        let foot = top - height * (1.0 + pitch * pitch).sqrt();
-        let one = |i: u32| {
-            let x = apart * f64::from(i);
-            let section = |y: f64| -> Vec<DVec3> {
-                let corners = [(-half, foot), (half, foot), (half, top), (-half, top)];
-                let corner = |(w, z): (f64, f64)| DVec3::new(x + w, y, pitch * y + z);
-                corners.map(corner).to_vec()
-            };
-            Body::loft(SurfaceId::named("cedar"), &[section(from), section(to)])
-        };
-        (0..size[0]).filter_map(one).collect()
     }
 }
 
@@ -208,7 +121,8 @@ fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: 
         let foot = top - row.size.0 * field.stretch();
         let profile = [(-half, foot), (half, foot), (half, top), (-half, top)];
         let finish = SurfaceId::named("cedar");
-        bodies.extend(field.upright_row(finish, s, &profile, within));
+        let made = field.upright_row(finish, s, &profile, within);
+        bodies.extend(made.map(|body| body.one_of("rafters", field.right())));
     }
 }
 

@@ -9,7 +9,7 @@ use super::seams::{End, Kind, Seam};
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// How far a ridge reaches down beside its line beyond the slopes, metres.
 const SUNK: f64 = 0.02;
@@ -232,6 +232,8 @@ fn caps(line: &Line, half: f64, top: f64, finish: SurfaceId, bodies: &mut Vec<Bo
         );
         let section = |i: usize, profile: &[(f64, f64)]| part.sections(profile).swap_remove(i);
         let sections = [section(0, &wide), section(1, &narrow)];
-        bodies.extend(Body::loft(finish, &sections).map(Body::softly));
+        let right = (part.points[1] - part.points[0]).truncate();
+        let cap = Body::loft(finish, &sections).map(Body::softly);
+        bodies.extend(cap.map(|body| body.one_of("cap tiles", right.normalize_or(DVec2::X))));
     }
 }

@@ -20,21 +20,38 @@ const RISE: f64 = 0.066;
 /// From seam to seam of sheet metal, their half width and height, metres.
 const SHEET: f64 = 0.455;
 const SEAM: (f64, f64) = (0.009, 0.028);
+/// Half the joint between two fronts, metres.
+const JOINT: f64 = 0.001;
 /// How far rows reach into the slope, metres.
 const SUNK: f64 = 0.012;
 
-/// The rows of a facet.
-pub(super) fn cover_tiles(field: &Field, bodies: &mut Vec<Body>) {
-    const STEPS: u32 = 5;
-    let mut profile = vec![(-RADIUS, -SUNK), (RADIUS, -SUNK)];
-    for i in 0..=STEPS {
-        let angle = std::f64::consts::PI * f64::from(i) / f64::from(STEPS);
-        profile.push((RADIUS * libm::cos(angle), RISE * libm::sin(angle)));
-    }
+/// The rows of all slopes.
+pub(super) fn cover_tiles(fields: &[Field], bodies: &mut Vec<Body>) {
+    // Half round in four faces, shaded as a curve.
+    let shoulder = (0.70 * RADIUS, 0.70 * RISE);
+    let profile = [
+        (-RADIUS, -SUNK),
+        (RADIUS, -SUNK),
+        shoulder,
+        (0.0, RISE),
+        (-shoulder.0, shoulder.1),
+    ];
     let finish = SurfaceId::named("ibushi");
-    for s in field.places(ROW, ROW / 2.0, RADIUS) {
-        let row = field.row(finish, s, &profile);
-        bodies.extend(row.map(Body::softly));
+    for first in 0..fields.len() {
+        let number = fields[first].slope();
+        if fields[..first].iter().any(|f| f.slope() == number) {
+            continue;
+        }
+        let slope: Vec<&Field> = fields.iter().filter(|f| f.slope() == number).collect();
+        let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (from, to) in slope.iter().map(|f| f.bounds()) {
+            (lo, hi) = (lo.min(from.x), hi.max(to.x));
+        }
+        let right = fields[first].right();
+        for s in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
+            let rows = Field::rows(&slope, finish, s, &profile).into_iter();
+            bodies.extend(rows.map(|row| row.softly().one_of("cover tiles", right)));
+        }
     }
 }
 
@@ -65,32 +82,29 @@ pub(super) fn eaves(tailor: &Tailor<'_>, fields: &[Field], seam: &Seam, bodies: 
         let (s0, s1) = (field.s(ends[0]), field.s(ends[1]));
         let at = |s: f64| ends[0].lerp(ends[1], (s - s0) / (s1 - s0));
         let (lo, hi) = (s0.min(s1), s0.max(s1));
-        let mut cuts = vec![lo, hi];
-        for row in places(lo - ROW, hi, ROW, ROW / 2.0) {
-            let inner = [0.0, 0.3, 0.5, 0.7].map(|share| row + share * ROW);
-            cuts.extend(
-                inner
-                    .into_iter()
-                    .filter(|s| *s > lo + 0.02 && *s < hi - 0.02),
-            );
-        }
-        cuts.sort_by(f64::total_cmp);
+        let right = field.right();
         // The flat tile sags between two rows, and its hanging front with it.
         let sag = |s: f64| {
             let share = (s / ROW - 0.5).rem_euclid(1.0);
             0.035 * libm::sin(std::f64::consts::PI * share)
         };
-        let sections = cuts.iter().map(|s| hanging(at(*s), out, 0.05 + sag(*s)));
-        bodies.extend(Body::loft(finish, &sections.collect::<Vec<_>>()));
+        for row in places(lo - ROW, hi, ROW, ROW / 2.0) {
+            // The joint between two lies behind a disc.
+            let (from, to) = ((row + JOINT).max(lo), (row + ROW - JOINT).min(hi));
+            if to - from < 0.02 {
+                continue;
+            }
+            let inner = [0.3, 0.7].map(|share| row + share * ROW);
+            let inner = inner.iter().filter(|s| **s > from && **s < to);
+            let cuts = std::iter::once(&from).chain(inner).chain([&to]);
+            let sections: Vec<_> = cuts.map(|s| hanging(at(*s), out, 0.05 + sag(*s))).collect();
+            let front = Body::loft(finish, &sections);
+            bodies.extend(front.map(|body| body.softly().one_of("eaves tiles", right)));
+        }
         for row in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
-            bodies.extend(disc(
-                finish,
-                at(row),
-                out,
-                1.08 * RADIUS,
-                (0.004, 0.045),
-                10,
-            ));
+            let place = (0.004, 0.045);
+            let disc = disc(finish, at(row), out, 1.08 * RADIUS, place, 8);
+            bodies.extend(disc.map(|body| body.one_of("eaves tiles", right)));
         }
     }
 }

@@ -8,6 +8,8 @@ use glam::{DVec2, DVec3, dvec2};
 
 /// What is shorter than this is left out, metres.
 const SHORTEST: f64 = 0.02;
+/// No cut in t.
+const EVERYWHERE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// A facet in the frame of its slope. Plan coordinates: s to the right as seen from outside, t up the slope, both in
 /// metres from the origin of the house, so that rows agree with the pictures of coverings.
@@ -77,11 +79,6 @@ impl Field {
         self.right
     }
 
-    /// Whether it falls just as its slope does.
-    pub(super) fn is_straight(&self) -> bool {
-        self.rise.dot(self.right).abs() < 1e-6 && self.pitch() > 0.0
-    }
-
     /// The s of a point.
     pub(super) fn s(&self, p: DVec3) -> f64 {
         self.right.dot(p.truncate())
@@ -137,13 +134,38 @@ impl Field {
     /// A row up the slope at `s`: a profile of (s, height at right angles to the slope), cut upright where the
     /// facet ends.
     pub(super) fn row(&self, finish: SurfaceId, s: f64, profile: &[(f64, f64)]) -> Option<Body> {
-        let stretch = self.stretch();
-        let raised: Vec<(f64, f64)> = profile.iter().map(|(x, h)| (*x, h * stretch)).collect();
-        let all = (f64::NEG_INFINITY, f64::INFINITY);
-        self.upright_row(finish, s, &raised, all)
+        let raised = raised(profile, self.stretch());
+        Body::loft(finish, &self.ends(s, &raised, EVERYWHERE)?)
     }
 
-    /// The same with upright heights, so that rows bend with their slope, and cut where t leaves `within`.
+    /// Rows like that over all facets of a slope, each one body as far as it goes on from facet to facet.
+    pub(super) fn rows(
+        slope: &[&Field],
+        finish: SurfaceId,
+        s: f64,
+        profile: &[(f64, f64)],
+    ) -> Vec<Body> {
+        let stretch = slope.iter().map(|f| f.stretch()).fold(1.0, f64::max);
+        let profile = raised(profile, stretch);
+        let mut pieces: Vec<[Vec<DVec3>; 2]> = slope
+            .iter()
+            .filter_map(|f| f.ends(s, &profile, EVERYWHERE))
+            .collect();
+        pieces.sort_by(|a, b| a[0][0].z.total_cmp(&b[0][0].z));
+        let mut rows: Vec<Vec<Vec<DVec3>>> = vec![];
+        for [low, high] in pieces {
+            let meets = |end: &Vec<DVec3>| end.iter().zip(&low).all(|(p, q)| p.distance(*q) < 1e-4);
+            match rows.iter_mut().find(|row| row.last().is_some_and(meets)) {
+                Some(row) => row.push(high),
+                None => rows.push(vec![low, high]),
+            }
+        }
+        rows.iter()
+            .filter_map(|row| Body::loft(finish, row))
+            .collect()
+    }
+
+    /// A row with upright heights, so that it bends with its slope, and cut where t leaves `within`.
     pub(super) fn upright_row(
         &self,
         finish: SurfaceId,
@@ -151,6 +173,11 @@ impl Field {
         profile: &[(f64, f64)],
         within: (f64, f64),
     ) -> Option<Body> {
+        Body::loft(finish, &self.ends(s, profile, within)?)
+    }
+
+    /// The sections at both ends of such a row.
+    fn ends(&self, s: f64, profile: &[(f64, f64)], within: (f64, f64)) -> Option<[Vec<DVec3>; 2]> {
         let mut ends = [Vec::new(), Vec::new()];
         for (x, _) in profile {
             let (lo, hi) = self.column(s + x)?;
@@ -177,7 +204,7 @@ impl Field {
         {
             return None;
         }
-        Body::loft(finish, &ends.map(|end| section(&end)))
+        Some(ends.map(|end| section(&end)))
     }
 
     /// A bar along the slope at `t`: a profile of (t, height), cut upright a little beyond where the facet ends, so
@@ -208,6 +235,11 @@ pub(super) fn places(lo: f64, hi: f64, step: f64, phase: f64) -> impl Iterator<I
     let last = ((hi - phase) / step).floor() as i64;
     let count = (last.saturating_sub(first) + 1).clamp(0, MOST);
     (first..first + count).map(move |i| i as f64 * step + phase)
+}
+
+/// A profile with its heights at right angles to a slope as upright ones.
+fn raised(profile: &[(f64, f64)], stretch: f64) -> Vec<(f64, f64)> {
+    profile.iter().map(|(x, h)| (*x, h * stretch)).collect()
 }
 
 /// Cuts an end of a row, as (x, t), at right angles where its places lie on no straight line.
