@@ -317,6 +317,16 @@ fn endless_repetition_is_refused() {
 }
 
 #[test]
+fn endless_monuments_are_refused() {
+    let pagoda = "<House><Pagoda storeys=\"15\" bays=\"9\"/></House>";
+    let pagodas = |count| format!("<Houses>{}</Houses>", pagoda.repeat(count));
+    assert_refused("4005 storeys of pagodas", pagodas(267).as_bytes());
+    let run = compile("pagodas.hsd", pagodas(300).as_bytes());
+    assert_eq!(run.building.shell.houses.len(), 266, "what fits is built");
+    assert_eq!(run.diagnostics.len(), 1, "said once: {}", run.short());
+}
+
+#[test]
 fn a_file_beyond_the_limit_is_refused() {
     let bytes = vec![b'#'; (16 << 20) + 1];
     assert_refused("more than 16 MiB", &bytes);
@@ -449,6 +459,14 @@ fn a_mebibyte_of_anything_is_done_in_a_second() {
                 "<Loop hole=\"yes\"><Row>KSK</Row></Loop>",
             ),
         ),
+        (
+            "pagodas",
+            mebibyte(
+                "<Houses>",
+                "<House><Pagoda storeys=\"15\" bays=\"9\"/></House>",
+            ),
+        ),
+        ("shrines", mebibyte("<Houses>", "<House><Shrine/></House>")),
         ("lets", mebibyte("<House>", "<let name=\"a\" value=\"1\"/>")),
         (
             "facades",
