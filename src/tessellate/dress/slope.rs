@@ -110,12 +110,13 @@ impl Field {
 
     /// From where to where the facet reaches on the line of a given s, in t.
     pub(super) fn column(&self, s: f64) -> Option<(f64, f64)> {
-        self.across(|c| c, s)
+        self.across(|c| c, s).filter(|(lo, hi)| hi - lo > SHORTEST)
     }
 
     /// From where to where it reaches on the line of a given t, in s.
     pub(super) fn course(&self, t: f64) -> Option<(f64, f64)> {
         self.across(|c| dvec2(c.y, c.x), t)
+            .filter(|(lo, hi)| hi - lo > SHORTEST)
     }
 
     fn across(&self, turn: impl Fn(DVec2) -> DVec2, x: f64) -> Option<(f64, f64)> {
@@ -128,7 +129,7 @@ impl Field {
                 (lo, hi) = (lo.min(y), hi.max(y));
             }
         }
-        (hi - lo > SHORTEST).then_some((lo, hi))
+        (lo <= hi).then_some((lo, hi))
     }
 
     /// A row up the slope at `s`: a profile of (s, height at right angles to the slope), cut upright where the
@@ -138,7 +139,8 @@ impl Field {
         Body::loft(finish, &self.ends(s, &raised, EVERYWHERE)?)
     }
 
-    /// Rows like that over all facets of a slope, each one body as far as it goes on from facet to facet.
+    /// Rows like that over all facets of a slope, each one body as far as it goes on from facet to facet. A row follows
+    /// its middle: where the slope is twisted towards a raised corner its facets are narrower than a tile.
     pub(super) fn rows(
         slope: &[&Field],
         finish: SurfaceId,
@@ -147,22 +149,54 @@ impl Field {
     ) -> Vec<Body> {
         let stretch = slope.iter().map(|f| f.stretch()).fold(1.0, f64::max);
         let profile = raised(profile, stretch);
-        let mut pieces: Vec<[Vec<DVec3>; 2]> = slope
+        let crossed = slope
             .iter()
-            .filter_map(|f| f.ends(s, &profile, EVERYWHERE))
-            .collect();
-        pieces.sort_by(|a, b| a[0][0].z.total_cmp(&b[0][0].z));
-        let mut rows: Vec<Vec<Vec<DVec3>>> = vec![];
-        for [low, high] in pieces {
-            let meets = |end: &Vec<DVec3>| end.iter().zip(&low).all(|(p, q)| p.distance(*q) < 1e-4);
-            match rows.iter_mut().find(|row| row.last().is_some_and(meets)) {
-                Some(row) => row.push(high),
-                None => rows.push(vec![low, high]),
+            .filter_map(|f| f.whole_column(s).map(|(lo, hi)| (*f, lo, hi)));
+        let mut crossed: Vec<(&Field, f64, f64)> = crossed.collect();
+        crossed.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let goes_on = |a: &(&Field, f64, f64), b: &(&Field, f64, f64)| {
+            let step = a.0.point(s, a.2, 0.0).distance(b.0.point(s, b.1, 0.0));
+            step < 1e-3
+        };
+        let runs = crossed.chunk_by(goes_on);
+        runs.filter_map(|run| Field::run(run, finish, s, &profile))
+            .collect()
+    }
+
+    /// One row over facets that follow each other up the slope, each with the reach of the row's middle.
+    fn run(
+        run: &[(&Field, f64, f64)],
+        finish: SurfaceId,
+        s: f64,
+        profile: &[(f64, f64)],
+    ) -> Option<Body> {
+        let (first, last) = (run.first()?, run.last()?);
+        if last.2 - first.1 < SHORTEST {
+            return None;
+        }
+        let level = |f: &Field, t: f64| -> Vec<DVec3> {
+            let ends: Vec<_> = profile.iter().map(|(x, _)| (*x, t)).collect();
+            f.section(s, &ends, profile)
+        };
+        // Ends follow the border where it is straight under the whole row, else they are square.
+        let end = |(f, lo, hi): &(&Field, f64, f64), high: usize| {
+            let skew = f.ends(s, profile, EVERYWHERE);
+            let square = level(f, [*lo, *hi][high]);
+            skew.map_or(square, |ends| ends[high].clone())
+        };
+        let mut sections = vec![end(first, 0)];
+        for (f, lo, hi) in &run[..run.len() - 1] {
+            if hi - lo > SHORTEST {
+                sections.push(level(f, *hi));
             }
         }
-        rows.iter()
-            .filter_map(|row| Body::loft(finish, row))
-            .collect()
+        sections.push(end(last, 1));
+        Body::loft(finish, &sections)
+    }
+
+    /// As [`Field::column`], however short.
+    fn whole_column(&self, s: f64) -> Option<(f64, f64)> {
+        self.across(|c| c, s).filter(|(lo, hi)| hi - lo > 1e-6)
     }
 
     /// A row with upright heights, so that it bends with its slope, and cut where t leaves `within`.
@@ -191,12 +225,6 @@ impl Field {
         // Where the border turns inside the row it is cut square.
         square(&mut ends[0], f64::max);
         square(&mut ends[1], f64::min);
-        let section = |end: &[(f64, f64)]| -> Vec<DVec3> {
-            let places = end.iter().zip(profile);
-            places
-                .map(|((x, t), (_, height))| self.point(s + x, *t, *height))
-                .collect()
-        };
         if ends[0]
             .iter()
             .zip(&ends[1])
@@ -204,7 +232,17 @@ impl Field {
         {
             return None;
         }
-        Some(ends.map(|end| section(&end)))
+        Some(ends.map(|end| self.section(s, &end, profile)))
+    }
+
+    /// A section of a row whose places are given as (x, t), as high over the slope as its middle: rows do not lean
+    /// where the slope does.
+    fn section(&self, s: f64, end: &[(f64, f64)], profile: &[(f64, f64)]) -> Vec<DVec3> {
+        let places = end.iter().zip(profile);
+        let at = |((x, t), (_, height)): (&(f64, f64), &(f64, f64))| {
+            self.point(s, *t, *height) + (self.right * *x).extend(0.0)
+        };
+        places.map(at).collect()
     }
 
     /// A bar along the slope at `t`: a profile of (t, height), cut upright a little beyond where the facet ends, so
