@@ -397,3 +397,40 @@ fn a_joint_is_a_valley_before_a_slope_and_a_flank_before_a_wall() {
     let far = solids(kind, &[(&beside, [0.0, 0.5], 9.0)]);
     assert!(kinds(&straight, far).contains(&Kind::Flank));
 }
+
+#[test]
+fn a_hip_goes_on_down_a_raised_corner() {
+    let front = [
+        (0.0, 0.0, false),
+        (1.0, -1.0, true),
+        (2.0, -1.0, false),
+        (2.0, 2.0, false),
+    ];
+    let left = [
+        (0.0, 0.0, false),
+        (2.0, 2.0, false),
+        (-1.0, 2.0, true),
+        (-1.0, 1.0, false),
+    ];
+    // The corner lies so high that the line below the hip is level as a ridge.
+    let fore = [(0.0, 0.0, false), (-1.0, -1.0, true), (1.0, -1.0, false)];
+    let side = [(0.0, 0.0, false), (-1.0, 1.0, true), (-1.0, -1.0, false)];
+    let solids = solids(
+        RoofKind::Tiles,
+        &[
+            (&front, [0.0, 0.5], 3.0),
+            (&left, [0.5, 0.0], 3.0),
+            (&fore, [-0.2, 0.3], 3.0),
+            (&side, [0.3, -0.2], 3.0),
+        ],
+    );
+    let seams = seams(&solids);
+    assert_eq!(
+        (count(&seams, Kind::Ridge), count(&seams, Kind::Hip)),
+        (0, 1)
+    );
+    let hip = seams.iter().find(|s| s.kind == Kind::Hip).expect("one hip");
+    assert_eq!(hip.points.len(), 3);
+    assert!(hip.points.is_sorted_by(|a, b| a.z < b.z));
+    assert_eq!(hip.ends[0], End::Free);
+}
