@@ -42,7 +42,7 @@ pub(super) fn ridge(tailor: &Tailor<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
             } else {
                 "shingle"
             });
-            bodies.extend(Body::loft(finish, &line.sections(&fold(0.16, lean, 0.04))));
+            bodies.extend(Body::loft(finish, &line.sections(&fold(0.16, lean, 0.046))));
         }
         RoofKind::Thatch if hip => {
             let profile = fold(0.30, lean, 0.06);
