@@ -68,9 +68,9 @@ const ON: f64 = 1e-5;
 
 /// The convex parts of a prism or a [`curtain`]: of a curtain one for each piece of its chain.
 pub(super) fn columns(wall: &Solid) -> Vec<Solid> {
-    let pieces = wall.points.len() / 4 - 1;
+    let pieces = (wall.points.len() / 4).saturating_sub(1);
     let finish = wall.faces[0].finish;
-    if wall.points.len() % 4 != 0
+    if !wall.points.len().is_multiple_of(4)
         || wall.faces.len() != 4 * pieces + 2
         || pieces < 2
         || is_convex(wall)
