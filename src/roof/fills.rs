@@ -38,9 +38,9 @@ pub(super) fn fit(roofs: &mut [Built]) {
     let sheets: Vec<Vec<Body>> = roofs.iter().map(bodies).collect();
     let boxes: Vec<(DVec3, DVec3)> = sheets.iter().map(|s| around(s)).collect();
     let mut standing: Vec<Body> = vec![];
-    for n in 0..roofs.len() {
+    for (n, roof) in roofs.iter_mut().enumerate() {
         let mut built = vec![];
-        for fill in std::mem::take(&mut roofs[n].fills) {
+        for fill in std::mem::take(&mut roof.fills) {
             if !is_wall(&fill) {
                 built.push(fill);
                 continue;
@@ -58,7 +58,7 @@ pub(super) fn fit(roofs: &mut [Built]) {
                 .flat_map(columns)
                 .map(of),
         );
-        roofs[n].fills = built;
+        roof.fills = built;
     }
 }
 
