@@ -4,7 +4,7 @@
 //! cut and merged into rectangles ([`partition`]); [`ridge::regions`] says how each is roofed (main
 //! roof, branch running into its trunk, lean-to); a shape ([`hall`], [`lean_to`], [`pent`],
 //! [`flat`]) turns each into a [`form::Form`]; roofs of one height meet in valleys (`meet`); what
-//! remains of each becomes a closed solid ([`sheet`]) with gable walls. What it wears (ridge tiles, barge boards,
+//! remains of each becomes a closed solid ([`sheet`]) with gable walls, which the neighbours cut (`fills`). What it wears (ridge tiles, barge boards,
 //! rafters) is made by tessellation, from the solids and a small [`Dress`](crate::building::Dress).
 //!
 //! Plans that are not at right angles, and any plan by `method skeleton`, are roofed as a whole (`polygonal`): the
@@ -31,6 +31,7 @@ pub mod effort;
 pub mod end;
 mod explicit;
 pub mod facet;
+mod fills;
 pub mod flat;
 pub mod form;
 mod forms;

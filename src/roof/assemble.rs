@@ -1,5 +1,6 @@
 //! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
 
+use super::fills::{Built, fit};
 use super::forms::Planned;
 use super::meet::{apart, meet};
 use super::sheet::sheet;
@@ -43,9 +44,22 @@ fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -
         Some(met) => (met, true),
         None => (apart(&forms), false),
     };
-    for ((planned, form), pieces) in planned.iter_mut().zip(forms).zip(met) {
-        let mut solids = sheet(&pieces, form.drop, &planned.look.coat(), form.floor);
-        solids.extend(form.solids);
+    let mut built: Vec<Built> = planned
+        .iter()
+        .zip(forms)
+        .zip(met)
+        .map(|((planned, form), pieces)| Built {
+            sheets: sheet(&pieces, form.drop, &planned.look.coat(), form.floor),
+            drop: form.drop,
+            fills: form.solids,
+        })
+        .collect();
+    if all_met {
+        fit(&mut built);
+    }
+    for (planned, built) in planned.iter_mut().zip(built) {
+        let mut solids = built.sheets;
+        solids.extend(built.fills);
         planned.roof.solids = solids;
         let empty = Roof {
             solids: vec![],

@@ -12,7 +12,7 @@ pub struct Form {
     pub drop: f64,
     /// Height of the upper surface over the wall plate: what reaches no higher is mere eaves.
     pub floor: f64,
-    /// Walls and brackets under the surface; no neighbour cuts them.
+    /// Walls and brackets under the surface; neighbours cut only gable walls.
     pub solids: Vec<Solid>,
     /// The roof whose eaves it is tucked under, as an index among its group.
     pub under: Option<usize>,

@@ -63,6 +63,129 @@ pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
     Solid { points, faces }
 }
 
+/// Points nearer to a cut lie on it, metres.
+const ON: f64 = 1e-5;
+
+/// The convex parts of a prism or a [`curtain`]: of a curtain one for each piece of its chain.
+pub(super) fn columns(wall: &Solid) -> Vec<Solid> {
+    let pieces = (wall.points.len() / 4).saturating_sub(1);
+    let finish = wall.faces[0].finish;
+    if !wall.points.len().is_multiple_of(4)
+        || wall.faces.len() != 4 * pieces + 2
+        || pieces < 2
+        || is_convex(wall)
+    {
+        return vec![wall.clone()];
+    }
+    let column = |of: &[DVec3]| {
+        let profile = [of[0], of[1], of[5], of[4]];
+        prism(&profile, of[2] - of[0], finish)
+    };
+    (0..pieces)
+        .map(|i| column(&wall.points[4 * i..4 * i + 8]))
+        .collect()
+}
+
+fn is_convex(solid: &Solid) -> bool {
+    solid.faces.iter().all(|face| {
+        let at = |i: usize| solid.points[face.corners[i] as usize];
+        let normal = (at(1) - at(0)).cross(at(2) - at(0)).normalize_or_zero();
+        solid.points.iter().all(|p| normal.dot(*p - at(0)) < ON)
+    })
+}
+
+/// The part of a convex solid where `normal . p <= at`; none where nothing is left.
+pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
+    let beyond = |p: &DVec3| match normal.dot(*p) - at {
+        d if d.abs() < ON => 0.0,
+        d => d,
+    };
+    let depths: Vec<f64> = solid.points.iter().map(beyond).collect();
+    if depths.iter().all(|d| *d <= 0.0) {
+        return depths.iter().any(|d| *d < 0.0).then(|| solid.clone());
+    }
+    if depths.iter().all(|d| *d >= 0.0) {
+        return None;
+    }
+    let mut points = solid.points.clone();
+    let mut cuts: Vec<(u32, u32, u32)> = vec![];
+    let mut faces = Vec::with_capacity(solid.faces.len() + 1);
+    for face in &solid.faces {
+        let mut corners = Corners::new();
+        for (i, &p) in face.corners.iter().enumerate() {
+            let q = face.corners[(i + 1) % face.corners.len()];
+            let (dp, dq) = (depths[p as usize], depths[q as usize]);
+            if dp <= 0.0 {
+                corners.push(p);
+            }
+            if dp * dq < 0.0 {
+                let (lo, hi) = (p.min(q), p.max(q));
+                let known = cuts.iter().find(|c| (c.0, c.1) == (lo, hi)).map(|c| c.2);
+                corners.push(known.unwrap_or_else(|| {
+                    let (d, e) = (depths[lo as usize], depths[hi as usize]);
+                    let cut = points[lo as usize].lerp(points[hi as usize], d / (d - e));
+                    points.push(cut);
+                    let id = points.len() as u32 - 1;
+                    cuts.push((lo, hi, id));
+                    id
+                }));
+            }
+        }
+        let inside = |c: &u32| depths.get(*c as usize).is_some_and(|d| *d < 0.0);
+        if corners.len() > 2 && corners.iter().any(inside) {
+            faces.push(Face {
+                corners,
+                finish: face.finish,
+            });
+        }
+    }
+    let finish = solid.faces[0].finish;
+    let lid = lid(&faces, &points, &depths, normal)?;
+    faces.push(Face {
+        corners: lid,
+        finish,
+    });
+    Some(packed(&points, faces))
+}
+
+/// The face that closes a cut: the corners on it, round about its normal.
+fn lid(faces: &[Face], points: &[DVec3], depths: &[f64], normal: DVec3) -> Option<Corners> {
+    let on = |c: &u32| depths.get(*c as usize).is_none_or(|d| *d == 0.0);
+    let mut all: Vec<u32> = faces
+        .iter()
+        .flat_map(|f| f.corners.iter().copied())
+        .filter(on)
+        .collect();
+    all.sort_unstable();
+    all.dedup();
+    let middle = all.iter().map(|c| points[*c as usize]).sum::<DVec3>() / all.len().max(1) as f64;
+    let (x, y) = normal.any_orthonormal_pair();
+    let angle = |c: &u32| {
+        let way = points[*c as usize] - middle;
+        libm::atan2(y.dot(way), x.dot(way))
+    };
+    all.sort_by(|p, q| angle(p).total_cmp(&angle(q)));
+    (all.len() > 2).then(|| all.into_iter().collect())
+}
+
+/// A solid of these faces with the points they use.
+fn packed(points: &[DVec3], faces: Vec<Face>) -> Solid {
+    let mut number = vec![u32::MAX; points.len()];
+    let mut solid = Solid {
+        points: vec![],
+        faces,
+    };
+    for corner in solid.faces.iter_mut().flat_map(|f| f.corners.iter_mut()) {
+        let place = &mut number[*corner as usize];
+        if *place == u32::MAX {
+            *place = solid.points.len() as u32;
+            solid.points.push(points[*corner as usize]);
+        }
+        *corner = *place;
+    }
+    solid
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,5 +215,25 @@ mod tests {
             );
             chain.reverse();
         }
+    }
+
+    #[test]
+    fn a_clipped_prism_is_closed_on_both_sides_of_the_cut() {
+        let profile = [
+            dvec3(0.0, 0.0, 0.0),
+            dvec3(2.0, 0.0, 0.0),
+            dvec3(1.0, 0.0, 1.0),
+        ];
+        let gable = prism(&profile, DVec3::Y, Finish::Gable);
+        // Through a corner, and free.
+        for at in [0.0, 0.5] {
+            let normal = dvec3(1.0, 0.0, -1.0).normalize();
+            for sign in [1.0, -1.0] {
+                let half = clip(&gable, normal * sign, at * sign).unwrap();
+                assert_eq!(solid_flaws(&half).count(), 0);
+            }
+        }
+        assert!(clip(&gable, DVec3::Z, 0.0).is_none());
+        assert_eq!(clip(&gable, DVec3::Z, 1.0).unwrap().points, gable.points);
     }
 }
