@@ -15,7 +15,11 @@ const STEEPEST: f64 = 0.36;
 /// How far things reach into the slope, metres.
 const SUNK: f64 = 0.01;
 
-/// The battens and stones of a facet.
+/// The most stones of a facet: some 750 square metres. A larger one is no roof that anybody laid stones on, and
+/// their number would grow with the square of two figures in a roof line.
+const MANY: f64 = 2000.0;
+
+/// The battens of a facet, and its stones where these are not too many.
 pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
     if field.pitch() > STEEPEST {
         return;
@@ -24,10 +28,11 @@ pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
     let profile = [(-half, -SUNK), (half, -SUNK), (half, high), (-half, high)];
     let (lo, hi) = field.bounds();
     let rows = ((hi.y - lo.y - 0.3) / APART).floor().clamp(0.0, 200.0) as u32;
+    let laid = f64::from(rows) * (hi.x - lo.x) <= MANY * STONES;
     for row in 0..=rows {
         let t = lo.y + 0.18 + APART * f64::from(row);
         bodies.extend(field.bar(SurfaceId::named("cedar_silver"), t, &profile));
-        let Some((from, to)) = field.course(t) else {
+        let Some((from, to)) = field.course(t).filter(|_| laid) else {
             continue;
         };
         let shift = if row.is_multiple_of(2) {

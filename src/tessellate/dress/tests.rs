@@ -301,6 +301,7 @@ fn rows_and_stones_follow_the_size_of_the_roof() {
     assert!((seams(16.0) as f64 - seams(8.0) as f64 - 2.0 * 8.0 / 0.455).abs() < 3.0);
     let stones = |length| worn(&of(RoofKind::Boards, length), "stone") as f64;
     assert!(stones(8.0) > 30.0 && (stones(16.0) / stones(8.0) - 2.0).abs() < 0.15);
+    assert_eq!(stones(900.0), 0.0, "nobody lays so many");
     let steep = roof(RoofKind::Boards, gable(RoofKind::Boards, 8.0, 6.0, 0.5));
     assert_eq!(worn(&steep, "stone"), 0);
 }
