@@ -55,9 +55,11 @@ pub fn expand(
 ) -> Program {
     let mut codes = Codes::new(catalog, world);
     let mut program = Program::default();
+    let mut written_short = 0;
     for (source, document) in documents {
         for (index, house) in document.houses.iter().enumerate() {
             let mut pass = Pass::new(&mut codes, source, options, out);
+            pass.written_short = written_short;
             let seed = house.settings.seed.as_ref().map(|seed| seed.value);
             let root = Place::seed(options.seed.or(seed).unwrap_or(0));
             let place = match &house.name {
@@ -65,6 +67,7 @@ pub fn expand(
                 None => root.at(index as u64),
             };
             program.houses.extend(pass.house(house, place));
+            written_short = pass.written_short;
         }
     }
     codes::keep_used(&mut program, codes.pictures);
@@ -84,6 +87,8 @@ struct Pass<'a, 'c> {
     steps: u64,
     limit: u64,
     over: bool,
+    /// Storeys that the short forms of all houses so far have made.
+    written_short: u64,
 }
 
 impl<'a, 'c> Pass<'a, 'c> {
@@ -104,6 +109,7 @@ impl<'a, 'c> Pass<'a, 'c> {
             steps: 0,
             limit: options.limits.parts as u64,
             over: false,
+            written_short: 0,
         }
     }
 

@@ -317,6 +317,19 @@ fn endless_repetition_is_refused() {
 }
 
 #[test]
+fn storeys_of_monuments_are_counted_over_all_houses() {
+    let text = format!("<Houses>{}</Houses>", "<House><Pagoda/></House>".repeat(5));
+    let source = hsd::source::Source::new(hsd::source::FileId(0), "short.hsd", text.as_bytes());
+    let mut options = hsd::Options::default();
+    options.expand.limits.parts = 6000; // twelve storeys
+    let mut out = hsd::diagnostic::Diagnostics::new();
+    let made = hsd::compile(&[&source], &hsd::source::NoPictures, &options, &mut out);
+    assert_eq!(made.building.shell.houses.len(), 2, "what fits is built");
+    let codes: Vec<_> = out.iter().map(|d| d.code).collect();
+    assert_eq!(codes, [hsd::diagnostic::Code(904)], "said once");
+}
+
+#[test]
 fn a_file_beyond_the_limit_is_refused() {
     let bytes = vec![b'#'; (16 << 20) + 1];
     assert_refused("more than 16 MiB", &bytes);

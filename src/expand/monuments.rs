@@ -13,9 +13,13 @@ mod pagoda;
 use super::Pass;
 use crate::ast::{self, Given, Monument, RoofStyle};
 use crate::diagnostic::messages::fittings::{self as say, Scarce};
+use crate::diagnostic::messages::parts;
 use crate::program::{House, Storey};
 use crate::source::{Span, Spanned};
 use draft::Draft;
+
+/// Parts that a storey of a house written short takes of the limit.
+const PARTS_A_STOREY: u64 = 500;
 
 impl Pass<'_, '_> {
     /// The storeys of a house that is written short; `None` where it is not.
@@ -39,7 +43,22 @@ impl Pass<'_, '_> {
         }
         let parts = draft.parts();
         self.charge(parts, span);
+        self.charge_storeys(draft.storeys.len() as u64, span);
         Some(draft)
+    }
+
+    /// Takes room for storeys that a few letters make: a storey with its roof, posts and brackets is
+    /// far more work than a line of codes, and all houses of a run share what there is.
+    fn charge_storeys(&mut self, storeys: u64, span: Span) {
+        let most = self.limit / PARTS_A_STOREY;
+        let before = self.written_short;
+        self.written_short = before.saturating_add(storeys);
+        if self.written_short > most && !self.over {
+            self.over = true;
+            if before <= most {
+                self.out.push(parts::too_many_storeys(span, most));
+            }
+        }
     }
 
     /// A height that must not fall below the least that stands; says so where it does.

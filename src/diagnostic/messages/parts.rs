@@ -363,3 +363,16 @@ pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
         "繰り返しを減らすか、何軒かに分けるか、部材数の上限を上げてください"
     ))
 }
+
+/// Too many storeys of houses that are written short.
+#[cold]
+pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {
+    let message = text!(
+        "houses written short come to more than {limit} storeys; this one and those after it are left out",
+        "短い書き方の建物の階が合わせて {limit} を超えます。これ以降の建物は作りません"
+    );
+    Diagnostic::error(904, span, message).help(text!(
+        "divide the file, or raise the limit by `--max-parts`: a storey takes 500 parts of it",
+        "ファイルを分けるか、`--max-parts` で上限を上げてください。一階につき部材 500 個分です"
+    ))
+}
