@@ -317,15 +317,6 @@ fn endless_repetition_is_refused() {
 }
 
 #[test]
-<<<<<<< HEAD
-fn endless_monuments_are_refused() {
-    let pagoda = "<House><Pagoda storeys=\"15\" bays=\"9\"/></House>";
-    let pagodas = |count| format!("<Houses>{}</Houses>", pagoda.repeat(count));
-    assert_refused("4005 storeys of pagodas", pagodas(267).as_bytes());
-    let run = compile("pagodas.hsd", pagodas(300).as_bytes());
-    assert_eq!(run.building.shell.houses.len(), 266, "what fits is built");
-    assert_eq!(run.diagnostics.len(), 1, "said once: {}", run.short());
-=======
 fn storeys_of_monuments_are_counted_over_all_houses() {
     let text = format!("<Houses>{}</Houses>", "<House><Pagoda/></House>".repeat(5));
     let source = hsd::source::Source::new(hsd::source::FileId(0), "short.hsd", text.as_bytes());
@@ -336,7 +327,6 @@ fn storeys_of_monuments_are_counted_over_all_houses() {
     assert_eq!(made.building.shell.houses.len(), 2, "what fits is built");
     let codes: Vec<_> = out.iter().map(|d| d.code).collect();
     assert_eq!(codes, [hsd::diagnostic::Code(904)], "said once");
->>>>>>> fuzzing
 }
 
 #[test]

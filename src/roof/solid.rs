@@ -229,11 +229,14 @@ mod tests {
         for at in [0.0, 0.5] {
             let normal = dvec3(1.0, 0.0, -1.0).normalize();
             for sign in [1.0, -1.0] {
-                let half = clip(&gable, normal * sign, at * sign).unwrap();
+                let half = clip(&gable, normal * sign, at * sign).expect("is cut");
                 assert_eq!(solid_flaws(&half).count(), 0);
             }
         }
         assert!(clip(&gable, DVec3::Z, 0.0).is_none());
-        assert_eq!(clip(&gable, DVec3::Z, 1.0).unwrap().points, gable.points);
+        assert_eq!(
+            clip(&gable, DVec3::Z, 1.0).expect("is whole").points,
+            gable.points
+        );
     }
 }
