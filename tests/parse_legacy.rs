@@ -357,6 +357,8 @@ fn each_page_has_a_title_and_an_example_that_triggers_it() {
 proptest::proptest! {
     #[test]
     fn any_codes_are_cut_in_fives(codes in proptest::collection::vec("[KTMGHAN][A-Z]{2}[ A-K][ 23]", 1..30)) {
+        // A line that begins with `name` is a setting.
+        proptest::prop_assume!(codes[0] != "NAME ");
         let rows = rows(&codes.concat());
         assert_eq!(rows[0].0, codes.join("|"));
     }

@@ -178,19 +178,27 @@ impl Field {
             let ends: Vec<_> = profile.iter().map(|(x, _)| (*x, t)).collect();
             f.section(s, &ends, profile)
         };
-        // Ends follow the border where it is straight under the whole row, else they are square.
-        let end = |(f, lo, hi): &(&Field, f64, f64), high: usize| {
-            let skew = f.ends(s, profile, EVERYWHERE);
-            let square = level(f, [*lo, *hi][high]);
-            skew.map_or(square, |ends| ends[high].clone())
-        };
-        let mut sections = vec![end(first, 0)];
-        for (f, lo, hi) in &run[..run.len() - 1] {
-            if hi - lo > SHORTEST {
-                sections.push(level(f, *hi));
+        let mut joints = vec![];
+        let mut before = first.1;
+        for (f, _, hi) in &run[..run.len() - 1] {
+            if hi - before > SHORTEST && last.2 - hi > SHORTEST {
+                joints.push((*hi, level(f, *hi)));
+                before = *hi;
             }
         }
-        sections.push(end(last, 1));
+        let (from, to) = match &joints[..] {
+            [] => (last.2, first.1),
+            [(low, _), ..] => (*low, before),
+        };
+        // Ends follow the border where it is straight under the whole row and leaves room, else they are square.
+        let t = |p: &DVec3| first.0.up.dot(p.truncate());
+        let low = first.0.ends(s, profile, EVERYWHERE).map(|[low, _]| low);
+        let low = low.filter(|end| end.iter().all(|p| t(p) < from - SHORTEST));
+        let high = last.0.ends(s, profile, EVERYWHERE).map(|[_, high]| high);
+        let high = high.filter(|end| end.iter().all(|p| t(p) > to + SHORTEST));
+        let mut sections = vec![low.unwrap_or_else(|| level(first.0, first.1))];
+        sections.extend(joints.into_iter().map(|(_, section)| section));
+        sections.push(high.unwrap_or_else(|| level(last.0, last.2)));
         Body::loft(finish, &sections)
     }
 
