@@ -81,14 +81,11 @@ fn log(bodies: &mut Bodies, (at, way, half): (DVec3, DVec2, f64), r: f64, n: usi
                 point(pair[1], k),
             ];
             let normals = [normal(k), normal(k + 1), normal(k + 1), normal(k)];
-            // `side`, up and `way` are a left-handed frame: the ring runs clockwise seen along `way`.
-            let corners = [corners[3], corners[2], corners[1], corners[0]];
-            let normals = [normals[3], normals[2], normals[1], normals[0]];
             bodies.shaded(wood, &corners, &normals);
         }
     }
-    let end: Vec<DVec3> = (0..n).map(|k| point(rings[0], k)).collect();
+    let end: Vec<DVec3> = (0..n).rev().map(|k| point(rings[0], k)).collect();
     bodies.face(wood, &end);
-    let end: Vec<DVec3> = (0..n).rev().map(|k| point(rings[3], k)).collect();
+    let end: Vec<DVec3> = (0..n).map(|k| point(rings[3], k)).collect();
     bodies.face(wood, &end);
 }
