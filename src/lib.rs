@@ -18,7 +18,7 @@
 //! | [`tessellate::tessellate`] | [`scene::Scene`] | part codes and plans: meshes, materials, a tree of nodes |
 //! | [`backend`] | bytes | |
 //!
-//! [`print`] goes the other way: a text laid out anew, or in the other form of the language.
+//! [`mod@print`] goes the other way: a text laid out anew, or in the other form of the language.
 //!
 //! # Nouns and verbs
 //!

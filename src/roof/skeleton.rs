@@ -5,10 +5,10 @@
 //! |---|---|
 //! | [`contour`] | an outline with courts made fit: turned one way, mere dents left out, or why it is none |
 //! | [`wave`] | the moving outline: loops of corners, each on the way of two lines |
-//! | [`queue`](queue) | which corners meet what next |
-//! | [`collide`](collide) | what becomes of everything that meets at one point |
-//! | [`faces`](faces) | from the ways of the corners to one polygon an edge |
-//! | [`verify`](verify) | whether these tile the outline at the heights they should have |
+//! | `queue` | which corners meet what next |
+//! | `collide` | what becomes of everything that meets at one point |
+//! | `faces` | from the ways of the corners to one polygon an edge |
+//! | `verify` | whether these tile the outline at the heights they should have |
 //!
 //! Nothing is exact here, so everything is checked afterwards; where the check fails the corners are moved by a few
 //! hundredths of a millimetre, always the same ones, and the way is gone again. There are no libraries for this that
