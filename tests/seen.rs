@@ -7,7 +7,7 @@ use glam::{DVec3, dvec3};
 use hsd::scene::{Detail, Kind, Scene};
 use std::collections::BTreeMap;
 use support::view::View;
-use support::{assert_none, compile_file, root, stem, texts};
+use support::{assert_none, compile_file, stem, texts};
 
 /// Faces nearer to each other than this along the line of sight take turns in a viewer, metres.
 const SAME_DEPTH: f64 = 2e-4;
@@ -66,7 +66,6 @@ fn findings(scene: &Scene, only_roofs: bool) -> Vec<String> {
 }
 
 #[test]
-#[ignore = "boards at gable feet lie level with hips of bark and shingles; a painted wall of suzakumon"]
 fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
     let mut all = vec![];
     for path in texts("examples").into_iter().chain(texts("grammar/roofs")) {
@@ -77,6 +76,7 @@ fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
             all.extend(findings(&scene, true).into_iter().map(of));
         }
     }
-    assert!(root().is_dir());
+    // Known: a plastered band of the gate lies in the plane of its painted beam where bays are pictures.
+    all.retain(|f| !f.starts_with("suzakumon at detail Flat: fight: roof 1 (plaster)"));
     assert_none(&all);
 }
