@@ -192,7 +192,7 @@ pub struct PlanRegion {
     pub ridge: Option<&'static str>,
     /// F, B, L, R of a lean-to.
     pub fall: Option<&'static str>,
-    /// main, branch, lean-to, or skirt: round the storey above, whose walls cut it.
+    /// main, branch or lean-to; the strips of a skirt are lean-tos of the shape YOS.
     pub role: &'static str,
     /// Its form.
     pub shape: RoofShape,

@@ -2,13 +2,15 @@
 //! finials. Roofs are there already: purlins end under them, finials stand on them.
 //!
 //! - [`around`]: outlines a margin outside the walls;
-//! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one thing each.
+//! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one thing each;
+//! - [`undersides`]: where the roofs end that brackets stand under.
 
 mod around;
 mod beams;
 mod brackets;
 mod finial;
 mod platform;
+mod undersides;
 mod veranda;
 
 use crate::building::fittings::{Fitting, Thing};
@@ -19,6 +21,8 @@ use crate::geometry::SAME;
 use crate::program::Content;
 use crate::source::Span;
 use glam::{DVec2, dvec2};
+use std::cell::OnceCell;
+use undersides::Undersides;
 
 /// Adds everything to a building.
 pub fn fit(building: &mut Building, out: &mut Diagnostics) {
@@ -32,6 +36,7 @@ pub fn fit(building: &mut Building, out: &mut Diagnostics) {
 
 fn things(house: &House, roofs: &mut HouseRoofs, out: &mut Diagnostics) -> Vec<Fitting> {
     let mut made = vec![];
+    let undersides = OnceCell::new();
     let ground = house.storeys.first();
     if let Some(platform) = &house.platform {
         match ground.and_then(|g| platform::platform(house, g, platform)) {
@@ -54,7 +59,8 @@ fn things(house: &House, roofs: &mut HouseRoofs, out: &mut Diagnostics) -> Vec<F
             made.push(fitting(posts.span, number, Thing::Beams(beams, paint)));
         }
         if let Some(brackets) = &order.brackets {
-            let it = brackets::brackets(house, storey, brackets, roofs);
+            let below = undersides.get_or_init(|| Undersides::of(roofs));
+            let it = brackets::brackets(house, storey, brackets, below);
             made.push(fitting(brackets.span, number, Thing::Brackets(it)));
         }
     }

@@ -1,11 +1,12 @@
 //! Bracket complexes on the posts of a storey, the beams between them, and the purlins they carry under the eaves.
 
+use super::undersides::Undersides;
 use super::{metres, outward, paint, posts_of, rings, stands};
 use crate::ast;
 use crate::building::fittings::{Beam, Brackets, Head};
-use crate::building::{House, HouseRoofs, Storey, Wall};
+use crate::building::{House, Storey, Wall};
 use crate::geometry::{SAME, SHAKU};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// Side of a post where nobody says, metres.
 const POST: f64 = 0.1212;
@@ -20,7 +21,7 @@ struct Zone<'a> {
     z: (f64, f64),
     reach: f64,
     post: f64,
-    roofs: &'a HouseRoofs,
+    undersides: &'a Undersides,
 }
 
 /// The brackets of a storey.
@@ -28,7 +29,7 @@ pub(super) fn brackets(
     house: &House,
     storey: &Storey,
     written: &ast::Brackets,
-    roofs: &HouseRoofs,
+    undersides: &Undersides,
 ) -> Brackets {
     let posts = storey.order.posts.as_ref();
     let height = storey.z1 - storey.z0 - storey.wall_height();
@@ -37,7 +38,7 @@ pub(super) fn brackets(
         z: (storey.z1 - height, storey.z1),
         reach: written.reach() * SHAKU,
         post: posts.map_or(POST, |p| p.size * SHAKU),
-        roofs,
+        undersides,
     };
     let mut made = Brackets {
         heads: vec![],
@@ -144,37 +145,9 @@ impl Zone<'_> {
 
     /// The lowest underside of a roof over a place, above the tops of the posts.
     fn under(&self, p: DVec2) -> Option<f64> {
-        let solids = self.roofs.roofs.iter().flat_map(|r| &r.solids);
-        let faces = solids.flat_map(|s| s.faces.iter().map(move |f| (s, f)));
-        let heights = faces.filter_map(|(solid, face)| {
-            let corners: Vec<DVec3> = face
-                .corners
-                .iter()
-                .filter_map(|i| solid.points.get(*i as usize).copied())
-                .collect();
-            height_below(&corners, p)
-        });
-        let low = self.z.0;
-        let high = self.z.1 + self.reach + 1.0;
-        heights.filter(|z| *z > low && *z < high).reduce(f64::min)
+        let (low, high) = (self.z.0, self.z.1 + self.reach + 1.0);
+        self.undersides.lowest(p, low, high)
     }
-}
-
-/// The height of a face that looks down, over a place that it covers.
-fn height_below(corners: &[DVec3], p: DVec2) -> Option<f64> {
-    let n = corners.len();
-    let normal: DVec3 = (1..n.saturating_sub(1))
-        .map(|i| (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]))
-        .sum();
-    if normal.z >= -1e-9 * normal.length() || normal.z.abs() < 0.1 * normal.length() {
-        return None;
-    }
-    // Seen from above, what looks down runs clockwise.
-    let inside = (0..n).all(|i| {
-        let (a, b) = (corners[i].truncate(), corners[(i + 1) % n].truncate());
-        (b - a).perp_dot(p - a) <= 1e-9
-    });
-    inside.then(|| corners[0].z - (p - corners[0].truncate()).dot(normal.truncate()) / normal.z)
 }
 
 /// Sine of the turn between two walls; positive = convex.

@@ -5,7 +5,7 @@
 //! the other adds what it has beyond. All parts are convex, so that cutting is clipping by planes.
 
 use super::gable_wall::SUNK;
-use super::solid::{clip, columns};
+use super::solid::{ON, clip, columns};
 use crate::building::{Face, Finish, Solid};
 use glam::{DVec2, DVec3};
 
@@ -27,6 +27,14 @@ struct Body {
     planes: Vec<(DVec3, f64)>,
     lo: DVec3,
     hi: DVec3,
+}
+
+impl Body {
+    /// Whether one of its planes has all these points beyond it, which most bodies nearby do.
+    fn is_apart(&self, points: &[DVec3]) -> bool {
+        let mut planes = self.planes.iter();
+        planes.any(|(normal, at)| points.iter().all(|p| normal.dot(*p) - at > -ON))
+    }
 }
 
 /// Cuts the gable walls of every roof by the sheets of the others and by the walls of those before it.
@@ -89,7 +97,7 @@ fn left(fill: Solid, near: &[&Body]) -> Vec<Solid> {
 
 /// The convex parts of a convex solid outside a body; none where they hardly touch.
 fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
-    if !meets(bounds(&part.points), (body.lo, body.hi)) {
+    if !meets(bounds(&part.points), (body.lo, body.hi)) || body.is_apart(&part.points) {
         return None;
     }
     let mut inside = part.clone();

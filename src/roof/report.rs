@@ -1,6 +1,7 @@
 //! What `dump --stage regions` shows of a storey (language.md 5).
 
 use super::level::Level;
+use super::plan::Cell;
 use super::ridge::{Region, Ridge, Role, Side};
 use super::skirt::Skirt;
 use crate::ast::RoofShape;
@@ -37,18 +38,20 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofShape) -> S
     with_regions(level, regions.iter().map(region).collect())
 }
 
-/// A storey roofed as a whole round the storey above.
+/// A storey roofed as a whole round the storey above: the strips on its sides, which fall away from it.
 pub(super) fn skirt(level: &Level<'_>, skirt: &Skirt<'_>) -> StoreyPlan {
-    let region = PlanRegion {
-        rect: rect_of(skirt.cell),
+    let mut strips = skirt.strips();
+    strips.sort_unstable_by_key(|(cell, _)| cell.key());
+    let region = |(cell, fall): &(Cell, Side)| PlanRegion {
+        rect: rect_of(*cell),
         polygon: None,
-        ridge: Some(ridge_letter(skirt.ridge())),
-        fall: None,
-        role: "skirt",
+        ridge: None,
+        fall: Some(letter(*fall)),
+        role: "lean-to",
         shape: RoofShape::Hip,
         over: None,
     };
-    with_regions(level, vec![region])
+    with_regions(level, strips.iter().map(region).collect())
 }
 
 /// A region for each outline of a storey that is roofed as a whole, in U.

@@ -96,15 +96,10 @@ impl Mesh {
 
     /// Puts corners into the edges they lie on, then divides faces that got straight corners.
     fn conform(&mut self) {
-        let mut by_x: Vec<u32> = (0..self.points.len() as u32).collect();
-        by_x.sort_by(|i, j| {
-            self.points[*i as usize]
-                .x
-                .total_cmp(&self.points[*j as usize].x)
-        });
+        let sorted = Sorted::of(&self.points);
         let faces = std::mem::take(&mut self.faces);
         for face in faces {
-            let whole = self.with_corners(&face, &by_x);
+            let whole = self.with_corners(&face, &sorted);
             if whole.len() == face.len() {
                 self.faces.push(whole);
             } else {
@@ -117,7 +112,7 @@ impl Mesh {
         self.points[id as usize].truncate()
     }
 
-    fn with_corners(&self, face: &Loop, by_x: &[u32]) -> Loop {
+    fn with_corners(&self, face: &Loop, sorted: &Sorted) -> Loop {
         let mut whole = Loop::with_capacity(face.len());
         for (i, &(from, rim)) in face.iter().enumerate() {
             let to = face[(i + 1) % face.len()].0;
@@ -126,16 +121,14 @@ impl Mesh {
             let (lo, hi) = (p.min(q) - EPS, p.max(q) + EPS);
             let way = (q - p).normalize_or_zero();
             let (foot, rise) = (self.points[from as usize].z, self.rise(from, to));
-            let start = by_x.partition_point(|id| self.points[*id as usize].x < lo.x);
-            let mut on: Vec<(f64, u32)> = by_x[start..]
-                .iter()
-                .take_while(|id| self.points[**id as usize].x <= hi.x)
-                .filter(|id| **id != from && **id != to)
-                .filter_map(|id| {
+            let near = sorted.near(lo, hi).iter();
+            let mut on: Vec<(f64, u32)> = near
+                .filter(|(_, id)| *id != from && *id != to)
+                .filter_map(|(_, id)| {
                     let r = self.plan(*id);
                     let at = way.dot(r - p);
                     let level = (foot + rise * at - self.points[*id as usize].z).abs() < SAME;
-                    let inside = r.y >= lo.y && r.y <= hi.y;
+                    let inside = r.cmpge(lo).all() && r.cmple(hi).all();
                     (inside && level && way.perp_dot(r - p).abs() < EPS).then_some((at, *id))
                 })
                 .collect();
@@ -319,6 +312,33 @@ fn find(root: &mut [usize], mut n: usize) -> usize {
         n = root[n];
     }
     n
+}
+
+/// Points in the order of each plan coordinate.
+struct Sorted([Vec<(f64, u32)>; 2]);
+
+impl Sorted {
+    fn of(points: &[DVec3]) -> Sorted {
+        Sorted([0, 1].map(|axis| {
+            let at = |(id, p): (usize, &DVec3)| (p[axis], id as u32);
+            let mut all: Vec<(f64, u32)> = points.iter().enumerate().map(at).collect();
+            all.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
+            all
+        }))
+    }
+
+    /// All points of a box in plan, and some beside it: the shorter of its two strips, since most edges run
+    /// along one axis.
+    fn near(&self, lo: DVec2, hi: DVec2) -> &[(f64, u32)] {
+        let strip = |axis: usize| {
+            let all = &self.0[axis];
+            let start = all.partition_point(|p| p.0 < lo[axis]);
+            let end = all.partition_point(|p| p.0 <= hi[axis]);
+            all.get(start..end).unwrap_or_default()
+        };
+        let (x, y) = (strip(0), strip(1));
+        if x.len() <= y.len() { x } else { y }
+    }
 }
 
 /// Gives equal corners the same number.

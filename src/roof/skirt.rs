@@ -24,7 +24,7 @@ use glam::dvec2;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Skirt<'h> {
     /// The walls below.
-    pub(super) cell: Cell,
+    cell: Cell,
     /// The walls above.
     upper: Cell,
     /// The storey above.
@@ -48,8 +48,39 @@ impl<'h> Skirt<'h> {
         })
     }
 
+    /// What it covers without its corners counted twice: strips with the side they fall to, those at the front and
+    /// back as long as the walls.
+    pub(super) fn strips(&self) -> Vec<(Cell, Side)> {
+        let (cell, upper) = (self.cell, self.upper);
+        let (b0, b1) = (upper.b0, upper.b1);
+        let all = [
+            (Cell { b1: b0, ..cell }, Side::Front),
+            (Cell { b0: b1, ..cell }, Side::Back),
+            (
+                Cell {
+                    a0: upper.a1,
+                    b0,
+                    b1,
+                    ..cell
+                },
+                Side::Left,
+            ),
+            (
+                Cell {
+                    a1: upper.a0,
+                    b0,
+                    b1,
+                    ..cell
+                },
+                Side::Right,
+            ),
+        ];
+        let open = |(c, _): &(Cell, Side)| c.width() > 0 && c.depth() > 0;
+        all.into_iter().filter(open).collect()
+    }
+
     /// Its ridge, if the upper walls left it standing.
-    pub(super) fn ridge(&self) -> Ridge {
+    fn ridge(&self) -> Ridge {
         if self.cell.depth() > self.cell.width() {
             Ridge::B
         } else {

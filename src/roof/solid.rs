@@ -64,7 +64,7 @@ pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
 }
 
 /// Points nearer to a cut lie on it, metres.
-const ON: f64 = 1e-5;
+pub(super) const ON: f64 = 1e-5;
 
 /// The convex parts of a prism or a [`curtain`]: of a curtain one for each piece of its chain.
 pub(super) fn columns(wall: &Solid) -> Vec<Solid> {

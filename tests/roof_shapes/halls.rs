@@ -41,7 +41,7 @@ fn under(shape: RoofShape, (width, depth): (f64, f64), pitch: f64, sori: f64, li
     house
 }
 
-fn covering(roof: &Roof) -> impl Iterator<Item = DVec3> + '_ {
+pub fn covering(roof: &Roof) -> impl Iterator<Item = DVec3> + '_ {
     let of = |s: &'_ hsd::building::Solid| {
         let faces = s
             .faces
@@ -57,13 +57,13 @@ fn covering(roof: &Roof) -> impl Iterator<Item = DVec3> + '_ {
 }
 
 /// Least and greatest corner of a roof's upper surface.
-fn extent(roof: &Roof) -> (DVec3, DVec3) {
+pub fn extent(roof: &Roof) -> (DVec3, DVec3) {
     covering(roof).fold((DVec3::MAX, DVec3::MIN), |(lo, hi), p| {
         (lo.min(p), hi.max(p))
     })
 }
 
-fn close(p: f64, q: f64, what: &str) {
+pub fn close(p: f64, q: f64, what: &str) {
     assert!((p - q).abs() < 1e-3, "{what}: {p} is not {q}");
 }
 
@@ -338,116 +338,6 @@ fn corners_of_a_temple_rise() {
     for (a, b) in [(0.0, 0.0), (0.0, 5.0), (3.0, 0.0), (14.0, 10.0)] {
         close(top_at(&building, a, b).unwrap(), H + drop, "plate");
     }
-}
-
-/// A storey of 14 x 10 units with one inside it.
-fn gate(shape: RoofShape, upper: [f64; 4]) -> House {
-    let [a0, b0, a1, b1] = upper;
-    let mut gate = house(vec![
-        vec![ring(&rect(0.0, 0.0, 14.0, 10.0))],
-        vec![ring(&rect(a0, b0, a1, b1))],
-    ]);
-    gate.roofs.style.shape = Some(spanned(shape));
-    gate.roofs.style.pitch = Some(spanned(5.0));
-    gate.roofs.style.sori = Some(spanned(0.0));
-    gate
-}
-
-#[test]
-fn a_skirt_runs_round_the_storey_above() {
-    for shape in [
-        RoofShape::Hip,
-        RoofShape::HipAndGable,
-        RoofShape::Pyramid,
-        RoofShape::Temple,
-    ] {
-        let building = quiet(gate(shape, [2.0, 2.0, 12.0, 8.0]));
-        assert_sound(&building);
-        let plans = &building.roofs[0].plans;
-        assert_eq!(
-            (plans[0].regions[0].role, plans[0].regions[0].rect),
-            ("skirt", [0.0, 0.0, 14.0, 10.0])
-        );
-        let [skirt, upper] = roofs(&building) else {
-            panic!()
-        };
-        assert_eq!((skirt.storey, upper.shape), (1, shape));
-        let drop = 0.12 * (1.25_f64).sqrt();
-        // Up to z0 + t c at the walls above, and nothing inside them.
-        let (lo, hi) = extent(skirt);
-        close(hi.z, H + drop + 0.5 * 2.0 * U, "top of the skirt");
-        close(
-            hi.x - lo.x,
-            14.0 * U + 2.0 * skirt.dress.eaves,
-            "eaves all round",
-        );
-        let inside = |s: &hsd::building::Solid| top_of(s, glam::dvec2(-7.0 * U, 5.0 * U));
-        assert!(skirt.solids.iter().all(|s| inside(s).is_none()));
-    }
-}
-
-#[test]
-fn a_skirt_stops_where_the_storey_above_stands_on_the_wall_below() {
-    let building = quiet(gate(RoofShape::Hip, [2.0, 0.0, 14.0, 8.0]));
-    assert_sound(&building);
-    let skirt = &roofs(&building)[0];
-    // At the front right corner no eaves are left, on the other sides they are.
-    let (lo, hi) = extent(skirt);
-    close(lo.x, -14.0 * U - skirt.dress.eaves, "left");
-    close(hi.y, 10.0 * U + skirt.dress.eaves, "back");
-    let corner = covering(skirt).filter(|p| p.x > -13.9 * U && p.x < -2.1 * U && p.y < 7.9 * U);
-    assert_eq!(corner.count(), 0);
-}
-
-#[test]
-fn written_skirts_do_the_same() {
-    let automatic = quiet(gate(RoofShape::Hip, [2.0, 2.0, 12.0, 8.0]));
-    let mut written = gate(RoofShape::Hip, [2.0, 2.0, 12.0, 8.0]);
-    let mut line = line(RoofShape::Hip, None, Some(9.0), [0.0, 0.0, 14.0, 10.0]);
-    line.style.pitch = Some(spanned(5.0));
-    written.roofs.lines = vec![line];
-    let written = quiet(written);
-    let solids = |b: &Building| {
-        serde_json::to_string(&roofs(b).iter().map(|r| &r.solids).collect::<Vec<_>>()).unwrap()
-    };
-    let (mut p, mut q) = (solids(&automatic), solids(&written));
-    p.truncate(p.len() / 3);
-    q.truncate(p.len());
-    assert_eq!(p, q);
-}
-
-#[test]
-fn a_tower_of_skirts_is_a_pagoda() {
-    let storeys = (0..5).map(|k| {
-        let inset = 0.5 * f64::from(k);
-        vec![ring(&rect(inset, inset, 7.0 - inset, 7.0 - inset))]
-    });
-    let mut tower = house(storeys.collect());
-    tower.roofs.style.shape = Some(spanned(RoofShape::Pyramid));
-    tower.roofs.style.pitch = Some(spanned(4.5));
-    tower.roofs.style.sori = Some(spanned(4.0));
-    tower.roofs.style.eaves = Some(spanned(6.0));
-    let building = quiet(tower);
-    assert_sound(&building);
-    assert_eq!(roofs(&building).len(), 5);
-    let roles: Vec<_> = building.roofs[0]
-        .plans
-        .iter()
-        .map(|p| p.regions[0].role)
-        .collect();
-    assert_eq!(roles, ["skirt", "skirt", "skirt", "skirt", "main"]);
-}
-
-#[test]
-fn a_skirt_without_room_is_gentler_and_said() {
-    let mut low = gate(RoofShape::Hip, [4.0, 4.0, 10.0, 6.0]);
-    low.storeys[1].z1 = H + 1.0;
-    let (building, out) = build(low);
-    assert_eq!(codes(&out), vec![510]);
-    assert_sound(&building);
-    let skirt = &roofs(&building)[0];
-    let upper = &roofs(&building)[1];
-    assert!(extent(skirt).1.z < extent(upper).0.z);
 }
 
 #[test]

@@ -12,5 +12,6 @@ mod messages;
 mod plans;
 mod random;
 mod shapes;
+mod skirts;
 mod stacked;
 mod whole;
