@@ -16,7 +16,7 @@
 //! Frames: plans in the author frame, a to the left along the first line, b back into the plot, on
 //! exact integers; nothing there depends on where a loop starts. Solids in metres in the house frame.
 
-use crate::building::{Building, Shell};
+use crate::building::{Building, HouseRoofs, Shell};
 use crate::diagnostic::Diagnostics;
 
 mod assemble;
@@ -73,6 +73,7 @@ pub mod solid;
 pub mod street;
 mod tops;
 pub mod triangulate;
+mod twins;
 mod written;
 
 pub use hipped::over;
@@ -80,11 +81,24 @@ pub use hipped::over;
 /// Roofs all houses.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
     let effort = effort::Effort::default();
-    let roofs = shell
-        .houses
-        .iter()
-        .map(|house| house::roofs(house, &effort, out))
-        .collect();
+    let mut firsts = twins::Firsts::default();
+    let mut roofs: Vec<HouseRoofs> = Vec::with_capacity(shell.houses.len());
+    for (i, house) in shell.houses.iter().enumerate() {
+        let plan = twins::Plan::of(house);
+        if let Some((known, told)) = firsts.twin(house, &plan, &roofs) {
+            roofs.push(known);
+            told.into_iter().for_each(|d| out.push(d));
+            continue;
+        }
+        let mut told = Diagnostics::new();
+        let said = effort.has_told();
+        roofs.push(house::roofs(house, &effort, &mut told));
+        told.iter().for_each(|d| out.push(d.clone()));
+        // That no search is left is said once a run, about one house.
+        if effort.has_told() == said {
+            firsts.keep(plan, house, i, told.into_sorted());
+        }
+    }
     Building {
         shell,
         roofs,

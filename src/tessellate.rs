@@ -51,6 +51,7 @@ use alike::{Alike, Roofs};
 use compact_str::{CompactString, format_compact};
 use dress::Neighbours;
 use facade::Line;
+use fittings::Drawn;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use room::Rooms;
 use standing::{Place, Standing};
@@ -65,6 +66,7 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         detail,
         store: Store::new(detail),
         roofs: Roofs::default(),
+        drawn: Drawn::default(),
         rooms: Rooms::default(),
         nodes: Vec::with_capacity(nodes(building)),
         root: NodeId(0),
@@ -98,6 +100,7 @@ struct Walker<'a> {
     detail: Detail,
     store: Store,
     roofs: Roofs<'a>,
+    drawn: Drawn<'a>,
     rooms: Rooms,
     nodes: Vec<Node>,
     /// The house in the making.

@@ -15,9 +15,38 @@ use support::{
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
-/// Language.md 7: any input of 1 MiB is done within a second. Half as much again fails, since processor time too
-/// grows on a machine whose caches others share.
-const BOUND: Duration = Duration::from_millis(1500);
+/// Language.md 7: any input of 1 MiB is done within a second.
+const BOUND: Duration = Duration::from_secs(1);
+
+/// What [`drill`] takes on the machine that the bound was set on, when nothing else runs there.
+const DRILL: Duration = Duration::from_millis(150);
+
+/// How much slower than that machine this one is now: processor time too grows where others share caches and
+/// memory. Never less than 1.
+fn slowness() -> f64 {
+    let fastest = (0..3).map(|_| drill()).min().expect("three drills");
+    (fastest.as_secs_f64() / DRILL.as_secs_f64()).max(1.0)
+}
+
+/// Processor time of work like the program's: small pieces of memory taken, filled, sorted and given back.
+fn drill() -> Duration {
+    let begun = Instant::now();
+    let before = worked(begun);
+    let mut numbers = Numbers(7);
+    let mut kept: Vec<Vec<u64>> = vec![];
+    let mut sum = 0;
+    for _ in 0..600_000 {
+        let mut piece: Vec<u64> = (0..8 + numbers.below(56)).map(|_| numbers.next()).collect();
+        piece.sort_unstable();
+        sum ^= piece[0];
+        kept.push(piece);
+        if kept.len() > 20_000 {
+            kept.swap_remove(numbers.below(20_000));
+        }
+    }
+    std::hint::black_box(sum);
+    worked(begun).saturating_sub(before)
+}
 
 /// After so long a test goes on with the next input.
 const PATIENCE: Duration = Duration::from_secs(30);
@@ -39,7 +68,12 @@ fn findings_of(name: &str, bytes: &[u8]) -> (Run, Vec<String>) {
     let mut findings = flaws_of_diagnostics(&run, bytes.len());
     // How long a debugging build takes says nothing about the program.
     if cfg!(not(debug_assertions)) && took > BOUND {
-        findings.push(format!("took {took:?}"));
+        let slowness = slowness();
+        if took > BOUND.mul_f64(slowness) {
+            findings.push(format!(
+                "took {took:?}, on a machine {slowness:.2} times slower"
+            ));
+        }
     }
     (run, findings)
 }
@@ -321,7 +355,7 @@ fn storeys_of_monuments_are_counted_over_all_houses() {
     let text = format!("<Houses>{}</Houses>", "<House><Pagoda/></House>".repeat(5));
     let source = hsd::source::Source::new(hsd::source::FileId(0), "short.hsd", text.as_bytes());
     let mut options = hsd::Options::default();
-    options.expand.limits.parts = 6000; // twelve storeys
+    options.expand.limits.parts = 9600; // twelve storeys
     let mut out = hsd::diagnostic::Diagnostics::new();
     let made = hsd::compile(&[&source], &hsd::source::NoPictures, &options, &mut out);
     assert_eq!(made.building.shell.houses.len(), 2, "what fits is built");
@@ -342,11 +376,25 @@ fn comb(teeth: usize) -> Vec<u8> {
     format!("0 0\n9\n\n{front}\nKSK  KSK  \n{side}KSK  \nKSK  KSK  \n").into_bytes()
 }
 
-/// A house whose plan climbs in so many steps, as its lines.
-fn stair(steps: usize) -> String {
+/// A house whose plan climbs in so many steps, so many thousandths of a shaku higher than usual, as its lines.
+fn stair(steps: usize, higher: usize) -> String {
+    let height = 9.0 + higher as f64 / 1000.0;
     let front = "KSK  ".repeat(steps);
     let side = "KSK  L\nKSK  \n".repeat(steps - 1);
-    format!("0 0\n9\n\n{front}\nKSK  \n{side}KSK  \n{front}\n%\n")
+    format!("0 0\n{height}\n\n{front}\nKSK  \n{side}KSK  \n{front}\n%\n")
+}
+
+/// 1 MiB of such houses, no two of one plan.
+fn unlike_stairs(steps: usize) -> Vec<u8> {
+    let mut text = String::new();
+    for higher in 0.. {
+        let next = stair(steps, higher);
+        if text.len() + next.len() > 1 << 20 {
+            break;
+        }
+        text += &next;
+    }
+    text.into_bytes()
 }
 
 /// A house with more roof lines than anybody means, each in others' way.
@@ -365,7 +413,7 @@ fn more_than_can_be_roofed_is_told() {
     let inputs = [
         ("comb", comb(20_000)),
         ("pile", pile_of_roofs()),
-        ("stairs of 30", mebibyte("", &stair(30))),
+        ("stairs of 30", unlike_stairs(30)),
     ];
     assert_none(&on_all_processors(inputs.len(), |index| {
         let (name, bytes) = &inputs[index];
@@ -404,10 +452,10 @@ fn a_mebibyte_of_anything_is_done_in_a_second() {
             mebibyte("", "0 0\n9\n\nKSK  \nKSK  \nKSK  \nKSK  \n%\n"),
         ),
         ("empty houses", mebibyte("", "%\n")),
-        ("stairs of 10", mebibyte("", &stair(10))),
-        ("stairs of 100", mebibyte("", &stair(100))),
-        ("stairs of 300", mebibyte("", &stair(300))),
-        ("stairs of 1000", mebibyte("", &stair(1000))),
+        ("stairs of 10", mebibyte("", &stair(10, 0))),
+        ("stairs of 100", mebibyte("", &stair(100, 0))),
+        ("stairs of 300", mebibyte("", &stair(300, 0))),
+        ("stairs of 1000", mebibyte("", &stair(1000, 0))),
         ("combs of 15", mebibyte("", &(text_of(comb(15)) + "%\n"))),
         ("heights", mebibyte("0 0\n", "9 ")),
         (

@@ -19,7 +19,7 @@ pub struct Fitting {
 }
 
 /// What it is.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub enum Thing {
     /// A stone platform.
     Platform(Platform),
@@ -34,7 +34,7 @@ pub enum Thing {
 }
 
 /// A stone platform.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Platform {
     /// Its edge, counter-clockwise seen from above.
     pub outline: Vec<DVec2>,
@@ -45,7 +45,7 @@ pub struct Platform {
 }
 
 /// A flight of steps.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stairs {
     /// The middle of its upper end, at the edge it leads to.
     pub at: DVec2,
@@ -58,7 +58,7 @@ pub struct Stairs {
 }
 
 /// Boards round a storey.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Veranda {
     /// A stretch along each wall.
     pub sides: Vec<Deck>,
@@ -79,7 +79,7 @@ pub struct Veranda {
 }
 
 /// The veranda along one wall.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Deck {
     /// At the wall, counter-clockwise round the house.
     pub inner: [DVec2; 2],
@@ -92,7 +92,7 @@ pub struct Deck {
 }
 
 /// Bracket complexes.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Brackets {
     /// On posts.
     pub heads: Vec<Head>,
@@ -119,7 +119,7 @@ pub struct Brackets {
 }
 
 /// The place of a bracket complex: the middle of the top of a post.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Head {
     /// Where.
     pub at: DVec3,
@@ -130,7 +130,7 @@ pub struct Head {
 }
 
 /// A beam with upright sides.
-#[derive(Clone, Copy, Debug, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Beam {
     /// The middle of its ends at its foot.
     pub ends: [DVec3; 2],
@@ -141,7 +141,7 @@ pub struct Beam {
 }
 
 /// What crowns a roof.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finial {
     /// Which.
     pub kind: FinialKind,

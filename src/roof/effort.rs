@@ -54,6 +54,11 @@ impl Effort {
         self.gave_up.set(self.gave_up.get() || !done);
     }
 
+    /// Whether that was asked for and answered.
+    pub(super) fn has_told(&self) -> bool {
+        self.told.get()
+    }
+
     /// Whether a search was given up and nobody asked since: it is said once a run.
     pub(super) fn is_news(&self) -> bool {
         self.gave_up.get() && !self.told.replace(true)

@@ -103,6 +103,10 @@ fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
     let mut inside = part.clone();
     let mut off = vec![];
     for &(normal, at) in &body.planes {
+        // Most planes of a body pass beside what is left.
+        if inside.points.iter().all(|p| normal.dot(*p) - at < ON) {
+            continue;
+        }
         off.extend(clip(&inside, -normal, -at));
         inside = clip(&inside, normal, at)?;
     }

@@ -11,31 +11,68 @@ mod veranda;
 
 use super::Walker;
 use super::mesh::Bodies;
-use super::store::Share;
-use crate::building::fittings::{Beam, Fitting, Head, Thing};
+use super::store::{Quick, Share};
+use crate::building::fittings::{Beam, Brackets, Fitting, Head, Thing};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId, NodeId};
 use compact_str::{CompactString, format_compact};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-impl Walker<'_> {
+/// What was drawn so far: the meshes of things and of bracket complexes that are alike. Never walked, so that
+/// their order cannot matter.
+#[derive(Default)]
+pub(super) struct Drawn<'a> {
+    things: HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>,
+    heads: HashMap<brackets::Key, Option<MeshId>, BuildHasherDefault<Quick>>,
+}
+
+/// A thing as its mesh sees it: its number in the house, which is in the mesh's name, and what it is.
+#[derive(PartialEq)]
+struct Alike<'a>(usize, &'a Thing);
+
+// No length of a thing is a NaN; were one, the thing would have a mesh of its own.
+impl Eq for Alike<'_> {}
+
+impl Hash for Alike<'_> {
+    /// A few lengths tell most things apart; the rest is left to the comparison.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_usize(self.0);
+        let mut point = |p: DVec3| {
+            let lengths = p.to_array().into_iter();
+            lengths.for_each(|x| state.write_u64(x.to_bits()));
+        };
+        match self.1 {
+            Thing::Platform(it) => it.outline.iter().for_each(|p| point(p.extend(it.z.1))),
+            Thing::Veranda(it) => it.walls.iter().for_each(|p| point(p.extend(it.top))),
+            Thing::Brackets(it) => it.heads.iter().for_each(|h| point(h.at)),
+            Thing::Beams(it, _) => it.iter().for_each(|b| point(b.ends[0])),
+            Thing::Finial(it) => it.ridge.iter().for_each(|p| point(*p)),
+        }
+    }
+}
+
+impl<'a> Walker<'a> {
     /// The nodes of a fitting, the n-th of its house.
-    pub(super) fn fitting(&mut self, root: NodeId, fitting: &Fitting, n: usize) {
+    pub(super) fn fitting(&mut self, root: NodeId, fitting: &'a Fitting, n: usize) {
         let detail = self.detail;
-        let (kind, bodies) = match &fitting.what {
-            Thing::Platform(it) => (Kind::Platform, platform::bodies(it, detail)),
-            Thing::Veranda(it) => (Kind::Veranda, veranda::bodies(it, detail)),
+        let kind = match &fitting.what {
+            Thing::Platform(_) => Kind::Platform,
+            Thing::Veranda(_) => Kind::Veranda,
             Thing::Beams(..) if detail == Detail::Body => return,
-            Thing::Beams(it, paint) => {
-                let mut bodies = Bodies::default();
-                it.iter().for_each(|b| beam(&mut bodies, *paint, b));
-                (Kind::Member, bodies)
-            }
-            Thing::Brackets(it) => (Kind::Bracket, brackets::beams(it, detail)),
-            Thing::Finial(it) => (Kind::Finial, finial::bodies(it, detail)),
+            Thing::Beams(..) => Kind::Member,
+            Thing::Brackets(_) => Kind::Bracket,
+            Thing::Finial(_) => Kind::Finial,
         };
         let name = format_compact!("{} {n}", kind.word());
-        let mesh = self.own(&name, bodies);
+        let alike = Alike(n, &fitting.what);
+        let known = self.drawn.things.get(&alike).copied();
+        let mesh = known.unwrap_or_else(|| {
+            let mesh = self.own(&name, bodies(&fitting.what, detail));
+            self.drawn.things.insert(alike, mesh);
+            mesh
+        });
         self.placed(root, kind, name, mesh, fitting);
         if let Thing::Brackets(it) = &fitting.what
             && detail > Detail::Body
@@ -45,15 +82,15 @@ impl Walker<'_> {
     }
 
     /// Bracket complexes, alike ones as one mesh.
-    fn heads(&mut self, root: NodeId, it: &crate::building::fittings::Brackets, fitting: &Fitting) {
-        let mut made: Vec<(brackets::Form, Option<MeshId>)> = vec![];
+    fn heads(&mut self, root: NodeId, it: &Brackets, fitting: &Fitting) {
         let heads = it.heads.iter().map(|h| (brackets::Form::of(h), h));
         let struts = it.struts.iter().map(|h| (brackets::Form::Strut, h));
         for (form, head) in heads.chain(struts) {
-            let known = made.iter().find(|(f, _)| *f == form).map(|(_, mesh)| *mesh);
+            let key = brackets::Key::new(it, form);
+            let known = self.drawn.heads.get(&key).copied();
             let mesh = known.unwrap_or_else(|| {
                 let mesh = self.own("bracket", brackets::head(it, form, self.detail));
-                made.push((form, mesh));
+                self.drawn.heads.insert(key, mesh);
                 mesh
             });
             self.placed(root, Kind::Bracket, "bracket".into(), mesh, fitting);
@@ -81,6 +118,21 @@ impl Walker<'_> {
         node.mesh = mesh;
         node.span = Some(fitting.span);
         node.storey = (fitting.storey > 0).then_some(fitting.storey);
+    }
+}
+
+/// Everything of a thing but its bracket complexes.
+fn bodies(thing: &Thing, detail: Detail) -> Bodies {
+    match thing {
+        Thing::Platform(it) => platform::bodies(it, detail),
+        Thing::Veranda(it) => veranda::bodies(it, detail),
+        Thing::Beams(it, paint) => {
+            let mut bodies = Bodies::default();
+            it.iter().for_each(|b| beam(&mut bodies, *paint, b));
+            bodies
+        }
+        Thing::Brackets(it) => brackets::beams(it, detail),
+        Thing::Finial(it) => finial::bodies(it, detail),
     }
 }
 

@@ -9,11 +9,12 @@ use crate::building::fittings::{Brackets, Head};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;
+use crate::tessellate::store::tenths;
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Which complex stands on a post.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Form {
     /// In a straight wall.
     Straight,
@@ -34,6 +35,26 @@ impl Form {
                 let local = dvec2(other.dot(right), -other.dot(head.out)) * 1000.0;
                 Form::Corner([local.x.round() as i32, local.y.round() as i32])
             }
+        }
+    }
+}
+
+/// All that the mesh of a complex depends on; lengths in tenths of a millimetre.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Key {
+    form: Form,
+    steps: u32,
+    lengths: [u32; 5],
+    paint: SurfaceId,
+}
+
+impl Key {
+    pub(super) fn new(it: &Brackets, form: Form) -> Key {
+        Key {
+            form,
+            steps: it.steps,
+            lengths: [it.height, it.reach, it.purlin, it.post, it.bay].map(tenths),
+            paint: it.paint,
         }
     }
 }
