@@ -6,6 +6,7 @@ use super::automatic::Automatic;
 use super::effort::Effort;
 use super::explicit::{self, Placed};
 use super::forms::{Context, Planned};
+use super::frame::near_side;
 use super::headroom::Headroom;
 use super::level::{Level, Point, first_line, is_facade, levels};
 use super::partition::{Method, partition_within};
@@ -251,6 +252,7 @@ impl Storey<'_, '_> {
         let flat = many || shape == RoofShape::Flat;
         let ratio = self.house.roofs.style.ratio.is_some();
         turn(&mut found, shape, shape.has_equal_slopes(ratio));
+        self.refuse(&found, shape, out);
         let shape = if flat { RoofShape::Flat } else { shape };
         done.plans.push(report::plan(level, &found, shape));
         if found.is_empty() {
@@ -278,6 +280,20 @@ impl Storey<'_, '_> {
             false => RoofShape::Gable,
         };
         self.house.roofs.style.shape.map_or(usual, |s| s.value)
+    }
+
+    /// Says where a shape of single slopes is no shape for these regions.
+    fn refuse(&self, found: &[Region], shape: RoofShape, out: &mut Diagnostics) {
+        let Some(wish) = self.house.roofs.style.shape else {
+            return;
+        };
+        let number = self.levels[self.k].storey.number;
+        let gables = found.iter().any(|r| r.ridge.is_some());
+        match shape {
+            RoofShape::Pent => out.push(say::automatic_pent(wish.span, number)),
+            RoofShape::LeanTo if gables => out.push(say::joined_slopes(wish.span, number)),
+            _ => {}
+        }
     }
 
     /// The roof of a storey that carries a smaller one and no roof lines.
@@ -347,21 +363,32 @@ fn strips(open: &Plan) -> Vec<Region> {
     cells.into_iter().map(Region::main).collect()
 }
 
-/// Main roofs with their ridges where their shape wants them: along the short side (YOK), or along the long
-/// side even on a street where all slopes are equal.
+/// Main roofs as their shape wants them: ridges along the short side (YOK), or along the long side even on a
+/// street where all slopes are equal; single slopes that fall over their long side.
 fn turn(regions: &mut [Region], shape: RoofShape, equal_slopes: bool) {
+    let joined: Vec<usize> = regions
+        .iter()
+        .filter_map(|r| r.over.or(r.through))
+        .collect();
     let (wide, deep) = match shape {
         RoofShape::BroadGable => (Ridge::B, Ridge::A),
+        RoofShape::LeanTo => (Ridge::A, Ridge::B),
         _ if equal_slopes => (Ridge::A, Ridge::B),
         _ => return,
     };
-    for region in regions {
-        if region.role == Role::Main && region.joins.is_none() && region.against_wall.is_none() {
-            region.ridge = match region.cell.width().cmp(&region.cell.depth()) {
-                std::cmp::Ordering::Greater => Some(wide),
-                std::cmp::Ordering::Less => Some(deep),
-                std::cmp::Ordering::Equal => region.ridge,
-            };
+    for (n, region) in regions.iter_mut().enumerate() {
+        if region.role != Role::Main || region.joins.is_some() || region.against_wall.is_some() {
+            continue;
+        }
+        region.ridge = match region.cell.width().cmp(&region.cell.depth()) {
+            std::cmp::Ordering::Greater => Some(wide),
+            std::cmp::Ordering::Less => Some(deep),
+            std::cmp::Ordering::Equal => region.ridge,
+        };
+        // A branch runs into a gable's slope, not into a wall above a single one.
+        if shape == RoofShape::LeanTo && !joined.contains(&n) {
+            region.fall = region.ridge.take().map(near_side);
+            region.role = Role::LeanTo;
         }
     }
 }

@@ -24,7 +24,7 @@ pub(super) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofShape) -> S
             },
             shape: match (r.role, shape) {
                 (Role::LeanTo, _) => RoofShape::LeanTo,
-                // Nobody's plan is all lean-tos: these two are for roof lines.
+                // What joins another roof keeps its gable, and a pent roof stands before its wall.
                 (_, RoofShape::LeanTo | RoofShape::Pent) => RoofShape::Gable,
                 (_, shape) => shape,
             },

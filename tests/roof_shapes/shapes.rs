@@ -2,7 +2,7 @@
 
 use crate::common::*;
 use hsd::ast::{RoofDirection, RoofKind, RoofShape};
-use hsd::building::{Finish, Roof};
+use hsd::building::{Building, Finish, Roof};
 use hsd::geometry::SHAKU;
 
 fn covering_top(roof: &Roof) -> f64 {
@@ -375,6 +375,28 @@ fn a_free_lean_to_is_walled_up() {
             covering_top(roof),
             H + 0.3 * (depth * U + over) + drop_of(0.12, 0.3),
         );
+    }
+}
+
+#[test]
+fn an_automatic_lean_to_is_that_of_a_line() {
+    for (size, direction, fall) in [
+        ([6.0, 4.0], RoofDirection::Front, "F"),
+        ([3.0, 4.0], RoofDirection::Right, "R"),
+    ] {
+        let plain = house(vec![vec![ring(&rect(0.0, 0.0, size[0], size[1]))]]);
+        let mut automatic = plain.clone();
+        automatic.roofs.style.shape = Some(spanned(RoofShape::LeanTo));
+        let mut written = explicit_only(plain);
+        let corners = [0.0, 0.0, size[0], size[1]];
+        written.roofs.lines = vec![line(RoofShape::LeanTo, Some(direction), None, corners)];
+        let (automatic, written) = (quiet(automatic), quiet(written));
+        assert_sound(&automatic);
+        let solids = |b: &Building| format!("{:?}", roofs(b)[0].solids);
+        assert_eq!(solids(&automatic), solids(&written));
+        let region = &automatic.roofs[0].plans[0].regions[0];
+        let told = (region.role, region.fall, region.shape);
+        assert_eq!(told, ("lean-to", Some(fall), RoofShape::LeanTo));
     }
 }
 

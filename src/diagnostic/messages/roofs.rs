@@ -247,6 +247,32 @@ pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
     ))
 }
 
+/// Pent roofs asked for over a whole storey.
+#[cold]
+pub fn automatic_pent(shape: Span, number: u32) -> Diagnostic {
+    let message = text!(
+        "a pent roof (HIS) hangs before a wall and covers no storey: storey {number} gets gables",
+        "庇 (HIS) は壁の外に付くもので階を覆えないため、{number}階は切妻にしました"
+    );
+    Diagnostic::warning(519, shape, message).help(text!(
+        "give the pent roof a line of its own with its rectangle before the wall, and the storey another shape: KIR, or KAT for a single slope",
+        "庇は壁の外の矩形を持つ屋根の行として書き、この階には別の形を指定してください。切妻なら KIR、片流れなら KAT です"
+    ))
+}
+
+/// Single slopes asked for over a plan whose roofs run into each other.
+#[cold]
+pub fn joined_slopes(shape: Span, number: u32) -> Diagnostic {
+    let message = text!(
+        "roofs of storey {number} run into each other, which single slopes (KAT) cannot: those get gables",
+        "{number}階の屋根は互いに食い込むため、その部分は片流れ (KAT) にできず、切妻にしました"
+    );
+    Diagnostic::warning(519, shape, message).help(text!(
+        "write a roof line for each part, with the side it falls to and its height",
+        "部分ごとに屋根の行を書き、流れる側と高さを指定してください"
+    ))
+}
+
 /// A fall for a two-sided roof, or a ridge for a single slope.
 #[cold]
 pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnostic {
