@@ -102,6 +102,9 @@ pub struct Ring {
     /// Whether it bounds an area: it ends where it started, crosses and touches nothing. Only such rings
     /// carry roofs; the others are facades.
     pub closed: bool,
+    /// Whether it is a wall inside the storey, of which nobody expects a roof.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub inner: bool,
     /// Walls in walk order; each starts where the one before ends.
     pub walls: Vec<Wall>,
 }

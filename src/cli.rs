@@ -13,6 +13,7 @@ mod fmt;
 mod input;
 mod japanese;
 mod language;
+mod new;
 mod options;
 mod output;
 mod params;
@@ -119,6 +120,7 @@ enum Command {
     Build(build::Build),
     Check(check::Check),
     Dump(dump::Dump),
+    New(new::New),
     Params(params::Params),
     Parts(parts::Parts),
     Explain(explain::Explain),
@@ -140,6 +142,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Build(c) => c.run(language),
         Command::Check(c) => c.run(language),
         Command::Dump(c) => c.run(language),
+        Command::New(c) => c.run(language),
         Command::Params(c) => c.run(language),
         Command::Parts(c) => c.run(language),
         Command::Explain(c) => c.run(language),

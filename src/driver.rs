@@ -134,6 +134,7 @@ pub fn documents(
     let setting = parse::Setting {
         limits,
         parameters: &options.parameters,
+        seed: options.expand.seed,
         world,
         shelf: &shelf,
     };

@@ -9,16 +9,15 @@ use crate::ast::{self, Document};
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::parts as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::draw::Place;
 use crate::program::{House, Program, Storey};
 use crate::source::{Limits, Source, Span, Spanned, World};
 use codes::Codes;
-use draw::Place;
 use edits::Operation;
 use std::collections::{BTreeSet, HashMap};
 use std::rc::Rc;
 
 mod codes;
-mod draw;
 mod edits;
 mod facades;
 mod floors;

@@ -36,9 +36,11 @@
 pub mod source;
 pub mod diagnostic;
 pub mod geometry;
+pub mod draw;
 pub mod catalog;
 pub mod material;
 pub mod texture;
+pub mod types;
 
 // The chain.
 pub mod ast;

@@ -94,6 +94,7 @@ fn lower_storey(storey: program::Storey, out: &mut Diagnostics) -> Vec<Ring> {
             span: walked.span,
             hole: walked.hole,
             closed,
+            inner,
             walls: walked.walls,
         });
     }

@@ -24,6 +24,8 @@ pub struct Setting<'a> {
     pub limits: Limits,
     /// Parameters and their values; the last of a name counts.
     pub parameters: &'a [(String, String)],
+    /// Takes the place of the seed of every house. With it parameters that may be are drawn.
+    pub seed: Option<u64>,
     /// Where the texts lie that others include.
     pub world: &'a dyn World,
     /// Where those that were read are kept.
@@ -36,6 +38,7 @@ impl<'a> Setting<'a> {
         Setting {
             limits: *limits,
             parameters: &[],
+            seed: None,
             world: &NoPictures,
             shelf,
         }

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 const ORDER: &[&str] = &[
     "source",
     "geometry",
+    "draw",
     "diagnostic",
     "ast",
     "material",
@@ -17,6 +18,7 @@ const ORDER: &[&str] = &[
     "scene",
     "check",
     "texture",
+    "types",
     "parse",
     "expand",
     "lower",

@@ -86,6 +86,8 @@ pub struct Parameter {
     pub step: Option<f64>,
     /// The only values, where they are listed.
     pub choices: Vec<Value>,
+    /// Whether a run with a seed draws it where nobody sets it.
+    pub random: bool,
     /// The unit of measure, for people.
     pub unit: Option<String>,
     /// What it is for.

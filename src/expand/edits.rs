@@ -3,9 +3,9 @@
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};
-use super::draw::Place;
 use crate::ast::{Random, Replace};
 use crate::diagnostic::messages::parts as say;
+use crate::draw::Place;
 use crate::program::{Content, Unit};
 use crate::source::{Span, Spanned};
 use std::cell::Cell;

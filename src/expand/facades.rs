@@ -2,7 +2,6 @@
 //! the facades, scaled to their facades' widths.
 
 use super::codes::{Mode, Which};
-use super::draw::Place;
 use super::edits::Strip;
 use super::floors::{Bases, FloorAt};
 use super::repeat::{Flat, Scoped};
@@ -11,6 +10,7 @@ use super::split::fit;
 use super::{Pass, positive};
 use crate::ast::{self, Order, StoreyKind};
 use crate::diagnostic::messages::parts as say;
+use crate::draw::Place;
 use crate::geometry::{SAME, SHAKU};
 use crate::program::{Content, Line, Loop, Storey, Unit};
 use crate::source::{Span, Spanned};

@@ -3,12 +3,12 @@
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};
-use super::draw::Place;
 use super::edits::Strip;
 use super::rows::{RowEdits, bare_unit, has_parts};
 use super::split::{EVEN, common_width, divided, fit};
 use crate::ast::{Floor, Item, Piece};
 use crate::diagnostic::messages::parts as say;
+use crate::draw::Place;
 use crate::source::Span;
 use std::collections::BTreeMap;
 

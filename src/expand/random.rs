@@ -3,10 +3,10 @@
 
 use super::Pass;
 use super::codes::{Found, Mode};
-use super::draw::Place;
 use super::edits::{EditRef, Operation};
 use crate::ast::Random;
 use crate::diagnostic::messages::parts as say;
+use crate::draw::Place;
 use crate::geometry::SAME;
 
 impl Pass<'_, '_> {

@@ -5,10 +5,10 @@
 //! in the outline, unless a code of its list stands beside it (grammar/README.md).
 
 use super::codes::{Mode, Which};
-use super::draw::Place;
 use super::edits::{EditRef, Strip, numbered};
 use super::{Pass, positive};
 use crate::ast::{CodeText, Half, Item, Part, Piece, Random};
+use crate::draw::Place;
 use crate::program::Unit;
 use crate::source::Span;
 use std::collections::HashMap;

@@ -3,11 +3,11 @@
 
 use super::Pass;
 use super::codes::{Mode, Which};
-use super::draw::Place;
 use super::edits::Strip;
 use super::rows::bare_unit;
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
+use crate::draw::Place;
 use crate::geometry::SAME;
 use crate::program::{Content, Split, Unit};
 use crate::source::Span;

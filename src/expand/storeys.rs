@@ -1,12 +1,12 @@
 //! The storeys of a house that is written row by row.
 
 use super::codes::Mode;
-use super::draw::Place;
 use super::edits::{EditRef, Strip, numbered};
 use super::repeat::storey_edits;
 use super::{Pass, positive};
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
+use crate::draw::Place;
 use crate::program::{Line, Loop, Storey};
 use crate::source::Spanned;
 

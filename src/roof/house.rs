@@ -71,7 +71,7 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
         .or_else(|| house.roofs.lines.first().map(|l| l.span));
     for level in levels {
         if let (Some(wish), true) = (wish, level.is_open())
-            && let Some(ring) = level.storey.rings.iter().find(|r| is_facade(r))
+            && let Some(ring) = level.storey.rings.iter().find(|r| !r.inner && is_facade(r))
         {
             out.push(say::open_facade(wish, ring.span, level.storey.number));
         }

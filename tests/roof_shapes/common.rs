@@ -53,6 +53,7 @@ pub fn ring(corners: &[(f64, f64)]) -> Ring {
         span: Span::default(),
         hole: false,
         closed: true,
+        inner: false,
         walls: walk(corners, true),
     }
 }

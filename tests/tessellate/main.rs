@@ -100,6 +100,7 @@ fn storey(number: u32, z0: f64, height: f64, walls: Vec<Wall>) -> Storey {
             span: span(),
             hole: false,
             closed: true,
+            inner: false,
             walls,
         }],
     }

@@ -165,6 +165,26 @@ pub(super) static COMMANDS: &[Words] = &[
         ],
     },
     Words {
+        path: "new",
+        about: "家の類型から新しいテキストを作る: 大きさや表構えを変数で変えられる写し",
+        more: "TYPE を省くと類型の一覧を表示します。",
+        examples: "\
+例:
+  hsd new                            類型の一覧
+  hsd new chu-nikai -o shop.hsd      江戸時代の町家から始める
+  hsd params shop.hsd                設定できるものを見る",
+        arguments: &[
+            ("kind", "類型。どの呼び名でもよい", ""),
+            (
+                "output",
+                "書き込むファイル。`-` は標準出力。省くとこのフォルダーの TYPE.hsd",
+                "",
+            ),
+            ("force", "すでにあるファイルに上書きする", ""),
+        ],
+        values: &[],
+    },
+    Words {
         path: "params",
         about: "テキストの変数を一覧にする: `--param` で何をどの範囲で与えられるか",
         more: "",

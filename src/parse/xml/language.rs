@@ -8,6 +8,7 @@
 //! | `scope` | which names are known where |
 //! | `names` | `Param` and `let` |
 //! | `conditions` | `if` and `else` |
+//! | `draws` | `random` among pieces of text, and parameters that are drawn |
 //! | `storeys` | the number `k`, and repetitions in which it stands |
 //! | `pieces` | `define` and `use` |
 //! | `files` | `include` |
@@ -20,6 +21,7 @@
 
 mod braces;
 mod conditions;
+mod draws;
 mod files;
 mod names;
 mod pieces;
@@ -85,6 +87,7 @@ pub(super) fn work_out<'a>(
         parsed: BTreeMap::new(),
         storeys: Storeys::default(),
         uses: vec![],
+        open: draws::Open::outermost(setting.seed),
         files: files::Files::default(),
         depth: 0,
         hints: HINTS,
@@ -107,7 +110,9 @@ pub(super) fn work_out<'a>(
 
 /// Whether nothing is to be computed.
 fn is_plain(tree: &Tree<'_>, faults: &Faults<'_>) -> bool {
-    const NAMES: [&str; 7] = ["Param", "let", "define", "use", "if", "else", "include"];
+    const NAMES: [&str; 8] = [
+        "Param", "let", "define", "use", "if", "else", "include", "choice",
+    ];
     let computes = |e: &Element<'_>| NAMES.contains(&e.name);
     !faults.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }
@@ -129,6 +134,8 @@ struct Maker<'a, 'f> {
     /// Expressions by their place: a piece is read once however often it is used.
     parsed: BTreeMap<usize, Option<Rc<Expr>>>,
     storeys: Storeys,
+    /// The elements that are being made, outermost first.
+    open: draws::Open<'a>,
     /// The uses that are under way, outermost first.
     uses: Vec<Used<'a>>,
     files: files::Files<'a>,
@@ -209,9 +216,11 @@ impl<'a> Maker<'a, '_> {
             children: vec![],
             cut: element.cut,
         });
+        self.enter(spot, made);
         self.inside(&spot.element().name_range, made, |maker| {
             maker.content(spot, scope, made);
         });
+        self.leave();
         Some(made)
     }
 
@@ -237,7 +246,10 @@ impl<'a> Maker<'a, '_> {
     fn content(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let children = &spot.element().children;
         let names = |child: &Child<'_>| match child {
-            Child::Element(index) => spot.child(*index).tag().is_some_and(is_language),
+            Child::Element(index) => {
+                let child = spot.child(*index);
+                child.tag().is_some_and(is_language) || draws::is_choice(&child)
+            }
             Child::Text(_) => false,
         };
         if children.iter().any(names) {
@@ -293,6 +305,7 @@ impl<'a> Maker<'a, '_> {
             Some(Tag::Else) => return self.condition(spot, scope, into, branch),
             Some(Tag::Include) => self.include(spot, scope),
             Some(Tag::Repeat) => self.repeat(spot, scope, into),
+            Some(Tag::Random) if draws::is_choice(spot) => self.choose(spot, scope, into),
             _ => self.add(spot, scope, into),
         }
         Branch::None

@@ -355,6 +355,33 @@ pub fn value_out_of_range(span: Span, value: &Value, of: &Parameter, place: Span
     )
 }
 
+/// A parameter that is to be drawn, but from what?
+#[cold]
+pub fn nothing_to_draw(span: Span, name: &str) -> Diagnostic {
+    let name = quote(name);
+    let message = text!(
+        "{name} is to be drawn, but its values cannot be told",
+        "{name} は抽選しますが、取りうる値がわかりません"
+    );
+    Diagnostic::error(275, span, message).help(text!(
+        "list them by `choices`, or give `min` and `max`, and best a `step`",
+        "`choices` に並べるか、`min` と `max`（できれば `step` も）を書いてください"
+    ))
+}
+
+/// Something beside the `choice`s of a `random`.
+#[cold]
+pub fn beside_choices(span: Span) -> Diagnostic {
+    let message = text!(
+        "a `random` with choices holds nothing else",
+        "`choice` のある `random` には、ほかのものを書けません"
+    );
+    Diagnostic::error(276, span, message).help(text!(
+        "write it into a `choice`, or outside of the `random`",
+        "`choice` の中か、`random` の外に書いてください"
+    ))
+}
+
 /// `--param` with a name that no file has.
 #[cold]
 pub fn no_such_parameter(

@@ -5,6 +5,7 @@ use super::super::read::check;
 use super::super::schema::{self, HABITS, Tag};
 use super::super::tree::{self, Child};
 use super::conditions::Branch;
+use super::draws::is_choice;
 use super::scope::Frame;
 use super::{Maker, Scope, Spot, is_language};
 use crate::diagnostic::messages::xml as say;
@@ -146,7 +147,7 @@ impl<'a> Maker<'a, '_> {
                 Child::Element(index) => Some(root.child(*index)),
                 Child::Text(_) => None,
             })
-            .filter(|spot| spot.tag().is_some_and(is_language))
+            .filter(|spot| spot.tag().is_some_and(is_language) || is_choice(spot))
             .collect();
         let (pieces, others): (Vec<_>, Vec<_>) =
             spots.iter().partition(|s| s.tag() == Some(Tag::Define));

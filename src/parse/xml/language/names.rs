@@ -68,6 +68,7 @@ impl<'a> Maker<'a, '_> {
             max: self.bound(&of, "max", scope),
             step: self.bound(&of, "step", scope).filter(|step| *step > 0.0),
             choices: self.choices(&of, scope),
+            random: self.truth(&of, "random", scope) || of.get("weights").is_some(),
             unit: self.words(&of, "unit", scope),
             doc: self.words(&of, "doc", scope),
             name: name.value.clone(),
@@ -81,8 +82,10 @@ impl<'a> Maker<'a, '_> {
             });
         }
         let at_run = matches!(given, Given::Run);
+        let weights = self.weights(&of, scope);
+        let drawn = self.drawn(&parameter, weights, parameter.span);
         let value = self.given(&parameter, given, name.span);
-        parameter.value = value.unwrap_or_else(|| parameter.default.clone());
+        parameter.value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
         if parameter.value.is_none() && !written && !at_run {
             let span = self.uses.last().map_or(name.span, |u| u.span);
             self.faults
@@ -166,6 +169,43 @@ impl<'a> Maker<'a, '_> {
                 None
             }
         }
+    }
+
+    /// Whether an attribute says yes.
+    fn truth(&mut self, of: &Attributes<'_>, name: &str, scope: &Scope<'a>) -> bool {
+        let Some(attribute) = of.get(name) else {
+            return false;
+        };
+        match self.value(&attribute.value, scope) {
+            Some(Value::Truth(truth)) => truth,
+            Some(found) => {
+                let text = found.to_string();
+                self.faults.at(&attribute.value.whole(), |s| {
+                    say::not_a_choice(s, name, &text, &["yes", "no"], None)
+                });
+                false
+            }
+            None => false,
+        }
+    }
+
+    /// The weights of the values of a parameter, and where they stand.
+    fn weights(&mut self, of: &Attributes<'_>, scope: &Scope<'a>) -> Option<(Vec<f64>, Span)> {
+        let place = of.get("weights")?.value.whole();
+        let words = self.words(of, "weights", scope)?;
+        let pieces = words.split(|c: char| c == ',' || c.is_whitespace());
+        let mut weights = vec![];
+        for piece in pieces.filter(|p| !p.is_empty()) {
+            match Value::read(piece) {
+                Value::Number(weight) if (0.0..=1e9).contains(&weight) => weights.push(weight),
+                _ => {
+                    self.faults
+                        .at(&place, |s| say::not_a_number(s, "weights", piece, None));
+                    return None;
+                }
+            }
+        }
+        Some((weights, self.faults.span(&place)))
     }
 
     fn choices(&mut self, of: &Attributes<'_>, scope: &Scope<'a>) -> Vec<Value> {

@@ -1,5 +1,6 @@
 //! The number of the storey, `k`. It is counted over the expanded storeys of a house, or of a facade, from 1 and
 //! without parapets; so a repetition of storeys in which it stands is written out here, and each copy bears its own.
+//! So is a repetition in which something is drawn, since each round draws for itself.
 
 use super::super::text::Text;
 use super::super::tree::Child;
@@ -39,6 +40,7 @@ impl<'a> Maker<'a, '_> {
     pub(super) fn repeat(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let before = self.storeys.count;
         let asked = self.storeys.asked.replace(false);
+        let drawn = self.open.forget();
         let Some(first) = self.element(spot, scope) else {
             return;
         };
@@ -46,8 +48,10 @@ impl<'a> Maker<'a, '_> {
         let rounds = self.rounds(first);
         let each = self.storeys.count - before;
         let numbered = self.storeys.asked.get() && each > 0;
+        let differs = numbered || self.open.has_drawn();
         self.storeys.asked.set(asked || self.storeys.asked.get());
-        if !numbered || rounds < 2 {
+        self.open.remember(drawn);
+        if !differs || rounds < 2 {
             let counted = each.saturating_mul(rounds);
             self.storeys.count = before.saturating_add(counted);
             return;

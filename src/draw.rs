@@ -6,7 +6,7 @@
 
 /// Where something happens, as a hash of all fields so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Place(u64);
+pub struct Place(u64);
 
 const STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
@@ -24,27 +24,27 @@ fn fnv(text: &str) -> u64 {
 
 impl Place {
     /// The place of everything that has this seed.
-    pub(super) fn seed(seed: u64) -> Place {
+    pub fn seed(seed: u64) -> Place {
         Place(mix(seed.wrapping_add(STEP)))
     }
 
     /// The place of the number `n` within this one.
-    pub(super) fn at(self, n: u64) -> Place {
+    pub fn at(self, n: u64) -> Place {
         Place(mix(self.0.rotate_left(23) ^ mix(n.wrapping_add(STEP))))
     }
 
     /// The place of a name within this one; never that of a number.
-    pub(super) fn named(self, name: &str) -> Place {
+    pub fn named(self, name: &str) -> Place {
         self.at(u64::MAX).at(fnv(name))
     }
 
     /// The draw of this place: 0 <= share < 1, evenly.
-    pub(super) fn share(self) -> f64 {
+    pub fn share(self) -> f64 {
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// An index drawn by weights, given as their running sums: finite, not falling, the last above 0.
-    pub(super) fn pick(self, sums: &[f64]) -> usize {
+    pub fn pick(self, sums: &[f64]) -> usize {
         let mark = self.share() * sums.last().copied().unwrap_or(0.0);
         let index = sums.partition_point(|sum| *sum <= mark);
         index.min(sums.len().saturating_sub(1))

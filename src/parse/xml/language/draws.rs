@@ -1,0 +1,319 @@
+//! What is drawn while a file is read: which `choice` of a `random` stands in its place, and the parameters that nobody
+//! sets.
+//!
+//! A draw's key is the path that leads to it in what is made: the seed, the name or the number of the house, then for
+//! each element on the way its kind and its number among its like; last the number of the `random` in its element, or
+//! the name of the parameter. So only what stands beside it, or beside what it stands in, moves a draw. These keys are
+//! part of the language, as those of [`crate::draw`] are.
+
+use super::super::read::check;
+use super::super::schema::{self, Tag};
+use super::super::tree::Child;
+use super::{Maker, Scope, Spot};
+use crate::ast::{Parameter, Value};
+use crate::diagnostic::messages::{parts, xml as say};
+use crate::draw::Place;
+use crate::source::Span;
+
+/// Values that a number without a step is drawn from.
+const FINE: f64 = 1000.0;
+
+/// The elements that are being made.
+pub(super) struct Open<'a> {
+    /// The seed of the run.
+    seed: Option<u64>,
+    /// Outermost first; the first one is the file.
+    levels: Vec<Level<'a>>,
+    /// Houses so far.
+    houses: u64,
+    /// Whether a `random` has chosen since this was last forgotten.
+    drawn: bool,
+}
+
+/// An element under way.
+struct Level<'a> {
+    place: Place,
+    /// Elements so far by their kinds; an element holds few of them.
+    kinds: Vec<(&'a str, u64)>,
+    /// What was drawn right in it.
+    draws: u64,
+}
+
+impl Level<'_> {
+    fn new(place: Place) -> Self {
+        Level {
+            place,
+            kinds: vec![],
+            draws: 0,
+        }
+    }
+}
+
+impl<'a> Open<'a> {
+    /// Before anything is made.
+    pub(super) fn outermost(seed: Option<u64>) -> Self {
+        Open {
+            seed,
+            levels: vec![Level::new(Place::seed(seed.unwrap_or(0)))],
+            houses: 0,
+            drawn: false,
+        }
+    }
+
+    /// Forgets what was drawn, and says whether anything was.
+    pub(super) fn forget(&mut self) -> bool {
+        std::mem::take(&mut self.drawn)
+    }
+
+    /// Whether anything was drawn since.
+    pub(super) fn has_drawn(&self) -> bool {
+        self.drawn
+    }
+
+    /// Adds what was drawn before.
+    pub(super) fn remember(&mut self, drawn: bool) {
+        self.drawn |= drawn;
+    }
+
+    /// The place of an element of this kind in the one under way.
+    fn place_of(&mut self, kind: &'a str) -> Option<Place> {
+        let level = self.levels.last_mut()?;
+        let number = match level.kinds.iter_mut().find(|(k, _)| *k == kind) {
+            Some((_, count)) => {
+                *count += 1;
+                *count
+            }
+            None => {
+                level.kinds.push((kind, 0));
+                0
+            }
+        };
+        Some(level.place.named(kind).at(number))
+    }
+
+    /// The place of the next draw in the element under way.
+    fn next(&mut self) -> Place {
+        self.drawn = true;
+        let Some(level) = self.levels.last_mut() else {
+            return Place::seed(0);
+        };
+        level.draws += 1;
+        level.place.named("random").at(level.draws - 1)
+    }
+}
+
+/// Whether a `random` chooses among pieces of text, not among codes.
+pub(super) fn is_choice(spot: &Spot<'_, '_>) -> bool {
+    let holds = |child: &Child<'_>| match child {
+        Child::Element(index) => spot.child(*index).tag() == Some(Tag::Choice),
+        Child::Text(_) => false,
+    };
+    spot.tag() == Some(Tag::Random) && spot.element().children.iter().any(holds)
+}
+
+impl<'a> Maker<'a, '_> {
+    /// Goes into an element that was made.
+    pub(super) fn enter(&mut self, spot: &Spot<'_, 'a>, made: usize) {
+        let place = match spot.tag() {
+            Some(Tag::House) => Some(self.place_of_house(made)),
+            _ => self.open.place_of(spot.element().name),
+        };
+        let place = place.unwrap_or(Place::seed(0));
+        self.open.levels.push(Level::new(place));
+    }
+
+    /// Goes out of it again.
+    pub(super) fn leave(&mut self) {
+        self.open.levels.pop();
+    }
+
+    /// The same as for the draws among codes.
+    fn place_of_house(&mut self, made: usize) -> Place {
+        let number = self.open.houses;
+        self.open.houses += 1;
+        let written = |name: &str| {
+            let mut attributes = self.made.elements[made].attributes.iter();
+            let found = attributes.find(|a| a.name == name)?;
+            Some(found.value.as_str().trim())
+        };
+        let seed = self
+            .open
+            .seed
+            .or_else(|| written("seed").and_then(|s| s.parse().ok()));
+        let root = Place::seed(seed.unwrap_or(0));
+        match written("name") {
+            Some(name) => root.named(name),
+            None => root.at(number),
+        }
+    }
+
+    /// Puts one of the choices of a `random` in its place.
+    pub(super) fn choose(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let element = spot.element();
+        if let Some(attribute) = element.attributes.iter().find(|a| !a.is_foreign()) {
+            self.faults.at(&attribute.name_range, |s| {
+                say::unknown_attribute(s, attribute.name, element.name, None, &[])
+            });
+        }
+        let (mut choices, mut sums, mut sum) = (vec![], vec![], 0.0);
+        for child in &element.children {
+            let Child::Element(index) = child else {
+                self.faults.at(&element.name_range, say::beside_choices);
+                continue;
+            };
+            let child = spot.child(*index);
+            if child.tag() != Some(Tag::Choice) {
+                let place = child.element().name_range.clone();
+                self.faults.at(&place, say::beside_choices);
+                continue;
+            }
+            sum += self.weight(&child, scope);
+            sums.push(sum);
+            choices.push(child);
+        }
+        let place = self.open.next();
+        if sum <= 0.0 {
+            let span = self.faults.span(&element.name_range);
+            self.faults.push(|| say::no_weight(span));
+            return;
+        }
+        let chosen = &choices[place.pick(&sums)];
+        self.inside(&chosen.element().name_range, into, |maker| {
+            maker.list(chosen, scope, into);
+        });
+    }
+
+    /// The weight of a choice: 1 where none is given, or no sound one.
+    fn weight(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) -> f64 {
+        let element = spot.element();
+        let Some(schema) = schema::named(element.name) else {
+            return 1.0;
+        };
+        let of = check(self.faults, &mut self.suggest, schema, element);
+        let Some(attribute) = of.get("weight") else {
+            return 1.0;
+        };
+        let given = match self.value(&attribute.value, scope) {
+            Some(Value::Number(number)) => number,
+            Some(found) => {
+                let text = found.to_string();
+                self.faults.at(&attribute.value.whole(), |s| {
+                    say::not_a_number(s, "weight", &text, None)
+                });
+                return 1.0;
+            }
+            None => return 1.0,
+        };
+        if (0.0..=1e9).contains(&given) {
+            return given;
+        }
+        let text = given.to_string();
+        self.faults.at(&attribute.value.whole(), |s| {
+            say::out_of_range(s, "weight", &text, "0 to 1000000000")
+        });
+        1.0
+    }
+
+    /// Draws a parameter that nobody sets, in a run with a seed. `weights` are those that were written.
+    pub(super) fn drawn(
+        &mut self,
+        of: &Parameter,
+        weights: Option<(Vec<f64>, Span)>,
+        span: Span,
+    ) -> Option<Value> {
+        let place = match &of.random {
+            false => return None,
+            true => self.open.levels.last()?.place,
+        };
+        let place = place.named("param").named(&of.name);
+        let values = values(of);
+        let Some(values) = values else {
+            self.faults.push(|| say::nothing_to_draw(span, &of.name));
+            return None;
+        };
+        let weights = match weights {
+            Some((weights, at)) => self.fitting(weights, at, values.count()),
+            None => None,
+        };
+        self.open.seed?;
+        let index = match weights {
+            Some(weights) => {
+                let add = |sum: &mut f64, weight: f64| {
+                    *sum += weight;
+                    Some(*sum)
+                };
+                let sums: Vec<f64> = weights.into_iter().scan(0.0, add).collect();
+                place.pick(&sums)
+            }
+            None => (place.share() * values.count() as f64) as usize,
+        };
+        Some(values.at(index))
+    }
+
+    /// Weights, if there are as many as values and one of them counts.
+    fn fitting(&mut self, weights: Vec<f64>, span: Span, values: usize) -> Option<Vec<f64>> {
+        if weights.len() != values {
+            let given = weights.len();
+            self.faults
+                .push(|| parts::weight_count(span, given, values));
+            return None;
+        }
+        if weights.iter().sum::<f64>() <= 0.0 {
+            self.faults.push(|| say::no_weight(span));
+            return None;
+        }
+        Some(weights)
+    }
+}
+
+/// What a parameter may be.
+enum Values<'p> {
+    Listed(&'p [Value]),
+    Truths,
+    /// The least value, how far they lie apart, how many there are.
+    Numbers(f64, f64, usize),
+}
+
+impl Values<'_> {
+    fn count(&self) -> usize {
+        match self {
+            Values::Listed(values) => values.len(),
+            Values::Truths => 2,
+            Values::Numbers(_, _, count) => *count,
+        }
+    }
+
+    fn at(&self, index: usize) -> Value {
+        let index = index.min(self.count().saturating_sub(1));
+        match self {
+            Values::Listed(values) => values[index].clone(),
+            Values::Truths => Value::Truth(index == 0),
+            // Steps of a tenth leave a tail of digits, which nobody would have written.
+            Values::Numbers(least, step, _) => {
+                Value::Number(((least + step * index as f64) * 1e9).round() / 1e9)
+            }
+        }
+    }
+}
+
+/// The values of a parameter, if they can be told.
+fn values(of: &Parameter) -> Option<Values<'_>> {
+    if !of.choices.is_empty() {
+        return Some(Values::Listed(&of.choices));
+    }
+    if let Some(Value::Truth(_)) = of.default {
+        return Some(Values::Truths);
+    }
+    let (least, most) = (of.min?, of.max?);
+    let step = of.step.unwrap_or((most - least) / FINE);
+    let steps = if step > 0.0 {
+        (most - least) / step
+    } else {
+        0.0
+    };
+    Some(Values::Numbers(
+        least,
+        step,
+        (steps + 1e-9).clamp(0.0, 1e9) as usize + 1,
+    ))
+}

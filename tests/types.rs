@@ -1,0 +1,324 @@
+//! The types of houses: every one builds for every value of its parameters, and is what the historians say of it.
+
+mod support;
+
+use hsd::ast::{Parameter, Value};
+use hsd::diagnostic::{Diagnostics, Severity};
+use hsd::scene::Detail;
+use hsd::source::{FileId, NoPictures, Source};
+use hsd::types::{HouseType, TYPES};
+use hsd::{Options, driver};
+use std::collections::BTreeSet;
+use support::{Numbers, Run, assert_none, flaws, on_all_processors, root};
+
+/// Random combinations of parameters a type.
+const SAMPLES: usize = 60;
+
+type Setting = Vec<(String, String)>;
+
+fn text(word: &str) -> String {
+    HouseType::named(word).expect("is a type").text()
+}
+
+/// The chain on a text with these parameters.
+fn built(text: &str, parameters: &Setting, detail: Detail) -> Run {
+    let mut out = Diagnostics::new();
+    let source = Source::new(FileId(0), "type.hsd", text.as_bytes());
+    let options = Options {
+        parameters: parameters.clone(),
+        detail,
+        ..Options::default()
+    };
+    let made = hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    Run {
+        source,
+        included: made.included,
+        diagnostics: out.into_sorted(),
+        building: made.building,
+        scene: made.scene,
+    }
+}
+
+fn with(word: &str, pairs: &[(&str, &str)]) -> Run {
+    let owned = pairs
+        .iter()
+        .map(|(n, v)| ((*n).to_owned(), (*v).to_owned()));
+    let run = built(&text(word), &owned.collect(), Detail::Body);
+    assert!(!run.has_errors(), "{}", run.short());
+    run
+}
+
+fn parameters(text: &str) -> Vec<Parameter> {
+    let source = Source::new(FileId(0), "type.hsd", text.as_bytes());
+    let mut out = Diagnostics::new();
+    let read = driver::documents(&[&source], &NoPictures, &Options::default(), &mut out);
+    read.documents
+        .into_iter()
+        .flat_map(|d| d.parameters)
+        .collect()
+}
+
+/// Every listed value, or the ends, the middle and what lies between.
+fn values(of: &Parameter) -> Vec<String> {
+    if !of.choices.is_empty() {
+        return of.choices.iter().map(Value::to_string).collect();
+    }
+    if let Some(Value::Truth(_)) = of.default {
+        return vec!["yes".into(), "no".into()];
+    }
+    let (least, most) = (
+        of.min.expect("has a least value"),
+        of.max.expect("has a greatest"),
+    );
+    let step = of.step.expect("has a step");
+    let steps = ((most - least) / step).round() as usize;
+    let at = |k: usize| ((least + step * k as f64) * 1e9).round() / 1e9;
+    let some = 6.min(steps);
+    let mut found: BTreeSet<usize> = (0..=some).map(|k| k * steps / some.max(1)).collect();
+    found.insert(steps);
+    found.into_iter().map(|k| at(k).to_string()).collect()
+}
+
+/// Every value of every parameter alone, then combinations at random.
+fn settings(of: &[Parameter], seed: u64) -> Vec<Setting> {
+    let mut all = vec![vec![]];
+    for p in of {
+        all.extend(values(p).into_iter().map(|v| vec![(p.name.clone(), v)]));
+    }
+    let mut numbers = Numbers(seed);
+    for _ in 0..SAMPLES {
+        let draw = |p: &Parameter| {
+            let value = match (&p.choices[..], p.min, p.max, p.step) {
+                ([], Some(least), Some(most), Some(step)) => {
+                    let k = numbers.below(((most - least) / step).round() as usize + 1);
+                    (((least + step * k as f64) * 1e9).round() / 1e9).to_string()
+                }
+                _ => numbers.of(&values(p)).clone(),
+            };
+            (p.name.clone(), value)
+        };
+        all.push(of.iter().map(draw).collect());
+    }
+    all
+}
+
+/// What is wrong with a house that was built: anything worse than a note, a walk that does not close, a solid that is
+/// not tight.
+fn complaints(run: &Run) -> Vec<String> {
+    let mut found = vec![];
+    let bad = |s: Severity| s != Severity::Note;
+    if run.diagnostics.iter().any(|d| bad(d.severity)) {
+        found.push(run.short());
+    }
+    for house in &run.building.shell.houses {
+        let rings = house.storeys.iter().flat_map(|s| &s.rings);
+        let open = rings.filter(|r| !r.closed && !r.inner).count();
+        if open > 0 {
+            found.push(format!("{}: {open} rings are open", house.name));
+        }
+    }
+    found.extend(flaws(run));
+    found
+}
+
+#[test]
+fn every_type_builds_for_every_value_of_its_parameters() {
+    let findings = on_all_processors(TYPES.len(), |index| {
+        let word = TYPES[index].word;
+        let text = text(word);
+        let all = settings(&parameters(&text), index as u64);
+        let mut findings = vec![];
+        for setting in all {
+            let run = built(&text, &setting, Detail::Body);
+            let found = complaints(&run);
+            let said: Vec<String> = setting.iter().map(|(n, v)| format!("{n}={v}")).collect();
+            let said = said.join(" ");
+            findings.extend(found.into_iter().map(|f| format!("{word} {said}: {f}")));
+            if findings.len() > 5 {
+                break;
+            }
+        }
+        findings
+    });
+    assert_none(&findings);
+}
+
+#[test]
+fn every_type_is_whole_in_all_its_joinery() {
+    let findings = on_all_processors(TYPES.len(), |index| {
+        let word = TYPES[index].word;
+        let run = built(&text(word), &vec![], Detail::Everything);
+        let mut found = complaints(&run);
+        // As it stands nobody finds anything to say of it.
+        found.extend(run.diagnostics.iter().map(|d| d.message.to_string()));
+        found.into_iter().map(|f| format!("{word}: {f}")).collect()
+    });
+    assert_none(&findings);
+}
+
+#[test]
+fn every_parameter_says_what_it_is_and_may_be() {
+    let mut findings = vec![];
+    for t in TYPES {
+        let all = parameters(&t.text());
+        assert!(all.len() >= 5, "{}", t.word);
+        for p in all {
+            let bounded =
+                p.min.is_some() && p.max.is_some() && p.step.is_some() && p.unit.is_some();
+            let truth = matches!(p.default, Some(Value::Truth(_)));
+            if p.doc.is_none() || p.default.is_none() || !(bounded || truth || p.choices.len() > 1)
+            {
+                findings.push(format!("{}: {}", t.word, p.name));
+            }
+        }
+    }
+    assert_none(&findings);
+}
+
+#[test]
+fn every_text_of_the_folder_is_a_type_with_its_names() {
+    for path in support::texts("library") {
+        let word = support::stem(&path);
+        let text = std::fs::read_to_string(&path).expect("can be read");
+        if word == "fronts" {
+            continue;
+        }
+        let t = HouseType::named(&word).unwrap_or_else(|| panic!("{word} is no type"));
+        assert!(text.contains(t.ja), "{word} does not say {}", t.ja);
+        assert!(text.contains("Sources:"), "{word} names no source");
+    }
+    assert!(root().join("library/fronts.hsd").is_file());
+}
+
+/// Front and upper floor, chosen apart (000-55): at least a hundred fronts of each type of town house.
+#[test]
+fn town_houses_have_a_hundred_fronts() {
+    for (word, names) in [
+        ("chu-nikai", ["front", "storey"]),
+        ("so-nikai", ["front", "storey"]),
+        ("sangai", ["front", "storey"]),
+        ("shimotaya", ["front", "storey"]),
+        ("hei-tsuki", ["front", "storey"]),
+        ("office", ["front", "cladding"]),
+        ("modern-house", ["front", "upper"]),
+    ] {
+        let all = parameters(&text(word));
+        let of = |name: &str| {
+            let found = all.iter().find(|p| p.name == name);
+            values(found.expect("has the parameter"))
+        };
+        let (below, above) = (of(names[0]), of(names[1]));
+        assert!(below.len() >= 10 && above.len() >= 10, "{word}");
+        // No two are the same wall.
+        let mut seen = BTreeSet::new();
+        for (name, values) in [(names[0], &below), (names[1], &above)] {
+            for value in values {
+                let mut set = vec![(name, &**value)];
+                if word != "office" {
+                    set.push(("frontage", "7"));
+                }
+                let run = with(word, &set);
+                let houses = run.building.shell.houses.iter();
+                let walls = houses
+                    .flat_map(|h| &h.storeys)
+                    .flat_map(|s| &s.rings)
+                    .flat_map(|r| r.walls.first());
+                let units: Vec<_> = walls
+                    .map(|w| {
+                        w.units
+                            .iter()
+                            .map(|u| (u.content.clone(), u.width))
+                            .collect::<Vec<_>>()
+                    })
+                    .collect();
+                seen.insert(format!("{units:?}"));
+            }
+        }
+        // The defaults of both lists are one wall.
+        assert_eq!(seen.len(), below.len() + above.len() - 1, "{word}");
+    }
+}
+
+fn size(run: &Run) -> glam::DVec2 {
+    let house = &run.building.shell.houses[0];
+    let corners = house.storeys[0].rings[0].corners();
+    let (lo, hi) = corners
+        .iter()
+        .fold((glam::DVec2::MAX, glam::DVec2::MIN), |(l, h), p| {
+            (l.min(*p), h.max(*p))
+        });
+    (hi - lo) * house.unit
+}
+
+/// Top of the highest roof, metres above the eaves of its walls.
+fn rise(run: &Run) -> f64 {
+    let points = run.building.roofs[0]
+        .roofs
+        .iter()
+        .flat_map(|r| &r.solids)
+        .flat_map(|s| &s.points);
+    let top = points.map(|p| p.z).fold(f64::MIN, f64::max);
+    let house = &run.building.shell.houses[0];
+    top - house.storeys.last().expect("has storeys").z1
+}
+
+#[test]
+fn frontage_is_filled_exactly_and_depth_is_capped() {
+    for (word, cap) in [
+        ("chu-nikai", 12.0),
+        ("so-nikai", 8.0),
+        ("sangai", 8.0),
+        ("hiraya", 8.0),
+        ("shimotaya", 8.0),
+        ("kanban", 8.0),
+        ("hei-tsuki", 8.0),
+    ] {
+        for frontage in ["7", "7.7", "8.6"] {
+            let run = with(word, &[("frontage", frontage), ("depth", "40")]);
+            let found = size(&run);
+            let wanted: f64 = frontage.parse().expect("is a number");
+            assert!((found.x - wanted).abs() < 1e-6, "{word}: {found}");
+            assert!((found.y - cap).abs() < 1e-6, "{word}: {found}");
+        }
+        let run = with(word, &[("depth", "6.5")]);
+        assert!((size(&run).y - 6.5).abs() < 1e-6, "{word}: {}", size(&run));
+    }
+}
+
+/// The pitch stays, so the ridge rises with the depth, and the eaves do not (000-19).
+#[test]
+fn the_ridge_rises_with_the_depth() {
+    for word in [
+        "chu-nikai",
+        "so-nikai",
+        "sangai",
+        "hiraya",
+        "shimotaya",
+        "hei-tsuki",
+    ] {
+        let (near, far) = (with(word, &[("depth", "5")]), with(word, &[("depth", "8")]));
+        let risen = rise(&far) - rise(&near);
+        assert!((risen - 0.4 * 1.5).abs() < 0.02, "{word}: {risen}");
+        let eaves = |run: &Run| run.building.shell.houses[0].storeys.last().map(|s| s.z1);
+        assert_eq!(eaves(&near), eaves(&far), "{word}");
+    }
+}
+
+/// At 7.7 m a front is composed anew, not drawn out (000-57).
+#[test]
+fn wide_fronts_have_another_composition() {
+    let codes = |frontage: &str| {
+        let run = with("chu-nikai", &[("frontage", frontage)]);
+        let wall = &run.building.shell.houses[0].storeys[0].rings[0].walls[0];
+        wall.units
+            .iter()
+            .filter(|u| (u.width - 2.0).abs() < 1e-9)
+            .count()
+    };
+    assert_eq!(codes("7.6"), 0);
+    assert_eq!(
+        codes("7.7"),
+        2,
+        "a projecting lattice and the doors of the guests"
+    );
+}
