@@ -62,7 +62,7 @@ fn texts(folders: &[&str]) -> Vec<PathBuf> {
 #[test]
 fn every_text_of_the_project_keeps_its_meaning() {
     let mut sound = 0;
-    for path in texts(&["examples", "tests"]) {
+    for path in texts(&["examples", "library", "tests"]) {
         let bytes = fs::read(&path).unwrap();
         sound += usize::from(laid_out(&path.display().to_string(), &bytes).is_some());
     }
@@ -71,7 +71,7 @@ fn every_text_of_the_project_keeps_its_meaning() {
 
 #[test]
 fn the_examples_are_laid_out() {
-    for path in texts(&["examples"]) {
+    for path in texts(&["examples", "library"]) {
         if path.ends_with("figure4.hsd") {
             continue; // stands as it is printed in the paper
         }

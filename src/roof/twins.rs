@@ -238,9 +238,10 @@ impl Words {
             span: _,
             hole,
             closed,
+            inner,
             walls,
         } = ring;
-        self.flags(&[*hole, *closed]);
+        self.flags(&[*hole, *closed, *inner]);
         self.0.push(walls.len() as u64);
         for wall in walls {
             let Wall {
