@@ -21,7 +21,7 @@ mod pieces;
 mod read;
 mod roofs;
 mod scan;
-mod schema;
+pub mod schema;
 mod slash;
 mod suggest;
 mod tag;
@@ -98,7 +98,7 @@ impl Reader<'_, '_> {
                 }
                 _ => {
                     self.attributes(schema, element);
-                    for node in self.children(element, &schema::HOUSES) {
+                    for node in self.children(element, schema.content()) {
                         if let Node::Element(schema, element) = node {
                             houses.push(self.house(schema, element));
                         }

@@ -1,18 +1,23 @@
 //! Walls given facade by facade (003): `Structure`, `Facades`, `Facade`, `Floor`, `Texture`.
 
 use super::read::{Node, Reader};
-use super::schema::{self, Schema, Tag};
+use super::schema::{Schema, Tag};
 use super::tree::Element;
-use super::values::{SIZE, TURN};
 use crate::ast::{Facade, Floor, StoreyKind, Structure, Texture};
 use crate::diagnostic::messages::xml as say;
 use crate::source::Spanned;
 
 /// What a storey or a floor is for.
-pub(super) const KINDS: &[(&str, StoreyKind)] = &[
+pub(super) const KINDS: [(&str, StoreyKind); 2] = [
     ("storey", StoreyKind::Storey),
     ("parapet", StoreyKind::Parapet),
 ];
+
+/// Whether parts run rightwards.
+pub(super) const ORDERS: [(&str, bool); 2] = [("left", false), ("right", true)];
+
+/// Whether glass mirrors.
+pub(super) const REFLECTIONS: [(&str, bool); 2] = [("enable", true), ("disable", false)];
 
 impl<'t> Reader<'t, '_> {
     /// Reads a structure and the textures in it.
@@ -22,23 +27,23 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
     ) -> (Structure, Vec<Texture>) {
         let of = self.attributes(schema, element);
-        let order = self.choice(&of, "order", &[("left", false), ("right", true)]);
+        let order = self.choice(&of, "order", &ORDERS);
         let mut structure = Structure {
             span: self.start(element),
-            size: self.number(&of, "size", SIZE),
-            scale: self.number(&of, "scale", 1e-6..=1e6),
+            size: self.number(&of, "size"),
+            scale: self.number(&of, "scale"),
             rightwards: order.is_some_and(|o| o.value),
             facades: vec![],
         };
         let mut textures = vec![];
-        for node in self.children(element, &schema::STRUCTURE) {
+        for node in self.children(element, schema.content()) {
             match node {
                 Node::Element(schema, child) if schema.tag == Tag::Texture => {
                     textures.extend(self.texture(schema, child));
                 }
                 Node::Element(schema, child) => {
                     self.attributes(schema, child);
-                    let facades = self.items(child, &schema::FACADES, Self::facade);
+                    let facades = self.items(child, schema.content(), Self::facade);
                     structure.facades.extend(facades);
                 }
                 Node::Text(_) => {}
@@ -49,26 +54,26 @@ impl<'t> Reader<'t, '_> {
 
     fn facade(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Facade {
         let of = self.attributes(schema, element);
-        let reflection = self.choice(&of, "reflection", &[("enable", true), ("disable", false)]);
+        let reflection = self.choice(&of, "reflection", &REFLECTIONS);
         Facade {
             span: self.start(element),
             id: self.text(&of, "id"),
-            ratio: self.number(&of, "ratio", 1e-6..=1e6),
-            angle: self.number(&of, "angle", TURN),
+            ratio: self.number(&of, "ratio"),
+            angle: self.number(&of, "angle"),
             reflection: reflection.is_some_and(|r| r.value),
-            floors: self.items(element, &schema::FACADE, Self::floor),
+            floors: self.items(element, schema.content(), Self::floor),
         }
     }
 
     fn floor(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Floor {
         let of = self.attributes(schema, element);
-        let kind = self.choice(&of, "kind", KINDS);
+        let kind = self.choice(&of, "kind", &KINDS);
         Floor {
             span: self.start(element),
             id: self.text(&of, "id"),
-            height: self.number(&of, "height", SIZE),
+            height: self.number(&of, "height"),
             kind: kind.map_or(StoreyKind::Storey, |k| k.value),
-            pieces: self.line(element, &schema::FLOOR, false).pieces,
+            pieces: self.line(element, schema.content(), false).pieces,
         }
     }
 
@@ -80,7 +85,7 @@ impl<'t> Reader<'t, '_> {
     ) -> Option<Texture> {
         let of = self.attributes(schema, element);
         self.no_children(element);
-        let reflection = self.number(&of, "reflection", 0.0..=100.0);
+        let reflection = self.number(&of, "reflection");
         let code = self.text(&of, "code");
         if let Some(src) = of.get("src") {
             let name = code.as_ref().map_or("", |c| c.value.as_str());

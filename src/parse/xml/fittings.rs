@@ -3,38 +3,24 @@
 use super::read::{Attributes, Reader};
 use super::schema::{Schema, Tag};
 use super::tree::Element;
-use super::values::{LENGTH, SIZE};
 use crate::ast::{
     Brackets, Finial, FinialKind, House, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
 use crate::diagnostic::messages::xml as say;
 use crate::source::Span;
-use std::ops::RangeInclusive;
 
-const SIDES: &[(&str, Side)] = &[
+pub(super) const SIDES: [(&str, Side); 4] = [
     ("F", Side::Front),
     ("B", Side::Back),
     ("L", Side::Left),
     ("R", Side::Right),
 ];
 
-const RAILS: &[(&str, Rail)] = &[
+pub(super) const RAILS: [(&str, Rail); 3] = [
     ("none", Rail::None),
     ("crossed", Rail::Crossed),
     ("knobbed", Rail::Knobbed),
 ];
-
-/// Heights and depths of what stands at a house, shaku: no platform is higher than a hill.
-const NEAR: RangeInclusive<f64> = 0.0..=300.0;
-/// Posts and the like, shaku.
-const THICK: RangeInclusive<f64> = 0.1..=20.0;
-/// More rows of beams than this do not fit a wall.
-const ROWS: RangeInclusive<u64> = 0..=5;
-/// Brackets of more steps were never built.
-const STEPS: RangeInclusive<u64> = 0..=4;
-
-/// From the walls to the edge of a platform, shaku.
-const MARGIN: f64 = 6.0;
 
 impl<'t> Reader<'t, '_> {
     /// Reads what belongs to a house as a whole. False where it is something else.
@@ -112,23 +98,23 @@ impl<'t> Reader<'t, '_> {
     fn platform(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Platform {
         let of = self.attributes(schema, element);
         self.no_children(element);
-        let margin = self.pair(&of, "margin", NEAR);
+        let margin = self.pair(&of, "margin");
         Platform {
             span: self.start(element),
-            height: self.number(&of, "height", NEAR).map_or(3.0, |h| h.value),
-            margin: margin.map_or([MARGIN; 2], |m| m.value),
+            height: self.usual(&of, "height"),
+            margin: margin.map_or([of.usual("margin"); 2], |m| m.value),
             stairs: self.sides(&of, "stairs"),
-            width: self.number(&of, "width", SIZE).map(|w| w.value),
+            width: self.number(&of, "width").map(|w| w.value),
         }
     }
 
     fn posts(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Posts {
         let of = self.attributes(schema, element);
         self.no_children(element);
-        let nageshi = self.whole_number(&of, "nageshi", ROWS);
+        let nageshi = self.whole_number(&of, "nageshi");
         Posts {
             span: self.start(element),
-            size: self.number(&of, "size", THICK).map_or(0.4, |s| s.value),
+            size: self.usual(&of, "size"),
             round: self.yes_no(&of, "round").is_some_and(|r| r.value),
             paint: self.paint(&of).unwrap_or_default(),
             nageshi: nageshi.map_or(0, |n| n.value as u32),
@@ -140,10 +126,10 @@ impl<'t> Reader<'t, '_> {
         self.no_children(element);
         Veranda {
             span: self.start(element),
-            width: self.number(&of, "width", LENGTH).map_or(3.0, |w| w.value),
-            height: self.number(&of, "height", NEAR).map_or(0.0, |h| h.value),
+            width: self.usual(&of, "width"),
+            height: self.usual(&of, "height"),
             rail: self
-                .choice(&of, "rail", RAILS)
+                .choice(&of, "rail", &RAILS)
                 .map_or(Rail::None, |r| r.value),
             stairs: self.sides(&of, "stairs"),
             paint: self.paint(&of),
@@ -156,10 +142,10 @@ impl<'t> Reader<'t, '_> {
         Brackets {
             span: self.start(element),
             steps: self
-                .whole_number(&of, "steps", STEPS)
+                .whole_number(&of, "steps")
                 .map_or(0, |s| s.value as u32),
-            height: self.number(&of, "height", NEAR).map(|h| h.value),
-            out: self.number(&of, "out", NEAR).map(|o| o.value),
+            height: self.number(&of, "height").map(|h| h.value),
+            out: self.number(&of, "out").map(|o| o.value),
             paint: self.paint(&of),
         }
     }
@@ -167,11 +153,11 @@ impl<'t> Reader<'t, '_> {
     fn finial(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<Finial> {
         let of = self.attributes(schema, element);
         self.no_children(element);
-        let count = self.whole_number(&of, "count", 0..=99);
+        let count = self.whole_number(&of, "count");
         Some(Finial {
             span: self.start(element),
             kind: self.choice(&of, "kind", &FinialKind::ALL)?.value,
-            height: self.number(&of, "height", SIZE).map(|h| h.value),
+            height: self.number(&of, "height").map(|h| h.value),
             count: count.map(|c| c.value as u32),
             at: self.point(&of, "at"),
         })
@@ -184,7 +170,7 @@ impl<'t> Reader<'t, '_> {
     /// Sides such as `"F B"`, each once.
     fn sides(&mut self, of: &Attributes<'t>, name: &str) -> Vec<Side> {
         let mut sides = vec![];
-        for side in self.words(of, name, SIDES) {
+        for side in self.words(of, name, &SIDES) {
             if !sides.contains(&side) {
                 sides.push(side);
             }

@@ -7,12 +7,11 @@ use super::schema::{self, Schema, Tag};
 use super::suggest::narrow_ascii;
 use super::tag::is_blank;
 use super::tree::Element;
-use super::values::{ANYWHERE, SIZE, TURN};
 use crate::ast::{Edit, House, Loop, Row, Settings, Storey, StoreyKind};
 use crate::diagnostic::messages::xml as say;
 use crate::source::{Span, Spanned};
 
-const TURNS: &[(&str, f64)] = &[("R", 90.0), ("L", -90.0)];
+pub(super) const TURNS: [(&str, f64); 2] = [("R", 90.0), ("L", -90.0)];
 
 impl<'t> Reader<'t, '_> {
     /// Reads a house.
@@ -25,7 +24,7 @@ impl<'t> Reader<'t, '_> {
             ..House::default()
         };
         let mut roofs: Option<Span> = None;
-        for node in self.children(element, &schema::HOUSE) {
+        for node in self.children(element, schema.content()) {
             let Node::Element(schema, child) = node else {
                 continue;
             };
@@ -53,7 +52,7 @@ impl<'t> Reader<'t, '_> {
                 }
                 _ if self.fitting(schema, child, &mut house) => {}
                 _ => {
-                    let item = self.item(schema, child, &schema::STOREYS, Self::storey);
+                    let item = self.item(schema, child, schema::HOUSE.repeated(), Self::storey);
                     house.storeys.extend(item);
                 }
             }
@@ -63,12 +62,12 @@ impl<'t> Reader<'t, '_> {
 
     fn settings(&mut self, of: &Attributes<'t>) -> Settings {
         Settings {
-            x: self.number(of, "x", ANYWHERE),
-            y: self.number(of, "y", ANYWHERE),
-            z: self.number(of, "z", ANYWHERE),
-            azimuth: self.number(of, "azimuth", TURN),
-            unit: self.number(of, "unit", 0.1..=100.0),
-            seed: self.whole_number(of, "seed", 0..=u64::MAX),
+            x: self.number(of, "x"),
+            y: self.number(of, "y"),
+            z: self.number(of, "z"),
+            azimuth: self.number(of, "azimuth"),
+            unit: self.number(of, "unit"),
+            seed: self.whole_number(of, "seed"),
             street: self.yes_no(of, "street"),
         }
     }
@@ -90,10 +89,10 @@ impl<'t> Reader<'t, '_> {
 
     fn storey(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Storey {
         let of = self.attributes(schema, element);
-        let kind = self.choice(&of, "kind", KINDS);
+        let kind = self.choice(&of, "kind", &KINDS);
         let mut storey = Storey {
             span: self.whole(element),
-            height: self.number(&of, "height", SIZE),
+            height: self.number(&of, "height"),
             start: self.point(&of, "start"),
             kind: kind.map_or(StoreyKind::Storey, |k| k.value),
             ..Storey::default()
@@ -103,7 +102,7 @@ impl<'t> Reader<'t, '_> {
             span: storey.span,
             ..Loop::default()
         };
-        for node in self.children(element, &schema::STOREY) {
+        for node in self.children(element, schema.content()) {
             let Node::Element(schema, child) = node else {
                 continue;
             };
@@ -119,7 +118,7 @@ impl<'t> Reader<'t, '_> {
                 }
                 _ if self.order(schema, child, &mut storey.order) => {}
                 _ => {
-                    let item = self.item(schema, child, &schema::ROWS, Self::row);
+                    let item = self.item(schema, child, schema::STOREY.repeated(), Self::row);
                     own.rows.extend(item);
                 }
             }
@@ -138,7 +137,7 @@ impl<'t> Reader<'t, '_> {
             hole: hole.is_some_and(|h| h.value),
             inner: inner.is_some_and(|i| i.value),
             start: self.point(&of, "start"),
-            rows: self.items(element, &schema::ROWS, Self::row),
+            rows: self.items(element, schema.content(), Self::row),
         }
     }
 
@@ -150,11 +149,11 @@ impl<'t> Reader<'t, '_> {
             letter.is_some_and(char::is_alphabetic)
         });
         let written: Option<Spanned<f64>> = if given {
-            self.choice(&of, "turn", TURNS)
+            self.choice(&of, "turn", &TURNS)
         } else {
-            self.number(&of, "turn", TURN)
+            self.number(&of, "turn")
         };
-        let Line { pieces, turn } = self.line(element, &schema::PIECES, true);
+        let Line { pieces, turn } = self.line(element, schema.content(), true);
         Row {
             span: self.whole(element),
             pieces,

@@ -118,7 +118,7 @@ fn is_plain(tree: &Tree<'_>, faults: &Faults<'_>) -> bool {
 }
 
 /// The elements that are worked out here.
-fn is_language(tag: Tag) -> bool {
+pub(super) fn is_language(tag: Tag) -> bool {
     use Tag::{Define, Else, If, Include, Let, Param, Use};
     matches!(tag, Define | Else | If | Include | Let | Param | Use)
 }

@@ -4,13 +4,9 @@ use super::read::{Attributes, Node, Reader};
 use super::schema::{self, Content, Schema, Tag};
 use super::tag::is_blank;
 use super::tree::Element;
-use super::values::SIZE;
 use crate::ast::{CodeText, Half, Item, Part, Piece, Random, Repeat, Replace, Split};
 use crate::diagnostic::messages::xml as say;
 use crate::source::Spanned;
-
-/// Repetitions that anybody can mean.
-const MANY: u64 = 10_000_000;
 
 /// The content of a wall line.
 #[derive(Default)]
@@ -42,7 +38,7 @@ impl<'t> Reader<'t, '_> {
                         self.faults.at(&name, say::turn_in_floor);
                     }
                     line.pieces
-                        .extend(self.line(child, &schema::PIECES, false).pieces);
+                        .extend(self.line(child, schema.content(), false).pieces);
                 }
                 Node::Element(schema, child) => {
                     line.pieces.extend(self.piece(schema, child, turns));
@@ -66,7 +62,7 @@ impl<'t> Reader<'t, '_> {
             }
             Tag::Repeat => {
                 let num = self.repeat_num(schema, element);
-                let line = self.line(element, &schema::PIECES, turns);
+                let line = self.line(element, schema::FLOOR.repeated(), turns);
                 Some(Item::Repeat(Box::new(Repeat {
                     span: self.start(element),
                     num,
@@ -85,8 +81,8 @@ impl<'t> Reader<'t, '_> {
             Some(text) => Spanned::new(CodeText::new(&text.value), text.span),
             None => Spanned::new(CodeText::new(""), self.start(element)),
         };
-        let width = self.number(&of, "width", 0.0..=1e5);
-        let height = self.number(&of, "height", SIZE);
+        let width = self.number(&of, "width");
+        let height = self.number(&of, "height");
         if width.is_none() && height.is_none() {
             return Piece::new(code.value, code.span);
         }
@@ -99,16 +95,16 @@ impl<'t> Reader<'t, '_> {
 
     fn split(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Split {
         let of = self.attributes(schema, element);
-        let ratio = self.number(&of, "ratio", 0.001..=0.999);
+        let ratio = self.number(&of, "ratio");
         let mut halves: [Option<Half>; 2] = [None, None];
-        for node in self.children(element, &schema::SPLIT) {
+        for node in self.children(element, schema.content()) {
             let Node::Element(schema, child) = node else {
                 continue;
             };
             self.attributes(schema, child);
             let half = Half {
                 span: self.whole(child),
-                pieces: self.line(child, &schema::PIECES, false).pieces,
+                pieces: self.line(child, schema.content(), false).pieces,
             };
             let place = &mut halves[usize::from(schema.tag == Tag::Lower)];
             if let Some(first) = place {
@@ -148,7 +144,7 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
     ) -> Spanned<u32> {
         let of = self.attributes(schema, element);
-        let num = self.whole_number(&of, "num", 0..=MANY);
+        let num = self.whole_number(&of, "num");
         if num.is_some() && element.children.is_empty() && !element.cut {
             self.faults.at(&element.range, say::repeats_nothing);
         }
@@ -237,7 +233,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     fn weights(&mut self, of: &Attributes<'t>) -> Option<Spanned<Vec<f64>>> {
-        let weights = self.numbers(of, "weights", &(0.0..=1e9))?;
+        let weights = self.numbers(of, "weights")?;
         if weights.value.iter().any(|w| *w > 0.0) {
             return Some(weights);
         }

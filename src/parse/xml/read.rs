@@ -1,6 +1,6 @@
 //! What every element's reader shares: its children and attributes, checked against the tables.
 
-use super::schema::{self, Content, Schema, Tag};
+use super::schema::{self, Content, Kind, Schema, Tag};
 use super::suggest::Suggest;
 use super::tag::{Attribute, is_blank};
 use super::text::Text;
@@ -8,6 +8,7 @@ use super::tree::{Child, Element, Tree};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::faults::Faults;
 use crate::source::Span;
+use std::ops::RangeInclusive;
 
 /// The state of the second step, from the tree to the document.
 pub(super) struct Reader<'t, 'a> {
@@ -34,12 +35,48 @@ pub(super) struct Attributes<'t> {
 impl<'t> Attributes<'t> {
     /// A usable attribute.
     pub(super) fn get(&self, name: &str) -> Option<&'t Attribute<'t>> {
-        debug_assert!(self.schema.attributes.contains(&name), "{name}");
+        debug_assert!(self.schema.attribute(name).is_some(), "{name}");
         let found = self
             .list
             .iter()
             .find(|(n, _, usable)| *n == name && *usable);
         found.map(|(_, attribute, _)| *attribute)
+    }
+
+    /// What an attribute may say.
+    pub(super) fn kind(&self, name: &str) -> Kind {
+        self.schema.attribute(name).map_or(Kind::Text, |a| a.kind)
+    }
+
+    /// The bounds of an attribute's numbers.
+    pub(super) fn bounds(&self, name: &str) -> RangeInclusive<f64> {
+        use Kind::{Either, Number, Numbers, Pair, Point, WholePair};
+        match self.kind(name) {
+            Number(least, most) | Numbers(least, most) | Pair(least, most) => least..=most,
+            WholePair(least, most) | Point(least, most) | Either(_, least, most) => least..=most,
+            kind => {
+                debug_assert!(false, "{name} is no number but {kind:?}");
+                f64::MIN..=f64::MAX
+            }
+        }
+    }
+
+    /// The bounds of an attribute that is a whole number.
+    pub(super) fn whole_bounds(&self, name: &str) -> RangeInclusive<u64> {
+        let kind = self.kind(name);
+        debug_assert!(matches!(kind, Kind::Whole(..)), "{name} is {kind:?}");
+        match kind {
+            Kind::Whole(least, most) => least..=most,
+            _ => 0..=u64::MAX,
+        }
+    }
+
+    /// The default of an attribute that is a number.
+    pub(super) fn usual(&self, name: &str) -> f64 {
+        let attribute = self.schema.attribute(name);
+        let usual = attribute.and_then(|a| a.default.parse().ok());
+        debug_assert!(usual.is_some(), "{name} has no number for a default");
+        usual.unwrap_or(0.0)
     }
 }
 
@@ -127,7 +164,7 @@ impl<'t> Reader<'t, '_> {
             Some(schema)
                 if schema.tag == Tag::Roof
                     && content.tags.contains(&Tag::Roofs)
-                    && !element.bears(schema.required) =>
+                    && !schema.required().any(|name| element.bears(name)) =>
             {
                 self.faults.at(range, say::roof_for_roofs);
                 nodes.extend(schema::named("Roofs").map(|s| Node::Element(s, element)));
@@ -195,8 +232,8 @@ pub(super) fn check<'t>(
             found.add(faults, name, attribute);
         }
     }
-    for required in schema.required {
-        if !found.list.iter().any(|(n, ..)| n == required) {
+    for required in schema.required() {
+        if !found.list.iter().any(|(n, ..)| *n == required) {
             faults.at(&element.name_range, |s| {
                 say::attribute_missing(s, schema.name, required)
             });
@@ -212,11 +249,10 @@ fn attribute_name(
     attribute: &Attribute<'_>,
 ) -> Option<&'static str> {
     let canonical = schema::canonical(attribute.name);
-    let known = schema.attributes.iter().find(|a| **a == canonical);
-    if known.is_some() {
-        return known.copied();
+    if let Some(known) = schema.attribute(canonical) {
+        return Some(known.name);
     }
-    let bears = schema.attributes.iter().copied();
+    let bears = schema.attributes.iter().map(|a| a.name);
     let code = bears.clone().find(|a| *a == "code").map(|_| "texturecode");
     let near = schema::meant(schema.tag, attribute.name).or_else(|| {
         let words = bears.clone().chain(code);
@@ -224,7 +260,8 @@ fn attribute_name(
     });
     if !attribute.faulty {
         faults.at(&attribute.name_range, |s| {
-            say::unknown_attribute(s, attribute.name, schema.name, near, schema.attributes)
+            let known: Vec<&str> = bears.clone().collect();
+            say::unknown_attribute(s, attribute.name, schema.name, near, &known)
         });
     }
     let near = schema::canonical(near?);

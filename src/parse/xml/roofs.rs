@@ -1,16 +1,15 @@
 //! `Roofs` and `Roof`.
 
 use super::read::{Attributes, Node, Reader};
-use super::schema::{self, Schema};
+use super::schema::Schema;
 use super::tag::is_blank;
 use super::tree::Element;
-use super::values::{ANYWHERE, LENGTH, SIZE};
 use crate::ast::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
 };
 use crate::source::Spanned;
 
-const DIRECTIONS: &[(&str, RoofDirection)] = &[
+pub(super) const DIRECTIONS: [(&str, RoofDirection); 6] = [
     ("X", RoofDirection::AlongFront),
     ("Y", RoofDirection::AcrossFront),
     ("F", RoofDirection::Front),
@@ -19,7 +18,7 @@ const DIRECTIONS: &[(&str, RoofDirection)] = &[
     ("R", RoofDirection::Right),
 ];
 
-pub(super) const KINDS: &[(&str, RoofKind)] = &[
+pub(super) const KINDS: [(&str, RoofKind); 7] = [
     ("K", RoofKind::Tiles),
     ("G", RoofKind::CoverTiles),
     ("I", RoofKind::Boards),
@@ -29,7 +28,8 @@ pub(super) const KINDS: &[(&str, RoofKind)] = &[
     ("T", RoofKind::Metal),
 ];
 
-const MODES: &[(&str, RoofMode)] = &[("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
+pub(super) const MODES: [(&str, RoofMode); 2] =
+    [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
 
 impl<'t> Reader<'t, '_> {
     /// Reads a roof section.
@@ -37,12 +37,12 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         let mut roofs = Roofs {
             span: Some(self.start(element)),
-            mode: self.choice(&of, "mode", MODES),
+            mode: self.choice(&of, "mode", &MODES),
             method: self.choice(&of, "method", &RoofMethod::ALL),
             style: self.style(&of),
             lines: vec![],
         };
-        for node in self.children(element, &schema::ROOFS) {
+        for node in self.children(element, schema.content()) {
             if let Node::Element(schema, child) = node {
                 roofs.lines.extend(self.roof(schema, child));
             }
@@ -55,11 +55,11 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         self.no_children(element);
         let style = self.style(&of);
-        let direction = self.choice(&of, "ridge", DIRECTIONS);
+        let direction = self.choice(&of, "ridge", &DIRECTIONS);
         let star = |h: &str| h.trim_matches(is_blank) == "*";
         let automatic = of.get("height").is_some_and(|h| star(h.value.as_str()));
-        let height = (!automatic).then(|| self.number(&of, "height", ANYWHERE));
-        let corners = ["a0", "b0", "a1", "b1"].map(|name| self.number(&of, name, ANYWHERE));
+        let height = (!automatic).then(|| self.number(&of, "height"));
+        let corners = ["a0", "b0", "a1", "b1"].map(|name| self.number(&of, name));
         let [Some(a0), Some(b0), Some(a1), Some(b1)] = corners else {
             return None;
         };
@@ -76,18 +76,18 @@ impl<'t> Reader<'t, '_> {
 
     fn style(&mut self, of: &Attributes<'t>) -> RoofStyle {
         RoofStyle {
-            kind: self.choice(of, "kind", KINDS),
+            kind: self.choice(of, "kind", &KINDS),
             shape: self.choice(of, "shape", &RoofShape::ALL),
-            pitch: self.number(of, "pitch", 0.0..=100.0),
-            eaves: self.number(of, "eaves", LENGTH),
-            verge: self.number(of, "verge", LENGTH),
-            thickness: self.number(of, "thickness", SIZE),
+            pitch: self.number(of, "pitch"),
+            eaves: self.number(of, "eaves"),
+            verge: self.number(of, "verge"),
+            thickness: self.number(of, "thickness"),
             noshi: self
-                .whole_number(of, "noshi", 0..=100)
+                .whole_number(of, "noshi")
                 .map(|n| Spanned::new(u32::try_from(n.value).unwrap_or(0), n.span)),
-            sori: self.number(of, "sori", -50.0..=50.0),
-            gable: self.number(of, "gable", 0.0..=0.5),
-            ratio: self.number(of, "ratio", 0.0..=1.0),
+            sori: self.number(of, "sori"),
+            gable: self.number(of, "gable"),
+            ratio: self.number(of, "ratio"),
             plain_ridge: self.yes_no(of, "plain_ridge"),
         }
     }

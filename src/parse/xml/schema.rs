@@ -1,7 +1,13 @@
 //! The elements of the language: what each may bear and hold (language.md 3). Everything that the reader says about
-//! unknown words and wrong places comes from these tables.
+//! unknown words, wrong places and values comes from these tables; the schemas in `grammar/schema` and the reference
+//! are made of them.
+
+mod attributes;
+mod kinds;
 
 use super::tree::Habits;
+use attributes as bear;
+pub use kinds::{Bears, Kind};
 
 /// An element of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,141 +54,289 @@ pub(super) enum Tag {
 }
 
 /// What an element looks like.
-pub(super) struct Schema {
+#[derive(Debug)]
+pub struct Schema {
     pub(super) tag: Tag,
-    pub(super) name: &'static str,
-    /// Attributes it may bear, `code` standing for `texturecode` too.
-    pub(super) attributes: &'static [&'static str],
-    /// Those of them that it must bear.
-    pub(super) required: &'static [&'static str],
+    /// Its name.
+    pub name: &'static str,
+    /// Attributes it may bear.
+    pub attributes: &'static [Bears],
+    /// What may stand in it.
+    pub holds: Holds,
     /// Where it belongs, for the message when it stands elsewhere.
-    pub(super) home: &'static str,
+    pub home: &'static str,
+    /// What it is, in English.
+    pub en: &'static str,
+    /// The same in Japanese.
+    pub ja: &'static str,
+}
+
+/// What may stand in an element.
+#[derive(Clone, Copy, Debug)]
+pub enum Holds {
+    /// This.
+    Only(&'static Content),
+    /// What is repeated in the element round it.
+    Repeated,
+    /// The same as in the element round it.
+    Same,
+    /// Pieces of anything.
+    Anything,
+    /// `choice` elements, which hold the same as the element round it; or nothing.
+    Choices,
 }
 
 /// What may stand somewhere.
-pub(super) struct Content {
+#[derive(Debug)]
+pub struct Content {
+    /// A name for it.
+    pub name: &'static str,
     pub(super) tags: &'static [Tag],
     /// Whether text is codes there.
-    pub(super) text: bool,
+    pub text: bool,
+    /// What a `repeat` holds there, if not the same.
+    again: Option<&'static Content>,
+}
+
+impl Schema {
+    /// The attribute of a name.
+    pub fn attribute(&self, name: &str) -> Option<&'static Bears> {
+        self.attributes.iter().find(|a| a.name == name)
+    }
+
+    /// The attributes that it must bear.
+    pub(super) fn required(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
+        let all = self.attributes.iter();
+        all.filter(|a| a.required).map(|a| a.name)
+    }
+
+    /// What may stand in it, besides elements of the language; nothing where that depends on the element round it.
+    pub(super) fn content(&self) -> &'static Content {
+        match self.holds {
+            Only(content) => content,
+            Repeated | Same | Anything | Choices => &NOTHING,
+        }
+    }
+
+    /// Whether `Param` may stand right in it.
+    pub fn takes_parameters(&self) -> bool {
+        use Tag::{Catalog, Define, House, Houses, Structure};
+        matches!(self.tag, Catalog | Define | House | Houses | Structure)
+    }
+
+    /// Whether its other attributes are parameters of a piece.
+    pub fn bears_anything(&self) -> bool {
+        matches!(self.tag, Tag::Define | Tag::Use)
+    }
+
+    /// Whether it is read by this version.
+    pub fn is_read(&self) -> bool {
+        self.tag != Tag::Later
+    }
+
+    /// Whether it stands in a `random`.
+    pub fn is_choice(&self) -> bool {
+        self.tag == Tag::Choice
+    }
+
+    /// Whether it follows an `if`.
+    pub fn is_else(&self) -> bool {
+        self.tag == Tag::Else
+    }
+
+    /// Whether it is worked out before all else, and so may stand anywhere.
+    pub fn is_language(&self) -> bool {
+        super::language::is_language(self.tag)
+    }
+}
+
+impl Content {
+    /// The elements that may stand there, besides those of the language.
+    pub fn elements(&self) -> impl Iterator<Item = &'static Schema> + use<'_> {
+        ELEMENTS.iter().filter(|e| self.tags.contains(&e.tag))
+    }
+
+    /// What a `repeat` holds there.
+    pub fn repeated(&'static self) -> &'static Content {
+        self.again.unwrap_or(self)
+    }
 }
 
 const fn element(
     tag: Tag,
     name: &'static str,
-    attributes: &'static [&'static str],
-    required: &'static [&'static str],
+    attributes: &'static [Bears],
+    holds: Holds,
     home: &'static str,
+    about: [&'static str; 2],
 ) -> Schema {
+    let [en, ja] = about;
     Schema {
         tag,
         name,
         attributes,
-        required,
+        holds,
         home,
+        en,
+        ja,
     }
 }
 
 const fn later(name: &'static str) -> Schema {
-    element(Tag::Later, name, &[], &[], "")
+    element(Tag::Later, name, &[], Only(&NOTHING), "", ["", ""])
 }
 
 /// Where elements of [`language`](super::language) belong.
 const ANY: &str = "any element";
 
-/// What halls and shrines may bear.
-#[rustfmt::skip]
-const HALL: &[&str] = &["bays", "bay", "doors", "aisle", "upper", "veranda", "floor", "katsuogi", "columns",
-    "post", "paint", "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"];
+use Holds::{Anything, Choices, Only, Repeated, Same};
 
 /// All elements.
 #[rustfmt::skip]
-pub(super) static ELEMENTS: &[Schema] = &[
-    element(Tag::Houses, "Houses", &[], &[], "nothing: it is the outermost element"),
-    element(Tag::House, "House", &["name", "unit", "seed", "azimuth", "x", "y", "z", "street"], &[],
-        "`Houses`, or is the outermost element"),
-    element(Tag::Storey, "Storey", &["height", "start", "kind"], &[], "`House`"),
-    element(Tag::Loop, "Loop", &["hole", "inner", "start"], &[], "`Storey`"),
-    element(Tag::Row, "Row", &["turn"], &[], "`Storey` or `Loop`"),
-    element(Tag::Part, "Part", &["code", "width", "height"], &["code"], "`Row`, `Floor`, `upper` or `lower`"),
-    element(Tag::Structure, "Structure", &["size", "scale", "order"], &[],
-        "`House`, or is the outermost element"),
-    element(Tag::Facades, "Facades", &[], &[], "`Structure`"),
-    element(Tag::Facade, "Facade", &["id", "ratio", "angle", "reflection"], &[], "`Facades`"),
-    element(Tag::Floor, "Floor", &["id", "height", "kind"], &[], "`Facade`"),
-    element(Tag::Repeat, "repeat", &["num"], &["num"],
-        "`House`, `Storey`, `Loop`, `Row`, `Facades`, `Facade`, `Floor`, `upper` or `lower`"),
-    element(Tag::Split, "split", &["ratio"], &[], "`Row`, `Floor`, `upper` or `lower`"),
-    element(Tag::Upper, "upper", &[], &[], "`split`"),
-    element(Tag::Lower, "lower", &[], &[], "`split`"),
-    element(Tag::Random, "random", &["code", "weights"], &["code"], "`Storey`, `Row`, `Facade` or `Floor`"),
-    element(Tag::Choice, "choice", &["weight"], &[], "`random`"),
-    element(Tag::Replace, "replace", &["code", "with", "at"], &["with"], "`Storey`, `Row`, `Facade` or `Floor`"),
-    element(Tag::Texture, "Texture", &["code", "reflection", "src"], &["code"], "`House` or `Structure`"),
-    element(Tag::Roofs, "Roofs", &["mode", "method", "kind", "shape", "pitch", "eaves", "verge", "thickness",
-        "noshi", "sori", "gable", "ratio", "plain_ridge"], &[], "`House`"),
-    element(Tag::Roof, "Roof", &["a0", "b0", "a1", "b1", "ridge", "height", "kind", "shape", "pitch", "eaves",
-        "verge", "thickness", "noshi", "sori", "gable", "ratio", "plain_ridge"], &["a0", "b0", "a1", "b1"], "`Roofs`"),
-    element(Tag::Platform, "Platform", &["height", "margin", "stairs", "width"], &[], "`House`"),
-    element(Tag::Posts, "Posts", &["size", "round", "paint", "nageshi"], &[], "`House` or `Storey`"),
-    element(Tag::Veranda, "Veranda", &["width", "height", "rail", "stairs", "paint"], &[], "`Storey`"),
-    element(Tag::Brackets, "Brackets", &["steps", "height", "out", "paint"], &[], "`House` or `Storey`"),
-    element(Tag::Finial, "Finial", &["kind", "height", "count", "at"], &["kind"], "`House`"),
-    element(Tag::Pagoda, "Pagoda", &["storeys", "width", "bays", "taper", "rise", "sorin", "columns", "post", "paint",
-        "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"], &[], "`House`"),
-    element(Tag::Gate, "Gate", &["bays", "bay", "storeys", "doors", "inset", "upper", "columns", "post", "paint",
-        "steps", "pitch", "eaves", "sori", "thickness", "kind", "shape", "platform", "margin"], &[], "`House`"),
-    element(Tag::Hall, "Hall", HALL, &[], "`House`"),
-    element(Tag::Shrine, "Shrine", HALL, &[], "`House`"),
-    element(Tag::Catalog, "Catalog", &[], &[], "nothing: it is the outermost element"),
-    element(Tag::Param, "Param", &["name", "default", "min", "max", "step", "choices", "random", "weights",
-        "unit", "doc"], &["name"],
-        "`House`, `Houses`, `Structure`, `Catalog` or `define`"),
-    element(Tag::Let, "let", &["name", "value"], &["name", "value"], ANY),
-    element(Tag::Define, "define", &["name"], &["name"], ANY),
-    element(Tag::Use, "use", &["name"], &["name"], ANY),
-    element(Tag::If, "if", &["test"], &["test"], ANY),
-    element(Tag::Else, "else", &["test"], &[], ANY),
-    element(Tag::Include, "include", &["href"], &["href"], ANY),
+pub static ELEMENTS: &[Schema] = &[
+    element(Tag::Houses, "Houses", &[], Only(&HOUSES), "nothing: it is the outermost element",
+        ["several houses in one file", "一つのファイルに書いた複数の建物"]),
+    element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses`, or is the outermost element",
+        ["a house: storeys or facades from the ground up, then roofs", "建物。下の階から順に書き、最後に屋根を書く"]),
+    element(Tag::Storey, "Storey", bear::STOREY, Only(&STOREY), "`House`",
+        ["a storey; the rows right in it are one closed walk", "階。直下の行がひと回りの壁になる"]),
+    element(Tag::Loop, "Loop", bear::LOOP, Only(&ROWS), "`Storey`",
+        ["a closed walk of its own: a courtyard, or a wall inside", "独立したひと回りの壁。中庭や内側の壁"]),
+    element(Tag::Row, "Row", bear::ROW, Only(&PIECES), "`Storey` or `Loop`",
+        ["a wall line: codes of five columns, parts, operations", "壁の一行。5桁のコード、部材、操作を並べる"]),
+    element(Tag::Part, "Part", bear::PART, Only(&NOTHING), "`Row`, `Floor`, `upper` or `lower`",
+        ["one part", "部材ひとつ"]),
+    element(Tag::Structure, "Structure", bear::STRUCTURE, Only(&STRUCTURE), "`House`, or is the outermost element",
+        ["walls given facade by facade", "壁面ごとに与える構造"]),
+    element(Tag::Facades, "Facades", &[], Only(&FACADES), "`Structure`",
+        ["the facades, clockwise seen from above", "壁面の列。上から見て時計回り"]),
+    element(Tag::Facade, "Facade", bear::FACADE, Only(&FACADE), "`Facades`",
+        ["one plane wall, floor by floor from the ground up", "壁面ひとつ。下の階から順に書く"]),
+    element(Tag::Floor, "Floor", bear::FLOOR, Only(&FLOOR), "`Facade`",
+        ["one storey of a facade", "壁面の一階分"]),
+    element(Tag::Repeat, "repeat", bear::REPEAT, Repeated, "`House`, `Storey`, `Loop`, `Row`, `Facades`, `Facade`, `Floor`, `upper` or `lower`",
+        ["its content several times", "中身の繰り返し"]),
+    element(Tag::Split, "split", bear::SPLIT, Only(&SPLIT), "`Row`, `Floor`, `upper` or `lower`",
+        ["one place of a wall divided into an upper and a lower half of the same width", "壁の一か所を同じ幅の上下に分ける"]),
+    element(Tag::Upper, "upper", &[], Only(&PIECES), "`split`",
+        ["the upper half", "上の部分"]),
+    element(Tag::Lower, "lower", &[], Only(&PIECES), "`split`",
+        ["the lower half", "下の部分"]),
+    element(Tag::Random, "random", bear::RANDOM, Choices, "`Storey`, `Row`, `Facade` or `Floor`",
+        ["draws one code of a list, or one `choice` of anything", "コードのひとつ、または `choice` のひとつを抽選する"]),
+    element(Tag::Choice, "choice", bear::CHOICE, Same, "`random`",
+        ["what stands in the place of its `random` if it is drawn", "抽選で選ばれたときに `random` の場所に置く中身"]),
+    element(Tag::Replace, "replace", bear::REPLACE, Only(&NOTHING), "`Storey`, `Row`, `Facade` or `Floor`",
+        ["puts other codes in the place of some", "コードを取り替える"]),
+    element(Tag::Texture, "Texture", bear::TEXTURE, Only(&NOTHING), "`House` or `Structure`",
+        ["gloss of a texture", "質感の映り込み"]),
+    element(Tag::Roofs, "Roofs", bear::ROOFS, Only(&ROOFS), "`House`",
+        ["the roofs of a house, and how automatic ones look", "建物の屋根と、自動屋根の見え方"]),
+    element(Tag::Roof, "Roof", bear::ROOF, Only(&NOTHING), "`Roofs`",
+        ["a roof over a rectangle", "矩形の上の屋根"]),
+    element(Tag::Platform, "Platform", bear::PLATFORM, Only(&NOTHING), "`House`",
+        ["a stone platform (kidan) round the ground storey", "基壇"]),
+    element(Tag::Posts, "Posts", bear::POSTS, Only(&NOTHING), "`House` or `Storey`",
+        ["the posts at the borders of bays", "柱"]),
+    element(Tag::Veranda, "Veranda", bear::VERANDA, Only(&NOTHING), "`Storey`",
+        ["boards round a storey, with a railing or none", "縁"]),
+    element(Tag::Brackets, "Brackets", bear::BRACKETS, Only(&NOTHING), "`House` or `Storey`",
+        ["bracket complexes (kumimono) on the posts", "組物"]),
+    element(Tag::Finial, "Finial", bear::FINIAL, Only(&NOTHING), "`House`",
+        ["what crowns a roof", "屋根の飾り"]),
+    element(Tag::Pagoda, "Pagoda", bear::PAGODA, Only(&NOTHING), "`House`",
+        ["a pagoda in place of all storeys", "塔。階の代わりに書く"]),
+    element(Tag::Gate, "Gate", bear::GATE, Only(&NOTHING), "`House`",
+        ["a gate in place of all storeys", "門。階の代わりに書く"]),
+    element(Tag::Hall, "Hall", bear::HALL, Only(&NOTHING), "`House`",
+        ["a temple hall in place of all storeys", "仏堂。階の代わりに書く"]),
+    element(Tag::Shrine, "Shrine", bear::SHRINE, Only(&NOTHING), "`House`",
+        ["a shrine in place of all storeys", "社殿。階の代わりに書く"]),
+    element(Tag::Catalog, "Catalog", &[], Only(&DEFINITIONS), "nothing: it is the outermost element",
+        ["parameters, names and pieces for other files", "ほかのファイルのための引数、名、部品"]),
+    element(Tag::Param, "Param", bear::PARAM, Only(&NOTHING), "`House`, `Houses`, `Structure`, `Catalog` or `define`",
+        ["a parameter, set by `--param` or by `use`", "引数。`--param` や `use` で指定する"]),
+    element(Tag::Let, "let", bear::LET, Only(&NOTHING), ANY,
+        ["a name for a value", "値に名を付ける"]),
+    element(Tag::Define, "define", bear::DEFINE, Anything, ANY,
+        ["a named piece of anything", "名の付いた部品"]),
+    element(Tag::Use, "use", bear::USE, Only(&NOTHING), ANY,
+        ["a piece in its place", "部品をそこに置く"]),
+    element(Tag::If, "if", bear::IF, Same, ANY,
+        ["counts as what it holds where its test is true", "条件が真なら中身を生かす"]),
+    element(Tag::Else, "else", bear::ELSE, Same, ANY,
+        ["the other case of the `if` or `else` right before it", "直前の `if` か `else` でないとき"]),
+    element(Tag::Include, "include", bear::INCLUDE, Only(&NOTHING), ANY,
+        ["what another file defines", "ほかのファイルの定義を読み込む"]),
     later("PartDef"),
 ];
 
-const fn content(tags: &'static [Tag]) -> Content {
-    Content { tags, text: false }
+const fn content(name: &'static str, tags: &'static [Tag]) -> Content {
+    Content {
+        name,
+        tags,
+        text: false,
+        again: None,
+    }
 }
 
-pub(super) static ROOT: Content = content(&[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog]);
-pub(super) static HOUSES: Content = content(&[Tag::House]);
-pub(super) static HOUSE: Content = content(&[
-    Tag::Storey,
-    Tag::Repeat,
-    Tag::Random,
-    Tag::Replace,
-    Tag::Structure,
-    Tag::Texture,
-    Tag::Roofs,
-    Tag::Platform,
-    Tag::Posts,
-    Tag::Brackets,
-    Tag::Finial,
-    Tag::Pagoda,
-    Tag::Gate,
-    Tag::Hall,
-    Tag::Shrine,
-]);
-pub(super) static STOREYS: Content =
-    content(&[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace]);
-pub(super) static STOREY: Content = content(&[
-    Tag::Row,
-    Tag::Loop,
-    Tag::Repeat,
-    Tag::Random,
-    Tag::Replace,
-    Tag::Posts,
-    Tag::Veranda,
-    Tag::Brackets,
-]);
-pub(super) static ROWS: Content = content(&[Tag::Row, Tag::Repeat, Tag::Random, Tag::Replace]);
+/// The same where a `repeat` holds something else.
+const fn repeating(again: &'static Content, name: &'static str, tags: &'static [Tag]) -> Content {
+    Content {
+        again: Some(again),
+        ..content(name, tags)
+    }
+}
+
+/// What may be the outermost element.
+pub static ROOT: Content = content(
+    "root",
+    &[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog],
+);
+pub(super) static HOUSES: Content = content("houses", &[Tag::House]);
+pub(super) static HOUSE: Content = repeating(
+    &STOREYS,
+    "house",
+    &[
+        Tag::Storey,
+        Tag::Repeat,
+        Tag::Random,
+        Tag::Replace,
+        Tag::Structure,
+        Tag::Texture,
+        Tag::Roofs,
+        Tag::Platform,
+        Tag::Posts,
+        Tag::Brackets,
+        Tag::Finial,
+        Tag::Pagoda,
+        Tag::Gate,
+        Tag::Hall,
+        Tag::Shrine,
+    ],
+);
+pub(super) static STOREYS: Content = content(
+    "storeys",
+    &[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace],
+);
+pub(super) static STOREY: Content = repeating(
+    &ROWS,
+    "storey",
+    &[
+        Tag::Row,
+        Tag::Loop,
+        Tag::Repeat,
+        Tag::Random,
+        Tag::Replace,
+        Tag::Posts,
+        Tag::Veranda,
+        Tag::Brackets,
+    ],
+);
+pub(super) static ROWS: Content =
+    content("rows", &[Tag::Row, Tag::Repeat, Tag::Random, Tag::Replace]);
 pub(super) static PIECES: Content = Content {
+    name: "pieces",
     tags: &[
         Tag::Part,
         Tag::Repeat,
@@ -191,9 +345,11 @@ pub(super) static PIECES: Content = Content {
         Tag::Replace,
     ],
     text: true,
+    again: None,
 };
 /// A floor may hold its base row as a `Row` too (domain.md 8).
 pub(super) static FLOOR: Content = Content {
+    name: "floor",
     tags: &[
         Tag::Part,
         Tag::Repeat,
@@ -203,14 +359,22 @@ pub(super) static FLOOR: Content = Content {
         Tag::Row,
     ],
     text: true,
+    again: Some(&PIECES),
 };
-pub(super) static SPLIT: Content = content(&[Tag::Upper, Tag::Lower]);
-pub(super) static STRUCTURE: Content = content(&[Tag::Facades, Tag::Texture]);
-pub(super) static FACADES: Content =
-    content(&[Tag::Facade, Tag::Repeat, Tag::Random, Tag::Replace]);
-pub(super) static FACADE: Content = content(&[Tag::Floor, Tag::Repeat, Tag::Random, Tag::Replace]);
-pub(super) static ROOFS: Content = content(&[Tag::Roof]);
-pub(super) static NOTHING: Content = content(&[]);
+pub(super) static SPLIT: Content = content("split", &[Tag::Upper, Tag::Lower]);
+pub(super) static STRUCTURE: Content = content("structure", &[Tag::Facades, Tag::Texture]);
+pub(super) static FACADES: Content = content(
+    "facades",
+    &[Tag::Facade, Tag::Repeat, Tag::Random, Tag::Replace],
+);
+pub(super) static FACADE: Content = content(
+    "facade",
+    &[Tag::Floor, Tag::Repeat, Tag::Random, Tag::Replace],
+);
+pub(super) static ROOFS: Content = content("roofs", &[Tag::Roof]);
+/// Things that only other files use.
+pub(super) static DEFINITIONS: Content = content("definitions", &[]);
+pub(super) static NOTHING: Content = content("nothing", &[]);
 
 /// The element of a name.
 pub(super) fn named(name: &str) -> Option<&'static Schema> {
@@ -234,12 +398,12 @@ pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
 /// What the tree must know to recover well.
 pub(super) static HABITS: Habits = Habits {
     leaf: |name| {
-        let leaves = [
-            "Part", "random", "replace", "Texture", "Roof", "Platform", "Posts", "Veranda",
-            "Brackets", "Finial", "Pagoda", "Gate", "Hall", "Shrine", "Param", "let", "use",
-            "include",
-        ];
-        leaves.contains(&name)
+        let leaf = |e: &Schema| match e.holds {
+            Only(content) => content.name == NOTHING.name && e.tag != Tag::Later,
+            Choices => true,
+            Repeated | Same | Anything => false,
+        };
+        named(name).is_some_and(leaf)
     },
     alone: |name| {
         let nests = ["repeat", "split", "upper", "lower", "if", "else", "define"];

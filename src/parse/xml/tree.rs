@@ -73,8 +73,8 @@ pub(super) struct Element<'a> {
 
 impl Element<'_> {
     /// Whether it bears one of these attributes.
-    pub(super) fn bears(&self, names: &[&str]) -> bool {
-        self.attributes.iter().any(|a| names.contains(&a.name))
+    pub(super) fn bears(&self, name: &str) -> bool {
+        self.attributes.iter().any(|a| a.name == name)
     }
 }
 

@@ -8,16 +8,7 @@ use crate::source::{Span, Spanned};
 use crate::text;
 use std::ops::{Range, RangeInclusive};
 
-/// Further from the origin than any house of this world in metres, and further than any wall in U or shaku.
-pub(super) const ANYWHERE: RangeInclusive<f64> = -1e8..=1e8;
-/// Sizes in U or shaku: positive, and no larger than a mountain.
-pub(super) const SIZE: RangeInclusive<f64> = 1e-3..=1e5;
-/// Overhangs and other lengths that may be nothing.
-pub(super) const LENGTH: RangeInclusive<f64> = 0.0..=1e5;
-/// Degrees.
-pub(super) const TURN: RangeInclusive<f64> = -360.0..=360.0;
-
-const YES_NO: &[(&str, bool)] = &[("yes", true), ("no", false)];
+const YES_NO: [(&str, bool); 2] = [("yes", true), ("no", false)];
 
 impl<'t> Reader<'t, '_> {
     /// The span of an attribute's value.
@@ -41,27 +32,25 @@ impl<'t> Reader<'t, '_> {
         Some(Spanned::new(text[start..end].to_owned(), span))
     }
 
-    /// A number within a range.
-    pub(super) fn number(
-        &mut self,
-        of: &Attributes<'t>,
-        name: &str,
-        range: RangeInclusive<f64>,
-    ) -> Option<Spanned<f64>> {
+    /// A number within the attribute's bounds.
+    pub(super) fn number(&mut self, of: &Attributes<'t>, name: &str) -> Option<Spanned<f64>> {
         let attribute = of.get(name)?;
+        let range = of.bounds(name);
         let text = attribute.value.as_str();
         let value = self.number_in(attribute, 0..text.len(), &range)?;
         Some(Spanned::new(value, self.value_span(attribute)))
     }
 
-    /// A whole number within a range.
-    pub(super) fn whole_number(
-        &mut self,
-        of: &Attributes<'t>,
-        name: &str,
-        range: RangeInclusive<u64>,
-    ) -> Option<Spanned<u64>> {
+    /// A number, or the attribute's default.
+    pub(super) fn usual(&mut self, of: &Attributes<'t>, name: &str) -> f64 {
+        self.number(of, name)
+            .map_or(of.usual(name), |given| given.value)
+    }
+
+    /// A whole number within the attribute's bounds.
+    pub(super) fn whole_number(&mut self, of: &Attributes<'t>, name: &str) -> Option<Spanned<u64>> {
         let attribute = of.get(name)?;
+        let range = of.whole_bounds(name);
         let text = attribute.value.as_str().trim_matches(is_blank);
         let span = self.value_span(attribute);
         match text.parse::<u64>() {
@@ -92,7 +81,7 @@ impl<'t> Reader<'t, '_> {
         let value = match attribute.value.as_str().trim_matches(is_blank) {
             "true" | "1" => true,
             "false" | "0" => false,
-            _ => return self.choice(of, name, YES_NO),
+            _ => return self.choice(of, name, &YES_NO),
         };
         Some(Spanned::new(value, self.value_span(attribute)))
     }
@@ -133,18 +122,14 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Numbers divided by blanks or commas.
-    pub(super) fn numbers(
-        &mut self,
-        of: &Attributes<'t>,
-        name: &str,
-        range: &RangeInclusive<f64>,
-    ) -> Option<Spanned<Vec<f64>>> {
+    pub(super) fn numbers(&mut self, of: &Attributes<'t>, name: &str) -> Option<Spanned<Vec<f64>>> {
         let attribute = of.get(name)?;
+        let range = of.bounds(name);
         let (mut list, mut good) = (vec![], true);
         for piece in pieces(attribute.value.as_str(), |c| {
             is_blank(c) || c == ',' || c == '、'
         }) {
-            match self.number_in(attribute, piece, range) {
+            match self.number_in(attribute, piece, &range) {
                 Some(value) => list.push(value),
                 None => good = false,
             }
@@ -154,7 +139,7 @@ impl<'t> Reader<'t, '_> {
 
     /// A point `"a b"`.
     pub(super) fn point(&mut self, of: &Attributes<'t>, name: &str) -> Option<Spanned<(f64, f64)>> {
-        let list = self.numbers(of, name, &ANYWHERE)?;
+        let list = self.numbers(of, name)?;
         if let [a, b] = list.value[..] {
             return Some(Spanned::new((a, b), list.span));
         }
@@ -164,13 +149,8 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Two numbers, or one that stands for both.
-    pub(super) fn pair(
-        &mut self,
-        of: &Attributes<'t>,
-        name: &str,
-        range: RangeInclusive<f64>,
-    ) -> Option<Spanned<[f64; 2]>> {
-        let list = self.numbers(of, name, &range)?;
+    pub(super) fn pair(&mut self, of: &Attributes<'t>, name: &str) -> Option<Spanned<[f64; 2]>> {
+        let list = self.numbers(of, name)?;
         match list.value[..] {
             [both] => Some(Spanned::new([both; 2], list.span)),
             [one, two] => Some(Spanned::new([one, two], list.span)),
@@ -187,10 +167,10 @@ impl<'t> Reader<'t, '_> {
         &mut self,
         of: &Attributes<'t>,
         name: &str,
-        range: RangeInclusive<f64>,
     ) -> Option<Spanned<[f64; 2]>> {
-        let (least, most) = (*range.start(), *range.end());
-        let pair = self.pair(of, name, range)?;
+        let bounds = of.bounds(name);
+        let (least, most) = (*bounds.start(), *bounds.end());
+        let pair = self.pair(of, name)?;
         let Some(part) = pair.value.iter().find(|n| n.fract() != 0.0) else {
             return Some(pair);
         };

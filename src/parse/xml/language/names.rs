@@ -33,11 +33,9 @@ impl<'a> Maker<'a, '_> {
 
     /// Takes the parameter of a house or a file.
     pub(super) fn param(&mut self, spot: &Spot<'_, 'a>, parent: &Spot<'_, 'a>, scope: &Scope<'a>) {
-        match parent.tag() {
-            Some(Tag::House | Tag::Houses | Tag::Structure | Tag::Catalog) => {
-                self.parameter(spot, scope, Given::Run);
-            }
-            Some(Tag::Define) => {} // taken by its use
+        match schema::named(parent.element().name) {
+            Some(s) if s.tag == Tag::Define => {} // taken by its use
+            Some(s) if s.takes_parameters() => self.parameter(spot, scope, Given::Run),
             _ => {
                 let element = spot.element();
                 let home = schema::named(element.name).map_or("", |s| s.home);

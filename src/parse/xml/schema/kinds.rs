@@ -1,0 +1,105 @@
+//! What an attribute may say. The reader takes its bounds and words from here, and so do the schemas in `grammar/schema`
+//! and the reference.
+
+/// What is written in the value of an attribute, if it is no expression.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Any text that is not empty.
+    Text,
+    /// A number from one to the other.
+    Number(f64, f64),
+    /// A whole number from one to the other.
+    Whole(u64, u64),
+    /// Numbers divided by blanks or commas.
+    Numbers(f64, f64),
+    /// Two numbers, or one that stands for both.
+    Pair(f64, f64),
+    /// The same of whole numbers.
+    WholePair(f64, f64),
+    /// Two numbers, of a place.
+    Point(f64, f64),
+    /// `yes` or `no`; `true`, `false`, `1` and `0` are taken for them.
+    YesNo,
+    /// One of some words.
+    Choice(&'static [&'static str]),
+    /// Some of some words, divided by blanks or commas.
+    Choices(&'static [&'static str]),
+    /// One of some words, or a number from one to the other.
+    Either(&'static [&'static str], f64, f64),
+    /// Positions from 1 such as `2,5-7`.
+    Positions,
+}
+
+/// An attribute that an element may bear.
+#[derive(Clone, Copy, Debug)]
+pub struct Bears {
+    /// Its name; `code` stands for `texturecode` too.
+    pub name: &'static str,
+    /// What it says.
+    pub kind: Kind,
+    /// Whether it must be there.
+    pub required: bool,
+    /// What holds where it is not there; empty where that follows from other things.
+    pub default: &'static str,
+    /// What it means, in English.
+    pub en: &'static str,
+    /// The same in Japanese.
+    pub ja: &'static str,
+}
+
+/// An attribute that may be left out.
+pub(super) const fn may(
+    name: &'static str,
+    kind: Kind,
+    default: &'static str,
+    en: &'static str,
+    ja: &'static str,
+) -> Bears {
+    Bears {
+        name,
+        kind,
+        required: false,
+        default,
+        en,
+        ja,
+    }
+}
+
+/// An attribute that must be there.
+pub(super) const fn must(
+    name: &'static str,
+    kind: Kind,
+    en: &'static str,
+    ja: &'static str,
+) -> Bears {
+    Bears {
+        required: true,
+        ..may(name, kind, "", en, ja)
+    }
+}
+
+/// The words of a list that says what each means.
+pub(super) const fn words<T, const N: usize>(list: &[(&'static str, T); N]) -> [&'static str; N] {
+    let mut words = [""; N];
+    let mut at = 0;
+    while at < N {
+        words[at] = list[at].0;
+        at += 1;
+    }
+    words
+}
+
+/// Some attributes, then others.
+pub(super) const fn join<const A: usize, const B: usize, const N: usize>(
+    first: [Bears; A],
+    then: [Bears; B],
+) -> [Bears; N] {
+    assert!(A + B == N);
+    let mut all = [may("", Kind::Text, "", "", ""); N];
+    let mut at = 0;
+    while at < N {
+        all[at] = if at < A { first[at] } else { then[at - A] };
+        at += 1;
+    }
+    all
+}

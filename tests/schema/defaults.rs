@@ -1,0 +1,99 @@
+//! What the tables call the default of an attribute is what holds without it: a text that says so builds the same
+//! house as one that does not.
+
+use crate::model;
+use hsd::diagnostic::Diagnostics;
+use hsd::source::{FileId, NoPictures, Source};
+use serde_json::Value;
+
+/// Texts in which an element stands without its attributes: (elements, text).
+const HOSTS: &[(&[&str], &str)] = &[
+    (
+        &["House", "Storey", "Row", "Roofs", "Posts", "Veranda", "Brackets", "Platform", "split"],
+        "<House><Platform/><Storey><Row>KSK  KSK  KSK  <split><upper>KSK</upper><lower>TOD</lower></split></Row>
+         <Row>KSK  KSK  KSK</Row><Row>KSK  KSK  KSK  KSK</Row><Row>KSK  KSK  KSK</Row><Posts/><Veranda/><Brackets/></Storey><Roofs/></House>",
+    ),
+    (
+        &["Loop"],
+        "<House><Storey><Loop><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row></Loop>
+         </Storey></House>",
+    ),
+    (
+        &["Roof"],
+        "<House><Storey><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK  KSK</Row><Row>KSK  KSK</Row></Storey>
+         <Roofs><Roof a0=\"0\" b0=\"0\" a1=\"3\" b1=\"2\" shape=\"KIR\"/></Roofs></House>",
+    ),
+    (
+        &["Structure", "Floor"],
+        "<Structure><Facades><Facade><Floor>KSK  KSK  TOD</Floor></Facade><Facade><Floor>KSK  KSK</Floor></Facade>
+         <Facade><Floor>KSK  KSK  KSK</Floor></Facade><Facade><Floor>KSK  KSK</Floor></Facade></Facades></Structure>",
+    ),
+    (&["Pagoda"], "<House><Pagoda/></House>"),
+    (&["Gate"], "<House><Gate/></House>"),
+    (&["Hall"], "<House><Hall/></House>"),
+    (&["Shrine"], "<House><Shrine/></House>"),
+];
+
+/// Defaults that hold for all but one of their kind, which the texts above have: (element, attribute).
+const EXCEPTIONS: &[(&str, &str)] = &[
+    ("Facade", "angle"),
+    ("Facade", "reflection"),
+    ("choice", "weight"),
+    ("Param", "random"),
+];
+
+/// The building of a text.
+fn building(text: &str) -> Value {
+    let mut out = Diagnostics::new();
+    let source = Source::new(FileId(0), "default.hsd", text.as_bytes());
+    let made = hsd::compile(&[&source], &NoPictures, &hsd::Options::default(), &mut out);
+    assert!(!out.has_errors(), "{text}: {out:?}");
+    let mut value = serde_json::to_value(&made.building).expect("buildings are plain data");
+    without_places(&mut value);
+    value
+}
+
+/// What a value is made of where it is written counts; where that is does not.
+fn without_places(value: &mut Value) {
+    match value {
+        Value::Object(map) => {
+            map.remove("span");
+            map.remove("wished");
+            map.values_mut().for_each(without_places);
+        }
+        Value::Array(list) => list.iter_mut().for_each(without_places),
+        _ => {}
+    }
+}
+
+#[test]
+fn defaults_are_what_holds_without_them() {
+    let mut wrong = vec![];
+    for element in model::elements() {
+        let host = HOSTS
+            .iter()
+            .find(|(names, _)| names.contains(&element.name));
+        for bears in element.attributes.iter().filter(|a| !a.default.is_empty()) {
+            let Some((_, text)) = host else {
+                let known = EXCEPTIONS.contains(&(element.name, bears.name));
+                assert!(known, "no text with a {} {}", element.name, bears.name);
+                continue;
+            };
+            let tag = format!("<{}", element.name);
+            let at = text
+                .find(&format!("{tag}>"))
+                .or_else(|| text.find(&format!("{tag}/")));
+            let at = at
+                .or_else(|| text.find(&format!("{tag} ")))
+                .expect("it is there")
+                + tag.len();
+            let said = format!(" {}=\"{}\"", bears.name, bears.default);
+            // Blanks in its place, so that all places in the text are the same.
+            let with = |words: &str| building(&format!("{}{words}{}", &text[..at], &text[at..]));
+            if with(&said) != with(&" ".repeat(said.len())) {
+                wrong.push(format!("{} {}={}", element.name, bears.name, bears.default));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+}

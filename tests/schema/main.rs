@@ -1,0 +1,46 @@
+//! The schemas of the XML form in `grammar/schema`: made of the tables that the reader itself goes by, and held against
+//! every text of the repository by xmllint where that is there. `HSD_UPDATE=1 cargo test --test schema` writes them anew.
+
+#![allow(unreachable_pub)]
+
+mod agree;
+mod defaults;
+mod model;
+mod relaxng;
+mod xsd;
+
+use std::fs;
+use std::path::Path;
+
+const FOLDER: &str = "grammar/schema";
+
+#[test]
+fn the_schemas_are_those_of_the_reader() {
+    let made = [("hsd.rng", relaxng::make()), ("hsd.xsd", xsd::make())];
+    for (name, text) in made {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join(FOLDER)
+            .join(name);
+        if std::env::var_os("HSD_UPDATE").is_some() {
+            fs::write(&path, &text).expect("the schema can be written");
+        }
+        let there = fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            there == text,
+            "{FOLDER}/{name} is stale: HSD_UPDATE=1 cargo test --test schema"
+        );
+    }
+}
+
+#[test]
+fn every_element_and_attribute_says_what_it_is() {
+    for element in model::elements() {
+        let words = [element.en, element.ja];
+        assert!(words.iter().all(|w| !w.is_empty()), "{}", element.name);
+        for attribute in element.attributes {
+            let words = [attribute.en, attribute.ja];
+            let said = words.iter().all(|w| !w.is_empty());
+            assert!(said, "{} {}", element.name, attribute.name);
+        }
+    }
+}
