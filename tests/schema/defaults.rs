@@ -53,12 +53,13 @@ fn building(text: &str) -> Value {
     value
 }
 
-/// What a value is made of where it is written counts; where that is does not.
+/// What is built counts; where it is written, and whether, does not.
 fn without_places(value: &mut Value) {
     match value {
         Value::Object(map) => {
-            map.remove("span");
-            map.remove("wished");
+            for key in ["span", "wished", "plain_ridge"] {
+                map.remove(key);
+            }
             map.values_mut().for_each(without_places);
         }
         Value::Array(list) => list.iter_mut().for_each(without_places),

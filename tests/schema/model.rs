@@ -79,14 +79,10 @@ pub fn inside(element: &Schema, place: &Place) -> Option<&'static str> {
     match element.holds {
         Holds::Only(content) => (!is_nothing(content)).then_some(content.name),
         Holds::Repeated => Some(place.repeated),
-        Holds::Same => Some(place.name).map(fixed),
+        Holds::Same => Some(place.name),
         Holds::Anything => Some(ANYTHING),
         Holds::Choices => None,
     }
-}
-
-fn fixed(name: &'static str) -> &'static str {
-    name
 }
 
 /// The name of an element's type in a place: one for all places unless what it holds depends on the place.
