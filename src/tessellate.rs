@@ -39,7 +39,7 @@ mod standing;
 mod store;
 mod track;
 
-use crate::ast::StoreyKind;
+use crate::ast::{RoofKind, StoreyKind};
 use crate::building::{
     Building, Ceiling, Finish, House, HouseRoofs, Ring, Roof, Soffit, Solid, Storey,
 };
@@ -47,7 +47,7 @@ use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
-use alike::{Alike, Roofs};
+use alike::{Alike, Roofs, Walls};
 use compact_str::{CompactString, format_compact};
 use dress::Neighbours;
 use facade::Line;
@@ -186,32 +186,36 @@ impl<'a> Walker<'a> {
         }
         let neighbours = Neighbours::of(roofs);
         for (i, roof) in roofs.roofs.iter().enumerate() {
-            let gables = self.gables(house, roof, &standing);
+            let walls = self.below(house, roof, &standing);
             let beyond = neighbours.beyond(i, roof);
-            self.roof(root, roof, Alike::new(roof, gables, beyond, i + 1), i + 1);
+            self.roof(root, roof, Alike::new(roof, walls, beyond, i + 1), i + 1);
         }
     }
 
-    /// The finishes of a roof's gable fills, by solid; nothing where it has none.
-    fn gables(
-        &self,
-        house: &House,
-        roof: &Roof,
-        standing: &[OnceCell<Standing>],
-    ) -> Vec<SurfaceId> {
+    /// What the walls of a roof's storey give it: the finishes of its gable fills, nothing where it has none, and
+    /// whether it is plastered.
+    fn below(&self, house: &House, roof: &Roof, standing: &[OnceCell<Standing>]) -> Walls {
         let fills = |s: &Solid| s.faces.first().is_some_and(|f| f.finish == Finish::Gable);
         // Numbers rise, and a parapet follows the storey whose number it shares.
         let below = house.storeys.partition_point(|s| s.number < roof.storey);
-        let storey = house.storeys.get(below);
-        let Some(storey) = storey.filter(|_| roof.solids.iter().any(fills)) else {
-            return vec![];
+        let Some(storey) = house.storeys.get(below) else {
+            return Walls::default();
         };
+        let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
+        let plastered = tiled && standing::is_plastered(self.catalog, storey);
+        if !roof.solids.iter().any(fills) {
+            return Walls {
+                gables: vec![],
+                plastered,
+            };
+        }
         let standing = standing[below].get_or_init(|| Standing::of(storey));
         let of = |solid: &Solid| match fills(solid) {
             true => standing.gable(self.catalog, house, Place { solid, storey }),
             false => SurfaceId::named("plaster"),
         };
-        roof.solids.iter().map(of).collect()
+        let gables = roof.solids.iter().map(of).collect();
+        Walls { gables, plastered }
     }
 
     fn storey(
@@ -292,7 +296,9 @@ impl<'a> Walker<'a> {
     /// What closes an overhanging storey from below.
     fn soffit(&mut self, root: NodeId, soffit: &Soffit, number: usize) {
         let name = format_compact!("soffit {number}");
-        let mesh = self.store.solids(&name, &soffit.solids, &[], &[]);
+        let mesh = self
+            .store
+            .solids(&name, &soffit.solids, &Walls::default(), &[]);
         let node = self.node(Some(root), Kind::Member, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(soffit.storey);
@@ -303,9 +309,9 @@ impl<'a> Walker<'a> {
         let (mesh, rows) = match self.roofs.entry(alike) {
             Entry::Occupied(known) => known.get().clone(),
             Entry::Vacant(new) => {
-                let worn = dress::dress(roof, new.key().beyond(), self.detail);
-                let (gables, bodies) = (new.key().gables(), &worn.bodies);
-                let mesh = self.store.solids(&name, &roof.solids, gables, bodies);
+                let walls = new.key().walls();
+                let worn = dress::dress(roof, new.key().beyond(), walls.plastered, self.detail);
+                let mesh = self.store.solids(&name, &roof.solids, walls, &worn.bodies);
                 let runs = worn.runs.into_iter();
                 let rows = runs.map(|run| (run.clone(), self.store.row(run.row)));
                 new.insert((mesh, rows.collect())).clone()

@@ -27,24 +27,27 @@ pub(super) struct Alike<'a> {
     dress: Dress,
     beyond: Beyond,
     solids: &'a [Solid],
+    walls: Walls,
+}
+
+/// What the walls below give a roof.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Walls {
     /// What its gables are filled with, solid by solid.
-    gables: Vec<SurfaceId>,
+    pub(super) gables: Vec<SurfaceId>,
+    /// Whether they are plastered over their posts, and its eaves and verges with them.
+    pub(super) plastered: bool,
 }
 
 impl<'a> Alike<'a> {
-    pub(super) fn new(
-        roof: &'a Roof,
-        gables: Vec<SurfaceId>,
-        beyond: Beyond,
-        number: usize,
-    ) -> Alike<'a> {
+    pub(super) fn new(roof: &'a Roof, walls: Walls, beyond: Beyond, number: usize) -> Alike<'a> {
         Alike {
             number,
             kind: roof.kind,
             dress: roof.dress,
             beyond,
             solids: &roof.solids,
-            gables,
+            walls,
         }
     }
 
@@ -52,8 +55,8 @@ impl<'a> Alike<'a> {
         &self.beyond
     }
 
-    pub(super) fn gables(&self) -> &[SurfaceId] {
-        &self.gables
+    pub(super) fn walls(&self) -> &Walls {
+        &self.walls
     }
 }
 
@@ -86,7 +89,7 @@ impl PartialEq for Alike<'_> {
             && self.kind == other.kind
             && self.dress == other.dress
             && self.beyond == other.beyond
-            && self.gables == other.gables
+            && self.walls == other.walls
             && self.solids.len() == other.solids.len()
             && self.solids.iter().zip(other.solids).all(solid)
     }

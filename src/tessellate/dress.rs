@@ -22,6 +22,7 @@ mod flashing;
 mod gegyo;
 mod line;
 mod onigawara;
+mod plaster;
 mod rafters;
 mod ridge;
 mod rim;
@@ -54,6 +55,8 @@ struct Tailor<'a> {
     roof: &'a Roof,
     surface: &'a Surface,
     detail: Detail,
+    /// Whether no timber shows under eaves and verges.
+    plastered: bool,
 }
 
 /// What a roof wears.
@@ -65,8 +68,9 @@ pub(super) struct Dressing {
     pub(super) runs: Vec<Run>,
 }
 
-/// What dresses a roof at a detail; `beyond` is what its joints lie against.
-pub(super) fn dress(roof: &Roof, beyond: &Beyond, detail: Detail) -> Dressing {
+/// What dresses a roof at a detail; `beyond` is what its joints lie against, `plastered` whether the walls below are
+/// plastered over their posts.
+pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> Dressing {
     let mut worn = Dressing::default();
     let surface = Surface::of(&roof.solids);
     if surface.facets.is_empty() {
@@ -76,6 +80,7 @@ pub(super) fn dress(roof: &Roof, beyond: &Beyond, detail: Detail) -> Dressing {
         roof,
         surface: &surface,
         detail,
+        plastered,
     };
     let fields = match detail {
         Detail::Body | Detail::Flat => vec![],
@@ -110,7 +115,7 @@ impl Tailor<'_> {
                     true => ridge::tiles(self, seam, bodies),
                     false => crown::ridge(self, seam, bodies),
                 }
-                if seam.kind == Kind::Hip {
+                if seam.kind == Kind::Hip && !self.plastered {
                     rafters::hip(self, seam, bodies);
                 }
             }
@@ -120,10 +125,16 @@ impl Tailor<'_> {
                     RoofKind::CoverTiles => rows::eaves(self, fields, seam, bodies),
                     _ => {}
                 }
-                rafters::eaves(self, fields, seam, bodies);
+                match self.plastered {
+                    true => plaster::bands(self, seam, bodies),
+                    false => rafters::eaves(self, fields, seam, bodies),
+                }
             }
             Kind::Verge => {
-                barge::boards(self, seam, bodies);
+                match self.plastered {
+                    true => plaster::bands(self, seam, bodies),
+                    false => barge::boards(self, seam, bodies),
+                }
                 if tiled {
                     tiles::verge(self, seam, bodies);
                 }

@@ -1,6 +1,7 @@
 //! Roofs: ready polyhedra into triangles, in the surfaces of their coverings. Texture coordinates run
 //! along the eaves and up the slope, so that courses lie level.
 
+use super::alike::Walls;
 use super::mesh::Soup;
 use crate::ast::RoofKind;
 use crate::building::{Face, Finish, Solid};
@@ -43,14 +44,15 @@ fn names(kind: RoofKind) -> [&'static str; 2] {
     }
 }
 
-/// The surface of a finish, with that of gable fills.
-fn surface(finish: Finish, gable: SurfaceId) -> SurfaceId {
+/// The surface of a finish over some walls, with that of gable fills.
+fn surface(finish: Finish, gable: SurfaceId, walls: &Walls) -> SurfaceId {
     let of = |kind: RoofKind, which: usize| {
         let row = KINDS.iter().position(|k| *k == kind).unwrap_or_default();
         3 + 2 * row + which
     };
     SURFACES[match finish {
         Finish::Gable => return gable,
+        Finish::Soffit if walls.plastered => 2,
         Finish::Soffit => 0,
         Finish::Timber => 1,
         Finish::Plaster => 2,
@@ -65,16 +67,15 @@ fn gable_of(gables: &[SurfaceId], solid: usize) -> SurfaceId {
     own.unwrap_or_else(|| SURFACES[2])
 }
 
-/// The faces of all solids, a soup each surface in the order of first use. `gables` are the finishes of the
-/// gable fills among them, by solid.
-pub(super) fn soups(solids: &[Solid], gables: &[SurfaceId]) -> Vec<(SurfaceId, Soup)> {
-    let mut soups = rooms(solids, gables);
+/// The faces of all solids over some walls, a soup each surface in the order of first use.
+pub(super) fn soups(solids: &[Solid], walls: &Walls) -> Vec<(SurfaceId, Soup)> {
+    let mut soups = rooms(solids, walls);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
     for (n, solid) in solids.iter().enumerate() {
-        let gable = gable_of(gables, n);
+        let gable = gable_of(&walls.gables, n);
         for face in &solid.faces {
             gather(solid, face, &mut corners);
-            let id = surface(face.finish, gable);
+            let id = surface(face.finish, gable, walls);
             if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
                 soup.face(&corners, has_grain(face.finish));
             }
@@ -84,15 +85,15 @@ pub(super) fn soups(solids: &[Solid], gables: &[SurfaceId]) -> Vec<(SurfaceId, S
 }
 
 /// Empty soups with room for all faces of each surface: roofs are never shared, so that they cost most.
-fn rooms(solids: &[Solid], gables: &[SurfaceId]) -> Vec<(SurfaceId, Soup)> {
+fn rooms(solids: &[Solid], walls: &Walls) -> Vec<(SurfaceId, Soup)> {
     let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
-    let gables = (0..).map(|n| gable_of(gables, n));
+    let gables = (0..).map(|n| gable_of(&walls.gables, n));
     let faces = solids
         .iter()
         .zip(gables)
         .flat_map(|(s, gable)| s.faces.iter().map(move |f| (f, gable)));
     for (face, gable) in faces {
-        let id = surface(face.finish, gable);
+        let id = surface(face.finish, gable, walls);
         let n = face.corners.len();
         match rooms.iter_mut().find(|(s, ..)| *s == id) {
             Some((_, corners, triangles)) => {

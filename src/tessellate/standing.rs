@@ -3,7 +3,7 @@
 
 use super::facade::{default_finish, finish_of};
 use crate::building::{House, Solid, Storey, Wall};
-use crate::catalog::Catalog;
+use crate::catalog::{Catalog, Stance};
 use crate::material::SurfaceId;
 use crate::program::Content;
 use glam::DVec2;
@@ -151,6 +151,27 @@ impl Standing {
             None => *self.usual.get_or_init(|| usual(catalog, at.storey)),
         }
     }
+}
+
+/// Whether most of a storey's walls are plastered over their posts, as those of storehouses are.
+pub(super) fn is_plastered(catalog: &Catalog, storey: &Storey) -> bool {
+    let plaster = SurfaceId::named("plaster");
+    let units = storey
+        .rings
+        .iter()
+        .flat_map(|r| &r.walls)
+        .flat_map(|w| &w.units);
+    let (mut all, mut over) = (0.0, 0.0);
+    for unit in units {
+        if let Content::Part(id) = unit.content {
+            let part = catalog.part(id);
+            all += unit.width;
+            if part.stance == Stance::Bare && part.finish == Some(plaster) {
+                over += unit.width;
+            }
+        }
+    }
+    over > all / 2.0
 }
 
 /// A fill and the storey it stands on.

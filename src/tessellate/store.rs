@@ -1,5 +1,6 @@
 //! Meshes and materials of the scene, each made once.
 
+use super::alike::Walls;
 use super::atlas::Atlas;
 use super::bake::{WALL, bake};
 use super::bay::Bay;
@@ -215,16 +216,15 @@ impl Store {
         Mesh { name, primitives }
     }
 
-    /// One mesh of some solids and what they wear; `None` where there are none. `gables` are the finishes of their
-    /// gable fills, as many as solids.
+    /// One mesh of some solids and what they wear; `None` where there are none.
     pub(super) fn solids(
         &mut self,
         name: &str,
         solids: &[Solid],
-        gables: &[SurfaceId],
+        walls: &Walls,
         worn: &[Body],
     ) -> Option<MeshId> {
-        let mut soups = super::solid::soups(solids, gables);
+        let mut soups = super::solid::soups(solids, walls);
         dress::pour(worn, &mut soups);
         if soups.is_empty() {
             return None;

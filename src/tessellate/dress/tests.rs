@@ -237,7 +237,11 @@ fn strips_of_a_curve_are_one_slope() {
 
 /// Everything that a roof wears.
 fn bodies(roof: &Roof, detail: Detail) -> Vec<Body> {
-    let worn = dress(roof, &Beyond::default(), detail);
+    bodies_on(roof, false, detail)
+}
+
+fn bodies_on(roof: &Roof, plastered: bool, detail: Detail) -> Vec<Body> {
+    let worn = dress(roof, &Beyond::default(), plastered, detail);
     let rows = worn.runs.iter().flat_map(|run| run.row.bodies());
     worn.bodies.into_iter().chain(rows).collect()
 }
@@ -275,7 +279,9 @@ fn everything_worn_is_closed() {
             ];
             for (n, solids) in shapes.into_iter().enumerate() {
                 for detail in Detail::ALL {
-                    let bodies = bodies(&roof(kind, solids.clone()), detail);
+                    let roof = roof(kind, solids.clone());
+                    let mut bodies = bodies(&roof, detail);
+                    bodies.extend(bodies_on(&roof, true, detail));
                     assert!(!bodies.is_empty());
                     assert_closed(&bodies, &format!("{kind:?} {pitch} shape {n} {detail:?}"));
                 }
@@ -354,7 +360,12 @@ fn less_detail_wears_less_and_always_the_same() {
             counts.is_sorted() && counts[0] < counts[3],
             "{kind:?}: {counts:?}"
         );
-        let told = || format!("{:?}", dress(&roof, &Beyond::default(), Detail::Everything));
+        let told = || {
+            format!(
+                "{:?}",
+                dress(&roof, &Beyond::default(), false, Detail::Everything)
+            )
+        };
         assert_eq!(told(), told());
     }
 }
