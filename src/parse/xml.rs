@@ -15,6 +15,7 @@ mod codes;
 mod facades;
 mod fittings;
 mod house;
+mod instruction;
 mod language;
 mod monuments;
 mod pieces;

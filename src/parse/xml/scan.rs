@@ -99,12 +99,17 @@ impl<'a, 'f> Scanner<'a, 'f> {
                 self.sound_start(start, &tag).map(Token::Start)
             }
             Some(Event::End(tag)) => self.sound_end(start, &tag).map(Token::End),
-            Some(Event::CData(text)) => {
+            Some(Event::CData(_)) => {
                 let range = start + 9..self.at - 3;
-                return (!text.is_empty()).then_some(Token::Verbatim(range));
+                self.check_characters(range.clone());
+                return Some(Token::Verbatim(range));
             }
             Some(Event::Comment(_)) => return self.check_comment(start..self.at),
             Some(Event::DocType(_)) => return self.refuse(start),
+            Some(Event::PI(_) | Event::Decl(_)) => {
+                self.check_instruction(start..self.at);
+                return None;
+            }
             event => return event.map_or_else(|| self.unsound(), |_| None),
         };
         token.or_else(|| {
@@ -311,6 +316,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
     /// Reports dashes inside a comment, which quick-xml finds too but not where they are.
     fn check_comment(&mut self, comment: Range<usize>) -> Option<Token<'a>> {
         let (from, to) = (comment.start + 4, comment.end - 3);
+        self.check_characters(from..to);
         let inside = &self.text[from..to];
         // `--->`: the last dash touches the end.
         let touching = inside.ends_with('-').then(|| inside.len() - 1);

@@ -73,7 +73,8 @@ fn closers(open: char) -> &'static [char] {
     }
 }
 
-fn is_name(name: &str) -> bool {
+/// Whether XML allows it as a name.
+pub(super) fn is_name(name: &str) -> bool {
     let fits = |c: char| c.is_alphanumeric() || !c.is_ascii() || "_:-.".contains(c);
     name.starts_with(is_name_start) && name.chars().all(fits)
 }

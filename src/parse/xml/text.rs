@@ -3,6 +3,7 @@
 //! `&amp;` is one character of the text and five of the file, a comment is none of the text; so a text
 //! carries pieces that map its offsets back.
 
+use super::instruction::is_forbidden;
 use crate::diagnostic::messages::{file, xml as say};
 use crate::parse::faults::Faults;
 use quick_xml::escape::resolve_predefined_entity;
@@ -221,13 +222,12 @@ impl<'a> Run<'a> {
             faults.at(&(range.start..range.start + 1), say::bare_ampersand);
         }
         let mut from = range.start;
-        let control = |c: char| c < ' ' && !matches!(c, '\t' | '\n' | '\r');
-        for (i, found) in whole[range.clone()].match_indices(control) {
-            let here = range.start + i..range.start + i + 1;
+        for (i, found) in whole[range.clone()].match_indices(is_forbidden) {
+            let here = range.start + i..range.start + i + found.len();
             if from < here.start {
                 self.literal(whole, from..here.start);
             }
-            let character = char::from(found.as_bytes()[0]);
+            let character = found.chars().next().unwrap_or(REPORTED);
             faults.at(&here, |s| file::control_character(s, character));
             from = here.end;
             self.atom(REPORTED, here);

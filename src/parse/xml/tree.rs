@@ -143,6 +143,9 @@ impl<'a> Builder<'a> {
     fn text(&mut self, range: Range<usize>, raw: bool, faults: &mut Faults<'a>) {
         let inside = self.open.last().is_some_and(|o| o.element.is_some());
         let whole = faults.source.text();
+        if inside && range.is_empty() {
+            return;
+        }
         if inside && raw {
             self.run.raw(range, faults);
         } else if inside {
@@ -153,6 +156,8 @@ impl<'a> Builder<'a> {
             let end = start + text.trim_matches(is_blank).len();
             if start < end {
                 faults.at(&(start..end), say::text_outside);
+            } else if !raw {
+                faults.at(&(range.start - 9..range.end + 3), say::text_outside);
             }
         }
     }

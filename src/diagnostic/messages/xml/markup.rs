@@ -252,3 +252,22 @@ pub fn no_element(span: Span) -> Diagnostic {
         "`<House>...</House>` と書いてください"
     ))
 }
+
+/// `<?xml ...?>` that is not at the start, or says something else than its version, encoding and `standalone`.
+#[cold]
+pub fn bad_declaration(span: Span, sound: bool) -> Diagnostic {
+    let message = match sound {
+        true => text!(
+            "the XML declaration is not at the start of the file",
+            "XML 宣言がファイルの先頭にありません"
+        ),
+        false => text!(
+            "this is no XML declaration",
+            "XML 宣言として正しくありません"
+        ),
+    };
+    Diagnostic::error(245, span, message).help(text!(
+        "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` as the very first characters of the file, or remove it",
+        "ファイルのいちばん先頭に `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` と書くか、取り除いてください"
+    ))
+}
