@@ -29,7 +29,9 @@ impl Pass<'_, '_> {
         let mut lower = self.half(&split.lower, place.at(2), mode.share(1.0 - ratio));
         let (above, below) = (upper.width(), lower.width());
         let fixed = !upper.natural && !lower.natural;
-        if fixed && (above - below).abs() >= SAME && !self.stopped() {
+        // A half that is not written at all stands where the split does, and was reported.
+        let written = split.upper.span != split.span && split.lower.span != split.span;
+        if fixed && written && (above - below).abs() >= SAME && !self.stopped() {
             let spans = (split.upper.span, split.lower.span);
             self.once(311, split.span, || {
                 say::unequal_halves(split.span, spans, above, below)

@@ -23,6 +23,7 @@ const UNSURE: &[(u16, &str)] = &[
     (235, "positions the wrong way round"),
     (236, "a comment that is none to XML"),
     (241, "an end tag without `/`"),
+    (245, "the XML declaration"),
     (262, "an `else` without `if`"),
     (266, "what stands in a `use`"),
     (902, "deep nesting"),
