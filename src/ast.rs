@@ -31,6 +31,18 @@ pub struct Document {
     /// The parameters of the file and its houses, and of the files it includes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<Parameter>,
+    /// Which of the variants of its text this is, where several are made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variant: Option<Variant>,
+}
+
+/// One of several houses, or groups of houses, made of one text: each draws everything with a seed of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Variant {
+    /// From 0.
+    pub number: u32,
+    /// Building the text with this seed makes the same.
+    pub seed: u64,
 }
 
 /// One house: settings, then storeys or facades, then roofs.

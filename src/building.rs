@@ -11,7 +11,7 @@ pub mod fittings;
 
 pub use dress::Dress;
 
-use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind};
+use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
 use crate::program::{Picture, Roofs, Unit};
 use crate::roof::plan::Cell;
 use crate::source::Span;
@@ -35,6 +35,9 @@ pub struct House {
     pub span: Span,
     /// Its name, empty if it has none.
     pub name: String,
+    /// Which of the variants of its text it belongs to, if several are made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
     pub origin: [f64; 3],
     /// Compass direction of the first line's outward normal, degrees.

@@ -43,6 +43,17 @@ enum Exit {
     Unread = 3,
 }
 
+impl Exit {
+    /// The worse of two.
+    fn worse(self, other: Exit) -> Exit {
+        if self as u8 >= other as u8 {
+            self
+        } else {
+            other
+        }
+    }
+}
+
 /// Why a run went no further.
 #[derive(Debug)]
 enum Stop {

@@ -3,6 +3,7 @@
 //! `grammar/diagnostics/` and a Japanese one in `grammar/diagnostics/ja/`.
 
 use crate::source::Span;
+use std::collections::BTreeSet;
 
 pub mod messages;
 pub mod pages;
@@ -118,6 +119,20 @@ impl Diagnostics {
     /// Takes one message.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         self.list.push(diagnostic);
+    }
+
+    /// Takes all messages of another collection.
+    pub fn append(&mut self, other: Diagnostics) {
+        self.list.extend(other.list);
+    }
+
+    /// Takes the messages of another collection, one a place and code: what is wrong with a text is wrong with each
+    /// house that is made of it.
+    pub fn push_new(&mut self, other: Diagnostics) {
+        let key = |d: &Diagnostic| (d.span.file, d.span.start, d.span.end, d.code);
+        let mut known: BTreeSet<_> = self.list.iter().map(key).collect();
+        let new = other.list.into_iter().filter(|d| known.insert(key(d)));
+        self.list.extend(new.collect::<Vec<_>>());
     }
 
     /// Whether anything is an error.

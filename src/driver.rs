@@ -3,7 +3,9 @@
 //! Each step is a function of its own, so that a shell can stop after any of them; [`compile`] runs them all.
 //! Nothing here reads a file: pictures come through a [`World`].
 
+mod arrange;
 mod convert;
+mod variants;
 
 pub use convert::convert;
 
@@ -23,6 +25,7 @@ use crate::roof;
 use crate::scene::{Detail, Scene};
 use crate::source::{FileId, Limits, NoPictures, Shelf, Source, Span, World};
 use crate::tessellate;
+use std::num::NonZeroU32;
 use std::time::{Duration, Instant};
 
 /// What a shell may ask of a run.
@@ -34,6 +37,8 @@ pub struct Options {
     pub parameters: Vec<(String, String)>,
     /// How much of the joinery is shape.
     pub detail: Detail,
+    /// How often the texts are built, each time with the next seed; the houses stand in rows then.
+    pub variants: Option<NonZeroU32>,
 }
 
 /// What a run made, and how long each step took.
@@ -57,15 +62,27 @@ pub fn compile(
     out: &mut Diagnostics,
 ) -> Compiled {
     let mut times = vec![];
-    let read = timed(&mut times, "parse", || {
-        documents(sources, world, options, out)
+    let read = timed(&mut times, "parse", || match options.variants {
+        Some(count) => variants::documents(sources, world, options, count, out),
+        None => documents(sources, world, options, out),
     });
     let (documents, included) = (read.documents, read.included);
+    let mut said = Diagnostics::new();
     let program = timed(&mut times, "expand", || {
-        program(sources, &documents, world, &options.expand, out)
+        program(sources, &documents, world, &options.expand, &mut said)
     });
     drop(documents); // the next steps take their room
-    let building = timed(&mut times, "lower and roof", || building(program, out));
+    let mut building = timed(&mut times, "lower and roof", || {
+        building(program, &mut said)
+    });
+    match options.variants {
+        Some(_) => {
+            variants::name(&mut building.shell);
+            arrange::arrange(&mut building);
+            out.push_new(said);
+        }
+        None => out.append(said),
+    }
     let scene = timed(&mut times, "tessellate", || {
         scene(&building, options.detail)
     });
@@ -181,7 +198,8 @@ pub fn program(
     options: &expand::Options,
     out: &mut Diagnostics,
 ) -> Program {
-    let pairs: Vec<(&Source, &Document)> = sources.iter().copied().zip(documents).collect();
+    // Of variants there are the documents of all sources again and again.
+    let pairs: Vec<(&Source, &Document)> = sources.iter().copied().cycle().zip(documents).collect();
     expand::expand(&pairs, Catalog::builtin(), world, options, out)
 }
 

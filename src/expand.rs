@@ -60,12 +60,17 @@ pub fn expand(
             let mut pass = Pass::new(&mut codes, source, options, out);
             pass.written_short = written_short;
             let seed = house.settings.seed.as_ref().map(|seed| seed.value);
-            let root = Place::seed(options.seed.or(seed).unwrap_or(0));
+            let given = document.variant.map(|v| v.seed).or(options.seed);
+            let root = Place::seed(given.or(seed).unwrap_or(0));
             let place = match &house.name {
                 Some(name) => root.named(&name.value),
                 None => root.at(index as u64),
             };
-            program.houses.extend(pass.house(house, place));
+            let made = pass.house(house, place).map(|house| House {
+                variant: document.variant,
+                ..house
+            });
+            program.houses.extend(made);
             written_short = pass.written_short;
         }
     }
@@ -136,6 +141,7 @@ impl<'a, 'c> Pass<'a, 'c> {
                 .name
                 .as_ref()
                 .map_or_else(String::new, |n| n.value.clone()),
+            variant: None,
             origin: [&settings.x, &settings.y, &settings.z].map(|v| number(v, 0.0)),
             azimuth: number(&settings.azimuth, 180.0),
             unit_shaku: unit,

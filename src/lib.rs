@@ -56,6 +56,7 @@ pub mod tessellate;
 pub mod check;
 
 // Around the chain.
+pub mod picture;
 pub mod print;
 pub mod backend;
 pub mod driver;

@@ -59,6 +59,7 @@ fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
     House {
         span: house.span,
         name: house.name,
+        variant: house.variant,
         origin: [x, y, ground + raised],
         azimuth: house.azimuth,
         unit: house.unit_shaku * SHAKU,

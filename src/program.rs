@@ -1,7 +1,9 @@
 //! The program of a house: only steps. No repeat, split list, random, replace or unknown code is left;
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
-use crate::ast::{Finial, Order, Platform, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind};
+use crate::ast::{
+    Finial, Order, Platform, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind, Variant,
+};
 use crate::catalog::PartId;
 use crate::source::Span;
 use serde::Serialize;
@@ -37,6 +39,9 @@ pub struct House {
     pub span: Span,
     /// Its name, empty if it has none.
     pub name: String,
+    /// Which of the variants of its text it belongs to, if several are made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
     pub origin: [f64; 3],
     /// Compass direction of the first line's outward normal, degrees.

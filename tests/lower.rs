@@ -90,6 +90,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
     let house = House {
         span: Span::default(),
         name: String::new(),
+        variant: None,
         origin: [0.0; 3],
         azimuth: 180.0,
         unit_shaku: 3.0,

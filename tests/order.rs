@@ -25,6 +25,7 @@ const ORDER: &[&str] = &[
     "roof",
     "fit",
     "tessellate",
+    "picture",
     "print",
     "backend",
     "driver",

@@ -1,5 +1,7 @@
 //! `hsd build`: texts to models.
 
+mod variants;
+
 use super::input::{Inputs, STDIN};
 use super::options::{Reading, exit, report};
 use super::output::{self, Model};
@@ -18,6 +20,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::cell::OnceCell;
 use std::io::{self, IsTerminal, Write};
+use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -55,6 +58,16 @@ pub(super) struct Build {
     #[arg(long, conflicts_with = "textures_beside")]
     compress: bool,
 
+    /// Build each text so many times, each time with the next seed: a house for every draw, in rows, or in a folder a
+    /// model each. `--seed` gives the first one; it is 0 else.
+    #[arg(long, value_name = "N", conflicts_with = "watch")]
+    variants: Option<NonZeroU32>,
+
+    /// Draw a contact sheet of the variants, .png or .jpg: a picture of each with its seed. Without -o no model is
+    /// written.
+    #[arg(long, value_name = "FILE", requires = "variants")]
+    sheet: Option<PathBuf>,
+
     /// How much of the joinery is shape: 0 walls and roofs, 1 a picture for each part, 2 openings and heavy
     /// bars as shapes, 3 everything.
     #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
@@ -89,12 +102,17 @@ pub(super) struct Job {
     inputs: Vec<PathBuf>,
     output: PathBuf,
     model: Model,
+    /// The only variant, where it is one of several.
+    seed: Option<u64>,
 }
 
 impl Build {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
         self.check_inputs()?;
+        if let Some(sheet) = &self.sheet {
+            variants::check_sheet(sheet)?;
+        }
         let jobs = self.jobs()?;
         for job in &jobs {
             self.check_compress(job)?;
@@ -104,7 +122,11 @@ impl Build {
         if self.watch {
             return watch::run(self, &jobs, language);
         }
-        self.all(&jobs, language)
+        let built = self.all(&jobs, language)?;
+        match &self.sheet {
+            Some(sheet) => Ok(built.worse(self.contact_sheet(sheet, jobs.is_empty(), language)?)),
+            None => Ok(built),
+        }
     }
 
     /// Runs all jobs. One that fails does not stop the others.
@@ -149,10 +171,7 @@ impl Build {
         let limits = self.reading.limits();
         let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
         let world = self.reading.world(&job.inputs);
-        let options = driver::Options {
-            detail: Detail::ALL[usize::from(self.detail)],
-            ..self.reading.options()
-        };
+        let options = self.options(job.seed);
         let mut compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let Compiled {
             building, scene, ..
@@ -187,6 +206,19 @@ impl Build {
             status.line(&statistics(scene, &times))?;
         }
         Ok(false)
+    }
+
+    /// What a run is to do, for all variants or for the one of this seed.
+    pub(super) fn options(&self, seed: Option<u64>) -> driver::Options {
+        let mut options = driver::Options {
+            detail: Detail::ALL[usize::from(self.detail)],
+            ..self.reading.options()
+        };
+        match seed {
+            Some(_) => options.expand.seed = seed,
+            None => options.variants = self.variants,
+        }
+        options
     }
 
     /// Fails for models among the texts: what was meant is `-o`.
@@ -225,6 +257,9 @@ impl Build {
         if stdin > 1 || (stdin > 0 && self.watch) {
             return Err(Stop::stdin_twice());
         }
+        if self.sheet.is_some() && self.output.is_none() {
+            return Ok(vec![]);
+        }
         let Some(output) = &self.output else {
             let model = self.format.unwrap_or_default();
             return each(inputs, model, |input| match input.as_os_str() == STDIN {
@@ -237,7 +272,7 @@ impl Build {
             let made = std::fs::create_dir_all(output);
             made.map_err(|e| Stop::at(output.display(), e))?;
             let model = self.format.unwrap_or_default();
-            return each(inputs, model, |input| {
+            let jobs = each(inputs, model, |input| {
                 let stem = if input.as_os_str() == STDIN {
                     Path::new("stdin")
                 } else {
@@ -245,7 +280,8 @@ impl Build {
                 };
                 let name = stem.file_name().map(PathBuf::from).unwrap_or_default();
                 output.join(name.with_extension(model.ending()))
-            });
+            })?;
+            return self.each_variant(jobs);
         }
         let stdout = output.as_os_str() == STDIN;
         let model = match self.format {
@@ -264,6 +300,7 @@ impl Build {
             inputs: inputs.clone(),
             output: output.clone(),
             model,
+            seed: None,
         }])
     }
 }
@@ -321,6 +358,7 @@ fn each(
             inputs: vec![input.clone()],
             output,
             model,
+            seed: None,
         });
     }
     Ok(jobs)

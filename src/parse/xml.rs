@@ -80,6 +80,7 @@ pub(super) fn parse_from(
     Document {
         houses,
         parameters: made.parameters,
+        variant: None,
     }
 }
 

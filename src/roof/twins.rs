@@ -126,6 +126,7 @@ impl Plan {
         let House {
             span: _,
             name: _,
+            variant: _,
             origin: _,
             azimuth: _,
             unit,

@@ -55,6 +55,7 @@ fn regions_are_written_as_documented() {
     let house = House {
         span: Span::default(),
         name: String::new(),
+        variant: None,
         origin: [0.0; 3],
         azimuth: 180.0,
         unit: 10.0 / 11.0,

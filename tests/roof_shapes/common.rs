@@ -88,6 +88,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
     House {
         span: Span::default(),
         name: String::new(),
+        variant: None,
         origin: [0.0; 3],
         azimuth: 180.0,
         unit: U,

@@ -110,6 +110,7 @@ fn building(storeys: Vec<Storey>) -> Building {
     let house = House {
         span: span(),
         name: "shop".into(),
+        variant: None,
         origin: [1.0, 2.0, 3.0],
         azimuth: 180.0,
         unit: UNIT,

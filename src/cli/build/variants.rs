@@ -1,0 +1,114 @@
+//! `hsd build --variants`: a model for each variant, and the contact sheet of all.
+
+use super::{Build, Job};
+use crate::cli::input::Inputs;
+use crate::cli::options::{exit, report};
+use crate::cli::output::{self, Files};
+use crate::cli::{Exit, Outcome, Stop};
+use crate::diagnostic::{Diagnostics, Language};
+use crate::driver;
+use crate::picture::sheet;
+use crate::report::{Format, Report};
+use crate::text;
+use crate::texture;
+use image::DynamicImage;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Quality of a sheet in JPEG.
+const QUALITY: u8 = 88;
+
+/// Most variants that are drawn: more would make a picture that nothing opens.
+const MOST: usize = 2500;
+
+/// Fails for a sheet in another format.
+pub(super) fn check_sheet(sheet: &Path) -> Result<(), Stop> {
+    match kind(sheet) {
+        Some(_) => Ok(()),
+        None => {
+            let shown = sheet.display();
+            Err(Stop::Usage(text!(
+                "{shown}: a contact sheet ends with .png or .jpg",
+                "{shown}: 一覧画像の拡張子は .png か .jpg です"
+            )))
+        }
+    }
+}
+
+enum Kind {
+    Png,
+    Jpeg,
+}
+
+fn kind(sheet: &Path) -> Option<Kind> {
+    let ending = sheet.extension()?.to_string_lossy().to_lowercase();
+    match &*ending {
+        "png" => Some(Kind::Png),
+        "jpg" | "jpeg" => Some(Kind::Jpeg),
+        _ => None,
+    }
+}
+
+impl Build {
+    /// A job for each variant of each job, named by its seed.
+    pub(super) fn each_variant(&self, jobs: Vec<Job>) -> Result<Vec<Job>, Stop> {
+        let Some(count) = self.variants else {
+            return Ok(jobs);
+        };
+        let first = self.reading.options().expand.seed.unwrap_or(0);
+        let last = first.wrapping_add(u64::from(count.get() - 1));
+        let digits = last.max(first).to_string().len();
+        let several = jobs.into_iter().flat_map(|job| {
+            (0..count.get()).map(move |number| {
+                let seed = first.wrapping_add(u64::from(number));
+                let stem = job.output.file_stem().unwrap_or_default().to_string_lossy();
+                let name = format!("{stem}-{seed:0digits$}.{}", job.model.ending());
+                Job {
+                    inputs: job.inputs.clone(),
+                    output: job.output.with_file_name(name),
+                    model: job.model,
+                    seed: Some(seed),
+                }
+            })
+        });
+        Ok(several.collect())
+    }
+
+    /// Draws all variants into one picture. Messages are told where no model was built that told them.
+    pub(super) fn contact_sheet(&self, path: &PathBuf, tell: bool, language: Language) -> Outcome {
+        let mut out = Diagnostics::new();
+        let limits = self.reading.limits();
+        let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
+        let world = self.reading.world(&self.reading.inputs);
+        let made = driver::compile(&inputs.accepted(), &world, &self.options(None), &mut out);
+        let list = out.into_sorted();
+        let spoiled = list.iter().any(|d| self.reading.spoils(d.severity));
+        if tell && !list.is_empty() {
+            let sources = inputs.and(made.included);
+            let report_ = Report::new(&sources, &list).in_language(language);
+            report(&report_, Format::Human, &mut io::stderr())?;
+        }
+        if spoiled {
+            return Ok(exit(true));
+        }
+        let houses = &made.building.shell.houses;
+        if houses.len() > MOST {
+            return Err(Stop::Usage(text!(
+                "a contact sheet holds {MOST} houses at most",
+                "一覧画像に並べられる家は {MOST} 棟までです"
+            )));
+        }
+        let drawn = sheet::sheet(&made.scene, houses);
+        let bytes = match kind(path) {
+            Some(Kind::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
+            _ => texture::jpeg(&drawn, QUALITY),
+        };
+        output::write(path, Files::bytes(bytes))?;
+        if !self.quiet {
+            let shown = path.display();
+            let said = text!("drew {shown}", "{shown} を描きました");
+            writeln!(io::stderr(), "{}", said.in_language(language))?;
+        }
+        Ok(Exit::Done)
+    }
+}
