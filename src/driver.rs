@@ -20,6 +20,7 @@ use crate::expand;
 use crate::fit;
 use crate::lower;
 use crate::parse;
+use crate::parse::xml::Trees;
 use crate::program::{Content, PictureId, Program, Unit};
 use crate::roof;
 use crate::scene::{Detail, Scene};
@@ -145,23 +146,43 @@ pub fn documents(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Read {
-    let limits = options.expand.limits;
-    let first = sources.iter().map(|s| usize::from(s.id().0) + 1).max();
-    let shelf = Shelf::new(first.unwrap_or(0), limits.includes);
-    let setting = parse::Setting {
-        limits,
-        parameters: &options.parameters,
-        seed: options.expand.seed,
-        world,
-        shelf: &shelf,
-    };
-    let documents = sources.iter().map(|s| parse::parse_in(s, setting, out));
-    let documents: Vec<Document> = documents.collect();
-    unknown_parameters(sources, &documents, &options.parameters, out);
+    let shelf = shelf(sources, options);
+    let mut trees = Trees::default();
+    let documents = read(sources, world, options, (&shelf, &mut trees), out);
+    drop(trees);
     Read {
         documents,
         included: shelf.into_sources(),
     }
+}
+
+/// Room for the files that sources may include.
+fn shelf(sources: &[&Source], options: &Options) -> Shelf {
+    let first = sources.iter().map(|s| usize::from(s.id().0) + 1).max();
+    Shelf::new(first.unwrap_or(0), options.expand.limits.includes)
+}
+
+/// Reads the sources; files and elements that were read before are taken from where they are kept.
+fn read<'a>(
+    sources: &[&'a Source],
+    world: &'a dyn World,
+    options: &'a Options,
+    (shelf, trees): (&'a Shelf, &mut Trees<'a>),
+    out: &mut Diagnostics,
+) -> Vec<Document> {
+    let setting = parse::Setting {
+        limits: options.expand.limits,
+        parameters: &options.parameters,
+        seed: options.expand.seed,
+        world,
+        shelf,
+    };
+    let documents = sources
+        .iter()
+        .map(|s| parse::parse_in(s, setting, trees, out));
+    let documents: Vec<Document> = documents.collect();
+    unknown_parameters(sources, &documents, &options.parameters, out);
+    documents
 }
 
 /// Says which parameters are to be set that there are none of.

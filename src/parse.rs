@@ -53,11 +53,17 @@ pub fn nearest<'k>(word: &str, known: impl Iterator<Item = &'k str> + Clone) -> 
 /// Reads a file of either syntax that stands for itself.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
     let shelf = Shelf::new(0, 0);
-    parse_in(source, Setting::alone(limits, &shelf), out)
+    let setting = Setting::alone(limits, &shelf);
+    parse_in(source, setting, &mut xml::Trees::default(), out)
 }
 
-/// Reads a file of either syntax.
-pub fn parse_in(source: &Source, setting: Setting<'_>, out: &mut Diagnostics) -> Document {
+/// Reads a file of either syntax. What was read before is taken from `trees`.
+pub fn parse_in<'a>(
+    source: &'a Source,
+    setting: Setting<'a>,
+    trees: &mut xml::Trees<'a>,
+    out: &mut Diagnostics,
+) -> Document {
     let limits = &setting.limits;
     if !is_readable(source, limits, &mut |d| out.push(d)) {
         return Document::default();
@@ -67,7 +73,7 @@ pub fn parse_in(source: &Source, setting: Setting<'_>, out: &mut Diagnostics) ->
             out.push(say::no_house(source.span(0..0)));
             Document::default()
         }
-        Some('<' | '＜') => xml::parse_from(source, 0, setting, out),
+        Some('<' | '＜') => xml::parse_from(source, 0, setting, trees, out),
         Some(_) => legacy::parse(source, limits, out),
     }
 }

@@ -5,7 +5,8 @@ use super::Read;
 use crate::ast::{Document, Variant};
 use crate::building::Shell;
 use crate::diagnostic::Diagnostics;
-use crate::driver::{self, Options};
+use crate::driver::Options;
+use crate::parse::xml::Trees;
 use crate::source::{Source, World};
 use std::num::NonZeroU32;
 
@@ -17,28 +18,35 @@ pub(super) fn documents(
     variants: NonZeroU32,
     out: &mut Diagnostics,
 ) -> Read {
-    let mut all = Read {
-        documents: vec![],
-        included: vec![],
-    };
     let first = options.expand.seed.unwrap_or(0);
-    let mut options = options.clone();
-    for number in 0..variants.get() {
-        let seed = first.wrapping_add(u64::from(number));
-        options.expand.seed = Some(seed);
+    let seeds = (0..variants.get()).map(|number| Variant {
+        number,
+        seed: first.wrapping_add(u64::from(number)),
+    });
+    let runs: Vec<(Variant, Options)> = seeds
+        .map(|variant| {
+            let mut options = options.clone();
+            options.expand.seed = Some(variant.seed);
+            (variant, options)
+        })
+        .collect();
+    let shelf = super::shelf(sources, options);
+    let mut trees = Trees::default();
+    let mut documents = vec![];
+    for (variant, options) in &runs {
         let mut said = Diagnostics::new();
-        let read = driver::documents(sources, world, &options, &mut said);
+        let read = super::read(sources, world, options, (&shelf, &mut trees), &mut said);
         out.push_new(said);
-        let of = |document: Document| Document {
-            variant: Some(Variant { number, seed }),
+        documents.extend(read.into_iter().map(|document| Document {
+            variant: Some(*variant),
             ..document
-        };
-        all.documents.extend(read.documents.into_iter().map(of));
-        if number == 0 {
-            all.included = read.included;
-        }
+        }));
     }
-    all
+    drop(trees);
+    Read {
+        documents,
+        included: shelf.into_sources(),
+    }
 }
 
 /// Says in the name of each house which variant it is; draws have no more need of the name.

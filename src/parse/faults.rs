@@ -28,21 +28,21 @@ pub(super) struct Faults<'a> {
     first: &'a Source,
     /// What was said already, where something may be read several times.
     once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
-    out: &'a mut Diagnostics,
+    out: Diagnostics,
     said: usize,
     /// The worst of those left out.
     worst: Option<Severity>,
 }
 
 impl<'a> Faults<'a> {
-    pub(super) fn new(source: &'a Source, out: &'a mut Diagnostics) -> Self {
+    pub(super) fn new(source: &'a Source) -> Self {
         Faults {
             source,
             base: 0,
             more: vec![],
             first: source,
             once: None,
-            out,
+            out: Diagnostics::new(),
             said: 0,
             worst: None,
         }
@@ -144,13 +144,14 @@ impl<'a> Faults<'a> {
         self.push(|| message);
     }
 
-    /// Says how much was left out.
-    pub(super) fn finish(self) {
+    /// All messages, with one that says how much was left out.
+    pub(super) fn finish(mut self) -> Diagnostics {
         if let Some(worst) = self.worst {
             let end = self.first.text().len();
             let span = self.first.span(end..end);
             let more = self.said - ENOUGH;
             self.out.push(file::more_messages(span, more, worst));
         }
+        self.out
     }
 }

@@ -65,7 +65,7 @@ pub fn parse_lines(
     each: &mut dyn FnMut(Range<usize>, LineKind),
 ) -> Document {
     let mut reader = Reader {
-        faults: Faults::new(source, out),
+        faults: Faults::new(source),
         document: Document::default(),
         house: Draft::default(),
         old_line_ends: false,
@@ -94,10 +94,16 @@ pub fn parse_lines(
     if document.houses.is_empty() && xml.is_none() {
         faults.say(file::no_house(source.span(0..0)));
     }
-    faults.finish();
+    out.append(faults.finish());
     if let Some(tag) = xml {
         let shelf = Shelf::new(0, 0);
-        let rest = super::xml::parse_from(source, tag, Setting::alone(limits, &shelf), out);
+        let rest = super::xml::parse_from(
+            source,
+            tag,
+            Setting::alone(limits, &shelf),
+            &mut super::xml::Trees::default(),
+            out,
+        );
         document.houses.extend(rest.houses);
     }
     document

@@ -28,7 +28,10 @@ mod suggest;
 mod tag;
 mod text;
 mod tree;
+mod trees;
 mod values;
+
+pub use trees::Trees;
 
 use super::Setting;
 use super::faults::Faults;
@@ -45,7 +48,8 @@ const DEEPEST: usize = 256;
 /// nothing. Whatever is wrong with it is reported, and the rest of it read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
     let shelf = Shelf::new(0, 0);
-    parse_from(source, 0, Setting::alone(limits, &shelf), out)
+    let setting = Setting::alone(limits, &shelf);
+    parse_from(source, 0, setting, &mut Trees::default(), out)
 }
 
 /// The known word that is nearest to one.
@@ -56,17 +60,24 @@ pub(super) fn nearest<'k>(
     suggest::Suggest::new().among(word, known)
 }
 
-/// Reads what stands from this offset of the text on.
-pub(super) fn parse_from(
-    source: &Source,
+/// Reads what stands from this offset of the text on. What was read before is taken from `trees`.
+pub(super) fn parse_from<'a>(
+    source: &'a Source,
     at: usize,
-    setting: Setting<'_>,
+    setting: Setting<'a>,
+    trees: &mut Trees<'a>,
     out: &mut Diagnostics,
 ) -> Document {
-    let mut faults = Faults::new(source, out);
+    let mut faults = Faults::new(source);
     let nesting = setting.limits.nesting.min(DEEPEST);
-    let tree = tree::read(&mut faults, at, nesting, schema::HABITS);
-    let made = language::work_out(tree, setting, nesting, &mut faults);
+    let tree = match trees.find(source.id(), at) {
+        Some(tree) => tree,
+        None => {
+            let tree = tree::read(&mut faults, at, nesting, schema::HABITS);
+            trees.keep(source.id(), at, tree)
+        }
+    };
+    let made = language::work_out(tree, setting, nesting, trees, &mut faults);
     let mut reader = Reader {
         tree: &made.tree,
         faults: &mut faults,
@@ -76,7 +87,7 @@ pub(super) fn parse_from(
         true => vec![],
         false => reader.houses(),
     };
-    faults.finish();
+    out.append(faults.finish());
     Document {
         houses,
         parameters: made.parameters,

@@ -1,6 +1,7 @@
 //! A camera for tests: what is seen of a scene along parallel lines of sight, as triangles with orientation.
 
 use glam::{DVec2, DVec3, dvec2};
+use hsd::picture::raster::Grid;
 use hsd::scene::Scene;
 
 /// What one line of sight meets first, and what lies behind it.
@@ -20,9 +21,7 @@ pub struct Hit {
 /// The two nearest hits of every line of sight; lines stand on a square grid.
 pub struct View {
     pub hits: Vec<[Option<Hit>; 2]>,
-    origin: DVec2,
-    step: f64,
-    width: usize,
+    grid: Grid,
     right: DVec3,
     up: DVec3,
     way: DVec3,
@@ -79,52 +78,37 @@ impl View {
         let height = ((hi.y - lo.y) / step) as usize + 1;
         let mut view = View {
             hits: vec![[None; 2]; width * height],
-            origin,
-            step,
-            width,
+            grid: Grid {
+                origin,
+                step,
+                width,
+                height,
+            },
             right,
             up,
             way,
         };
         for (corners, material, node) in triangles {
-            view.draw(corners, material, node, height);
+            view.draw(corners, material, node);
         }
         view
     }
 
-    fn draw(&mut self, t: [DVec3; 3], material: u32, node: u32, height: usize) {
+    fn draw(&mut self, t: [DVec3; 3], material: u32, node: u32) {
         let [p, q, r] = t;
         let area = (q - p).truncate().perp_dot((r - p).truncate());
-        if area.abs() < 1e-12 {
-            return;
-        }
-        let lo = t.iter().map(|c| c.truncate()).fold(DVec2::MAX, DVec2::min);
-        let hi = t.iter().map(|c| c.truncate()).fold(DVec2::MIN, DVec2::max);
-        let first = ((lo - self.origin) / self.step).ceil().max(DVec2::ZERO);
-        let last = ((hi - self.origin) / self.step).floor();
-        for j in first.y as usize..=(last.y.max(-1.0) + 1.0) as usize {
-            for i in first.x as usize..=(last.x.max(-1.0) + 1.0) as usize {
-                if i >= self.width || j >= height {
-                    continue;
-                }
-                let at = self.origin + dvec2(i as f64, j as f64) * self.step;
-                let side =
-                    |a: DVec3, b: DVec3| (b - a).truncate().perp_dot(at - a.truncate()) / area;
-                let (u, v, w) = (side(q, r), side(r, p), side(p, q));
-                if u < 0.0 || v < 0.0 || w < 0.0 {
-                    continue;
-                }
-                let hit = Hit {
-                    depth: p.z * u + q.z * v + r.z * w,
-                    // Seen along `way` with x to the right and y up, z runs away: fronts turn counter-clockwise.
-                    front: area > 0.0,
-                    normal: (q - p).cross(r - p).normalize_or_zero(),
-                    material,
-                    node,
-                };
-                self.put(j * self.width + i, hit);
-            }
-        }
+        let grid = self.grid;
+        grid.meet(t.map(DVec3::truncate), |place, [u, v, w]| {
+            let hit = Hit {
+                depth: p.z * u + q.z * v + r.z * w,
+                // Seen along `way` with x to the right and y up, z runs away: fronts turn counter-clockwise.
+                front: area > 0.0,
+                normal: (q - p).cross(r - p).normalize_or_zero(),
+                material,
+                node,
+            };
+            self.put(place, hit);
+        });
     }
 
     fn put(&mut self, place: usize, hit: Hit) {
@@ -138,8 +122,7 @@ impl View {
 
     /// Where a line of sight meets what it meets first, metres in the world.
     pub fn point(&self, place: usize) -> DVec3 {
-        let at = self.origin
-            + dvec2((place % self.width) as f64, (place / self.width) as f64) * self.step;
+        let at = self.grid.at(place);
         let depth = self.hits[place][0].map_or(0.0, |h| h.depth);
         self.right * at.x + self.up * at.y + self.way * depth
     }

@@ -32,6 +32,7 @@ use super::schema::{self, Tag};
 use super::suggest::Suggest;
 use super::text::Text;
 use super::tree::{Child, Element, Tree};
+use super::trees::Trees;
 use crate::ast::Parameter;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::Setting;
@@ -56,7 +57,7 @@ const COLUMNS: usize = 5;
 
 /// A tree in which nothing is left to be computed.
 pub(super) struct Made<'a> {
-    pub(super) tree: Tree<'a>,
+    pub(super) tree: Rc<Tree<'a>>,
     pub(super) parameters: Vec<Parameter>,
     /// Whether it grew beyond the limit, and was given up.
     pub(super) over: bool,
@@ -64,9 +65,10 @@ pub(super) struct Made<'a> {
 
 /// Works out what is computed in a tree. Elements nest at most `nesting` deep in the result.
 pub(super) fn work_out<'a>(
-    tree: Tree<'a>,
+    tree: Rc<Tree<'a>>,
     setting: Setting<'a>,
     nesting: usize,
+    trees: &mut Trees<'a>,
     faults: &mut Faults<'a>,
 ) -> Made<'a> {
     if is_plain(&tree, faults) {
@@ -80,6 +82,7 @@ pub(super) fn work_out<'a>(
     let mut maker = Maker {
         faults,
         setting,
+        trees,
         nesting,
         suggest: Suggest::new(),
         made: Tree::default(),
@@ -95,14 +98,13 @@ pub(super) fn work_out<'a>(
         room: setting.limits.parts as u64,
         over: false,
     };
-    let tree = Rc::new(tree);
     let scope = Frame::outermost();
     for root in &tree.roots {
         let made = maker.copy(&tree, *root, &scope);
         maker.made.roots.extend(made);
     }
     Made {
-        tree: maker.made,
+        tree: Rc::new(maker.made),
         parameters: maker.parameters,
         over: maker.over,
     }
@@ -127,6 +129,7 @@ pub(super) fn is_language(tag: Tag) -> bool {
 struct Maker<'a, 'f> {
     faults: &'f mut Faults<'a>,
     setting: Setting<'a>,
+    trees: &'f mut Trees<'a>,
     nesting: usize,
     suggest: Suggest,
     made: Tree<'a>,

@@ -100,13 +100,19 @@ impl<'a> Maker<'a, '_> {
             self.faults.leave();
             return None;
         }
-        let mut tree = tree::read(self.faults, 0, self.nesting, HABITS);
+        let tree = match self.trees.find(source.id(), base) {
+            Some(tree) => tree,
+            None => {
+                let mut tree = tree::read(self.faults, 0, self.nesting, HABITS);
+                tree.shift(base);
+                self.trees.keep(source.id(), base, tree)
+            }
+        };
         self.faults.leave();
-        tree.shift(base);
         let span = self.faults.span(place);
         self.files.open.push((path.to_owned(), span));
         let scope = Frame::outermost();
-        self.definitions(&Rc::new(tree), &scope);
+        self.definitions(&tree, &scope);
         self.files.open.pop();
         Some(scope)
     }

@@ -1,0 +1,187 @@
+//! Many houses of one text: alike where nothing is drawn, each what its seed makes of it, in rows apart.
+
+mod support;
+
+use hsd::diagnostic::Diagnostics;
+use hsd::driver::{self, Compiled};
+use hsd::picture::sheet::sheet;
+use hsd::scene::Detail;
+use hsd::source::{FileId, NoPictures, Source};
+use hsd::types::HouseType;
+use hsd::{Options, backend};
+use std::collections::BTreeSet;
+use std::num::NonZeroU32;
+use support::assert_none;
+
+fn built(text: &str, seed: Option<u64>, variants: Option<u32>) -> Compiled {
+    let mut out = Diagnostics::new();
+    let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
+    let mut options = Options {
+        detail: Detail::Body,
+        variants: variants.and_then(NonZeroU32::new),
+        ..Options::default()
+    };
+    options.expand.seed = seed;
+    let made = hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    assert!(!out.has_errors(), "{:?}", out.into_sorted());
+    made
+}
+
+/// What stands in a house: the contents of its walls, its heights and its roofs, without its name and place.
+fn essence(made: &Compiled, house: usize) -> String {
+    let of = &made.building.shell.houses[house];
+    let storeys: Vec<String> = of
+        .storeys
+        .iter()
+        .map(|s| {
+            let walls = s.rings.iter().flat_map(|r| &r.walls);
+            let units = walls
+                .flat_map(|w| &w.units)
+                .map(|u| (u.content.clone(), u.width));
+            format!("{} {:?}", s.z1, units.collect::<Vec<_>>())
+        })
+        .collect();
+    let roofs = made.building.roofs[house].roofs.iter();
+    let solids: Vec<_> = roofs
+        .flat_map(|r| &r.solids)
+        .map(|s| s.points.clone())
+        .collect();
+    format!("{} {storeys:?} {solids:?}", of.unit)
+}
+
+#[test]
+fn a_variant_is_the_text_built_with_its_seed() {
+    for word in ["chu-nikai", "ura-nagaya", "office"] {
+        let text = HouseType::named(word).expect("is a type").text();
+        let all = built(&text, Some(40), Some(12));
+        let houses = &all.building.shell.houses;
+        assert_eq!(houses.len(), 12);
+        let mut seen = BTreeSet::new();
+        for (number, house) in houses.iter().enumerate() {
+            let seed = 40 + number as u64;
+            assert_eq!(house.variant.map(|v| v.seed), Some(seed));
+            assert_eq!(house.name, format!("{word} {seed}"));
+            let alone = built(&text, Some(seed), None);
+            assert_eq!(essence(&all, number), essence(&alone, 0), "{word} {seed}");
+            seen.insert(essence(&all, number));
+        }
+        assert!(seen.len() >= 11, "{word}: only {} are unlike", seen.len());
+    }
+}
+
+/// Where each variant stands: its ground with the eaves.
+fn grounds(made: &Compiled) -> Vec<(u32, [f64; 4])> {
+    let mut found: Vec<(u32, [f64; 4])> = vec![];
+    for (house, roofs) in made.building.shell.houses.iter().zip(&made.building.roofs) {
+        let number = house.variant.expect("is a variant").number;
+        let walls = house
+            .storeys
+            .iter()
+            .flat_map(|s| &s.rings)
+            .flat_map(|r| &r.walls);
+        let walls = walls
+            .flat_map(|w| [w.from, w.to])
+            .map(|p| [-p.x * house.unit, p.y * house.unit]);
+        let roofs = roofs
+            .roofs
+            .iter()
+            .flat_map(|r| &r.solids)
+            .flat_map(|s| &s.points);
+        let [x, y, _] = house.origin;
+        for [px, py] in walls.chain(roofs.map(|p| [p.x, p.y])) {
+            let at = [px + x, py + y];
+            match found.last_mut().filter(|(n, _)| *n == number) {
+                Some((_, box_)) => {
+                    *box_ = [
+                        box_[0].min(at[0]),
+                        box_[1].min(at[1]),
+                        box_[2].max(at[0]),
+                        box_[3].max(at[1]),
+                    ];
+                }
+                None => found.push((number, [at[0], at[1], at[0], at[1]])),
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn variants_stand_apart_in_rows() {
+    // Of the high fence with its house and gate each variant is three houses, which stay together.
+    for (word, count) in [
+        ("chu-nikai", 40),
+        ("hei-tsuki", 12),
+        ("taka-bei", 9),
+        ("kura", 1),
+    ] {
+        let text = HouseType::named(word).expect("is a type").text();
+        let made = built(&text, None, Some(count));
+        let grounds = grounds(&made);
+        assert_eq!(grounds.len(), count as usize, "{word}");
+        let mut findings = vec![];
+        for (k, (a, p)) in grounds.iter().enumerate() {
+            for (b, q) in &grounds[k + 1..] {
+                let apart = (q[0] - p[2])
+                    .max(p[0] - q[2])
+                    .max((q[1] - p[3]).max(p[1] - q[3]));
+                if apart < 1.49 {
+                    findings.push(format!("{word}: {a} and {b} stand {apart} m apart"));
+                }
+            }
+        }
+        assert_none(&findings);
+        let wide = grounds.iter().map(|g| g.1[2]).fold(0.0, f64::max);
+        let deep = grounds.iter().map(|g| g.1[3]).fold(0.0, f64::max);
+        assert!(
+            count < 9 || (wide / deep > 0.4 && wide / deep < 2.5),
+            "{word}: {wide} x {deep}"
+        );
+    }
+}
+
+#[test]
+fn the_same_run_makes_the_same_bytes() {
+    let text = HouseType::named("so-nikai").expect("is a type").text();
+    let bytes = || {
+        let made = built(&text, None, Some(10));
+        backend::gltf::glb(&made.scene, &backend::pictures::Library::default())
+    };
+    assert_eq!(bytes(), bytes());
+}
+
+#[test]
+fn what_is_said_of_one_is_not_said_again_of_the_next() {
+    let text = "<House><Storey><Row>KTU  QQQ  </Row><Row>APW</Row><Row>KTU  KTU</Row><Row>APW</Row></Storey></House>";
+    let mut out = Diagnostics::new();
+    let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
+    let options = Options {
+        variants: NonZeroU32::new(50),
+        ..Options::default()
+    };
+    hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    assert_eq!(out.into_sorted().len(), 1);
+}
+
+#[test]
+fn a_contact_sheet_shows_every_variant() {
+    let text = HouseType::named("kura").expect("is a type").text();
+    let made = built(&text, None, Some(5));
+    let sheet = sheet(&made.scene, &made.building.shell.houses);
+    // Three columns and two rows of 360 by 270 pixels, six between them; the last place is free.
+    assert_eq!(sheet.dimensions(), (3 * 366 + 6, 2 * 276 + 6));
+    let paper = sheet.get_pixel(0, 0);
+    for k in 0..6 {
+        let (x, y) = (6 + k % 3 * 366, 6 + k / 3 * 276);
+        let cell = (0..270).flat_map(|j| (0..360).map(move |i| (i, j)));
+        let colors: BTreeSet<[u8; 3]> =
+            cell.map(|(i, j)| sheet.get_pixel(x + i, y + j).0).collect();
+        match k {
+            5 => assert_eq!(colors, BTreeSet::from([paper.0])),
+            // White walls in the sun, tiles, ground and shadow.
+            _ => assert!(colors.len() > 500, "{k}: {}", colors.len()),
+        }
+    }
+    let ink = sheet.pixels().filter(|p| p.0 == [0x2b, 0x27, 0x24]).count();
+    assert!(ink > 100, "{ink}");
+}
