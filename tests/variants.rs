@@ -3,7 +3,7 @@
 mod support;
 
 use hsd::diagnostic::Diagnostics;
-use hsd::driver::{self, Compiled};
+use hsd::driver::Compiled;
 use hsd::picture::sheet::sheet;
 use hsd::scene::Detail;
 use hsd::source::{FileId, NoPictures, Source};

@@ -13,7 +13,7 @@ use crate::text;
 use crate::texture;
 use image::DynamicImage;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Quality of a sheet in JPEG.
 const QUALITY: u8 = 88;
@@ -75,7 +75,7 @@ impl Build {
     }
 
     /// Draws all variants into one picture. Messages are told where no model was built that told them.
-    pub(super) fn contact_sheet(&self, path: &PathBuf, tell: bool, language: Language) -> Outcome {
+    pub(super) fn contact_sheet(&self, path: &Path, tell: bool, language: Language) -> Outcome {
         let mut out = Diagnostics::new();
         let limits = self.reading.limits();
         let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
