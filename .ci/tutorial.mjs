@@ -1,0 +1,18 @@
+// node tutorial.mjs HSD OUT_DIR
+// Builds every text of grammar/tutorial.md under the name that stands before it (`wall.hsd`), as a reader would. The pictures of
+// the page are made of these models by pictures.mjs (HSD_VIEWS=front HSD_SIZE=480x320 HSD_SAMPLES=8).
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const [hsd, folder] = process.argv.slice(2);
+if (!folder) throw new Error('usage: tutorial.mjs HSD OUT_DIR');
+mkdirSync(folder, { recursive: true });
+const page = join(dirname(fileURLToPath(import.meta.url)), '../grammar/tutorial.md');
+const text = readFileSync(page, 'utf8');
+for (const [, name, body] of text.matchAll(/`(\w+\.hsd)`:\n\n```(?:text|xml)\n([^]*?)```/g)) {
+  const file = join(folder, name);
+  writeFileSync(file, body);
+  execFileSync(hsd, ['build', '--quiet', file, '-o', file.replace(/hsd$/, 'glb')], { stdio: 'inherit' });
+}

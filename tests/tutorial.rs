@@ -1,0 +1,130 @@
+//! The tutorial in its two languages: the same texts, commands and pictures, and every text builds what is said of it.
+
+mod support;
+
+use hsd::diagnostic::Code;
+use serde_json::Value;
+use std::fs;
+use support::{assert_none, compile, flaws, root};
+
+const FOLDER: &str = "grammar";
+
+fn page(name: &str) -> String {
+    fs::read_to_string(root().join(FOLDER).join(name)).expect("the tutorial is there")
+}
+
+/// What stands between fences, with the word behind the first ones.
+fn fenced(text: &str) -> Vec<&str> {
+    text.split("```").skip(1).step_by(2).collect()
+}
+
+/// Where links and pictures lead, without the ends of pages.
+fn links(text: &str) -> Vec<&str> {
+    let behind = text.split("](").skip(1);
+    let links = behind.filter_map(|rest| rest.split(')').next());
+    links
+        .map(|link| link.split('#').next().unwrap_or(link))
+        .collect()
+}
+
+/// The texts with the names that stand before them.
+fn texts(page: &str) -> Vec<(&str, &str)> {
+    let mut found = vec![];
+    let pieces: Vec<&str> = page.split("```").collect();
+    for pair in pieces.windows(2).step_by(2) {
+        let body = pair[1]
+            .strip_prefix("text\n")
+            .or(pair[1].strip_prefix("xml\n"));
+        let name = pair[0].rsplit('`').nth(1).unwrap_or("");
+        found.extend(body.map(|body| (name, body)));
+    }
+    found
+}
+
+#[test]
+fn both_languages_show_the_same() {
+    let (english, japanese) = (page("tutorial.md"), page("tutorial.ja.md"));
+    assert_eq!(fenced(&english), fenced(&japanese));
+    let headings = |text: &str| text.lines().filter(|l| l.starts_with("## ")).count();
+    assert_eq!(headings(&english), headings(&japanese));
+    let pictures = |text: &str| -> Vec<String> {
+        let all = links(text).into_iter().map(str::to_owned);
+        all.filter(|l| l.ends_with(".jpg")).collect()
+    };
+    assert_eq!(pictures(&english), pictures(&japanese));
+    for text in [&english, &japanese] {
+        for link in links(text) {
+            assert!(root().join(FOLDER).join(link).exists(), "{link}");
+        }
+    }
+}
+
+#[test]
+fn every_text_builds_what_is_said() {
+    let page = page("tutorial.md");
+    let texts = texts(&page);
+    let names: Vec<&str> = texts.iter().map(|(name, _)| *name).collect();
+    let all = [
+        "wall.hsd",
+        "first.hsd",
+        "two.hsd",
+        "rows.hsd",
+        "shop.hsd",
+        "street.hsd",
+    ];
+    assert_eq!(names, all);
+    for (name, text) in &texts {
+        let run = compile(name, text.as_bytes());
+        let codes: Vec<Code> = run.diagnostics.iter().map(|d| d.code).collect();
+        let said = if *name == "wall.hsd" {
+            vec![Code(404)]
+        } else {
+            vec![]
+        };
+        assert_eq!(codes, said, "{name}: {}", run.short());
+        assert_none(&flaws(&run));
+        let houses = run.building.shell.houses.len();
+        assert_eq!(houses, if *name == "street.hsd" { 5 } else { 1 }, "{name}");
+    }
+}
+
+#[test]
+fn the_mistake_shows_the_message_that_is_promised() {
+    let page = page("tutorial.md");
+    let texts = texts(&page);
+    let (_, first) = texts[1];
+    let shorter = first.trim_end().strip_suffix("KSK").expect("it ends so");
+    let run = compile("first.hsd", shorter.as_bytes());
+    let codes: Vec<Code> = run.diagnostics.iter().map(|d| d.code).collect();
+    assert_eq!(codes, [Code(401)]);
+}
+
+/// What the parts of a house's walls are, in their order.
+fn parts(text: &str) -> Vec<String> {
+    let run = compile("house.hsd", text.as_bytes());
+    let scene = serde_json::to_value(&run.scene.nodes).expect("nodes are plain data");
+    let mut found = vec![];
+    codes(&scene, &mut found);
+    found
+}
+
+fn codes(value: &Value, found: &mut Vec<String>) {
+    match value {
+        Value::Object(map) => {
+            let code = map.get("code").and_then(Value::as_str);
+            found.extend(code.map(str::to_owned));
+            map.values().for_each(|v| codes(v, found));
+        }
+        Value::Array(list) => list.iter().for_each(|v| codes(v, found)),
+        _ => {}
+    }
+}
+
+#[test]
+fn both_forms_have_the_same_parts() {
+    let page = page("tutorial.md");
+    let texts = texts(&page);
+    let (two, rows) = (parts(texts[2].1), parts(texts[3].1));
+    assert!(two.len() > 30, "{two:?}");
+    assert_eq!(two, rows);
+}
