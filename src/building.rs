@@ -6,9 +6,11 @@
 //! Frames: plan points are (a, b) in U, the author frame. Solids are in the house frame: metres, x east,
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
+mod attic;
 mod dress;
 pub mod fittings;
 
+pub use attic::{Attic, Verge};
 pub use dress::Dress;
 
 use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
@@ -219,6 +221,9 @@ pub struct Roof {
     pub kind: RoofKind,
     /// What it wears beyond its solids.
     pub dress: Dress,
+    /// What lies between its sheets and the walls.
+    #[serde(skip)]
+    pub attic: Attic,
     /// Closed solids in the house frame, metres.
     pub solids: Vec<Solid>,
 }

@@ -46,6 +46,7 @@ pub mod lean_to;
 pub mod least_cut;
 mod level;
 pub mod look;
+pub mod massive;
 mod meet;
 pub mod merge;
 mod nearby;

@@ -12,6 +12,7 @@ mod bars;
 mod bay;
 mod boards;
 mod body;
+mod bulk;
 mod canopy;
 mod ceiling;
 mod cloth;
@@ -41,19 +42,20 @@ mod track;
 
 use crate::ast::{RoofKind, StoreyKind};
 use crate::building::{
-    Building, Ceiling, Finish, House, HouseRoofs, Ring, Roof, Soffit, Solid, Storey,
+    Building, Ceiling, Face, House, HouseRoofs, Ring, Roof, Soffit, Solid, Storey,
 };
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
-use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
 use alike::{Alike, Roofs, Walls};
+use bulk::is_fill;
 use compact_str::{CompactString, format_compact};
 use dress::Neighbours;
 use facade::Line;
 use fittings::Drawn;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use room::Rooms;
+use solid::plaster;
 use standing::{Place, Standing};
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
@@ -185,17 +187,25 @@ impl<'a> Walker<'a> {
             self.soffit(root, soffit, i + 1);
         }
         let neighbours = Neighbours::of(roofs);
-        for (i, roof) in roofs.roofs.iter().enumerate() {
-            let walls = self.below(house, roof, &standing);
+        let shares = bulk::shares(&roofs.roofs, self.detail);
+        for (i, (roof, shown)) in roofs.roofs.iter().zip(shares).enumerate() {
+            let walls = self.below(house, roof, shown, &standing);
             let beyond = neighbours.beyond(i, roof);
-            self.roof(root, roof, Alike::new(roof, walls, beyond, i + 1), i + 1);
+            let alike = Alike::new(roof, shown, walls, beyond, i + 1);
+            self.roof(root, roof, alike, i + 1);
         }
     }
 
-    /// What the walls of a roof's storey give it: the finishes of its gable fills, nothing where it has none, and
-    /// whether it is plastered.
-    fn below(&self, house: &House, roof: &Roof, standing: &[OnceCell<Standing>]) -> Walls {
-        let fills = |s: &Solid| s.faces.first().is_some_and(|f| f.finish == Finish::Gable);
+    /// What the walls of a roof's storey give it: the finishes of the gable fills that it shows, nothing where there
+    /// are none, and whether it is plastered.
+    fn below(
+        &self,
+        house: &House,
+        roof: &Roof,
+        shown: &[Roof],
+        standing: &[OnceCell<Standing>],
+    ) -> Walls {
+        let solids = || shown.iter().flat_map(|r| &r.solids);
         // Numbers rise, and a parapet follows the storey whose number it shares.
         let below = house.storeys.partition_point(|s| s.number < roof.storey);
         let Some(storey) = house.storeys.get(below) else {
@@ -203,18 +213,18 @@ impl<'a> Walker<'a> {
         };
         let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
         let plastered = tiled && standing::is_plastered(self.catalog, storey);
-        if !roof.solids.iter().any(fills) {
+        if !solids().any(is_fill) {
             return Walls {
                 gables: vec![],
                 plastered,
             };
         }
         let standing = standing[below].get_or_init(|| Standing::of(storey));
-        let of = |solid: &Solid| match fills(solid) {
+        let of = |solid: &Solid| match is_fill(solid) {
             true => standing.gable(self.catalog, house, Place { solid, storey }),
-            false => SurfaceId::named("plaster"),
+            false => plaster(),
         };
-        let gables = roof.solids.iter().map(of).collect();
+        let gables = solids().map(of).collect();
         Walls { gables, plastered }
     }
 
@@ -296,9 +306,7 @@ impl<'a> Walker<'a> {
     /// What closes an overhanging storey from below.
     fn soffit(&mut self, root: NodeId, soffit: &Soffit, number: usize) {
         let name = format_compact!("soffit {number}");
-        let mesh = self
-            .store
-            .solids(&name, &soffit.solids, &Walls::default(), &[]);
+        let mesh = self.store.solids(&name, &soffit.solids, &|_, _| None, &[]);
         let node = self.node(Some(root), Kind::Member, name, DVec3::ZERO);
         node.mesh = mesh;
         node.storey = Some(soffit.storey);
@@ -311,7 +319,10 @@ impl<'a> Walker<'a> {
             Entry::Vacant(new) => {
                 let walls = new.key().walls();
                 let worn = dress::dress(roof, new.key().beyond(), walls.plastered, self.detail);
-                let mesh = self.store.solids(&name, &roof.solids, walls, &worn.bodies);
+                let bulk = new.key().bulk(self.detail);
+                let given = |solid: usize, face: &Face| bulk.given(solid, face);
+                let store = &mut self.store;
+                let mesh = store.solids(&name, &bulk.solids, &given, &worn.bodies);
                 let runs = worn.runs.into_iter();
                 let rows = runs.map(|run| (run.clone(), self.store.row(run.row)));
                 new.insert((mesh, rows.collect())).clone()

@@ -1,11 +1,17 @@
 //! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
 
+use super::facet::edges;
 use super::fills::{Built, fit};
+use super::form::Form;
 use super::forms::Planned;
 use super::meet::{apart, meet};
 use super::sheet::sheet;
-use crate::building::Roof;
+use crate::ast::RoofShape;
+use crate::building::{Attic, Roof, Verge};
 use glam::DVec2;
+
+/// Verges that rise no higher over the plate have no wall under them, metres.
+const LOW: f64 = 1e-4;
 
 /// The roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not
 /// enter. Returns whether all met; where too many stand in each other's way they stay as they are.
@@ -44,6 +50,9 @@ fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -
         Some(met) => (met, true),
         None => (apart(&forms), false),
     };
+    for (planned, form) in planned.iter_mut().zip(&forms) {
+        planned.roof.attic = attic(form, planned.base, planned.roof.shape);
+    }
     let mut built: Vec<Built> = planned
         .iter()
         .zip(forms)
@@ -62,10 +71,38 @@ fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -
         solids.extend(built.fills);
         planned.roof.solids = solids;
         let empty = Roof {
+            attic: Attic::default(),
             solids: vec![],
             ..planned.roof
         };
         roofs.push(std::mem::replace(&mut planned.roof, empty));
     }
     all_met
+}
+
+/// What lies between a form and the walls that carry it.
+fn attic(form: &Form, plate: f64, shape: RoofShape) -> Attic {
+    let filled = !form.hung && form.under.is_none() && shape != RoofShape::Flat;
+    let mut attic = Attic {
+        plate,
+        filled,
+        ..Attic::default()
+    };
+    if filled {
+        let walls = form.walls.map_or(vec![], |w| edges(&w.corners()));
+        for facet in &form.facets {
+            let top = facet.plane;
+            let lift = |at: DVec2| at.extend(top.at(at));
+            let over = facet.beyond(&walls).into_iter();
+            let over = over.map(|v| v.iter().map(|c| lift(c.at)).collect::<Verge>());
+            // Eaves lie below the plate, over walls or not.
+            let high = |v: &Verge| v.iter().any(|p| p.z - form.drop > plate + LOW);
+            attic.verges.extend(over.filter(high));
+            if facet.lowered > 0.0 {
+                let whole = facet.outline.iter().map(|c| lift(c.at)).collect();
+                attic.lowered.push((whole, facet.lowered));
+            }
+        }
+    }
+    attic
 }

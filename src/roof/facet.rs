@@ -29,6 +29,8 @@ pub struct Facet {
     pub body: Vec<DVec2>,
     /// The upper surface.
     pub plane: Plane,
+    /// How much lower it lies than its neighbours, so that its sheet shares no corner with theirs, metres.
+    pub lowered: f64,
 }
 
 impl Facet {
@@ -39,7 +41,40 @@ impl Facet {
             outline: outline.collect(),
             body: body.to_vec(),
             plane,
+            lowered: 0.0,
         }
+    }
+}
+
+impl Facet {
+    /// What of it lies beyond its body, and beyond some more sides, in convex parts whose first edge lies on the side
+    /// that cut them off.
+    pub(super) fn beyond(&self, more: &[HalfPlane]) -> Vec<Vec<Corner>> {
+        let mut verges = vec![];
+        let same = |(c, p): (&Corner, &DVec2)| c.at == *p;
+        let whole =
+            self.outline.len() == self.body.len() && self.outline.iter().zip(&self.body).all(same);
+        let body = if whole { vec![] } else { edges(&self.body) };
+        let mut inside = self.outline.clone();
+        for side in body.iter().chain(more) {
+            if inside.iter().all(|c| side.depth(c.at) > -EPS) {
+                continue;
+            }
+            let [rest, mut outer] = side.halves(&inside);
+            inside = rest;
+            let on = |c: &Corner| side.depth(c.at) > -2.0 * EPS;
+            let n = outer.len();
+            if area(&outer) > SLIVER
+                && let Some(first) = (0..n).find(|i| on(&outer[*i]) && on(&outer[(i + 1) % n]))
+            {
+                outer.rotate_left(first);
+                verges.push(outer);
+            }
+            if area(&inside) <= SLIVER {
+                break;
+            }
+        }
+        verges
     }
 }
 
@@ -68,14 +103,53 @@ impl HalfPlane {
         self.normal.dot(p) - self.at
     }
 
+    /// The parts of a convex piece inside and outside; one may have no corners.
+    pub(super) fn halves(&self, piece: &[Corner]) -> [Vec<Corner>; 2] {
+        let depths: Vec<f64> = piece.iter().map(|c| self.depth(c.at)).collect();
+        [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
+    }
+
+    /// Moved outward by so much.
+    #[must_use]
+    pub(super) fn moved_out(self, by: f64) -> HalfPlane {
+        HalfPlane {
+            at: self.at - by,
+            ..self
+        }
+    }
+
+    /// Where `upper` is as high as `lower` or higher.
+    pub(super) fn where_not_lower(upper: Plane, lower: Plane) -> Higher {
+        match standing(lower, Some(upper)) {
+            Standing::Level => Higher::Everywhere,
+            _ => HalfPlane::where_higher(upper, lower),
+        }
+    }
+
+    /// Where `upper` stands over `lower` by more than a hair: everywhere, nowhere, or inside a half-plane.
+    pub(super) fn where_higher(upper: Plane, lower: Plane) -> Higher {
+        match standing(lower, Some(upper)) {
+            Standing::Below => Higher::Everywhere,
+            Standing::Above | Standing::Level => Higher::Nowhere,
+            Standing::Crossing(side) => Higher::Inside(side),
+        }
+    }
+
     /// To the left of the way from `p` to `q`.
-    fn left_of(p: DVec2, q: DVec2) -> Option<HalfPlane> {
+    pub(super) fn left_of(p: DVec2, q: DVec2) -> Option<HalfPlane> {
         let normal = (q - p).perp().try_normalize()?;
         Some(HalfPlane {
             normal,
             at: normal.dot(p),
         })
     }
+}
+
+/// Where one plane is higher than another.
+pub(super) enum Higher {
+    Everywhere,
+    Nowhere,
+    Inside(HalfPlane),
 }
 
 /// Takes from `pieces` of one facet what a cutter covers at a greater height.
@@ -118,10 +192,8 @@ fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> V
 }
 
 /// The parts of a piece with `axis . p` above and below a value; one may have no corners.
-pub(super) fn halves(piece: Vec<Corner>, axis: DVec2, at: f64) -> [Vec<Corner>; 2] {
-    let side = HalfPlane { normal: axis, at };
-    let depths: Vec<f64> = piece.iter().map(|c| side.depth(c.at)).collect();
-    [part(&piece, &depths, 1.0), part(&piece, &depths, -1.0)]
+pub(super) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Vec<Corner>; 2] {
+    HalfPlane { normal: axis, at }.halves(piece)
 }
 
 /// How a facet lies to a cutter's plane.
@@ -177,12 +249,15 @@ fn subtract<'s>(
 }
 
 /// Whether a piece lies wholly beyond one of some sides.
-fn is_outside<'s>(piece: &[Corner], mut sides: impl Iterator<Item = &'s HalfPlane>) -> bool {
+pub(super) fn is_outside<'s>(
+    piece: &[Corner],
+    mut sides: impl Iterator<Item = &'s HalfPlane>,
+) -> bool {
     sides.any(|h| piece.iter().all(|c| h.depth(c.at) < EPS))
 }
 
 /// The part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
-fn split_off<'p, 's>(
+pub(super) fn split_off<'p, 's>(
     piece: Cow<'p, [Corner]>,
     sides: impl Iterator<Item = &'s HalfPlane>,
     off: &mut Vec<Vec<Corner>>,

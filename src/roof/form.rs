@@ -1,6 +1,7 @@
 //! What every roof shape returns: its upper surface in facets, and what stands under it.
 
 use super::facet::Facet;
+use super::frame::Rect;
 use crate::building::Solid;
 
 /// The form of one roof before it meets its neighbours.
@@ -18,4 +19,6 @@ pub struct Form {
     pub under: Option<usize>,
     /// Whether it hangs on the outside of walls: the storey above takes nothing from it.
     pub hung: bool,
+    /// The walls below where a slope stands out over them as a part of its body.
+    pub walls: Option<Rect>,
 }

@@ -14,7 +14,7 @@ use super::pent::Pent;
 use super::plan::{Cell, Plan};
 use super::ridge::{Ridge, Side};
 use crate::ast::{RoofShape, RoofStyle};
-use crate::building::Roof;
+use crate::building::{Attic, Roof};
 use std::cell::OnceCell;
 
 /// A roof with its form, before it meets its neighbours.
@@ -105,6 +105,7 @@ impl Context<'_> {
             shape,
             kind: look.kind,
             dress: look.dress(),
+            attic: Attic::default(),
             solids: vec![],
         }
     }

@@ -86,6 +86,19 @@ impl Plane {
         })
     }
 
+    /// The plane of a flat polygon; none where it stands upright or has no area.
+    pub fn around(points: impl Iterator<Item = DVec3> + Clone) -> Option<Plane> {
+        let first = points.clone().next()?;
+        let next = points.clone().skip(1);
+        let fan = points.zip(next).skip(1);
+        let normal: DVec3 = fan.map(|(p, q)| (p - first).cross(q - first)).sum();
+        let slope = -normal.truncate() / normal.z;
+        slope.is_finite().then(|| Plane {
+            z: first.z - slope.dot(first.truncate()),
+            slope,
+        })
+    }
+
     /// Height over a point.
     pub fn at(&self, p: DVec2) -> f64 {
         self.z + self.slope.dot(p)

@@ -66,8 +66,26 @@ impl Hall {
             drop,
             floor: self.base + drop + 1e-4,
             solids: self.walls(&slopes),
+            walls: self.walls_under_hips(),
             ..Form::default()
         }
+    }
+
+    /// The walls with what the roof runs on over, where a half-hip stands out over its gable wall.
+    fn walls_under_hips(&self) -> Option<Rect> {
+        let half_hip = |e: &End| matches!(e.cap, Cap::HalfHip { .. });
+        self.ends.iter().any(half_hip).then(|| {
+            let frame = Frame::new(&self.rect, self.near);
+            let [start, end] = self.ends.map(|e| e.reach);
+            let (p, q) = (
+                frame.at(-start, 0.0),
+                frame.at(frame.length + end, frame.depth),
+            );
+            Rect {
+                min: p.min(q),
+                max: p.max(q),
+            }
+        })
     }
 
     /// The walls that fill its gables.
@@ -173,7 +191,9 @@ impl<'h> Slopes<'h> {
         let beyond = end
             .beyond_hips()
             .map(|wall| (self.lowered(to), self.lowered(wall)));
-        for (i, (lower, upper)) in own.chain(beyond).enumerate() {
+        let own = own.map(|strip| (strip, 0.0));
+        let beyond = beyond.into_iter().map(|strip| (strip, APART));
+        for (i, ((lower, upper), lowered)) in own.chain(beyond).enumerate() {
             let contour = |k: Knot| end.contour(k.d, self.half);
             let (from, to) = (
                 [lower.d, upper.d],
@@ -191,7 +211,11 @@ impl<'h> Slopes<'h> {
                 ridge: false,
             };
             let d = [lower.d, upper.d];
+            let before = facets.len();
             self.lay(&strip, d, lifted, facets);
+            facets[before..]
+                .iter_mut()
+                .for_each(|f| f.lowered = lowered);
         }
     }
 

@@ -12,7 +12,7 @@ use super::frame::Plane;
 use super::look::Look;
 use super::skeleton::{Contours, Face, Invalid, Skeleton, skeleton};
 use crate::ast::RoofShape;
-use crate::building::Roof;
+use crate::building::{Attic, Roof};
 use glam::{DVec2, DVec3};
 
 /// Nodes nearer to each other become one, metres.
@@ -60,6 +60,11 @@ pub fn over(
         shape: RoofShape::Hip,
         kind: look.kind,
         dress: look.dress(),
+        attic: Attic {
+            plate: base,
+            filled: true,
+            ..Attic::default()
+        },
         solids: super::sheet::sheet(&whole, form.drop, &look.coat(), form.floor),
     })
 }

@@ -53,8 +53,7 @@ impl LeanTo {
             drop,
             floor: self.low + drop + 1e-4,
             solids: self.walls(&frame, &profile),
-            under: None,
-            hung: false,
+            ..Form::default()
         }
     }
 

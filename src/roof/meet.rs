@@ -157,7 +157,7 @@ fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut
     }
     let axis = if size.x > size.y { DVec2::X } else { DVec2::Y };
     let middle = axis.dot(lo + hi) / 2.0;
-    for (half, sign) in halves(piece, axis, middle).into_iter().zip([1.0, -1.0]) {
+    for (half, sign) in halves(&piece, axis, middle).into_iter().zip([1.0, -1.0]) {
         let met = |c: &&&Cutter<'_>| {
             let (lo, hi) = bounds(&mut c.body.iter().copied());
             if sign > 0.0 {

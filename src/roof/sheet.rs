@@ -44,6 +44,35 @@ pub fn sheet(pieces: &[Piece], drop: f64, coat: &Coat, floor: f64) -> Vec<Solid>
         .collect()
 }
 
+/// The upper surface that a sheet was made from, and its drop; none of solids without a covering.
+pub(super) fn surface(solid: &Solid) -> Option<(Vec<Piece>, f64)> {
+    let covering = |f: &&Face| matches!(f.finish, Finish::Covering(_));
+    let first = solid.faces.iter().find(covering)?;
+    let point = |id: u32| solid.points.get(id as usize).copied();
+    let id = *first.corners.first()?;
+    // Each point is followed by the one below it.
+    let drop = point(id)?.z - point(id + 1)?.z;
+    let edges = solid
+        .faces
+        .iter()
+        .filter(|f| matches!(f.finish, Finish::Edge(_)));
+    let mut rims: Vec<[u32; 2]> = edges.map(|f| [f.corners[1], f.corners[0]]).collect();
+    rims.sort_unstable();
+    let piece = |face: &Face| {
+        let ids = &face.corners;
+        let next = ids.iter().cycle().skip(1);
+        let corner = |(p, q): (&u32, &u32)| Corner {
+            at: solid.points[*p as usize].truncate(),
+            rim: rims.binary_search(&[*p, *q]).is_ok(),
+        };
+        let outline: Vec<Corner> = ids.iter().zip(next).map(corner).collect();
+        let points = || ids.iter().map(|i| solid.points[*i as usize]);
+        Some((outline, Plane::around(points())?))
+    };
+    let pieces = solid.faces.iter().filter(covering).filter_map(piece);
+    Some((pieces.collect(), drop))
+}
+
 /// Corners with the same place in plan are one if their heights differ by less, metres: an upper gable
 /// stands over the slope below it.
 const SAME: f64 = 1e-5;
@@ -306,7 +335,7 @@ fn touches_itself(rims: &[(u32, u32, bool)]) -> bool {
     starts.windows(2).any(|w| w[0] == w[1])
 }
 
-fn find(root: &mut [usize], mut n: usize) -> usize {
+pub(super) fn find(root: &mut [usize], mut n: usize) -> usize {
     while root[n] != n {
         root[n] = root[root[n]];
         n = root[n];
@@ -315,10 +344,10 @@ fn find(root: &mut [usize], mut n: usize) -> usize {
 }
 
 /// Points in the order of each plan coordinate.
-struct Sorted([Vec<(f64, u32)>; 2]);
+pub(super) struct Sorted([Vec<(f64, u32)>; 2]);
 
 impl Sorted {
-    fn of(points: &[DVec3]) -> Sorted {
+    pub(super) fn of(points: &[DVec3]) -> Sorted {
         Sorted([0, 1].map(|axis| {
             let at = |(id, p): (usize, &DVec3)| (p[axis], id as u32);
             let mut all: Vec<(f64, u32)> = points.iter().enumerate().map(at).collect();
@@ -329,7 +358,7 @@ impl Sorted {
 
     /// All points of a box in plan, and some beside it: the shorter of its two strips, since most edges run
     /// along one axis.
-    fn near(&self, lo: DVec2, hi: DVec2) -> &[(f64, u32)] {
+    pub(super) fn near(&self, lo: DVec2, hi: DVec2) -> &[(f64, u32)] {
         let strip = |axis: usize| {
             let all = &self.0[axis];
             let start = all.partition_point(|p| p.0 < lo[axis]);

@@ -183,11 +183,12 @@ impl<'h> Skirt<'h> {
         };
         let rest = |facet: &Facet| {
             let pieces = cut(facet, vec![facet.outline.clone()], &cutter);
-            let plane = facet.plane;
+            let (plane, lowered) = (facet.plane, facet.lowered);
             pieces.into_iter().map(move |outline| Facet {
                 body: outline.iter().map(|c| c.at).collect(),
                 outline,
                 plane,
+                lowered,
             })
         };
         form.facets = form.facets.iter().flat_map(rest).collect();

@@ -1,11 +1,12 @@
 //! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
 
+use super::bulk::Bulk;
 use super::dress::{Beyond, Run};
 use super::store::Quick;
 use crate::ast::RoofKind;
 use crate::building::{Dress, Face, Roof, Solid};
 use crate::material::SurfaceId;
-use crate::scene::MeshId;
+use crate::scene::{Detail, MeshId};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
@@ -18,8 +19,8 @@ pub(super) type Roofs<'a> = HashMap<Alike<'a>, Shown, BuildHasherDefault<Quick>>
 /// What a roof shows: its mesh, and the rows of tiles and rafters on and under it.
 pub(super) type Shown = (Option<MeshId>, Rc<[(Run, MeshId)]>);
 
-/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and its
-/// solids to the last bit.
+/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and the
+/// solids of it and of those it shows, to the last bit.
 #[derive(Clone, Debug)]
 pub(super) struct Alike<'a> {
     number: usize,
@@ -27,32 +28,46 @@ pub(super) struct Alike<'a> {
     dress: Dress,
     beyond: Beyond,
     solids: &'a [Solid],
+    /// The roofs whose solids it shows.
+    shown: &'a [Roof],
     walls: Walls,
 }
 
 /// What the walls below give a roof.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Walls {
-    /// What its gables are filled with, solid by solid.
+    /// What the gables of those it shows are filled with, solid by solid.
     pub(super) gables: Vec<SurfaceId>,
     /// Whether they are plastered over their posts, and its eaves and verges with them.
     pub(super) plastered: bool,
 }
 
 impl<'a> Alike<'a> {
-    pub(super) fn new(roof: &'a Roof, walls: Walls, beyond: Beyond, number: usize) -> Alike<'a> {
+    pub(super) fn new(
+        roof: &'a Roof,
+        shown: &'a [Roof],
+        walls: Walls,
+        beyond: Beyond,
+        number: usize,
+    ) -> Alike<'a> {
         Alike {
             number,
             kind: roof.kind,
             dress: roof.dress,
             beyond,
             solids: &roof.solids,
+            shown,
             walls,
         }
     }
 
     pub(super) fn beyond(&self) -> &Beyond {
         &self.beyond
+    }
+
+    /// What it shows.
+    pub(super) fn bulk(&self, detail: Detail) -> Bulk<'_> {
+        Bulk::of(self.shown, &self.walls, detail)
     }
 
     pub(super) fn walls(&self) -> &Walls {
@@ -73,6 +88,7 @@ impl Hash for Alike<'_> {
             points.for_each(|word| state.write_u64(word));
             state.write_usize(solid.faces.len());
         }
+        state.write_usize(self.shown.len());
     }
 }
 
@@ -85,13 +101,18 @@ impl PartialEq for Alike<'_> {
                 && a.points.iter().map(bits).eq(b.points.iter().map(bits))
                 && a.faces.iter().zip(&b.faces).all(|(a, b)| face(a, b))
         };
+        let same = |a: &[Solid], b: &[Solid]| a.len() == b.len() && a.iter().zip(b).all(solid);
+        let shown = |(a, b): (&Roof, &Roof)| {
+            a.kind == b.kind && a.attic == b.attic && same(&a.solids, &b.solids)
+        };
         self.number == other.number
             && self.kind == other.kind
             && self.dress == other.dress
             && self.beyond == other.beyond
             && self.walls == other.walls
-            && self.solids.len() == other.solids.len()
-            && self.solids.iter().zip(other.solids).all(solid)
+            && same(self.solids, other.solids)
+            && self.shown.len() == other.shown.len()
+            && self.shown.iter().zip(other.shown).all(shown)
     }
 }
 

@@ -1,7 +1,6 @@
 //! Roofs: ready polyhedra into triangles, in the surfaces of their coverings. Texture coordinates run
 //! along the eaves and up the slope, so that courses lie level.
 
-use super::alike::Walls;
 use super::mesh::Soup;
 use crate::ast::RoofKind;
 use crate::building::{Face, Finish, Solid};
@@ -44,38 +43,38 @@ fn names(kind: RoofKind) -> [&'static str; 2] {
     }
 }
 
-/// The surface of a finish over some walls, with that of gable fills.
-fn surface(finish: Finish, gable: SurfaceId, walls: &Walls) -> SurfaceId {
+/// What faces of some solids show that follows from the house around them, by solid and face.
+pub(super) type Given<'g> = &'g dyn Fn(usize, &Face) -> Option<SurfaceId>;
+
+/// The surface of plaster.
+pub(super) fn plaster() -> SurfaceId {
+    SURFACES[2]
+}
+
+/// The surface of a finish where nobody says; gables are plastered.
+fn surface(finish: Finish) -> SurfaceId {
     let of = |kind: RoofKind, which: usize| {
         let row = KINDS.iter().position(|k| *k == kind).unwrap_or_default();
         3 + 2 * row + which
     };
     SURFACES[match finish {
-        Finish::Gable => return gable,
-        Finish::Soffit if walls.plastered => 2,
         Finish::Soffit => 0,
         Finish::Timber => 1,
-        Finish::Plaster => 2,
+        Finish::Plaster | Finish::Gable => 2,
         Finish::Covering(kind) => of(kind, 0),
         Finish::Edge(kind) => of(kind, 1),
     }]
 }
 
-/// What a gable is filled with where nobody says.
-fn gable_of(gables: &[SurfaceId], solid: usize) -> SurfaceId {
-    let own = gables.get(solid).copied();
-    own.unwrap_or_else(|| SURFACES[2])
-}
-
-/// The faces of all solids over some walls, a soup each surface in the order of first use.
-pub(super) fn soups(solids: &[Solid], walls: &Walls) -> Vec<(SurfaceId, Soup)> {
-    let mut soups = rooms(solids, walls);
+/// The faces of all solids, a soup each surface in the order of first use.
+pub(super) fn soups(solids: &[Solid], given: Given<'_>) -> Vec<(SurfaceId, Soup)> {
+    let shows = |n: usize, face: &Face| given(n, face).unwrap_or_else(|| surface(face.finish));
+    let mut soups = rooms(solids, &shows);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
     for (n, solid) in solids.iter().enumerate() {
-        let gable = gable_of(&walls.gables, n);
         for face in &solid.faces {
             gather(solid, face, &mut corners);
-            let id = surface(face.finish, gable, walls);
+            let id = shows(n, face);
             if let Some((_, soup)) = soups.iter_mut().find(|(s, _)| *s == id) {
                 soup.face(&corners, has_grain(face.finish));
             }
@@ -85,15 +84,12 @@ pub(super) fn soups(solids: &[Solid], walls: &Walls) -> Vec<(SurfaceId, Soup)> {
 }
 
 /// Empty soups with room for all faces of each surface: roofs are never shared, so that they cost most.
-fn rooms(solids: &[Solid], walls: &Walls) -> Vec<(SurfaceId, Soup)> {
+fn rooms(solids: &[Solid], shows: impl Fn(usize, &Face) -> SurfaceId) -> Vec<(SurfaceId, Soup)> {
     let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
-    let gables = (0..).map(|n| gable_of(&walls.gables, n));
-    let faces = solids
-        .iter()
-        .zip(gables)
-        .flat_map(|(s, gable)| s.faces.iter().map(move |f| (f, gable)));
-    for (face, gable) in faces {
-        let id = surface(face.finish, gable, walls);
+    let faces = solids.iter().enumerate();
+    let faces = faces.flat_map(|(solid, s)| s.faces.iter().map(move |f| (solid, f)));
+    for (solid, face) in faces {
+        let id = shows(solid, face);
         let n = face.corners.len();
         match rooms.iter_mut().find(|(s, ..)| *s == id) {
             Some((_, corners, triangles)) => {

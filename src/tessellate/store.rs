@@ -1,11 +1,11 @@
 //! Meshes and materials of the scene, each made once.
 
-use super::alike::Walls;
 use super::atlas::Atlas;
 use super::bake::{WALL, bake};
 use super::bay::Bay;
 use super::dress::{Body, Row};
 use super::mesh::{Bodies, Soup};
+use super::solid::Given;
 use super::{detail, dress, part};
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
@@ -221,10 +221,10 @@ impl Store {
         &mut self,
         name: &str,
         solids: &[Solid],
-        walls: &Walls,
+        given: Given<'_>,
         worn: &[Body],
     ) -> Option<MeshId> {
-        let mut soups = super::solid::soups(solids, walls);
+        let mut soups = super::solid::soups(solids, given);
         dress::pour(worn, &mut soups);
         if soups.is_empty() {
             return None;

@@ -7,14 +7,14 @@ use hsd::ast::{RoofDirection, RoofShape};
 use hsd::building::{Building, Finish, House, Roof};
 use hsd::geometry::SHAKU;
 
-const FOOTPRINTS: [(f64, f64); 5] = [
+pub const FOOTPRINTS: [(f64, f64); 5] = [
     (24.0, 2.0),
     (7.0, 7.0),
     (5.0, 12.0),
     (1.0, 1.5),
     (66.0, 40.0),
 ];
-const PITCHES: [f64; 3] = [3.0, 5.0, 10.0];
+pub const PITCHES: [f64; 3] = [3.0, 5.0, 10.0];
 const SORI: [f64; 3] = [-3.0, 0.0, 4.0];
 const TWO_SIDED: [RoofShape; 8] = [
     RoofShape::Gable,
@@ -28,7 +28,13 @@ const TWO_SIDED: [RoofShape; 8] = [
 ];
 
 /// A house under one roof of this shape, by itself or by a line.
-fn under(shape: RoofShape, (width, depth): (f64, f64), pitch: f64, sori: f64, line: bool) -> House {
+pub fn under(
+    shape: RoofShape,
+    (width, depth): (f64, f64),
+    pitch: f64,
+    sori: f64,
+    line: bool,
+) -> House {
     let mut house = house(vec![vec![ring(&rect(0.0, 0.0, width, depth))]]);
     house.roofs.style.shape = Some(spanned(shape));
     house.roofs.style.pitch = Some(spanned(pitch));

@@ -13,7 +13,7 @@ use hsd::building::{Building, Roof, Solid};
 const JOINT: f64 = 0.045;
 
 /// Where an upright line goes into and out of solids, sorted.
-fn crossings(solid: &Solid, at: DVec2) -> Vec<f64> {
+pub fn crossings(solid: &Solid, at: DVec2) -> Vec<f64> {
     let mut found = vec![];
     for face in &solid.faces {
         let p = |i: usize| solid.points[face.corners[i] as usize];
@@ -26,7 +26,7 @@ fn crossings(solid: &Solid, at: DVec2) -> Vec<f64> {
 }
 
 /// The height at which an upright line passes a triangle; on an edge it belongs to one side only.
-fn through([p, q, r]: [DVec3; 3], at: DVec2) -> Option<f64> {
+pub fn through([p, q, r]: [DVec3; 3], at: DVec2) -> Option<f64> {
     let side = |a: DVec3, b: DVec3| (b - a).truncate().perp_dot(at - a.truncate());
     let (u, v, w) = (side(q, r), side(r, p), side(p, q));
     let inside = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);

@@ -2,12 +2,16 @@
 
 #![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
 
+#[path = "../support/mod.rs"]
+mod support;
+
 mod boards;
 mod common;
 mod fixtures;
 mod flat;
 mod junctions;
 mod halls;
+mod massive;
 mod messages;
 mod plans;
 mod random;

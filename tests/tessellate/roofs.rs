@@ -1,6 +1,7 @@
 //! Roofs over the walls.
 
 use super::*;
+use hsd::building::Attic;
 use hsd::building::Corners;
 
 #[test]
@@ -88,6 +89,7 @@ fn roofs_become_one_mesh() {
         shape: RoofShape::Flat,
         kind: RoofKind::Metal,
         dress: Dress::default(),
+        attic: Attic::default(),
         solids: vec![flat_roof()],
     });
     let scene = scene(&building);
@@ -121,6 +123,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         shape: RoofShape::LeanTo,
         kind: RoofKind::Tiles,
         dress: Dress::default(),
+        attic: Attic::default(),
         solids: vec![solid],
     });
     let scene = tessellate(&building, Catalog::builtin(), Detail::Everything);

@@ -4,7 +4,7 @@ use super::seams::{End, Kind, Seam};
 use super::surface::Surface;
 use super::{Beyond, Body, Neighbours, dress};
 use crate::ast::{RoofKind, RoofShape};
-use crate::building::{Dress, Face, Finish, HouseRoofs, Roof, Solid};
+use crate::building::{Attic, Dress, Face, Finish, HouseRoofs, Roof, Solid};
 use crate::check::solid_flaws;
 use crate::material::SurfaceId;
 use crate::roof::facet::Corner;
@@ -150,6 +150,7 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             pendant: true,
             rafters: 2,
         },
+        attic: Attic::default(),
         solids,
     }
 }
