@@ -10,6 +10,8 @@
 //! Plans that are not at right angles, and any plan by `method skeleton`, are roofed as a whole (`polygonal`): the
 //! straight skeleton ([`skeleton`]) gives one slope over each wall ([`hipped`]). Towns ask for such a roof with [`over`].
 //!
+//! For details without joinery tessellation asks for roofs that meet as one solid with their attics ([`massive`]).
+//!
 //! A further shape is one further file that makes a [`form::Form`]: upper facets, their drop, and
 //! what stands under them. Meeting and closing are the same for all.
 //!

@@ -5,8 +5,8 @@
 //! eaves and verges to the lower surface of its sheets, and the upright faces between the two are the gable walls.
 //! Where roofs meet there is nothing between them.
 //!
-//! The upper surface is cut into parts ([`parts`]), these become upright columns with a plane above and a plane below,
-//! and the columns' common surface is the solid ([`union`]).
+//! The upper surface is cut into parts with a plane below each, no two of which share any space (`parts`). They become
+//! upright columns, whose common surface is the solid (`union`); faces side by side in one plane become one (`merge`).
 //!
 //! | roof | becomes |
 //! |---|---|
@@ -14,7 +14,8 @@
 //! | under the eaves of its trunk, or hung on a wall | a part of the same solid without attic: the room below is no part of the roof |
 //! | flat | stays a slab with its upstands, two solids that stand in each other: it has no attic |
 //!
-//! Brackets and purlins stay solids of their own, and reach into the roof they carry.
+//! Roofs that touch in an edge only cannot be one closed solid, and are made in several. Brackets and purlins stay
+//! solids of their own, and reach into the roof they carry.
 
 mod closed;
 mod merge;

@@ -69,7 +69,7 @@ fn surface(finish: Finish) -> SurfaceId {
 /// The faces of all solids, a soup each surface in the order of first use.
 pub(super) fn soups(solids: &[Solid], given: Given<'_>) -> Vec<(SurfaceId, Soup)> {
     let shows = |n: usize, face: &Face| given(n, face).unwrap_or_else(|| surface(face.finish));
-    let mut soups = rooms(solids, &shows);
+    let mut soups = rooms(solids, shows);
     let mut corners: Vec<DVec3> = Vec::with_capacity(8);
     for (n, solid) in solids.iter().enumerate() {
         for face in &solid.faces {
