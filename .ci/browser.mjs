@@ -48,6 +48,14 @@ function serve(script, files) {
   }).listen(0, '127.0.0.1');
 }
 
+/** A headless browser that draws by software. */
+export function browser() {
+  return chromium.launch({
+    executablePath: program('chromium', 'chromium-browser', 'google-chrome'),
+    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+  });
+}
+
 /**
  * Opens `script` of this folder in a page of the given size, and calls `use(page, complaints)`, where `complaints`
  * collects whatever the console says at the level of a warning or worse. The script sets `window.ready`.
@@ -55,12 +63,9 @@ function serve(script, files) {
 export async function with_page({ script, files, width = 640, height = 480 }, use) {
   const server = serve(script, files);
   await new Promise(done => server.once('listening', done));
-  const browser = await chromium.launch({
-    executablePath: program('chromium', 'chromium-browser', 'google-chrome'),
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
-  });
+  const running = await browser();
   try {
-    const page = await browser.newPage({ viewport: { width, height } });
+    const page = await running.newPage({ viewport: { width, height } });
     const complaints = [];
     page.on('console', message => {
       // Reading back a drawing by a software driver is slow, and the driver says so.
@@ -72,7 +77,7 @@ export async function with_page({ script, files, width = 640, height = 480 }, us
     await page.waitForFunction('window.ready', null, { timeout: 60000 });
     return await use(page, complaints);
   } finally {
-    await browser.close();
+    await running.close();
     server.close();
   }
 }

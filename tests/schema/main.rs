@@ -7,6 +7,7 @@ mod agree;
 mod defaults;
 mod model;
 mod relaxng;
+mod table;
 mod xsd;
 
 use std::fs;
@@ -16,7 +17,11 @@ const FOLDER: &str = "grammar/schema";
 
 #[test]
 fn the_schemas_are_those_of_the_reader() {
-    let made = [("hsd.rng", relaxng::make()), ("hsd.xsd", xsd::make())];
+    let made = [
+        ("hsd.rng", relaxng::make()),
+        ("hsd.xsd", xsd::make()),
+        ("elements.json", table::make()),
+    ];
     for (name, text) in made {
         let path = Path::new(env!("CARGO_MANIFEST_DIR"))
             .join(FOLDER)

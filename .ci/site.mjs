@@ -1,0 +1,145 @@
+// node site.mjs HSD OUT_DIR
+// The reference as a small static site in English and Japanese: the pages of grammar/, every element and attribute, every part with its
+// picture, every message. Everything it needs lies in its folder: no request goes to another host. Exit 1 if a link leads nowhere.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join, posix, resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { folder as modules } from './modules.mjs';
+import { dead_links } from './site_links.mjs';
+import { reference } from './site_reference.mjs';
+
+const { Marked } = await import(pathToFileURL(join(modules, 'node_modules/marked/lib/marked.esm.js')));
+const here = dirname(fileURLToPath(import.meta.url));
+const root = resolve(here, '..');
+const [hsd, out] = process.argv.slice(2);
+if (!out) throw new Error('usage: site.mjs HSD OUT_DIR');
+
+/** From a file of the repository to a page of the site. */
+const pages = new Map([
+  ['grammar/README.md', 'index.html'],
+  ['README.md', 'readme.html'],
+  ['README.ja.md', 'ja/readme.html'],
+]);
+for (const name of readdirSync(join(root, 'grammar')).filter(n => n.endsWith('.md') && n !== 'README.md')) {
+  const japanese = name.endsWith('.ja.md');
+  pages.set(`grammar/${name}`, japanese ? `ja/${name.replace('.ja.md', '.html')}` : name.replace('.md', '.html'));
+}
+for (const name of readdirSync(join(root, 'grammar/diagnostics')).filter(n => n.endsWith('.md'))) {
+  pages.set(`grammar/diagnostics/${name}`, `messages/${name.replace('.md', '.html')}`);
+  pages.set(`grammar/diagnostics/ja/${name}`, `ja/messages/${name.replace('.md', '.html')}`);
+}
+/** Folders that a page stands for. */
+const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['examples', 'readme.html']]);
+
+const menu = {
+  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'],
+    ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
+  ja: [['ja/index.html', 'はじめに'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/catalogue.html', '部材'], ['ja/messages/index.html', 'メッセージ']],
+};
+
+const relative = (from, to) => posix.relative(posix.dirname(from), to) || posix.basename(to);
+const escape = text => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;').replace(/"/g, '&quot;');
+const plain = html => html.replace(/<[^>]*>/g, ' ').replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'").replace(/&amp;/g, '&').replace(/\s+/g, ' ');
+const entries = { en: [], ja: [] };
+const written = new Map();
+
+/** The same page in the other language. */
+const twin = page => page.startsWith('ja/') ? page.slice(3) : `ja/${page}`;
+
+/** Writes a page. */
+function write(page, title, body) {
+  const language = page.startsWith('ja/') ? 'ja' : 'en';
+  written.set(page, { language, title, body });
+  entries[language].push([title.replace(/`/g, ''), page, plain(body).slice(0, 600)]);
+}
+
+/** Copies a file of the repository into the site. */
+function copied(path) {
+  const to = posix.join('files', path);
+  mkdirSync(dirname(join(out, to)), { recursive: true });
+  copyFileSync(join(root, path), join(out, to));
+  return to;
+}
+
+/** Where a link of a file leads in the site; undefined = nowhere. */
+function target(source, page, href) {
+  if (/^[a-z]+:/.test(href) || href.startsWith('#')) return href;
+  const [file, hash] = href.split('#');
+  const path = posix.join(posix.dirname(source), file).replace(/\/$/, '');
+  const known = pages.get(path) ?? folders.get(path);
+  if (known) return relative(page, known) + (hash ? `#${hash}` : '');
+  const there = existsSync(join(root, path)) ? statSync(join(root, path)) : undefined;
+  if (!there) return href;
+  return there.isDirectory() ? undefined : relative(page, copied(path));
+}
+
+/** A page of Markdown. */
+function markdown(source, page) {
+  const text = readFileSync(join(root, source), 'utf8');
+  const used = new Map();
+  const slug = words => {
+    const base = words.toLowerCase().replace(/[^\p{L}\p{N}\s_-]/gu, '').trim().replace(/\s/g, '-');
+    const count = used.get(base) ?? 0;
+    used.set(base, count + 1);
+    return count ? `${base}-${count}` : base;
+  };
+  const renderer = {
+    heading({ tokens, depth, text }) {
+      return `<h${depth} id="${escape(slug(text.replace(/`/g, '')))}">${this.parser.parseInline(tokens)}</h${depth}>\n`;
+    },
+    link({ href, tokens }) {
+      const to = target(source, page, href);
+      const words = this.parser.parseInline(tokens);
+      return to === undefined ? words : `<a href="${escape(to)}">${words}</a>`;
+    },
+    image({ href, text }) {
+      return `<img src="${escape(target(source, page, href))}" alt="${escape(text)}" loading="lazy">`;
+    },
+  };
+  const title = text.match(/^# (.*)$/m)?.[1] ?? page;
+  write(page, title, new Marked({ renderer }).parse(text));
+}
+
+for (const [source, page] of pages) markdown(source, page);
+reference({ hsd, root, out, write, escape, relative, messages: [...pages].filter(([s]) => /HSD\d/.test(s)) });
+
+const search = readFileSync(join(here, 'site_search.js'), 'utf8');
+mkdirSync(out, { recursive: true });
+copyFileSync(join(here, 'site.css'), join(out, 'site.css'));
+writeFileSync(join(out, 'search.js'), search);
+for (const language of ['en', 'ja']) {
+  writeFileSync(join(out, `search-${language}.js`), `window.pages = ${JSON.stringify(entries[language])};\n`);
+}
+for (const [page, { language, title, body }] of written) {
+  const link = to => escape(relative(page, to));
+  const links = menu[language].map(([to, words]) => `<a href="${link(to)}"${to === page ? ' aria-current="page"' : ''}>${words}</a>`);
+  const other = written.has(twin(page)) ? twin(page) : language === 'en' ? 'ja/index.html' : 'index.html';
+  links.push(`<a href="${link(other)}" lang="${language === 'en' ? 'ja' : 'en'}">${language === 'en' ? '日本語' : 'English'}</a>`);
+  const words = language === 'en' ? 'Search' : '検索';
+  const html = `<!DOCTYPE html>
+<html lang="${language}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>${escape(title.replace(/`/g, ''))} · hsd</title>
+<link rel="icon" href="data:,">
+<link rel="stylesheet" href="${link('site.css')}">
+<script defer src="${link(`search-${language}.js`)}"></script>
+<script defer src="${link('search.js')}" data-root="${escape(relative(page, 'site.css').replace('site.css', ''))}"></script>
+</head>
+<body>
+<nav>${links.join('\n')}
+<input type="search" placeholder="${words}" aria-label="${words}"><ul id="found"></ul></nav>
+<main>
+${body}</main>
+</body>
+</html>
+`;
+  mkdirSync(dirname(join(out, page)), { recursive: true });
+  writeFileSync(join(out, page), html);
+}
+
+const dead = dead_links(out);
+for (const line of dead) console.error(line);
+console.log(`${written.size} pages in ${out}, ${dead.length} dead links`);
+if (dead.length > 0) process.exit(1);

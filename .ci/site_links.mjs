@@ -1,0 +1,28 @@
+// The links of a site: those that lead nowhere, and whatever would be fetched from another host.
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
+import { dirname, join, relative } from 'node:path';
+
+/** What is wrong with the links of the pages below a folder. */
+export function dead_links(folder) {
+  const pages = readdirSync(folder, { recursive: true }).filter(n => n.endsWith('.html') && !n.startsWith('files'));
+  const texts = new Map(pages.map(page => [join(folder, page), readFileSync(join(folder, page), 'utf8')]));
+  const marks = new Map([...texts].map(([path, text]) => [path, new Set([...text.matchAll(/ id="([^"]*)"/g)].map(m => m[1]))]));
+  const wrong = [];
+  for (const [path, text] of texts) {
+    for (const [, kind, value] of text.matchAll(/ (href|src)="([^"]*)"/g)) {
+      const link = value.replace(/&amp;/g, '&');
+      const said = why => wrong.push(`${relative(folder, path)}: ${link}: ${why}`);
+      if (link.startsWith('data:')) continue;
+      if (/^[a-z]+:/.test(link)) {
+        if (kind === 'src') said('from another host');
+        continue;
+      }
+      const [file, hash] = decodeURI(link).split('#');
+      const to = file ? join(dirname(path), file) : path;
+      if (!existsSync(to)) said('is not there');
+      else if (hash && marks.has(to) && !marks.get(to).has(hash)) said('has no such place');
+    }
+    if (/url\(\s*['"]?https?:/.test(text)) wrong.push(`${relative(folder, path)}: a style from another host`);
+  }
+  return wrong;
+}
