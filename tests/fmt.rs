@@ -99,6 +99,16 @@ fn legacy_texts_are_laid_out_in_columns() {
 }
 
 #[test]
+fn a_last_code_of_one_letter_keeps_its_blanks() {
+    let before = "0 0\n9\n\nKSK  K \n";
+    let after = "0 0\n9\n\nKSK  K    \n";
+    assert_eq!(
+        laid_out("letter", before.as_bytes()).as_deref(),
+        Some(after)
+    );
+}
+
+#[test]
 fn xml_texts_are_laid_out_by_levels() {
     for (before, after) in [
         (

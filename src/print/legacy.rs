@@ -102,10 +102,12 @@ impl Printer {
         }
         self.gap = false;
         write(&mut self.text);
-        let end = self
-            .text
-            .trim_end_matches(|c: char| c != '\n' && c.is_whitespace());
-        self.text.truncate(end.len());
+        // Codes end where they have to: the last may need its blanks.
+        if kind != LineKind::Wall {
+            let blank = |c: char| c != '\n' && c.is_whitespace();
+            let end = self.text.trim_end_matches(blank).len();
+            self.text.truncate(end);
+        }
         self.text.push('\n');
     }
 }
