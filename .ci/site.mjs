@@ -34,7 +34,7 @@ const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['examp
 const menu = {
   en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'],
     ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
-  ja: [['ja/index.html', 'はじめに'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/catalogue.html', '部材'], ['ja/messages/index.html', 'メッセージ']],
+  ja: [['ja/index.html', 'はじめに'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'], ['ja/messages/index.html', 'メッセージ']],
 };
 
 const relative = (from, to) => posix.relative(posix.dirname(from), to) || posix.basename(to);
@@ -46,11 +46,39 @@ const written = new Map();
 /** The same page in the other language. */
 const twin = page => page.startsWith('ja/') ? page.slice(3) : `ja/${page}`;
 
+/** Codes of messages in a text as links to their pages. */
+function with_messages(page, language, html) {
+  const folder = language === 'ja' ? 'ja/messages' : 'messages';
+  let inside = 0;
+  return html.split(/(<[^>]*>)/).map(piece => {
+    if (/^<(a|pre|h\d)[\s>]/.test(piece)) inside += 1;
+    else if (/^<\/(a|pre|h\d)>/.test(piece)) inside -= 1;
+    if (inside > 0 || piece.startsWith('<')) return piece;
+    return piece.replace(/HSD\d{4}/g, code => pages.has(`grammar/diagnostics/${code}.md`)
+      ? `<a href="${relative(page, `${folder}/${code}.html`)}">${code}</a>` : code);
+  }).join('');
+}
+
+/** What the search finds of a page: itself, and every place in it that has a name: title, link, words. */
+function found_by(page, title, body) {
+  const starts = [...body.matchAll(/<(h2|h3|tr|li) id="([^"]+)">/g)];
+  const words = (from, to) => plain(body.slice(from, to)).trim().slice(0, 400);
+  const names = { tr: (id, text) => `${id.replace('-', ' ')}: ${text.split(' ').slice(1).join(' ')}`, li: (id, text) => text };
+  const places = starts.map((start, i) => {
+    const [, kind, id] = start;
+    const text = words(start.index, starts[i + 1]?.index);
+    const heading = plain(body.slice(start.index).match(/^<(h\d)[^>]*>([^]*?)<\/\1>/)?.[2] ?? '').trim();
+    const name = names[kind]?.(id, text) ?? `${title}: ${heading}`;
+    return [name.slice(0, 70), `${page}#${id}`, text];
+  });
+  return [[title, page, words(0, starts[0]?.index)], ...places];
+}
+
 /** Writes a page. */
 function write(page, title, body) {
   const language = page.startsWith('ja/') ? 'ja' : 'en';
-  written.set(page, { language, title, body });
-  entries[language].push([title.replace(/`/g, ''), page, plain(body).slice(0, 600)]);
+  written.set(page, { language, title, body: with_messages(page, language, body) });
+  entries[language].push(...found_by(page, title.replace(/`/g, ''), body));
 }
 
 /** Copies a file of the repository into the site. */

@@ -36,7 +36,8 @@ export function reference(site) {
     catalogue(site, parts, pictures, language, `${folder}catalogue.html`);
     messages(site, language, `${folder}messages/index.html`);
   }
-  legacy(site);
+  legacy(site, 'legacy.html', 'Grammar of the legacy text');
+  legacy(site, 'ja/legacy.html', '旧形式の文法');
   japanese_start(site);
 }
 
@@ -116,23 +117,23 @@ function messages({ root, write, escape, messages }, language, page) {
 }
 
 /** The grammar of the legacy text, with the pictures of its rules where they are. */
-function legacy({ root, out, write, escape }) {
+function legacy({ root, out, write, escape, relative }, page, title) {
   const text = readFileSync(join(root, 'grammar/legacy.ebnf'), 'utf8');
   let pictures = [];
   try {
     pictures = readdirSync(join(root, 'grammar/pictures/legacy')).filter(n => n.endsWith('.svg'));
   } catch { /* without pictures */ }
   const order = name => text.search(new RegExp(`^${name.replace('.svg', '')} `, 'm'));
-  let body = '<h1>Grammar of the legacy text</h1>\n';
+  let body = `<h1>${title}</h1>\n`;
   for (const name of pictures.sort((a, b) => order(a) - order(b))) {
     mkdirSync(join(out, 'legacy'), { recursive: true });
     const svg = readFileSync(join(root, 'grammar/pictures/legacy', name), 'utf8');
     writeFileSync(join(out, 'legacy', name), svg);
     const [, width] = svg.match(/viewBox="0 0 (\d+)/);
     const rule = name.replace('.svg', '');
-    body += `<h2 id="${rule}">${rule}</h2>\n<p><img src="legacy/${name}" alt="${rule}" width="${width}"></p>\n`;
+    body += `<h2 id="${rule}">${rule}</h2>\n<p><img src="${relative(page, `legacy/${name}`)}" alt="${rule}" width="${width}"></p>\n`;
   }
-  write('legacy.html', 'Grammar of the legacy text', `${body}<h2>EBNF</h2>\n<pre><code>${escape(text)}</code></pre>\n`);
+  write(page, title, `${body}<h2>EBNF</h2>\n<pre><code>${escape(text)}</code></pre>\n`);
 }
 
 function japanese_start({ write }) {
@@ -141,10 +142,11 @@ function japanese_start({ write }) {
 <ul>
 <li><a href="tutorial.html">チュートリアル</a>: 何もないところから町並みまで</li>
 <li><a href="readme.html">hsd とは、使い方、作例</a></li>
-<li><a href="elements.html">要素と属性</a></li>
+<li><a href="elements.html">XML 形式の要素と属性</a></li>
+<li><a href="legacy.html">旧形式の文法</a></li>
 <li><a href="catalogue.html">部材</a>: 絵とコード</li>
 <li><a href="messages/index.html">メッセージ</a>: 原因、例、直し方</li>
-<li><a href="../index.html">言語の説明 (英語)</a>、<a href="../legacy.html">旧形式の文法 (英語)</a>、<a href="../roofs.html">屋根 (英語)</a>、<a href="../partitions.html">屋根の分け方 (英語)</a></li>
+<li><a href="../index.html">言語の説明 (英語)</a>、<a href="../roofs.html">屋根 (英語)</a>、<a href="../partitions.html">屋根の分け方 (英語)</a></li>
 </ul>
 `);
 }
