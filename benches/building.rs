@@ -5,8 +5,10 @@ mod texts;
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
 use hsd::backend::pictures::Library;
+use hsd::diagnostic::Diagnostics;
 use hsd::scene::Detail;
-use hsd::source::NoPictures;
+use hsd::source::{FileId, NoPictures, Source};
+use std::num::NonZeroU32;
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
@@ -47,6 +49,21 @@ fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
         let scene = hsd::driver::scene(&building, Detail::Everything);
         let images = Library::load(&scene.pictures, &NoPictures, u64::MAX, |_, _| {});
         hsd::backend::gltf::glb(&scene, &images)
+    });
+}
+
+/// One town house of the library, each time with another front, other heights and another frontage, from text to triangles.
+#[divan::bench(args = [1000], sample_count = 5)]
+fn variants_of_one_machiya(bencher: Bencher<'_, '_>, count: u32) {
+    let text = hsd::types::TYPES[1].text();
+    bencher.counter(ItemsCount::new(count)).bench_local(|| {
+        let source = Source::new(FileId(0), "bench.hsd", black_box(text.as_bytes()));
+        let options = hsd::Options {
+            variants: NonZeroU32::new(count),
+            ..hsd::Options::default()
+        };
+        let mut out = Diagnostics::new();
+        hsd::compile(&[&source], &NoPictures, &options, &mut out).scene
     });
 }
 

@@ -31,7 +31,7 @@ const WAY: DVec3 = dvec3(0.42, 0.86, -0.27);
 const SUN: DVec3 = dvec3(0.62, 0.55, -0.80);
 
 /// How far the ground is drawn round the house, metres.
-const GROUND: f64 = 30.0;
+const GROUND: f64 = 90.0;
 
 /// A picture of some houses of a scene, so many pixels wide and high.
 pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) -> RgbImage {

@@ -7,6 +7,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
+use support::clock::{slowness, worked};
 use support::{
     Numbers, Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts,
 };
@@ -18,46 +19,8 @@ static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 /// Language.md 7: any input of 1 MiB is done within a second.
 const BOUND: Duration = Duration::from_secs(1);
 
-/// What [`drill`] takes on the machine that the bound was set on, when nothing else runs there.
-const DRILL: Duration = Duration::from_millis(150);
-
-/// How much slower than that machine this one is now: processor time too grows where others share caches and
-/// memory. Never less than 1.
-fn slowness() -> f64 {
-    let fastest = (0..3).map(|_| drill()).min().expect("three drills");
-    (fastest.as_secs_f64() / DRILL.as_secs_f64()).max(1.0)
-}
-
-/// Processor time of work like the program's: small pieces of memory taken, filled, sorted and given back.
-fn drill() -> Duration {
-    let begun = Instant::now();
-    let before = worked(begun);
-    let mut numbers = Numbers(7);
-    let mut kept: Vec<Vec<u64>> = vec![];
-    let mut sum = 0;
-    for _ in 0..600_000 {
-        let mut piece: Vec<u64> = (0..8 + numbers.below(56)).map(|_| numbers.next()).collect();
-        piece.sort_unstable();
-        sum ^= piece[0];
-        kept.push(piece);
-        if kept.len() > 20_000 {
-            kept.swap_remove(numbers.below(20_000));
-        }
-    }
-    std::hint::black_box(sum);
-    worked(begun).saturating_sub(before)
-}
-
 /// After so long a test goes on with the next input.
 const PATIENCE: Duration = Duration::from_secs(30);
-
-/// Time that this thread has had a processor for, so that a busy machine does not count; where the system
-/// does not tell it, time by the clock.
-fn worked(begun: Instant) -> Duration {
-    let told = fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let nanoseconds = told.and_then(|t| t.split(' ').next()?.parse().ok());
-    nanoseconds.map_or_else(|| begun.elapsed(), Duration::from_nanos)
-}
 
 /// Compiles and says what is wrong with how it went.
 fn findings_of(name: &str, bytes: &[u8]) -> (Run, Vec<String>) {

@@ -322,3 +322,30 @@ fn wide_fronts_have_another_composition() {
         "a projecting lattice and the doors of the guests"
     );
 }
+
+#[test]
+fn the_page_shows_every_type() {
+    let page = std::fs::read_to_string(root().join("grammar/types.md")).expect("the page is there");
+    let mut findings = vec![];
+    for t in TYPES {
+        let word = t.word;
+        let row = page.lines().find(|l| l.contains(&format!("`{word}`")));
+        let row = row.unwrap_or_default();
+        for wanted in [
+            t.ja.to_owned(),
+            t.romaji.to_owned(),
+            format!("(../library/{word}.hsd)"),
+        ] {
+            if !row.contains(&wanted) {
+                findings.push(format!("{word}: the page lacks {wanted}"));
+            }
+        }
+        for view in ["front", "eaves", "above"] {
+            let picture = format!("pictures/types/{word}-{view}.jpg");
+            if !row.contains(&picture) || !root().join("grammar").join(&picture).is_file() {
+                findings.push(format!("{word}: no {picture}"));
+            }
+        }
+    }
+    assert_none(&findings);
+}

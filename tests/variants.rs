@@ -11,7 +11,16 @@ use hsd::types::HouseType;
 use hsd::{Options, backend};
 use std::collections::BTreeSet;
 use std::num::NonZeroU32;
+use std::time::{Duration, Instant};
 use support::assert_none;
+use support::clock::{slowness, worked};
+
+// As the program does.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
+/// Processor time of a thousand variants of one town house, from text to scene with all joinery.
+const BOUND: Duration = Duration::from_secs(1);
 
 fn built(text: &str, seed: Option<u64>, variants: Option<u32>) -> Compiled {
     let mut out = Diagnostics::new();
@@ -184,4 +193,31 @@ fn a_contact_sheet_shows_every_variant() {
     }
     let ink = sheet.pixels().filter(|p| p.0 == [0x2b, 0x27, 0x24]).count();
     assert!(ink > 100, "{ink}");
+}
+
+#[test]
+fn a_thousand_variants_take_less_than_a_second() {
+    let text = HouseType::named("chu-nikai").expect("is a type").text();
+    let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
+    // How long a debugging build takes says nothing about the program.
+    let count = if cfg!(debug_assertions) { 10 } else { 1000 };
+    let options = Options {
+        variants: NonZeroU32::new(count),
+        ..Options::default()
+    };
+    let begun = Instant::now();
+    let before = worked(begun);
+    let made = hsd::compile(&[&source], &NoPictures, &options, &mut Diagnostics::new());
+    let took = worked(begun).saturating_sub(before);
+    assert_eq!(made.building.shell.houses.len(), count as usize);
+    let steps = made.times;
+    println!("{count} variants took {took:?}: {steps:?}");
+    if cfg!(not(debug_assertions)) && took > BOUND {
+        let slowness = slowness();
+        let bound = BOUND.mul_f64(slowness);
+        assert!(
+            took < bound,
+            "{took:?}, on a machine {slowness:.2} times slower; {steps:?}"
+        );
+    }
 }

@@ -11,6 +11,7 @@ use hsd::source::{FileId, NoPictures, NoText, PictureFile, Source, Span, World};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+pub mod clock;
 pub mod shapes;
 pub mod view;
 
