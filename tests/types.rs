@@ -349,3 +349,65 @@ fn the_page_shows_every_type() {
     }
     assert_none(&findings);
 }
+
+/// `hsd` with these words in this folder: its exit status, output and complaints.
+fn hsd(folder: &std::path::Path, words: &[&str]) -> (i32, String, String) {
+    let made = std::process::Command::new(env!("CARGO_BIN_EXE_hsd"))
+        .args(words)
+        .env("LC_ALL", "C")
+        .current_dir(folder)
+        .output()
+        .expect("hsd runs");
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (
+        made.status.code().expect("ends"),
+        text(&made.stdout),
+        text(&made.stderr),
+    )
+}
+
+#[test]
+fn new_copies_a_type_and_spares_what_is_there() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let (status, list, _) = hsd(folder, &["new"]);
+    assert_eq!(status, 0);
+    for t in TYPES {
+        let line = list
+            .lines()
+            .find(|l| l.starts_with(t.word))
+            .unwrap_or_default();
+        assert!(
+            line.contains(t.ja) && line.contains(t.romaji) && line.contains(t.en),
+            "{line}"
+        );
+    }
+    for name in ["kura", "土蔵", "dozo"] {
+        let (status, text, said) = hsd(folder, &["new", name, "-o", "-"]);
+        assert_eq!(
+            (status, &*text, &*said),
+            (0, &*HouseType::named("kura").expect("is a type").text(), "")
+        );
+    }
+    assert_eq!(hsd(folder, &["new", "chu-nikai"]).0, 0);
+    let file = folder.join("chu-nikai.hsd");
+    // The copy needs no other file, and its author's work is safe.
+    assert_eq!(
+        hsd(folder, &["check", "chu-nikai.hsd", "-D", "warnings"]).0,
+        0
+    );
+    std::fs::write(&file, "mine").expect("can be written");
+    let (status, _, said) = hsd(folder, &["new", "chu-nikai"]);
+    assert!(status == 3 && said.contains("--force"), "{status} {said}");
+    assert_eq!(std::fs::read_to_string(&file).expect("is there"), "mine");
+    assert_eq!(hsd(folder, &["new", "chu-nikai", "--force"]).0, 0);
+    assert_eq!(
+        std::fs::read_to_string(&file).expect("is there"),
+        text("chu-nikai")
+    );
+    let (status, _, said) = hsd(folder, &["new", "nagya"]);
+    assert!(
+        status == 2 && said.contains("ura-nagaya (裏長屋)"),
+        "{status} {said}"
+    );
+}

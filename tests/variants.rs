@@ -221,3 +221,68 @@ fn a_thousand_variants_take_less_than_a_second() {
         );
     }
 }
+
+#[test]
+fn variants_go_into_a_file_a_folder_or_a_sheet() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let text = HouseType::named("kura").expect("is a type").text();
+    std::fs::write(folder.path().join("kura.hsd"), text).expect("can be written");
+    let hsd = |words: &[&str]| {
+        let made = std::process::Command::new(env!("CARGO_BIN_EXE_hsd"))
+            .args(["build", "kura.hsd", "--detail", "0", "--variants", "3"])
+            .args(words)
+            .current_dir(folder.path())
+            .output()
+            .expect("hsd runs");
+        assert!(
+            made.status.success(),
+            "{}",
+            String::from_utf8_lossy(&made.stderr)
+        );
+    };
+    let there = || {
+        let files = std::fs::read_dir(folder.path())
+            .expect("is there")
+            .map(|f| f.expect("is there").path());
+        let inside = |f: std::path::PathBuf| match f.is_dir() {
+            true => std::fs::read_dir(f)
+                .expect("is there")
+                .map(|f| f.expect("is there").path())
+                .collect(),
+            false => vec![f],
+        };
+        let name = |f: std::path::PathBuf| {
+            let below = f.strip_prefix(folder.path()).expect("is below");
+            below.to_string_lossy().replace('\\', "/")
+        };
+        files
+            .flat_map(inside)
+            .map(name)
+            .collect::<BTreeSet<String>>()
+    };
+    hsd(&["--sheet", "kura.png"]);
+    assert_eq!(
+        there(),
+        BTreeSet::from(["kura.hsd", "kura.png"].map(String::from))
+    );
+    assert!(image::image_dimensions(folder.path().join("kura.png")).is_ok_and(|(w, _)| w > 700));
+    hsd(&["-o", "all.glb"]);
+    hsd(&["-o", "each/", "--seed", "8"]);
+    let models = [
+        "all.glb",
+        "each/kura-08.glb",
+        "each/kura-09.glb",
+        "each/kura-10.glb",
+        "kura.hsd",
+        "kura.png",
+    ];
+    assert_eq!(there(), BTreeSet::from(models.map(String::from)));
+    // Each is the house that its seed makes.
+    let one = folder.path().join("each/kura-09.glb");
+    let before = std::fs::read(&one).expect("is there");
+    hsd(&["-o", "each/", "--seed", "9"]);
+    assert_eq!(
+        before,
+        std::fs::read(folder.path().join("each/kura-09.glb")).expect("is there")
+    );
+}
