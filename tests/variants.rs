@@ -211,7 +211,6 @@ fn a_thousand_variants_take_less_than_a_second() {
     let took = worked(begun).saturating_sub(before);
     assert_eq!(made.building.shell.houses.len(), count as usize);
     let steps = made.times;
-    println!("{count} variants took {took:?}: {steps:?}");
     if cfg!(not(debug_assertions)) && took > BOUND {
         let slowness = slowness();
         let bound = BOUND.mul_f64(slowness);
