@@ -24,7 +24,7 @@ fn roofed_outlines(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::driver::scene(&building, Detail::Everything)
+        hsd::driver::scene(&building, hsd::parse::builtin(), Detail::Everything)
     });
 }
 
@@ -35,7 +35,7 @@ fn roofed_bodies(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::driver::scene(&building, Detail::Body)
+        hsd::driver::scene(&building, hsd::parse::builtin(), Detail::Body)
     });
 }
 
@@ -46,7 +46,7 @@ fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        let scene = hsd::driver::scene(&building, Detail::Everything);
+        let scene = hsd::driver::scene(&building, hsd::parse::builtin(), Detail::Everything);
         let images = Library::load(&scene.pictures, &NoPictures, u64::MAX, |_, _| {});
         hsd::backend::gltf::glb(&scene, &images)
     });
@@ -74,6 +74,6 @@ fn parts_of_one_house(bencher: Bencher<'_, '_>, count: usize) {
     texts::building(&text);
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
-        hsd::driver::scene(&building, Detail::Everything)
+        hsd::driver::scene(&building, hsd::parse::builtin(), Detail::Everything)
     });
 }

@@ -35,7 +35,14 @@ fn expand_a_megabyte(bencher: Bencher<'_, '_>) {
     let (documents, options) = (read.documents, options.expand);
     bencher.counter(BytesCount::of_str(&text)).bench_local(|| {
         let (sources, documents) = (&[&source], black_box(&documents));
-        driver::program(sources, documents, &NoPictures, &options, &mut out)
+        driver::program(
+            sources,
+            documents,
+            hsd::parse::builtin(),
+            &NoPictures,
+            &options,
+            &mut out,
+        )
     });
 }
 

@@ -4,16 +4,20 @@
 //! out); elements nest at most `Limits::nesting` deep. Codes are still text: whether a part exists is the
 //! business of `expand`, the only pass that opens the catalogue for them.
 
+mod era;
 mod fittings;
 mod monuments;
+mod parts;
 mod pieces;
 mod roofs;
 mod value;
 
+pub use era::Era;
 pub use fittings::{
     Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
+pub use parts::{BodyEntry, PartEntry, Said, said};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
@@ -31,6 +35,9 @@ pub struct Document {
     /// The parameters of the file and its houses, and of the files it includes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<Parameter>,
+    /// Own parts that every house of the file may use.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<PartEntry>,
     /// Which of the variants of its text this is, where several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,
@@ -68,6 +75,9 @@ pub struct House {
     pub textures: Vec<Texture>,
     /// The roof section.
     pub roofs: Roofs,
+    /// Own parts that only this house knows.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub parts: Vec<PartEntry>,
 }
 
 /// Values that hold for a whole house; `None` means the default of language.md.
@@ -87,6 +97,12 @@ pub struct Settings {
     pub seed: Option<Spanned<u64>>,
     /// Whether the first line stands on a street.
     pub street: Option<Spanned<bool>>,
+    /// Years since it was built; without it nothing weathers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub age: Option<Spanned<f64>>,
+    /// When it was built.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub era: Option<Spanned<Era>>,
 }
 
 /// Something of a kind, or an operation on the things beside it. Operations are rare and stand in boxes: a list of
@@ -258,4 +274,16 @@ pub struct Texture {
     pub code: Spanned<String>,
     /// Share of light that it mirrors, 0 to 1.
     pub reflection: Option<Spanned<f64>>,
+    /// The file of the picture that the code means.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub src: Option<Picture>,
+}
+
+/// A file of a picture, named from the file in which that is written.
+#[derive(Clone, Debug, Serialize)]
+pub struct Picture {
+    /// Its path.
+    pub path: Spanned<String>,
+    /// The name of the file in which the path is written.
+    pub from: String,
 }

@@ -14,7 +14,7 @@ pub use attic::{Attic, Verge};
 pub use dress::Dress;
 
 use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
-use crate::program::{Picture, Roofs, Unit};
+use crate::program::{Age, Picture, Roofs, Unit};
 use crate::roof::plan::Cell;
 use crate::source::Span;
 use glam::{DVec2, DVec3, dvec3};
@@ -57,6 +57,9 @@ pub struct House {
     pub platform: Option<Platform>,
     /// What crowns its roofs.
     pub finials: Vec<Finial>,
+    /// How old it is; `None` = nothing has weathered.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub age: Option<Age>,
     /// The roof section.
     pub roofs: Roofs,
 }

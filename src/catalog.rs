@@ -1,55 +1,34 @@
-//! The catalogue of parts, read from `grammar/parts.xml`: what a code means, how wide it is, and which
-//! simple bodies make its shape.
+//! The catalogue of parts: what a code means, how wide it is, and which simple bodies make its shape.
+//!
+//! The parts that come with the program and those of an author are made alike, from the entries that the reader of
+//! the XML form finds. The built-in ones everybody knows; own ones are known in a [`Scope`](own), so that two houses of
+//! a run may mean different things by one code. A code is looked up from the house outwards: its own parts, those of
+//! its file, of files named by `--catalog`, of the file `catalog.hsd` beside it, the built-in ones.
 
 pub(crate) mod body;
 mod nearest;
+mod own;
 mod read;
 pub(crate) mod value;
 
-use crate::ast::CodeText;
+pub use crate::ast::Era;
+use crate::ast::{CodeText, PartEntry};
+use crate::diagnostic::messages::catalog as say;
+use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::material::SurfaceId;
+use crate::source::{FileId, Spanned};
 use body::Element;
+use own::Scope;
 use serde::{Serialize, Serializer};
-use std::sync::LazyLock;
 use value::Mm;
 
 /// Index of a part in its [`Catalog`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct PartId(pub u16);
 
-/// When a part was built (domain.md 5).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Era {
-    /// Any time.
-    All,
-    /// Edo.
-    Edo,
-    /// Meiji to early Showa.
-    Meiji,
-    /// Modern.
-    Modern,
-}
-
-impl Era {
-    /// Every era, the timeless one first.
-    pub const ALL: [Era; 4] = [Era::All, Era::Edo, Era::Meiji, Era::Modern];
-
-    /// `all`, `E`, `M` or `N`.
-    pub fn word(self) -> &'static str {
-        match self {
-            Era::All => "all",
-            Era::Edo => "E",
-            Era::Meiji => "M",
-            Era::Modern => "N",
-        }
-    }
-}
-
-impl Serialize for Era {
-    fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
-        s.serialize_str(self.word())
-    }
-}
+/// Which own parts are known; the default knows none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct ScopeId(u32);
 
 /// How a part stands in the frame of its house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,7 +59,8 @@ pub(crate) enum Below {
 /// A part: the head of its entry, and its bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartDef {
-    code: [u8; 5],
+    code: CodeText,
+    class: char,
     /// Its name in Japanese.
     pub ja: Box<str>,
     /// The name in letters.
@@ -114,13 +94,17 @@ pub struct PartDef {
     pub(crate) fills: bool,
     /// How far the front that it belongs to rises above the highest storey, shaku.
     pub(crate) parapet: Option<f64>,
+    /// The name of the picture that its `picture` elements show.
+    pub texture: Option<Spanned<String>>,
     pub(crate) body: Vec<Element>,
+    /// What it was made from, for parts that have it as their base.
+    written: PartEntry,
 }
 
 impl PartDef {
-    /// Its code of five columns.
+    /// Its code of five columns, or its longer name.
     pub fn code(&self) -> &str {
-        std::str::from_utf8(&self.code).unwrap_or_default()
+        self.code.as_str()
     }
 
     /// Its Japanese name, whole and without what stands in parentheses.
@@ -135,9 +119,9 @@ impl PartDef {
     }
 
     /// The letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern; a
-    /// blank for the void.
+    /// blank for the void. Own parts have that of their base.
     pub fn class(&self) -> char {
-        char::from(self.code[0])
+        self.class
     }
 }
 
@@ -175,42 +159,84 @@ pub struct Catalog {
     /// Packed codes with their parts, open addressing: a text holds hundreds of thousands of codes.
     table: Box<[(u64, u16); SLOTS]>,
     void: Option<PartId>,
+    /// Own parts; a [`ScopeId`] counts them from 1.
+    scopes: Vec<Scope>,
+    /// What each house knows, by document.
+    houses: Vec<Vec<ScopeId>>,
 }
 
-static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
-    Catalog::read(include_str!("../grammar/parts.xml"))
-        .expect("a test reads the built-in catalogue")
-});
-
 impl Catalog {
-    /// The catalogue that comes with the program.
-    pub fn builtin() -> &'static Catalog {
-        &BUILTIN
-    }
-
-    /// From the text of a catalogue; the message says what is wrong with it.
-    pub fn read(text: &str) -> Result<Catalog, String> {
-        let parts = read::read(text)?;
-        if parts.len() > SLOTS / 2 {
-            return Err(format!("more than {} parts", SLOTS / 2));
-        }
+    /// A catalogue of these parts, which everybody knows.
+    pub fn new(entries: &[PartEntry], out: &mut Diagnostics) -> Catalog {
         let mut catalog = Catalog {
             parts: Vec::new(),
             table: Box::new([(0, EMPTY); SLOTS]),
             void: None,
+            scopes: vec![],
+            houses: vec![],
         };
-        for (i, part) in parts.iter().enumerate() {
-            let id = PartId(i as u16);
-            if !catalog.enter(part.code, id) {
-                return Err(format!("part {:?} twice", part.code()));
+        for entry in entries {
+            let part = read::part(entry, None, out);
+            let id = PartId(catalog.parts.len() as u16);
+            let CodeText::Five(code) = part.code else {
+                out.push(say::wrong_value(entry.span, "code", part.code(), FIVE));
+                continue;
+            };
+            if catalog.parts.len() >= SLOTS / 2 {
+                out.push(say::too_many_parts(entry.span, SLOTS / 2));
+                break;
             }
-            if part.code == *b"     " {
+            if !catalog.enter(code, id) {
+                out.push(say::part_twice(entry.span, part.code(), entry.span));
+                continue;
+            }
+            if code == *b"     " {
                 catalog.void = Some(id);
                 catalog.enter(*b".....", id);
             }
+            catalog.parts.push(part);
         }
-        catalog.parts = parts;
-        Ok(catalog)
+        catalog
+    }
+
+    /// Takes in the own parts of a file, known wherever those of `outer` are not all there is. What the file includes
+    /// gives way to what stands in it. Without parts the answer is `outer` itself.
+    pub fn extend(
+        &mut self,
+        outer: ScopeId,
+        file: FileId,
+        parts: &[PartEntry],
+        out: &mut Diagnostics,
+    ) -> ScopeId {
+        let (own, included): (Vec<_>, Vec<_>) = parts.iter().partition(|p| p.span.file == file);
+        let outer = self.scope(outer, &included, out);
+        self.scope(outer, &own, out)
+    }
+
+    /// Says which parts the houses of the next document know, in their order.
+    pub fn settle(&mut self, houses: Vec<ScopeId>) {
+        self.houses.push(houses);
+    }
+
+    /// Which parts a house knows, by the numbers of its document and of the house in it.
+    pub fn known_in(&self, document: usize, house: usize) -> ScopeId {
+        let houses = self.houses.get(document);
+        houses
+            .and_then(|h| h.get(house))
+            .copied()
+            .unwrap_or_default()
+    }
+
+    /// The part that a code means where these parts are known.
+    pub fn find_in(&self, scope: ScopeId, code: &CodeText) -> Option<PartId> {
+        let mut next = scope;
+        while let Some(scope) = self.own(next) {
+            if let Some(id) = scope.names.get(code.as_str()) {
+                return Some(*id);
+            }
+            next = scope.outer;
+        }
+        self.find(code)
     }
 
     /// Puts a code into the table; false where it is there already.
@@ -227,7 +253,13 @@ impl Catalog {
         true
     }
 
-    /// The part of exactly this code; `.....` is the void.
+    /// The own parts of a scope; `None` where only the built-in ones are known.
+    fn own(&self, scope: ScopeId) -> Option<&Scope> {
+        let index = (scope.0 as usize).checked_sub(1)?;
+        self.scopes.get(index)
+    }
+
+    /// The built-in part of exactly this code; `.....` is the void.
     pub fn find(&self, code: &CodeText) -> Option<PartId> {
         let CodeText::Five(code) = code else {
             return None;
@@ -289,6 +321,9 @@ impl Catalog {
         nearest::nearest(self, code)
     }
 }
+
+/// The form of built-in codes.
+const FIVE: Noun = noun("five columns of ASCII", "ASCII の五桁");
 
 /// A code as one number.
 fn pack(code: [u8; 5]) -> u64 {

@@ -43,6 +43,16 @@ impl Place {
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
+    /// The hash itself, to go on from in a later step.
+    pub fn key(self) -> u64 {
+        self.0
+    }
+
+    /// The place that a key was taken from.
+    pub fn of(key: u64) -> Place {
+        Place(key)
+    }
+
     /// An index drawn by weights, given as their running sums: finite, not falling, the last above 0.
     pub fn pick(self, sums: &[f64]) -> usize {
         let mark = self.share() * sums.last().copied().unwrap_or(0.0);

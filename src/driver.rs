@@ -5,9 +5,11 @@
 
 mod arrange;
 mod convert;
+mod parts;
 mod variants;
 
 pub use convert::convert;
+pub use parts::catalog;
 
 use crate::ast::{Document, Parameter};
 use crate::backend::pictures::{Library, Trouble};
@@ -26,7 +28,9 @@ use crate::roof;
 use crate::scene::{Detail, Scene};
 use crate::source::{FileId, Limits, NoPictures, Shelf, Source, Span, World};
 use crate::tessellate;
+use std::borrow::Cow;
 use std::num::NonZeroU32;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// What a shell may ask of a run.
@@ -38,15 +42,19 @@ pub struct Options {
     pub parameters: Vec<(String, String)>,
     /// How much of the joinery is shape.
     pub detail: Detail,
+    /// Files of own parts for all houses; of two that define a part the later one counts.
+    pub catalogs: Arc<[Source]>,
     /// How often the texts are built, each time with the next seed; the houses stand in rows then.
     pub variants: Option<NonZeroU32>,
 }
 
 /// What a run made, and how long each step took.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Compiled {
     /// Files that were read beside the sources, for reports.
     pub included: Vec<Source>,
+    /// The parts that the houses may be made of.
+    pub catalog: Cow<'static, Catalog>,
     /// Walls and roofs.
     pub building: Building,
     /// What the back ends write.
@@ -67,14 +75,21 @@ pub fn compile(
         Some(count) => variants::documents(sources, world, options, count, out),
         None => documents(sources, world, options, out),
     });
-    let (documents, included) = (read.documents, read.included);
+    let (documents, included, catalog) = (read.documents, read.included, read.catalog);
     let mut said = Diagnostics::new();
     let program = timed(&mut times, "expand", || {
-        program(sources, &documents, world, &options.expand, &mut said)
+        program(
+            sources,
+            &documents,
+            &catalog,
+            world,
+            &options.expand,
+            &mut said,
+        )
     });
     drop(documents); // the next steps take their room
     let mut building = timed(&mut times, "lower and roof", || {
-        building(program, &mut said)
+        building(program, &catalog, &mut said)
     });
     match options.variants {
         Some(_) => {
@@ -85,10 +100,11 @@ pub fn compile(
         None => out.append(said),
     }
     let scene = timed(&mut times, "tessellate", || {
-        scene(&building, options.detail)
+        scene(&building, &catalog, options.detail)
     });
     Compiled {
         included,
+        catalog,
         building,
         scene,
         times,
@@ -137,6 +153,8 @@ pub struct Read {
     pub documents: Vec<Document>,
     /// Files that were read beside the sources, for reports.
     pub included: Vec<Source>,
+    /// The parts that the houses may be made of.
+    pub catalog: Cow<'static, Catalog>,
 }
 
 /// Reads the sources. The files that they include are read once, whoever includes them.
@@ -149,17 +167,39 @@ pub fn documents(
     let shelf = shelf(sources, options);
     let mut trees = Trees::default();
     let documents = read(sources, world, options, (&shelf, &mut trees), out);
+    let setting = setting(world, options, &shelf);
+    let catalog = catalog(
+        sources,
+        &documents,
+        &options.catalogs,
+        (setting, &mut trees),
+        out,
+    );
     drop(trees);
+    let given = options.catalogs.iter().cloned();
     Read {
         documents,
-        included: shelf.into_sources(),
+        included: given.chain(shelf.into_sources()).collect(),
+        catalog,
     }
 }
 
 /// Room for the files that sources may include.
 fn shelf(sources: &[&Source], options: &Options) -> Shelf {
-    let first = sources.iter().map(|s| usize::from(s.id().0) + 1).max();
+    let all = sources.iter().copied().chain(options.catalogs.iter());
+    let first = all.map(|s| usize::from(s.id().0) + 1).max();
     Shelf::new(first.unwrap_or(0), options.expand.limits.includes)
+}
+
+/// What files are read with.
+fn setting<'a>(world: &'a dyn World, options: &'a Options, shelf: &'a Shelf) -> parse::Setting<'a> {
+    parse::Setting {
+        limits: options.expand.limits,
+        parameters: &options.parameters,
+        seed: options.expand.seed,
+        world,
+        shelf,
+    }
 }
 
 /// Reads the sources; files and elements that were read before are taken from where they are kept.
@@ -170,13 +210,7 @@ fn read<'a>(
     (shelf, trees): (&'a Shelf, &mut Trees<'a>),
     out: &mut Diagnostics,
 ) -> Vec<Document> {
-    let setting = parse::Setting {
-        limits: options.expand.limits,
-        parameters: &options.parameters,
-        seed: options.expand.seed,
-        world,
-        shelf,
-    };
+    let setting = setting(world, options, shelf);
     let documents = sources
         .iter()
         .map(|s| parse::parse_in(s, setting, trees, out));
@@ -215,26 +249,27 @@ fn unknown_parameters(
 pub fn program(
     sources: &[&Source],
     documents: &[Document],
+    catalog: &Catalog,
     world: &dyn World,
     options: &expand::Options,
     out: &mut Diagnostics,
 ) -> Program {
     // Of variants there are the documents of all sources again and again.
     let pairs: Vec<(&Source, &Document)> = sources.iter().copied().cycle().zip(documents).collect();
-    expand::expand(&pairs, Catalog::builtin(), world, options, out)
+    expand::expand(&pairs, catalog, world, options, out)
 }
 
 /// Walls, then roofs, then what stands at both.
-pub fn building(program: Program, out: &mut Diagnostics) -> Building {
+pub fn building(program: Program, catalog: &Catalog, out: &mut Diagnostics) -> Building {
     let shell = lower::lower(program, out);
     let mut building = roof::roof(shell, out);
-    fit::fit(&mut building, out);
+    fit::fit(&mut building, catalog, out);
     building
 }
 
 /// What is to be seen.
-pub fn scene(building: &Building, detail: Detail) -> Scene {
-    tessellate::tessellate(building, Catalog::builtin(), detail)
+pub fn scene(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
+    tessellate::tessellate(building, catalog, detail)
 }
 
 /// Loads the pictures of a building, and says which of them cannot be shown. `paths` are those of
@@ -281,6 +316,9 @@ fn first_use(shell: &Shell, id: PictureId) -> Option<Span> {
 }
 
 fn use_in(unit: &Unit, id: PictureId) -> Option<Span> {
+    if unit.picture == Some(id) {
+        return Some(unit.span);
+    }
     match &unit.content {
         Content::Picture(own) => (*own == id).then_some(unit.span),
         Content::Split(split) => {

@@ -5,12 +5,12 @@
 //! in a row: parts and slots, then the edits of the row; then those of its loop or facade, of its storey
 //! or structure, of its house.
 
-use crate::ast::{self, Document};
+use crate::ast::{self, Document, Era};
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::parts as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::draw::Place;
-use crate::program::{House, Program, Storey};
+use crate::program::{Age, House, Program, Storey};
 use crate::source::{Limits, Source, Span, Spanned, World};
 use codes::Codes;
 use edits::Operation;
@@ -23,6 +23,7 @@ mod facades;
 mod floors;
 mod lists;
 mod monuments;
+mod pictures;
 mod random;
 mod repeat;
 mod replace;
@@ -55,8 +56,9 @@ pub fn expand(
     let mut codes = Codes::new(catalog, world);
     let mut program = Program::default();
     let mut written_short = 0;
-    for (source, document) in documents {
+    for (number, (source, document)) in documents.iter().enumerate() {
         for (index, house) in document.houses.iter().enumerate() {
+            codes.enter(catalog.known_in(number, index));
             let mut pass = Pass::new(&mut codes, source, options, out);
             pass.written_short = written_short;
             let seed = house.settings.seed.as_ref().map(|seed| seed.value);
@@ -121,9 +123,10 @@ impl<'a, 'c> Pass<'a, 'c> {
         let settings = &house.settings;
         let unit = settings.unit.as_ref();
         let unit = unit.and_then(positive).unwrap_or(UNIT);
+        self.given_pictures(house);
         let mut draft = self.monument(house, unit);
         let mut storeys = match &mut draft {
-            Some(draft) => std::mem::take(&mut draft.storeys),
+            Some(draft) => self.own_parts(std::mem::take(&mut draft.storeys)),
             None => self.all_storeys(house, place, unit),
         };
         monuments::share(&mut storeys, &house.fittings, draft.is_some());
@@ -132,6 +135,7 @@ impl<'a, 'c> Pass<'a, 'c> {
         }
         self.report_idle_operations();
         self.textures(house, &mut storeys);
+        self.pictures(&mut storeys, place);
         let number = |value: &Option<Spanned<f64>>, default| {
             value.as_ref().map_or(default, |value| value.value)
         };
@@ -149,12 +153,29 @@ impl<'a, 'c> Pass<'a, 'c> {
             storeys,
             platform: house.fittings.platform.clone(),
             finials: house.fittings.finials.clone(),
+            age: self.age(settings, place),
             roofs: roofs::roofs(&house.roofs),
         };
         if let Some(draft) = draft {
             monuments::furnish(&mut made, draft);
         }
         Some(made)
+    }
+
+    /// How old the house is, if anybody says.
+    fn age(&mut self, settings: &ast::Settings, place: Place) -> Option<Age> {
+        let era = settings.era.as_ref();
+        let Some(years) = &settings.age else {
+            if let Some(era) = era {
+                self.once(332, era.span, || say::era_without_age(era.span));
+            }
+            return None;
+        };
+        Some(Age {
+            years: years.value,
+            era: era.map_or(Era::All, |era| era.value),
+            key: place.named("age").key(),
+        })
     }
 
     fn all_storeys(&mut self, house: &ast::House, place: Place, unit: f64) -> Vec<Storey> {

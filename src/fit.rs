@@ -15,6 +15,7 @@ mod veranda;
 
 use crate::building::fittings::{Fitting, Thing};
 use crate::building::{Building, House, HouseRoofs, Ring, Storey, Wall};
+use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::fittings as say;
 use crate::geometry::SAME;
@@ -25,16 +26,24 @@ use std::cell::OnceCell;
 use undersides::Undersides;
 
 /// Adds everything to a building.
-pub fn fit(building: &mut Building, out: &mut Diagnostics) {
+pub fn fit(building: &mut Building, catalog: &Catalog, out: &mut Diagnostics) {
     let mut none = HouseRoofs::default();
     let houses = building.shell.houses.iter().enumerate();
     let made = houses
-        .map(|(i, house)| things(house, building.roofs.get_mut(i).unwrap_or(&mut none), out))
+        .map(|(i, house)| {
+            let roofs = building.roofs.get_mut(i).unwrap_or(&mut none);
+            things(house, roofs, catalog, out)
+        })
         .collect();
     building.fittings = made;
 }
 
-fn things(house: &House, roofs: &mut HouseRoofs, out: &mut Diagnostics) -> Vec<Fitting> {
+fn things(
+    house: &House,
+    roofs: &mut HouseRoofs,
+    catalog: &Catalog,
+    out: &mut Diagnostics,
+) -> Vec<Fitting> {
     let mut made = vec![];
     let undersides = OnceCell::new();
     let ground = house.storeys.first();
@@ -54,7 +63,7 @@ fn things(house: &House, roofs: &mut HouseRoofs, out: &mut Diagnostics) -> Vec<F
             }
         }
         if let Some(posts) = order.posts.as_ref().filter(|p| p.nageshi > 0) {
-            let beams = beams::beams(house, storey, posts);
+            let beams = beams::beams(catalog, house, storey, posts);
             let paint = paint(Some(posts.paint));
             made.push(fitting(posts.span, number, Thing::Beams(beams, paint)));
         }

@@ -64,6 +64,7 @@ fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
         azimuth: house.azimuth,
         unit: house.unit_shaku * SHAKU,
         street: house.street,
+        age: house.age,
         storeys,
         raised,
         platform: house.platform,

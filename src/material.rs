@@ -6,8 +6,10 @@
 
 mod ageing;
 mod table;
+mod worn;
 
 pub use ageing::{Class, MATERIALS, Material, Stage};
+pub use worn::{Luck, Wear};
 
 use table::TABLE;
 
@@ -41,15 +43,15 @@ impl Surface {
     }
 }
 
-/// Index of a [`Surface`] in the table.
+/// Index of a [`Surface`]: one of the table, or behind those one that has weathered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct SurfaceId(u8);
+pub struct SurfaceId(u16);
 
 impl SurfaceId {
     /// The surface of a name.
     pub fn find(name: &str) -> Option<SurfaceId> {
         let at = TABLE.iter().position(|s| s.name == name)?;
-        Some(SurfaceId(at as u8))
+        Some(SurfaceId(at as u16))
     }
 
     /// The surface of a name that the table is known to hold; plain wood where it does not, which a test
@@ -60,7 +62,19 @@ impl SurfaceId {
 
     /// What it looks like.
     pub fn surface(self) -> &'static Surface {
-        &TABLE[usize::from(self.0)]
+        let index = usize::from(self.0);
+        match index.checked_sub(COUNT) {
+            None => &TABLE[index],
+            Some(worn) => worn::surface(worn),
+        }
+    }
+
+    /// What has become of it after so many years under so much of the weather.
+    pub fn worn(self, wear: Wear) -> SurfaceId {
+        match usize::from(self.0) < COUNT {
+            true => worn::after(self, wear),
+            false => self,
+        }
     }
 
     /// Its place in the table.
@@ -75,7 +89,7 @@ impl Serialize for SurfaceId {
     }
 }
 
-/// How many surfaces there are.
+/// How many surfaces the table has.
 pub const COUNT: usize = TABLE.len();
 
 /// Every surface in the table.

@@ -7,11 +7,14 @@
 //! Reading never fails. A reader reports what it cannot take, reads on as if the mend it proposes had
 //! been made, and returns every house it found.
 
+pub use builtin::builtin;
+
 use crate::ast::Document;
 use crate::diagnostic::messages::file as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::source::{Limits, NoPictures, Shelf, Source, World};
 
+mod builtin;
 mod expr;
 mod faults;
 pub mod legacy;

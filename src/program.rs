@@ -2,7 +2,7 @@
 //! every unit knows its part and width. `expand` makes it, `lower` follows it.
 
 use crate::ast::{
-    Finial, Order, Platform, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind, Variant,
+    Era, Finial, Order, Platform, RoofLine, RoofMethod, RoofMode, RoofStyle, StoreyKind, Variant,
 };
 use crate::catalog::PartId;
 use crate::source::Span;
@@ -56,8 +56,22 @@ pub struct House {
     pub platform: Option<Platform>,
     /// What crowns its roofs.
     pub finials: Vec<Finial>,
+    /// How old it is; `None` = nothing has weathered.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub age: Option<Age>,
     /// The roof section.
     pub roofs: Roofs,
+}
+
+/// How old a house is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Age {
+    /// Years since it was built.
+    pub years: f64,
+    /// When that was: parts of a later era came later.
+    pub era: Era,
+    /// The house's key of draws: every part weathers in its own way.
+    pub key: u64,
 }
 
 /// The roof section, with its defaults filled in.
@@ -134,6 +148,9 @@ pub struct Unit {
     pub height: Option<f32>,
     /// Share of light it mirrors where a `Texture` says so.
     pub reflection: Option<f32>,
+    /// The picture that its part's texture shows here.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub picture: Option<PictureId>,
 }
 
 /// What stands in a unit.

@@ -46,6 +46,15 @@ pub trait World {
     /// The bytes of a picture found before.
     fn picture_bytes(&self, path: &str) -> std::io::Result<Vec<u8>>;
 
+    /// The picture in a file that the text of the name `from` names.
+    ///
+    /// # Errors
+    /// Where there is none, or it may not be read.
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+        let _ = (from, href);
+        Err(NoText::Missing)
+    }
+
     /// The path of the text that the text of the name `from` includes as `href`.
     ///
     /// # Errors

@@ -4,6 +4,7 @@
 //! A mesh is made once for each part, width, height and neighbourhood, and once for roofs that are alike; it is
 //! shown as often as it stands somewhere: the caches live through all houses of a run.
 
+mod air;
 mod alike;
 mod apron;
 mod atlas;
@@ -39,6 +40,7 @@ mod solid;
 mod standing;
 mod store;
 mod track;
+mod weather;
 
 use crate::ast::{RoofKind, StoreyKind};
 use crate::building::{
@@ -47,6 +49,7 @@ use crate::building::{
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
+use air::{Aged, Air};
 use alike::{Alike, Roofs, Walls};
 use bulk::is_fill;
 use compact_str::{CompactString, format_compact};
@@ -60,6 +63,7 @@ use standing::{Place, Standing};
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
 use store::Store;
+use weather::Weather;
 
 /// Every house of a building as a scene. Pure; shares meshes among all houses.
 pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
@@ -70,6 +74,8 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         roofs: Roofs::default(),
         drawn: Drawn::default(),
         rooms: Rooms::default(),
+        aged: None,
+        air: None,
         nodes: Vec::with_capacity(nodes(building)),
         root: NodeId(0),
     };
@@ -77,6 +83,7 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
     for (i, house) in building.shell.houses.iter().enumerate() {
         walker.house(house, building.roofs.get(i).unwrap_or(&none), i + 1);
         let root = walker.root;
+        walker.weather(|aged| aged.even("fittings", 0.5));
         for (n, fitting) in building.fittings.get(i).into_iter().flatten().enumerate() {
             walker.fitting(root, fitting, n + 1);
         }
@@ -107,6 +114,10 @@ struct Walker<'a> {
     nodes: Vec<Node>,
     /// The house in the making.
     root: NodeId,
+    /// Its years, if anybody says how many.
+    aged: Option<Aged>,
+    /// The air before the wall in the making, in such a house.
+    air: Option<Air>,
 }
 
 /// What walls of a storey have in common.
@@ -178,11 +189,14 @@ impl<'a> Walker<'a> {
         node.span = Some(house.span);
         let root = self.last();
         self.root = root;
+        self.aged = Aged::of(house, roofs);
+        self.weather(|aged| aged.even("house", 0.5));
         let standing: Vec<OnceCell<Standing>> =
             house.storeys.iter().map(|_| OnceCell::new()).collect();
         for (storey, standing) in house.storeys.iter().zip(&standing) {
             self.storey(root, house, storey, &roofs.ceilings, standing);
         }
+        self.weather(|aged| aged.even("soffits", 0.0));
         for (i, soffit) in roofs.soffits.iter().enumerate() {
             self.soffit(root, soffit, i + 1);
         }
@@ -191,7 +205,9 @@ impl<'a> Walker<'a> {
         for (i, (roof, shown)) in roofs.roofs.iter().zip(shares).enumerate() {
             let walls = self.below(house, roof, shown, &standing);
             let beyond = neighbours.beyond(i, roof);
-            let alike = Alike::new(roof, shown, walls, beyond, i + 1);
+            self.weather(|aged| aged.roof(i));
+            let weather = self.store.weather;
+            let alike = Alike::new(roof, shown, walls, beyond, weather, i + 1);
             self.roof(root, roof, alike, i + 1);
         }
     }
@@ -226,6 +242,11 @@ impl<'a> Walker<'a> {
         };
         let gables = solids().map(of).collect();
         Walls { gables, plastered }
+    }
+
+    /// From now on meshes have the weather of the house in the making, if it has had any.
+    fn weather(&mut self, of: impl FnOnce(&Aged) -> Weather) {
+        self.store.weather = self.aged.as_ref().map_or(Weather::None, of);
     }
 
     fn storey(
@@ -279,7 +300,9 @@ impl<'a> Walker<'a> {
             for (i, line) in lines.iter().enumerate() {
                 let (before, after) = Line::beside(&lines, i);
                 let facade = self.facade_node(level, line);
+                self.air = self.air_before(level, line);
                 self.posts(level, facade, line, before, after);
+                self.air = None;
             }
         }
     }
@@ -324,7 +347,7 @@ impl<'a> Walker<'a> {
                 let store = &mut self.store;
                 let mesh = store.solids(&name, &bulk.solids, &given, &worn.bodies);
                 let runs = worn.runs.into_iter();
-                let rows = runs.map(|run| (run.clone(), self.store.row(run.row)));
+                let rows = runs.map(|run| (run.clone(), self.store.row(run.row, run.right)));
                 new.insert((mesh, rows.collect())).clone()
             }
         };

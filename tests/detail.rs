@@ -15,7 +15,7 @@ const OUTLINE: f64 = 0.35;
 
 /// The scenes of an example at all details.
 fn scenes(run: &support::Run) -> [Scene; 4] {
-    Detail::ALL.map(|detail| driver::scene(&run.building, detail))
+    Detail::ALL.map(|detail| driver::scene(&run.building, &run.catalog, detail))
 }
 
 /// Triangles on the screen.
@@ -117,7 +117,7 @@ fn pictures_of_parts_are_shared_and_only_made_where_they_show() {
 fn a_lattice_keeps_its_bars_as_a_picture() {
     // What stands behind an itoya lattice shows through: bars and gaps alternate along a level row of the picture.
     let run = compile("shop.hsd", b"0 0\n9\n\nGIT  \nGIT  \nGIT  \nGIT  \n");
-    let scene = driver::scene(&run.building, Detail::Flat);
+    let scene = driver::scene(&run.building, &run.catalog, Detail::Flat);
     let page = &scene.baked[0];
     let row: Vec<i32> = (0..110)
         .map(|x| {
@@ -157,8 +157,8 @@ fn the_same_pictures_every_time() {
         }
         out
     };
-    let once = driver::scene(&run.building, Detail::Flat);
-    let again = driver::scene(&run.building, Detail::Flat);
+    let once = driver::scene(&run.building, &run.catalog, Detail::Flat);
+    let again = driver::scene(&run.building, &run.catalog, Detail::Flat);
     assert_eq!(told(&once), told(&again));
     assert!(!told(&once).is_empty());
 }
@@ -169,7 +169,7 @@ fn walls_of_a_body_meet_at_their_corners() {
         "box.hsd",
         b"0 0\n9\n\nKSKO KSKO \nKSKO \nKSKO KSKO \nKSKO \n",
     );
-    let scene = driver::scene(&run.building, Detail::Body);
+    let scene = driver::scene(&run.building, &run.catalog, Detail::Body);
     let storey = scene
         .nodes
         .iter()
@@ -209,7 +209,7 @@ fn nothing_is_seen_through_glass_where_there_are_no_rooms() {
 fn bodies_of_glass_look_like_glass() {
     let wall = "NGC  NGC  NGC  NGC  \n".repeat(4);
     let run = compile("tower.hsd", format!("0 0\n12\n\n{wall}").as_bytes());
-    let scene = driver::scene(&run.building, Detail::Body);
+    let scene = driver::scene(&run.building, &run.catalog, Detail::Body);
     let panes =
         |p: &&hsd::scene::Primitive| scene.materials[p.material.0 as usize].reflection.is_some();
     let shown = scene.meshes.iter().flat_map(|m| &m.primitives);

@@ -17,6 +17,7 @@ fn program(text: &str, seed: Option<u64>) -> Program {
     let made = driver::program(
         &[&source],
         &read.documents,
+        &read.catalog,
         &NoPictures,
         &options.expand,
         &mut out,
@@ -29,7 +30,7 @@ fn program(text: &str, seed: Option<u64>) -> Program {
 /// The codes of a row, by house, storey and number.
 fn row(of: &Program, house: usize, storey: usize, row: usize) -> Vec<String> {
     let line = &of.houses[house].storeys[storey].loops[0].lines[row];
-    let catalog = hsd::catalog::Catalog::builtin();
+    let catalog = hsd::parse::builtin();
     let code = |c: &Content| match c {
         Content::Part(id) => catalog.part(*id).code().trim().to_owned(),
         other => format!("{other:?}"),

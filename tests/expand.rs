@@ -5,7 +5,6 @@ mod build {
     //! Small builders of documents. Every construct gets a span of its own.
 
     use hsd::ast::*;
-    use hsd::catalog::Catalog;
     use hsd::diagnostic::Diagnostic;
     use hsd::expand::{Options, expand};
     use hsd::program::{Content, Line, Program, Unit};
@@ -182,7 +181,7 @@ mod build {
         };
         let mut out = hsd::diagnostic::Diagnostics::new();
         let documents = [(&source, &document)];
-        let program = expand(&documents, Catalog::builtin(), world, options, &mut out);
+        let program = expand(&documents, hsd::parse::builtin(), world, options, &mut out);
         (program, out.into_sorted())
     }
 
@@ -204,7 +203,7 @@ mod build {
     pub(crate) fn name(program: &Program, unit: &Unit) -> String {
         match &unit.content {
             Content::Void => ".....".into(),
-            Content::Part(id) => Catalog::builtin().part(*id).code().into(),
+            Content::Part(id) => hsd::parse::builtin().part(*id).code().into(),
             Content::Picture(id) => program.pictures[id.0 as usize].name.clone(),
             Content::Split(split) => format!(
                 "({}/{})",

@@ -24,6 +24,7 @@ fn unit(width: f64) -> Unit {
         content,
         height: None,
         reflection: None,
+        picture: None,
     }
 }
 
@@ -95,6 +96,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
         azimuth: 180.0,
         unit_shaku: 3.0,
         street: false,
+        age: None,
         storeys: storeys.collect(),
         platform: None,
         finials: vec![],

@@ -258,7 +258,7 @@ fn every_detail_is_sound() {
     let run = example("suzakumon");
     let mut before = 0;
     for detail in Detail::ALL {
-        let scene = hsd::driver::scene(&run.building, detail);
+        let scene = hsd::driver::scene(&run.building, &run.catalog, detail);
         assert_none(&open_fittings(&scene));
         let triangles = scene.meshes.iter().flat_map(|m| &m.primitives);
         let count: usize = triangles.map(|p| p.indices.len() / 3).sum();

@@ -5,7 +5,7 @@ mod support;
 mod depths;
 
 use depths::{Skin, bodies, bounds, fights, sizes, skins_below, triangles};
-use hsd::catalog::{Catalog, PartDef};
+use hsd::catalog::PartDef;
 use hsd::geometry::SHAKU;
 use hsd::scene::{Kind, Mesh, NodeId, Scene};
 use support::{assert_none, compile, flaws_of_mesh, on_all_processors, open_edges};
@@ -47,7 +47,7 @@ fn part(code: &str, height: f64, unit: f64) -> Mesh {
 
 /// Every part but the void and the fences' kind of lines.
 fn drawn() -> impl Iterator<Item = &'static PartDef> {
-    Catalog::builtin()
+    hsd::parse::builtin()
         .parts()
         .iter()
         .filter(|p| p.class() != ' ')

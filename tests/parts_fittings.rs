@@ -233,7 +233,7 @@ fn houses_stay_light() {
 #[test]
 fn parts_of_any_width_are_sound() {
     let mut found = vec![];
-    let parts = hsd::catalog::Catalog::builtin().parts().iter();
+    let parts = hsd::parse::builtin().parts().iter();
     for part in parts.filter(|p| "AN".contains(p.class()) && p.width() > 0.0) {
         for share in [0.5, 0.75, 1.6, 2.6] {
             let width = share * part.width() * 10.0 / 11.0;

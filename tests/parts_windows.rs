@@ -343,7 +343,7 @@ fn every_window_and_lattice_is_sound() {
 #[test]
 fn parts_of_any_width_are_sound() {
     let mut found = vec![];
-    let parts = hsd::catalog::Catalog::builtin().parts().iter();
+    let parts = hsd::parse::builtin().parts().iter();
     for part in parts.filter(|p| "MG".contains(p.class()) && p.width() > 0.0) {
         for share in [0.5, 0.75, 1.6, 2.6] {
             // A storehouse window keeps its two shaku: in a narrower wall its hood meets the neighbours.

@@ -71,7 +71,7 @@ fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
     for path in texts("examples").into_iter().chain(texts("grammar/roofs")) {
         let run = compile_file(&path);
         for detail in Detail::ALL {
-            let scene = hsd::driver::scene(&run.building, detail);
+            let scene = hsd::driver::scene(&run.building, &run.catalog, detail);
             let of = |f: String| format!("{} at detail {detail:?}: {f}", stem(&path));
             all.extend(findings(&scene, true).into_iter().map(of));
         }

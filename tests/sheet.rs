@@ -1,6 +1,5 @@
 //! The catalogue to look at: `hsd parts --sheet`.
 
-use hsd::catalog::Catalog;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -12,7 +11,7 @@ fn sheet(output: &Path, filter: &[&str]) -> Output {
 
 /// Codes of all parts that can be seen.
 fn codes() -> Vec<&'static str> {
-    let codes = Catalog::builtin().parts().iter().map(|p| p.code());
+    let codes = hsd::parse::builtin().parts().iter().map(|p| p.code());
     codes.filter(|code| !code.trim().is_empty()).collect()
 }
 

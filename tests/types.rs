@@ -34,6 +34,7 @@ fn built(text: &str, parameters: &Setting, detail: Detail) -> Run {
         source,
         included: made.included,
         diagnostics: out.into_sorted(),
+        catalog: made.catalog,
         building: made.building,
         scene: made.scene,
     }

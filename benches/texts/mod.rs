@@ -14,9 +14,19 @@ pub fn check(text: &str) -> (Building, Diagnostics) {
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
     let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
     let (sources, expand) = (&[&source], &options.expand);
-    let program = driver::program(sources, &documents, &NoPictures, expand, &mut out);
+    let program = driver::program(
+        sources,
+        &documents,
+        hsd::parse::builtin(),
+        &NoPictures,
+        expand,
+        &mut out,
+    );
     drop(documents);
-    (driver::building(program, &mut out), out)
+    (
+        driver::building(program, hsd::parse::builtin(), &mut out),
+        out,
+    )
 }
 
 /// A building that must be free of errors, or the bench measures the wrong thing.
@@ -34,7 +44,14 @@ pub fn shell(text: &str) -> Shell {
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
     let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
     let (sources, expand) = (&[&source], &options.expand);
-    let program = driver::program(sources, &documents, &NoPictures, expand, &mut out);
+    let program = driver::program(
+        sources,
+        &documents,
+        hsd::parse::builtin(),
+        &NoPictures,
+        expand,
+        &mut out,
+    );
     let shell = hsd::lower::lower(program, &mut out);
     assert!(!out.has_errors(), "the text is wrong");
     shell

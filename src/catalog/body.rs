@@ -4,11 +4,14 @@
 //! Every element has a place (`over from to left right front thick finish`), and attributes of its own.
 //! `front` counts outwards from the wall's centre line, `thick` inwards from there.
 
+use super::nearest::near;
 use super::value::{Area, Joints, Level, Mm, Run, Sides, Value};
+use crate::ast::{BodyEntry, Said, said};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::catalog as say;
+use crate::diagnostic::messages::xml as elements;
 use crate::material::SurfaceId;
-
-/// Attributes of an element: name and text.
-pub(crate) type Attributes = [(String, String)];
+use crate::source::Spanned;
 
 /// An element of a part's body, with what stands inside it.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,12 +24,20 @@ pub(crate) struct Element {
     pub(crate) children: Vec<Element>,
 }
 
-/// Reads one attribute, or its default.
-fn value<T: Value>(attributes: &Attributes, name: &str, default: T) -> Result<T, String> {
-    let Some((_, text)) = attributes.iter().find(|(n, _)| n == name) else {
-        return Ok(default);
+/// Reads one attribute; its default where it is not given, or cannot be read, which is reported.
+pub(super) fn value<T: Value>(
+    attributes: &[Said],
+    name: &str,
+    default: T,
+    out: &mut Diagnostics,
+) -> T {
+    let Some(text) = said(attributes, name) else {
+        return default;
     };
-    T::read(text).ok_or_else(|| format!("{name}=\"{text}\" is not {}", T::FORM))
+    T::read(&text.value).unwrap_or_else(|| {
+        out.push(say::wrong_value(text.span, name, &text.value, T::FORM));
+        default
+    })
 }
 
 /// Structures whose fields are attributes.
@@ -41,9 +52,9 @@ macro_rules! attributes {
             const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
 
             /// From the attributes of an element.
-            fn read(attributes: &Attributes) -> Result<$name, String> {
-                let _ = attributes;
-                Ok($name { $($field: value(attributes, stringify!($field), $default)?,)* })
+            fn read(attributes: &[Said], out: &mut Diagnostics) -> $name {
+                let _ = (attributes, &out);
+                $name { $($field: value(attributes, stringify!($field), $default, out),)* }
             }
         }
     )*};
@@ -56,22 +67,31 @@ macro_rules! shapes {
         #[derive(Clone, Debug, PartialEq)]
         pub(crate) enum Shape { $(#[doc = $word] $name($name),)* }
 
+        /// The words of all elements.
+        pub(super) const WORDS: &[&str] = &[$($word),*];
+
         impl Element {
-            /// From a tag and its attributes; the message names what is wrong.
-            pub(crate) fn read(word: &str, attributes: &Attributes) -> Result<Element, String> {
+            /// From an element as written, without what stands in it; `None` where its word is unknown, which is reported.
+            pub(super) fn read(entry: &BodyEntry, out: &mut Diagnostics) -> Option<Element> {
+                let said = &entry.attributes;
+                let word: &str = &entry.word.value;
                 let (shape, area, known) = match word {
-                    $($word => (Shape::$name($name::read(attributes)?), Area::$area, $name::NAMES),)*
-                    _ => return Err(format!("`{word}` is no body")),
+                    $($word => (Shape::$name($name::read(said, out)), Area::$area, $name::NAMES),)*
+                    _ => {
+                        let near = near(word, WORDS);
+                        out.push(elements::unknown_element(entry.word.span, word, near, None));
+                        return None;
+                    }
                 };
-                let unknown = attributes.iter().find(|(n, _)| {
-                    n != "over" && !known.contains(&n.as_str()) && !Place::NAMES.contains(&n.as_str())
-                });
-                if let Some((name, _)) = unknown {
-                    return Err(format!("`{word}` has no attribute `{name}`"));
+                let known = [&["over"], Place::NAMES, known].concat();
+                for attribute in said.iter().filter(|a| !known.contains(&a.name.value.as_str())) {
+                    let Spanned { value, span } = &attribute.name;
+                    let near = near(value, &known);
+                    out.push(elements::unknown_attribute(*span, value, word, near, &known));
                 }
-                let over = value(attributes, "over", area)?;
-                let place = Place { over, ..Place::read(attributes)? };
-                Ok(Element { place, shape, children: Vec::new() })
+                let over = value(said, "over", area, out);
+                let place = Place { over, ..Place::read(said, out) };
+                Some(Element { place, shape, children: Vec::new() })
             }
         }
     };
@@ -355,6 +375,8 @@ attributes! {
         /// Its side.
         size: Mm = Mm(0.121),
     }
+    /// A panel whose front shows the texture of its part.
+    Shown {}
     /// Boards at the foot of a wall under a drip board.
     Dado {
         /// Width of a board.
@@ -389,4 +411,5 @@ shapes! {
     "grid" Grid over Opening,
     "post" Post over Bay,
     "dado" Dado over Bay,
+    "picture" Shown over Opening,
 }

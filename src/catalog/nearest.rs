@@ -34,3 +34,11 @@ pub(super) fn nearest(catalog: &Catalog, code: &str) -> Vec<PartId> {
     found.truncate(OFFERS);
     found.into_iter().map(|(_, _, _, id)| id).collect()
 }
+
+/// The known word that is nearest to one, if it may be a slip of that.
+pub(super) fn near<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+    let far = |k: &str| osa_distance(&word.to_lowercase(), &k.to_lowercase());
+    let best = known.iter().map(|k| (far(k), *k)).min()?;
+    let allowed = 1 + word.chars().count() / 4;
+    (best.0 <= allowed && best.0 < best.1.len()).then_some(best.1)
+}

@@ -1,195 +1,246 @@
-//! Reads a catalogue: `<Catalog><PartDef ...>bodies</PartDef></Catalog>` (language.md 3).
-//!
-//! Messages have no spans yet: the built-in catalogue is read once, and a test finds it broken.
+//! From a part as written to a part: the head by its attributes, the bodies by the tables of [`body`](super::body).
 
-use super::body::{Attributes, Element};
+use super::body::{Element, value};
 use super::value::Value;
 use super::{Below, Era, PartDef, Stance};
-use quick_xml::XmlVersion;
-use quick_xml::events::{BytesStart, Event};
-use quick_xml::reader::Reader;
+use crate::ast::{BodyEntry, CodeText, PartEntry, Said, said};
+use crate::diagnostic::messages::catalog as say;
+use crate::diagnostic::messages::xml as elements;
+use crate::diagnostic::{Diagnostics, Noun, noun};
+use crate::source::Spanned;
 
-/// The parts of a catalogue's text in its order.
-pub(super) fn read(text: &str) -> Result<Vec<PartDef>, String> {
-    let mut reader = Reader::from_str(text);
-    let mut parts = Vec::new();
-    // Open elements of the part being read, the outermost first.
-    let mut open: Vec<Element> = Vec::new();
-    loop {
-        let event = reader.read_event().map_err(|e| e.to_string())?;
-        let empty = matches!(event, Event::Empty(_));
-        match event {
-            Event::Start(tag) | Event::Empty(tag) => start(&tag, empty, &mut parts, &mut open)?,
-            Event::End(_) => close(&mut parts, &mut open),
-            Event::Text(text) if !text.trim().is_empty() => {
-                return Err("text between the parts".into());
-            }
-            Event::Eof => return Ok(parts),
-            _ => {}
-        }
-    }
-}
+/// The widest part, U.
+const WIDEST: f64 = 100.0;
 
-/// A tag: the root, a part, or an element of the last part.
-fn start(
-    tag: &BytesStart<'_>,
-    empty: bool,
-    parts: &mut Vec<PartDef>,
-    open: &mut Vec<Element>,
-) -> Result<(), String> {
-    let attributes = attributes(tag)?;
-    let name = tag.name();
-    let word: &str = name.as_ref();
-    match word {
-        "Catalog" => return Ok(()),
-        "PartDef" => {
-            parts.push(part(&attributes)?);
-            return Ok(());
-        }
-        _ => {}
-    }
-    let part = parts
-        .last_mut()
-        .ok_or_else(|| format!("<{word}> outside a part"))?;
-    let element =
-        Element::read(word, &attributes).map_err(|why| format!("part {:?}: {why}", part.code()))?;
-    if empty {
-        match open.last_mut() {
-            Some(parent) => parent.children.push(element),
-            None => part.body.push(element),
-        }
-    } else {
-        open.push(element);
-    }
-    Ok(())
-}
+/// Pieces that one part may be made of.
+const PIECES: f64 = 20_000.0;
 
-/// An end tag.
-fn close(parts: &mut [PartDef], open: &mut Vec<Element>) {
-    let Some(element) = open.pop() else {
-        return; // the end of a part or of the catalogue
+/// What is repeated is at least so large, millimetres: smaller ones nobody sees.
+const SMALLEST: f64 = 10.0;
+
+/// The longest length in a part, millimetres.
+const LONGEST: f64 = 100_000.0;
+
+/// The part of a definition; whatever is wrong with it is reported, and the rest of it read. `class` is that of its base.
+pub(super) fn part(entry: &PartEntry, class: Option<char>, out: &mut Diagnostics) -> PartDef {
+    let head = Head {
+        given: &entry.attributes,
     };
-    match (open.last_mut(), parts.last_mut()) {
-        (Some(parent), _) => parent.children.push(element),
-        (None, Some(part)) => part.body.push(element),
-        (None, None) => {}
+    let code = CodeText::new(head.text("code"));
+    let width = head.width(&code, out).unwrap_or_else(|| {
+        let says = |name: &str| said(head.given, name).is_some();
+        if !says("width") && !says("base") {
+            out.push(elements::attribute_missing(entry.span, "PartDef", "width"));
+        }
+        1.0
+    });
+    let mut part = PartDef {
+        class: class.unwrap_or_else(|| first_letter(&code)),
+        ja: head.name("ja", &code),
+        romaji: head.text("romaji").into(),
+        en: head.name("en", &code),
+        width,
+        from: head.height("from", out),
+        to: head.height("to", out),
+        made: head.text("made").into(),
+        era: head.or("era", Era::All, out),
+        weathering: head.text("weathering").into(),
+        finish: head.or("finish", None, out),
+        stance: head.or("stance", Stance::Posts, out),
+        below: head.or("below", Below::Dado, out),
+        above: head.or("above", true, out),
+        clear: head.or("clear", None, out),
+        reflection: head.reflection(out),
+        fills: head.or("fills", false, out),
+        floor: head.or("floor", None, out),
+        parapet: head.height("parapet", out),
+        texture: said(head.given, "texture").cloned(),
+        body: vec![],
+        written: PartEntry::default(),
+        code,
+    };
+    if count(&entry.body) > PIECES {
+        let pieces = count(&entry.body);
+        let code = part.code().trim_end().to_owned();
+        out.push(say::too_fine(entry.span, &code, pieces, PIECES));
+    } else {
+        part.body = bodies(&entry.body, out);
+    }
+    part.written = entry.clone();
+    part
+}
+
+/// The elements of a body.
+fn bodies(entries: &[BodyEntry], out: &mut Diagnostics) -> Vec<Element> {
+    let mut made = vec![];
+    for entry in entries {
+        let sound = entry.attributes.iter().fold(true, |sound, a| {
+            let fits = is_sound(&entry.word.value, a);
+            if !fits {
+                let (Spanned { value, span }, name) = (&a.value, &a.name.value);
+                out.push(say::wrong_value(*span, name, value, LENGTHS));
+            }
+            sound && fits
+        });
+        let element = Element::read(entry, out).filter(|_| sound);
+        let children = bodies(&entry.children, out);
+        made.extend(element.map(|element| Element {
+            children,
+            ..element
+        }));
+    }
+    made
+}
+
+const LENGTHS: Noun = noun(
+    "a length within 100 m; sizes are no less than nothing, and of what is repeated at least 10 mm",
+    "100 m 以内の長さ (大きさは 0 以上、並べるものの大きさは 10 mm 以上)",
+);
+
+/// Whether a length can be built: no size below nothing, nothing repeated by the million.
+fn is_sound(word: &str, said: &Said) -> bool {
+    let (name, text) = (said.name.value.as_str(), said.value.value.as_str());
+    let bare = text.trim_start_matches('t').trim_end_matches('%');
+    let Ok(number) = bare.parse::<f64>() else {
+        return true; // reported as no number, or a word
+    };
+    let repeats = matches!(
+        (word, name),
+        ("boards" | "slats" | "dado", "size")
+            | ("panels", "width" | "height")
+            | ("namako", "tile")
+            | ("coping" | "wing", "rolls")
+    );
+    let signed = matches!(
+        name,
+        "front" | "groove" | "from" | "to" | "left" | "right" | "pitch" | "batter"
+    );
+    let least = match (repeats, signed) {
+        (true, _) if name != "rolls" || number != 0.0 => SMALLEST,
+        (_, true) => -LONGEST,
+        _ => 0.0,
+    };
+    (least..=LONGEST).contains(&number)
+}
+
+/// About how many pieces elements make: what is counted in them, one in the other.
+fn count(entries: &[BodyEntry]) -> f64 {
+    const COUNTS: [&str; 14] = [
+        "count",
+        "children",
+        "leaves",
+        "stack",
+        "rails",
+        "bars",
+        "cols",
+        "rows",
+        "planks",
+        "tracks",
+        "side",
+        "siderails",
+        "arms",
+        "loops",
+    ];
+    let one = |entry: &BodyEntry| {
+        let counts = entry
+            .attributes
+            .iter()
+            .filter(|a| COUNTS.contains(&a.name.value.as_str()));
+        let numbers = counts.filter_map(|a| a.value.value.parse::<f64>().ok());
+        let product = numbers.fold(1.0, |all, n| all * (n + 1.0));
+        product * (1.0 + count(&entry.children))
+    };
+    entries.iter().map(one).sum()
+}
+
+/// The class that a code tells.
+fn first_letter(code: &CodeText) -> char {
+    let letter = code.as_str().chars().next().unwrap_or(' ');
+    match code {
+        CodeText::Five(_) if "KTMGHAN ".contains(letter) => letter,
+        _ => 'K',
     }
 }
 
-/// The attributes of a tag as owned text.
-fn attributes(tag: &BytesStart<'_>) -> Result<Vec<(String, String)>, String> {
-    tag.attributes()
-        .map(|attribute| {
-            let attribute = attribute.map_err(|e| e.to_string())?;
-            let text = attribute
-                .normalized_value(XmlVersion::Implicit1_0)
-                .map_err(|e| e.to_string())?;
-            let name: &str = attribute.key.as_ref();
-            Ok((name.to_owned(), text.into_owned()))
-        })
-        .collect()
-}
-
-/// What a `PartDef` may say.
-const KNOWN: [&str; 19] = [
-    "code",
-    "ja",
-    "romaji",
-    "en",
-    "width",
-    "from",
-    "to",
-    "made",
-    "era",
-    "weathering",
-    "finish",
-    "stance",
-    "below",
-    "above",
-    "clear",
-    "reflection",
-    "fills",
-    "floor",
-    "parapet",
-];
-
-/// The head of a part: its code and all that is written.
+/// The start tag of a part.
 struct Head<'a> {
-    code: &'a str,
-    attributes: &'a Attributes,
+    given: &'a [Said],
 }
 
 impl<'a> Head<'a> {
-    /// An attribute's text.
-    fn get(&self, name: &str) -> Option<&'a str> {
-        let found = self.attributes.iter().find(|(n, _)| n == name);
-        found.map(|(_, text)| text.as_str())
+    /// An attribute's text, or nothing.
+    fn text(&self, name: &str) -> &'a str {
+        said(self.given, name).map_or("", |text| &text.value)
     }
 
-    /// Text that a part cannot do without.
-    fn must(&self, name: &str) -> Result<&'a str, String> {
-        let missing = || format!("part {:?} has no `{name}`", self.code);
-        self.get(name).ok_or_else(missing)
-    }
-
-    /// A value, or its default where nothing is written.
-    fn or<T: Value>(&self, name: &str, default: T) -> Result<T, String> {
-        match self.get(name) {
-            Some(text) => T::read(text).ok_or_else(|| self.wrong(name, T::FORM)),
-            None => Ok(default),
+    /// A name; without one the part goes by its code.
+    fn name(&self, name: &str, code: &CodeText) -> Box<str> {
+        match self.text(name) {
+            "" => code.as_str().trim_end().into(),
+            text => text.into(),
         }
     }
 
-    /// A height in shaku.
-    fn height(&self, name: &str) -> Result<Option<f64>, String> {
-        let wrong = || self.wrong(name, "shaku, or metres with `m`");
-        let read = |text| shaku(text).ok_or_else(wrong);
-        self.get(name).map(read).transpose()
+    /// A value, or its default where nothing is written.
+    fn or<T: Value>(&self, name: &str, default: T, out: &mut Diagnostics) -> T {
+        value(self.given, name, default, out)
     }
 
-    /// What is wrong with an attribute.
-    fn wrong(&self, name: &str, form: &str) -> String {
-        let text = self.get(name).unwrap_or_default();
-        format!("part {:?}: {name}=\"{text}\" is not {form}", self.code)
+    /// A number within bounds.
+    fn number(&self, name: &str, form: Noun, most: f64, out: &mut Diagnostics) -> Option<f64> {
+        let text = said(self.given, name)?;
+        let read = shaku(&text.value).filter(|n| (0.0..=most).contains(n));
+        if read.is_none() {
+            out.push(say::wrong_value(text.span, name, &text.value, form));
+        }
+        read
+    }
+
+    /// A height in shaku.
+    fn height(&self, name: &str, out: &mut Diagnostics) -> Option<f64> {
+        let form = noun(
+            "shaku, or metres with `m`",
+            "尺、または `m` を付けたメートルの数値",
+        );
+        self.number(name, form, 1000.0, out)
+    }
+
+    /// The width, as it is written or as the fifth column of the code tells it. Says where the two differ.
+    fn width(&self, code: &CodeText, out: &mut Diagnostics) -> Option<f64> {
+        let form = noun(
+            "a width in U from 0 to 100, such as 1, 2 or 0.5",
+            "1、2、0.5 のような、0 から 100 までの幅 (U)",
+        );
+        let column = column(code);
+        let Some(width) = self.number("width", form, WIDEST, out) else {
+            return column;
+        };
+        if let (Some(column), Some(place)) = (column, said(self.given, "code"))
+            && column != width
+        {
+            let code = code.as_str().trim_end();
+            out.push(say::width_column(place.span, code, width, column));
+        }
+        Some(width)
+    }
+
+    fn reflection(&self, out: &mut Diagnostics) -> Option<f64> {
+        let form = noun("a share from 0 to 1", "0 から 1 までの割合");
+        self.number("reflection", form, 1.0, out)
     }
 }
 
-/// A part without its bodies.
-fn part(attributes: &Attributes) -> Result<PartDef, String> {
-    let mut head = Head {
-        code: "",
-        attributes,
+/// The width that the fifth column of a code tells.
+pub(super) fn column(code: &CodeText) -> Option<f64> {
+    let CodeText::Five(five) = code else {
+        return None;
     };
-    head.code = head.must("code")?;
-    let known = |name: &str| KNOWN.contains(&name);
-    if let Some((name, _)) = attributes.iter().find(|(n, _)| !known(n)) {
-        return Err(format!("part {:?} has no attribute `{name}`", head.code));
+    match five[4] {
+        b' ' => Some(1.0),
+        b'h' => Some(0.5),
+        digit @ b'0'..=b'9' => Some(f64::from(digit - b'0')),
+        _ => None,
     }
-    let five = head.code.as_bytes().try_into().ok();
-    let five = five.filter(|_| head.code.is_ascii());
-    head.must("width")?;
-    Ok(PartDef {
-        code: five.ok_or_else(|| head.wrong("code", "five columns of ASCII"))?,
-        ja: head.must("ja")?.into(),
-        romaji: head.must("romaji")?.into(),
-        en: head.must("en")?.into(),
-        width: head.or("width", 0.0)?,
-        from: head.height("from")?,
-        to: head.height("to")?,
-        made: head.get("made").unwrap_or_default().into(),
-        era: head.or("era", Era::All)?,
-        weathering: head.get("weathering").unwrap_or_default().into(),
-        finish: head.or("finish", None)?,
-        stance: head.or("stance", Stance::Posts)?,
-        below: head.or("below", Below::Dado)?,
-        above: head.or("above", true)?,
-        clear: head.or("clear", None)?,
-        reflection: head.or("reflection", None)?,
-        fills: head.or("fills", false)?,
-        floor: head.or("floor", None)?,
-        parapet: head.height("parapet")?,
-        body: Vec::new(),
-    })
 }
 
 /// A height in shaku, or in metres where `m` follows.
@@ -201,14 +252,17 @@ fn shaku(text: &str) -> Option<f64> {
 }
 
 impl Value for Era {
-    const FORM: &'static str = "E, M, N or all";
+    const FORM: Noun = noun("E, M, N or all", "E、M、N、all のどれか");
     fn read(text: &str) -> Option<Era> {
         Era::ALL.into_iter().find(|era| era.word() == text)
     }
 }
 
 impl Value for Stance {
-    const FORM: &'static str = "posts, bare, modern, fence or none";
+    const FORM: Noun = noun(
+        "posts, bare, modern, fence or none",
+        "posts、bare、modern、fence、none のどれか",
+    );
     fn read(text: &str) -> Option<Stance> {
         match text {
             "posts" => Some(Stance::Posts),
@@ -222,7 +276,7 @@ impl Value for Stance {
 }
 
 impl Value for Below {
-    const FORM: &'static str = "dado, wall or open";
+    const FORM: Noun = noun("dado, wall or open", "dado、wall、open のどれか");
     fn read(text: &str) -> Option<Below> {
         match text {
             "dado" => Some(Below::Dado),

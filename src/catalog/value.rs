@@ -1,11 +1,12 @@
 //! Values in the attributes of a part: lengths, places, shares, surfaces.
 
+use crate::diagnostic::{Noun, noun};
 use crate::material::SurfaceId;
 
 /// A value that an attribute holds.
 pub(crate) trait Value: Sized {
     /// What it looks like, for messages.
-    const FORM: &'static str;
+    const FORM: Noun;
     /// From the attribute's text.
     fn read(text: &str) -> Option<Self>;
 }
@@ -93,14 +94,17 @@ fn number(text: &str) -> Option<f64> {
 }
 
 impl Value for Mm {
-    const FORM: &'static str = "millimetres";
+    const FORM: Noun = noun("millimetres", "ミリメートルの数値");
     fn read(text: &str) -> Option<Mm> {
         Some(Mm(number(text)? / 1000.0))
     }
 }
 
 impl Value for Level {
-    const FORM: &'static str = "millimetres, `t` and millimetres, or per cent";
+    const FORM: Noun = noun(
+        "millimetres, `t` and millimetres, or per cent",
+        "ミリメートル、`t` とミリメートル、または百分率",
+    );
     fn read(text: &str) -> Option<Level> {
         if let Some(share) = text.strip_suffix('%') {
             return Some(Level::Share(number(share)? / 100.0));
@@ -113,21 +117,21 @@ impl Value for Level {
 }
 
 impl Value for f64 {
-    const FORM: &'static str = "a number";
+    const FORM: Noun = noun("a number", "数値");
     fn read(text: &str) -> Option<f64> {
         number(text)
     }
 }
 
 impl Value for u32 {
-    const FORM: &'static str = "a count up to 999";
+    const FORM: Noun = noun("a count up to 999", "999 までの個数");
     fn read(text: &str) -> Option<u32> {
         text.parse().ok().filter(|n| *n < 1000)
     }
 }
 
 impl Value for bool {
-    const FORM: &'static str = "yes or no";
+    const FORM: Noun = noun("yes or no", "yes か no");
     fn read(text: &str) -> Option<bool> {
         match text {
             "yes" => Some(true),
@@ -138,21 +142,24 @@ impl Value for bool {
 }
 
 impl Value for SurfaceId {
-    const FORM: &'static str = "the name of a surface";
+    const FORM: Noun = noun("the name of a surface", "表面の名前");
     fn read(text: &str) -> Option<SurfaceId> {
         SurfaceId::find(text)
     }
 }
 
 impl<T: Value> Value for Option<T> {
-    const FORM: &'static str = T::FORM;
+    const FORM: Noun = T::FORM;
     fn read(text: &str) -> Option<Option<T>> {
         T::read(text).map(Some)
     }
 }
 
 impl Value for Area {
-    const FORM: &'static str = "bay, clear, opening, above or below";
+    const FORM: Noun = noun(
+        "bay, clear, opening, above or below",
+        "bay、clear、opening、above、below のどれか",
+    );
     fn read(text: &str) -> Option<Area> {
         match text {
             "bay" => Some(Area::Bay),
@@ -166,7 +173,7 @@ impl Value for Area {
 }
 
 impl Value for Run {
-    const FORM: &'static str = "level or upright";
+    const FORM: Noun = noun("level or upright", "level か upright");
     fn read(text: &str) -> Option<Run> {
         match text {
             "level" => Some(Run::Level),
@@ -177,7 +184,7 @@ impl Value for Run {
 }
 
 impl Value for Joints {
-    const FORM: &'static str = "diagonal or running";
+    const FORM: Noun = noun("diagonal or running", "diagonal か running");
     fn read(text: &str) -> Option<Joints> {
         match text {
             "diagonal" => Some(Joints::Diagonal),
@@ -188,7 +195,10 @@ impl Value for Joints {
 }
 
 impl Value for Sides {
-    const FORM: &'static str = "some of the letters l, r, t, b";
+    const FORM: Noun = noun(
+        "some of the letters l, r, t, b",
+        "l、r、t、b のうちのいくつか",
+    );
     fn read(text: &str) -> Option<Sides> {
         let known = !text.is_empty() && text.chars().all(|c| "lrtb".contains(c));
         known.then(|| Sides {

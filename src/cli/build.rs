@@ -171,7 +171,7 @@ impl Build {
         let limits = self.reading.limits();
         let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
         let world = self.reading.world(&job.inputs);
-        let options = self.options(job.seed);
+        let options = self.options(job.seed, &inputs, &mut out)?;
         let mut compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let Compiled {
             building, scene, ..
@@ -209,16 +209,21 @@ impl Build {
     }
 
     /// What a run is to do, for all variants or for the one of this seed.
-    pub(super) fn options(&self, seed: Option<u64>) -> driver::Options {
+    pub(super) fn options(
+        &self,
+        seed: Option<u64>,
+        inputs: &Inputs,
+        out: &mut Diagnostics,
+    ) -> Result<driver::Options, Stop> {
         let mut options = driver::Options {
             detail: Detail::ALL[usize::from(self.detail)],
-            ..self.reading.options()
+            ..self.reading.options(inputs, out)?
         };
         match seed {
             Some(_) => options.expand.seed = seed,
             None => options.variants = self.variants,
         }
-        options
+        Ok(options)
     }
 
     /// Fails for models among the texts: what was meant is `-o`.

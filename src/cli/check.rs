@@ -31,16 +31,18 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
-        let (limits, options) = (self.reading.limits(), self.reading.options());
+        let limits = self.reading.limits();
         let mut out = Diagnostics::new();
         let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
+        let options = self.reading.options(&inputs, &mut out)?;
         let sources = inputs.accepted();
         let world = self.reading.world(&self.reading.inputs);
         let read = driver::documents(&sources, &world, &options, &mut out);
-        let (documents, included) = (read.documents, read.included);
-        let program = driver::program(&sources, &documents, &world, &options.expand, &mut out);
+        let (documents, included, catalog) = (read.documents, read.included, read.catalog);
+        let expand = &options.expand;
+        let program = driver::program(&sources, &documents, &catalog, &world, expand, &mut out);
         drop(documents); // the next steps take their room
-        let building = driver::building(program, &mut out);
+        let building = driver::building(program, &catalog, &mut out);
         let shell = &building.shell;
         let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
         driver::pictures(&paths, shell, &world, &limits, &mut out);

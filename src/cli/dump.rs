@@ -69,7 +69,8 @@ impl Dump {
         let limit = self.reading.limits().bytes;
         let inputs = Inputs::read(&self.reading.inputs, limit, &mut out)?;
         let mut included = vec![];
-        let text = self.text(&inputs.accepted(), &mut included, &mut out);
+        let options = self.reading.options(&inputs, &mut out)?;
+        let text = self.text(&inputs.accepted(), &options, &mut included, &mut out);
         let text = text.map_err(|e| {
             Stop::Io(text!(
                 "cannot be written as JSON: {e}",
@@ -93,28 +94,32 @@ impl Dump {
     fn text(
         &self,
         sources: &[&Source],
+        options: &driver::Options,
         included: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> serde_json::Result<String> {
-        let options = self.reading.options();
         let world = self.reading.world(&self.reading.inputs);
         let driver::Read {
             documents,
             included: read,
-        } = driver::documents(sources, &world, &options, out);
+            catalog,
+        } = driver::documents(sources, &world, options, out);
         *included = read;
         if let Stage::Ast = self.stage {
             return dump::ast(sources, &documents);
         }
-        let program = driver::program(sources, &documents, &world, &options.expand, out);
+        let program = driver::program(sources, &documents, &catalog, &world, &options.expand, out);
         if let Stage::Program = self.stage {
             return dump::program(&program);
         }
-        let building = driver::building(program, out);
+        let building = driver::building(program, &catalog, out);
         match self.stage {
             Stage::Regions if self.format == Form::Svg => Ok(regions_svg(&building)),
             Stage::Regions => dump::regions(&building),
-            Stage::Scene => dump::scene(&driver::scene(&building, Detail::default())),
+            Stage::Scene => {
+                let scene = driver::scene(&building, &catalog, Detail::default());
+                dump::scene(&scene)
+            }
             _ => dump::building(&building),
         }
     }

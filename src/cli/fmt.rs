@@ -9,7 +9,7 @@ use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::print::{self, Form};
 use crate::report::{Format, Report};
-use crate::source::{Limits, Source};
+use crate::source::Source;
 use crate::text;
 use clap::{Args, ValueEnum};
 use std::fs;
@@ -81,10 +81,11 @@ impl Fmt {
         let limits = self.reading.limits();
         let mut out = Diagnostics::new();
         let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
+        let options = self.reading.options(&inputs, &mut out)?;
         let mut tally = Tally::default();
         for ((source, target), accepted) in inputs.sources.iter().zip(&targets).zip(inputs.taken())
         {
-            let text = accepted.then(|| self.text(source, &limits, &mut out));
+            let text = accepted.then(|| self.text(source, &options, &mut out));
             match text.flatten() {
                 Some(text) => self.one(source, &text, target, &mut tally, language)?,
                 None => tally.spoiled = true,
@@ -104,13 +105,18 @@ impl Fmt {
     }
 
     /// A text as it should be.
-    fn text(&self, source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option<String> {
+    fn text(
+        &self,
+        source: &Source,
+        options: &driver::Options,
+        out: &mut Diagnostics,
+    ) -> Option<String> {
         let here = Form::of(source);
         if self.to.is_none_or(|to| to.form() == here) {
-            return print::format(source, limits, out);
+            return print::format(source, &options.expand.limits, out);
         }
         let world = self.reading.world(&self.reading.inputs);
-        driver::convert(source, &world, &self.reading.options().expand, out)
+        driver::convert(source, &world, options, out)
     }
 
     /// Writes one text, or says how it would change.

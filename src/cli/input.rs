@@ -30,7 +30,17 @@ impl Inputs {
         limit: usize,
         out: &mut Diagnostics,
     ) -> Result<Inputs, Stop> {
-        let mut inputs = Inputs::readable(paths, limit, out)?;
+        Inputs::from(0, paths, limit, out)
+    }
+
+    /// The same of files that are numbered from `first` on.
+    pub(super) fn from(
+        first: usize,
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        let mut inputs = Inputs::numbered(first, paths, limit, out)?;
         inputs.failure.take().map_or(Ok(inputs), Err)
     }
 
@@ -45,12 +55,21 @@ impl Inputs {
         limit: usize,
         out: &mut Diagnostics,
     ) -> Result<Inputs, Stop> {
+        Inputs::numbered(0, paths, limit, out)
+    }
+
+    fn numbered(
+        first: usize,
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
         let mut inputs = Inputs {
             sources: vec![],
             refused: vec![],
             failure: None,
         };
-        for (path, number) in paths.iter().zip(0usize..) {
+        for (path, number) in paths.iter().zip(first..) {
             let id = u16::try_from(number).map_err(|_| {
                 Stop::Usage(text!(
                     "too many inputs: 65,536 files can be read in one run",
@@ -86,7 +105,7 @@ impl Inputs {
         self.refused.iter().map(|refused| !refused)
     }
 
-    /// The sources and those that they include, for a report.
+    /// The sources and those that were read besides, for a report.
     pub(super) fn and(self, included: Vec<Source>) -> Vec<Source> {
         let mut sources = self.sources;
         sources.extend(included);

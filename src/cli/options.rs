@@ -1,9 +1,9 @@
 //! Options that several subcommands take.
 
-use super::input::STDIN;
+use super::input::{Inputs, STDIN};
 use super::world::FolderWorld;
 use super::{Exit, Stop};
-use crate::diagnostic::Severity;
+use crate::diagnostic::{Diagnostics, Severity};
 use crate::driver;
 use crate::expand;
 use crate::report::{Format, Report};
@@ -33,6 +33,12 @@ pub(super) struct Reading {
     /// The folder below which included files lie; without it the folder of each text.
     #[arg(long, value_name = "DIR")]
     root: Option<PathBuf>,
+
+    /// Take own parts from this file; may be given several times.
+    ///
+    /// A file `catalog.hsd` beside a text is taken without being named.
+    #[arg(long = "catalog", value_name = "FILE")]
+    pub(super) catalogs: Vec<PathBuf>,
 
     /// Draw everything random with this number instead of the seed of the house.
     #[arg(long, value_name = "N")]
@@ -74,17 +80,29 @@ impl Reading {
         }
     }
 
-    /// What a run is to do; all of the joinery is shape.
-    pub(super) fn options(&self) -> driver::Options {
+    /// What a run is to do; all of the joinery is shape. The files of own parts are numbered behind the inputs.
+    pub(super) fn options(
+        &self,
+        inputs: &Inputs,
+        out: &mut Diagnostics,
+    ) -> Result<driver::Options, Stop> {
         let expand = expand::Options {
             seed: self.seed,
             limits: self.limits(),
         };
-        driver::Options {
+        let first = inputs.sources.len();
+        let catalogs = Inputs::from(first, &self.catalogs, self.max_bytes, out)?;
+        Ok(driver::Options {
             expand,
             parameters: self.parameters.clone(),
+            catalogs: catalogs.sources.into(),
             ..driver::Options::default()
-        }
+        })
+    }
+
+    /// The seed that draws begin with where nobody gives one.
+    pub(super) fn first_seed(&self) -> u64 {
+        self.seed.unwrap_or(0)
     }
 
     /// The texture folders for some of the inputs.

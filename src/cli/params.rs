@@ -48,9 +48,10 @@ struct Row<'a> {
 impl Params {
     pub(super) fn run(&self, language: Language) -> Outcome {
         self.reading.check_folders()?;
-        let (limits, options) = (self.reading.limits(), self.reading.options());
+        let limits = self.reading.limits();
         let mut out = Diagnostics::new();
         let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
+        let options = self.reading.options(&inputs, &mut out)?;
         let world = self.reading.world(&self.reading.inputs);
         let sources = inputs.accepted();
         let read = driver::documents(&sources, &world, &options, &mut out);

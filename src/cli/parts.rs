@@ -1,11 +1,14 @@
 //! `hsd parts`: the catalogue.
 
+mod own;
 mod sheet;
 
+use super::options::exit;
 use super::terminal::{padded, width};
-use super::{Exit, Outcome, Stop};
-use crate::catalog::{Catalog, PartDef};
+use super::{Outcome, Stop};
+use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Noun, noun};
+use crate::parse;
 use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
@@ -20,6 +23,7 @@ Examples:
   hsd parts lattice            every part with `lattice` in a name
   hsd parts --format json K    all walls, for a program
   hsd parts --sheet parts.html a page with a picture of each part
+  hsd parts --catalog own.hsd  the parts that a file of one's own defines
 
 Classes: K wall, T door, M window, G lattice, H post, A opening, N modern.")]
 pub(super) struct Parts {
@@ -31,6 +35,10 @@ pub(super) struct Parts {
     /// How the list is written.
     #[arg(long, value_enum, default_value_t)]
     format: List,
+
+    /// List the parts that this file defines instead; may be given several times.
+    #[arg(long = "catalog", value_name = "FILE")]
+    catalogs: Vec<PathBuf>,
 
     /// Write pictures: .html is a page with all names and sizes, .glb a model of the parts in rows.
     #[arg(long, value_name = "OUT", conflicts_with = "format")]
@@ -48,10 +56,18 @@ enum List {
 
 impl Parts {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        let all = Catalog::builtin().parts().iter();
-        let parts: Vec<&PartDef> = all.filter(|p| self.takes(p)).collect();
+        let own;
+        let (all, sound): (&[PartDef], bool) = match self.catalogs.is_empty() {
+            true => (parse::builtin().parts(), true),
+            false => {
+                own = own::read(&self.catalogs, language)?;
+                (own.parts(), own.sound)
+            }
+        };
+        let parts: Vec<&PartDef> = all.iter().filter(|p| self.takes(p)).collect();
         if let Some(output) = &self.sheet {
-            return sheet::write(&parts, output);
+            sheet::write(&parts, output)?;
+            return Ok(exit(!sound));
         }
         let text = match self.format {
             List::Table => table(&parts, language),
@@ -76,7 +92,7 @@ impl Parts {
             );
             writeln!(io::stderr(), "{}", none.in_language(language))?;
         }
-        Ok(Exit::Done)
+        Ok(exit(!sound))
     }
 
     fn takes(&self, part: &PartDef) -> bool {

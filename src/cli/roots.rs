@@ -51,14 +51,19 @@ impl Roots {
         }
     }
 
+    /// Whether a path leads to a file below a root.
+    pub(super) fn hold(&self, path: &Path) -> bool {
+        real(path).is_some_and(|p| self.inside(&p))
+    }
+
+    fn inside(&self, real_path: &Path) -> bool {
+        let mut roots = self.list.iter().filter_map(|r| real(r));
+        roots.any(|r| real_path.starts_with(r)) && real_path.is_file()
+    }
+
     /// The bytes of a text that was found; at most `limit`, and one more where there are more.
     pub(super) fn bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
-        let found = real(Path::new(path));
-        let inside = |p: &PathBuf| {
-            let mut roots = self.list.iter().filter_map(|r| real(r));
-            roots.any(|r| p.starts_with(r)) && p.is_file()
-        };
-        let Some(found) = found.filter(inside) else {
+        let Some(found) = real(Path::new(path)).filter(|p| self.inside(p)) else {
             let message = "it lies outside the root folder";
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         };

@@ -23,7 +23,8 @@ pub(super) fn run(build: &Build, jobs: &[Job], language: Language) -> Outcome {
     let inputs: Vec<PathBuf> = jobs.iter().flat_map(|j| j.inputs()).cloned().collect();
     let mut texts = BTreeSet::new();
     let mut folders = BTreeSet::new();
-    for input in &inputs {
+    let read = inputs.iter().chain(&build.reading.catalogs);
+    for input in read {
         // The folder is watched, since editors put a new file in the place of the old one.
         let folder = input.parent().filter(|p| !p.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).canonicalize();

@@ -74,18 +74,18 @@ impl Folder {
 impl World for FolderWorld {
     fn picture(&self, name: &str) -> Option<PictureFile> {
         let path = self.folders.iter().find_map(|f| f.find(name))?;
-        // A file that is no picture is found all the same, so that a message can say what is wrong with it.
-        let size = header(&path).filter(|(w, h)| *w > 0 && *h > 0);
-        Some(PictureFile {
-            path: path.to_str()?.to_owned(),
-            size: size.unwrap_or((1, 1)),
-        })
+        Some(file(path.to_str()?))
+    }
+
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+        let path = self.roots.find(from, href)?;
+        Ok(file(&path))
     }
 
     fn picture_bytes(&self, path: &str) -> io::Result<Vec<u8>> {
         let path = Path::new(path);
         let inside = |f: &Folder| path.parent() == Some(&*f.path) && f.inside(path).is_some();
-        if !self.folders.iter().any(inside) {
+        if !self.folders.iter().any(inside) && !self.roots.hold(path) {
             let message = "it lies outside the texture folders";
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         }
@@ -103,6 +103,15 @@ impl World for FolderWorld {
 
     fn text_bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
         self.roots.bytes(path, limit)
+    }
+}
+
+/// A picture by its path. A file that is none is found all the same, so that a message can say what is wrong with it.
+fn file(path: &str) -> PictureFile {
+    let size = header(Path::new(path)).filter(|(w, h)| *w > 0 && *h > 0);
+    PictureFile {
+        path: path.to_owned(),
+        size: size.unwrap_or((1, 1)),
     }
 }
 

@@ -1,6 +1,7 @@
 //! All wording, in one place and in both languages. One `#[cold]` function a message; a file a stage, as the codes
 //! have it.
 
+pub mod catalog;
 pub mod file;
 pub mod fittings;
 pub mod legacy;

@@ -1,10 +1,8 @@
 //! A text in the other form of the language, if it makes the same building there.
 
-use super::{building, documents, program};
-use crate::catalog::Catalog;
+use super::{Options, building, documents, program};
 use crate::diagnostic::messages::print as say;
 use crate::diagnostic::{Diagnostics, Severity};
-use crate::expand::Options;
 use crate::print::{self, Form};
 use crate::program::Roofs;
 use crate::source::{Source, World};
@@ -43,38 +41,47 @@ fn written(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Option<String> {
-    let documents = documents(&[source], world, &reading(options), out).documents;
+    let read = documents(&[source], world, &plain(options), out);
     if out.has_errors() {
         return None;
     }
     if to == Form::Xml {
-        return print::to_xml(source, &options.limits, out);
+        return print::to_xml(source, &options.expand.limits, out);
     }
-    let program = program(&[source], &documents, world, options, out);
+    let (documents, catalog) = (&read.documents, &read.catalog);
+    let program = program(&[source], documents, catalog, world, &options.expand, out);
     if out.has_errors() {
         return None;
     }
     let document = documents.first()?;
-    print::to_legacy(source, document, &program, Catalog::builtin(), out)
+    print::to_legacy(source, document, &program, catalog, out)
 }
 
 /// What a text is read with: its parameters are at their defaults.
-fn reading(options: &Options) -> super::Options {
-    super::Options {
-        expand: *options,
-        ..super::Options::default()
+fn plain(options: &Options) -> Options {
+    Options {
+        parameters: vec![],
+        ..options.clone()
     }
 }
 
 /// What is built, without places; `None` where the text cannot be read.
 fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Option<Vec<u8>> {
     let mut out = Diagnostics::new();
-    let documents = documents(&[source], world, &reading(options), &mut out).documents;
+    let read = documents(&[source], world, &plain(options), &mut out);
     if out.has_errors() {
         return None;
     }
-    let program = program(&[source], &documents, world, options, &mut out);
-    let mut built = building(program, &mut out);
+    let (documents, catalog) = (&read.documents, &read.catalog);
+    let program = program(
+        &[source],
+        documents,
+        catalog,
+        world,
+        &options.expand,
+        &mut out,
+    );
+    let mut built = building(program, catalog, &mut out);
     // What the author said of roofs may stand at another place; what comes of it is compared.
     for house in &mut built.shell.houses {
         house.roofs = Roofs::default();

@@ -42,10 +42,15 @@ pub(super) fn documents(
             ..document
         }));
     }
+    let setting = super::setting(world, options, &shelf);
+    let given = &options.catalogs;
+    let catalog = super::catalog(sources, &documents, given, (setting, &mut trees), out);
     drop(trees);
+    let given = options.catalogs.iter().cloned();
     Read {
         documents,
-        included: shelf.into_sources(),
+        included: given.chain(shelf.into_sources()).collect(),
+        catalog,
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::Pass;
 use crate::ast::CodeText;
-use crate::catalog::{Catalog, PartDef, PartId};
+use crate::catalog::{Catalog, PartDef, PartId, ScopeId};
 use crate::diagnostic::messages::parts as say;
 use crate::program::{Content, Picture, PictureId, Program, Unit};
-use crate::source::{Span, World};
+use crate::source::{PictureFile, Span, World};
 use std::collections::BTreeMap;
 
 /// What a code stands for, small enough to compare and copy.
@@ -76,9 +76,15 @@ const SEARCHES: u32 = 500;
 /// The catalogue and the pictures, with what was looked up before.
 pub(super) struct Codes<'a> {
     pub(super) catalog: &'a Catalog,
-    world: &'a dyn World,
+    /// Which own parts the house knows.
+    scope: ScopeId,
+    pub(super) world: &'a dyn World,
     pub(super) pictures: Vec<Picture>,
     names: BTreeMap<String, Option<PictureId>>,
+    /// The pictures of a name and its variants, by the first of them.
+    variants: BTreeMap<PictureId, Vec<PictureId>>,
+    /// Pictures that the house gives to codes.
+    given: BTreeMap<String, PictureId>,
     /// Codes seen lately: old texts repeat a dozen codes hundreds of thousands of times.
     recent: Vec<Option<([u8; 5], Found)>>,
     /// Searches for near spellings that are left.
@@ -89,12 +95,30 @@ impl<'a> Codes<'a> {
     pub(super) fn new(catalog: &'a Catalog, world: &'a dyn World) -> Self {
         Codes {
             catalog,
+            scope: ScopeId::default(),
             world,
             pictures: vec![],
             names: BTreeMap::new(),
+            variants: BTreeMap::new(),
+            given: BTreeMap::new(),
             recent: vec![None; RECENT],
             searches: SEARCHES,
         }
+    }
+
+    /// Goes on to a house that knows these own parts.
+    pub(super) fn enter(&mut self, scope: ScopeId) {
+        if scope != self.scope || !self.given.is_empty() {
+            self.scope = scope;
+            self.given.clear();
+            self.recent.fill(None);
+        }
+    }
+
+    /// The part that the house means by the code of another one.
+    pub(super) fn own_part(&self, id: PartId) -> PartId {
+        let code = CodeText::new(self.catalog.part(id).code());
+        self.catalog.find_in(self.scope, &code).unwrap_or(id)
     }
 
     /// The meaning of a code, if it has one.
@@ -126,8 +150,34 @@ impl<'a> Codes<'a> {
         self.exact(&CodeText::new(&code.as_str().replace('_', " ")))
     }
 
+    /// Takes in a picture that is named by its file.
+    pub(super) fn add_picture(&mut self, name: &str, file: PictureFile) -> PictureId {
+        self.pictures.push(Picture {
+            name: name.to_owned(),
+            path: file.path,
+            size: file.size,
+        });
+        let id = PictureId(self.pictures.len() as u32 - 1);
+        // What is named by its file has no variants.
+        self.variants.insert(id, vec![id]);
+        id
+    }
+
+    /// Gives a picture to a code, for this house.
+    pub(super) fn give(&mut self, code: &CodeText, id: PictureId) {
+        let name = code.as_str().trim_end_matches(' ').to_owned();
+        self.given.entry(name).or_insert(id);
+        self.recent.fill(None);
+    }
+
     fn exact(&mut self, code: &CodeText) -> Option<Found> {
-        match self.catalog.find(code) {
+        if let Some(id) = self.given.get(code.as_str().trim_end_matches(' ')) {
+            return Some(Found {
+                which: Which::Picture(*id),
+                width: None,
+            });
+        }
+        match self.catalog.find_in(self.scope, code) {
             Some(id) => Some(self.part(id)),
             None => self.picture(code.as_str().trim_end_matches(' ')),
         }
@@ -157,8 +207,33 @@ impl<'a> Codes<'a> {
         })
     }
 
+    /// Whether any picture may stand somewhere.
+    pub(super) fn has_pictures(&self) -> bool {
+        let textured = || self.catalog.parts().iter().any(|p| p.texture.is_some());
+        !self.pictures.is_empty() || textured()
+    }
+
+    /// A picture and its variants, which are numbered from 1 without a gap.
+    pub(super) fn variants(&mut self, id: PictureId) -> &[PictureId] {
+        if !self.variants.contains_key(&id) {
+            let name = self.pictures[id.0 as usize].name.clone();
+            let mut found = vec![id];
+            for number in 1..=VARIANTS {
+                match self.picture(&variant(&name, number)).map(|f| f.which) {
+                    Some(Which::Picture(next)) => found.push(next),
+                    _ => break,
+                }
+            }
+            // Without a file of the bare name the first variant stands for it.
+            found.dedup_by_key(|id| self.pictures[id.0 as usize].path.clone());
+            self.variants.insert(id, found);
+        }
+        &self.variants[&id]
+    }
+
     fn open(&mut self, name: &str) -> Option<PictureId> {
-        let file = self.world.picture(name).filter(|_| !name.is_empty())?;
+        let named = |name: &str| self.world.picture(name).filter(|_| !name.is_empty());
+        let file = named(name).or_else(|| named(&variant(name, 1)))?;
         self.pictures.push(Picture {
             name: name.to_owned(),
             path: file.path,
@@ -291,6 +366,19 @@ impl Pass<'_, '_> {
     }
 }
 
+/// Variants of a picture.
+const VARIANTS: u32 = 999;
+
+/// The name of a picture's variant: the number stands before the ending, where the name has one.
+fn variant(name: &str, number: u32) -> String {
+    let ending = |e: &&str| ["png", "jpg", "jpeg"].contains(&&*e.to_ascii_lowercase());
+    match name.rsplit_once('.') {
+        _ if name.is_empty() => String::new(),
+        Some((stem, end)) if ending(&end) => format!("{stem}.{number}.{end}"),
+        _ => format!("{name}.{number}"),
+    }
+}
+
 /// Upper case save the `h` of half a unit in the fifth column.
 fn upper_but_width(text: &str) -> String {
     let upper = text.to_ascii_uppercase();
@@ -319,16 +407,21 @@ pub(super) fn keep_used(program: &mut Program, pictures: Vec<Picture>) {
     program.pictures = used.collect();
 }
 
+fn number(id: &mut PictureId, numbers: &mut [Option<PictureId>], order: &mut Vec<usize>) {
+    let old = id.0 as usize;
+    *id = *numbers[old].get_or_insert_with(|| {
+        order.push(old);
+        PictureId(order.len() as u32 - 1)
+    });
+}
+
 fn renumber(units: &mut [Unit], numbers: &mut [Option<PictureId>], order: &mut Vec<usize>) {
     for unit in units {
+        if let Some(id) = &mut unit.picture {
+            number(id, numbers, order);
+        }
         match &mut unit.content {
-            Content::Picture(id) => {
-                let old = id.0 as usize;
-                *id = *numbers[old].get_or_insert_with(|| {
-                    order.push(old);
-                    PictureId(order.len() as u32 - 1)
-                });
-            }
+            Content::Picture(id) => number(id, numbers, order),
             Content::Split(split) => {
                 renumber(&mut split.upper, numbers, order);
                 renumber(&mut split.lower, numbers, order);

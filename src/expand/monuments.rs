@@ -14,7 +14,7 @@ use super::Pass;
 use crate::ast::{self, Given, Monument, RoofStyle};
 use crate::diagnostic::messages::fittings::{self as say, Scarce};
 use crate::diagnostic::messages::parts;
-use crate::program::{House, Storey};
+use crate::program::{Content, House, Storey};
 use crate::source::{Span, Spanned};
 use draft::Draft;
 
@@ -45,6 +45,17 @@ impl Pass<'_, '_> {
         self.charge(parts, span);
         self.charge_storeys(draft.storeys.len() as u64, span);
         Some(draft)
+    }
+
+    /// Storeys with the parts that the house means by their codes.
+    pub(super) fn own_parts(&self, mut storeys: Vec<Storey>) -> Vec<Storey> {
+        let loops = storeys.iter_mut().flat_map(|s| &mut s.loops);
+        for unit in loops.flat_map(|l| &mut l.lines).flat_map(|l| &mut l.units) {
+            if let Content::Part(id) = &mut unit.content {
+                *id = self.codes.own_part(*id);
+            }
+        }
+        storeys
     }
 
     /// Takes room for storeys that a few letters make: a storey with its roof, posts and brackets is

@@ -211,6 +211,7 @@ impl Pass<'_, '_> {
             content: found.which.content(),
             height: part.height.as_ref().and_then(positive).map(|h| h as f32),
             reflection: None,
+            picture: None,
         };
         self.push(unit, natural, strip);
     }
@@ -246,5 +247,6 @@ pub(super) fn bare_unit(span: Span, width: f64, which: Which) -> Unit {
         content: which.content(),
         height: None,
         reflection: None,
+        picture: None,
     }
 }

@@ -66,6 +66,7 @@ pub(super) fn divided(span: Span, ratio: f64, width: f64, upper: Strip, lower: S
         })),
         height: None,
         reflection: None,
+        picture: None,
     }
 }
 

@@ -1,14 +1,39 @@
-//! `Texture`: the share of light that a part mirrors (003-13). It shows only on facades whose reflection
-//! is enabled (003-14).
+//! `Texture`: the picture that a code means, and the share of light that a part mirrors (003-13). That shows only on
+//! facades whose reflection is enabled (003-14).
 
 use super::Pass;
 use super::codes::Which;
 use crate::ast::{self, Texture};
 use crate::diagnostic::messages::parts as say;
+use crate::diagnostic::messages::xml;
 use crate::program::{Content, Storey, Unit};
+use crate::source::NoText;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Pass<'_, '_> {
+    /// Gives codes the pictures that a house names by their files.
+    pub(super) fn given_pictures(&mut self, house: &ast::House) {
+        for texture in &house.textures {
+            let Some(src) = &texture.src else { continue };
+            let ast::Picture { path, from } = src;
+            match self.codes.world.image(from, &path.value) {
+                Ok(file) => {
+                    let id = self.codes.add_picture(&texture.code.value, file);
+                    for range in self.list_pieces(&texture.code) {
+                        let code = ast::CodeText::new(&texture.code.value[range]);
+                        self.codes.give(&code, id);
+                    }
+                }
+                Err(NoText::Outside) => {
+                    self.once(272, path.span, || xml::src_outside(path.span, &path.value));
+                }
+                Err(NoText::Missing) => {
+                    self.once(243, path.span, || xml::src_missing(path.span, &path.value));
+                }
+            }
+        }
+    }
+
     /// Applies the textures of a house.
     pub(super) fn textures(&mut self, house: &ast::House, storeys: &mut [Storey]) {
         if house.textures.is_empty() {

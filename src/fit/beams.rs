@@ -19,14 +19,14 @@ const LINTEL: f64 = 0.74;
 const HEIGHT: f64 = 0.62;
 
 /// The beams of all walls; they end where nothing stands in a bay.
-pub(super) fn beams(house: &House, storey: &Storey, posts: &Posts) -> Vec<Beam> {
+pub(super) fn beams(catalog: &Catalog, house: &House, storey: &Storey, posts: &Posts) -> Vec<Beam> {
     let height = storey.wall_height();
     let post = posts.size * SHAKU;
     let mut made = vec![];
     for wall in rings(storey).flat_map(|r| &r.walls) {
         for row in ROWS.iter().take(posts.nageshi as usize) {
             // Between foot and lintel no beam crosses a door.
-            let crosses = |unit: &Unit| is_wall(unit, *row > 0.1 && *row < LINTEL);
+            let crosses = |unit: &Unit| is_wall(catalog, unit, *row > 0.1 && *row < LINTEL);
             for stretch in runs(wall, crosses) {
                 made.push(beam(house, wall, stretch, (post, storey.z0 + height * row)));
             }
@@ -72,15 +72,15 @@ fn runs(wall: &Wall, crosses: impl Fn(&Unit) -> bool) -> Vec<(f64, f64)> {
 }
 
 /// Whether something stands in a bay, and where `doors` stand in the way, no door.
-fn is_wall(unit: &Unit, doors: bool) -> bool {
+fn is_wall(catalog: &Catalog, unit: &Unit, doors: bool) -> bool {
     match &unit.content {
         Content::Void => false,
         Content::Part(id) => {
-            let part = Catalog::builtin().part(*id);
+            let part = catalog.part(*id);
             let open = part.class() == 'A' && part.code() != "APW  ";
             !(open || doors && part.class() == 'T')
         }
         Content::Picture(_) => true,
-        Content::Split(split) => split.upper.iter().all(|u| is_wall(u, doors)),
+        Content::Split(split) => split.upper.iter().all(|u| is_wall(catalog, u, doors)),
     }
 }

@@ -73,6 +73,8 @@ pub struct Material {
     pub grain: bool,
     /// Its looks by age; the first begins at 0.
     pub stages: &'static [Stage],
+    /// After how many years people put new in its place, if they do.
+    pub renewed: Option<u32>,
 }
 
 impl Material {
@@ -104,6 +106,7 @@ const fn grained(class: Class, stages: &'static [Stage]) -> Material {
         class,
         grain: true,
         stages,
+        renewed: None,
     }
 }
 
@@ -112,15 +115,26 @@ const fn even(class: Class, stages: &'static [Stage]) -> Material {
         class,
         grain: false,
         stages,
+        renewed: None,
+    }
+}
+
+/// The same, of which new is put in its place after so many years.
+const fn renewed(material: Material, years: u32) -> Material {
+    Material {
+        renewed: Some(years),
+        ..material
     }
 }
 
 macro_rules! materials {
-    ($($name:ident = $kind:ident $class:ident [$($stage:expr),*];)*) => {
-        $(pub(super) static $name: Material = $kind(Class::$class, &[$($stage),*]);)*
+    ($($name:ident = $kind:ident $class:ident [$($stage:expr),*] $(every $years:literal)?;)*) => {
+        $(pub(super) static $name: Material = materials!(@ $kind(Class::$class, &[$($stage),*]) $(, $years)?);)*
         /// Every material.
         pub static MATERIALS: &[&Material] = &[$(&$name),*];
     };
+    (@ $material:expr) => { $material };
+    (@ $material:expr, $years:literal) => { renewed($material, $years) };
 }
 
 materials! {
@@ -138,7 +152,7 @@ materials! {
         at(0, "clapboard_fresh"), at(1, "clapboard_brown"), at(6, "clapboard_silver"), at(30, "clapboard_dark")
     ];
     CHARRED = grained Charred [at(0, "charred"), at(12, "charred_worn"), at(40, "charred_old")];
-    BAMBOO = grained Wood [at(0, "bamboo_green"), at(1, "bamboo"), at(6, "bamboo_old")];
+    BAMBOO = grained Wood [at(0, "bamboo_green"), at(1, "bamboo"), at(6, "bamboo_old")] every 12;
     // Plaster, earth, cement.
     PLASTER = even Plaster [at(0, "plaster"), at(10, "plaster_worn"), at(50, "plaster_old")];
     BLACK_PLASTER = even Plaster [shiny("black_plaster", 0.8), at(25, "black_plaster_old")];
@@ -155,17 +169,17 @@ materials! {
     NOSHI = even Tile [shiny("noshi_new", 0.55), at(10, "noshi_worn"), at(30, "noshi_old")];
     IBUSHI = even Tile [shiny("ibushi_new", 0.55), at(10, "ibushi_worn"), at(30, "ibushi_old")];
     // Other roofs.
-    BOARD_ROOF = even Wood [at(0, "board_roof_new"), at(4, "board_roof_silver"), at(15, "board_roof_mossy")];
-    KOKERA = even Wood [at(0, "kokera_new"), at(5, "kokera_silver"), at(20, "kokera_mossy")];
-    BARK = even Wood [at(0, "bark_new"), at(8, "bark_worn"), at(25, "bark_mossy")];
-    THATCH = even Wood [at(0, "thatch_new"), at(3, "thatch_worn"), at(15, "thatch_mossy")];
+    BOARD_ROOF = even Wood [at(0, "board_roof_new"), at(4, "board_roof_silver"), at(15, "board_roof_mossy")] every 14;
+    KOKERA = even Wood [at(0, "kokera_new"), at(5, "kokera_silver"), at(20, "kokera_mossy")] every 28;
+    BARK = even Wood [at(0, "bark_new"), at(8, "bark_worn"), at(25, "bark_mossy")] every 36;
+    THATCH = even Wood [at(0, "thatch_new"), at(3, "thatch_worn"), at(15, "thatch_mossy")] every 28;
     SEAM_ROOF = even Steel [at(0, "seam_roof"), at(15, "seam_roof_rusty")];
     // Paper, cloth, mats.
-    PAPER = even Paper [at(0, "paper"), at(2, "paper_yellow")];
-    INDIGO = even Cloth [at(0, "indigo"), at(5, "indigo_faded")];
-    PERSIMMON = even Cloth [at(0, "persimmon"), at(5, "persimmon_faded")];
-    COTTON = even Cloth [at(0, "cotton"), at(5, "cotton_old")];
-    TATAMI = even Cloth [at(0, "tatami"), at(2, "tatami_old")];
+    PAPER = even Paper [at(0, "paper"), at(2, "paper_yellow")] every 3;
+    INDIGO = even Cloth [at(0, "indigo"), at(5, "indigo_faded")] every 8;
+    PERSIMMON = even Cloth [at(0, "persimmon"), at(5, "persimmon_faded")] every 8;
+    COTTON = even Cloth [at(0, "cotton"), at(5, "cotton_old")] every 8;
+    TATAMI = even Cloth [at(0, "tatami"), at(2, "tatami_old")] every 6;
     // Metal and glass.
     ALUMINIUM = even Aluminium [at(0, "aluminium"), at(10, "aluminium_dirty")];
     BRONZE_ALUMINIUM = even Aluminium [at(0, "bronze_aluminium")];

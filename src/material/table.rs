@@ -5,7 +5,7 @@ use super::{Material, Surface};
 
 const WHITE: [f32; 3] = [1.0, 1.0, 1.0];
 /// Under eaves wood turns a darker brown instead of grey.
-const SHELTERED: [f32; 3] = [0.74, 0.72, 0.74];
+pub(super) const SHELTERED: [f32; 3] = [0.74, 0.72, 0.74];
 
 /// A material at one of its stages.
 const fn worn(name: &'static str, material: &'static Material, stage: usize) -> Surface {

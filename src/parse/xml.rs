@@ -18,6 +18,7 @@ mod house;
 mod instruction;
 mod language;
 mod monuments;
+mod parts;
 mod pieces;
 mod read;
 mod roofs;
@@ -35,7 +36,7 @@ pub use trees::Trees;
 
 use super::Setting;
 use super::faults::Faults;
-use crate::ast::{Document, House};
+use crate::ast::{Document, House, PartEntry};
 use crate::diagnostic::Diagnostics;
 use crate::source::{Limits, Shelf, Source};
 use read::{Node, Reader};
@@ -83,20 +84,23 @@ pub(super) fn parse_from<'a>(
         faults: &mut faults,
         suggest: suggest::Suggest::new(),
     };
+    let mut parts = vec![];
     let houses = match made.over {
         true => vec![],
-        false => reader.houses(),
+        false => reader.houses(&mut parts),
     };
     out.append(faults.finish());
     Document {
         houses,
         parameters: made.parameters,
         variant: None,
+        parts,
     }
 }
 
 impl Reader<'_, '_> {
-    fn houses(&mut self) -> Vec<House> {
+    /// The houses of the file, and the own parts that all of them know.
+    fn houses(&mut self, parts: &mut Vec<PartEntry>) -> Vec<House> {
         let mut houses = vec![];
         for node in self.roots() {
             let Node::Element(schema, element) = node else {
@@ -107,13 +111,28 @@ impl Reader<'_, '_> {
                 Tag::Structure => houses.push(self.lone_structure(schema, element)),
                 Tag::Catalog => {
                     self.attributes(schema, element);
-                    self.no_children(element);
-                }
-                _ => {
-                    self.attributes(schema, element);
                     for node in self.children(element, schema.content()) {
                         if let Node::Element(schema, element) = node {
-                            houses.push(self.house(schema, element));
+                            parts.extend(self.part_entry(schema, element));
+                        }
+                    }
+                }
+                _ => {
+                    let of = self.attributes(schema, element);
+                    let (age, era) = (self.age(&of), self.era(&of));
+                    for node in self.children(element, schema.content()) {
+                        match node {
+                            Node::Element(schema, element) if schema.tag == Tag::PartDef => {
+                                parts.extend(self.part_entry(schema, element));
+                            }
+                            Node::Element(schema, element) => {
+                                let mut house = self.house(schema, element);
+                                let settings = &mut house.settings;
+                                settings.age = settings.age.or(age);
+                                settings.era = settings.era.or(era);
+                                houses.push(house);
+                            }
+                            Node::Text(_) => {}
                         }
                     }
                 }

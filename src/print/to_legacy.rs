@@ -3,7 +3,7 @@
 
 use super::{legacy, table};
 use crate::ast::{
-    Document, RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle,
+    Document, Era, RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle,
     StoreyKind,
 };
 use crate::catalog::Catalog;
@@ -38,6 +38,9 @@ pub fn to_legacy(
         let span = source.span(place);
         writer.refuse(span, say::draw(span, codes));
     }
+    for part in document.parts.iter().filter(|p| p.span.file == source.id()) {
+        writer.refuse(part.span, say::own_part(part.span));
+    }
     for (index, house) in program.houses.iter().enumerate() {
         if index > 0 {
             writer.text.push_str("%\n");
@@ -51,6 +54,8 @@ pub fn to_legacy(
         }
         let textures = written.into_iter().flat_map(|house| &house.textures);
         textures.for_each(|t| writer.refuse(t.span, say::gloss(t.span)));
+        let parts = written.into_iter().flat_map(|house| &house.parts);
+        parts.for_each(|p| writer.refuse(p.span, say::own_part(p.span)));
         let seed = written.and_then(|house| house.settings.seed.as_ref());
         writer.house(house, seed.map(|s| s.value));
     }
@@ -107,6 +112,12 @@ impl Writer<'_> {
         }
         if house.street {
             self.text.push_str("street yes\n");
+        }
+        if let Some(age) = &house.age {
+            let _ = writeln!(self.text, "age {:?}", age.years);
+            if age.era != Era::All {
+                let _ = writeln!(self.text, "era {}", age.era.word());
+            }
         }
         self.roof_settings(&house.roofs);
         self.text.push('\n');

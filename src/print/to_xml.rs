@@ -84,6 +84,8 @@ impl<C: Iterator<Item = Range<usize>>> Writer<'_, C> {
         }
         self.attribute("seed", settings.seed.as_ref().map(|s| s.span));
         self.attribute("street", settings.street.as_ref().map(|s| s.span));
+        self.attribute("age", settings.age.as_ref().map(|s| s.span));
+        self.attribute("era", settings.era.as_ref().map(|s| s.span));
         self.text.push_str(">\n");
         for (index, storey) in house.storeys.iter().enumerate() {
             let Item::One(storey) = storey else { continue };

@@ -129,6 +129,7 @@ impl Plan {
             variant: _,
             origin: _,
             azimuth: _,
+            age: _,
             unit,
             street,
             storeys,

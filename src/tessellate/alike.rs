@@ -3,6 +3,7 @@
 use super::bulk::Bulk;
 use super::dress::{Beyond, Run};
 use super::store::Quick;
+use super::weather::Weather;
 use crate::ast::RoofKind;
 use crate::building::{Dress, Face, Roof, Solid};
 use crate::material::SurfaceId;
@@ -27,6 +28,7 @@ pub(super) struct Alike<'a> {
     kind: RoofKind,
     dress: Dress,
     beyond: Beyond,
+    weather: Weather,
     solids: &'a [Solid],
     /// The roofs whose solids it shows.
     shown: &'a [Roof],
@@ -48,6 +50,7 @@ impl<'a> Alike<'a> {
         shown: &'a [Roof],
         walls: Walls,
         beyond: Beyond,
+        weather: Weather,
         number: usize,
     ) -> Alike<'a> {
         Alike {
@@ -55,6 +58,7 @@ impl<'a> Alike<'a> {
             kind: roof.kind,
             dress: roof.dress,
             beyond,
+            weather,
             solids: &roof.solids,
             shown,
             walls,
@@ -110,6 +114,7 @@ impl PartialEq for Alike<'_> {
             && self.dress == other.dress
             && self.beyond == other.beyond
             && self.walls == other.walls
+            && self.weather == other.weather
             && same(self.solids, other.solids)
             && self.shown.len() == other.shown.len()
             && self.shown.iter().zip(other.shown).all(shown)

@@ -65,7 +65,9 @@ impl Walker<'_> {
             let (before, after) = Line::beside(&lines, i);
             let first = before.map_or(0.0, |b| corner(b, line));
             let last = after.map_or(0.0, |a| corner(line, a));
+            self.air = self.air_before(level, line);
             let mut stretches = self.stretches(level, line);
+            self.air = None;
             if let Some(stretch) = stretches.first_mut().filter(|s| s.from < 1e-6) {
                 stretch.from -= first;
             }
@@ -91,11 +93,11 @@ impl Walker<'_> {
         let shown = |s: &&Stand<'_>| s.solid() && !shows_through(catalog, level, s);
         for stand in line.stands.iter().filter(shown) {
             let mut bands = vec![];
+            // One weather for the wall: neighbours of one look stay one face.
+            self.store.weather = self.frame((0.0, level.height));
             self.bands(stand.unit, stand, (0.0, stand.top()), &mut bands);
             if level.grounded() {
-                let stone = self
-                    .store
-                    .surface(SurfaceId::named("stone"), Share::default());
+                let stone = self.store.surface_at(SurfaceId::named("stone"), 0.0);
                 bands.push(Band {
                     z: (-STONES, 0.0),
                     material: stone,
@@ -129,7 +131,7 @@ impl Walker<'_> {
             if to - from > 1e-3 {
                 out.push(Band {
                     z: (from, to),
-                    material: store.surface(surface, Share::default()),
+                    material: store.surface_at(surface, (from + to) / 2.0),
                     picture: false,
                 });
             }
@@ -160,10 +162,19 @@ impl Walker<'_> {
                     }
                     _ => z,
                 };
-                let store = &mut self.store;
+                let (store, mut shown) = (&mut self.store, vec![]);
                 band(store, z0, foot, stand.around);
-                band(store, foot, top, main);
+                match unit.picture {
+                    Some(_) if top - foot <= 1e-3 => {}
+                    Some(id) => shown.push(Band {
+                        z: (foot, top),
+                        material: store.picture(id.0, Share::default()),
+                        picture: true,
+                    }),
+                    None => band(store, foot, top, main),
+                }
                 band(store, top, z1, stand.around);
+                out.extend(shown);
             }
         }
     }

@@ -128,6 +128,7 @@ fn stands_out(element: &Element, wall: f64) -> bool {
             | Shape::Apron(_)
             | Shape::Cloth(_)
             | Shape::Open(_)
+            | Shape::Shown(_)
     );
     shelters || element.place.front.0 > wall + RELIEF
 }
@@ -147,12 +148,14 @@ fn posts(bay: &mut Bay<'_>) {
 /// What a closure builds, as a panel in a plane, or in its own foremost one.
 fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)) {
     let before = std::mem::take(&mut bay.bodies);
+    bay.bodies.shown = before.shown.clone();
     build(bay);
     let made = std::mem::replace(&mut bay.bodies, before);
     let Some((rect, foremost)) = extent(&made.soups) else {
         return;
     };
     bay.bodies.panels.extend(made.panels);
+    bay.bodies.shown = made.shown;
     bay.bodies.panels.push(Panel {
         rect,
         front: front.unwrap_or(foremost),

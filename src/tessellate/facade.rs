@@ -241,6 +241,8 @@ struct Slot<'a> {
     half: bool,
     /// Position in the facade and, in splits, the half.
     number: (usize, &'a str),
+    /// Position in the half.
+    within: usize,
 }
 
 impl Walker<'_> {
@@ -252,14 +254,17 @@ impl Walker<'_> {
         before: Option<&Line<'_>>,
         after: Option<&Line<'_>>,
     ) {
+        self.air = self.air_before(level, line);
         let facade = self.facade_node(level, line);
         for (i, stand) in line.stands.iter().enumerate() {
             self.stand(level, facade, line, stand, i + 1);
         }
         self.posts(level, facade, line, before, after);
+        self.store.weather = self.frame((0.0, level.height));
         self.corners(level, facade, line, before);
         self.members(level, facade, line, before, after);
         self.parapet(level, facade, line);
+        self.air = None;
     }
 
     /// The node of a facade.
@@ -294,6 +299,7 @@ impl Walker<'_> {
             mirrors: line.wall.reflection,
             half: false,
             number: (number, ""),
+            within: 0,
         };
         self.unit(level, slot, stand.unit);
         let (right, left) = stand.tops;
@@ -337,6 +343,8 @@ impl Walker<'_> {
 
     /// What stands in a slot.
     fn unit(&mut self, level: Level<'_>, slot: Slot<'_>, unit: &Unit) {
+        let place = slot.number.0 + slot.within * 1000;
+        self.store.weather = self.unit_weather(place, &unit.content, slot.z);
         let (mesh, code): (MeshId, &str) = match &unit.content {
             Content::Void => return,
             Content::Split(split) => return self.split(level, slot, split),
@@ -385,6 +393,7 @@ impl Walker<'_> {
             size: [slot.width, height, z0, z1].map(tenths),
             post: slot.post.map_or(0, tenths),
             room: part::passage(part).map_or(0, |depth| tenths(slot.room.min(depth))),
+            picture: unit.picture.map_or(0, |id| id.0 + 1),
         };
         self.store.part(id, part, key)
     }
@@ -437,6 +446,7 @@ impl Walker<'_> {
                     around: own.unwrap_or(slot.around),
                     half: true,
                     number: (slot.number.0, half),
+                    within: i,
                     ..slot
                 };
                 self.unit(level, sub, unit);

@@ -12,6 +12,7 @@ mod veranda;
 use super::Walker;
 use super::mesh::Bodies;
 use super::store::{Quick, Share};
+use super::weather::Weather;
 use crate::building::fittings::{Beam, Brackets, Fitting, Head, Thing};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId, NodeId};
@@ -25,12 +26,13 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 #[derive(Default)]
 pub(super) struct Drawn<'a> {
     things: HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>,
-    heads: HashMap<brackets::Key, Option<MeshId>, BuildHasherDefault<Quick>>,
+    heads: HashMap<(brackets::Key, Weather), Option<MeshId>, BuildHasherDefault<Quick>>,
 }
 
-/// A thing as its mesh sees it: its number in the house, which is in the mesh's name, and what it is.
+/// A thing as its mesh sees it: its number in the house, which is in the mesh's name, what it is, and what it has been
+/// through.
 #[derive(PartialEq)]
-struct Alike<'a>(usize, &'a Thing);
+struct Alike<'a>(usize, &'a Thing, Weather);
 
 // No length of a thing is a NaN; were one, the thing would have a mesh of its own.
 impl Eq for Alike<'_> {}
@@ -66,7 +68,7 @@ impl<'a> Walker<'a> {
             Thing::Finial(_) => Kind::Finial,
         };
         let name = format_compact!("{} {n}", kind.word());
-        let alike = Alike(n, &fitting.what);
+        let alike = Alike(n, &fitting.what, self.store.weather);
         let known = self.drawn.things.get(&alike).copied();
         let mesh = known.unwrap_or_else(|| {
             let mesh = self.own(&name, bodies(&fitting.what, detail));
@@ -86,7 +88,7 @@ impl<'a> Walker<'a> {
         let heads = it.heads.iter().map(|h| (brackets::Form::of(h), h));
         let struts = it.struts.iter().map(|h| (brackets::Form::Strut, h));
         for (form, head) in heads.chain(struts) {
-            let key = brackets::Key::new(it, form);
+            let key = (brackets::Key::new(it, form), self.store.weather);
             let known = self.drawn.heads.get(&key).copied();
             let mesh = known.unwrap_or_else(|| {
                 let mesh = self.own("bracket", brackets::head(it, form, self.detail));

@@ -157,7 +157,9 @@ impl Walker<'_> {
             u32::from(round),
             finish.index() as u32,
         ];
-        let mesh = self.store.mesh(Key::Post(key), |store| {
+        self.store.weather = self.frame(z);
+        let what = ("post", Share::default(), None);
+        let mesh = self.store.bodies(Key::Post(key), what, || {
             let mut bodies = Bodies::default();
             let [side, height] = [key[0], key[1]].map(|n| f64::from(n) / 10_000.0);
             let half = side / 2.0;
@@ -177,7 +179,7 @@ impl Walker<'_> {
                 let (lo, hi) = (dvec3(-half, -half, foot), dvec3(half, half, top));
                 bodies.block(SurfaceId::named("stone"), lo, hi);
             }
-            store.finish("post".into(), bodies, Share::default())
+            bodies
         });
         let node = self.node(Some(facade), Kind::Post, "post".into(), dvec3(x, 0.0, z.0));
         node.mesh = Some(mesh);
@@ -266,15 +268,15 @@ impl Walker<'_> {
             [0, 0]
         };
         let length = tenths(to - from);
-        let mesh = self.store.mesh(Key::Member(kind, length, ends), |store| {
-            store.finish(
-                member.name.into(),
-                member.bodies(length, ends),
-                Share::default(),
-            )
-        });
-        let z = if kind == PLATES { level.height } else { 0.0 };
-        let at = dvec3(-from, 0.0, z);
+        let top = if kind == PLATES { level.height } else { 0.0 };
+        self.store.weather = self.frame((top, top + 0.1));
+        let what = (member.name, Share::default(), None);
+        let mesh = self
+            .store
+            .bodies(Key::Member(kind, length, ends), what, || {
+                member.bodies(length, ends)
+            });
+        let at = dvec3(-from, 0.0, top);
         let node = self.node(Some(facade), Kind::Member, member.name.into(), at);
         node.mesh = Some(mesh);
         node.storey = Some(level.storey.number);

@@ -22,6 +22,8 @@ pub(super) struct Bodies {
     pub(super) soups: Vec<(SurfaceId, Soup)>,
     /// What is to become pictures.
     pub(super) panels: Vec<Panel>,
+    /// Where the part's texture shows.
+    pub(super) shown: Soup,
 }
 
 /// Faces thinner than this, in metres, are left out of a body.

@@ -13,6 +13,9 @@ use crate::program::Content;
 /// Height of a dado under an opening, metres: three shaku.
 const DADO: f64 = 3.0 * SHAKU;
 
+/// How far a panel lies behind the picture on it, metres.
+const BEHIND: f64 = 0.002;
+
 /// No passage reaches farther into a house, metres.
 pub(super) const DEEPEST: f64 = 30.0;
 
@@ -119,6 +122,7 @@ pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
         Shape::Slats(s) => round::slats(bay, s, place, rect),
         Shape::Grid(g) => grid(bay, g, element, rect),
         Shape::Post(p) => post(bay, p.size.0, place),
+        Shape::Shown(_) => shown(bay, place, rect),
     }
 }
 
@@ -165,6 +169,18 @@ pub(super) fn surround(bay: &mut Bay<'_>) {
         };
         boards::dado(bay, 0.240, SurfaceId::named("boards"), layer, dado);
     }
+}
+
+/// A panel before which the part's texture shows.
+fn shown(bay: &mut Bay<'_>, place: &Place, rect: Rect) {
+    let layer = Layer::from(place);
+    let back = Layer {
+        front: layer.front - BEHIND,
+        thick: (layer.thick - BEHIND).max(BEHIND),
+    };
+    bay.block(place.finish, rect, back);
+    let whole = [[0.0, 0.0], [1.0, 1.0]];
+    bay.bodies.shown.front(rect, layer.front, whole);
 }
 
 /// A post on the line, from the floor to the top.

@@ -3,6 +3,7 @@
 use super::facade::{Line, Stand};
 use super::mesh::{Axis, Bodies};
 use super::store::Share;
+use super::weather::Weather;
 use super::{Level, Walker};
 use crate::building::Ring;
 use crate::catalog::body::{Element, Shape};
@@ -26,7 +27,7 @@ const CEILING: (f64, f64) = (-0.100, -0.075);
 
 /// Rooms that are made, by outline and surfaces. Nothing walks over them.
 #[derive(Debug, Default)]
-pub(super) struct Rooms(HashMap<(Vec<i64>, SurfaceId), MeshId>);
+pub(super) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
 
 impl Walker<'_> {
     /// Floor and ceiling of a storey into which one can look.
@@ -50,7 +51,8 @@ impl Walker<'_> {
         let mut key: Vec<i64> = points.map(step).collect();
         let height = if covered { level.height } else { 0.0 };
         key.extend([step(foot), step(height)]);
-        let key = (key, floor);
+        self.weather(|aged| aged.even("room", 0.0));
+        let key = (key, floor, self.store.weather);
         let mesh = match self.rooms.0.get(&key) {
             Some(mesh) => *mesh,
             None => {

@@ -146,10 +146,10 @@ fn lit(picture: &Picture) -> RgbImage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalog::Catalog;
+    use crate::parse;
 
     fn all() -> Vec<&'static PartDef> {
-        Catalog::builtin().parts().iter().collect()
+        parse::builtin().parts().iter().collect()
     }
 
     #[test]

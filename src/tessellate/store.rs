@@ -6,11 +6,13 @@ use super::bay::Bay;
 use super::dress::{Body, Row};
 use super::mesh::{Bodies, Soup};
 use super::solid::Given;
+use super::weather::{CameTo, Weather};
 use super::{detail, dress, part};
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Node, Primitive, Scene};
+use glam::DVec2;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
@@ -41,6 +43,8 @@ pub(super) struct PartKey {
     pub(super) post: u32,
     /// How deep a passage may be, of parts that have one.
     pub(super) room: u32,
+    /// The picture that the part's texture shows, counted from 1; 0 = none.
+    pub(super) picture: u32,
 }
 
 /// A share of light in thousandths; what mirrors nothing has none.
@@ -125,9 +129,13 @@ pub(super) struct Store {
     atlas: Atlas,
     detail: Detail,
     looks: Vec<Look>,
-    cache: HashMap<Key, MeshId, BuildHasherDefault<Quick>>,
+    /// What the meshes in the making have been through.
+    pub(super) weather: Weather,
+    cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<Quick>>,
+    /// Worn meshes by what they came to: the same surfaces on the same triangles.
+    worn: HashMap<(Key, CameTo), MeshId>,
     /// The part that was asked for last.
-    last: Option<(PartKey, MeshId)>,
+    last: Option<(PartKey, Weather, MeshId)>,
 }
 
 impl Store {
@@ -141,12 +149,39 @@ impl Store {
 
     /// The mesh of a key, made if it is new.
     pub(super) fn mesh(&mut self, key: Key, make: impl FnOnce(&mut Store) -> Mesh) -> MeshId {
+        let key = (key, self.weather);
         if let Some(id) = self.cache.get(&key) {
             return *id;
         }
         let mesh = make(self);
         let id = self.push(mesh);
         self.cache.insert(key, id);
+        id
+    }
+
+    /// The mesh of bodies that are made if their key is new. Other years may have come to the same: then they show one mesh.
+    pub(super) fn bodies(
+        &mut self,
+        key: Key,
+        (name, share, picture): (&str, Share, Option<u32>),
+        make: impl FnOnce() -> Bodies,
+    ) -> MeshId {
+        let known = (key, self.weather);
+        if let Some(id) = self.cache.get(&known) {
+            return *id;
+        }
+        let bodies = make();
+        let came_to = (known.0.clone(), self.weather.comes_to(&bodies));
+        let id = match self.worn.get(&came_to) {
+            Some(id) => *id,
+            None => {
+                let mesh = self.finish_with(name.to_owned(), bodies, share, picture);
+                let id = self.push(mesh);
+                self.worn.insert(came_to, id);
+                id
+            }
+        };
+        self.cache.insert(known, id);
         id
     }
 
@@ -160,26 +195,45 @@ impl Store {
     pub(super) fn part(&mut self, id: PartId, part: &PartDef, key: PartKey) -> MeshId {
         debug_assert_eq!(id.0, key.part);
         // A row mostly goes on with the part before.
-        if let Some((_, mesh)) = self.last.filter(|(last, _)| *last == key) {
+        let same = |last: &(PartKey, Weather, MeshId)| last.0 == key && last.1 == self.weather;
+        if let Some((.., mesh)) = self.last.filter(same) {
             return mesh;
         }
-        let mesh = self.mesh(Key::Part(key), |store| {
+        let picture = key.picture.checked_sub(1);
+        let detail = self.detail;
+        let name = part.code().trim_end();
+        let mesh = self.bodies(Key::Part(key), (name, key.share, picture), || {
             // The mesh is made from the key alone, so that it cannot depend on anything else.
             let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
             let size = (width, height);
             let post = (key.post > 0).then(|| f64::from(key.post) / 10_000.0);
-            let mut bay = Bay::new(part, size, (z0, z1), key.around, store.detail, post);
+            let mut bay = Bay::new(part, size, (z0, z1), key.around, detail, post);
             bay.room = f64::from(key.room) / 10_000.0;
-            let name = part.code().trim_end().to_owned();
-            store.finish(name, part::build(bay), key.share)
+            part::build(bay)
         });
-        self.last = Some((key, mesh));
+        self.last = Some((key, self.weather, mesh));
         mesh
     }
 
     /// Bodies as a mesh of the scene; their glass mirrors this share.
     pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
-        let Bodies { mut soups, panels } = bodies;
+        self.finish_with(name, bodies, share, None)
+    }
+
+    /// The same of bodies with a texture of their own, which is this picture.
+    fn finish_with(
+        &mut self,
+        name: String,
+        bodies: Bodies,
+        share: Share,
+        picture: Option<u32>,
+    ) -> Mesh {
+        let Bodies {
+            mut soups,
+            panels,
+            shown,
+        } = bodies;
+        soups = self.weather.wear(soups);
         let mut pictures: Vec<(MaterialId, Soup)> = vec![];
         for panel in panels {
             for (glass, rect) in detail::panes(&panel) {
@@ -192,7 +246,8 @@ impl Store {
                 let uv = metres.map(|corner| corner.map(|t| t as f32));
                 soups[at].1.front(rect, panel.front - BEHIND, uv);
             }
-            if let Some(picture) = bake(&panel.soups, panel.rect, WALL) {
+            let worn = self.weather.wear(panel.soups);
+            if let Some(picture) = bake(&worn, panel.rect, WALL) {
                 let spot = self.atlas.place(&picture);
                 let material = self.baked(spot.page);
                 let at = pictures.iter().position(|(id, _)| *id == material);
@@ -207,6 +262,10 @@ impl Store {
         for (finish, soup) in soups {
             let material = self.surface(finish, share);
             primitives.push(primitive(material, soup));
+        }
+        if let Some(number) = picture.filter(|_| !shown.indices.is_empty()) {
+            let material = self.picture(number, share);
+            primitives.push(primitive(material, shown));
         }
         primitives.extend(
             pictures
@@ -226,6 +285,7 @@ impl Store {
     ) -> Option<MeshId> {
         let mut soups = super::solid::soups(solids, given);
         dress::pour(worn, &mut soups);
+        soups = self.weather.wear(soups);
         if soups.is_empty() {
             return None;
         }
@@ -238,11 +298,14 @@ impl Store {
         Some(self.push(Mesh { name, primitives }))
     }
 
-    /// The mesh of bodies in a row.
-    pub(super) fn row(&mut self, row: Row) -> MeshId {
-        self.mesh(Key::Row(row.clone()), |store| {
+    /// The mesh of bodies in a row that runs this way.
+    pub(super) fn row(&mut self, row: Row, right: DVec2) -> MeshId {
+        let own = self.weather;
+        self.weather = own.turned(right);
+        let mesh = self.mesh(Key::Row(row.clone()), |store| {
             let (mut soups, bodies) = (vec![], row.bodies().collect::<Vec<_>>());
             dress::pour(&bodies, &mut soups);
+            let soups = store.weather.wear(soups);
             let primitives = soups.into_iter().map(|(finish, soup)| {
                 let material = store.surface(finish, Share::default());
                 primitive(material, soup)
@@ -251,7 +314,14 @@ impl Store {
                 name: row.name.to_owned(),
                 primitives: primitives.collect(),
             }
-        })
+        });
+        self.weather = own;
+        mesh
+    }
+
+    /// The material of what a surface has become at a height.
+    pub(super) fn surface_at(&mut self, id: SurfaceId, z: f64) -> MaterialId {
+        self.surface(self.weather.at(id, z), Share::default())
     }
 
     /// The material of a surface; what is no glass shares one whatever mirrors.

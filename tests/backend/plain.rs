@@ -60,6 +60,7 @@ fn regions_are_written_as_documented() {
         azimuth: 180.0,
         unit: 10.0 / 11.0,
         street: false,
+        age: None,
         storeys: vec![],
         raised: 0.0,
         platform: None,

@@ -2,7 +2,6 @@
 
 use crate::build::*;
 use hsd::ast::{CodeText, Document, Item, Part, Piece, Random};
-use hsd::catalog::Catalog;
 use hsd::diagnostic::Diagnostics;
 use hsd::expand::{Options, expand};
 use hsd::source::{FileId, Source, Spanned};
@@ -67,7 +66,7 @@ fn said_of_list(text: &str, list: &str) -> Vec<(u16, String)> {
     let mut out = Diagnostics::new();
     expand(
         &[(&source, &document)],
-        Catalog::builtin(),
+        hsd::parse::builtin(),
         &hsd::source::NoPictures,
         &Options::default(),
         &mut out,

@@ -268,6 +268,7 @@ fn textures_mirror_where_the_facade_allows() {
         span: at(),
         code: put(code.into()),
         reflection: Some(put(share)),
+        src: None,
     };
     made.textures = vec![texture("NGC", 0.6)];
     let program = clean(made.clone());

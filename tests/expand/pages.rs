@@ -1,7 +1,6 @@
 //! Every message has a page and a fixture, and the fixture triggers this message and no other.
 
 use crate::build::Pictures;
-use hsd::catalog::Catalog;
 use hsd::diagnostic::Diagnostics;
 use hsd::expand::{Options, expand};
 use hsd::parse::parse;
@@ -49,7 +48,7 @@ fn every_fixture_triggers_its_message() {
         let documents = [(&source, &document)];
         expand(
             &documents,
-            Catalog::builtin(),
+            hsd::parse::builtin(),
             &world,
             &Options::default(),
             &mut out,

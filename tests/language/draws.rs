@@ -10,7 +10,14 @@ fn program(text: &str, parameters: &[(&str, &str)]) -> Program {
     let (world, options, mut out) = (Texts::default(), options(parameters), Diagnostics::new());
     let read = hsd::driver::documents(&[&source], &world, &options, &mut out);
     let documents = &read.documents;
-    let program = hsd::driver::program(&[&source], documents, &world, &options.expand, &mut out);
+    let program = hsd::driver::program(
+        &[&source],
+        documents,
+        &read.catalog,
+        &world,
+        &options.expand,
+        &mut out,
+    );
     assert!(!out.has_errors(), "{out:#?}");
     program
 }

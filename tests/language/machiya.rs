@@ -17,6 +17,7 @@ fn build(text: &str, parameters: &[(&str, &str)]) -> Run {
         source,
         included: made.included,
         diagnostics: out.into_sorted(),
+        catalog: made.catalog,
         building: made.building,
         scene: made.scene,
     }

@@ -93,6 +93,7 @@ pub fn house(storeys: Vec<Vec<Ring>>) -> House {
         azimuth: 180.0,
         unit: U,
         street: false,
+        age: None,
         storeys: storeys.collect(),
         raised: 0.0,
         platform: None,

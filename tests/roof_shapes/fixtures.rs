@@ -1,7 +1,6 @@
 //! The fixtures of the messages, through the whole chain up to the roofs.
 
 use crate::common::assert_sound;
-use hsd::catalog::Catalog;
 use hsd::diagnostic::Diagnostics;
 use hsd::source::{FileId, Limits, NoPictures, Source};
 
@@ -24,7 +23,7 @@ fn every_fixture_triggers_its_message() {
         let source = Source::new(FileId(0), name.clone(), &std::fs::read(&path).unwrap());
         let mut out = Diagnostics::new();
         let document = hsd::parse::parse(&source, &Limits::default(), &mut out);
-        let (catalog, options) = (Catalog::builtin(), hsd::expand::Options::default());
+        let (catalog, options) = (hsd::parse::builtin(), hsd::expand::Options::default());
         let documents = [(&source, &document)];
         let program = hsd::expand::expand(&documents, catalog, &NoPictures, &options, &mut out);
         let building = hsd::roof::roof(hsd::lower::lower(program, &mut out), &mut out);

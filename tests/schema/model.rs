@@ -5,6 +5,9 @@ use hsd::parse::xml::schema::{Bears, Content, ELEMENTS, Holds, Kind, ROOT, Schem
 /// Surroundings in which anything may stand: those of `define`.
 const ANYTHING: &str = "anything";
 
+/// Surroundings of which only the catalogue knows the elements.
+pub const SHAPES: &str = "shapes";
+
 /// What may stand somewhere.
 #[derive(Clone)]
 pub struct Place {
@@ -19,7 +22,7 @@ pub struct Place {
 
 /// The elements that are read.
 pub fn elements() -> impl Iterator<Item = &'static Schema> {
-    ELEMENTS.iter().filter(|e| e.is_read())
+    ELEMENTS.iter()
 }
 
 /// The outermost elements.
@@ -60,11 +63,7 @@ fn add(content: &'static Content, places: &mut Vec<Place>) {
     places.push(Place {
         name: content.name,
         text: content.text,
-        elements: content
-            .elements()
-            .filter(|e| e.is_read())
-            .chain(language)
-            .collect(),
+        elements: content.elements().chain(language).collect(),
         repeated: content.repeated().name,
     });
     add(content.repeated(), places);
@@ -81,6 +80,7 @@ pub fn inside(element: &Schema, place: &Place) -> Option<&'static str> {
         Holds::Repeated => Some(place.repeated),
         Holds::Same => Some(place.name),
         Holds::Anything => Some(ANYTHING),
+        Holds::Shapes => Some(SHAPES),
         Holds::Choices => None,
     }
 }
@@ -88,7 +88,9 @@ pub fn inside(element: &Schema, place: &Place) -> Option<&'static str> {
 /// The name of an element's type in a place: one for all places unless what it holds depends on the place.
 pub fn type_name(element: &Schema, place: &Place) -> String {
     match element.holds {
-        Holds::Only(_) | Holds::Anything | Holds::Choices => element.name.to_owned(),
+        Holds::Only(_) | Holds::Anything | Holds::Choices | Holds::Shapes => {
+            element.name.to_owned()
+        }
         Holds::Repeated | Holds::Same => format!("{}.{}", element.name, place.name),
     }
 }

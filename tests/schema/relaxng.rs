@@ -26,6 +26,17 @@ const FOREIGN: &str = r#"
   </define>
 "#;
 
+/// The elements of a part, which are the business of the catalogue.
+const SHAPES: &str = r#"
+  <define name="in.shapes">
+    <element>
+      <anyName/>
+      <zeroOrMore><attribute><anyName/><text/></attribute></zeroOrMore>
+      <zeroOrMore><ref name="in.shapes"/></zeroOrMore>
+    </element>
+  </define>
+"#;
+
 /// The schema.
 pub fn make() -> String {
     let mut out = HEAD.to_owned();
@@ -60,6 +71,7 @@ pub fn make() -> String {
             each(root, place, &mut out);
         }
     }
+    out.push_str(SHAPES);
     out.push_str(FOREIGN);
     values(&mut out);
     out.push_str("</grammar>\n");

@@ -97,7 +97,11 @@ fn one(out: &mut String, name: &str, element: &Schema, place: &Place, places: &[
     let mixed = if text { " mixed=\"true\"" } else { "" };
     let _ = writeln!(out, "\n  <xs:complexType name=\"{name}\"{mixed}>");
     documentation(out, element.en);
-    if let Some(inside) = inside {
+    if inside == Some(model::SHAPES) {
+        // The elements of a part are the business of the catalogue.
+        let any = r#"<xs:any processContents="skip" minOccurs="0" maxOccurs="unbounded"/>"#;
+        let _ = writeln!(out, "    <xs:sequence>\n      {any}\n    </xs:sequence>");
+    } else if let Some(inside) = inside {
         let _ = writeln!(
             out,
             "    <xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">\n      <xs:group ref=\"in.{inside}\"/>"

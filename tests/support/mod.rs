@@ -4,10 +4,12 @@
 
 use hsd::Options;
 use hsd::building::{Building, Solid};
+use hsd::catalog::Catalog;
 use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::scene::{Kind, Mesh, Scene};
 use hsd::source::{FileId, NoPictures, NoText, PictureFile, Source, Span, World};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -20,6 +22,7 @@ pub struct Run {
     pub source: Source,
     pub included: Vec<Source>,
     pub diagnostics: Vec<Diagnostic>,
+    pub catalog: Cow<'static, Catalog>,
     pub building: Building,
     pub scene: Scene,
 }
@@ -88,6 +91,13 @@ impl World for Folder {
         std::fs::read(path)
     }
 
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+        let path = self.0.join(self.text(from, href)?);
+        let size = image::image_dimensions(&path).map_err(|_| NoText::Missing)?;
+        let path = path.to_string_lossy().into_owned();
+        Ok(PictureFile { path, size })
+    }
+
     fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
         if href.contains("..") {
             return Err(NoText::Outside);
@@ -124,6 +134,7 @@ fn compile_in(world: &dyn World, name: &str, bytes: &[u8]) -> Run {
         source,
         included: made.included,
         diagnostics: out.into_sorted(),
+        catalog: made.catalog,
         building: made.building,
         scene: made.scene,
     }

@@ -306,7 +306,7 @@ pub fn sheet_row(code: &str) -> Option<String> {
 /// triangles.
 pub fn flaws_of_classes(classes: &str, most: usize) -> Vec<String> {
     let mut found = vec![];
-    let parts = hsd::catalog::Catalog::builtin().parts().iter();
+    let parts = hsd::parse::builtin().parts().iter();
     for part in parts.filter(|p| classes.contains(p.class())) {
         for height in [STOREY, 11.55, 5.0] {
             let mesh = part_mesh(part.code(), height);

@@ -10,7 +10,7 @@ use hsd::building::{
     Building, Ceiling, Dress, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey,
     Wall,
 };
-use hsd::catalog::{Catalog, PartId};
+use hsd::catalog::PartId;
 use hsd::geometry::SHAKU;
 use hsd::program::{Content, Picture, PictureId, Roofs, Split, Unit};
 use hsd::scene::{Detail, Image, Kind, Mesh, Node, Scene};
@@ -25,7 +25,7 @@ fn span() -> Span {
 }
 
 fn id(code: &str) -> PartId {
-    let found = Catalog::builtin().find(&CodeText::new(code));
+    let found = hsd::parse::builtin().find(&CodeText::new(code));
     found.unwrap_or_else(|| panic!("no part {code:?}"))
 }
 
@@ -36,11 +36,12 @@ fn unit(content: Content, width: f64) -> Unit {
         content,
         height: None,
         reflection: None,
+        picture: None,
     }
 }
 
 fn part(code: &str) -> Unit {
-    let width = Catalog::builtin().part(id(code)).width();
+    let width = hsd::parse::builtin().part(id(code)).width();
     let content = if code.trim().is_empty() {
         Content::Void
     } else {
@@ -115,6 +116,7 @@ fn building(storeys: Vec<Storey>) -> Building {
         azimuth: 180.0,
         unit: UNIT,
         street: false,
+        age: None,
         storeys,
         raised: 0.0,
         platform: None,
@@ -132,7 +134,7 @@ fn building(storeys: Vec<Storey>) -> Building {
 }
 
 fn scene(building: &Building) -> Scene {
-    let scene = tessellate(building, Catalog::builtin(), Detail::Everything);
+    let scene = tessellate(building, hsd::parse::builtin(), Detail::Everything);
     for mesh in &scene.meshes {
         sound(mesh);
     }

@@ -6,7 +6,7 @@ use super::*;
 fn every_part_is_sound_and_in_its_bay() {
     for height in [9.0, 5.0, 7.0, 11.55, 2.0] {
         let height = height * SHAKU;
-        for part in Catalog::builtin()
+        for part in hsd::parse::builtin()
             .parts()
             .iter()
             .filter(|p| p.class() != ' ')
@@ -36,7 +36,7 @@ fn every_part_is_sound_and_in_its_bay() {
 
 #[test]
 fn parts_are_unlike() {
-    let parts = Catalog::builtin().parts().iter();
+    let parts = hsd::parse::builtin().parts().iter();
     let mut seen: Vec<(String, Mesh)> = Vec::new();
     for part in parts.filter(|p| p.class() != ' ') {
         let mesh = mesh_of(part.code(), 9.0 * SHAKU);

@@ -55,7 +55,7 @@ impl Build {
         let Some(count) = self.variants else {
             return Ok(jobs);
         };
-        let first = self.reading.options().expand.seed.unwrap_or(0);
+        let first = self.reading.first_seed();
         let last = first.wrapping_add(u64::from(count.get() - 1));
         let digits = last.max(first).to_string().len();
         let several = jobs.into_iter().flat_map(|job| {
@@ -80,7 +80,8 @@ impl Build {
         let limits = self.reading.limits();
         let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
         let world = self.reading.world(&self.reading.inputs);
-        let made = driver::compile(&inputs.accepted(), &world, &self.options(None), &mut out);
+        let options = self.options(None, &inputs, &mut out)?;
+        let made = driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let list = out.into_sorted();
         let spoiled = list.iter().any(|d| self.reading.spoils(d.severity));
         if tell && !list.is_empty() {

@@ -34,6 +34,11 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
         "",
     ),
     (
+        "catalogs",
+        "このファイルの部材も使う。何度でも指定できる",
+        "テキストのそばの `catalog.hsd` は指定しなくても使います。",
+    ),
+    (
         "root",
         "取り込むファイルを探す基準フォルダー。省くと各テキストのフォルダー",
         "",
@@ -217,10 +222,16 @@ pub(super) static COMMANDS: &[Words] = &[
   hsd parts lattice            名前に `lattice` を含む部材
   hsd parts --format json K    すべての壁、プログラム向け
   hsd parts --sheet parts.html 部材ごとの絵のあるページ
+  hsd parts --catalog own.hsd  自分のファイルで定義した部材
 
 分類: K 壁、T 戸、M 窓、G 格子、H 柱、A 開口、N 近代",
         arguments: &[
             ("format", "一覧の書き方", ""),
+            (
+                "catalogs",
+                "代わりに、このファイルで定義した部材を一覧にする。何度でも指定できる",
+                "",
+            ),
             (
                 "sheet",
                 "絵にして書く: .html は名前と寸法のページ、.glb は部材を並べたモデル",

@@ -376,3 +376,16 @@ pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {
         "ファイルを分けるか、`--max-parts` で上限を上げてください。一階につき部材 800 個分です"
     ))
 }
+
+/// An era of a house of which nobody says how old it is.
+#[cold]
+pub fn era_without_age(span: Span) -> Diagnostic {
+    let message = text!(
+        "`era` changes nothing without `age`",
+        "`age` のない `era` には働きがありません"
+    );
+    Diagnostic::warning(332, span, message).help(text!(
+        "say how many years ago the house was built, as in `age=\"80\"`",
+        "`age=\"80\"` のように、建ってからの年数を書いてください"
+    ))
+}

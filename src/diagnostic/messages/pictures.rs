@@ -30,6 +30,19 @@ pub fn no_picture(span: Span, file: &str) -> Diagnostic {
     ))
 }
 
+/// A part's texture of which there is no file.
+#[cold]
+pub fn no_texture(span: Span, name: &str) -> Diagnostic {
+    let message = text!(
+        "there is no picture `{name}` for this part",
+        "この部材の画像 `{name}` がありません"
+    );
+    Diagnostic::error(604, span, message).help(text!(
+        "put `{name}.png`, or `{name}.1.png`, `{name}.2.png` and so on, into the folder of the house or its `textures` folder, or name another folder by --textures",
+        "`{name}.png`、または `{name}.1.png`、`{name}.2.png` … を家のテキストのフォルダーかその中の `textures` フォルダーに置くか、--textures で別のフォルダーを指定してください"
+    ))
+}
+
 /// A picture with more pixels than the limit.
 #[cold]
 pub fn too_many_pixels(span: Span, file: &str, pixels: u64, limit: u64) -> Diagnostic {

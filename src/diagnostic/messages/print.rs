@@ -216,3 +216,16 @@ pub fn braces(span: Span) -> Diagnostic {
         "ほかの記号 `(` `)` を使うか、従来形式のままにしてください"
     ))
 }
+
+/// A part of one's own.
+#[cold]
+pub fn own_part(span: Span) -> Diagnostic {
+    let message = text!(
+        "the legacy form cannot define parts",
+        "従来形式では部材を定義できません"
+    );
+    Diagnostic::error(817, span, message).help(text!(
+        "put the part into a file `catalog.hsd` beside the text, which both forms use, or keep the file in XML",
+        "部材をテキストのそばの `catalog.hsd` に移すか、XML のままにしてください。`catalog.hsd` はどちらの形式からも使えます"
+    ))
+}

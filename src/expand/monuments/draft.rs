@@ -4,8 +4,8 @@ use crate::ast::{
     Brackets, Finial, FinialKind, Measures, Order, Paint, Platform, Posts, RoofKind, RoofLine,
     RoofShape, RoofStyle, Side, StoreyKind, Veranda,
 };
-use crate::catalog::Catalog;
 use crate::geometry::STEPS;
+use crate::parse;
 use crate::program::{Content, Line, Loop, Split, Storey, Unit};
 use crate::source::{Span, Spanned};
 
@@ -158,6 +158,7 @@ impl Draft {
             content: content(code),
             height: None,
             reflection: None,
+            picture: None,
         };
         if share > 0.999 || code == WALL {
             return whole(code);
@@ -298,7 +299,7 @@ pub(super) const WALL: &str = "KSK";
 
 /// A part of the built-in catalogue; a test looks for every code that is used here.
 fn content(code: &str) -> Content {
-    let part = Catalog::builtin().find(&crate::ast::CodeText::new(code));
+    let part = parse::builtin().find(&crate::ast::CodeText::new(code));
     part.map_or(Content::Void, Content::Part)
 }
 

@@ -2,14 +2,16 @@
 
 use super::line::Line;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
-use crate::ast::{House, RoofMethod, RoofMode};
+use crate::ast::{Era, House, RoofMethod, RoofMode};
 use crate::diagnostic::messages::legacy as say;
 use crate::diagnostic::noun;
 use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
 
 /// Keys of header lines.
-const KEYS: [&str; 6] = ["unit", "seed", "roofs", "method", "street", "name"];
+const KEYS: [&str; 8] = [
+    "unit", "seed", "roofs", "method", "street", "name", "age", "era",
+];
 
 /// Height of a storey whose own cannot be read, shaku (language.md 1).
 const HEIGHT: f64 = 9.0;
@@ -49,6 +51,12 @@ const UNIT: Range64 = Range64 {
     what: noun("the unit", "基準単位"),
     bounds: 0.1..=100.0,
     unit: noun("shaku", "尺"),
+};
+
+const AGE: Range64 = Range64 {
+    what: noun("the age", "築年数"),
+    bounds: 0.0..=2000.0,
+    unit: noun("years", "年"),
 };
 
 /// What has been read of a header.
@@ -248,6 +256,10 @@ fn setting(
         "unit" => settings.unit = within(text, span, &UNIT, faults),
         "seed" => settings.seed = seed(text, span, faults),
         "street" => settings.street = choice(key, text, span, &STREET, faults),
+        "age" => settings.age = within(text, span, &AGE, faults),
+        "era" => {
+            settings.era = choice(key, text, span, &Era::WORDS, faults);
+        }
         "roofs" => roofs.mode = choice(key, text, span, &MODES, faults),
         _ => roofs.method = choice(key, text, span, &RoofMethod::ALL, faults),
     }

@@ -4,7 +4,7 @@
 //! blanks and tabs become blanks, full-width letters become plain ones, so that the rest of the reader
 //! sees what the author meant. A map leads back, so spans always cover what is written.
 
-use crate::catalog::Catalog;
+use crate::parse;
 use crate::source::{Source, Span};
 use std::borrow::Cow;
 use std::ops::Range;
@@ -153,7 +153,7 @@ fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
     if raw[..at].ends_with(foreign) {
         return None;
     }
-    let (part, len) = Catalog::builtin().named_at(&raw[at..])?;
+    let (part, len) = parse::builtin().named_at(&raw[at..])?;
     let end = at + len;
     (!raw[end..].starts_with(foreign)).then_some((part.code(), end))
 }

@@ -1,8 +1,9 @@
 //! What is said of characters that were mended in a line: how much of it depends on what the line is.
 
 use super::line::{Line, Odd};
-use crate::catalog::{Catalog, PartDef};
+use crate::catalog::PartDef;
 use crate::diagnostic::messages::{file, legacy as say, parts};
+use crate::parse;
 use crate::parse::faults::Faults;
 use crate::source::Span;
 use std::ops::Range;
@@ -54,7 +55,7 @@ impl Faults<'_> {
             Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first),
             Odd::Control => file::control_character(span, first),
             Odd::PartName => {
-                let part = Catalog::builtin().called(written);
+                let part = parse::builtin().called(written);
                 parts::part_name(span, written, part.map_or("", PartDef::code))
             }
             Odd::Foreign | Odd::Replacement => say::foreign(span, written),

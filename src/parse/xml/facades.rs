@@ -3,7 +3,7 @@
 use super::read::{Node, Reader};
 use super::schema::{Schema, Tag};
 use super::tree::Element;
-use crate::ast::{Facade, Floor, StoreyKind, Structure, Texture};
+use crate::ast::{Facade, Floor, Picture, StoreyKind, Structure, Texture};
 use crate::diagnostic::messages::xml as say;
 use crate::source::Spanned;
 
@@ -77,7 +77,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Reads the gloss of a texture; nothing where it does not say of which.
+    /// Reads a texture: its gloss, its picture; nothing where it does not say of which.
     pub(super) fn texture(
         &mut self,
         schema: &'static Schema,
@@ -87,16 +87,20 @@ impl<'t> Reader<'t, '_> {
         self.no_children(element);
         let reflection = self.number(&of, "reflection");
         let code = self.text(&of, "code");
-        if let Some(src) = of.get("src") {
-            let name = code.as_ref().map_or("", |c| c.value.as_str());
-            self.faults.at(&src.range, |s| {
-                say::src_not_yet(s, src.value.as_str(), name)
-            });
-        }
+        let from = || {
+            self.faults
+                .source_at(element.range.start)
+                .1
+                .name()
+                .to_owned()
+        };
+        let src = self.text(&of, "src");
+        let src = src.map(|path| Picture { path, from: from() });
         Some(Texture {
             span: self.whole(element),
             reflection: reflection.map(|r| self.share(r)),
             code: code?,
+            src,
         })
     }
 

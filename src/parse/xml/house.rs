@@ -7,7 +7,7 @@ use super::schema::{self, Schema, Tag};
 use super::suggest::narrow_ascii;
 use super::tag::is_blank;
 use super::tree::Element;
-use crate::ast::{Edit, House, Loop, Row, Settings, Storey, StoreyKind};
+use crate::ast::{Edit, Era, House, Loop, Row, Settings, Storey, StoreyKind};
 use crate::diagnostic::messages::xml as say;
 use crate::source::{Span, Spanned};
 
@@ -34,6 +34,7 @@ impl<'t> Reader<'t, '_> {
                     house.structures.push(structure);
                     house.textures.extend(textures);
                 }
+                Tag::PartDef => house.parts.extend(self.part_entry(schema, child)),
                 Tag::Texture => house.textures.extend(self.texture(schema, child)),
                 Tag::Roofs => {
                     let read = self.roofs(schema, child);
@@ -69,7 +70,19 @@ impl<'t> Reader<'t, '_> {
             unit: self.number(of, "unit"),
             seed: self.whole_number(of, "seed"),
             street: self.yes_no(of, "street"),
+            age: self.age(of),
+            era: self.era(of),
         }
+    }
+
+    /// Years since a house was built.
+    pub(super) fn age(&mut self, of: &Attributes<'t>) -> Option<Spanned<f64>> {
+        self.number(of, "age")
+    }
+
+    /// When a house was built.
+    pub(super) fn era(&mut self, of: &Attributes<'t>) -> Option<Spanned<Era>> {
+        self.choice(of, "era", &Era::WORDS)
     }
 
     /// Reads a structure that stands for a house of its own.

@@ -306,7 +306,7 @@ impl<'a> Maker<'a, '_> {
             Some(Tag::Use) => self.use_piece(spot, scope, into),
             Some(Tag::If) => return self.condition(spot, scope, into, Branch::Open),
             Some(Tag::Else) => return self.condition(spot, scope, into, branch),
-            Some(Tag::Include) => self.include(spot, scope),
+            Some(Tag::Include) => self.include(spot, scope, into),
             Some(Tag::Repeat) => self.repeat(spot, scope, into),
             Some(Tag::Random) if draws::is_choice(spot) => self.choose(spot, scope, into),
             _ => self.add(spot, scope, into),

@@ -157,9 +157,6 @@ impl<'t> Reader<'t, '_> {
             Some(schema) if content.tags.contains(&schema.tag) => {
                 nodes.push(Node::Element(schema, element));
             }
-            Some(schema) if schema.tag == Tag::Later => {
-                self.faults.at(range, |s| say::not_yet(s, name));
-            }
             // A roof without a rectangle says how all roofs are to be.
             Some(schema)
                 if schema.tag == Tag::Roof

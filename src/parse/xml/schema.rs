@@ -49,8 +49,7 @@ pub(super) enum Tag {
     Gate,
     Hall,
     Shrine,
-    /// Part of the language, but not read by this version.
-    Later,
+    PartDef,
 }
 
 /// What an element looks like.
@@ -82,6 +81,8 @@ pub enum Holds {
     Same,
     /// Pieces of anything.
     Anything,
+    /// Elements of shape, which only the catalogue knows.
+    Shapes,
     /// `choice` elements, which hold the same as the element round it; or nothing.
     Choices,
 }
@@ -114,7 +115,7 @@ impl Schema {
     pub(super) fn content(&self) -> &'static Content {
         match self.holds {
             Only(content) => content,
-            Repeated | Same | Anything | Choices => &NOTHING,
+            Repeated | Same | Anything | Choices | Shapes => &NOTHING,
         }
     }
 
@@ -127,11 +128,6 @@ impl Schema {
     /// Whether its other attributes are parameters of a piece.
     pub fn bears_anything(&self) -> bool {
         matches!(self.tag, Tag::Define | Tag::Use)
-    }
-
-    /// Whether it is read by this version.
-    pub fn is_read(&self) -> bool {
-        self.tag != Tag::Later
     }
 
     /// Whether it stands in a `random`.
@@ -182,19 +178,15 @@ const fn element(
     }
 }
 
-const fn later(name: &'static str) -> Schema {
-    element(Tag::Later, name, &[], Only(&NOTHING), "", ["", ""])
-}
-
 /// Where elements of [`language`](super::language) belong.
 const ANY: &str = "any element";
 
-use Holds::{Anything, Choices, Only, Repeated, Same};
+use Holds::{Anything, Choices, Only, Repeated, Same, Shapes};
 
 /// All elements.
 #[rustfmt::skip]
 pub static ELEMENTS: &[Schema] = &[
-    element(Tag::Houses, "Houses", &[], Only(&HOUSES), "nothing: it is the outermost element",
+    element(Tag::Houses, "Houses", bear::HOUSES, Only(&HOUSES), "nothing: it is the outermost element",
         ["several houses in one file", "一つのファイルに書いた複数の建物"]),
     element(Tag::House, "House", bear::HOUSE, Only(&HOUSE), "`Houses`, or is the outermost element",
         ["a house: storeys or facades from the ground up, then roofs", "建物。下の階から順に書き、最後に屋根を書く"]),
@@ -229,7 +221,7 @@ pub static ELEMENTS: &[Schema] = &[
     element(Tag::Replace, "replace", bear::REPLACE, Only(&NOTHING), "`Storey`, `Row`, `Facade` or `Floor`",
         ["puts other codes in the place of some", "コードを取り替える"]),
     element(Tag::Texture, "Texture", bear::TEXTURE, Only(&NOTHING), "`House` or `Structure`",
-        ["gloss of a texture", "質感の映り込み"]),
+        ["the picture that a code means, and its gloss", "コードが表す画像と映り込み"]),
     element(Tag::Roofs, "Roofs", bear::ROOFS, Only(&ROOFS), "`House`",
         ["the roofs of a house, and how automatic ones look", "建物の屋根と、自動屋根の見え方"]),
     element(Tag::Roof, "Roof", bear::ROOF, Only(&NOTHING), "`Roofs`",
@@ -253,7 +245,7 @@ pub static ELEMENTS: &[Schema] = &[
     element(Tag::Shrine, "Shrine", bear::SHRINE, Only(&NOTHING), "`House`",
         ["a shrine in place of all storeys", "社殿。階の代わりに書く"]),
     element(Tag::Catalog, "Catalog", &[], Only(&DEFINITIONS), "nothing: it is the outermost element",
-        ["parameters, names and pieces for other files", "ほかのファイルのための引数、名、部品"]),
+        ["parameters, names, pieces and parts for other files", "ほかのファイルのための引数、名、部品、部材"]),
     element(Tag::Param, "Param", bear::PARAM, Only(&NOTHING), "`House`, `Houses`, `Structure`, `Catalog` or `define`",
         ["a parameter, set by `--param` or by `use`", "引数。`--param` や `use` で指定する"]),
     element(Tag::Let, "let", bear::LET, Only(&NOTHING), ANY,
@@ -268,7 +260,8 @@ pub static ELEMENTS: &[Schema] = &[
         ["the other case of the `if` or `else` right before it", "直前の `if` か `else` でないとき"]),
     element(Tag::Include, "include", bear::INCLUDE, Only(&NOTHING), ANY,
         ["what another file defines", "ほかのファイルの定義を読み込む"]),
-    later("PartDef"),
+    element(Tag::PartDef, "PartDef", bear::PART_DEF, Shapes, "`Catalog`, `House` or `Houses`",
+        ["a part of one's own, from elements of shape and changes of its base", "自分の部材。形の要素と base の変更で作る"]),
 ];
 
 const fn content(name: &'static str, tags: &'static [Tag]) -> Content {
@@ -293,7 +286,7 @@ pub static ROOT: Content = content(
     "root",
     &[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog],
 );
-pub(super) static HOUSES: Content = content("houses", &[Tag::House]);
+pub(super) static HOUSES: Content = content("houses", &[Tag::House, Tag::PartDef]);
 pub(super) static HOUSE: Content = repeating(
     &STOREYS,
     "house",
@@ -313,6 +306,7 @@ pub(super) static HOUSE: Content = repeating(
         Tag::Gate,
         Tag::Hall,
         Tag::Shrine,
+        Tag::PartDef,
     ],
 );
 pub(super) static STOREYS: Content = content(
@@ -373,7 +367,7 @@ pub(super) static FACADE: Content = content(
 );
 pub(super) static ROOFS: Content = content("roofs", &[Tag::Roof]);
 /// Things that only other files use.
-pub(super) static DEFINITIONS: Content = content("definitions", &[]);
+pub(super) static DEFINITIONS: Content = content("definitions", &[Tag::PartDef]);
 pub(super) static NOTHING: Content = content("nothing", &[]);
 
 /// The element of a name.
@@ -399,15 +393,15 @@ pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
 pub(super) static HABITS: Habits = Habits {
     leaf: |name| {
         let leaf = |e: &Schema| match e.holds {
-            Only(content) => content.name == NOTHING.name && e.tag != Tag::Later,
+            Only(content) => content.name == NOTHING.name,
             Choices => true,
-            Repeated | Same | Anything => false,
+            Repeated | Same | Anything | Shapes => false,
         };
         named(name).is_some_and(leaf)
     },
     alone: |name| {
         let nests = ["repeat", "split", "upper", "lower", "if", "else", "define"];
-        !nests.contains(&name) && named(name).is_some_and(|e| e.tag != Tag::Later)
+        !nests.contains(&name) && named(name).is_some()
     },
     known: |name| named(name).is_some(),
 };

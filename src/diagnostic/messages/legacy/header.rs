@@ -264,6 +264,8 @@ pub fn missing_value(span: Span, key: &str) -> Diagnostic {
     let example = match key {
         "unit" => "3.0",
         "seed" => "7",
+        "age" => "80",
+        "era" => "E",
         "roofs" => "auto",
         "method" => "least-cut",
         "street" => "yes",

@@ -171,19 +171,6 @@ pub fn not_a_choice(
     })
 }
 
-/// An element of a later version.
-#[cold]
-pub fn not_yet(span: Span, name: &str) -> Diagnostic {
-    let message = text!(
-        "`{name}` is not supported by this version yet",
-        "`{name}` はこの版ではまだ使えません"
-    );
-    Diagnostic::error(228, span, message).help(text!(
-        "write out what it stands for; it is left out with all that it holds",
-        "その内容を直接書いてください。この要素は中身ごと読み飛ばします"
-    ))
-}
-
 /// A split without one of its halves.
 #[cold]
 pub fn child_missing(span: Span, parent: &str, name: &str) -> Diagnostic {
@@ -407,16 +394,30 @@ pub fn repeats_nothing(span: Span) -> Diagnostic {
     ))
 }
 
-/// The file of a texture, which this version finds by its name.
+/// A picture named by `src` that is not there.
 #[cold]
-pub fn src_not_yet(span: Span, file: &str, code: &str) -> Diagnostic {
-    let ending = file.rsplit_once('.').map_or("png", |(_, ending)| ending);
+pub fn src_missing(span: Span, file: &str) -> Diagnostic {
+    let file = quote(file);
     let message = text!(
-        "`src` is not read by this version: a part picture is found by its name",
-        "この版は `src` を読みません。部材画像は名前で探します"
+        "there is no picture {file}",
+        "{file} という画像はありません"
     );
-    Diagnostic::warning(243, span, message).help(text!(
-        "name the file `{code}.{ending}` and put it into the folder of this file or its `textures` folder, or take `src` away",
-        "ファイルの名前を `{code}.{ending}` にして、このファイルのフォルダーかその中の `textures` フォルダーに置くか、`src` を取り除いてください"
+    Diagnostic::error(243, span, message).help(text!(
+        "name a PNG or JPEG by its path from the folder of this file; a picture beside the text is also found without `src`, by its name",
+        "このファイルのフォルダーから見た PNG か JPEG のパスを書いてください。テキストのそばの画像は `src` がなくても名前で見つかります"
+    ))
+}
+
+/// A picture named by `src` outside the root folder.
+#[cold]
+pub fn src_outside(span: Span, file: &str) -> Diagnostic {
+    let file = quote(file);
+    let message = text!(
+        "{file} lies outside the folder of the build",
+        "{file} はビルドのフォルダーの外にあります"
+    );
+    Diagnostic::error(272, span, message).help(text!(
+        "put the picture below the folder of the text, or name a folder above both by --root",
+        "画像をテキストのフォルダーの中に置くか、両方を含むフォルダーを --root で指定してください"
     ))
 }

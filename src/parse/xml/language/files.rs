@@ -1,5 +1,6 @@
-//! `include`: what another file defines. Of that file count the parameters, names, pieces and includes in its
-//! outermost element; its houses do not. Each file is read once, however often it is included.
+//! `include`: what another file defines. Of that file count the parameters, names, pieces, own parts and includes in
+//! its outermost element; its houses do not. Each file is read once, however often it is included. Its own parts are
+//! put into the element that includes it, as if they stood there.
 
 use super::super::read::check;
 use super::super::schema::{self, HABITS, Tag};
@@ -19,14 +20,26 @@ use std::rc::Rc;
 #[derive(Default)]
 pub(super) struct Files<'a> {
     /// By path; `None` where nothing came of it, which was reported.
-    done: BTreeMap<String, Option<Scope<'a>>>,
+    done: BTreeMap<String, Option<Included<'a>>>,
     /// Those under way, outermost first: path, and where it is included.
     open: Vec<(String, Span)>,
 }
 
+/// What a file defines.
+struct Included<'a> {
+    scope: Scope<'a>,
+    /// Its own parts, and those of the files that it includes: elements of the tree that is being made.
+    parts: Vec<usize>,
+}
+
+/// What counts in the outermost element of a file.
+fn defines(tag: Tag) -> bool {
+    is_language(tag) || tag == Tag::PartDef
+}
+
 impl<'a> Maker<'a, '_> {
     /// Takes over what a file defines.
-    pub(super) fn include(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) {
+    pub(super) fn include(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let element = spot.element();
         let Some(schema) = schema::named(element.name) else {
             return;
@@ -54,7 +67,14 @@ impl<'a> Maker<'a, '_> {
             self.files.done.insert(path.clone(), file);
         }
         if let Some(Some(file)) = self.files.done.get(&path) {
-            scope.import(file);
+            scope.import(&file.scope);
+            let children = &mut self.made.elements[into].children;
+            for part in &file.parts {
+                let there = |c: &Child<'_>| matches!(c, Child::Element(index) if index == part);
+                if !children.iter().any(there) {
+                    children.push(Child::Element(*part));
+                }
+            }
         }
     }
 
@@ -81,7 +101,7 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// What a file defines; `None` where nothing came of it.
-    fn file(&mut self, path: &str, place: &Range<usize>) -> Option<Scope<'a>> {
+    fn file(&mut self, path: &str, place: &Range<usize>) -> Option<Included<'a>> {
         let source = self.source(path, place)?;
         let base = self.faults.enter(source);
         let mut readable = true;
@@ -112,9 +132,9 @@ impl<'a> Maker<'a, '_> {
         let span = self.faults.span(place);
         self.files.open.push((path.to_owned(), span));
         let scope = Frame::outermost();
-        self.definitions(&tree, &scope);
+        let parts = self.definitions(&tree, &scope);
         self.files.open.pop();
-        Some(scope)
+        Some(Included { scope, parts })
     }
 
     fn source(&mut self, path: &str, place: &Range<usize>) -> Option<&'a Source> {
@@ -140,10 +160,10 @@ impl<'a> Maker<'a, '_> {
         source
     }
 
-    /// What the outermost element of a file defines.
-    fn definitions(&mut self, tree: &Rc<tree::Tree<'a>>, scope: &Scope<'a>) {
+    /// What the outermost element of a file defines; returns its own parts.
+    fn definitions(&mut self, tree: &Rc<tree::Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
         let Some(root) = tree.roots.first() else {
-            return;
+            return vec![];
         };
         let root = Spot { tree, index: *root };
         let storeys = std::mem::take(&mut self.storeys);
@@ -153,7 +173,7 @@ impl<'a> Maker<'a, '_> {
                 Child::Element(index) => Some(root.child(*index)),
                 Child::Text(_) => None,
             })
-            .filter(|spot| spot.tag().is_some_and(is_language) || is_choice(spot))
+            .filter(|spot| spot.tag().is_some_and(defines) || is_choice(spot))
             .collect();
         let (pieces, others): (Vec<_>, Vec<_>) =
             spots.iter().partition(|s| s.tag() == Some(Tag::Define));
@@ -171,6 +191,14 @@ impl<'a> Maker<'a, '_> {
             branch = self.child(spot, &root, scope, aside, branch);
         }
         self.storeys = storeys;
+        let made = &self.made.elements;
+        let inside = made[aside].children.iter();
+        let elements = inside.filter_map(|child| match child {
+            Child::Element(index) => Some(*index),
+            Child::Text(_) => None,
+        });
+        let is_part = |index: &usize| made[*index].name == "PartDef";
+        elements.filter(is_part).collect()
     }
 
     fn aside(&mut self, root: &Spot<'_, 'a>) -> usize {

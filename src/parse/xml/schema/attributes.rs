@@ -4,7 +4,7 @@ use super::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Positions, Text, Whole, WholePair, YesNo,
 };
 use super::kinds::{Bears, Kind, join, may, must, words};
-use crate::ast::{FinialKind, Paint, RoofMethod, RoofShape};
+use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
 use crate::parse::xml::{facades, fittings, house, roofs};
 
 /// Further from the origin than any house of this world in metres, and further than any wall in U or shaku.
@@ -45,7 +45,7 @@ const COVERING: Kind = Choice(&words(&roofs::KINDS));
 const SHAPE: Kind = Choice(&words(&RoofShape::ALL));
 
 #[rustfmt::skip]
-pub(super) const HOUSE: &[Bears] = &[
+const HOUSE_OWN: [Bears; 8] = [
     may("name", Text, "", "its name, which also keys its draws", "建物の名。抽選の鍵にもなる"),
     may("unit", Number(0.1, 100.0), "3", "one unit in shaku: 3 (Edo-ma), 3.15, 3.25 (Kyo-ma)", "1ユニットの長さ(尺)。3(江戸間)、3.15、3.25(京間)"),
     may("seed", Whole(0, u64::MAX), "0", "key of the draws: another seed, another house of the same kind", "抽選の種。変えると同じ型の別の建物になる"),
@@ -55,6 +55,14 @@ pub(super) const HOUSE: &[Bears] = &[
     may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
     may("street", YesNo, "no", "the first line stands on the street: its roof's ridge runs along it", "最初の行が通りに面する(平入りになる)"),
 ];
+/// How old houses are.
+#[rustfmt::skip]
+const AGED: [Bears; 2] = [
+    may("age", Number(0.0, 2000.0), "", "years since it was built: it has weathered; without, nothing has", "築年数。経年変化を表す。無ければ変化しない"),
+    may("era", Choice(&words(&Era::WORDS)), "", "when it was built: E Edo, M Meiji to early Showa, N modern; parts of a later era are younger", "建てた時代。E 江戸、M 明治から昭和初期、N 近代以降。後の時代の部材は新しくなる"),
+];
+pub(super) const HOUSES: &[Bears] = &AGED;
+pub(super) const HOUSE: &[Bears] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
 pub(super) const STOREY: &[Bears] = &[
     may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)"),
@@ -124,7 +132,7 @@ pub(super) const REPLACE: &[Bears] = &[
 pub(super) const TEXTURE: &[Bears] = &[
     must("code", Text, "which part or picture it is said of", "対象の部材または画像"),
     may("reflection", Number(0.0, 100.0), "", "share of light that it mirrors, 0 to 1", "映り込みの割合。0 から 1"),
-    may("src", Text, "", "a picture for it", "画像のファイル"),
+    may("src", Text, "", "the file of its picture, from the folder of this file and below the root", "画像のファイル。このファイルのフォルダから数え、ルートの下に限る"),
 ];
 
 /// What roofs look like.
@@ -302,4 +310,29 @@ pub(super) const ELSE: &[Bears] = &[may("test", TRUTH, "", "a further condition"
 #[rustfmt::skip]
 pub(super) const INCLUDE: &[Bears] = &[
     must("href", Text, "a file, from the folder of this one and below the root", "ファイル名。このファイルのフォルダから数え、ルートの下に限る"),
+];
+#[rustfmt::skip]
+pub(super) const PART_DEF: &[Bears] = &[
+    must("code", Text, "five columns, or a longer name", "5桁のコード、またはそれより長い名"),
+    may("base", Text, "", "the part that it takes over what it does not say from", "書かない値を引き継ぐ部材"),
+    may("ja", Text, "", "its name in Japanese", "和名"),
+    may("romaji", Text, "", "the name in letters", "和名のローマ字"),
+    may("en", Text, "", "what it is, in English", "英語の説明"),
+    may("width", Text, "", "units, 0 to 100; what the fifth column says without", "幅(ユニット)。0 から 100。無ければ5桁目による"),
+    may("from", Text, "", "foot of its opening above the floor, shaku, or metres with `m`", "開口の下端。床から(尺、`m` を付ければメートル)"),
+    may("to", Text, "", "top of its opening", "開口の上端"),
+    may("made", Text, "", "what it is made of, in words", "材料の説明"),
+    may("era", Text, "", "when it was built: E, M, N or all", "時代。E、M、N、all"),
+    may("weathering", Text, "", "weathering classes joined by `+`", "経年変化の分類。`+` でつなぐ"),
+    may("finish", Text, "", "the surface of small walls beside it; with it the part is a wall", "隣の小壁の表面。書けば壁の部材になる"),
+    may("stance", Text, "", "how it stands in the frame: posts, bare, modern, fence or none", "軸組との関係。posts、bare、modern、fence、none"),
+    may("below", Text, "", "what fills the wall under its opening: dado, wall or open", "開口の下を埋めるもの。dado、wall、open"),
+    may("above", Text, "", "whether a small wall fills what is left above its opening", "開口の上に小壁があるか"),
+    may("clear", Text, "", "width of an opening narrower than the bay, mm", "柱間より狭い開口の幅(mm)"),
+    may("reflection", Text, "", "share of light that its glass mirrors, 0 to 1", "ガラスの映り込みの割合。0 から 1"),
+    may("fills", Text, "", "whether it fills the half of a split whatever its heights say", "分割した半分を高さによらず満たすか"),
+    may("floor", Text, "", "the floor that one sees through it", "中に見える床"),
+    may("parapet", Text, "", "how far the front with it rises above the highest storey, shaku", "最上階の上に立ち上がる高さ(尺)"),
+    may("texture", Text, "", "the name of the picture that it shows", "見せる画像の名"),
+    may("depth", Text, "", "how far what shows the texture stands out of the wall's centre line, mm", "画像の面が壁心から出る寸法(mm)"),
 ];

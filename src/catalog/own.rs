@@ -1,0 +1,382 @@
+//! Own parts: which of them are known where, and how one is made from its base.
+//!
+//! A base is found as a code is: among the parts of the same place, then outwards. A part that bears the code of its base
+//! takes the one outside, and so changes a part of the catalogue for the houses that know it.
+
+use super::{Catalog, PartDef, PartId, ScopeId, read};
+use crate::ast::{BodyEntry, CodeText, PartEntry, Said, said};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::catalog as say;
+use crate::diagnostic::messages::xml as elements;
+use crate::source::{Span, Spanned};
+use std::collections::BTreeMap;
+
+/// Parts that are based on one another.
+const DEEPEST: usize = 64;
+
+/// How many scopes are looked through for one that is just the same.
+const LATELY: usize = 64;
+
+/// Numbers for parts; the last one means none.
+const MOST: usize = u16::MAX as usize - 1;
+
+/// Own parts that are known somewhere, and where to look on.
+#[derive(Clone, Debug)]
+pub(super) struct Scope {
+    pub(super) outer: ScopeId,
+    pub(super) names: BTreeMap<Box<str>, PartId>,
+    /// What it was made from.
+    entries: Vec<PartEntry>,
+}
+
+/// The parts of one scope on their way into the catalogue.
+struct Making<'e> {
+    entries: Vec<&'e PartEntry>,
+    /// By code, the first of each.
+    codes: BTreeMap<String, usize>,
+    made: Vec<Option<PartId>>,
+    scope: ScopeId,
+}
+
+/// What a part is based on.
+enum Base {
+    None,
+    /// One of the same scope.
+    Own(usize),
+    /// One further out.
+    Outer(PartId),
+}
+
+impl Catalog {
+    /// Makes parts and the scope in which they are known.
+    pub(super) fn scope(
+        &mut self,
+        outer: ScopeId,
+        entries: &[&PartEntry],
+        out: &mut Diagnostics,
+    ) -> ScopeId {
+        if entries.is_empty() {
+            return outer;
+        }
+        // Variants of a text define the same again and again.
+        let alike = |s: &Scope| s.outer == outer && s.entries.iter().eq(entries.iter().copied());
+        let lately = self.scopes.len().saturating_sub(LATELY);
+        if let Some(at) = self.scopes[lately..].iter().rposition(alike) {
+            return ScopeId((lately + at + 1) as u32);
+        }
+        self.scopes.push(Scope {
+            outer,
+            names: BTreeMap::new(),
+            entries: entries.iter().map(|e| (*e).clone()).collect(),
+        });
+        let scope = ScopeId(self.scopes.len() as u32);
+        let mut making = Making {
+            entries: entries.to_vec(),
+            codes: BTreeMap::new(),
+            made: vec![None; entries.len()],
+            scope,
+        };
+        for (index, entry) in entries.iter().enumerate() {
+            making.enter(index, entry, out);
+        }
+        for index in 0..entries.len() {
+            self.make(&mut making, index, outer, out);
+        }
+        scope
+    }
+
+    /// Makes a part and before it those on which it is based.
+    fn make(
+        &mut self,
+        making: &mut Making<'_>,
+        index: usize,
+        outer: ScopeId,
+        out: &mut Diagnostics,
+    ) {
+        let mut chain = vec![index];
+        let mut base = loop {
+            let last = chain[chain.len() - 1];
+            if making.made[last].is_some() || !making.is_first(last) {
+                chain.pop();
+                break None;
+            }
+            let next = match self.base(making, last, outer, out) {
+                Base::Own(next) => next,
+                Base::Outer(id) => break Some(id),
+                Base::None => break None,
+            };
+            if let Some(first) = chain.iter().position(|i| *i == next) {
+                let links = chain[first..]
+                    .iter()
+                    .chain([&next])
+                    .map(|i| making.link(*i));
+                let span = making.link(last).1;
+                out.push(say::base_cycle(span, &links.collect::<Vec<_>>()));
+                break None;
+            }
+            if chain.len() >= DEEPEST {
+                out.push(say::bases_too_deep(making.link(last).1, DEEPEST));
+                break None;
+            }
+            if let Some(id) = making.made[next] {
+                break Some(id);
+            }
+            chain.push(next);
+        };
+        while let Some(last) = chain.pop() {
+            if self.parts.len() >= MOST {
+                out.push(say::too_many_parts(making.entries[last].span, MOST));
+                return;
+            }
+            let part = self.derived(making.entries[last], base, out);
+            let id = PartId(self.parts.len() as u16);
+            let name: Box<str> = part.code().into();
+            let scope = making.scope.0 as usize - 1; // counted from 1
+            self.scopes[scope].names.insert(name, id);
+            self.parts.push(part);
+            making.made[last] = Some(id);
+            base = Some(id);
+        }
+    }
+
+    /// What a part is based on; what is wrong with that is reported.
+    fn base(
+        &self,
+        making: &Making<'_>,
+        index: usize,
+        outer: ScopeId,
+        out: &mut Diagnostics,
+    ) -> Base {
+        let Some(base) = said(&making.entries[index].attributes, "base") else {
+            return Base::None;
+        };
+        let code = CodeText::new(base.value.trim());
+        match making.codes.get(code.as_str()) {
+            Some(own) if *own != index => return Base::Own(*own),
+            _ => {}
+        }
+        if let Some(id) = self.find_in(outer, &code) {
+            return Base::Outer(id);
+        }
+        let near: Vec<String> = self
+            .nearest(code.as_str())
+            .iter()
+            .map(|id| self.part(*id).code().to_owned())
+            .collect();
+        out.push(say::unknown_base(base.span, base.value.trim(), &near));
+        Base::None
+    }
+
+    /// A part made from its base.
+    fn derived(&self, entry: &PartEntry, base: Option<PartId>, out: &mut Diagnostics) -> PartDef {
+        let base = base.map(|id| self.part(id));
+        let whole = merged(entry, base.map(|b| &b.written), out);
+        let own = said(&entry.attributes, "code").is_some_and(|c| c.value.len() <= 5);
+        let class = base.map(PartDef::class).filter(|_| !own || base.is_some());
+        read::part(&whole, class, out)
+    }
+}
+
+impl Making<'_> {
+    /// Takes the code of a part, unless another one has it.
+    fn enter(&mut self, index: usize, entry: &PartEntry, out: &mut Diagnostics) {
+        let Some(code) = said(&entry.attributes, "code") else {
+            return; // reported by the reader
+        };
+        let text = CodeText::new(code.value.trim());
+        match self.codes.get(text.as_str()) {
+            Some(first) => {
+                let (code, span) = self.link(*first);
+                out.push(say::part_twice(entry.span, &code, span));
+            }
+            None => {
+                self.codes.insert(text.as_str().to_owned(), index);
+            }
+        }
+    }
+
+    /// Whether a part is the one that its code means.
+    fn is_first(&self, index: usize) -> bool {
+        let code = said(&self.entries[index].attributes, "code");
+        let code = code.map(|c| CodeText::new(c.value.trim()));
+        code.is_some_and(|c| self.codes.get(c.as_str()) == Some(&index))
+    }
+
+    /// The code of a part, and where it names its base.
+    fn link(&self, index: usize) -> (String, Span) {
+        let entry = self.entries[index];
+        let code = said(&entry.attributes, "code").map_or("", |c| c.value.trim());
+        let base = said(&entry.attributes, "base");
+        (code.to_owned(), base.map_or(entry.span, |b| b.span))
+    }
+}
+
+/// A part with what it takes over from its base.
+fn merged(entry: &PartEntry, base: Option<&PartEntry>, out: &mut Diagnostics) -> PartEntry {
+    let mut whole = PartEntry {
+        span: entry.span,
+        ..base.cloned().unwrap_or_default()
+    };
+    // A code of five columns tells its own width.
+    let columns = said(&entry.attributes, "code").map(|c| CodeText::new(c.value.trim()));
+    if columns.is_some_and(|code| read::column(&code).is_some()) {
+        whole.attributes.retain(|a| a.name.value != "width");
+    }
+    set(&mut whole.attributes, &entry.attributes);
+    for code in whole
+        .attributes
+        .iter_mut()
+        .filter(|a| a.name.value == "code")
+    {
+        code.value.value = code.value.value.trim().to_owned();
+    }
+    let mut bodies: Vec<BodyEntry> = vec![];
+    for own in &entry.body {
+        match own.word.value.as_str() {
+            "change" | "remove" => change(&mut whole.body, own, out),
+            _ => bodies.push(own.clone()),
+        }
+    }
+    let textured = said(&entry.attributes, "texture").is_some();
+    if textured && entry.body.is_empty() && !has(&whole.body, "picture") {
+        whole.body = vec![BodyEntry {
+            word: Spanned::new("picture".into(), entry.span),
+            attributes: vec![],
+            children: vec![],
+        }];
+    }
+    whole.body.extend(bodies);
+    extrude(&mut whole, entry, out);
+    whole
+}
+
+/// Gives what shows the texture the depth that the part asks for.
+fn extrude(whole: &mut PartEntry, entry: &PartEntry, out: &mut Diagnostics) {
+    let Some(depth) = said(&entry.attributes, "depth") else {
+        return;
+    };
+    if !has(&whole.body, "picture") {
+        let words = words(&whole.body);
+        out.push(say::nothing_to_change(depth.span, "picture", &words));
+        return;
+    }
+    let given = |name: &str, value: String| Said {
+        name: Spanned::new(name.into(), depth.span),
+        value: Spanned::new(value, depth.span),
+    };
+    let back = depth.value.parse::<f64>().map_or(0.0, |front| front + 10.0);
+    let planes = [
+        given("front", depth.value.clone()),
+        given("thick", back.to_string()),
+    ];
+    each(&mut whole.body, "picture", &mut |element| {
+        set(&mut element.attributes, &planes);
+    });
+}
+
+/// Runs a `change` or a `remove` on the body of the base.
+fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
+    let is_change = own.word.value == "change";
+    if let Some(child) = own.children.first() {
+        let Spanned { value, span } = &child.word;
+        out.push(elements::wrong_place(
+            *span,
+            value,
+            Some(&own.word.value),
+            "`PartDef`",
+        ));
+    }
+    let Some(word) = said(&own.attributes, "element") else {
+        if is_change {
+            out.push(elements::attribute_missing(
+                own.word.span,
+                "change",
+                "element",
+            ));
+        } else {
+            body.clear();
+        }
+        return;
+    };
+    let at = said(&own.attributes, "at");
+    let wanted: Option<usize> = at.and_then(|at| at.value.trim().parse().ok());
+    let (mut seen, mut hit) = (0, false);
+    let known = ["element", "at"];
+    let news: Vec<Said> = own
+        .attributes
+        .iter()
+        .filter(|a| !known.contains(&a.name.value.as_str()))
+        .cloned()
+        .collect();
+    let mut takes = || {
+        seen += 1;
+        let takes = at.is_none() || wanted == Some(seen);
+        hit |= takes;
+        takes
+    };
+    match is_change {
+        true => each(body, &word.value, &mut |element| {
+            if takes() {
+                set(&mut element.attributes, &news);
+            }
+        }),
+        false => retain(body, &word.value, &mut || !takes()),
+    }
+    if !hit {
+        let span = at.filter(|_| seen > 0).map_or(word.span, |at| at.span);
+        out.push(say::nothing_to_change(span, &word.value, &words(body)));
+    }
+}
+
+/// Every element of a word, those inside others too.
+fn each(body: &mut [BodyEntry], word: &str, act: &mut dyn FnMut(&mut BodyEntry)) {
+    for element in body {
+        if element.word.value == word {
+            act(element);
+        }
+        each(&mut element.children, word, act);
+    }
+}
+
+/// Keeps the elements of a word for which `stays` holds, and all others.
+fn retain(body: &mut Vec<BodyEntry>, word: &str, stays: &mut dyn FnMut() -> bool) {
+    body.retain_mut(|element| {
+        let stays_itself = element.word.value != word || stays();
+        if stays_itself {
+            retain(&mut element.children, word, stays);
+        }
+        stays_itself
+    });
+}
+
+fn has(body: &[BodyEntry], word: &str) -> bool {
+    body.iter()
+        .any(|e| e.word.value == word || has(&e.children, word))
+}
+
+/// The words of a body, each once.
+fn words(body: &[BodyEntry]) -> Vec<String> {
+    let mut found: Vec<String> = vec![];
+    for element in body {
+        let inside = words(&element.children);
+        for word in std::iter::once(element.word.value.clone()).chain(inside) {
+            if !found.contains(&word) {
+                found.push(word);
+            }
+        }
+    }
+    found
+}
+
+/// Sets attributes anew; those that are not named stay.
+fn set(attributes: &mut Vec<Said>, news: &[Said]) {
+    for new in news {
+        match attributes
+            .iter_mut()
+            .find(|a| a.name.value == new.name.value)
+        {
+            Some(old) => *old = new.clone(),
+            None => attributes.push(new.clone()),
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! The own parts of files, for the list and the sheet.
+
+use crate::catalog::{Catalog, PartDef};
+use crate::cli::Stop;
+use crate::cli::input::Inputs;
+use crate::cli::options::report;
+use crate::cli::world::FolderWorld;
+use crate::diagnostic::{Diagnostics, Language};
+use crate::driver;
+use crate::report::{Format, Report};
+use crate::source::Limits;
+use std::borrow::Cow;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What files define.
+pub(super) struct Own {
+    catalog: Cow<'static, Catalog>,
+    builtin: usize,
+    /// Whether they are without errors.
+    pub(super) sound: bool,
+}
+
+impl Own {
+    /// The parts of the files.
+    pub(super) fn parts(&self) -> &[PartDef] {
+        &self.catalog.parts()[self.builtin..]
+    }
+}
+
+/// Reads files of parts; what is wrong with them is said.
+pub(super) fn read(paths: &[PathBuf], language: Language) -> Result<Own, Stop> {
+    let limits = Limits::default();
+    let mut out = Diagnostics::new();
+    let inputs = Inputs::read(paths, limits.bytes, &mut out)?;
+    let folder = |p: &PathBuf| p.parent().unwrap_or(Path::new("")).to_owned();
+    let folders: Vec<PathBuf> = paths.iter().map(folder).collect();
+    let world = FolderWorld::new(folders.clone(), limits.pixels).with_roots(folders);
+    let sources = inputs.accepted();
+    let mut own = driver::documents(&sources, &world, &driver::Options::default(), &mut out);
+    let included = std::mem::take(&mut own.included);
+    let sound = !out.has_errors();
+    let list = out.into_sorted();
+    if !list.is_empty() {
+        let sources = inputs.and(included);
+        let told = Report::new(&sources, &list).in_language(language);
+        report(&told, Format::Human, &mut io::stderr())?;
+    }
+    Ok(Own {
+        catalog: own.catalog,
+        builtin: crate::parse::builtin().parts().len(),
+        sound,
+    })
+}

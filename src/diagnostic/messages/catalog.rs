@@ -1,0 +1,165 @@
+//! Messages about own parts (HSD0323 and following).
+
+use super::words::{all_of, any_of, quote, short};
+use crate::diagnostic::{Diagnostic, Noun};
+use crate::source::Span;
+use crate::text;
+
+/// Links of a chain that a message marks.
+const MARKED: usize = 6;
+
+/// A base that is no part.
+#[cold]
+pub fn unknown_base(span: Span, code: &str, near: &[String]) -> Diagnostic {
+    let code = quote(code);
+    let message = text!(
+        "the base {code} is no part",
+        "base の {code} という部材はありません"
+    );
+    let any = any_of(near);
+    Diagnostic::error(323, span, message).help(match near.is_empty() {
+        true => text!(
+            "name a part of the catalogue or of this file; `hsd parts` lists them",
+            "既製の部材か、このファイルの部材を指定してください。一覧は `hsd parts` で見られます"
+        ),
+        false => text!([any] "did you mean {any}?", "{any} ではありませんか"),
+    })
+}
+
+/// Parts that are based on each other.
+#[cold]
+pub fn base_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
+    let names = |between: &str| {
+        let all: Vec<String> = chain.iter().map(|(code, _)| quote(code)).collect();
+        all.join(between)
+    };
+    let (en, ja) = (names(" on "), names(" → "));
+    let message = text!(
+        "a part would be based on itself: {en}",
+        "部材が自分自身を base にしています: {ja}"
+    );
+    let found = Diagnostic::error(324, span, message).help(text!(
+        "name another base for one of them, or none",
+        "どれか一つの base を別の部材にするか、なくしてください"
+    ));
+    let others = chain.iter().filter(|(_, place)| *place != span);
+    others.take(MARKED).fold(found, |found, (code, place)| {
+        let code = quote(code);
+        found.label(*place, text!("the base of {code}", "{code} の base"))
+    })
+}
+
+/// Parts on parts on parts without end.
+#[cold]
+pub fn bases_too_deep(span: Span, limit: usize) -> Diagnostic {
+    let message = text!(
+        "more than {limit} parts are based on one another",
+        "部材の base が {limit} 段より深く続いています"
+    );
+    Diagnostic::error(324, span, message).help(text!(
+        "base the part on an earlier one of them",
+        "もっと手前の部材を base にしてください"
+    ))
+}
+
+/// Two parts of one code.
+#[cold]
+pub fn part_twice(span: Span, code: &str, first: Span) -> Diagnostic {
+    let code = quote(code);
+    let message = text!(
+        "the part {code} is defined twice",
+        "部材 {code} が二度定義されています"
+    );
+    Diagnostic::error(325, span, message)
+        .help(text!(
+            "give one of them another code, or remove it; the first one counts",
+            "片方のコードを変えるか、取り除いてください。最初のものを使います"
+        ))
+        .label(first, text!("the first one", "最初の定義"))
+}
+
+/// An attribute of a part or a body that says nothing it could mean.
+#[cold]
+pub fn wrong_value(span: Span, name: &str, value: &str, form: Noun) -> Diagnostic {
+    let value = quote(value);
+    let message = text!(
+        "{value} cannot be the `{name}` of a part",
+        "{value} は部材の `{name}` として読めません"
+    );
+    Diagnostic::error(326, span, message).help(text!([form]
+        "write {form}",
+        "{form}を書いてください"
+    ))
+}
+
+/// A code whose fifth column tells another width.
+#[cold]
+pub fn width_column(span: Span, code: &str, width: f64, column: f64) -> Diagnostic {
+    let (code, width, column) = (quote(code), short(width), short(column));
+    let message = text!(
+        "{code} is {width} U wide, but its fifth column says {column}",
+        "{code} の幅は {width} U ですが、五桁目は {column} を表しています"
+    );
+    Diagnostic::warning(327, span, message).help(text!(
+        "end the code with the width: a blank for 1, `h` for a half, a digit for others; or use a name of six letters or more",
+        "コードの最後に幅を書いてください。1 は空白、半分は `h`、そのほかは数字です。六文字以上の名前も使えます"
+    ))
+}
+
+/// A change of something that the base has not.
+#[cold]
+pub fn nothing_to_change(span: Span, word: &str, words: &[String]) -> Diagnostic {
+    let word = quote(word);
+    let message = text!(
+        "the base has no element {word} here",
+        "base のこの位置に {word} という要素はありません"
+    );
+    let all = all_of(words);
+    Diagnostic::error(328, span, message).help(match words.is_empty() {
+        true => text!(
+            "a part without a base, or with an empty one, has nothing to change: write its elements",
+            "base のない部材や中身のない base には変えるものがありません。要素をそのまま書いてください"
+        ),
+        false => text!([all] "its elements are {all}", "要素は {all} です"),
+    })
+}
+
+/// A part of more shapes than anybody could see.
+#[cold]
+pub fn too_fine(span: Span, code: &str, count: f64, limit: f64) -> Diagnostic {
+    let code = quote(code);
+    let message = text!(
+        "{code} would be made of {count} pieces, more than {limit}",
+        "{code} は {count} 個の部分からなり、上限の {limit} 個を超えます"
+    );
+    Diagnostic::error(329, span, message).help(text!(
+        "lower the counts, or show the fine ones by a texture",
+        "個数を減らすか、細かいものはテクスチャーで表してください"
+    ))
+}
+
+/// A file of parts in which none are.
+#[cold]
+pub fn no_parts(span: Span) -> Diagnostic {
+    let message = text!(
+        "this file should define parts, but has none",
+        "部材を定義するはずのファイルですが、部材がありません"
+    );
+    Diagnostic::warning(330, span, message).help(text!(
+        "write `<Catalog><PartDef code=\"...\" base=\"...\"/></Catalog>`",
+        "`<Catalog><PartDef code=\"...\" base=\"...\"/></Catalog>` と書いてください"
+    ))
+}
+
+/// More parts than numbers for them.
+#[cold]
+pub fn too_many_parts(span: Span, limit: usize) -> Diagnostic {
+    let message = text!(
+        "more than {limit} parts are defined",
+        "部材の定義が {limit} 個を超えています"
+    );
+    Diagnostic::error(331, span, message).help(text!(
+        "leave out those that no house uses",
+        "どの家も使わないものを取り除いてください"
+    ))
+}

@@ -1,0 +1,83 @@
+//! The parts of a run: the built-in ones, those of files named for it or lying beside a text, those of the texts.
+
+use crate::ast::Document;
+use crate::catalog::{Catalog, ScopeId};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::catalog as say;
+use crate::parse::xml::Trees;
+use crate::parse::{self, Setting};
+use crate::source::Source;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+/// The file beside a text whose parts it knows.
+const BESIDE: &str = "catalog.hsd";
+
+/// The catalogue of a run, with what each house knows. `given` are files for all texts.
+pub fn catalog<'a>(
+    sources: &[&Source],
+    documents: &[Document],
+    given: &'a [Source],
+    (setting, trees): (Setting<'a>, &mut Trees<'a>),
+    out: &mut Diagnostics,
+) -> Cow<'static, Catalog> {
+    let builtin = parse::builtin();
+    let given: Vec<(&Source, Document)> = given
+        .iter()
+        .map(|s| (s, parse::parse_in(s, setting, trees, out)))
+        .collect();
+    for (source, document) in &given {
+        if document.parts.is_empty() {
+            out.push(say::no_parts(source.span(0..0)));
+        }
+    }
+    let beside: Vec<Option<&Source>> = sources.iter().map(|s| beside(s, setting)).collect();
+    let own = |d: &Document| !d.parts.is_empty() || d.houses.iter().any(|h| !h.parts.is_empty());
+    let any = documents.iter().any(own) || given.iter().any(|(_, d)| own(d));
+    if !any && beside.iter().all(Option::is_none) {
+        return Cow::Borrowed(builtin);
+    }
+    let mut catalog = builtin.clone();
+    // By file: texts of one folder share what lies beside them.
+    let mut folders: BTreeMap<Option<&str>, ScopeId> = BTreeMap::new();
+    // Of variants there are the documents of all sources again and again.
+    let all = sources.iter().zip(beside).cycle();
+    for (document, (source, file)) in documents.iter().zip(all) {
+        let known = folders.get(&file.map(Source::name)).copied();
+        let scope = known.unwrap_or_else(|| {
+            let mut scope = ScopeId::default();
+            if let Some(file) = file {
+                let parts = parse::parse_in(file, setting, trees, out).parts;
+                if parts.is_empty() {
+                    out.push(say::no_parts(file.span(0..0)));
+                }
+                scope = catalog.extend(scope, file.id(), &parts, out);
+            }
+            for (source, document) in &given {
+                scope = catalog.extend(scope, source.id(), &document.parts, out);
+            }
+            folders.insert(file.map(Source::name), scope);
+            scope
+        });
+        let scope = catalog.extend(scope, source.id(), &document.parts, out);
+        let mut houses = vec![];
+        for house in &document.houses {
+            houses.push(catalog.extend(scope, source.id(), &house.parts, out));
+        }
+        catalog.settle(houses);
+    }
+    Cow::Owned(catalog)
+}
+
+/// The file of parts beside a text, unless the text is that file itself.
+fn beside<'a>(source: &Source, setting: Setting<'a>) -> Option<&'a Source> {
+    let path = setting.world.text(source.name(), BESIDE).ok()?;
+    if path == source.name() {
+        return None;
+    }
+    if let Some(there) = setting.shelf.find(&path) {
+        return Some(there);
+    }
+    let bytes = setting.world.text_bytes(&path, setting.limits.bytes).ok()?;
+    setting.shelf.add(&path, &bytes)
+}

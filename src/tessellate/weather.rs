@@ -1,0 +1,269 @@
+//! What the weather has done to a mesh (domain.md 4.9): which surface each of its triangles has by now.
+//!
+//! A mesh is made as if new. Its triangles then go over to the surfaces that theirs have become, by how high they lie,
+//! or on roofs by which way they face. Everything in a [`Weather`] is quantised, and those that come to the same surfaces
+//! share a mesh, so that a street of old houses is little larger than one of new ones.
+
+use super::mesh::{Bodies, Soup};
+use crate::draw::Place;
+use crate::geometry::Heading;
+use crate::material::{Luck, SurfaceId, Wear};
+use glam::{DVec2, dvec2};
+use std::sync::LazyLock;
+
+/// Years are told apart where some material changes, roughly.
+const YEARS: [f64; 20] = [
+    0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 36.0, 50.0, 80.0,
+    120.0, 200.0, 400.0,
+];
+
+/// Steps between no weather and all of it.
+const STEPS: f64 = 10.0;
+
+/// Directions that roofs look to.
+const TURNS: usize = 16;
+
+/// How much sun falls on what looks north, east, south and west.
+const SUN: [f64; 4] = [0.4, 0.7, 1.0, 0.8];
+
+/// Moss grows sooner where the sun does not dry it, on what lies: such slopes count as older by this.
+const MOSS: f64 = 1.5;
+
+/// What the triangles of a mesh have become, with how many of them in a row.
+pub(super) type CameTo = Vec<(SurfaceId, u32)>;
+
+/// A number of [`YEARS`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Years(u8);
+
+impl Years {
+    pub(super) fn new(years: f64) -> Years {
+        let reached = YEARS.partition_point(|y| *y <= years);
+        Years(reached.saturating_sub(1) as u8)
+    }
+
+    fn value(self) -> f64 {
+        YEARS[usize::from(self.0)]
+    }
+}
+
+/// The share of rain and sun in steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Exposure(u8);
+
+impl Exposure {
+    pub(super) fn new(share: f64) -> Exposure {
+        Exposure((share.clamp(0.0, 1.0) * STEPS + 0.5) as u8)
+    }
+
+    fn value(self) -> f64 {
+        f64::from(self.0) / STEPS
+    }
+}
+
+/// What a mesh has been through.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) enum Weather {
+    /// Nothing: it looks as its surfaces are named.
+    #[default]
+    None,
+    /// A wall, or what stands before it.
+    Wall {
+        years: Years,
+        luck: Luck,
+        /// Where the foot ends and the head begins, centimetres in the frame of the mesh.
+        limits: [i16; 2],
+        /// Of the foot, of what is between, of the head.
+        zones: [Exposure; 3],
+    },
+    /// What lies open to the sky.
+    Roof {
+        years: Years,
+        luck: Luck,
+        /// How far the frame of the mesh is turned on the compass.
+        turn: u8,
+    },
+}
+
+impl Weather {
+    /// The same all over.
+    pub(super) fn even(years: f64, exposure: f64, luck: Luck) -> Weather {
+        Weather::Wall {
+            years: Years::new(years),
+            luck,
+            limits: [0; 2],
+            zones: [Exposure::new(exposure); 3],
+        }
+    }
+
+    /// The same mesh seen in a frame that is turned further.
+    pub(super) fn turned(self, by: DVec2) -> Weather {
+        match self {
+            Weather::Roof { years, luck, turn } => Weather::Roof {
+                years,
+                luck,
+                turn: turn_of(vector(turn).rotate(by)),
+            },
+            other => other,
+        }
+    }
+
+    /// What a surface has become at a height.
+    pub(super) fn at(self, id: SurfaceId, z: f64) -> SurfaceId {
+        self.of(id, z, [0.0, -1.0, 0.0])
+    }
+
+    /// What a surface has become at a height, looking this way.
+    fn of(self, id: SurfaceId, z: f64, normal: [f32; 3]) -> SurfaceId {
+        let (years, luck, exposure) = match self {
+            Weather::None => return id,
+            Weather::Wall {
+                years,
+                luck,
+                limits,
+                zones,
+            } => {
+                let [low, high] = limits.map(|l| f64::from(l) / 100.0);
+                let zone = usize::from(z >= low) + usize::from(z >= low.max(high));
+                (years.value(), luck, zones[zone].value())
+            }
+            Weather::Roof { years, luck, turn } => {
+                let (older, exposure) = open(normal, vector(turn));
+                (years.value() * older, luck, exposure)
+            }
+        };
+        id.worn(Wear {
+            years,
+            exposure,
+            luck,
+        })
+    }
+
+    /// Triangles in the surfaces that they have become, in the order of first use.
+    pub(super) fn wear(self, soups: Vec<(SurfaceId, Soup)>) -> Vec<(SurfaceId, Soup)> {
+        if self == Weather::None {
+            return soups;
+        }
+        let mut worn: Vec<(SurfaceId, Soup)> = vec![];
+        for (id, soup) in soups {
+            let faces = soup.indices.chunks_exact(3);
+            let surfaces: Vec<SurfaceId> = faces.map(|t| self.of_triangle(id, &soup, t)).collect();
+            let mut kinds = surfaces.clone();
+            kinds.sort_unstable();
+            kinds.dedup();
+            for kind in kinds {
+                let at = worn.iter().position(|(s, _)| *s == kind);
+                let at = at.unwrap_or_else(|| {
+                    worn.push((kind, Soup::default()));
+                    worn.len() - 1
+                });
+                let chosen = surfaces.iter().map(|s| *s == kind);
+                worn[at].1.take(&soup, chosen);
+            }
+        }
+        worn
+    }
+
+    /// What the triangles of bodies become, one after another.
+    pub(super) fn comes_to(self, bodies: &Bodies) -> CameTo {
+        let mut all = vec![];
+        if self == Weather::None {
+            return all;
+        }
+        let panels = bodies.panels.iter().flat_map(|p| &p.soups);
+        for (id, soup) in bodies.soups.iter().chain(panels) {
+            for triangle in soup.indices.chunks_exact(3) {
+                let surface = self.of_triangle(*id, soup, triangle);
+                match all.last_mut() {
+                    Some((last, count)) if *last == surface => *count += 1,
+                    _ => all.push((surface, 1)),
+                }
+            }
+        }
+        all
+    }
+
+    fn of_triangle(self, id: SurfaceId, soup: &Soup, triangle: &[u32]) -> SurfaceId {
+        let z = triangle
+            .iter()
+            .map(|i| f64::from(soup.positions[*i as usize][2]));
+        let (low, high) = z.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), z| {
+            (lo.min(z), hi.max(z))
+        });
+        let normal = soup.normals[triangle[0] as usize];
+        // Both triangles of an upright rectangle lie between the same heights.
+        self.of(id, (low + high) / 2.0, normal)
+    }
+}
+
+impl Soup {
+    /// Adds triangles of another soup, those that are chosen.
+    fn take(&mut self, other: &Soup, chosen: impl Iterator<Item = bool>) {
+        let mut moved: Vec<Option<u32>> = vec![None; other.positions.len()];
+        for (triangle, chosen) in other.indices.chunks_exact(3).zip(chosen) {
+            for i in triangle.iter().filter(|_| chosen) {
+                let at = *i as usize;
+                let to = *moved[at].get_or_insert_with(|| {
+                    self.positions.push(other.positions[at]);
+                    self.normals.push(other.normals[at]);
+                    self.uvs.push(other.uvs[at]);
+                    self.positions.len() as u32 - 1
+                });
+                self.indices.push(to);
+            }
+        }
+    }
+}
+
+/// How much older a face is that looks this way, and its share of rain and sun.
+fn open(normal: [f32; 3], turn: DVec2) -> (f64, f64) {
+    let [x, y, z] = normal.map(f64::from);
+    if z < -0.05 {
+        return (1.0, 0.0); // seen from below
+    }
+    let level = dvec2(x, y);
+    let sun = match level.length() > 1e-6 {
+        true => sun(turn.rotate(level.normalize())),
+        false => 0.85,
+    };
+    if z < 0.3 {
+        return (1.0, 0.7 * sun); // a gable, an edge
+    }
+    let older = if sun < 0.55 { MOSS } else { 1.0 };
+    (older, (0.4 + 0.6 * sun).min(1.0))
+}
+
+/// The sun on what looks this way; x east, y north.
+pub(super) fn sun(way: DVec2) -> f64 {
+    let [north, east, south, west] = SUN;
+    let across = if way.x > 0.0 { east } else { west };
+    let along = if way.y > 0.0 { north } else { south };
+    // Squares of sine and cosine add up to 1.
+    let all = way.length_squared().max(1e-12);
+    (across * way.x * way.x + along * way.y * way.y) / all
+}
+
+static VECTORS: LazyLock<[DVec2; TURNS]> = LazyLock::new(|| {
+    std::array::from_fn(|i| Heading::new(i as f64 * 360.0 / TURNS as f64).vector())
+});
+
+fn vector(turn: u8) -> DVec2 {
+    VECTORS[usize::from(turn) % TURNS]
+}
+
+/// The nearest of the directions.
+pub(super) fn turn_of(way: DVec2) -> u8 {
+    let all = VECTORS.iter().enumerate();
+    let near = all.max_by(|a, b| way.dot(*a.1).total_cmp(&way.dot(*b.1)));
+    near.map_or(0, |(i, _)| i as u8)
+}
+
+/// How something turned out.
+pub(super) fn luck(place: Place) -> Luck {
+    Luck((place.named("luck").share() * f64::from(Luck::COUNT)) as u8)
+}
+
+/// A number of years as it counts at a place: no two things are exposed alike.
+pub(super) fn years_at(years: f64, place: Place) -> f64 {
+    years * (0.75 + 0.5 * place.named("years").share())
+}
