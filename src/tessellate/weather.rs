@@ -124,7 +124,9 @@ impl Weather {
                 zones,
             } => {
                 let [low, high] = limits.map(|l| f64::from(l) / 100.0);
-                let zone = usize::from(z >= low) + usize::from(z >= low.max(high));
+                // Nothing splashes on what looks down, and nobody sees it.
+                let foot = z < low && normal[2] > -0.5;
+                let zone = usize::from(!foot) + usize::from(z >= low.max(high));
                 (years.value(), luck, zones[zone].value())
             }
             Weather::Roof { years, luck, turn } => {
