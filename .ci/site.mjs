@@ -32,7 +32,7 @@ for (const name of readdirSync(join(root, 'grammar/diagnostics')).filter(n => n.
 const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['examples', 'readme.html']]);
 
 const menu = {
-  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'],
+  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Own parts'],
     ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
   ja: [['ja/index.html', 'はじめに'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'], ['ja/messages/index.html', 'メッセージ']],
 };
