@@ -4,7 +4,7 @@
 #![no_main]
 
 use hsd::diagnostic::{Code, Diagnostics};
-use hsd::expand::Options;
+use hsd::expand;
 use hsd::print::{encode, format};
 use hsd::source::{FileId, Limits, NoPictures, Source};
 use libfuzzer_sys::fuzz_target;
@@ -23,9 +23,12 @@ fuzz_target!(|bytes: &[u8]| {
         assert_eq!(format(&again, &limits, &mut out).as_deref(), Some(&*text));
     }
     assert!(out.iter().all(|d| d.code != Code(801)));
-    let options = Options {
-        limits,
-        ..Options::default()
+    let options = hsd::Options {
+        expand: expand::Options {
+            limits,
+            ..expand::Options::default()
+        },
+        ..hsd::Options::default()
     };
     let _ = hsd::driver::convert(&source, &NoPictures, &options, &mut out);
 });
