@@ -17,10 +17,11 @@ if (!out) throw new Error('usage: site.mjs HSD OUT_DIR');
 /** From a file of the repository to a page of the site. */
 const pages = new Map([
   ['grammar/README.md', 'index.html'],
+  ['grammar/README.ja.md', 'ja/language.html'],
   ['README.md', 'readme.html'],
   ['README.ja.md', 'ja/readme.html'],
 ]);
-for (const name of readdirSync(join(root, 'grammar')).filter(n => n.endsWith('.md') && n !== 'README.md')) {
+for (const name of readdirSync(join(root, 'grammar')).filter(n => n.endsWith('.md') && !n.startsWith('README'))) {
   const japanese = name.endsWith('.ja.md');
   pages.set(`grammar/${name}`, japanese ? `ja/${name.replace('.ja.md', '.html')}` : name.replace('.md', '.html'));
 }
@@ -29,12 +30,12 @@ for (const name of readdirSync(join(root, 'grammar/diagnostics')).filter(n => n.
   pages.set(`grammar/diagnostics/ja/${name}`, `ja/messages/${name.replace('.md', '.html')}`);
 }
 /** Folders that a page stands for. */
-const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['examples', 'readme.html']]);
+const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['grammar/diagnostics/ja', 'ja/messages/index.html'], ['grammar/pictures/legacy', 'legacy.html'], ['examples', 'readme.html']]);
 
 const menu = {
   en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Own parts'],
     ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
-  ja: [['ja/index.html', 'はじめに'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'], ['ja/messages/index.html', 'メッセージ']],
+  ja: [['ja/index.html', 'はじめに'], ['ja/language.html', '言語'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'], ['ja/messages/index.html', 'メッセージ']],
 };
 
 const relative = (from, to) => posix.relative(posix.dirname(from), to) || posix.basename(to);
@@ -44,7 +45,11 @@ const entries = { en: [], ja: [] };
 const written = new Map();
 
 /** The same page in the other language. */
-const twin = page => page.startsWith('ja/') ? page.slice(3) : `ja/${page}`;
+const twin = page => {
+  if (page === 'index.html') return 'ja/language.html';
+  if (page === 'ja/language.html') return 'index.html';
+  return page.startsWith('ja/') ? page.slice(3) : `ja/${page}`;
+};
 
 /** Codes of messages in a text as links to their pages. */
 function with_messages(page, language, html) {

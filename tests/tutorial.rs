@@ -60,6 +60,19 @@ fn both_languages_show_the_same() {
 }
 
 #[test]
+fn the_language_is_shown_by_the_same_texts() {
+    let (english, japanese) = (page("README.md"), page("README.ja.md"));
+    let (en, ja) = (fenced(&english), fenced(&japanese));
+    assert!(ja.len() > 3);
+    for text in &ja {
+        assert!(en.contains(text), "not in English:\n{text}");
+    }
+    for link in links(&japanese) {
+        assert!(root().join(FOLDER).join(link).exists(), "{link}");
+    }
+}
+
+#[test]
 fn every_text_builds_what_is_said() {
     let page = page("tutorial.md");
     let texts = texts(&page);
