@@ -76,6 +76,7 @@ pub mod solid;
 pub mod street;
 mod tops;
 pub mod triangulate;
+mod verges;
 mod twins;
 mod written;
 

@@ -232,7 +232,7 @@ pub(super) fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
 }
 
 /// The pieces of `piece` outside the common part of some half-planes.
-fn subtract<'s>(
+pub(super) fn subtract<'s>(
     piece: Vec<Corner>,
     sides: impl Iterator<Item = &'s HalfPlane> + Clone,
     left: &mut Vec<Vec<Corner>>,

@@ -2,13 +2,15 @@
 //!
 //! Eaves vanish inside a neighbour, branches die in their trunk's slope, valleys run where two
 //! slopes cross; what remains of each roof is still a closed solid of its own, and no two overlap.
-//! Verges are the exception: they stand over a lower neighbour and take nothing from it.
+//! Verges are the exception: they stand over a lower neighbour and take nothing from it but what would stand in them
+//! (`verges`).
 
 use super::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves};
 use super::form::Form;
 use super::frame::Rect;
 use super::nearby::Nearby;
 use super::sheet::{Piece, has_area};
+use super::verges::clear_verges;
 use glam::DVec2;
 
 /// What is left of one form: the pieces of its surface.
@@ -59,7 +61,9 @@ pub(super) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<Met>> {
         let facets = forms[n].facets.iter();
         facets.flat_map(|f| remaining(f, &cutters)).collect()
     };
-    Some((0..forms.len()).map(kept).collect())
+    let mut met: Vec<Met> = (0..forms.len()).map(kept).collect();
+    clear_verges(forms, &mut met, |n| roofs.overlapping(&boxes[n]));
+    Some(met)
 }
 
 fn whole(form: &Form) -> Vec<Piece> {

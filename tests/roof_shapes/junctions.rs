@@ -65,10 +65,9 @@ pub fn worst_overlap(building: &Building, draws: &mut Draws, places: usize) -> f
     worst
 }
 
-/// Where a verge stands over eaves or a slope by less than its thickness, the two sheets still share a corner:
-/// in so many plans, and no deeper than a sheet is thick, metres. Fills stand in no other roof.
-const SHARED: usize = 13;
-const SHEET: f64 = 0.136;
+/// Eaves over a lean-to that is tucked under another roof may still stand in it: in so many plans, and so deep, metres.
+const TUCKED: usize = 1;
+const DEEP: f64 = 0.06;
 
 #[test]
 fn no_roof_sticks_in_another() {
@@ -93,15 +92,10 @@ fn no_roof_sticks_in_another() {
         let (building, _) = build(house);
         let worst = worst_overlap(&building, &mut draws, 400);
         let place = format!("plan {n} {}: {worst:.3} m", shape.letters());
-        assert!(worst < SHEET, "{place}");
+        assert!(worst < DEEP, "{place}");
         if worst > JOINT {
             failed.push(place);
         }
     }
-    assert!(
-        failed.len() <= SHARED,
-        "{} of 240\n{}",
-        failed.len(),
-        failed.join("\n")
-    );
+    assert!(failed.len() <= TUCKED, "{}", failed.join("\n"));
 }
