@@ -19,7 +19,7 @@ use crate::source::{Span, Spanned};
 use draft::Draft;
 
 /// Parts that a storey of a house written short takes of the limit.
-const PARTS_A_STOREY: u64 = 800;
+const PARTS_A_STOREY: u64 = 1250;
 
 impl Pass<'_, '_> {
     /// The storeys of a house that is written short; `None` where it is not.

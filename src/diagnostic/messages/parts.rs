@@ -372,8 +372,8 @@ pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {
         "短い書き方の建物の階が合わせて {limit} を超えます。これ以降の建物は作りません"
     );
     Diagnostic::error(904, span, message).help(text!(
-        "divide the file, or raise the limit by `--max-parts`: a storey takes 800 parts of it",
-        "ファイルを分けるか、`--max-parts` で上限を上げてください。一階につき部材 800 個分です"
+        "divide the file, or raise the limit by `--max-parts`: a storey takes 1250 parts of it",
+        "ファイルを分けるか、`--max-parts` で上限を上げてください。一階につき部材 1250 個分です"
     ))
 }
 
