@@ -46,10 +46,14 @@ pub(super) fn solids(
         let number = |id: u32| {
             let known = &mut numbers[id as usize];
             if known.0 != n {
-                // Solids that touch in a point have it twice.
-                let own = solid.points.iter().position(|p| *p == points[id as usize]);
-                let own = own.filter(|_| known.0 != usize::MAX).unwrap_or_else(|| {
-                    solid.points.push(points[id as usize]);
+                let point = points[id as usize];
+                // Solids that touch in a point have it twice; in most it is met for the first time.
+                let own = match known.0 {
+                    usize::MAX => None,
+                    _ => solid.points.iter().position(|p| *p == point),
+                };
+                let own = own.unwrap_or_else(|| {
+                    solid.points.push(point);
                     solid.points.len() - 1
                 });
                 *known = (n, own as u32);

@@ -6,18 +6,19 @@ use glam::DVec3;
 /// Corners that turn the wrong way by less are straight, as the sine of the turn.
 const STRAIGHT: f64 = 1e-7;
 
-/// Merges faces until none can be merged with a neighbour.
+/// How often neighbours are looked for. Each time a face takes at most one, so that long rows of faces would else be
+/// gone through as often as they are long.
+const ROUNDS: usize = 16;
+
+/// Merges faces with their neighbours, as far as some rounds go.
 pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
-    loop {
-        let mut edges: Vec<(u32, u32, u32)> = Vec::with_capacity(4 * faces.len());
-        for ((corners, _), f) in faces.iter().zip(0..) {
-            let next = corners.iter().cycle().skip(1);
-            edges.extend(corners.iter().zip(next).map(|(p, q)| (*p, *q, f)));
-        }
-        edges.sort_unstable();
+    // Faces that nobody has tried to merge as they are now.
+    let mut fresh = vec![true; faces.len()];
+    for _ in 0..ROUNDS {
+        let edges = edges(faces);
+        let mut grown = vec![false; faces.len()];
         let mut taken = vec![false; faces.len()];
-        let mut found = false;
-        for &(p, q, f) in &edges {
+        for &(p, q, f) in edges.iter().filter(|(p, q, _)| p < q) {
             let at = edges.partition_point(|e| (e.0, e.1) < (q, p));
             let [back, rest @ ..] = &edges[at..] else {
                 continue;
@@ -25,21 +26,33 @@ pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
             let lonely =
                 (back.0, back.1) == (q, p) && rest.first().is_none_or(|e| (e.0, e.1) != (q, p));
             let (f, g) = (f as usize, back.2 as usize);
-            if !lonely || f == g || taken[f] || taken[g] || faces[f].1 != faces[g].1 {
+            let met = lonely && f != g && !taken[f] && !taken[g] && faces[f].1 == faces[g].1;
+            if !met || !(fresh[f] || fresh[g]) {
                 continue;
             }
             if let Some(both) = joined(points, &faces[f].0, &faces[g].0, [p, q]) {
                 faces[f].0 = both;
                 faces[g].0.clear();
-                (taken[f], taken[g]) = (true, true);
-                found = true;
+                (taken[f], taken[g], grown[f]) = (true, true, true);
             }
         }
-        faces.retain(|f| !f.0.is_empty());
-        if !found {
-            return;
+        if !grown.contains(&true) {
+            break;
         }
+        fresh = grown;
     }
+    faces.retain(|f| !f.0.is_empty());
+}
+
+/// Every edge with the face that runs along it, sorted.
+fn edges(faces: &[Polygon]) -> Vec<(u32, u32, u32)> {
+    let mut edges = Vec::with_capacity(4 * faces.len());
+    for ((corners, _), f) in faces.iter().zip(0..) {
+        let next = corners.iter().cycle().skip(1);
+        edges.extend(corners.iter().zip(next).map(|(p, q)| (*p, *q, f)));
+    }
+    edges.sort_unstable();
+    edges
 }
 
 /// Two faces that share an edge, which the first runs along from one end to the other, as one convex face.
