@@ -1,18 +1,22 @@
 //! Bad input: nothing panics, every error has its place, nothing takes long. Language.md 7.
 
+#[path = "../support/mod.rs"]
 mod support;
 
+mod heaps;
+mod mutations;
+
+use heaps::{comb, mebibyte, pile_of_roofs, stair, text_of, unlike_stairs};
 use hsd::diagnostic::{Code, Diagnostics, Severity};
 use hsd::source::{FileId, NoPictures, Source};
 use hsd::{Options, driver};
+use mutations::mutation;
 use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 use support::clock::{slowness, worked};
-use support::{
-    Numbers, Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts,
-};
+use support::{Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts};
 
 // As the program does.
 #[global_allocator]
@@ -77,119 +81,6 @@ fn examples_cut_anywhere() {
         let told = |finding| format!("{name} cut at {}: {finding}", bytes.len());
         findings.into_iter().map(told).collect()
     }));
-}
-
-/// Things that have a meaning in one of the two syntaxes, or look as if they had.
-const TRICKY: &[&str] = &[
-    "\u{3000}",
-    "\t",
-    "L",
-    "R",
-    "^",
-    "\n",
-    "\r\n",
-    "\n\n",
-    "%",
-    "#",
-    ".....",
-    "     ",
-    "<",
-    ">",
-    "&",
-    "\"",
-    "'",
-    "</",
-    "/>",
-    "<!--",
-    "-->",
-    "<![CDATA[",
-    "]]>",
-    "<!DOCTYPE a>",
-    "&lol;",
-    "&#0;",
-    "&#x110000;",
-    "{",
-    "}",
-    "{k}",
-    "{1/0}",
-    "{1e308*1e308}",
-    "<repeat num=\"1000000000\">",
-    "<Row>",
-    "</Row>",
-    "<split>",
-    "<upper>",
-    "<Loop hole=\"yes\">",
-    "<Storey height=\"-1\">",
-    "1e999",
-    "-1e308",
-    "NaN",
-    "inf",
-    "99999999999999999999",
-    "-0",
-    "0.0000001",
-    "KSK",
-    "GKK h",
-    "KUD 0",
-    "ｶﾞ",
-    "\u{0}",
-    "\u{feff}",
-    "\u{fffd}",
-    "家",
-    "unit 0",
-    "unit 1e9",
-    "seed -1",
-    "roofs auto",
-    "method kd",
-    "K X * KIR 0 0 6 8",
-    "K F 8.1 HIS 0 0 6 -1",
-];
-
-/// One to four changes of a text.
-fn mutated(mut bytes: Vec<u8>, numbers: &mut Numbers) -> Vec<u8> {
-    for _ in 0..=numbers.below(4) {
-        let at = numbers.below(bytes.len() + 1);
-        let end = (at + numbers.below(20)).min(bytes.len());
-        match numbers.below(6) {
-            0 if at < bytes.len() => bytes[at] ^= 1 << numbers.below(8),
-            1 => drop(bytes.drain(at..end)),
-            2 => {
-                let copy = line_at(&bytes, at);
-                bytes.splice(at..at, copy);
-            }
-            3 if at < bytes.len() => bytes[at] = numbers.next() as u8,
-            4 => {
-                let from = numbers.below(bytes.len() + 1);
-                let copy = line_at(&bytes, from);
-                bytes.splice(at..end, copy);
-            }
-            _ => {
-                let token = numbers.of(TRICKY).bytes();
-                bytes.splice(at..at, token);
-            }
-        }
-    }
-    bytes
-}
-
-/// The line that holds an offset, with its end.
-fn line_at(bytes: &[u8], at: usize) -> Vec<u8> {
-    let start = bytes[..at]
-        .iter()
-        .rposition(|&b| b == b'\n')
-        .map_or(0, |i| i + 1);
-    let end = bytes[at..]
-        .iter()
-        .position(|&b| b == b'\n')
-        .map_or(bytes.len(), |i| at + i + 1);
-    bytes[start..end].to_vec()
-}
-
-/// The nth mutation of the examples.
-fn mutation(examples: &[(String, Vec<u8>)], index: usize) -> (String, Vec<u8>) {
-    let mut numbers = Numbers(index as u64);
-    let (name, bytes) = numbers.of(examples);
-    let bytes = mutated(bytes.clone(), &mut numbers);
-    (format!("{name}, mutation {index}"), bytes)
 }
 
 #[test]
@@ -337,45 +228,6 @@ fn a_file_beyond_the_limit_is_refused() {
     assert_refused("more than 16 MiB", &bytes);
 }
 
-/// A storey of so many teeth in a row.
-fn comb(teeth: usize) -> Vec<u8> {
-    let side = "KSK  \nKSK  L\nKSK  L\nKSK  \n".repeat(teeth - 1);
-    let front = "KSK  ".repeat(2 * teeth - 1);
-    format!("0 0\n9\n\n{front}\nKSK  KSK  \n{side}KSK  \nKSK  KSK  \n").into_bytes()
-}
-
-/// A house whose plan climbs in so many steps, so many thousandths of a shaku higher than usual, as its lines.
-fn stair(steps: usize, higher: usize) -> String {
-    let height = 9.0 + higher as f64 / 1000.0;
-    let front = "KSK  ".repeat(steps);
-    let side = "KSK  L\nKSK  \n".repeat(steps - 1);
-    format!("0 0\n{height}\n\n{front}\nKSK  \n{side}KSK  \n{front}\n%\n")
-}
-
-/// 1 MiB of such houses, no two of one plan.
-fn unlike_stairs(steps: usize) -> Vec<u8> {
-    let mut text = String::new();
-    for higher in 0.. {
-        let next = stair(steps, higher);
-        if text.len() + next.len() > 1 << 20 {
-            break;
-        }
-        text += &next;
-    }
-    text.into_bytes()
-}
-
-/// A house with more roof lines than anybody means, each in others' way.
-fn pile_of_roofs() -> Vec<u8> {
-    let wall = "KSK  ".repeat(200);
-    let line = |n: usize| {
-        let (a, b) = (n * 37 % 190, n * 61 % 193);
-        format!("K X * KIR {a} {b} {} {}\n", a + 1 + n % 5, b + 1 + n % 4)
-    };
-    let lines: String = (0..40_000).map(line).collect();
-    format!("0 0\n9\n\n{wall}\n{wall}\n{wall}\n{wall}\n\n{lines}").into_bytes()
-}
-
 #[test]
 fn more_than_can_be_roofed_is_told() {
     let inputs = [("comb", comb(20_000)), ("pile", pile_of_roofs())];
@@ -418,16 +270,6 @@ fn more_than_can_be_searched_is_told() {
         "HSD0906 is missing"
     );
     assert_eq!(late(took, 3 * BOUND), None);
-}
-
-fn text_of(bytes: Vec<u8>) -> String {
-    String::from_utf8(bytes).expect("codes are ASCII")
-}
-
-/// A text of 1 MiB made of one piece again and again.
-fn mebibyte(head: &str, piece: &str) -> Vec<u8> {
-    let count = ((1 << 20) - head.len()) / piece.len();
-    format!("{head}{}", piece.repeat(count)).into_bytes()
 }
 
 #[test]
