@@ -42,6 +42,34 @@ pub struct Label {
     pub message: Text,
 }
 
+/// One way to mend what a message complains of: what an editor offers to do at a click.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mend {
+    /// What it does, in the imperative and without a full stop.
+    pub title: Text,
+    /// The changes, all at once; none touches another.
+    pub edits: Vec<Edit>,
+}
+
+/// One place of a text and what shall stand there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// What goes; empty where something is only put in.
+    pub span: Span,
+    /// What comes.
+    pub text: String,
+}
+
+impl Edit {
+    /// Puts a text in the place of a span.
+    pub fn new(span: Span, text: impl Into<String>) -> Edit {
+        Edit {
+            span,
+            text: text.into(),
+        }
+    }
+}
+
 /// One message: what is wrong, where, why, and how to mend it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -57,6 +85,9 @@ pub struct Diagnostic {
     pub help: Text,
     /// Further places.
     pub labels: Vec<Label>,
+    /// What can be done about it without further thought, the likeliest first. After any of them nobody complains of
+    /// this again.
+    pub mends: Vec<Mend>,
 }
 
 impl Diagnostic {
@@ -83,6 +114,7 @@ impl Diagnostic {
             span,
             help: Text::default(),
             labels: vec![],
+            mends: vec![],
         }
     }
 
@@ -99,6 +131,22 @@ impl Diagnostic {
         self.labels.push(Label {
             span,
             message: message.into(),
+        });
+        self
+    }
+
+    /// Adds a mend: this text in the place of the span.
+    #[must_use]
+    pub fn mend(self, title: impl Into<Text>, span: Span, text: impl Into<String>) -> Self {
+        self.mend_all(title, vec![Edit::new(span, text)])
+    }
+
+    /// Adds a mend of several changes.
+    #[must_use]
+    pub fn mend_all(mut self, title: impl Into<Text>, edits: Vec<Edit>) -> Self {
+        self.mends.push(Mend {
+            title: title.into(),
+            edits,
         });
         self
     }

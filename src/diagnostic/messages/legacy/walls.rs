@@ -31,7 +31,10 @@ pub fn wide_blank(span: Span, count: usize) -> Diagnostic {
             ),
         ),
     };
-    Diagnostic::error(120, span, message).help(help)
+    let mend = text!("Replace by plain blanks", "半角空白に置き換える");
+    Diagnostic::error(120, span, message)
+        .help(help)
+        .mend(mend, span, " ".repeat(twice.min(4096)))
 }
 
 /// A tab in a wall line.
