@@ -40,7 +40,7 @@ impl Run {
     }
 
     /// The file of a span.
-    fn file(&self, span: Span) -> &Source {
+    pub fn file(&self, span: Span) -> &Source {
         let mut all = std::iter::once(&self.source).chain(&self.included);
         all.find(|s| s.id() == span.file)
             .expect("the file is there")
@@ -73,8 +73,9 @@ fn short(d: &Diagnostic, run: &Run) -> String {
     text
 }
 
-/// Part pictures in the folder `textures` of a folder, and texts below it.
-struct Folder(PathBuf);
+/// Part pictures in the folder `textures` of a folder, and texts below it; some of these as they would be after a
+/// change, by name.
+struct Folder(PathBuf, BTreeMap<String, Vec<u8>>);
 
 impl World for Folder {
     fn picture(&self, name: &str) -> Option<PictureFile> {
@@ -109,7 +110,8 @@ impl World for Folder {
     }
 
     fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {
-        std::fs::read(self.0.join(path))
+        let changed = self.1.get(path).cloned();
+        changed.map_or_else(|| std::fs::read(self.0.join(path)), Ok)
     }
 }
 
@@ -120,10 +122,16 @@ pub fn compile(name: &str, bytes: &[u8]) -> Run {
 
 /// The chain on a file of the repository, with the pictures beside it.
 pub fn compile_file(path: &Path) -> Run {
-    let bytes = std::fs::read(path).expect("the file can be read");
+    compile_changed(path, BTreeMap::new())
+}
+
+/// The same with other bytes in some files: it, or those that it includes, by their names.
+pub fn compile_changed(path: &Path, changed: BTreeMap<String, Vec<u8>>) -> Run {
     let name = path.file_name().expect("is a file").to_string_lossy();
+    let bytes = changed.get(&*name).cloned();
+    let bytes = bytes.unwrap_or_else(|| std::fs::read(path).expect("the file can be read"));
     let folder = path.parent().expect("is in a folder").to_owned();
-    compile_in(&Folder(folder), &name, &bytes)
+    compile_in(&Folder(folder, changed), &name, &bytes)
 }
 
 fn compile_in(world: &dyn World, name: &str, bytes: &[u8]) -> Run {

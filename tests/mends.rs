@@ -1,0 +1,145 @@
+//! What the messages offer to do at a click: every mend of every fixture is done, the text compiled again, and nobody
+//! may complain of the same again or find a new kind of error. A code that offers none has a reason.
+
+mod support;
+
+#[path = "mends/legacy_half.rs"]
+mod legacy_half;
+#[path = "mends/xml_half.rs"]
+mod xml_half;
+
+use hsd::diagnostic::{Code, Diagnostic, Mend, Severity};
+use hsd::print::encode;
+use hsd::source::{FileId, Source};
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::path::Path;
+use support::{Run, assert_none, compile_changed, compile_file, stem, texts};
+
+const FIXTURES: &str = "tests/suite/diagnostics";
+
+/// The code at the beginning of a name such as `HSD0401_perimeter_open`.
+fn code_of(name: &str) -> u16 {
+    let digits = name.strip_prefix("HSD").and_then(|rest| rest.get(..4));
+    let code = digits.and_then(|digits| digits.parse().ok());
+    code.unwrap_or_else(|| panic!("{name} does not begin with its code"))
+}
+
+/// The changes of a mend in each file, by their ranges of its text, from the last to the first.
+fn changes<'m>(run: &Run, mend: &'m Mend) -> BTreeMap<FileId, Vec<(Range<usize>, &'m str)>> {
+    let mut all = BTreeMap::<FileId, Vec<(Range<usize>, &str)>>::new();
+    for edit in &mend.edits {
+        let range = run.file(edit.span).text_range(edit.span);
+        let of_file = all.entry(edit.span.file).or_default();
+        of_file.push((range, &*edit.text));
+    }
+    for of_file in all.values_mut() {
+        of_file.sort_by_key(|(range, _)| std::cmp::Reverse((range.start, range.end)));
+    }
+    all
+}
+
+/// The files that a mend changes, with the bytes they have after it.
+fn mended(run: &Run, mend: &Mend) -> Result<BTreeMap<String, Vec<u8>>, String> {
+    let mut files = BTreeMap::new();
+    for (id, changes) in changes(run, mend) {
+        let mut all = std::iter::once(&run.source).chain(&run.included);
+        let source: &Source = all
+            .find(|s| s.id() == id)
+            .ok_or("a file that is not there")?;
+        let mut text = source.text().to_owned();
+        let mut before = text.len();
+        for (range, new) in changes {
+            if range.end > before {
+                return Err("its changes touch one another".into());
+            }
+            before = range.start;
+            text.replace_range(range, new);
+        }
+        files.insert(source.name().to_owned(), encode(&text, source));
+    }
+    Ok(files)
+}
+
+/// How many messages of each code there are, errors alone if so wished.
+fn counted(diagnostics: &[Diagnostic], errors: bool) -> BTreeMap<Code, usize> {
+    let mut counts = BTreeMap::new();
+    for d in diagnostics {
+        if !errors || d.severity == Severity::Error {
+            *counts.entry(d.code).or_default() += 1;
+        }
+    }
+    counts
+}
+
+/// What is wrong with a mend of a message: an error is new, or the message is there still.
+fn flaws(path: &Path, run: &Run, d: &Diagnostic, mend: &Mend) -> Vec<String> {
+    let files = match mended(run, mend) {
+        Ok(files) => files,
+        Err(flaw) => return vec![flaw],
+    };
+    let mut flaws = vec![];
+    if mend.title.en.ends_with('.') || mend.title.en == mend.title.ja {
+        flaws.push("its title is no imperative in two languages".into());
+    }
+    let after = compile_changed(path, files);
+    let left = |run: &Run| counted(&run.diagnostics, false).get(&d.code).copied();
+    if left(&after) >= left(run) {
+        flaws.push(format!("{} is said still:\n{}", d.code, after.short()));
+    }
+    let known = counted(&run.diagnostics, true);
+    for (code, _) in counted(&after.diagnostics, true) {
+        if !known.contains_key(&code) {
+            flaws.push(format!("{code} is new:\n{}", after.short()));
+        }
+    }
+    flaws
+}
+
+#[test]
+fn mends_mend() {
+    let mut findings = vec![];
+    for path in texts(FIXTURES) {
+        let run = compile_file(&path);
+        for d in &run.diagnostics {
+            for mend in &d.mends {
+                let found = flaws(&path, &run, d, mend);
+                let name = format!("{}: {}: {:?}", stem(&path), d.code, mend.title.en);
+                findings.extend(found.iter().map(|flaw| format!("{name}: {flaw}")));
+            }
+        }
+    }
+    assert_none(&findings);
+}
+
+#[test]
+fn codes_offer_a_mend_or_have_a_reason() {
+    let halves = [legacy_half::WITHOUT_MEND, xml_half::WITHOUT_MEND];
+    let without = || halves.iter().flat_map(|half| half.iter());
+    let mut findings = vec![];
+    for half in halves {
+        if !half.is_sorted_by_key(|(code, _)| *code) {
+            findings.push("a table is not in order".to_owned());
+        }
+    }
+    let (mut offering, mut all) = (BTreeSet::new(), BTreeSet::new());
+    for path in texts(FIXTURES) {
+        let code = code_of(&stem(&path));
+        all.insert(code);
+        let run = compile_file(&path);
+        let of_it = run.diagnostics.iter().filter(|d| d.code == Code(code));
+        if of_it.clone().any(|d| !d.mends.is_empty()) {
+            offering.insert(code);
+        }
+    }
+    let reasons: BTreeSet<u16> = without().map(|(code, _)| *code).collect();
+    for &code in &all {
+        if offering.contains(&code) == reasons.contains(&code) {
+            let name = Code(code);
+            findings.push(format!("{name}: needs either a mend or a reason for none"));
+        }
+    }
+    let strange = reasons.difference(&all).map(|code| Code(*code));
+    findings.extend(strange.map(|name| format!("{name}: has a reason, but no fixture")));
+    assert_none(&findings);
+}
