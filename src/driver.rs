@@ -9,6 +9,7 @@ mod parts;
 mod variants;
 
 pub use convert::convert;
+pub(crate) use parts::BESIDE as PARTS_BESIDE;
 pub use parts::catalog;
 
 use crate::ast::{Document, Parameter};

@@ -171,8 +171,7 @@ impl Catalog {
     fn derived(&self, entry: &PartEntry, base: Option<PartId>, out: &mut Diagnostics) -> PartDef {
         let base = base.map(|id| self.part(id));
         let whole = merged(entry, base.map(|b| &b.written), out);
-        let own = said(&entry.attributes, "code").is_some_and(|c| c.value.len() <= 5);
-        let class = base.map(PartDef::class).filter(|_| !own || base.is_some());
+        let class = base.map(PartDef::class);
         read::part(&whole, class, out)
     }
 }
@@ -186,8 +185,8 @@ impl Making<'_> {
         let text = CodeText::new(code.value.trim());
         match self.codes.get(text.as_str()) {
             Some(first) => {
-                let (code, span) = self.link(*first);
-                out.push(say::part_twice(entry.span, &code, span));
+                let first = self.entries[*first].span;
+                out.push(say::part_twice(entry.span, text.as_str(), first));
             }
             None => {
                 self.codes.insert(text.as_str().to_owned(), index);

@@ -111,7 +111,7 @@ impl Build {
         self.reading.check_folders()?;
         self.check_inputs()?;
         if let Some(sheet) = &self.sheet {
-            variants::check_sheet(sheet)?;
+            variants::check_sheet(sheet, self.variants)?;
         }
         let jobs = self.jobs()?;
         for job in &jobs {
@@ -353,7 +353,9 @@ fn each(
 ) -> Result<Vec<Job>, Stop> {
     let mut jobs: Vec<Job> = vec![];
     let mut taken = std::collections::HashMap::new();
-    for input in inputs {
+    // A folder's file of parts makes no model of its own.
+    let parts = |input: &PathBuf| inputs.len() > 1 && input.ends_with(driver::PARTS_BESIDE);
+    for input in inputs.iter().filter(|input| !parts(input)) {
         let output = output(input);
         let key = output.to_string_lossy().to_lowercase();
         if let Some(other) = taken.insert(key, input) {

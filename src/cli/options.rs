@@ -95,7 +95,7 @@ impl Reading {
         Ok(driver::Options {
             expand,
             parameters: self.parameters.clone(),
-            catalogs: catalogs.sources.into(),
+            catalogs: catalogs.accepted().into_iter().cloned().collect(),
             ..driver::Options::default()
         })
     }

@@ -85,11 +85,13 @@ impl Parts {
         out.write_all(text.as_bytes())?;
         out.flush()?;
         if parts.is_empty() {
-            let filter = self.filter.as_deref().unwrap_or_default();
-            let none = text!(
-                "no part has {filter:?} in its code or a name",
-                "コードか名前に {filter:?} を含む部材はありません"
-            );
+            let none = match &self.filter {
+                Some(filter) => text!(
+                    "no part has {filter:?} in its code or a name",
+                    "コードか名前に {filter:?} を含む部材はありません"
+                ),
+                None => text!("no parts are defined", "部材は定義されていません"),
+            };
             writeln!(io::stderr(), "{}", none.in_language(language))?;
         }
         Ok(exit(!sound))

@@ -17,7 +17,6 @@ use std::path::PathBuf;
 #[command(after_help = "\
 Examples:
   hsd textures -o materials/          draw all of them
-  hsd textures -o /tmp/m && ls /tmp/m    see what they are called
   hsd textures --sheet materials.jpg     see all of them at one scale")]
 pub(super) struct Textures {
     /// The folder; it is made where it is missing.

@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// The file beside a text whose parts it knows.
-const BESIDE: &str = "catalog.hsd";
+pub(crate) const BESIDE: &str = "catalog.hsd";
 
 /// The catalogue of a run, with what each house knows. `given` are files for all texts.
 pub fn catalog<'a>(

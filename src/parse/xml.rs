@@ -129,7 +129,10 @@ impl Reader<'_, '_> {
                                 let mut house = self.house(schema, element);
                                 let settings = &mut house.settings;
                                 settings.age = settings.age.or(age);
-                                settings.era = settings.era.or(era);
+                                // Of a house that has no age either, it would say nothing.
+                                if settings.age.is_some() {
+                                    settings.era = settings.era.or(era);
+                                }
                                 houses.push(house);
                             }
                             Node::Text(_) => {}

@@ -38,7 +38,7 @@ pub fn to_legacy(
         let span = source.span(place);
         writer.refuse(span, say::draw(span, codes));
     }
-    for part in document.parts.iter().filter(|p| p.span.file == source.id()) {
+    for part in &document.parts {
         writer.refuse(part.span, say::own_part(part.span));
     }
     for (index, house) in program.houses.iter().enumerate() {

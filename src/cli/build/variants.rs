@@ -13,16 +13,23 @@ use crate::text;
 use crate::texture;
 use image::DynamicImage;
 use std::io::{self, Write};
+use std::num::NonZeroU32;
 use std::path::Path;
 
 /// Quality of a sheet in JPEG.
 const QUALITY: u8 = 88;
 
 /// Most variants that are drawn: more would make a picture that nothing opens.
-const MOST: usize = 2500;
+const MOST: u32 = 2500;
 
-/// Fails for a sheet in another format.
-pub(super) fn check_sheet(sheet: &Path) -> Result<(), Stop> {
+/// Fails for a sheet in another format, or of too many variants.
+pub(super) fn check_sheet(sheet: &Path, variants: Option<NonZeroU32>) -> Result<(), Stop> {
+    if variants.is_some_and(|count| count.get() > MOST) {
+        return Err(Stop::Usage(text!(
+            "a contact sheet holds {MOST} variants at most",
+            "一覧画像に並べられる変種は {MOST} までです"
+        )));
+    }
     match kind(sheet) {
         Some(_) => Ok(()),
         None => {
@@ -92,14 +99,7 @@ impl Build {
         if spoiled {
             return Ok(exit(true));
         }
-        let houses = &made.building.shell.houses;
-        if houses.len() > MOST {
-            return Err(Stop::Usage(text!(
-                "a contact sheet holds {MOST} houses at most",
-                "一覧画像に並べられる家は {MOST} 棟までです"
-            )));
-        }
-        let drawn = sheet::sheet(&made.scene, houses);
+        let drawn = sheet::sheet(&made.scene, &made.building.shell.houses);
         let bytes = match kind(path) {
             Some(Kind::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
             _ => texture::jpeg(&drawn, QUALITY),

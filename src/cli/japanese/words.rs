@@ -296,7 +296,6 @@ pub(super) static COMMANDS: &[Words] = &[
         examples: "\
 例:
   hsd textures -o materials/          すべて描く
-  hsd textures -o /tmp/m && ls /tmp/m    画像の名前を見る
   hsd textures --sheet materials.jpg     すべてを同じ縮尺で見る",
         arguments: &[
             ("output", "フォルダー。なければ作る", ""),

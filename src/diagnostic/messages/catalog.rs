@@ -42,7 +42,8 @@ pub fn base_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
         "name another base for one of them, or none",
         "どれか一つの base を別の部材にするか、なくしてください"
     ));
-    let others = chain.iter().filter(|(_, place)| *place != span);
+    // The chain ends with its first link.
+    let others = chain.iter().skip(1).filter(|(_, place)| *place != span);
     others.take(MARKED).fold(found, |found, (code, place)| {
         let code = quote(code);
         found.label(*place, text!("the base of {code}", "{code} の base"))

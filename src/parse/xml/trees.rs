@@ -8,7 +8,7 @@ use std::rc::Rc;
 /// What was read of some files.
 #[derive(Default)]
 pub struct Trees<'a> {
-    /// Of which file, from which offset on, and how far its places are moved.
+    /// Of which file, and from which offset on.
     read: Vec<((FileId, usize), Rc<Tree<'a>>)>,
 }
 

@@ -382,6 +382,20 @@ pub fn beside_choices(span: Span) -> Diagnostic {
     ))
 }
 
+/// An attribute of a `random` that chooses among pieces.
+#[cold]
+pub fn attribute_beside_choices(span: Span, name: &str) -> Diagnostic {
+    let name = quote(name);
+    let message = text!(
+        "a `random` with choices has no attribute {name}",
+        "`choice` のある `random` に属性 {name} は書けません"
+    );
+    Diagnostic::error(276, span, message).help(text!(
+        "give each `choice` its `weight`, and what it stands for as its content",
+        "重みはそれぞれの `choice` の `weight` に、選ばれるものはその中に書いてください"
+    ))
+}
+
 /// `--param` with a name that no file has.
 #[cold]
 pub fn no_such_parameter(

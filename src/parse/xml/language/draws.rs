@@ -14,6 +14,7 @@ use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::{parts, xml as say};
 use crate::draw::Place;
 use crate::source::Span;
+use crate::text;
 
 /// Values that a number without a step is drawn from.
 const FINE: f64 = 1000.0;
@@ -150,18 +151,20 @@ impl<'a> Maker<'a, '_> {
     /// Puts one of the choices of a `random` in its place.
     pub(super) fn choose(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let element = spot.element();
-        if let Some(attribute) = element.attributes.iter().find(|a| !a.is_foreign()) {
+        for attribute in element.attributes.iter().filter(|a| !a.is_foreign()) {
             self.faults.at(&attribute.name_range, |s| {
-                say::unknown_attribute(s, attribute.name, element.name, None, &[])
+                say::attribute_beside_choices(s, attribute.name)
             });
         }
         let (mut choices, mut sums, mut sum) = (vec![], vec![], 0.0);
         for child in &element.children {
-            let Child::Element(index) = child else {
-                self.faults.at(&element.name_range, say::beside_choices);
-                continue;
+            let child = match child {
+                Child::Element(index) => spot.child(*index),
+                Child::Text(text) => {
+                    self.faults.at(&text.whole(), say::beside_choices);
+                    continue;
+                }
             };
-            let child = spot.child(*index);
             if child.tag() != Some(Tag::Choice) {
                 let place = child.element().name_range.clone();
                 self.faults.at(&place, say::beside_choices);
@@ -209,7 +212,11 @@ impl<'a> Maker<'a, '_> {
         }
         let text = given.to_string();
         self.faults.at(&attribute.value.whole(), |s| {
-            say::out_of_range(s, "weight", &text, "0 to 1000000000")
+            let bounds = text!(
+                "a number from 0 to 1000000000",
+                "0 から 1000000000 までの数"
+            );
+            say::out_of_range(s, "weight", &text, bounds)
         });
         1.0
     }

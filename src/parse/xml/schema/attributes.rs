@@ -132,7 +132,7 @@ pub(super) const REPLACE: &[Bears] = &[
 pub(super) const TEXTURE: &[Bears] = &[
     must("code", Text, "which part or picture it is said of", "対象の部材または画像"),
     may("reflection", Number(0.0, 100.0), "", "share of light that it mirrors, 0 to 1", "映り込みの割合。0 から 1"),
-    may("src", Text, "", "the file of its picture, from the folder of this file and below the root", "画像のファイル。このファイルのフォルダから数え、ルートの下に限る"),
+    may("src", Text, "", "the file of its picture, from the folder of this file and below the root", "画像のファイル。このファイルのフォルダーから数え、ルートの下に限る"),
 ];
 
 /// What roofs look like.
@@ -297,11 +297,11 @@ pub(super) const LET: &[Bears] = &[
 ];
 #[rustfmt::skip]
 pub(super) const DEFINE: &[Bears] = &[
-    must("name", Text, "what `use` calls it; all other attributes are parameters with their defaults", "`use` での名。ほかの属性はすべて引数とその既定値"),
+    must("name", Text, "what `use` calls it; all other attributes are parameters with their defaults", "`use` での名。ほかの属性はすべて変数とその既定値"),
 ];
 #[rustfmt::skip]
 pub(super) const USE: &[Bears] = &[
-    must("name", Text, "which piece; all other attributes set its parameters", "使う部品の名。ほかの属性はすべて引数"),
+    must("name", Text, "which piece; all other attributes set its parameters", "使う部品の名。ほかの属性はすべて変数"),
 ];
 #[rustfmt::skip]
 pub(super) const IF: &[Bears] = &[must("test", TRUTH, "whether its content counts", "中身を生かすかどうか")];
@@ -309,16 +309,16 @@ pub(super) const IF: &[Bears] = &[must("test", TRUTH, "whether its content count
 pub(super) const ELSE: &[Bears] = &[may("test", TRUTH, "", "a further condition", "さらに付ける条件")];
 #[rustfmt::skip]
 pub(super) const INCLUDE: &[Bears] = &[
-    must("href", Text, "a file, from the folder of this one and below the root", "ファイル名。このファイルのフォルダから数え、ルートの下に限る"),
+    must("href", Text, "a file, from the folder of this one and below the root", "ファイル名。このファイルのフォルダーから数え、ルートの下に限る"),
 ];
 #[rustfmt::skip]
 pub(super) const PART_DEF: &[Bears] = &[
-    must("code", Text, "five columns, or a longer name", "5桁のコード、またはそれより長い名"),
+    must("code", Text, "five columns, or a longer name", "五桁のコード、またはそれより長い名"),
     may("base", Text, "", "the part that it takes over what it does not say from", "書かない値を引き継ぐ部材"),
     may("ja", Text, "", "its name in Japanese", "和名"),
     may("romaji", Text, "", "the name in letters", "和名のローマ字"),
     may("en", Text, "", "what it is, in English", "英語の説明"),
-    may("width", Text, "", "units, 0 to 100; what the fifth column says without", "幅(ユニット)。0 から 100。無ければ5桁目による"),
+    may("width", Text, "", "units, 0 to 100; what the fifth column says without", "幅(ユニット)。0 から 100。無ければ五桁目による"),
     may("from", Text, "", "foot of its opening above the floor, shaku, or metres with `m`", "開口の下端。床から(尺、`m` を付ければメートル)"),
     may("to", Text, "", "top of its opening", "開口の上端"),
     may("made", Text, "", "what it is made of, in words", "材料の説明"),
