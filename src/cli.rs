@@ -19,13 +19,10 @@ mod output;
 mod params;
 mod parts;
 mod reason;
-mod roots;
 mod terminal;
 mod textures;
 mod watch;
-pub mod world;
-
-use crate::diagnostic::{Language, Text};
+pub use crate::diagnostic::{Language, Text};
 use crate::text;
 use clap::error::{ContextKind, ContextValue, ErrorKind as Wrong};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};

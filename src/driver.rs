@@ -112,6 +112,42 @@ pub fn compile(
     }
 }
 
+/// What can be known of texts without making anything to be seen.
+#[derive(Debug)]
+pub struct Checked {
+    /// The parameters of the texts.
+    pub parameters: Vec<Parameter>,
+    /// Files that were read beside the sources, for reports.
+    pub included: Vec<Source>,
+    /// The parts that the houses may be made of.
+    pub catalog: Cow<'static, Catalog>,
+    /// Walls and roofs.
+    pub building: Building,
+}
+
+/// Runs the chain up to the roofs and looks at the pictures, so that everything is said that there is to say.
+pub fn check(
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Checked {
+    let read = documents(sources, world, options, out);
+    let (documents, included, catalog) = (read.documents, read.included, read.catalog);
+    let program = program(sources, &documents, &catalog, world, &options.expand, out);
+    let parameters = documents.into_iter().flat_map(|d| d.parameters).collect();
+    let building = building(program, &catalog, out);
+    let shell = &building.shell;
+    let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
+    pictures(&paths, shell, world, &options.expand.limits, out);
+    Checked {
+        parameters,
+        included,
+        catalog,
+        building,
+    }
+}
+
 /// Runs the whole chain on one file up to the bytes of a GLB without pictures; returns how many there are.
 /// For fuzzing: no input makes it panic. Houses are held to 20,000 parts, so that a fuzzer spends its time
 /// on strange texts and not on writing out `repeat num="1000000"`.

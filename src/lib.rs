@@ -60,9 +60,11 @@ pub mod picture;
 pub mod print;
 pub mod backend;
 pub mod driver;
+pub mod ide;
 
 // Shells.
 pub mod cli;
+pub mod disk;
 pub mod report;
 
 pub use driver::{Compiled, Options, compile, compile_bytes};

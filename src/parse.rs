@@ -18,6 +18,7 @@ mod builtin;
 mod expr;
 mod faults;
 pub mod legacy;
+pub mod outline;
 pub mod xml;
 
 /// What a file is read with.

@@ -37,20 +37,12 @@ impl Check {
         let options = self.reading.options(&inputs, &mut out)?;
         let sources = inputs.accepted();
         let world = self.reading.world(&self.reading.inputs);
-        let read = driver::documents(&sources, &world, &options, &mut out);
-        let (documents, included, catalog) = (read.documents, read.included, read.catalog);
-        let expand = &options.expand;
-        let program = driver::program(&sources, &documents, &catalog, &world, expand, &mut out);
-        drop(documents); // the next steps take their room
-        let building = driver::building(program, &catalog, &mut out);
-        let shell = &building.shell;
-        let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
-        driver::pictures(&paths, shell, &world, &limits, &mut out);
+        let checked = driver::check(&sources, &world, &options, &mut out);
         let list = out.into_sorted();
         let format = Format::from(self.format);
         let (failed, files) = (inputs.failed(), inputs.sources.len());
         if format == Format::Human && list.is_empty() {
-            let houses = shell.houses.len();
+            let houses = checked.building.shell.houses.len();
             let files = counted(files, FILE);
             let houses = counted(houses, HOUSE);
             let clean = text!([files, houses]
@@ -60,7 +52,7 @@ impl Check {
             writeln!(io::stderr(), "{}", clean.in_language(language))?;
         } else {
             report(
-                &Report::new(&inputs.and(included), &list).in_language(language),
+                &Report::new(&inputs.and(checked.included), &list).in_language(language),
                 format,
                 &mut io::stdout(),
             )?;

@@ -1,9 +1,9 @@
 //! Options that several subcommands take.
 
 use super::input::{Inputs, STDIN};
-use super::world::FolderWorld;
 use super::{Exit, Stop};
 use crate::diagnostic::{Diagnostics, Severity};
+use crate::disk::FolderWorld;
 use crate::driver;
 use crate::expand;
 use crate::report::{Format, Report};

@@ -132,6 +132,26 @@ fn in_name(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
+/// The places of the author's names in an expression, even in one that is none yet; words in quotes, numbers, functions
+/// and words of the language are no names.
+pub(super) fn names(text: &str) -> Vec<Range<usize>> {
+    let (mut found, mut at) = (vec![], 0);
+    while let Some(c) = text[at..].chars().next() {
+        let end = at + word_at(&text[at..]);
+        if let '\'' | '"' = c {
+            let close = text[end..].find(c).map(|i| end + i + 1);
+            at = close.unwrap_or(text.len());
+            continue;
+        }
+        let (word, rest) = (&text[at..end], blanks(&text[end..]));
+        if begins_name(c) && !RESERVED.contains(&word) && !rest.starts_with('(') {
+            found.push(at..end);
+        }
+        at = end;
+    }
+    found
+}
+
 /// Where a parenthesis opens that is one too many.
 fn too_deep(text: &str) -> Option<usize> {
     let (mut depth, mut quote) = (0usize, None);

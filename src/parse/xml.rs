@@ -18,6 +18,7 @@ mod house;
 mod instruction;
 mod language;
 mod monuments;
+mod outline;
 mod parts;
 mod pieces;
 mod read;
@@ -32,6 +33,7 @@ mod tree;
 mod trees;
 mod values;
 
+pub(super) use outline::outline;
 pub use trees::Trees;
 
 use super::Setting;

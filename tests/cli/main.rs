@@ -6,7 +6,7 @@ mod fmt;
 mod folders;
 mod languages;
 
-use hsd::cli::world::FolderWorld;
+use hsd::disk::FolderWorld;
 use hsd::source::World;
 use std::fs;
 use std::io::Write;

@@ -28,6 +28,8 @@ mod pieces;
 mod scope;
 mod storeys;
 
+pub(super) use braces::{Segment, segments};
+
 use super::schema::{self, Tag};
 use super::suggest::Suggest;
 use super::text::Text;

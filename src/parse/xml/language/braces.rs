@@ -13,7 +13,7 @@ use std::rc::Rc;
 const LONGEST: usize = 4096;
 
 /// A piece of a text with braces.
-enum Segment {
+pub(in crate::parse::xml) enum Segment {
     /// As it stands.
     Plain(Range<usize>),
     /// With its braces.
@@ -28,7 +28,7 @@ pub(super) fn are_in(text: &Text<'_>) -> bool {
 }
 
 /// Divides a text; an expression ends with its line.
-fn segments(text: &str) -> Vec<Segment> {
+pub(in crate::parse::xml) fn segments(text: &str) -> Vec<Segment> {
     let (mut found, mut start) = (vec![], 0);
     while let Some(open) = text[start..].find(['{', '}']).map(|i| start + i) {
         if open > start {

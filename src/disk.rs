@@ -3,13 +3,16 @@
 //! A picture's name is looked up in a listing of the folder, never joined to a path, and what is found must lie in the
 //! folder after all links are followed: whatever a text says, no file outside is read.
 
-use super::roots::Roots;
+mod roots;
+
 use crate::source::{NoText, PictureFile, World};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+
+use roots::Roots;
 
 const ENDINGS: [&str; 6] = ["png", "jpg", "jpeg", "PNG", "JPG", "JPEG"];
 

@@ -1,0 +1,73 @@
+//! What an editor asks of a text: what stands here, what may stand here, where is it said, where is it used.
+//!
+//! Everything takes and gives plain types and byte offsets into [`Source::text`]; only [`lsp`](crate::lsp) knows the
+//! protocol. An [`Analysis`] is all that is known of one text at one moment: nothing in it changes, and what is costly
+//! and not always asked for is worked out when it is asked for.
+
+use crate::catalog::Catalog;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::driver::{self, Checked, Options};
+use crate::parse::outline::Outline;
+use crate::source::{FileId, Source, World};
+use std::cell::OnceCell;
+use std::ops::Range;
+
+/// All that is known of a text.
+#[derive(Debug)]
+pub struct Analysis {
+    /// The text, file 0.
+    pub source: Source,
+    /// What `hsd check` says of it, sorted.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Parameters, other files, own parts, walls and roofs.
+    pub checked: Checked,
+    options: Options,
+    outline: OnceCell<Outline>,
+}
+
+/// A place in a text that was read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// Which of [`Analysis::source`] and its included files.
+    pub file: FileId,
+    /// Where in its text.
+    pub range: Range<usize>,
+}
+
+impl Analysis {
+    /// Checks a text.
+    pub fn new(source: Source, world: &dyn World, options: &Options) -> Analysis {
+        let mut out = Diagnostics::new();
+        let checked = driver::check(&[&source], world, options, &mut out);
+        Analysis {
+            source,
+            diagnostics: out.into_sorted(),
+            checked,
+            options: options.clone(),
+            outline: OnceCell::new(),
+        }
+    }
+
+    /// What stands in the text.
+    pub fn outline(&self) -> &Outline {
+        let limits = &self.options.expand.limits;
+        self.outline
+            .get_or_init(|| Outline::of(&self.source, limits))
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        self.source.text()
+    }
+
+    /// The parts that are known in it.
+    pub fn catalog(&self) -> &Catalog {
+        &self.checked.catalog
+    }
+
+    /// A file that was read for it.
+    pub fn file(&self, id: FileId) -> Option<&Source> {
+        let mut all = std::iter::once(&self.source).chain(&self.checked.included);
+        all.find(|s| s.id() == id)
+    }
+}
