@@ -4,6 +4,14 @@
 //! protocol. An [`Analysis`] is all that is known of one text at one moment: nothing in it changes, and what is costly
 //! and not always asked for is worked out when it is asked for.
 
+pub mod folding;
+pub mod format;
+pub mod inlay;
+pub mod names;
+pub mod selection;
+pub mod symbols;
+pub mod tokens;
+
 use crate::catalog::Catalog;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::driver::{self, Checked, Options};
