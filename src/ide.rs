@@ -4,8 +4,10 @@
 //! protocol. An [`Analysis`] is all that is known of one text at one moment: nothing in it changes, and what is costly
 //! and not always asked for is worked out when it is asked for.
 
+pub mod complete;
 pub mod folding;
 pub mod format;
+pub mod hover;
 pub mod inlay;
 pub mod names;
 pub mod selection;

@@ -1,0 +1,90 @@
+//! What may stand at a place of a text: part codes, elements, attributes and their values, names, keys, roof words.
+//!
+//! Nothing here trusts the text to be sound: it is under way. Where the reader's own view of it is not to be had, the
+//! characters before the place decide (see `place`).
+
+use super::Analysis;
+use crate::diagnostic::{Language, Text};
+use std::ops::Range;
+
+/// What a proposal is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CompletionKind {
+    /// A part of the catalogue, by its code.
+    Part,
+    /// A part of the author's own.
+    OwnPart,
+    /// An element of the XML form.
+    Element,
+    /// The end tag of an open element.
+    EndTag,
+    /// An attribute.
+    Attribute,
+    /// A word that a value or a field may be.
+    Value,
+    /// A name in expressions: a `let`, a `Param`, a parameter of a piece, `k`.
+    Name,
+    /// A function of expressions.
+    Function,
+    /// A piece, at a `use`.
+    Piece,
+    /// A file: a text or a picture.
+    File,
+    /// A key of the legacy header.
+    Key,
+    /// The letter at the end of a wall line.
+    Turn,
+    /// A name that something else bears: the id of a floor, the code of a base.
+    Reference,
+}
+
+/// Something that may stand here.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Completion {
+    /// What the list shows.
+    pub label: String,
+    /// What it is.
+    pub kind: CompletionKind,
+    /// What it means, in a line.
+    pub detail: Text,
+    /// What it takes the place of; holds the place that was asked about, and lies in one line.
+    pub replace: Range<usize>,
+    /// What comes there.
+    pub insert: String,
+    /// The same in the snippet syntax of the protocol, where it has places to go on from.
+    pub snippet: Option<String>,
+    /// What a client compares with what was typed: begins with that, in whatever script it was.
+    pub filter: String,
+    /// The order of the list.
+    pub sort: String,
+    /// What [`documentation`] tells more of.
+    pub part: Option<PartKey>,
+}
+
+/// A part that a proposal stands for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PartKey {
+    /// Its code as the catalogue has it: five columns, or a longer name.
+    pub code: String,
+}
+
+/// What may stand at an offset, best first. `files` lists those below the folder of this text whose names have an
+/// ending such as `hsd` or `png`, by their paths from that folder.
+///
+/// The list depends on what was typed, in whatever script, so a client should ask again as typing goes on
+/// (`isIncomplete`).
+pub fn complete(a: &Analysis, at: usize, files: &dyn Fn(&str) -> Vec<String>) -> Vec<Completion> {
+    let _ = (a, at, files);
+    vec![]
+}
+
+/// More about the part of a proposal, in Markdown: its card, with a picture where `pictures` are wanted.
+pub fn documentation(
+    a: &Analysis,
+    key: &PartKey,
+    language: Language,
+    pictures: bool,
+) -> Option<String> {
+    let _ = (a, key, language, pictures);
+    None
+}
