@@ -1,0 +1,7 @@
+[
+  (header)
+  (storey)
+  (roofs)
+  (element)
+  (comment)
+] @fold
