@@ -1,0 +1,128 @@
+// The extension: it finds the program `hsd`, runs `hsd lsp` beside the editor, and starts it anew when a setting changes.
+// All knowledge of houses is the program's; here is nothing but wires.
+import {
+  type ExtensionContext, type ConfigurationChangeEvent, commands, env, l10n, type LogOutputChannel, window, workspace,
+} from 'vscode';
+import { LanguageClient, type LanguageClientOptions, State, TransportKind } from 'vscode-languageclient/node';
+import { chosen, find, show } from './program';
+
+/** Settings that reach the program when it starts. */
+const SETTINGS = ['hsd.serverPath', 'hsd.language', 'hsd.textures', 'hsd.catalogs', 'hsd.parameters'];
+
+let client: LanguageClient | undefined;
+let output: LogOutputChannel;
+/** Starting and stopping follow one another, however fast settings change. */
+let queue: Promise<void> = Promise.resolve();
+
+export async function activate(context: ExtensionContext): Promise<void> {
+  output = window.createOutputChannel('hsd', { log: true });
+  context.subscriptions.push(
+    output,
+    commands.registerCommand('hsd.restartServer', () => restart()),
+    commands.registerCommand('hsd.showOutput', () => output.show()),
+    commands.registerCommand('hsd.format', () => commands.executeCommand('editor.action.formatDocument')),
+    commands.registerCommand('hsd.chooseServer', () => choose()),
+    workspace.onDidChangeConfiguration((change: ConfigurationChangeEvent) => {
+      if (SETTINGS.some(name => change.affectsConfiguration(name))) void restart();
+    }),
+    workspace.onDidGrantWorkspaceTrust(() => restart()),
+  );
+  await restart();
+}
+
+export async function deactivate(): Promise<void> {
+  await enqueue(stop);
+}
+
+function restart(): Promise<void> {
+  return enqueue(async () => {
+    await stop();
+    await start();
+  });
+}
+
+function enqueue(work: () => Promise<void>): Promise<void> {
+  queue = queue.then(work).catch((error: unknown) => {
+    output.error(error instanceof Error ? error : String(error));
+  });
+  return queue;
+}
+
+async function stop(): Promise<void> {
+  const running = client;
+  client = undefined;
+  await commands.executeCommand('setContext', 'hsd.running', false);
+  if (running?.state === State.Running) await running.stop();
+  await running?.dispose();
+}
+
+/** The language of messages: what the settings say, else that of the editor. */
+function language(): 'en' | 'ja' {
+  const asked = workspace.getConfiguration('hsd').get<string>('language', 'auto');
+  if (asked === 'en' || asked === 'ja') return asked;
+  return env.language.startsWith('ja') ? 'ja' : 'en';
+}
+
+async function start(): Promise<void> {
+  const settings = workspace.getConfiguration('hsd');
+  const program = await find();
+  if (!program) return missing();
+  output.info(`${program} lsp --lang ${language()}`);
+  const options: LanguageClientOptions = {
+    documentSelector: [{ language: 'hsd', scheme: 'file' }, { language: 'hsd', scheme: 'untitled' }],
+    outputChannel: output,
+    initializationOptions: {
+      language: language(),
+      textures: settings.get<string[]>('textures', []),
+      catalogs: settings.get<string[]>('catalogs', []),
+      parameters: settings.get<Record<string, string | number | boolean>>('parameters', {}),
+    },
+    // Included files, catalogues and pictures change what is said of the texts that name them.
+    synchronize: { fileEvents: workspace.createFileSystemWatcher('**/*.{hsd,png,jpg,jpeg}') },
+    markdown: { isTrusted: false, supportHtml: false },
+  };
+  const run = { command: program, args: ['lsp', '--lang', language()], transport: TransportKind.stdio };
+  const started = new LanguageClient('hsd', 'hsd', run, options);
+  try {
+    await started.start();
+  } catch (error) {
+    await started.dispose().catch(() => undefined);
+    return failed(program, error);
+  }
+  client = started;
+  await commands.executeCommand('setContext', 'hsd.running', true);
+}
+
+/** Says that there is no program, and how to come by it. Nothing waits for the answer. */
+function missing(): void {
+  const path = chosen();
+  const message = path
+    ? l10n.t('The program `hsd` is not at {0}, which the setting hsd.serverPath names.', path)
+    : l10n.t('The program `hsd` was not found. Without it houses are only coloured, not checked.');
+  output.error(message);
+  offer(message);
+}
+
+function failed(program: string, error: unknown): void {
+  const why = error instanceof Error ? error.message : String(error);
+  const message = l10n.t('{0} did not start as a language server: {1}', program, why);
+  output.error(message);
+  offer(message);
+}
+
+function offer(message: string): void {
+  const how = l10n.t('How to install it');
+  const where = l10n.t('Choose the program…');
+  const log = l10n.t('Show output');
+  void window.showErrorMessage(message, how, where, log).then(answer => {
+    if (answer === how) return commands.executeCommand('workbench.action.openWalkthrough', 'hsd.hsd#start', false);
+    if (answer === where) return choose();
+    if (answer === log) output.show();
+    return undefined;
+  });
+}
+
+async function choose(): Promise<void> {
+  const found = await window.showOpenDialog({ title: l10n.t('The program hsd'), canSelectMany: false });
+  if (found?.[0]) await show(found[0].fsPath);
+}

@@ -1,0 +1,36 @@
+// node test/files.mjs [FILE...]
+// Every example and every type of house is coloured from end to end: no character but blanks is left without a scope of its
+// own, and nothing is called invalid. With files it prints their tokens instead.
+import { readFileSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { grammar, root, tokens } from './tokens.mjs';
+
+const hsd = await grammar();
+const asked = process.argv.slice(2);
+for (const path of asked) {
+  for (const line of tokens(hsd, readFileSync(path, 'utf8'))) {
+    console.log(line.map(t => `${JSON.stringify(t.text)} ${t.scopes.join(' ')}`).join('\n'), '\n');
+  }
+}
+
+const house = /\.hsd$/;
+const repository = join(root, '..', '..');
+const files = asked.length ? [] : ['examples', 'library']
+  .flatMap(folder => readdirSync(join(repository, folder), { recursive: true }).map(name => join(folder, name)))
+  .filter(name => house.test(name)).sort();
+if (!asked.length && files.length < 30) throw new Error(`only ${files.length} files found`);
+
+let faults = 0;
+for (const file of files) {
+  tokens(hsd, readFileSync(join(repository, file), 'utf8')).forEach((line, number) => {
+    for (const { text, scopes } of line) {
+      const bare = text.trim() && !scopes.some(scope => !scope.startsWith('meta.'));
+      const invalid = scopes.find(scope => scope.startsWith('invalid'));
+      if (!bare && !invalid) continue;
+      faults += 1;
+      console.error(`${file}:${number + 1}: ${JSON.stringify(text)} ${invalid ?? 'has no scope'}`);
+    }
+  });
+}
+if (files.length) console.log(`${files.length} files coloured, ${faults} faults`);
+process.exit(faults > 0 ? 1 : 0);
