@@ -13,6 +13,7 @@ mod fmt;
 mod input;
 mod japanese;
 mod language;
+mod lsp;
 mod new;
 mod options;
 mod output;
@@ -134,6 +135,7 @@ enum Command {
     Explain(explain::Explain),
     Fmt(fmt::Fmt),
     Textures(textures::Textures),
+    Lsp(lsp::Lsp),
     Completions(completions::Completions),
 }
 
@@ -156,6 +158,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Explain(c) => c.run(language),
         Command::Fmt(c) => c.run(language),
         Command::Textures(c) => c.run(language),
+        Command::Lsp(c) => c.run(language),
         Command::Completions(c) => c.run(language),
     };
     let (message, status) = match outcome {

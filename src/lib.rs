@@ -65,6 +65,7 @@ pub mod ide;
 // Shells.
 pub mod cli;
 pub mod disk;
+pub mod lsp;
 pub mod report;
 
 pub use driver::{Compiled, Options, compile, compile_bytes};

@@ -308,6 +308,14 @@ pub(super) static COMMANDS: &[Words] = &[
         values: &[],
     },
     Words {
+        path: "lsp",
+        about: "エディターに応える: 診断、補完、説明などを Language Server Protocol で",
+        more: "エディターが自分で起動します。標準入力を読み、標準出力に書きます。エディターの設定は README にあります。",
+        examples: "",
+        arguments: &[("stdio", "標準入力と標準出力で話す。指定しなくても同じ", "")],
+        values: &[],
+    },
+    Words {
         path: "completions",
         about: "シェルが `hsd` のコマンドを補完するためのスクリプトを書く",
         more: "",

@@ -1,0 +1,239 @@
+//! The texts that are open, and what is known of them.
+
+use super::lines::{Encoding, Lines};
+use super::settings::Settings;
+use super::uri;
+use super::world::{Overlay, key};
+use crate::disk::FolderWorld;
+use crate::driver::Options;
+use crate::expand;
+use crate::ide::Analysis;
+use crate::source::{FileId, Limits, Source};
+use gen_lsp_types::{Range, TextDocumentContentChangeEvent};
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+
+/// Says that a file is UTF-8, whatever its XML declaration says: editors hand over characters.
+const MARK: &str = "\u{feff}";
+
+/// One open text.
+pub(super) struct Document {
+    /// As the client writes it.
+    pub(super) uri: String,
+    /// What other texts know it by.
+    path: Option<PathBuf>,
+    /// The client's count of changes.
+    pub(super) version: i32,
+    /// The whole text.
+    pub(super) text: String,
+    /// Its lines.
+    pub(super) lines: Lines,
+    /// What is known of the text, unless it has changed since.
+    pub(super) analysis: Option<Analysis>,
+    /// The texts that it asked for when it was last read.
+    asked: BTreeSet<PathBuf>,
+}
+
+impl Document {
+    /// Bytes of the text that [`Analysis`] does not count: a byte order mark.
+    pub(super) fn mark(&self) -> usize {
+        if self.text.starts_with(MARK) {
+            MARK.len()
+        } else {
+            0
+        }
+    }
+
+    /// Takes over changes, one after the other.
+    pub(super) fn edit(
+        &mut self,
+        changes: Vec<TextDocumentContentChangeEvent>,
+        encoding: Encoding,
+    ) {
+        use TextDocumentContentChangeEvent as Change;
+        for change in changes {
+            match change {
+                Change::TextDocumentContentChangePartial(part) => {
+                    self.replace(part.range, &part.text, encoding);
+                }
+                Change::TextDocumentContentChangeWholeDocument(whole) => {
+                    self.lines = Lines::new(&whole.text);
+                    self.text = whole.text;
+                }
+            }
+        }
+    }
+
+    fn replace(&mut self, range: Range, text: &str, encoding: Encoding) {
+        let range = self.lines.offsets(&self.text, range, encoding);
+        self.text.replace_range(range.clone(), text);
+        self.lines.edit(&range, text.len(), &self.text);
+    }
+}
+
+/// All open texts.
+#[derive(Default)]
+pub(super) struct Documents {
+    open: BTreeMap<String, Document>,
+    /// Those that are files, by [`key`]: what texts see that include them.
+    files: BTreeMap<PathBuf, String>,
+}
+
+impl Documents {
+    /// An open text.
+    pub(super) fn get(&self, uri: &str) -> Option<&Document> {
+        self.open.get(uri)
+    }
+
+    /// All open texts.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Document> {
+        self.open.values()
+    }
+
+    /// The open text of a file.
+    pub(super) fn of_file(&self, path: &Path) -> Option<&Document> {
+        let key = key(path);
+        self.iter().find(|d| d.path.as_ref() == Some(&key))
+    }
+
+    /// Opens a text.
+    pub(super) fn open(&mut self, uri: String, version: i32, text: String) {
+        let path = uri::to_path(&uri).map(|p| key(&p));
+        let lines = Lines::new(&text);
+        let document = Document {
+            uri: uri.clone(),
+            path: path.clone(),
+            version,
+            text,
+            lines,
+            analysis: None,
+            asked: BTreeSet::new(),
+        };
+        self.open.insert(uri.clone(), document);
+        self.changed(&uri);
+    }
+
+    /// Changes a text; nothing happens where it is not open.
+    pub(super) fn edit(
+        &mut self,
+        uri: &str,
+        version: i32,
+        changes: Vec<TextDocumentContentChangeEvent>,
+        encoding: Encoding,
+    ) {
+        if let Some(document) = self.open.get_mut(uri) {
+            document.version = version;
+            document.edit(changes, encoding);
+            self.changed(uri);
+        }
+    }
+
+    /// Closes a text: what includes it sees the file on disk again.
+    pub(super) fn close(&mut self, uri: &str) -> Option<Document> {
+        let closed = self.open.remove(uri)?;
+        if let Some(path) = &closed.path {
+            self.files.remove(path);
+            self.forget(path);
+        }
+        Some(closed)
+    }
+
+    /// Notes that a text is another, for itself and for whoever reads it.
+    fn changed(&mut self, uri: &str) {
+        let Some(document) = self.open.get_mut(uri) else {
+            return;
+        };
+        document.analysis = None;
+        if let Some(path) = document.path.clone() {
+            let text = match document.text.starts_with(MARK) {
+                true => document.text.clone(),
+                false => format!("{MARK}{}", document.text),
+            };
+            self.files.insert(path.clone(), text);
+            self.forget(&path);
+        }
+    }
+
+    /// Notes that a file is another, for whoever reads it.
+    pub(super) fn forget(&mut self, path: &Path) {
+        for document in self.open.values_mut() {
+            if document.asked.contains(path) {
+                document.analysis = None;
+            }
+        }
+    }
+
+    /// Notes that anything may have changed.
+    pub(super) fn forget_all(&mut self) {
+        for document in self.open.values_mut() {
+            document.analysis = None;
+        }
+    }
+
+    /// A text of which nothing is known.
+    pub(super) fn stale(&self) -> Option<&str> {
+        let stale = self.open.values().find(|d| d.analysis.is_none());
+        stale.map(|d| &*d.uri)
+    }
+
+    /// Reads a text, unless it is known already; says whether it was read.
+    pub(super) fn analyse(&mut self, uri: &str, settings: &Settings) -> bool {
+        let Some(document) = self.open.get(uri).filter(|d| d.analysis.is_none()) else {
+            return false;
+        };
+        let path = uri::to_path(uri);
+        let folder = path.as_deref().and_then(Path::parent);
+        let world = self.world(folder, settings);
+        let name = path.as_deref().and_then(Path::to_str).unwrap_or(uri);
+        let mark = if document.mark() == 0 { MARK } else { "" };
+        let text = [mark, &document.text].concat();
+        let source = Source::new(FileId(0), name, text.as_bytes());
+        let analysis = Analysis::new(source, &world, &options(settings));
+        let asked = world.asked.into_inner();
+        if let Some(document) = self.open.get_mut(uri) {
+            document.analysis = Some(analysis);
+            document.asked = asked;
+        }
+        true
+    }
+
+    /// The files that a text in this folder may use.
+    fn world(&self, folder: Option<&Path>, settings: &Settings) -> Overlay<'_> {
+        let own = || folder.map(Path::to_owned).into_iter();
+        let textures = match &settings.textures[..] {
+            [] => own().chain(own().map(|f| f.join("textures"))).collect(),
+            given => given.to_vec(),
+        };
+        let roots: Vec<PathBuf> = match &settings.root {
+            Some(root) => vec![root.clone()],
+            None => own().collect(),
+        };
+        Overlay {
+            disk: FolderWorld::new(textures, Limits::default().pixels).with_roots(roots.clone()),
+            roots,
+            open: &self.files,
+            asked: RefCell::default(),
+        }
+    }
+}
+
+/// What a run is to do; files of own parts that cannot be read are left out.
+fn options(settings: &Settings) -> Options {
+    let limit = Limits::default().bytes as u64;
+    let small = |p: &&PathBuf| std::fs::metadata(p).is_ok_and(|m| m.len() <= limit);
+    let there = settings.catalogs.iter().filter(small);
+    let catalogs = there.filter_map(|path| Some((path, std::fs::read(path).ok()?)));
+    let numbered = catalogs
+        .zip(1u16..)
+        .map(|((path, bytes), number)| Source::new(FileId(number), path.to_string_lossy(), &bytes));
+    Options {
+        expand: expand::Options {
+            seed: settings.seed,
+            limits: Limits::default(),
+        },
+        parameters: settings.parameters.clone(),
+        catalogs: numbered.collect::<Vec<_>>().into(),
+        ..Options::default()
+    }
+}

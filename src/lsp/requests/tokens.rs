@@ -1,0 +1,88 @@
+//! Semantic tokens, each counted from the one before it.
+
+use super::{Answer, View};
+use crate::ide::tokens::{Modifiers, Token, TokenKind, tokens};
+use crate::lsp::server::Server;
+use gen_lsp_types as lsp;
+use serde_json::{Value, json};
+
+/// The kinds with their names in the protocol, in the order of their numbers.
+const KINDS: [(TokenKind, &str); 11] = [
+    (TokenKind::Comment, "comment"),
+    (TokenKind::Keyword, "keyword"),
+    (TokenKind::Element, "type"),
+    (TokenKind::Attribute, "property"),
+    (TokenKind::String, "string"),
+    (TokenKind::Number, "number"),
+    (TokenKind::Code, "enumMember"),
+    (TokenKind::Parameter, "parameter"),
+    (TokenKind::Variable, "variable"),
+    (TokenKind::Function, "function"),
+    (TokenKind::Operator, "operator"),
+];
+
+/// The modifiers, in the order of their bits.
+const MODIFIERS: [&str; 4] = ["declaration", "defaultLibrary", "own", "unknown"];
+
+/// What the numbers mean.
+pub(super) fn legend() -> Value {
+    let kinds: Vec<&str> = KINDS.iter().map(|(_, name)| *name).collect();
+    json!({ "tokenTypes": kinds, "tokenModifiers": MODIFIERS })
+}
+
+pub(super) fn full(
+    server: &mut Server,
+    params: lsp::SemanticTokensParams,
+) -> Answer<lsp::SemanticTokens> {
+    Ok(match server.view(&params.text_document) {
+        Some(view) => written(&view, &tokens(view.analysis)),
+        None => lsp::SemanticTokens::default(),
+    })
+}
+
+pub(super) fn range(
+    server: &mut Server,
+    params: lsp::SemanticTokensRangeParams,
+) -> Answer<lsp::SemanticTokens> {
+    let Some(view) = server.view(&params.text_document) else {
+        return Ok(lsp::SemanticTokens::default());
+    };
+    let range = view.offsets(params.range);
+    let all = tokens(view.analysis);
+    let from = all.partition_point(|t| t.range.end <= range.start);
+    let to = all.partition_point(|t| t.range.start < range.end);
+    Ok(written(&view, all.get(from..to).unwrap_or_default()))
+}
+
+fn written(view: &View<'_>, tokens: &[Token]) -> lsp::SemanticTokens {
+    let mut last = view.places.position(0);
+    let mut data = Vec::with_capacity(tokens.len());
+    for token in tokens {
+        let range = view.places.own(&token.range);
+        let delta_line = range.start.line - last.line;
+        let from = if delta_line == 0 { last.character } else { 0 };
+        data.push(lsp::SemanticToken {
+            delta_line,
+            delta_start: range.start.character - from,
+            length: range.end.character.saturating_sub(range.start.character),
+            token_type: number(token.kind),
+            token_modifiers_bitset: bits(token.modifiers),
+        });
+        last = range.start;
+    }
+    lsp::SemanticTokens {
+        result_id: None,
+        data,
+    }
+}
+
+fn number(kind: TokenKind) -> u32 {
+    let at = KINDS.iter().position(|(k, _)| *k == kind);
+    at.unwrap_or(0) as u32
+}
+
+fn bits(m: Modifiers) -> u32 {
+    let set = [m.declaration, m.default_library, m.own, m.unknown];
+    let bits = set.iter().enumerate();
+    bits.fold(0, |all, (i, on)| all | u32::from(*on) << i)
+}
