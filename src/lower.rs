@@ -4,10 +4,12 @@
 //!
 //! - [`walk`]: one loop to walls, one after another;
 //! - [`close`]: does the walk close, and which line would close it;
+//! - [`text`]: how a line of the legacy text is made longer, shorter, or to turn the other way;
 //! - [`crossing`]: do walls cross or touch, within a ring and between rings.
 
 mod close;
 mod crossing;
+mod text;
 mod walk;
 
 pub(crate) use close::Mend;

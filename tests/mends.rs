@@ -96,19 +96,73 @@ fn flaws(path: &Path, run: &Run, d: &Diagnostic, mend: &Mend) -> Vec<String> {
     flaws
 }
 
-#[test]
-fn mends_mend() {
-    let mut findings = vec![];
-    for path in texts(FIXTURES) {
-        let run = compile_file(&path);
-        for d in &run.diagnostics {
-            for mend in &d.mends {
-                let found = flaws(&path, &run, d, mend);
-                let name = format!("{}: {}: {:?}", stem(&path), d.code, mend.title.en);
-                findings.extend(found.iter().map(|flaw| format!("{name}: {flaw}")));
-            }
+/// What is wrong with all mends of a run, and how many there are.
+fn all_flaws(path: &Path, run: &Run, findings: &mut Vec<String>) -> usize {
+    let mut count = 0;
+    for d in &run.diagnostics {
+        for mend in &d.mends {
+            count += 1;
+            let found = flaws(path, run, d, mend);
+            let name = format!("{}: {}: {:?}", stem(path), d.code, mend.title.en);
+            findings.extend(found.iter().map(|flaw| format!("{name}: {flaw}")));
         }
     }
+    count
+}
+
+#[test]
+fn mends_mend() {
+    let (mut findings, mut count) = (vec![], 0);
+    for path in texts(FIXTURES) {
+        count += all_flaws(&path, &compile_file(&path), &mut findings);
+    }
+    assert!(count > 80, "{count} mends");
+    assert_none(&findings);
+}
+
+/// The same texts with line ends of Windows, and in UTF-16, where a column is two bytes.
+#[test]
+fn mends_of_the_legacy_text_know_line_ends_and_encodings() {
+    let (mut findings, mut counts) = (vec![], [0; 2]);
+    for path in texts(FIXTURES) {
+        let bytes = std::fs::read(&path).expect("fixtures can be read");
+        let Some(text) = String::from_utf8(bytes).ok().filter(|t| !t.contains('<')) else {
+            continue;
+        };
+        let name = path.file_name().expect("is a file").to_string_lossy();
+        let marked = format!("\u{feff}{text}");
+        let wide = marked.encode_utf16().flat_map(u16::to_le_bytes);
+        let others = [text.replace('\n', "\r\n").into_bytes(), wide.collect()];
+        for (other, count) in others.into_iter().zip(&mut counts) {
+            let changed = BTreeMap::from([(name.clone().into_owned(), other)]);
+            *count += all_flaws(&path, &compile_changed(&path, changed), &mut findings);
+        }
+    }
+    assert!(counts.iter().all(|count| *count > 60), "{counts:?} mends");
+    assert_none(&findings);
+}
+
+/// Slips that bring on messages of several codes.
+#[test]
+fn mends_of_several_slips_do_not_hinder_one_another() {
+    let walls = "KSM  KSM\nKSM  KSM\nKSM  KSM\n";
+    let lines = [
+        "ＫＳＭ　　ＫＳＭ\n",
+        "ＫＳＭ　　KSM\n",
+        "KSM  ^KSM  KSM  ^\n",
+        "  KSM  ksm # door\n",
+        "KSM KSM  r # front\n",
+        "大戸 KSM  l\n",
+    ];
+    let (mut findings, mut count) = (vec![], 0);
+    for (i, line) in lines.iter().enumerate() {
+        let name = format!("slip{i}.hsd");
+        let text = format!("0 0 180\n9.0\n\n{line}{walls}").into_bytes();
+        let path = Path::new(&name);
+        let run = compile_changed(path, BTreeMap::from([(name.clone(), text)]));
+        count += all_flaws(path, &run, &mut findings);
+    }
+    assert!(count >= lines.len(), "{count} mends");
     assert_none(&findings);
 }
 

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, missing_docs)]
 
-use hsd::diagnostic::{Diagnostic, Diagnostics, Language};
+use hsd::diagnostic::{Diagnostic, Diagnostics, Edit, Language};
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source, Span};
 use hsd::text;
@@ -274,6 +274,62 @@ fn sarif_is_minimal_and_valid() {
     let related = &run["results"][1]["relatedLocations"][0];
     assert_eq!(related["message"]["text"], "there");
     assert_eq!(related["physicalLocation"]["region"]["startColumn"], 6);
+}
+
+#[test]
+fn sarif_offers_mends_as_fixes() {
+    let source = source("# 町家\nGSI  x\n");
+    let (code, end) = (find(&source, "GSI  "), find(&source, "x").after());
+    let edits = vec![Edit::new(code, "KSK  "), Edit::new(end, "L")];
+    let d = [
+        Diagnostic::error(104, code, "wrong")
+            .mend(text!("Write `GSB  `", "`GSB  ` と書く"), code, "GSB  ")
+            .mend_all("Do both", edits),
+        Diagnostic::note(1, end, "no mend"),
+    ];
+    let sources = [source];
+    let json: serde_json::Value =
+        serde_json::from_str(&written(&sources, &d, Format::Sarif)).unwrap();
+    let results = &json["runs"][0]["results"];
+    // SARIF 2.1.0, 3.55 to 3.57: a fix has changes of files, each with replacements of regions in the units of the
+    // run. A region of no length is a place to put something in.
+    let region = |from: u32, to: u32| {
+        serde_json::json!({
+            "startLine": 2, "startColumn": from, "endLine": 2, "endColumn": to,
+            "byteOffset": 8 + from, "byteLength": to - from, "charOffset": 4 + from, "charLength": to - from,
+        })
+    };
+    let replaced = |region: serde_json::Value, text: &str| serde_json::json!({"deletedRegion": region, "insertedContent": {"text": text}});
+    let fix = |description: &str, replacements: &[serde_json::Value]| {
+        serde_json::json!({
+            "description": {"text": description},
+            "artifactChanges": [{
+                "artifactLocation": {"uri": "%E7%94%BA%E5%AE%B6.hsd"},
+                "replacements": replacements,
+            }],
+        })
+    };
+    let expected = [
+        fix("Write `GSB  `", &[replaced(region(1, 6), "GSB  ")]),
+        fix(
+            "Do both",
+            &[replaced(region(1, 6), "KSK  "), replaced(region(7, 7), "L")],
+        ),
+    ];
+    assert_eq!(results[0]["fixes"], serde_json::json!(expected));
+    assert_eq!(
+        results[1].get("fixes"),
+        None,
+        "an array of fixes is never empty"
+    );
+    // Other forms say nothing of mends.
+    for format in [Format::Human, Format::Short, Format::Json] {
+        let bare = d.clone().map(|d| Diagnostic { mends: vec![], ..d });
+        assert_eq!(
+            written(&sources, &d, format),
+            written(&sources, &bare, format)
+        );
+    }
 }
 
 #[test]

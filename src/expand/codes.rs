@@ -348,7 +348,10 @@ impl Pass<'_, '_> {
             && let Some(found) = self.codes.known(&CodeText::new(&bare[..bare.len() - 1]))
         {
             let code = bare[..bare.len() - 1].trim_end().to_owned();
-            self.once(302, span, || say::lost_blanks(span, bare, &code, control));
+            let ends = self.ends_line(span);
+            self.once(302, span, || {
+                say::lost_blanks(span, bare, &code, control, ends)
+            });
             return found;
         }
         if self.is_news(301, span) {
@@ -358,7 +361,7 @@ impl Pass<'_, '_> {
             };
             let called = self.codes.called(bare);
             self.out.push(match called {
-                Some(part) => say::part_name(span, bare, part),
+                Some(part) => say::part_name(span, bare, part, span),
                 None => say::unknown_code(span, bare, &near),
             });
         }

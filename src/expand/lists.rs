@@ -54,7 +54,7 @@ impl Pass<'_, '_> {
             text => trimmed(text, 0..text.len()),
         };
         if whole.is_empty() {
-            self.once(304, list.span, || say::empty_code(list.span));
+            self.once(304, list.span, || say::empty_code(list.span, None));
             return vec![];
         }
         if self
@@ -80,7 +80,8 @@ impl Pass<'_, '_> {
             let inner = trimmed(&list.value, range.clone());
             if inner.is_empty() {
                 let span = self.within(list, spelling, &range);
-                self.once(304, span, || say::empty_code(span));
+                let comma = self.comma(list, spelling, &range);
+                self.once(304, span, || say::empty_code(span, comma));
             } else {
                 pieces.push(inner);
             }
@@ -120,6 +121,45 @@ impl Pass<'_, '_> {
         }
     }
 
+    /// A comma beside an empty piece of a list, with the blanks of that piece.
+    fn comma(
+        &self,
+        list: &Spanned<String>,
+        spelling: Spelling,
+        piece: &Range<usize>,
+    ) -> Option<Span> {
+        let all = list.value.len();
+        let range = match (piece.start, piece.end) {
+            (0, end) if end == all => return None,
+            (0, end) => 0..end + 1,
+            (start, end) => start - 1..end,
+        };
+        let exact = !matches!(spelling, Spelling::Otherwise);
+        exact.then(|| self.within(list, spelling, &range))
+    }
+
+    /// The attribute whose value stands in a place, with the blanks before it.
+    fn attribute(&self, value: Span) -> Option<Span> {
+        if value.file != self.source.id() {
+            return None;
+        }
+        let (text, range) = (self.source.text(), self.source.text_range(value));
+        let quote = text[range.end..].chars().next()?;
+        let before = text[..range.start].strip_suffix(quote)?.trim_end();
+        let name = before.strip_suffix('=')?.trim_end();
+        let start = name.rfind(char::is_whitespace)?;
+        let start = name[..start].trim_end().len();
+        Some(self.source.span(start..range.end + quote.len_utf8()))
+    }
+
+    /// Whether nothing follows a place on its line of the legacy text.
+    pub(super) fn ends_line(&self, span: Span) -> bool {
+        let (text, range) = (self.source.text(), self.source.text_range(span));
+        let rest = text[range.end..].trim_start_matches(' ');
+        let ends = rest.is_empty() || rest.starts_with(['\n', '\r']);
+        span.file == self.source.id() && ends && !text.trim_start().starts_with('<')
+    }
+
     /// The weights of a draw among so many codes, as running sums; equal ones where none or wrong ones
     /// are given.
     pub(super) fn weight_sums(&mut self, random: &Random, codes: usize) -> Vec<f64> {
@@ -139,7 +179,8 @@ impl Pass<'_, '_> {
         let given = weights.value.len();
         if given != codes {
             let span = weights.span;
-            self.once(305, span, || say::weight_count(span, given, codes));
+            let all = self.attribute(span);
+            self.once(305, span, || say::weight_count(span, given, codes, all));
             return equal;
         }
         let sum: f64 = weights.value.iter().sum();

@@ -32,8 +32,10 @@ impl Pass<'_, '_> {
         };
         if let Some(first) = first {
             let first = self.head(first);
-            self.out
-                .push(say::storeys_beside(span, name(monument), first));
+            let storeys = house.storeys.iter().map(place_of);
+            let all = storeys.chain(house.structures.iter().map(|s| s.span));
+            let told = say::storeys_beside(span, name(monument), first, all.collect());
+            self.out.push(told);
         }
         let mut draft = Draft::new(span, unit);
         match monument {

@@ -1,11 +1,13 @@
 //! Does a walk close (C1, C2 of domain.md 2.3)? If not: which line, or which turn, would close it?
 
+use super::text;
 use super::walk::Walk;
 use crate::building::Wall;
-use crate::diagnostic::{Diagnostics, messages::plan};
+use crate::diagnostic::{Diagnostics, Edit, messages::plan};
 use crate::geometry::{SAME, area2};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
+use std::ops::Range;
 
 /// A closing error up to this share of the length is spread over a ring of facades (language.md 3).
 const RING_ERROR: f64 = 0.01;
@@ -76,7 +78,7 @@ fn turns_close(walk: &Walk, out: &mut Diagnostics) -> bool {
         return true;
     }
     if closes_with(walk, -written) && backwards {
-        out.push(plan::wrong_way_round(walk.span, walk.hole));
+        out.push(plan::wrong_way_round(walk.span, walk.hole, mirrored(walk)));
     } else {
         out.push(plan::wrong_turns(
             walk.span,
@@ -101,10 +103,15 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
         return;
     }
     let open = written <= OPEN_TURNS && !walk.hole;
-    if let Some((line, is_left)) = wrong_turn(walk, written, gap) {
-        out.push(plan::turn_to_flip(line, is_left, open));
-    } else if let Some((line, other, is_left)) = moved_turn(walk, written) {
-        out.push(plan::turn_to_move(line, other, is_left, open));
+    if let Some(i) = wrong_turn(walk, written, gap) {
+        let (wall, turn) = (&walk.walls[i], walk.turns[i]);
+        let mend = text::turn_back(wall, turn);
+        out.push(plan::turn_to_flip(wall.span, turn < 0.0, open, mend));
+    } else if let Some(i) = moved_turn(walk, written) {
+        let mend = flipped(walk, i..i + 2);
+        let (line, other) = (walk.walls[i].span, walk.walls[i + 1].span);
+        let is_left = walk.turns[i] < 0.0;
+        out.push(plan::turn_to_move(line, other, is_left, open, mend));
     } else if open {
         out.push(plan::open_facade(walk.span, gap));
     } else {
@@ -114,28 +121,27 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
 
 /// The line end whose turn, made the other way, closes the walk: the rest of it then lies turned by
 /// half a circle about that corner.
-fn wrong_turn(walk: &Walk, written: f64, gap: DVec2) -> Option<(Span, bool)> {
+fn wrong_turn(walk: &Walk, written: f64, gap: DVec2) -> Option<usize> {
     let start = walk.walls[0].from;
-    (0..walk.turns.len() - 1).find_map(|i| {
+    (0..walk.turns.len() - 1).find(|&i| {
         let turn = walk.turns[i];
         let corner = walk.walls[i].to;
         let flipped = corner * 2.0 - (start + gap);
         let fits = turn.abs() == 90.0 && closes_with(walk, written - 2.0 * turn);
-        (fits && flipped.distance(start) < SAME).then(|| (walk.walls[i].span, turn < 0.0))
+        fits && flipped.distance(start) < SAME
     })
 }
 
 /// Two neighbouring line ends whose turns, exchanged, close the walk: the line between them then runs
-/// the other way. Left and right as they stand now.
-fn moved_turn(walk: &Walk, written: f64) -> Option<(Span, Span, bool)> {
+/// the other way; the first of the two.
+fn moved_turn(walk: &Walk, written: f64) -> Option<usize> {
     let start = walk.walls[0].from;
-    let between = 0..walk.turns.len().saturating_sub(2);
-    between.into_iter().find_map(|i| {
+    let mut between = 0..walk.turns.len().saturating_sub(2);
+    between.find(|&i| {
         let (turn, next, line) = (walk.turns[i], walk.turns[i + 1], &walk.walls[i + 1]);
         let fits = turn.abs() == 90.0 && next == -turn && closes_with(walk, written);
         let end = walk.end - (line.to - line.from) * 2.0;
-        let found = || (walk.walls[i].span, line.span, turn < 0.0);
-        (fits && end.distance(start) < SAME).then(found)
+        fits && end.distance(start) < SAME
     })
 }
 
@@ -144,11 +150,24 @@ pub(crate) struct Mend {
     pub line: Span,
     pub length: f64,
     pub by: f64,
+    /// How it is done, where the line is one of the legacy text.
+    pub edit: Option<Edit>,
+}
+
+/// The changes that turn some line ends the other way; none where one of them cannot be changed.
+fn flipped(walk: &Walk, range: Range<usize>) -> Vec<Edit> {
+    let edits = range.map(|i| text::turn_back(&walk.walls[i], walk.turns[i]));
+    edits.collect::<Option<_>>().unwrap_or_default()
+}
+
+/// The same for all, save the last, which closes the walk.
+fn mirrored(walk: &Walk) -> Vec<Edit> {
+    flipped(walk, 0..walk.turns.len() - 1)
 }
 
 /// For each axis of the gap the lines that could take it up, the last first: an author has just
 /// written those.
-fn mends(walk: &Walk, gap: DVec2) -> Vec<Mend> {
+fn mends(walk: &Walk, gap: DVec2) -> Vec<Vec<Mend>> {
     let mut found = vec![];
     for axis in [DVec2::X, DVec2::Y] {
         let missing = -gap.dot(axis);
@@ -166,9 +185,10 @@ fn mends(walk: &Walk, gap: DVec2) -> Vec<Mend> {
                 line: w.span,
                 length,
                 by,
+                edit: text::resize(w, by),
             })
         });
-        found.extend(fitting.take(2));
+        found.push(fitting.take(2).collect());
     }
     found
 }

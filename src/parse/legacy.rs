@@ -8,6 +8,7 @@
 //! | file | reads |
 //! |---|---|
 //! | `line` | lines, and stand-ins for characters that do not belong |
+//! | `places` | the places that mends change |
 //! | `mended` | what is said of those stand-ins |
 //! | `words` | words and numbers |
 //! | `header` | place, heights, keys |
@@ -17,6 +18,7 @@
 mod cells;
 mod header;
 mod line;
+mod places;
 mod roof_words;
 mod roofs;
 mod mended;
@@ -27,7 +29,7 @@ use super::Setting;
 use super::faults::Faults;
 use crate::ast::{Document, House};
 use crate::diagnostic::messages::{file, legacy as say};
-use crate::diagnostic::{Diagnostics, Noun, noun};
+use crate::diagnostic::{Diagnostics, Edit, Noun, noun};
 use crate::source::{Limits, Shelf, Source, Span};
 use header::Header;
 use line::Line;
@@ -77,7 +79,11 @@ pub fn parse_lines(
         if is_tag(&text[line.clone()]) {
             xml = Some(line.start);
             let span = source.span(line.clone());
-            reader.faults.say(say::xml_after_text(span));
+            let before = source.span(0..line.start);
+            let tag = &text[line.clone()];
+            reader
+                .faults
+                .say(say::xml_after_text(span, before, &text[..line.start], tag));
             break;
         }
         let kind = reader.line(&text[line.clone()], line.start, end);
@@ -133,6 +139,24 @@ struct Draft {
     span: Option<Span>,
     /// The blank line that was read last, with its line end, in the text of the source.
     blank: Option<Range<usize>>,
+    /// Whether blank lines were read before it, with comments between.
+    apart: bool,
+    /// Where the lines of the header end, in the text of the source.
+    header_end: Option<usize>,
+}
+
+impl Draft {
+    /// Notes a blank line; those that follow one another are one.
+    fn blank_line(&mut self, range: Range<usize>) {
+        let start = match self.blank.take() {
+            Some(before) if before.end == range.start => before.start,
+            before => {
+                self.apart |= before.is_some();
+                range.start
+            }
+        };
+        self.blank = Some(start..range.end);
+    }
 }
 
 struct Reader<'a> {
@@ -165,7 +189,7 @@ impl<'a> Reader<'a> {
         }
         if raw.trim_start().is_empty() {
             self.house.header.gap = self.house.header.begun();
-            self.house.blank = Some(at..end.end);
+            self.house.blank_line(at..end.end);
             return LineKind::Blank;
         }
         let line = Line::new(raw, at);
@@ -182,7 +206,10 @@ impl<'a> Reader<'a> {
             Some(b'#') => {
                 self.faults.mended_before(&line, 0);
                 let span = line.whole(self.faults.source);
-                self.faults.say(say::comment_column(span));
+                let at = line.at;
+                let blanks = at + raw.find('#').unwrap_or(0);
+                let blanks = self.faults.source.span(at..blanks);
+                self.faults.say(say::indented_comment(span, blanks));
                 LineKind::Comment
             }
             Some(_) => match other_comment(text) {
@@ -190,10 +217,11 @@ impl<'a> Reader<'a> {
                     let start = raw.len() - raw.trim_start().len();
                     let start = at + start;
                     let span = self.faults.source.span(start..start + sign.len());
-                    self.faults.say(say::comment_sign(span, sign));
+                    let head = self.faults.source.span(at..start + sign.len());
+                    self.faults.say(say::comment_sign(span, head, sign));
                     LineKind::Comment
                 }
-                None => self.content(&line),
+                None => self.content(&line, end.end),
             },
         }
     }
@@ -204,17 +232,19 @@ impl<'a> Reader<'a> {
             let start = line.text.find('%').unwrap_or(0) + 1;
             let rest = start..line.text.trim_end().len();
             let span = line.span(self.faults.source, rest);
-            self.faults.say(say::after_separator(span));
+            let note = self.faults.written(span).trim().to_owned();
+            let end = self.faults.line_end_text();
+            self.faults.say(say::after_separator(span, &note, end));
         }
         self.finish_house();
     }
 
-    fn content(&mut self, line: &Line<'_>) -> LineKind {
-        let section = self.section_of(line);
+    fn content(&mut self, line: &Line<'_>, end: usize) -> LineKind {
+        let section = self.section_of(line, end);
         let house = &mut self.house;
         let span = line.whole(self.faults.source);
         house.span = Some(house.span.map_or(span, |s| s.to(span)));
-        house.blank = None;
+        (house.blank, house.apart) = (None, false);
         match section {
             Some(section) => house.section = section,
             // A key among walls or roofs is read there and then.
@@ -226,6 +256,7 @@ impl<'a> Reader<'a> {
         match house.section {
             Section::Header => {
                 house.header.read(line, &mut house.house, &mut self.faults);
+                house.header_end = Some(end);
                 LineKind::Header
             }
             Section::Walls => {
@@ -241,19 +272,39 @@ impl<'a> Reader<'a> {
     }
 
     /// Where a line belongs by its form; `None` is a line of the header in a wrong place.
-    fn section_of(&mut self, line: &Line<'_>) -> Option<Section> {
+    fn section_of(&mut self, line: &Line<'_>, end: usize) -> Option<Section> {
         match self.house.section {
             Section::Header => Some(self.after_header(line)),
             _ if header::is_key_line(&line.text) => {
                 let key = words::plain_words(&line.text).next().unwrap_or_default();
                 let start = line.text.find(key).unwrap_or(0);
                 let span = line.span(self.faults.source, start..start + key.len());
-                self.faults.say(say::late_key(span, key));
+                let mend = self.moved_up(line, end);
+                self.faults.say(say::late_key(span, key, mend));
                 None
             }
             Section::Walls => Some(self.after_walls(line)),
             Section::Roofs => Some(self.after_roofs(line)),
         }
+    }
+
+    /// The changes that move a line to the end of the header. The blank line before it goes too where it would part
+    /// the walls.
+    fn moved_up(&self, line: &Line<'_>, end: usize) -> Vec<Edit> {
+        let (house, source) = (&self.house, self.faults.source);
+        let Some(to) = house.header_end else {
+            return vec![];
+        };
+        let text = source.text();
+        let next = text[end..].lines().next().unwrap_or_default();
+        let parts = house.section == Section::Walls && looks_like_codes(next);
+        let blank = house.blank.clone().filter(|b| parts && b.end == line.at);
+        let from = blank.map_or(line.at, |b| b.start);
+        let key = [line.raw.trim(), self.faults.line_end_text()].concat();
+        vec![
+            Edit::new(source.span(to..to), key),
+            Edit::new(source.span(from..end), ""),
+        ]
     }
 
     fn after_header(&mut self, line: &Line<'_>) -> Section {
@@ -268,12 +319,14 @@ impl<'a> Reader<'a> {
             ..start
         };
         if !house.header.placed() {
-            self.faults.say(say::no_header(start));
+            let end = self.faults.line_end_text();
+            self.faults.say(say::no_header(start, end));
         } else if house.blank.is_none() {
             self.faults.say(say::no_blank_line(
                 start,
                 noun("header", "ヘッダー"),
                 if roof { ROOFS } else { WALLS },
+                self.faults.line_end_text(),
             ));
         }
         if roof { Section::Roofs } else { Section::Walls }
@@ -290,7 +343,9 @@ impl<'a> Reader<'a> {
                     end: span.start,
                     ..span
                 };
-                self.faults.say(say::no_blank_line(start, WALLS, ROOFS));
+                let end = self.faults.line_end_text();
+                self.faults
+                    .say(say::no_blank_line(start, WALLS, ROOFS, end));
             }
             return if roof { Section::Roofs } else { Section::Walls };
         };
@@ -299,7 +354,8 @@ impl<'a> Reader<'a> {
             Section::Header
         } else if looks_like_codes(text) && !roofs::looks_like_roof(text) {
             let blank = self.faults.source.span(blank);
-            self.faults.say(say::blank_in_walls(blank, span));
+            let apart = self.house.apart;
+            self.faults.say(say::blank_in_walls(blank, span, apart));
             Section::Walls
         } else {
             Section::Roofs
@@ -319,7 +375,8 @@ impl<'a> Reader<'a> {
 
     /// A header after walls or roofs: the line between two houses was forgotten.
     fn new_house(&mut self, header: Span) {
-        self.faults.say(say::no_separator(header));
+        let end = self.faults.line_end_text();
+        self.faults.say(say::no_separator(header, end));
         self.finish_house();
     }
 
@@ -343,8 +400,10 @@ impl<'a> Reader<'a> {
             let span = surplus
                 .iter()
                 .fold(surplus[0].span, |all, h| all.to(h.span));
+            let all = self.faults.with_blanks(span);
+            let heights = house.heights.len();
             self.faults
-                .say(say::surplus_heights(span, house.heights.len(), storeys));
+                .say(say::surplus_heights(span, all, heights, storeys));
         }
         draft.header.judge(&house, storeys, &mut self.faults);
         self.document.houses.push(house);

@@ -1,9 +1,10 @@
 //! SARIF 2.1.0, for code-scanning services. Rules come from the pages of `hsd explain`.
 
 use super::{Report, title};
-use crate::diagnostic::{Code, Diagnostic, Language, pages};
-use crate::source::Span;
+use crate::diagnostic::{Code, Diagnostic, Language, Mend, pages};
+use crate::source::{FileId, Span};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 const SCHEMA: &str = "https://json.schemastore.org/sarif-2.1.0.json";
@@ -68,6 +69,31 @@ struct Outcome<'a> {
     locations: [Location<'a>; 1],
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related_locations: Vec<Location<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    fixes: Vec<Fix<'a>>,
+}
+
+/// A mend.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Fix<'a> {
+    description: Text<&'a str>,
+    artifact_changes: Vec<Change<'a>>,
+}
+
+/// What a mend changes in one file.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Change<'a> {
+    artifact_location: Artifact,
+    replacements: Vec<Replacement<'a>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Replacement<'a> {
+    deleted_region: Region,
+    inserted_content: Text<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -169,11 +195,47 @@ fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcom
             message: None,
         }],
         related_locations: d.labels.iter().map(label).collect(),
+        fixes: d.mends.iter().filter_map(|m| fix(report, m)).collect(),
     }
 }
 
+/// A mend, unless it is one of a file that the report does not know: a change must have a region.
+fn fix<'a>(report: &Report<'_>, mend: &'a Mend) -> Option<Fix<'a>> {
+    let mut files = BTreeMap::<FileId, Vec<Replacement<'a>>>::new();
+    for edit in &mend.edits {
+        let replacement = Replacement {
+            deleted_region: region(report, edit.span)?,
+            inserted_content: Text { text: &edit.text },
+        };
+        files.entry(edit.span.file).or_default().push(replacement);
+    }
+    let change = |(file, replacements)| Change {
+        artifact_location: artifact(report, file),
+        replacements,
+    };
+    Some(Fix {
+        description: Text {
+            text: mend.title.in_language(report.language),
+        },
+        artifact_changes: files.into_iter().map(change).collect(),
+    })
+}
+
 fn place(report: &Report<'_>, span: Span) -> Place {
-    let region = report.lines(span.file).map(|lines| {
+    Place {
+        artifact_location: artifact(report, span.file),
+        region: region(report, span),
+    }
+}
+
+fn artifact(report: &Report<'_>, file: FileId) -> Artifact {
+    Artifact {
+        uri: uri(report.name(file)),
+    }
+}
+
+fn region(report: &Report<'_>, span: Span) -> Option<Region> {
+    report.lines(span.file).map(|lines| {
         let range = lines.range(span);
         let (from, to) = (lines.position(range.start), lines.position(range.end));
         let before = lines.characters(range.start);
@@ -187,13 +249,7 @@ fn place(report: &Report<'_>, span: Span) -> Place {
             char_offset: before,
             char_length: lines.characters(range.end) - before,
         }
-    });
-    Place {
-        artifact_location: Artifact {
-            uri: uri(report.name(span.file)),
-        },
-        region,
-    }
+    })
 }
 
 /// A path as a reference; a drive letter would read as a scheme.

@@ -183,6 +183,7 @@ fn check_place(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
             line.span,
             level.storey.number,
             upper.storey.span,
+            line.height.as_ref().map(|h| h.span),
         ));
     }
 }
@@ -234,7 +235,9 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
         };
         // Hira-iri houses are commonly somewhat deeper than wide; twice as deep is a slip.
         if span >= 2 * length && span > 6 * STEPS {
-            out.push(say::long_span(direction.span, span as f64 / STEPS as f64));
+            let other = if ridge == Ridge::A { "Y" } else { "X" };
+            let wide = span as f64 / STEPS as f64;
+            out.push(say::long_span(direction.span, wide, other));
         }
     }
 }

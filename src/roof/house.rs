@@ -24,6 +24,9 @@ use crate::geometry::STEPS;
 use crate::source::Span;
 use std::cell::OnceCell;
 
+/// A house with more roof lines keeps them where it bounds no area: taking them all out is no quick matter.
+const MOST_TAKEN_OUT: usize = 16;
+
 /// A storey with more corners under the open sky, or round its rings where they are not at right angles,
 /// gets one flat roof: no sloped roofs over so many parts could be told from a mistake, nor be waited for.
 pub(super) const MOST_CORNERS: usize = 1000;
@@ -73,7 +76,13 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
         if let (Some(wish), true) = (wish, level.is_open())
             && let Some(ring) = level.storey.rings.iter().find(|r| !r.inner && is_facade(r))
         {
-            out.push(say::open_facade(wish, ring.span, level.storey.number));
+            let lines = &house.roofs.lines;
+            let all = match house.roofs.wished {
+                Some(wished) => vec![wished],
+                None if lines.len() > MOST_TAKEN_OUT => vec![],
+                None => lines.iter().map(|l| l.span).collect(),
+            };
+            out.push(say::open_facade(wish, ring.span, level.storey.number, all));
         }
     }
     if let Some(pitch) = style.pitch {

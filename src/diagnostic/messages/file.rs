@@ -86,10 +86,16 @@ pub fn control_character(span: Span, character: char) -> Diagnostic {
         "there is a control character, U+{number:04X}",
         "制御文字 U+{number:04X} があります"
     );
-    Diagnostic::error(6, span, message).help(text!(
-        "delete it, or put a blank in its place",
-        "削除するか、空白に置き換えてください"
-    ))
+    Diagnostic::error(6, span, message)
+        .help(text!(
+            "delete it, or put a blank in its place",
+            "削除するか、空白に置き換えてください"
+        ))
+        .mend(
+            text!("Put a blank in its place", "空白に置き換える"),
+            span,
+            " ",
+        )
 }
 
 /// Lines that end with a carriage return alone.

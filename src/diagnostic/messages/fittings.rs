@@ -1,6 +1,6 @@
 //! Messages about what stands at a house (HSD07xx): platforms, verandas, finials, and houses written short.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
 use crate::text;
 
@@ -15,7 +15,11 @@ pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
         "close the walls of the storey, or remove it",
         "階の壁を閉じるか、この要素を取り除いてください"
     );
-    Diagnostic::warning(701, span, message).help(help)
+    Diagnostic::warning(701, span, message).help(help).mend(
+        text!("Remove the `{name}`", "`{name}` を取り除く"),
+        span,
+        "",
+    )
 }
 
 /// A finial on a house without a roof.
@@ -32,9 +36,9 @@ pub fn no_roof_below(span: Span) -> Diagnostic {
     Diagnostic::warning(702, span, message).help(help)
 }
 
-/// Storeys beside a house written short.
+/// Storeys beside a house written short: the first, and the places of all.
 #[cold]
-pub fn storeys_beside(span: Span, name: &str, storey: Span) -> Diagnostic {
+pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> Diagnostic {
     let message = text!(
         "`{name}` is a whole house; the storeys beside it are left out",
         "`{name}` は一棟の全体です。並んで書かれた階は使われません"
@@ -44,9 +48,17 @@ pub fn storeys_beside(span: Span, name: &str, storey: Span) -> Diagnostic {
         "階を取り除くか、`{name}` の代わりにすべての階を書いてください"
     );
     let label = text!("the storeys begin here", "階はここから始まります");
+    let remove = text!("Remove the storeys", "階を取り除く");
+    let edits = all.into_iter().map(|span| Edit::new(span, ""));
     Diagnostic::error(703, span, message)
         .help(help)
         .label(storey, label)
+        .mend_all(remove, edits.collect())
+        .mend(
+            text!("Remove the `{name}`", "`{name}` を取り除く"),
+            span,
+            "",
+        )
 }
 
 /// Measures that leave no room for the columns of a storey.

@@ -1,7 +1,7 @@
 //! Messages about parts and operations (HSD03xx), and the limit on parts (HSD0904).
 
 use super::words::any_of;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -9,6 +9,19 @@ use crate::text;
 fn units(width: f64) -> String {
     let rounded = (width * 1000.0).round() / 1000.0;
     format!("{rounded} U")
+}
+
+/// The title of a mend that puts a code in the place of another.
+fn written(code: &str) -> Text {
+    text!("Write `{code}`", "`{code}` と書く")
+}
+
+/// A code as it stands in a place: in five columns, or without its last blanks where what stood there had none.
+fn in_cells(place: Span, code: &str) -> &str {
+    match place.end - place.start {
+        0..5 => code.trim_end(),
+        _ => code,
+    }
 }
 
 /// A code is neither a part nor a picture.
@@ -30,34 +43,50 @@ pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
             "{any} ではありませんか。部材の一覧は `hsd parts` で見られます"
         )
     };
-    Diagnostic::error(301, span, message).help(help)
+    let mut told = Diagnostic::error(301, span, message).help(help);
+    // A part of another width would open the walls.
+    let width = |code: &str| code.chars().nth(4).unwrap_or(' ');
+    for meant in near.iter().filter(|n| width(n) == width(code)) {
+        let meant_here = in_cells(span, meant);
+        let whole = span.end - span.start >= 5 || !meant_here.contains(' ');
+        if whole && !code.contains('_') {
+            told = told.mend(written(meant), span, meant_here);
+        }
+    }
+    told
 }
 
-/// The name of a part where its code should stand.
+/// The name of a part where its code should stand; `cells` has the blanks that fill it up.
 #[cold]
-pub fn part_name(span: Span, name: &str, code: &str) -> Diagnostic {
+pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic {
     let message = text!(
         "`{name}` is the name of a part, not its code",
         "`{name}` は部材の名前で、部材コードではありません"
     );
-    Diagnostic::error(301, span, message).help(text!(
-        "`{name}` is the part `{code}`: write its code in five columns",
-        "`{name}` の部材コードは `{code}` です。五桁で書いてください"
-    ))
+    Diagnostic::error(301, span, message)
+        .help(text!(
+            "`{name}` is the part `{code}`: write its code in five columns",
+            "`{name}` の部材コードは `{code}` です。五桁で書いてください"
+        ))
+        .mend(written(code), cells, in_cells(cells, code))
 }
 
-/// A control letter slipped into a code whose blanks were lost.
+/// A control letter slipped into a code whose blanks were lost; `ends` tells that a turn may stand there.
 #[cold]
-pub fn lost_blanks(span: Span, text: &str, code: &str, control: char) -> Diagnostic {
+pub fn lost_blanks(span: Span, text: &str, code: &str, control: char, ends: bool) -> Diagnostic {
     let message = text!(
         "`{text}` is not a part; the blanks before `{control}` seem to be lost",
         "`{text}` という部材はありません。`{control}` の前の空白が抜けたようです"
     );
     let mended = format!("{code:<5}{control}");
-    Diagnostic::error(302, span, message).help(text!(
+    let told = Diagnostic::error(302, span, message).help(text!(
         "did you mean `{mended}`? A code fills five columns, the turn follows it",
         "`{mended}` ではありませんか。部材コードは五桁を占め、曲がりはその次に書きます"
-    ))
+    ));
+    match ends {
+        true => told.mend(written(&mended), span, &*mended),
+        false => told,
+    }
 }
 
 /// Small letters in a code.
@@ -68,33 +97,43 @@ pub fn lower_case(span: Span, text: &str, code: &str) -> Diagnostic {
         "`{text}` is not a part, but `{code}` is",
         "`{text}` という部材はありませんが、`{code}` はあります"
     );
-    Diagnostic::error(303, span, message).help(text!(
-        "write capital letters: `{code}`; only the `h` of half a unit is small",
-        "大文字で `{code}` と書いてください。小文字は 0.5 U を表す `h` だけです"
-    ))
+    Diagnostic::error(303, span, message)
+        .help(text!(
+            "write capital letters: `{code}`; only the `h` of half a unit is small",
+            "大文字で `{code}` と書いてください。小文字は 0.5 U を表す `h` だけです"
+        ))
+        .mend(written(code), span, in_cells(span, &format!("{code:<5}")))
 }
 
-/// Nothing between two commas, or nothing at all.
+/// Nothing between two commas, or nothing at all; `comma` is one that can go, with what stands round it.
 #[cold]
-pub fn empty_code(span: Span) -> Diagnostic {
+pub fn empty_code(span: Span, comma: Option<Span>) -> Diagnostic {
     let message = text!("a code is missing here", "ここに部材コードがありません");
-    Diagnostic::error(304, span, message).help(text!(
+    let told = Diagnostic::error(304, span, message).help(text!(
         "write a code, or take the comma away; an open bay is written `.....`",
         "部材コードを書くか、コンマを取ってください。吹放しは `.....` と書きます"
-    ))
+    ));
+    match comma {
+        Some(comma) => told.mend(text!("Take the comma away", "コンマを取る"), comma, ""),
+        None => told,
+    }
 }
 
-/// Not one weight for each code.
+/// Not one weight for each code; `all` is the attribute.
 #[cold]
-pub fn weight_count(span: Span, weights: usize, codes: usize) -> Diagnostic {
+pub fn weight_count(span: Span, weights: usize, codes: usize, all: Option<Span>) -> Diagnostic {
     let message = text!(
         "{weights} weights for {codes} codes",
         "部材コード{codes}個に対して重みが{weights}個あります"
     );
-    Diagnostic::error(305, span, message).help(text!(
+    let told = Diagnostic::error(305, span, message).help(text!(
         "give {codes} weights, one for each code, or none",
         "重みは部材コードごとにひとつ、あわせて{codes}個書くか、すべて省いてください"
-    ))
+    ));
+    match all {
+        Some(all) => told.mend(text!("Delete the weights", "重みを省く"), all, ""),
+        None => told,
+    }
 }
 
 /// A draw that would move the rest of the wall.
@@ -227,12 +266,21 @@ pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagno
         "{other} shaku; the largest height counts",
         "{other} 尺。最も大きい階高を使います"
     );
+    let (largest, place) = match height > other {
+        true => (height, there),
+        false => (other, span),
+    };
+    let title = text!(
+        "Write {largest} shaku in both",
+        "どちらも {largest} 尺にする"
+    );
     Diagnostic::warning(315, span, message)
         .label(there, label)
         .help(text!(
             "give all floors of a storey the same height",
             "同じ階の `Floor` には同じ階高を書いてください"
         ))
+        .mend(title, place, largest.to_string())
 }
 
 /// A turn that looks like the angle between two walls.
@@ -243,10 +291,12 @@ pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
         "the walk turns by {angle} degrees here, nearly back to where it came from",
         "ここで {angle} 度曲がり、ほとんど来た方へ折り返しています"
     );
+    let meant = interior.copysign(angle).to_string();
     Diagnostic::note(316, span, message).help(text!(
         "`angle` is the turn from the facade before; if {angle} is the angle between the two walls, write {interior}",
         "`angle` は前の立面から曲がる角度です。{angle} が二つの壁のなす角なら {interior} と書いてください"
     ))
+    .mend(written(&meant), span, meant)
 }
 
 /// Gloss for nothing.
@@ -257,14 +307,20 @@ pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
         "この家に `{code}` という部材はありません"
     );
     let any = any_of(near);
-    Diagnostic::warning(317, span, message).help(if near.is_empty() {
+    let mut told = Diagnostic::warning(317, span, message).help(if near.is_empty() {
         text!(
             "name a part or a part picture that stands in the house",
             "家の中にある部材か部材画像を指定してください"
         )
     } else {
         text!([any] "did you mean {any}?", "{any} ではありませんか")
-    })
+    });
+    for meant in near {
+        // Blanks would divide a list.
+        let meant = meant.trim_end().replace(' ', "_");
+        told = told.mend(written(&meant), span, meant);
+    }
+    told
 }
 
 /// A house of nothing.
@@ -345,10 +401,12 @@ pub fn torn_code(span: Span, code: &str) -> Diagnostic {
         "white space divides this list, so `{code}` falls in two",
         "この一覧は空白で区切られるため、`{code}` が二つに分かれてしまいます"
     );
+    let title = written(&joined);
     Diagnostic::error(314, span, message).help(text!(
         "put commas between the codes, or write the blanks in a code as `_`: `{joined}`",
         "部材コードをコンマで区切るか、コードの中の空白を `_` にして `{joined}` と書いてください"
     ))
+    .mend(title, span, joined)
 }
 
 /// Too many parts, or too much work on them.

@@ -1,6 +1,6 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
-use crate::diagnostic::{Diagnostic, Text};
+use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::lower::Mend;
 use crate::source::Span;
 use crate::text;
@@ -43,9 +43,42 @@ fn joined(words: &[Text], between: &str, between_ja: &str) -> Text {
     Text::both(en.join(between), ja.join(between_ja))
 }
 
-/// The walk ends beside its start.
+/// What a line needs: "the line of 3 units 1 unit longer", and "1 unit longer".
+fn change(mend: &Mend) -> (Text, Text) {
+    let (by, length) = (units(mend.by.abs()), units(mend.length));
+    let words = if mend.by > 0.0 {
+        text!([by] "{by} longer", "{by} 長く")
+    } else {
+        text!([by] "{by} shorter", "{by} 短く")
+    };
+    let line =
+        text!([length, words] "the line of {length} {words}", "長さ {length} の行を {words}");
+    (line, words)
+}
+
+/// Offers to change one line for each direction of the gap: the first that serve, then the second.
+fn closing(mut told: Diagnostic, axes: &[Vec<Mend>]) -> Diagnostic {
+    let most = axes.iter().map(Vec::len).max().unwrap_or(0);
+    for n in 0..most {
+        let lines = axes
+            .iter()
+            .map(|axis| axis.get(n.min(axis.len().max(1) - 1)));
+        let chosen: Option<Vec<(Text, Edit)>> = lines
+            .map(|mend| Some((change(mend?).0, mend?.edit.clone()?)))
+            .collect();
+        if let Some(chosen) = chosen {
+            let (words, edits): (Vec<Text>, Vec<Edit>) = chosen.into_iter().unzip();
+            let lines = joined(&words, " and ", "、");
+            let title = text!([lines] "Make {lines}", "{lines}する");
+            told = told.mend_all(title, edits);
+        }
+    }
+    told
+}
+
+/// The walk ends beside its start; `axes` are the lines that could change, for each direction of the gap.
 #[cold]
-pub(crate) fn open_perimeter(last: Span, gap: DVec2, mends: &[Mend]) -> Diagnostic {
+pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<Mend>]) -> Diagnostic {
     let away = gap_words(gap);
     let message = text!([away]
         "the walls do not close: they end {away} of where they began",
@@ -53,16 +86,9 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, mends: &[Mend]) -> Diagnost
     );
     let mut diagnostic = Diagnostic::error(401, last, message);
     let mut advice = vec![];
-    for mend in mends {
-        let (by, length) = (units(mend.by.abs()), units(mend.length));
-        let words = if mend.by > 0.0 {
-            text!([by] "{by} longer", "{by} 長く")
-        } else {
-            text!([by] "{by} shorter", "{by} 短く")
-        };
-        advice.push(
-            text!([length, words] "the line of {length} {words}", "長さ {length} の行を {words}"),
-        );
+    for mend in axes.iter().flatten() {
+        let (line, words) = change(mend);
+        advice.push(line);
         if mend.line != last {
             diagnostic = diagnostic.label(
                 mend.line,
@@ -72,6 +98,7 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, mends: &[Mend]) -> Diagnost
     }
     let both = gap.x.abs() > crate::geometry::SAME && gap.y.abs() > crate::geometry::SAME;
     let lines = joined(&advice, ", or ", "、または");
+    let diagnostic = closing(diagnostic, axes);
     diagnostic.help(if advice.is_empty() {
         text!(
             "lengthen or shorten a line that runs in the direction of the gap",
@@ -128,9 +155,22 @@ fn graded(open: bool) -> fn(u16, Span, Text) -> Diagnostic {
     }
 }
 
+/// The message with a mend, if there is any.
+fn offering(told: Diagnostic, title: Text, mend: Vec<Edit>) -> Diagnostic {
+    match mend.is_empty() {
+        true => told,
+        false => told.mend_all(title, mend),
+    }
+}
+
 /// One line end turned the other way would close the walk.
 #[cold]
-pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool) -> Diagnostic {
+pub(crate) fn turn_to_flip(
+    line: Span,
+    is_left: bool,
+    open: bool,
+    mend: Option<Edit>,
+) -> Diagnostic {
     let (message, help) = if is_left {
         (
             text!(
@@ -154,12 +194,27 @@ pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool) -> Diagnostic 
             ),
         )
     };
-    graded(open)(403, line, message).help(help)
+    let title = if is_left {
+        text!("Remove the `L`", "`L` を取る")
+    } else {
+        text!("Write `L` at the end of the line", "行末に `L` と書く")
+    };
+    offering(
+        graded(open)(403, line, message).help(help),
+        title,
+        mend.into_iter().collect(),
+    )
 }
 
 /// An `L` that stands one line too early or too late.
 #[cold]
-pub(crate) fn turn_to_move(line: Span, next: Span, is_left: bool, open: bool) -> Diagnostic {
+pub(crate) fn turn_to_move(
+    line: Span,
+    next: Span,
+    is_left: bool,
+    open: bool,
+    mend: Vec<Edit>,
+) -> Diagnostic {
     let (here, there, help) = if is_left {
         let help = text!(
             "move the `L` from the end of this line to the end of the next one",
@@ -181,9 +236,10 @@ pub(crate) fn turn_to_move(line: Span, next: Span, is_left: bool, open: bool) ->
         "with the `L` here the walls close exactly",
         "`L` がここにあれば外周がちょうど閉じます"
     );
-    graded(open)(418, here, message)
+    let told = graded(open)(418, here, message)
         .label(there, label)
-        .help(help)
+        .help(help);
+    offering(told, text!("Move the `L`", "`L` を移す"), mend)
 }
 
 /// A facade that stands alone.
@@ -301,7 +357,7 @@ pub(crate) fn turns_back(line: Span, next: Span) -> Diagnostic {
 
 /// A walk with the house on the wrong side.
 #[cold]
-pub(crate) fn wrong_way_round(span: Span, hole: bool) -> Diagnostic {
+pub(crate) fn wrong_way_round(span: Span, hole: bool, mend: Vec<Edit>) -> Diagnostic {
     if hole {
         let message = text!(
             "the courtyard is walked the wrong way round",
@@ -316,10 +372,18 @@ pub(crate) fn wrong_way_round(span: Span, hole: bool) -> Diagnostic {
         "the walls run the wrong way round: the house lies on their left",
         "外周を回る向きが逆です。家が進行方向の左側にあります"
     );
-    Diagnostic::error(412, span, message).help(text!(
+    let told = Diagnostic::error(412, span, message).help(text!(
         "parts follow each other to the LEFT as seen from outside and corners turn right: remove the `L`s",
         "部材は外から見て左へ並び、隅では右折します。`L` を取ってください"
-    ))
+    ));
+    offering(
+        told,
+        text!(
+            "Turn the other way at each corner",
+            "すべての隅を逆に曲げる"
+        ),
+        mend,
+    )
 }
 
 /// A plan beyond all measure.

@@ -1,7 +1,7 @@
 //! Messages about roofs (HSD05xx).
 
 use super::words::short;
-use crate::diagnostic::{Diagnostic, Noun, Text, noun};
+use crate::diagnostic::{Diagnostic, Edit, Noun, Text, noun};
 use crate::source::Span;
 use crate::text;
 
@@ -24,9 +24,14 @@ fn units(value: f64) -> Text {
     text!("{number} unit{ending}", "{number} U")
 }
 
-/// Roofs over walls that bound nothing.
+/// The title of a mend that puts a word in the place of another.
+fn written(word: &str) -> Text {
+    text!("Write `{word}`", "`{word}` と書く")
+}
+
+/// Roofs over walls that bound nothing; `all` are their places.
 #[cold]
-pub fn open_facade(wished: Span, walk: Span, storey: u32) -> Diagnostic {
+pub fn open_facade(wished: Span, walk: Span, storey: u32, all: Vec<Span>) -> Diagnostic {
     let message = text!(
         "a roof is asked for, but storey {storey} is an open facade that bounds no area",
         "屋根の指定がありますが、{storey}階は閉じていない立面で、囲む面積がありません"
@@ -35,12 +40,21 @@ pub fn open_facade(wished: Span, walk: Span, storey: u32) -> Diagnostic {
         "this walk does not come back to its start",
         "この外周は始点に戻っていません"
     );
-    Diagnostic::error(501, wished, message)
+    let none = all.is_empty();
+    let edits = all.into_iter().map(|span| Edit::new(span, ""));
+    let told = Diagnostic::error(501, wished, message)
         .help(text!(
             "close the walk back to its start, or take the roofs out; a facade stands without them",
             "外周を始点まで戻して閉じるか、屋根を取り除いてください。立面だけなら屋根は要りません"
         ))
-        .label(walk, label)
+        .label(walk, label);
+    match none {
+        true => told,
+        false => told.mend_all(
+            text!("Take the roofs out", "屋根を取り除く"),
+            edits.collect(),
+        ),
+    }
 }
 
 /// A roof line beside the house.
@@ -137,18 +151,23 @@ pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagno
     ))
 }
 
-/// A ridge across a wide roof.
+/// A ridge across a wide roof, and the other letter.
 #[cold]
-pub fn long_span(direction: Span, span: f64) -> Diagnostic {
+pub fn long_span(direction: Span, span: f64, other: &str) -> Diagnostic {
     let wide = short(span);
     let message = text!(
         "with this ridge the roof spans {wide} units, more than beams of 3 ken bear",
         "この棟の向きでは梁間が {wide} U になり、三間梁では支えられません"
     );
-    Diagnostic::note(508, direction, message).help(text!(
+    let told = Diagnostic::note(508, direction, message).help(text!(
         "turn the ridge (X or Y), or divide the roof; halls of palaces and temples do span more",
         "棟の向き (X か Y) を変えるか、屋根を分けてください。御殿や寺の堂にはこれを超えるものもあります"
-    ))
+    ));
+    // Glued to the kind, the direction has no place of its own.
+    match direction.end - direction.start {
+        1 => told.mend(written(other), direction, other),
+        _ => told,
+    }
 }
 
 /// A roof in the air.
@@ -159,10 +178,14 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
         "this roof stands at {shaku} shaku, far from the nearest storey's top: storey {storey} ends at {top}",
         "この屋根は {shaku} 尺の高さにあり、最も近い{storey}階の上端 ({top} 尺) から離れています"
     );
-    Diagnostic::warning(509, height, message).help(text!(
-        "write {top} or `*`; heights are shaku above the ground, not above the storey",
-        "{top} か `*` と書いてください。高さは階の床からではなく、地面から尺で測ります"
-    ))
+    let title = written(&top);
+    Diagnostic::warning(509, height, message)
+        .help(text!(
+            "write {top} or `*`; heights are shaku above the ground, not above the storey",
+            "{top} か `*` と書いてください。高さは階の床からではなく、地面から尺で測ります"
+        ))
+        .mend(title, height, top)
+        .mend(written("*"), height, "*")
 }
 
 /// A skirt that would rise over the storey it surrounds.
@@ -215,10 +238,13 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagno
         "the upper edge of this pent roof lies at {upper} shaku, above the walls, which end at {top}",
         "この庇の上端は {upper} 尺で、壁の上端 ({top} 尺) より高くなっています"
     );
-    Diagnostic::warning(513, height, message).help(text!(
-        "the height is that of the low edge; {fitting} or less fits this wall, depth and pitch",
-        "高さは軒先で測ります。この壁と出と勾配なら {fitting} 以下にしてください"
-    ))
+    let title = written(&fitting);
+    Diagnostic::warning(513, height, message)
+        .help(text!(
+            "the height is that of the low edge; {fitting} or less fits this wall, depth and pitch",
+            "高さは軒先で測ります。この壁と出と勾配なら {fitting} 以下にしてください"
+        ))
+        .mend(title, height, fitting)
 }
 
 /// A pent roof over the rooms.
@@ -241,10 +267,14 @@ pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
         "this pent roof (HIS) does not fall away from the wall it hangs on",
         "この庇 (HIS) は取り付く壁から外へ流れていません"
     );
-    Diagnostic::warning(518, direction, message).help(text!(
+    let told = Diagnostic::warning(518, direction, message).help(text!(
         "F falls to the front, B to the back, L to the left, R to the right; `*` leaves it to the wall",
         "F は正面、B は背面、L は左、R は右へ流れます。`*` なら壁に合わせます"
-    ))
+    ));
+    match direction.end - direction.start {
+        1 => told.mend(written("*"), direction, "*"),
+        _ => told,
+    }
 }
 
 /// Pent roofs asked for over a whole storey.
@@ -258,6 +288,8 @@ pub fn automatic_pent(shape: Span, number: u32) -> Diagnostic {
         "give the pent roof a line of its own with its rectangle before the wall, and the storey another shape: KIR, or KAT for a single slope",
         "庇は壁の外の矩形を持つ屋根の行として書き、この階には別の形を指定してください。切妻なら KIR、片流れなら KAT です"
     ))
+    .mend(written("KIR"), shape, "KIR")
+    .mend(written("KAT"), shape, "KAT")
 }
 
 /// Single slopes asked for over a plan whose roofs run into each other.
@@ -299,7 +331,15 @@ pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnosti
             ),
         )
     };
-    Diagnostic::warning(514, direction, message).help(help)
+    let mut told = Diagnostic::warning(514, direction, message).help(help);
+    let letters: &[&str] = match one_sided {
+        true => &["F", "B", "L", "R"],
+        false => &["X", "Y"],
+    };
+    for letter in letters {
+        told = told.mend(written(letter), direction, *letter);
+    }
+    told
 }
 
 /// A shape over rectangles wished for a roof over a whole outline.
@@ -313,17 +353,19 @@ pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
         "write YOS if a hipped roof is meant, RIK for a flat one, or roof lines for rectangles",
         "寄棟でよければ YOS、陸屋根なら RIK と書き、そうでなければ矩形ごとに屋根の行を書いてください"
     ))
+    .mend(written("YOS"), span, "YOS")
+    .mend(written("RIK"), span, "RIK")
 }
 
-/// A roof line inside the storey above.
+/// A roof line inside the storey above; `height` is where its height stands.
 #[cold]
-pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
+pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) -> Diagnostic {
     let above = storey + 1;
     let message = text!(
         "this roof lies wholly inside storey {above}: nothing of it is built",
         "この屋根は全体が{above}階の中にあるため、造られません"
     );
-    Diagnostic::warning(516, line, message)
+    let told = Diagnostic::warning(516, line, message)
         .help(text!(
             "give it the height of the topmost storey there, or `*`",
             "そこで最も上の階の高さか `*` を書いてください"
@@ -331,7 +373,11 @@ pub fn under_storey(line: Span, storey: u32, upper: Span) -> Diagnostic {
         .label(
             upper,
             text!("this storey stands there", "ここにこの階があります"),
-        )
+        );
+    match height {
+        Some(height) => told.mend(written("*"), height, "*"),
+        None => told,
+    }
 }
 
 /// More roof lines than anybody means.

@@ -46,7 +46,7 @@ pub(super) fn pieces(
     if odd || doubtful {
         let words = in_step(text, range.start);
         if let Some(cells) = words.filter(|c| odd || c.iter().all(|c| plain(c.text))) {
-            return mended(line, range, &cells, faults);
+            return mended(line, range, &cells, turned, faults);
         }
     }
     if odd {
@@ -262,6 +262,7 @@ fn mended(
     line: &Line<'_>,
     range: Range<usize>,
     cells: &[Cell<'_>],
+    turned: bool,
     faults: &mut Faults<'_>,
 ) -> Vec<Item<Piece>> {
     let text = &line.text[range.clone()];
@@ -274,10 +275,19 @@ fn mended(
     let end = range.start + text.trim_end_matches(' ').len();
     let span = line.span(faults.source, slip..end);
     let meant: String = cells.iter().map(|c| format!("{:5}", c.text)).collect();
+    // A turn that stands right keeps its place behind the five columns of the last code.
+    let (last, whole) = if turned && text.len().is_multiple_of(CELL) {
+        (range.end, &*meant)
+    } else {
+        (end, meant.trim_end())
+    };
+    let all = line.span(faults.source, range.start..last);
+    let column = slip - range.start + 1;
     faults.say(say::out_of_step(
         span,
-        slip - range.start + 1,
+        column,
         meant.trim_end(),
+        (all, whole),
     ));
     let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, faults);
     cells.iter().map(part).collect()

@@ -115,7 +115,11 @@ impl Header {
                     house.heights.push(kept);
                 }
             }
-            (_, Some(heights)) => faults.say(say::third_numbers(span, heights)),
+            (_, Some(heights)) => {
+                let more = format!(" {}", faults.written(span));
+                let line = faults.line_of(span);
+                faults.say(say::third_numbers(span, heights, line, more));
+            }
         }
     }
 
@@ -133,7 +137,8 @@ impl Header {
             && like_heights
             && storeys > 0
         {
-            faults.say(say::no_heights(place));
+            let end = faults.line_end_text();
+            faults.say(say::no_heights(place, end));
         }
         for (storey, height) in heights.iter().enumerate().take(storeys) {
             let least = if storey == 0 { LOW.0 } else { LOW.1 };
@@ -160,6 +165,7 @@ impl Header {
                 line.span(faults.source, start..start + first.len()),
                 first,
                 nearest(key_word(first), &KEYS),
+                first.strip_prefix(key_word(first)).unwrap_or_default(),
                 &KEYS,
             ));
         }
@@ -167,7 +173,8 @@ impl Header {
             return;
         }
         if let Some((_, before)) = self.keys.iter().find(|(k, _)| *k == key) {
-            faults.say(say::twice(span, key, *before));
+            let (first, second) = (faults.line_of(*before), faults.line_of(span));
+            faults.say(say::twice(span, key, *before, [Some(first), Some(second)]));
         }
         self.keys.push((key, span));
         if key == "name" {
@@ -221,7 +228,9 @@ fn place(words: &[Word<'_>], house: &mut House, faults: &mut Faults<'_>) {
         faults.say(say::missing_number(only.span.after(), "y"));
     }
     if let Some(surplus) = words.get(PLACE.len()..).filter(|w| !w.is_empty()) {
-        faults.say(say::surplus(all(surplus, faults.source), PLACE[2].what));
+        let span = all(surplus, faults.source);
+        let place = faults.with_blanks(span);
+        faults.say(say::surplus(span, place, PLACE[2].what));
     }
 }
 
@@ -230,7 +239,8 @@ fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, faults: &mut
     let rest = line.raw[free..].trim_start_matches(['=', ':']);
     let text = rest.trim();
     if text.is_empty() {
-        return faults.say(say::missing_value(key, "name"));
+        let line = faults.line_of(key);
+        return faults.say(say::missing_value(key, line, "name"));
     }
     let start = line.at + line.raw.len() - rest.trim_start().len();
     let span = faults.source.span(start..start + text.len());
@@ -245,11 +255,14 @@ fn setting(
     faults: &mut Faults<'_>,
 ) {
     let Some(&(text, span)) = value.first() else {
-        return faults.say(say::missing_value(at, key));
+        let line = faults.line_of(at);
+        return faults.say(say::missing_value(at, line, key));
     };
     if let [_, second, ..] = value[..] {
         let last = value.last().map_or(second.1, |v| v.1);
-        faults.say(say::surplus(second.1.to(last), key));
+        let span = second.1.to(last);
+        let place = faults.with_blanks(span);
+        faults.say(say::surplus(span, place, key));
     }
     let (settings, roofs) = (&mut house.settings, &mut house.roofs);
     match key {
@@ -279,7 +292,8 @@ fn choice<T: Copy>(
     let words: Vec<&str> = choices.iter().map(|(w, _)| *w).collect();
     let value = find(text).or_else(|| {
         let near = nearest(text, &words);
-        faults.say(say::bad_choice(span, key, text, near, &words));
+        let place = faults.tail(span, text);
+        faults.say(say::bad_choice(span, place, key, text, near, &words));
         near.and_then(find)
     })?;
     Some(Spanned::new(value, span))
@@ -290,7 +304,7 @@ fn seed(text: &str, span: Span, faults: &mut Faults<'_>) -> Option<Spanned<u64>>
     if value.is_none() {
         faults.say(match number(text) {
             Some(_) => say::bad_seed(span, text),
-            None => say::not_a_number(span, text, noun("the seed", "乱数の種")),
+            None => say::not_a_number(span, text, noun("the seed", "乱数の種"), None),
         });
     }
     value.map(|value| Spanned::new(value, span))

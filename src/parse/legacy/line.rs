@@ -98,6 +98,16 @@ impl<'a> Line<'a> {
         self.map.get(at).map_or(at, |&w| w as usize)
     }
 
+    /// What a range of `raw` was read as.
+    pub(super) fn read(&self, range: Range<usize>) -> &str {
+        let at = |offset: usize| self.map.partition_point(|&w| (w as usize) < offset);
+        let end = at(range.end).min(self.text.len());
+        match self.map[..] {
+            [] => &self.text[range],
+            _ => self.text.get(at(range.start)..end).unwrap_or_default(),
+        }
+    }
+
     fn mend(&mut self) {
         let mut text = String::with_capacity(self.raw.len() + CELL);
         let (mut column, mut wide_run) = (0, false);
@@ -159,7 +169,7 @@ fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
 }
 
 /// Where a name and the blanks that fill it up to whole codes end.
-fn after_name(raw: &str, at: usize, end: usize) -> usize {
+pub(super) fn after_name(raw: &str, at: usize, end: usize) -> usize {
     let written = raw[at..end].chars().count();
     let missing = written.next_multiple_of(CELL) - written;
     let blanks = raw[end..].bytes().take(missing);
@@ -202,7 +212,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usi
     })
 }
 
-fn after_line_end(bytes: &[u8], end: usize) -> usize {
+pub(super) fn after_line_end(bytes: &[u8], end: usize) -> usize {
     let returns = bytes[end..].iter().take(RETURNS);
     let returns = returns.take_while(|&&b| b == b'\r').count();
     match bytes.get(end + returns) {

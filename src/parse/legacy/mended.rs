@@ -1,6 +1,6 @@
 //! What is said of characters that were mended in a line: how much of it depends on what the line is.
 
-use super::line::{Line, Odd};
+use super::line::{Line, Odd, after_name};
 use crate::catalog::PartDef;
 use crate::diagnostic::messages::{file, legacy as say, parts};
 use crate::parse;
@@ -40,23 +40,30 @@ impl Faults<'_> {
         }
     }
 
-    fn mended(&mut self, line: &Line<'_>, finding: usize) {
-        let finding = &line.findings[finding];
+    fn mended(&mut self, line: &Line<'_>, number: usize) {
+        let finding = &line.findings[number];
         let written = &line.raw[finding.range.clone()];
         if finding.kind == Odd::Replacement {
             return; // Said once of the whole file.
         }
         let first = written.chars().next().unwrap_or(' ');
+        let read = line.read(finding.range.clone());
         let span = self.raw_span(line, finding.range.clone());
+        let run = wide_run(line, number);
+        let whole = self.raw_span(line, run.clone());
+        let source = self.source;
         self.push(|| match finding.kind {
-            Odd::WideBlank => say::wide_blank(span, written.chars().count()),
-            Odd::Tab => say::tab(span),
-            Odd::Wide => say::wide_letters(span, written),
-            Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first),
+            Odd::WideBlank => say::wide_blank(span, written.chars().count(), read),
+            Odd::Tab => say::tab(span, read),
+            Odd::Wide => say::wide_letters(span, written, whole, line.read(run)),
+            Odd::Invisible | Odd::OtherBlank => say::other_blank(span, first, read),
             Odd::Control => file::control_character(span, first),
             Odd::PartName => {
                 let part = parse::builtin().called(written);
-                parts::part_name(span, written, part.map_or("", PartDef::code))
+                let end = after_name(line.raw, finding.range.start, finding.range.end);
+                let cells = source.span(line.at + finding.range.start..line.at + end);
+                let code = part.map_or("", PartDef::code);
+                parts::part_name(span, written, code, cells)
             }
             Odd::Foreign | Odd::Replacement => say::foreign(span, written),
         });
@@ -65,4 +72,12 @@ impl Faults<'_> {
     fn raw_span(&self, line: &Line<'_>, range: Range<usize>) -> Span {
         self.source.span(line.at + range.start..line.at + range.end)
     }
+}
+
+/// A finding and the wide blanks right behind it: among wide letters they are as wide as these.
+fn wide_run(line: &Line<'_>, number: usize) -> Range<usize> {
+    let range = line.findings[number].range.clone();
+    let next = line.findings.get(number + 1);
+    let blanks = next.filter(|n| n.kind == Odd::WideBlank && n.range.start == range.end);
+    range.start..blanks.map_or(range.end, |n| n.range.end)
 }

@@ -61,7 +61,8 @@ pub(super) fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<RoofLine>
     let corners = fields.corners();
     fields.options(&mut style);
     if let Some(lower) = fields.lower {
-        fields.faults.say(say::lower_roof(lower));
+        let capitals = fields.faults.written(lower).to_ascii_uppercase();
+        fields.faults.say(say::lower_roof(lower, &capitals));
     }
     // A roof of another shape than its author meant would only bring on more messages.
     let strange = fields.strange;
@@ -104,6 +105,15 @@ impl<'w> Fields<'w, '_, '_> {
             end: w.span.start,
             ..w.span
         })
+    }
+
+    /// Says that a field is not there.
+    fn missing(&mut self, what: Noun) {
+        let star = match self.peek() {
+            Some(_) => "* ",
+            None => " *",
+        };
+        self.faults.say(say::missing_field(self.gap(), what, star));
     }
 
     /// The word in capitals; lower case is noted.
@@ -165,7 +175,7 @@ impl<'w> Fields<'w, '_, '_> {
         match self.peek() {
             Some(w) if !numeric(w.text) && shape(w.text).is_none() => self.next(),
             _ => {
-                self.faults.say(say::missing_field(self.gap(), what));
+                self.missing(what);
                 None
             }
         }
@@ -181,8 +191,7 @@ impl<'w> Fields<'w, '_, '_> {
                 within(word.text, word.span, &HEIGHT, self.faults)
             }
             _ => {
-                self.faults
-                    .say(say::missing_field(self.gap(), noun("its height", "高さ")));
+                self.missing(noun("its height", "高さ"));
                 None
             }
         }
@@ -190,8 +199,7 @@ impl<'w> Fields<'w, '_, '_> {
 
     fn shape(&mut self) -> Option<Spanned<RoofShape>> {
         let Some(word) = self.peek().filter(|w| !numeric(w.text)) else {
-            self.faults
-                .say(say::missing_field(self.gap(), noun("its shape", "形")));
+            self.missing(noun("its shape", "形"));
             return None;
         };
         self.next();
@@ -248,20 +256,29 @@ impl<'w> Fields<'w, '_, '_> {
     }
 
     fn options(&mut self, style: &mut RoofStyle) {
-        let mut seen: Vec<(char, Span)> = vec![];
+        let mut seen: Vec<(char, &Word<'_>)> = vec![];
         while let Some(word) = self.next() {
             if numeric(word.text) {
-                self.faults
-                    .say(say::surplus(word.span, noun("the corners", "隅の数値")));
+                let place = self.faults.with_blanks(word.span);
+                self.faults.say(say::surplus(
+                    word.span,
+                    place,
+                    noun("the corners", "隅の数値"),
+                ));
                 continue;
             }
             let text = self.capital(word);
             let letter = text.chars().next().unwrap_or(' ');
             if let Some((_, before)) = seen.iter().find(|(l, _)| *l == letter) {
-                self.faults
-                    .say(say::twice(word.span, &letter.to_string(), *before));
+                let places = [*before, word].map(|w| {
+                    // A number that stands apart would be left over.
+                    let whole = w.text.len() > 1 || letter == 'O';
+                    whole.then(|| self.faults.with_blanks(w.span))
+                });
+                let (key, before) = (letter.to_string(), before.span);
+                self.faults.say(say::twice(word.span, &key, before, places));
             } else {
-                seen.push((letter, word.span));
+                seen.push((letter, word));
             }
             self.option(letter, word, style);
         }
@@ -281,8 +298,17 @@ impl<'w> Fields<'w, '_, '_> {
         let (text, span) = if rest.is_empty() {
             let apart = self.peek().filter(|w| numeric(w.text));
             let value = apart.map(|w| w.text);
-            self.faults
-                .say(say::bare_option(word.span, letter, range.what, value));
+            let place = match apart {
+                Some(number) => Span {
+                    start: word.span.end,
+                    end: number.span.start,
+                    ..word.span
+                },
+                None => self.faults.with_blanks(word.span),
+            };
+            self.faults.say(say::bare_option(
+                word.span, letter, range.what, value, place,
+            ));
             let Some(apart) = self.next().filter(|_| value.is_some()) else {
                 return;
             };
@@ -308,7 +334,12 @@ impl<'w> Fields<'w, '_, '_> {
             _ if value.value.fract() == 0.0 => {
                 style.noshi = Some(Spanned::new(value.value as u32, value.span));
             }
-            _ => self.faults.say(say::no_whole_number(value.span, text)),
+            _ => {
+                let place = self.faults.tail(value.span, text);
+                let whole = place.map(|place| (place, value.value.round()));
+                self.faults
+                    .say(say::no_whole_number(value.span, text, whole));
+            }
         }
     }
 }
@@ -332,11 +363,14 @@ fn fitting(
         _ => ridge,
     };
     if !fits {
+        // Glued to the kind, it has no place of its own.
+        let own = faults.written(d.span).chars().count() == 1;
         faults.say(say::direction_misfit(
             d.span,
             s.span,
             s.value.letters(),
             ridge,
+            own,
         ));
     }
     direction.filter(|_| fits)

@@ -2,7 +2,9 @@
 
 use super::cells::{columns, pieces};
 use super::line::{CELL, Line};
+use super::words::say_comment;
 use crate::ast::{Item, Loop, Row, Storey};
+use crate::diagnostic::Edit;
 use crate::diagnostic::messages::legacy as say;
 use crate::parse::faults::Faults;
 use crate::source::{Span, Spanned};
@@ -75,7 +77,8 @@ impl Walls {
         if reset.is_none() || !pieces.is_empty() {
             self.rows.push(Item::One(Row { span, pieces, turn }));
         } else if self.rows.is_empty() {
-            faults.say(say::empty_storey(span, self.storeys.len() + 1));
+            let line = faults.or_line(span);
+            faults.say(say::empty_storey(span, line, self.storeys.len() + 1));
         }
         self.span = Some(self.span.map_or(span, |s| s.to(span)));
         if reset.is_some() {
@@ -100,7 +103,21 @@ impl Walls {
         }
         let span = line.span(faults.source, range.end - 1..range.end);
         let (letter, leads) = (&text[text.len() - 1..], text.len() == 1);
-        faults.say(say::inner_turn(span, letter, leads));
+        let gap = line.span(
+            faults.source,
+            if leads { range.start } else { range.end }..end - rest.len(),
+        );
+        let mend = if leads {
+            self.rows.last().and_then(|row| before(row, letter, faults))
+        } else {
+            None
+        };
+        let mend = match (leads, mend) {
+            (true, mend) => mend.map(|there| vec![Edit::new(gap, ""), there]),
+            (false, _) => Some(vec![Edit::new(gap, faults.line_end_text())]),
+        };
+        let message = say::inner_turn(span, letter, leads, mend.unwrap_or_default());
+        faults.say(message);
         if let Some(Item::One(row)) = self.rows.last_mut().filter(|_| leads) {
             let degrees = if letter == "L" { -90.0 } else { 90.0 };
             row.turn.get_or_insert(Spanned::new(degrees, span));
@@ -140,7 +157,7 @@ fn comment(line: &Line<'_>, faults: &mut Faults<'_>) -> usize {
         return text.len();
     };
     let span = line.span(faults.source, at..text.trim_end().len());
-    faults.say(say::comment_column(span));
+    say_comment(line, span, faults);
     text[..at].trim_end_matches(' ').len()
 }
 
@@ -179,7 +196,9 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) -
         return range;
     }
     let span = line.span(faults.source, range.end - rest.len()..range.end);
-    faults.say(say::after_reset(span));
+    let gap = line.span(faults.source, range.start + at + 1..range.end - rest.len());
+    let end = faults.line_end_text();
+    faults.say(say::after_reset(span, gap, end));
     range.start..range.start + at + 1
 }
 
@@ -212,16 +231,44 @@ fn ending(
     }
     let letter = &text[before.len()..];
     let mut codes = before.trim_end_matches(' ');
+    if columns(codes) % CELL == 1 && codes.ends_with(['L', 'R']) {
+        // `L^`: the turn before a reset counts for nothing.
+        let turn = &codes[codes.len() - 1..];
+        codes = &codes[..codes.len() - 1];
+        let gap = line.span(faults.source, range.start + codes.len()..at.start);
+        faults.say(say::second_control(
+            span,
+            letter,
+            columns(before),
+            turn,
+            gap,
+        ));
+        return (range.start + codes.len(), Some((control, at)));
+    }
+    let surplus = columns(before) % CELL;
+    let blanks = line.span(faults.source, at.start.saturating_sub(surplus)..at.start);
     faults.say(say::misplaced_control(
         span,
         letter,
-        columns(before),
-        columns(codes),
+        (columns(before), columns(codes)),
+        blanks,
     ));
-    if columns(codes) % CELL == 1 && codes.ends_with(['L', 'R']) {
-        codes = &codes[..codes.len() - 1]; // `L^`: the turn before a reset counts for nothing
-    }
     (range.start + codes.len(), Some((control, at)))
+}
+
+/// The change that ends a row, which has no turn yet, with a letter right after the five columns of its last code.
+fn before(row: &Item<Row>, letter: &str, faults: &Faults<'_>) -> Option<Edit> {
+    let Item::One(row) = row else { return None };
+    let text = faults.written(row.span);
+    if row.turn.is_some() || !text.is_ascii() {
+        return None;
+    }
+    let codes = text.trim_end_matches(' ').len();
+    let column = codes.next_multiple_of(CELL).max(text.len() / CELL * CELL);
+    let range = faults.source.text_range(row.span);
+    let place = faults.source.span(range.start + codes..range.end);
+    let blanks = column - codes;
+    Some(Edit::new(place, format!("{:blanks$}{letter}", "")))
 }
 
 fn control(c: char) -> Option<(Control, bool)> {

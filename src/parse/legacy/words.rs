@@ -27,7 +27,7 @@ pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Faults<'_>) -> Vec<Word
         let text = &line.text[start..end];
         if text.starts_with('#') {
             let comment = line.span(faults.source, start..line.text.trim_end().len());
-            faults.say(say::comment_column(comment));
+            say_comment(line, comment, faults);
             break;
         }
         let span = line.span(faults.source, start..end);
@@ -35,6 +35,14 @@ pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Faults<'_>) -> Vec<Word
         (rest, at) = (next, end);
     }
     found
+}
+
+/// Says that a comment stands behind something on its line, and offers to put it before.
+pub(super) fn say_comment(line: &Line<'_>, comment: Span, faults: &mut Faults<'_>) {
+    let start = faults.source.span(line.at..line.at);
+    let (place, end) = (faults.with_blanks(comment), faults.line_end_text());
+    let text = [faults.written(comment), end].concat();
+    faults.say(say::comment_column(comment, place, start, text));
 }
 
 /// The words of a text, without places.
@@ -83,12 +91,18 @@ pub(super) fn within(
     faults: &mut Faults<'_>,
 ) -> Option<Spanned<f64>> {
     let value = number(text).or_else(|| {
-        faults.say(say::not_a_number(span, text, range.what));
-        number(
-            text.trim_end_matches([',', ';'])
-                .trim_start_matches(['=', ':']),
-        )
-        .or_else(|| number(&text.replacen(',', ".", 1)))
+        let bare = text
+            .trim_end_matches([',', ';'])
+            .trim_start_matches(['=', ':']);
+        let meant = [bare.to_owned(), text.replacen(',', ".", 1)];
+        let meant = meant.into_iter().find_map(|m| Some((number(&m)?, m)));
+        let mend = meant.as_ref().and_then(|(value, text_meant)| {
+            let place = faults.tail(span, text)?;
+            let good = range.bounds.contains(value);
+            good.then_some((place, &**text_meant))
+        });
+        faults.say(say::not_a_number(span, text, range.what, mend));
+        meant.map(|(value, _)| value)
     })?;
     if range.bounds.contains(&value) {
         return Some(Spanned::new(value, span));

@@ -1,21 +1,27 @@
 //! Messages about the header, the sections and the heights of the legacy text.
 
 use crate::diagnostic::messages::words::{any_of, quote};
-use crate::diagnostic::{Diagnostic, Noun, Text};
+use crate::diagnostic::{Diagnostic, Edit, Noun, Text};
 use crate::source::Span;
 use crate::text;
 
 /// Codes or roofs stand where the place of the house should.
 #[cold]
-pub fn no_header(span: Span) -> Diagnostic {
+pub fn no_header(span: Span, line_end: &str) -> Diagnostic {
     let message = text!(
         "the header is missing: the line `x y [azimuth]` with the place of the house",
         "ヘッダーがありません。家の位置を示す行 `x y [方位角]` が必要です"
+    );
+    let header = ["0 0 180", "9.0", "", ""].join(line_end);
+    let title = text!(
+        "Put a header before the walls: `0 0 180` and `9.0`",
+        "壁の前にヘッダー (`0 0 180` と `9.0`) を入れる"
     );
     Diagnostic::error(101, span, message).help(text!(
         "write `0 0 180`, a line of storey heights such as `9.0`, and a blank line before the walls",
         "壁の前に、`0 0 180`、階高の行 (`9.0` など)、空行の順に書いてください"
     ))
+    .mend(title, span, header)
 }
 
 /// A number that must be there is not.
@@ -32,18 +38,27 @@ pub fn missing_number(span: Span, what: impl Into<Text>) -> Diagnostic {
     ))
 }
 
-/// A word that should be a number.
+/// A word that should be a number, and perhaps the one that is meant.
 #[cold]
-pub fn not_a_number(span: Span, text: &str, what: impl Into<Text>) -> Diagnostic {
+pub fn not_a_number(
+    span: Span,
+    text: &str,
+    what: impl Into<Text>,
+    mend: Option<(Span, &str)>,
+) -> Diagnostic {
     let (quoted, what) = (quote(text), what.into());
     let message = text!([what]
         "{quoted} is no number for {what}",
         "{quoted} は{what}の数値として読めません"
     );
-    Diagnostic::error(103, span, message).help(text!(
+    let told = Diagnostic::error(103, span, message).help(text!(
         "write digits with a point for the fraction, without a unit, and part numbers by blanks: `9.0 5.5`",
         "数字と小数点だけで単位を付けずに書き、数値どうしは空白で区切ってください: `9.0 5.5`"
-    ))
+    ));
+    match mend {
+        Some((place, meant)) => told.mend(written(meant), place, meant),
+        None => told,
+    }
 }
 
 /// A number that no house has.
@@ -67,9 +82,15 @@ pub fn out_of_range(
     ))
 }
 
-/// A line of the header that begins with no known key.
+/// A line of the header that begins with no known key; `glued` is what its first word has from `=` or `:` on.
 #[cold]
-pub fn unknown_key(span: Span, text: &str, near: Option<&str>, keys: &[&str]) -> Diagnostic {
+pub fn unknown_key(
+    span: Span,
+    text: &str,
+    near: Option<&str>,
+    glued: &str,
+    keys: &[&str],
+) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
         "{quoted} is no key of the header",
@@ -86,13 +107,30 @@ pub fn unknown_key(span: Span, text: &str, near: Option<&str>, keys: &[&str]) ->
             "{all} のどれかを書いてください。注釈は一桁目の `#` で始めます"
         ),
     };
-    Diagnostic::error(105, span, message).help(help)
+    let told = Diagnostic::error(105, span, message).help(help);
+    let Some(key) = near else { return told };
+    let value = glued.trim_start_matches(['=', ':']);
+    let meant = match value {
+        "" => key.to_owned(),
+        value => format!("{key} {value}"),
+    };
+    told.mend(written(&meant), span, meant)
 }
 
-/// A word that is none of those a key takes.
+/// So many words of a choice are offered one by one.
+const FEW: usize = 4;
+
+/// The title of a mend that puts a word in the place of another.
+fn written(word: &str) -> Text {
+    let quoted = quote(word);
+    text!("Write {quoted}", "{quoted} と書く")
+}
+
+/// A word that is none of those a key takes; `place` is where it stands alone.
 #[cold]
 pub fn bad_choice(
     span: Span,
+    place: Option<Span>,
     key: &str,
     text: &str,
     near: Option<&str>,
@@ -107,67 +145,99 @@ pub fn bad_choice(
         Some(word) => text!("write `{key} {word}`", "`{key} {word}` と書いてください"),
         None => text!([all] "write {all} after `{key}`", "`{key}` の後に {all} と書いてください"),
     };
-    Diagnostic::error(106, span, message).help(help)
+    let mut told = Diagnostic::error(106, span, message).help(help);
+    let meant = match &near {
+        Some(word) => std::slice::from_ref(word),
+        None if choices.len() <= FEW => choices,
+        None => &[],
+    };
+    for word in meant {
+        if let Some(place) = place {
+            told = told.mend(written(word), place, *word);
+        }
+    }
+    told
 }
 
-/// More words than a line takes.
+/// More words than a line takes; `all` has the blanks before them.
 #[cold]
-pub fn surplus(span: Span, what: impl Into<Text>) -> Diagnostic {
+pub fn surplus(span: Span, all: Span, what: impl Into<Text>) -> Diagnostic {
     let what = what.into();
     let message = text!([what]
         "there is more after {what} than the line can hold",
         "{what} の後に余分なものがあります"
     );
-    Diagnostic::error(107, span, message).help(text!(
-        "delete it; a comment needs a line of its own that begins with `#`",
-        "削除してください。注釈は `#` で始まる独立した行に書きます"
-    ))
+    Diagnostic::error(107, span, message)
+        .help(text!(
+            "delete it; a comment needs a line of its own that begins with `#`",
+            "削除してください。注釈は `#` で始まる独立した行に書きます"
+        ))
+        .mend(text!("Delete it", "削除する"), all, "")
 }
 
-/// A key or option that was given before.
+/// A key or option that was given before; `places` are what goes with the first and with this one.
 #[cold]
-pub fn twice(span: Span, key: &str, before: Span) -> Diagnostic {
+pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> Diagnostic {
     let message = text!(
         "`{key}` is given twice; this one counts",
         "`{key}` が二度書かれています。後の方を使います"
     );
-    Diagnostic::warning(108, span, message)
+    let mut told = Diagnostic::warning(108, span, message)
         .help(text!(
             "delete one of the two",
             "どちらか一方を削除してください"
         ))
-        .label(before, text!("the first one", "一つ目"))
+        .label(before, text!("the first one", "一つ目"));
+    let titles = [
+        text!("Delete the first one", "一つ目を削除する"),
+        text!("Delete this one", "こちらを削除する"),
+    ];
+    for (title, place) in titles.into_iter().zip(places) {
+        if let Some(place) = place {
+            told = told.mend(title, place, "");
+        }
+    }
+    told
 }
 
 /// A line of the header after the walls have begun.
 #[cold]
-pub fn late_key(span: Span, key: &str) -> Diagnostic {
+pub fn late_key(span: Span, key: &str, mend: Vec<Edit>) -> Diagnostic {
     let message = text!(
         "`{key}` belongs in the header",
         "`{key}` はヘッダーに書くものです"
     );
-    Diagnostic::error(109, span, message).help(text!(
+    let told = Diagnostic::error(109, span, message).help(text!(
         "move the line up, before the blank line that begins the walls",
         "この行を、壁の前の空行より上へ移してください"
-    ))
+    ));
+    match mend.is_empty() {
+        true => told,
+        false => told.mend_all(
+            text!("Move the line into the header", "ヘッダーへ移す"),
+            mend,
+        ),
+    }
 }
 
 /// Two sections without the blank line between them.
 #[cold]
-pub fn no_blank_line(span: Span, before: Noun, after: Noun) -> Diagnostic {
+pub fn no_blank_line(span: Span, before: Noun, after: Noun, line_end: &str) -> Diagnostic {
     let message = text!([before, after]
         "there is no blank line between the {before} and the {after}",
         "{before}と{after}のあいだに空行がありません"
     );
-    Diagnostic::warning(110, span, message).help(text!(
-        "put a blank line before this one",
-        "この行の前に空行を入れてください"
-    ))
+    Diagnostic::warning(110, span, message)
+        .help(text!(
+            "put a blank line before this one",
+            "この行の前に空行を入れてください"
+        ))
+        .mend(text!("Put a blank line", "空行を入れる"), span, line_end)
 }
 
 /// A line of numbers after the heights.
 #[cold]
-pub fn third_numbers(span: Span, heights: Span) -> Diagnostic {
+pub fn third_numbers(span: Span, heights: Span, line: Span, more: String) -> Diagnostic {
     let message = text!(
         "the header has two lines of numbers: the place, and the storey heights",
         "ヘッダーの数値の行は、位置と階高の二行だけです"
@@ -181,71 +251,115 @@ pub fn third_numbers(span: Span, heights: Span) -> Diagnostic {
             heights,
             text!("the storey heights are here", "階高はここにあります"),
         )
+        .mend_all(
+            text!("Write all heights on one line", "階高を一行にまとめる"),
+            vec![Edit::new(heights.after(), more), Edit::new(line, "")],
+        )
 }
 
 /// More heights than storeys.
 #[cold]
-pub fn surplus_heights(span: Span, heights: usize, storeys: usize) -> Diagnostic {
+pub fn surplus_heights(span: Span, all: Span, heights: usize, storeys: usize) -> Diagnostic {
     let message = text!(
         "there are {heights} storey heights, but the walls of {storeys}",
         "階高は{heights}階分ありますが、壁は{storeys}階分しかありません"
     );
-    Diagnostic::warning(112, span, message).help(text!(
-        "delete the surplus heights, or close each storey with `^` after its last wall",
-        "余分な階高を削除するか、階ごとに最後の壁の後に `^` を書いて区切ってください"
-    ))
+    Diagnostic::warning(112, span, message)
+        .help(text!(
+            "delete the surplus heights, or close each storey with `^` after its last wall",
+            "余分な階高を削除するか、階ごとに最後の壁の後に `^` を書いて区切ってください"
+        ))
+        .mend(
+            text!("Delete the surplus heights", "余分な階高を削除する"),
+            all,
+            "",
+        )
 }
 
-/// A comment that does not begin its line.
+/// A comment with blanks before it.
 #[cold]
-pub fn comment_column(span: Span) -> Diagnostic {
+pub fn indented_comment(span: Span, blanks: Span) -> Diagnostic {
     let message = text!(
         "a comment must begin in the first column",
         "注釈は一桁目から始めなければなりません"
     );
-    Diagnostic::error(113, span, message).help(text!(
-        "put the comment on a line of its own, with `#` as its first character",
-        "注釈は独立した行に、`#` を先頭にして書いてください"
-    ))
+    Diagnostic::error(113, span, message)
+        .help(text!(
+            "delete the blanks before the `#`",
+            "`#` の前の空白を削除してください"
+        ))
+        .mend(text!("Delete the blanks", "空白を削除する"), blanks, "")
 }
 
-/// A comment as other languages write it.
+/// A comment behind something else: `place` has the blanks before it, and `line` is where its line begins.
 #[cold]
-pub fn comment_sign(span: Span, sign: &str) -> Diagnostic {
+pub fn comment_column(span: Span, place: Span, line: Span, comment: String) -> Diagnostic {
+    let message = text!(
+        "a comment must begin in the first column",
+        "注釈は一桁目から始めなければなりません"
+    );
+    let title = text!(
+        "Put the comment on a line of its own",
+        "注釈を独立した行にする"
+    );
+    Diagnostic::error(113, span, message)
+        .help(text!(
+            "put the comment on a line of its own, with `#` as its first character",
+            "注釈は独立した行に、`#` を先頭にして書いてください"
+        ))
+        .mend_all(title, vec![Edit::new(line, comment), Edit::new(place, "")])
+}
+
+/// A comment as other languages write it; `head` reaches from the first column over the sign.
+#[cold]
+pub fn comment_sign(span: Span, head: Span, sign: &str) -> Diagnostic {
     let message = text!(
         "`{sign}` begins no comment",
         "`{sign}` は注釈の始まりではありません"
     );
-    Diagnostic::error(113, span, message).help(text!(
-        "a comment begins with `#` in the first column",
-        "注釈は一桁目の `#` で始めてください"
-    ))
+    Diagnostic::error(113, span, message)
+        .help(text!(
+            "a comment begins with `#` in the first column",
+            "注釈は一桁目の `#` で始めてください"
+        ))
+        .mend(text!("Write `#`", "`#` と書く"), head, "#")
 }
 
 /// Text beside `%`.
 #[cold]
-pub fn after_separator(span: Span) -> Diagnostic {
+pub fn after_separator(span: Span, note: &str, line_end: &str) -> Diagnostic {
     let message = text!(
         "a `%` between two houses stands alone on its line",
         "家と家を区切る `%` の行には、ほかに何も書けません"
     );
+    let note = format!("{line_end}# {}", note.trim_start_matches('#').trim_start());
+    let title = text!("Make it a comment on the next line", "次の行の注釈にする");
     Diagnostic::error(114, span, message).help(text!(
         "delete the rest of the line; write a comment on its own line, the name of a house as `name ...` in its header",
         "行の残りを削除してください。注釈は独立した行に、家の名前はヘッダーに `name ...` と書きます"
     ))
+    .mend(title, span, note)
+    .mend(text!("Delete it", "削除する"), span, "")
 }
 
 /// A second header without `%`.
 #[cold]
-pub fn no_separator(span: Span) -> Diagnostic {
+pub fn no_separator(span: Span, line_end: &str) -> Diagnostic {
     let message = text!(
         "a header begins here, but the house before it is not closed",
         "ここから次のヘッダーが始まりますが、前の家が終わっていません"
     );
-    Diagnostic::error(115, span, message).help(text!(
-        "write `%` alone on a line between two houses",
-        "家と家のあいだに `%` だけの行を書いてください"
-    ))
+    let before = Span {
+        end: span.start,
+        ..span
+    };
+    let title = text!("Write `%` before this house", "この家の前に `%` を書く");
+    Diagnostic::error(115, span, message)
+        .help(text!(
+            "write `%` alone on a line between two houses",
+            "家と家のあいだに `%` だけの行を書いてください"
+        ))
+        .mend(title, before, format!("%{line_end}"))
 }
 
 /// A header without walls.
@@ -260,7 +374,7 @@ pub fn no_walls(span: Span) -> Diagnostic {
 
 /// A key or header value without anything after it.
 #[cold]
-pub fn missing_value(span: Span, key: &str) -> Diagnostic {
+pub fn missing_value(span: Span, line: Span, key: &str) -> Diagnostic {
     let example = match key {
         "unit" => "3.0",
         "seed" => "7",
@@ -272,10 +386,12 @@ pub fn missing_value(span: Span, key: &str) -> Diagnostic {
         _ => "corner house",
     };
     let message = text!("`{key}` has no value", "`{key}` の値がありません");
-    Diagnostic::error(117, span, message).help(text!(
-        "write for example `{key} {example}`, or delete the line",
-        "`{key} {example}` のように書くか、行を削除してください"
-    ))
+    Diagnostic::error(117, span, message)
+        .help(text!(
+            "write for example `{key} {example}`, or delete the line",
+            "`{key} {example}` のように書くか、行を削除してください"
+        ))
+        .mend(text!("Delete the line", "行を削除する"), line, "")
 }
 
 /// A seed that is negative, broken or too large.
@@ -294,15 +410,29 @@ pub fn bad_seed(span: Span, text: &str) -> Diagnostic {
 
 /// One line of numbers, which is the place; the heights were left out or taken for it.
 #[cold]
-pub fn no_heights(place: Span) -> Diagnostic {
+pub fn no_heights(place: Span, line_end: &str) -> Diagnostic {
     let message = text!(
         "only one line of numbers: it is read as the place, and every storey is 9 shaku high",
         "数値の行がひとつしかないため、位置として読み、階高はすべて 9 尺とします"
+    );
+    let before = Span {
+        end: place.start,
+        ..place
+    };
+    let are_heights = text!(
+        "These are the heights: put `0 0 180` before them",
+        "これは階高なので、前に `0 0 180` を書く"
+    );
+    let are_place = text!(
+        "This is the place: write the height `9.0` on the next line",
+        "これは位置なので、次の行に階高 `9.0` を書く"
     );
     Diagnostic::note(119, place, message).help(text!(
         "write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them",
         "次の行に `9.0` のように階高を書いてください。この数値が階高なら、前に `0 0 180` の行を書きます"
     ))
+    .mend(are_heights, before, format!("0 0 180{line_end}"))
+    .mend(are_place, place.after(), format!("{line_end}9.0"))
 }
 
 /// A height that is likely given in metres (below), in sun or in centimetres (above).
@@ -320,21 +450,38 @@ pub fn odd_height(span: Span, height: f64) -> Diagnostic {
         "a storey of {height} shaku is {metres} m high",
         "階高 {height} 尺は {metres} m になります"
     );
-    Diagnostic::warning(137, span, message).help(text!([unit]
+    let told = Diagnostic::warning(137, span, message).help(text!([unit]
         "heights are in shaku, and 1 m is 3.3 shaku: write `{shaku:?}` if {unit} are meant",
         "高さの単位は尺です (1 m は 3.3 尺)。{unit}のつもりなら `{shaku:?}` と書いてください"
-    ))
+    ));
+    match (5.0..=40.0).contains(&shaku) {
+        true => told.mend(written(&format!("{shaku:?}")), span, format!("{shaku:?}")),
+        false => told,
+    }
 }
 
 /// A tag after legacy lines.
 #[cold]
-pub fn xml_after_text(span: Span) -> Diagnostic {
+pub fn xml_after_text(span: Span, before: Span, lines: &str, tag: &str) -> Diagnostic {
     let message = text!(
         "the XML form begins here, but lines of the legacy form stand before it",
         "ここから XML 形式が始まりますが、その前に従来形式の行があります"
     );
-    Diagnostic::error(139, span, message).help(text!(
+    let told = Diagnostic::error(139, span, message).help(text!(
         "delete the lines before the first tag, or write comments as `<!-- ... -->`; the XML form is read from here on",
         "最初のタグより前の行を削除するか、注釈なら `<!-- ... -->` と書いてください。ここから先を XML 形式として読みます"
-    ))
+    ));
+    // A declaration of XML stands before all comments, and a comment holds no two hyphens.
+    let notes = lines.lines().all(|l| l.is_empty() || l.starts_with('#'));
+    let told = if notes && !lines.contains("--") && !tag.trim_start().starts_with("<?") {
+        let notes = lines.lines().map(|l| l.trim_start_matches('#').trim());
+        let notes: Vec<&str> = notes.filter(|l| !l.is_empty()).collect();
+        let comment = format!("<!-- {} -->\n", notes.join("\n     "));
+        let title = text!("Make the lines a comment of XML", "XML の注釈にする");
+        told.mend(title, before, comment)
+    } else {
+        told
+    };
+    let title = text!("Delete the lines before it", "その前の行を削除する");
+    told.mend(title, before, "")
 }

@@ -5,6 +5,12 @@ use crate::diagnostic::{Diagnostic, Text, noun};
 use crate::source::Span;
 use crate::text;
 
+/// The title of a mend that puts a word in the place of another.
+fn written(word: &str) -> Text {
+    let quoted = quote(word);
+    text!("Write {quoted}", "{quoted} と書く")
+}
+
 /// A kind letter that does not exist.
 #[cold]
 pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
@@ -17,13 +23,16 @@ pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         "{quoted} is no kind of roof",
         "{quoted} という葺き方はありません"
     );
-    Diagnostic::error(140, span, message).help(match near {
-        Some(kind) => text!([all]
-            "write `{kind}`; the kinds are {all}",
-            "`{kind}` と書いてください。葺き方は {all} です"
-        ),
-        None => text!([all] "write {all}", "{all} のどれかを書いてください"),
-    })
+    let mend = near.unwrap_or("*");
+    Diagnostic::error(140, span, message)
+        .help(match near {
+            Some(kind) => text!([all]
+                "write `{kind}`; the kinds are {all}",
+                "`{kind}` と書いてください。葺き方は {all} です"
+            ),
+            None => text!([all] "write {all}", "{all} のどれかを書いてください"),
+        })
+        .mend(written(mend), span, mend)
 }
 
 /// A direction letter that does not exist.
@@ -38,6 +47,7 @@ pub fn unknown_direction(span: Span, text: &str) -> Diagnostic {
         "write X for a ridge along the front, Y for one at right angles to it, F, B, L or R for the side a single slope falls to, or `*`",
         "棟が正面に平行なら X、直交するなら Y、片流れなら流れる側を F、B、L、R で、または `*` と書いてください"
     ))
+    .mend(written("*"), span, "*")
 }
 
 /// Three letters that are no shape.
@@ -52,13 +62,16 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         "{quoted} is no shape of a roof",
         "{quoted} という屋根の形はありません"
     );
-    Diagnostic::error(142, span, message).help(match near {
-        Some(shape) => text!([all]
-            "did you mean `{shape}`? The shapes are {all}",
-            "`{shape}` ではありませんか。屋根の形は {all} です"
-        ),
-        None => text!([all] "write one of {all}", "{all} のどれかを書いてください"),
-    })
+    let mend = near.unwrap_or("*");
+    Diagnostic::error(142, span, message)
+        .help(match near {
+            Some(shape) => text!([all]
+                "did you mean `{shape}`? The shapes are {all}",
+                "`{shape}` ではありませんか。屋根の形は {all} です"
+            ),
+            None => text!([all] "write one of {all}", "{all} のどれかを書いてください"),
+        })
+        .mend(written(mend), span, mend)
 }
 
 /// A word after the corners that is no option.
@@ -75,9 +88,15 @@ pub fn unknown_option(span: Span, text: &str) -> Diagnostic {
     ))
 }
 
-/// A ridge for one slope, or a fall for two.
+/// A ridge for one slope, or a fall for two; `own` tells that the direction has a place of its own.
 #[cold]
-pub fn direction_misfit(span: Span, shape_span: Span, shape: &str, ridge: bool) -> Diagnostic {
+pub fn direction_misfit(
+    span: Span,
+    shape_span: Span,
+    shape: &str,
+    ridge: bool,
+    own: bool,
+) -> Diagnostic {
     let (message, help) = if ridge {
         (
             text!(
@@ -101,20 +120,33 @@ pub fn direction_misfit(span: Span, shape_span: Span, shape: &str, ridge: bool) 
             ),
         )
     };
-    Diagnostic::error(144, span, message)
+    let mut told = Diagnostic::error(144, span, message)
         .help(help)
-        .label(shape_span, text!("the shape", "屋根の形"))
+        .label(shape_span, text!("the shape", "屋根の形"));
+    let sides: &[&str] = if ridge {
+        &["F", "B", "L", "R"]
+    } else {
+        &["X", "Y"]
+    };
+    for side in sides.iter().filter(|_| own) {
+        told = told.mend(written(side), span, *side);
+    }
+    match ridge {
+        true => told,
+        false => told.mend(written("KAT"), shape_span, "KAT"),
+    }
 }
 
 /// A field left out before a later one.
 #[cold]
-pub fn missing_field(span: Span, what: impl Into<Text>) -> Diagnostic {
+pub fn missing_field(span: Span, what: impl Into<Text>, star: &str) -> Diagnostic {
     let what = what.into();
     let message = text!([what] "the roof lacks {what}", "屋根の{what}がありません");
     Diagnostic::error(145, span, message).help(text!(
         "write kind, direction, height, shape, then a0 b0 a1 b1, with `*` for what is to be found out: `K X * KIR 0 0 6 8`",
         "葺き方、向き、高さ、形、a0 b0 a1 b1 の順に書いてください。任せるところは `*` とします: `K X * KIR 0 0 6 8`"
     ))
+    .mend(text!("Leave it open: `*`", "`*` として任せる"), span, star)
 }
 
 /// Fewer than four corner numbers.
@@ -172,54 +204,72 @@ pub fn glued(span: Span, text: &str) -> Diagnostic {
     );
     Diagnostic::error(148, span, message)
         .help(text!("write `{spread}`", "`{spread}` と書いてください"))
+        .mend(written(&spread), span, spread)
 }
 
 /// Lower case in a roof line.
 #[cold]
-pub fn lower_roof(span: Span) -> Diagnostic {
+pub fn lower_roof(span: Span, capitals: &str) -> Diagnostic {
     let message = text!(
         "the letters of a roof line are capitals",
         "屋根の行の文字は大文字です"
     );
-    Diagnostic::warning(149, span, message)
-        .help(text!("write them as capitals", "大文字で書いてください"))
+    let told = Diagnostic::warning(149, span, message)
+        .help(text!("write them as capitals", "大文字で書いてください"));
+    match capitals.is_ascii() {
+        true => told.mend(text!("Write capitals", "大文字で書く"), span, capitals),
+        false => told,
+    }
 }
 
-/// An option letter without a number, or apart from it.
+/// An option letter without a number, or apart from it; `place` is what has to go.
 #[cold]
 pub fn bare_option(
     span: Span,
     letter: char,
     what: impl Into<Text>,
     apart: Option<&str>,
+    place: Span,
 ) -> Diagnostic {
     let what = what.into();
     let message = text!([what]
         "the option `{letter}` has no number for {what}",
         "指定 `{letter}` に{what}の数値がありません"
     );
-    Diagnostic::error(150, span, message).help(match apart {
-        Some(number) => text!(
-            "write the number right after the letter: `{letter}{number}`",
-            "数値を文字のすぐ後に続けて `{letter}{number}` と書いてください"
-        ),
-        None => text!([what]
-            "write {what} right after the letter, or delete the `{letter}`",
-            "{what}を文字のすぐ後に書くか、`{letter}` を削除してください"
-        ),
-    })
+    let title = match apart {
+        Some(number) => written(&format!("{letter}{number}")),
+        None => text!("Delete the `{letter}`", "`{letter}` を削除する"),
+    };
+    Diagnostic::error(150, span, message)
+        .help(match apart {
+            Some(number) => text!(
+                "write the number right after the letter: `{letter}{number}`",
+                "数値を文字のすぐ後に続けて `{letter}{number}` と書いてください"
+            ),
+            None => text!([what]
+                "write {what} right after the letter, or delete the `{letter}`",
+                "{what}を文字のすぐ後に書くか、`{letter}` を削除してください"
+            ),
+        })
+        .mend(title, place, "")
 }
 
-/// Half a course of ridge tiles.
+/// Half a course of ridge tiles, and the nearest whole number with the place of this one.
 #[cold]
-pub fn no_whole_number(span: Span, text: &str) -> Diagnostic {
+pub fn no_whole_number(span: Span, text: &str, whole: Option<(Span, f64)>) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
         "{quoted} is no whole number of ridge courses",
         "{quoted} はのし瓦の段数として整数ではありません"
     );
-    Diagnostic::error(151, span, message).help(text!(
+    let told = Diagnostic::error(151, span, message).help(text!(
         "write a whole number, for example `M3`",
         "`M3` のように整数を書いてください"
-    ))
+    ));
+    match whole {
+        Some((place, number)) => {
+            told.mend(written(&format!("M{number}")), place, number.to_string())
+        }
+        None => told,
+    }
 }

@@ -1,14 +1,15 @@
 //! Messages about the walls of the legacy text.
 
-use crate::diagnostic::Diagnostic;
 use crate::diagnostic::messages::words::quote;
+use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::source::Span;
 use crate::text;
 
-/// U+3000 in a wall line.
+/// U+3000 in a wall line, and the blanks as which it was read.
 #[cold]
-pub fn wide_blank(span: Span, count: usize) -> Diagnostic {
-    let twice = count.saturating_mul(2);
+pub fn wide_blank(span: Span, count: usize, read: &str) -> Diagnostic {
+    let blanks = read.len();
+    let word = if blanks == 1 { "blank" } else { "blanks" };
     let (message, help) = match count {
         1 => (
             text!(
@@ -16,8 +17,8 @@ pub fn wide_blank(span: Span, count: usize) -> Diagnostic {
                 "部材コードの並びに全角空白があります"
             ),
             text!(
-                "replace the full-width blank by two blanks",
-                "全角空白を半角空白二つに置き換えてください"
+                "replace the full-width blank by {blanks} {word}",
+                "全角空白を半角空白{blanks}個に置き換えてください"
             ),
         ),
         _ => (
@@ -26,33 +27,40 @@ pub fn wide_blank(span: Span, count: usize) -> Diagnostic {
                 "部材コードの並びに全角空白が{count}個あります"
             ),
             text!(
-                "replace the {count} full-width blanks by {twice} blanks",
-                "全角空白{count}個を半角空白{twice}個に置き換えてください"
+                "replace the {count} full-width blanks by {blanks} {word}",
+                "全角空白{count}個を半角空白{blanks}個に置き換えてください"
             ),
         ),
     };
     let mend = text!("Replace by plain blanks", "半角空白に置き換える");
     Diagnostic::error(120, span, message)
         .help(help)
-        .mend(mend, span, " ".repeat(twice.min(4096)))
+        .mend(mend, span, read)
 }
 
-/// A tab in a wall line.
+/// A tab in a wall line, and the blanks as which it was read.
 #[cold]
-pub fn tab(span: Span) -> Diagnostic {
+pub fn tab(span: Span, read: &str) -> Diagnostic {
     let message = text!(
         "there is a tab among the codes",
         "部材コードの並びにタブがあります"
     );
-    Diagnostic::error(121, span, message).help(text!(
-        "replace the tab by the blanks that fill the code up to five columns",
-        "タブを、部材コードが五桁になるだけの空白に置き換えてください"
-    ))
+    Diagnostic::error(121, span, message)
+        .help(text!(
+            "replace the tab by the blanks that fill the code up to five columns",
+            "タブを、部材コードが五桁になるだけの空白に置き換えてください"
+        ))
+        .mend(
+            text!("Replace by plain blanks", "半角空白に置き換える"),
+            span,
+            read,
+        )
 }
 
-/// Full-width letters anywhere but in comments and names.
+/// Full-width letters anywhere but in comments and names; `whole` are these with the wide blanks behind them, and
+/// `read` what both were read as.
 #[cold]
-pub fn wide_letters(span: Span, text: &str) -> Diagnostic {
+pub fn wide_letters(span: Span, text: &str, whole: Span, read: &str) -> Diagnostic {
     let narrow: String = text
         .chars()
         .filter_map(|c| char::from_u32(u32::from(c).wrapping_sub(0xfee0)))
@@ -62,24 +70,36 @@ pub fn wide_letters(span: Span, text: &str) -> Diagnostic {
         "{quoted} is written in full-width letters",
         "{quoted} が全角文字で書かれています"
     );
-    Diagnostic::error(122, span, message).help(text!(
-        "switch the input method off and write {narrow}",
-        "日本語入力を切り、半角で {narrow} と書いてください"
-    ))
+    Diagnostic::error(122, span, message)
+        .help(text!(
+            "switch the input method off and write {narrow}",
+            "日本語入力を切り、半角で {narrow} と書いてください"
+        ))
+        .mend(
+            text!("Write it in plain letters", "半角で書く"),
+            whole,
+            read,
+        )
 }
 
 /// White space of another width, or none.
 #[cold]
-pub fn other_blank(span: Span, character: char) -> Diagnostic {
+pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
     let number = u32::from(character);
+    let mend = match read {
+        "" => text!("Delete it", "削除する"),
+        _ => text!("Replace by plain blanks", "半角空白に置き換える"),
+    };
     let message = text!(
         "there is an unusual blank, U+{number:04X}",
         "特殊な空白 U+{number:04X} があります"
     );
-    Diagnostic::error(123, span, message).help(text!(
-        "replace it by a plain blank if one can be seen, else delete it",
-        "空白として見えるなら半角空白に置き換え、見えないなら削除してください"
-    ))
+    Diagnostic::error(123, span, message)
+        .help(text!(
+            "replace it by a plain blank if one can be seen, else delete it",
+            "空白として見えるなら半角空白に置き換え、見えないなら削除してください"
+        ))
+        .mend(mend, span, read)
 }
 
 /// A character that no code has.
@@ -96,19 +116,23 @@ pub fn foreign(span: Span, text: &str) -> Diagnostic {
     ))
 }
 
-/// Codes after the blank line that ends the walls.
+/// Codes after the blank line that ends the walls; `apart` tells that there are more, with comments between.
 #[cold]
-pub fn blank_in_walls(blank: Span, next: Span) -> Diagnostic {
+pub fn blank_in_walls(blank: Span, next: Span, apart: bool) -> Diagnostic {
     let message = text!(
         "a blank line ends the walls, but more codes follow it",
         "空行で壁が終わりますが、その後にも部材コードがあります"
     );
-    Diagnostic::error(125, blank, message)
+    let told = Diagnostic::error(125, blank, message)
         .help(text!(
             "delete the blank line; a storey ends with `^`, a turn without parts is a line with `R` or `L` alone",
             "空行を削除してください。階は `^` で終わり、部材のない曲がりは `R` か `L` だけの行で書きます"
         ))
-        .label(next, text!("read as the next wall", "次の壁として読みます"))
+        .label(next, text!("read as the next wall", "次の壁として読みます"));
+    if apart {
+        return told;
+    }
+    told.mend(text!("Delete the blank line", "空行を削除する"), blank, "")
 }
 
 /// One column more than the codes take.
@@ -120,55 +144,108 @@ pub fn one_over(span: Span, text: &str) -> Diagnostic {
         "delete it or complete its five columns; only the letters `L`, `R` and `^` may follow the last code",
         "削除するか、五桁になるように書いてください。最後の部材コードの後に置けるのは `L`、`R`、`^` だけです"
     ))
+    .mend(text!("Delete {quoted}", "{quoted} を削除する"), span, "")
 }
 
-/// A turn letter that does not stand right after the last column of a code: `before` columns stand before
-/// it, and `codes` without the blanks at their end.
+/// A turn letter that does not stand right after the last column of a code: so many `columns` stand before it, with
+/// and without the blanks at their end; `surplus` are those behind the last whole code.
 #[cold]
-pub fn misplaced_control(span: Span, letter: &str, before: usize, codes: usize) -> Diagnostic {
+pub fn misplaced_control(
+    span: Span,
+    letter: &str,
+    columns: (usize, usize),
+    surplus_blanks: Span,
+) -> Diagnostic {
+    let (before, codes) = columns;
     let (missing, surplus) = (before.next_multiple_of(5) - before, before % 5);
     let blanks = |n: usize| if n == 1 { "blank" } else { "blanks" };
-    let column = before + 1;
-    let message = text!(
-        "the `{letter}` stands in column {column} and so inside a code",
-        "`{letter}` が{column}桁目、つまり部材コードの途中にあります"
-    );
     // Blanks can be deleted only as far as there are any after the codes.
-    let help = if surplus < missing && before - surplus >= codes {
+    let (help, title, place, filling) = if surplus < missing && before - surplus >= codes {
         let blanks = blanks(surplus);
-        text!(
+        let help = text!(
             "delete {surplus} {blanks} before the `{letter}`: it stands right after the five columns of the last code",
             "`{letter}` の前の空白を{surplus}個削除してください。曲がりは最後の部材コードの五桁のすぐ後に書きます"
-        )
+        );
+        let title = text!(
+            "Delete {surplus} {blanks} before the `{letter}`",
+            "`{letter}` の前の空白を{surplus}個削除する"
+        );
+        (help, title, surplus_blanks, String::new())
     } else {
         let blanks = blanks(missing);
-        text!(
+        let help = text!(
             "write {missing} more {blanks} before the `{letter}`, so that the last code has five columns",
             "最後の部材コードが五桁になるよう、`{letter}` の前に空白を{missing}個足してください"
-        )
+        );
+        let title = text!(
+            "Put {missing} {blanks} before the `{letter}`",
+            "`{letter}` の前に空白を{missing}個足す"
+        );
+        (help, title, surplus_blanks.after(), " ".repeat(missing))
     };
-    Diagnostic::error(127, span, message).help(help)
+    Diagnostic::error(127, span, inside_a_code(letter, before + 1))
+        .help(help)
+        .mend(title, place, filling)
 }
 
-/// A turn letter with codes after it; `leads` tells that it begins its line.
+fn inside_a_code(letter: &str, column: usize) -> Text {
+    text!(
+        "the `{letter}` stands in column {column} and so inside a code",
+        "`{letter}` が{column}桁目、つまり部材コードの途中にあります"
+    )
+}
+
+/// A turn letter behind another one; `gap` reaches from that to this.
 #[cold]
-pub fn inner_turn(span: Span, letter: &str, leads: bool) -> Diagnostic {
-    let help = if leads {
-        text!(
+pub fn second_control(
+    span: Span,
+    letter: &str,
+    before: usize,
+    turn: &str,
+    gap: Span,
+) -> Diagnostic {
+    let title = text!("Delete the `{turn}`", "`{turn}` を削除する");
+    Diagnostic::error(127, span, inside_a_code(letter, before + 1))
+        .help(text!(
+            "delete the `{turn}` before the `{letter}`: a line ends with one of the two",
+            "`{letter}` の前の `{turn}` を削除してください。行の最後に書けるのはどちらかひとつです"
+        ))
+        .mend(title, gap, "")
+}
+
+/// A turn letter with codes after it; `leads` tells that it begins its line. `mend` puts it where it belongs.
+#[cold]
+pub fn inner_turn(span: Span, letter: &str, leads: bool, mend: Vec<Edit>) -> Diagnostic {
+    let (title, help) = if leads {
+        let title = text!(
+            "Put the `{letter}` at the end of the line before",
+            "`{letter}` を前の行の末尾へ移す"
+        );
+        let help = text!(
             "put the `{letter}` at the end of the line before, right after the five columns of its last code",
             "`{letter}` を前の行の末尾、最後の部材コードの五桁のすぐ後に移してください"
-        )
+        );
+        (title, help)
     } else {
-        text!(
+        let title = text!(
+            "Begin a new line after the `{letter}`",
+            "`{letter}` の後で改行する"
+        );
+        let help = text!(
             "begin a new line after the `{letter}`",
             "`{letter}` の後で改行してください"
-        )
+        );
+        (title, help)
     };
     let message = text!(
         "the turn `{letter}` stands before codes, but a turn ends its line",
         "曲がり `{letter}` の後に部材コードがあります。曲がりは行の最後に書くものです"
     );
-    Diagnostic::error(138, span, message).help(help)
+    let told = Diagnostic::error(138, span, message).help(help);
+    match mend.is_empty() {
+        true => told,
+        false => told.mend_all(title, mend),
+    }
 }
 
 /// `l` or `r` for `L` or `R`.
@@ -181,6 +258,11 @@ pub fn lower_control(span: Span, letter: &str) -> Diagnostic {
     );
     Diagnostic::error(128, span, message)
         .help(text!("write `{capital}`", "`{capital}` と書いてください"))
+        .mend(
+            text!("Write `{capital}`", "`{capital}` と書く"),
+            span,
+            &*capital,
+        )
 }
 
 /// Blanks that hide the end of the line.
@@ -190,23 +272,27 @@ pub fn blanks_after(span: Span, letter: &str) -> Diagnostic {
         "there are blanks after the final `{letter}`",
         "行末の `{letter}` の後に空白があります"
     );
-    Diagnostic::warning(129, span, message).help(text!(
-        "delete them; the letter must be the last character of the line",
-        "削除してください。この文字は行の最後になければなりません"
-    ))
+    Diagnostic::warning(129, span, message)
+        .help(text!(
+            "delete them; the letter must be the last character of the line",
+            "削除してください。この文字は行の最後になければなりません"
+        ))
+        .mend(text!("Delete the blanks", "空白を削除する"), span, "")
 }
 
-/// Codes after `^` on the same line.
+/// Codes after `^` on the same line, and the blanks between.
 #[cold]
-pub fn after_reset(span: Span) -> Diagnostic {
+pub fn after_reset(span: Span, gap: Span, line_end: &str) -> Diagnostic {
     let message = text!(
         "nothing may follow `^` on its line",
         "`^` と同じ行には、その後に何も書けません"
     );
-    Diagnostic::error(130, span, message).help(text!(
-        "begin the next storey on a new line",
-        "次の階は新しい行から始めてください"
-    ))
+    Diagnostic::error(130, span, message)
+        .help(text!(
+            "begin the next storey on a new line",
+            "次の階は新しい行から始めてください"
+        ))
+        .mend(text!("Begin a new line", "改行する"), gap, line_end)
 }
 
 /// Blanks before the first code.
@@ -226,12 +312,19 @@ pub fn shifted(span: Span, blanks: usize, voids: usize) -> Diagnostic {
         "the line begins with {blanks} blanks, which shift every code after them",
         "行頭に空白が{blanks}個あり、後の部材コードがすべてずれます"
     );
-    Diagnostic::error(131, span, message).help(help)
+    let title = match voids {
+        0 => text!("Delete the blanks", "空白を削除する"),
+        _ => text!("Write the voids as points", "空きを点で書く"),
+    };
+    Diagnostic::error(131, span, message)
+        .help(help)
+        .mend(title, span, ".".repeat(voids))
 }
 
-/// Words that look like codes but do not stand in their columns.
+/// Words that look like codes but do not stand in their columns; `mend` is the place of all codes and what they are
+/// when they do.
 #[cold]
-pub fn out_of_step(span: Span, column: usize, meant: &str) -> Diagnostic {
+pub fn out_of_step(span: Span, column: usize, meant: &str, mend: (Span, &str)) -> Diagnostic {
     let mut line: String = meant.chars().take(80).collect();
     if line.len() < meant.len() {
         line.push('…');
@@ -240,7 +333,13 @@ pub fn out_of_step(span: Span, column: usize, meant: &str) -> Diagnostic {
         "from column {column} on the codes are out of step: each takes exactly five columns",
         "{column}桁目から部材コードがずれています。部材コードはちょうど五桁ずつです"
     );
-    Diagnostic::error(132, span, message).help(text!("write `{line}`", "`{line}` と書いてください"))
+    Diagnostic::error(132, span, message)
+        .help(text!("write `{line}`", "`{line}` と書いてください"))
+        .mend(
+            text!("Put the codes in step", "部材コードを五桁ずつに揃える"),
+            mend.0,
+            mend.1,
+        )
 }
 
 /// Five blanks at a line end.
@@ -268,7 +367,10 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
             ),
         ),
     };
-    Diagnostic::warning(133, span, message).help(help)
+    let title = text!("Write the voids as points", "空きを点で書く");
+    Diagnostic::warning(133, span, message)
+        .help(help)
+        .mend(title, span, ".....".repeat(count))
 }
 
 /// Points that are not five.
@@ -276,10 +378,12 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
 pub fn few_points(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
     let message = text!("{quoted} is no void", "{quoted} は空きになりません");
-    Diagnostic::error(134, span, message).help(text!(
-        "write exactly five points, `.....`",
-        "点をちょうど五つ、`.....` と書いてください"
-    ))
+    Diagnostic::error(134, span, message)
+        .help(text!(
+            "write exactly five points, `.....`",
+            "点をちょうど五つ、`.....` と書いてください"
+        ))
+        .mend(text!("Write `.....`", "`.....` と書く"), span, ".....")
 }
 
 /// `^` after the last storey.
@@ -289,21 +393,25 @@ pub fn last_reset(span: Span) -> Diagnostic {
         "no storey follows this `^`",
         "この `^` の後に階がありません"
     );
-    Diagnostic::warning(135, span, message).help(text!(
-        "delete it; the last storey ends with the walls",
-        "削除してください。最後の階は壁の終わりで終わります"
-    ))
+    Diagnostic::warning(135, span, message)
+        .help(text!(
+            "delete it; the last storey ends with the walls",
+            "削除してください。最後の階は壁の終わりで終わります"
+        ))
+        .mend(text!("Delete the `^`", "`^` を削除する"), span, "")
 }
 
 /// `^` after `^`.
 #[cold]
-pub fn empty_storey(span: Span, storey: usize) -> Diagnostic {
+pub fn empty_storey(span: Span, line: Span, storey: usize) -> Diagnostic {
     let message = text!(
         "storey {storey} has no walls before its `^`",
         "`^` の前に{storey}階の壁がありません"
     );
-    Diagnostic::error(136, span, message).help(text!(
-        "delete the `^`, or write the walls of the storey before it",
-        "`^` を削除するか、その前にこの階の壁を書いてください"
-    ))
+    Diagnostic::error(136, span, message)
+        .help(text!(
+            "delete the `^`, or write the walls of the storey before it",
+            "`^` を削除するか、その前にこの階の壁を書いてください"
+        ))
+        .mend(text!("Delete the `^`", "`^` を削除する"), line, "")
 }

@@ -262,7 +262,7 @@ impl<'a> Maker<'a, '_> {
         if weights.len() != values {
             let given = weights.len();
             self.faults
-                .push(|| parts::weight_count(span, given, values));
+                .push(|| parts::weight_count(span, given, values, None));
             return None;
         }
         if weights.iter().sum::<f64>() <= 0.0 {

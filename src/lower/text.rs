@@ -1,0 +1,90 @@
+//! Changes of a wall line in the legacy text, for mends. A wall knows no text, but the places of its codes tell enough:
+//! a line of the legacy form ends right behind its last code, five columns wide, or with a letter after that.
+
+use crate::building::Wall;
+use crate::diagnostic::Edit;
+use crate::geometry::SAME;
+use crate::source::Span;
+
+/// Columns, and so bytes, of one code.
+const CELL: u32 = 5;
+
+/// A wall of one unit, where nobody says which.
+const PLAIN: &str = "KSK  ";
+
+/// The last code of a line and what stands behind it, if the line is one of the legacy text.
+fn end(wall: &Wall) -> Option<(Span, Span)> {
+    let last = wall.units.last()?.span;
+    let inside = last.start >= wall.span.start && last.end <= wall.span.end;
+    let rest = Span {
+        start: last.end,
+        ..wall.span
+    };
+    // An element has an end tag behind its codes, which is longer.
+    let plain = last.file == rest.file
+        && (1..=CELL).contains(&(last.end.saturating_sub(last.start)))
+        && rest.end.saturating_sub(rest.start) <= CELL;
+    (inside && plain).then_some((last, rest))
+}
+
+/// The blanks that fill a code up to its five columns.
+fn filling(code: Span) -> String {
+    " ".repeat((CELL - (code.end - code.start)) as usize)
+}
+
+/// Ends a line that has no letter with a turn to the left.
+pub(super) fn turn_left(wall: &Wall) -> Option<Edit> {
+    let (last, rest) = end(wall)?;
+    Some(Edit::new(rest, filling(last) + "L"))
+}
+
+/// Takes the letter away that turns to the left.
+pub(super) fn turn_right(wall: &Wall) -> Option<Edit> {
+    let (last, rest) = end(wall)?;
+    let letter = rest.end - rest.start == 1 && last.end - last.start == CELL;
+    letter.then(|| Edit::new(rest, ""))
+}
+
+/// The same for the turn of a line, whichever it has.
+pub(super) fn turn_back(wall: &Wall, turn: f64) -> Option<Edit> {
+    match turn {
+        90.0 => turn_left(wall),
+        -90.0 => turn_right(wall),
+        _ => None,
+    }
+}
+
+/// Makes a line longer by whole units of plain wall, or shorter by its last codes.
+pub(super) fn resize(wall: &Wall, by: f64) -> Option<Edit> {
+    let (last, rest) = end(wall)?;
+    if by < 0.0 {
+        return shorten(wall, -by, last);
+    }
+    let whole = (1.0..=1000.0).contains(&by) && (by - by.round()).abs() < SAME;
+    let codes = filling(last) + &PLAIN.repeat(by.round() as usize);
+    let codes = match rest.end == rest.start {
+        true => codes.trim_end().to_owned(),
+        false => codes,
+    };
+    whole.then(|| Edit::new(last.after(), codes))
+}
+
+fn shorten(wall: &Wall, by: f64, last: Span) -> Option<Edit> {
+    let (mut width, mut from) = (0.0, last.end);
+    for unit in wall.units.iter().skip(1).rev() {
+        // Codes side by side, each written once.
+        if unit.span.end != from {
+            return None;
+        }
+        width += unit.width;
+        from = unit.span.start;
+        if width > by - SAME {
+            break;
+        }
+    }
+    let span = Span {
+        start: from,
+        ..last
+    };
+    ((width - by).abs() < SAME).then(|| Edit::new(span, ""))
+}

@@ -1,0 +1,63 @@
+//! Places round a place, for mends: a whole line, a word with the blanks before it, the digits of a glued word.
+
+use super::line::after_line_end;
+use crate::parse::faults::Faults;
+use crate::source::Span;
+
+/// Bytes in which the first line end is looked for.
+const HEAD: usize = 4096;
+
+/// Line ends.
+const ENDS: [char; 2] = ['\n', '\r'];
+
+impl Faults<'_> {
+    /// What is written in a place.
+    pub(super) fn written(&self, span: Span) -> &str {
+        &self.source.text()[self.source.text_range(span)]
+    }
+
+    /// How the lines of the text end, by the first of them. A line may be megabytes long, so it is not sought far.
+    pub(super) fn line_end_text(&self) -> &'static str {
+        let text = &self.source.text().as_bytes()[..self.source.text().len().min(HEAD)];
+        let end = |b: &u8| matches!(b, b'\n' | b'\r');
+        match text.iter().position(end).map(|at| &text[at..]) {
+            Some([b'\r', b'\n', ..]) => "\r\n",
+            Some([b'\r', ..]) => "\r",
+            _ => "\n",
+        }
+    }
+
+    /// The lines of a place, with the last line end.
+    pub(super) fn line_of(&self, span: Span) -> Span {
+        let (text, range) = (self.source.text(), self.source.text_range(span));
+        let start = text[..range.start].rfind(ENDS).map_or(0, |at| at + 1);
+        let rest = &text[range.end..];
+        let end = range.end + rest.find(ENDS).unwrap_or(rest.len());
+        self.source
+            .span(start..after_line_end(text.as_bytes(), end))
+    }
+
+    /// The place, or its whole line if nothing else stands there: a line left blank could end a section.
+    pub(super) fn or_line(&self, span: Span) -> Span {
+        let (text, range) = (self.source.text(), self.source.text_range(span));
+        let before = text[..range.start].trim_end_matches(' ');
+        let after = text[range.end..].trim_start_matches(' ');
+        let alone = (before.is_empty() || before.ends_with(ENDS))
+            && (after.is_empty() || after.starts_with(ENDS));
+        if alone { self.line_of(span) } else { span }
+    }
+
+    /// The place and the blanks before it.
+    pub(super) fn with_blanks(&self, span: Span) -> Span {
+        let range = self.source.text_range(span);
+        let before = self.source.text()[..range.start].trim_end_matches([' ', '\t']);
+        self.source.span(before.len()..range.end)
+    }
+
+    /// Where a text is written that ends a place; nothing where it is written in other letters.
+    pub(super) fn tail(&self, span: Span, text: &str) -> Option<Span> {
+        let range = self.source.text_range(span);
+        let fits = self.source.text()[range.clone()].ends_with(text);
+        fits.then(|| self.source.span(range.end - text.len()..range.end))
+    }
+}
