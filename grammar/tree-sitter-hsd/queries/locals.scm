@@ -16,8 +16,7 @@
     (attribute_name) @_name
     (attribute_value) @local.definition.function))
   (#match? @_tag "^define$")
-  (#match? @_name "^name$")
-  (#set! definition.function.scope "parent"))
+  (#match? @_name "^name$"))
 
 ((start_tag
   (tag_name) @_tag
