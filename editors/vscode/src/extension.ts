@@ -1,13 +1,18 @@
 // The extension: it finds the program `hsd`, runs `hsd lsp` beside the editor, and starts it anew when a setting changes.
 // All knowledge of houses is the program's; here is nothing but wires.
 import {
-  type ExtensionContext, type ConfigurationChangeEvent, commands, env, l10n, type LogOutputChannel, window, workspace,
+  type ConfigurationChangeEvent, type ExtensionContext, type LogOutputChannel, type ProviderResult, SemanticTokens, commands, env,
+  l10n, window, workspace,
 } from 'vscode';
-import { LanguageClient, type LanguageClientOptions, State, TransportKind } from 'vscode-languageclient/node';
-import { chosen, find, show } from './program';
+import { LanguageClient, type LanguageClientOptions, State } from 'vscode-languageclient/node';
+import { told } from './colours';
+import { chosen, fault, find, show } from './program';
+import { fitTabs, written } from './typing';
 
 /** Settings that reach the program when it starts. */
-const SETTINGS = ['hsd.serverPath', 'hsd.language', 'hsd.textures', 'hsd.catalogs', 'hsd.parameters'];
+const SETTINGS = [
+  'serverPath', 'language', 'textures', 'catalogs', 'parameters', 'seed', 'root', 'pictures', 'inlayHints',
+] as const;
 
 let client: LanguageClient | undefined;
 let output: LogOutputChannel;
@@ -23,10 +28,12 @@ export async function activate(context: ExtensionContext): Promise<void> {
     commands.registerCommand('hsd.format', () => commands.executeCommand('editor.action.formatDocument')),
     commands.registerCommand('hsd.chooseServer', () => choose()),
     workspace.onDidChangeConfiguration((change: ConfigurationChangeEvent) => {
-      if (SETTINGS.some(name => change.affectsConfiguration(name))) void restart();
+      if (SETTINGS.some(name => change.affectsConfiguration(`hsd.${name}`))) void restart();
     }),
     workspace.onDidGrantWorkspaceTrust(() => restart()),
+    window.onDidChangeActiveTextEditor(fitTabs),
   );
+  fitTabs(window.activeTextEditor);
   await restart();
 }
 
@@ -67,21 +74,30 @@ async function start(): Promise<void> {
   const settings = workspace.getConfiguration('hsd');
   const program = await find();
   if (!program) return missing();
+  const why = await fault(program);
+  if (why) return failed(program, why);
   output.info(`${program} lsp --lang ${language()}`);
   const options: LanguageClientOptions = {
     documentSelector: [{ language: 'hsd', scheme: 'file' }, { language: 'hsd', scheme: 'untitled' }],
     outputChannel: output,
+    // What went wrong is said below, once.
+    initializationFailedHandler: () => false,
     initializationOptions: {
+      ...Object.fromEntries(SETTINGS.map(name => [name, settings.get<unknown>(name)])),
       language: language(),
-      textures: settings.get<string[]>('textures', []),
-      catalogs: settings.get<string[]>('catalogs', []),
-      parameters: settings.get<Record<string, string | number | boolean>>('parameters', {}),
     },
-    // Included files, catalogues and pictures change what is said of the texts that name them.
-    synchronize: { fileEvents: workspace.createFileSystemWatcher('**/*.{hsd,png,jpg,jpeg}') },
+    middleware: {
+      provideCompletionItem: async (document, position, context, token, next) => {
+        const found = await next(document, position, context, token);
+        const items = Array.isArray(found) ? found : found?.items ?? [];
+        return written(document, position, items) ? undefined : found;
+      },
+      provideDocumentSemanticTokens: async (document, token, next) => colours(await next(document, token)),
+      provideDocumentRangeSemanticTokens: async (document, range, token, next) => colours(await next(document, range, token)),
+    },
     markdown: { isTrusted: false, supportHtml: false },
   };
-  const run = { command: program, args: ['lsp', '--lang', language()], transport: TransportKind.stdio };
+  const run = { command: program, args: ['lsp', '--lang', language()] };
   const started = new LanguageClient('hsd', 'hsd', run, options);
   try {
     await started.start();
@@ -91,6 +107,13 @@ async function start(): Promise<void> {
   }
   client = started;
   await commands.executeCommand('setContext', 'hsd.running', true);
+}
+
+/** The colours of the program that are no grammar's work. */
+function colours(tokens: Awaited<ProviderResult<SemanticTokens>>): SemanticTokens | undefined {
+  const offered = client?.initializeResult?.capabilities.semanticTokensProvider;
+  if (!tokens || !offered) return undefined;
+  return new SemanticTokens(told(tokens, offered.legend));
 }
 
 /** Says that there is no program, and how to come by it. Nothing waits for the answer. */

@@ -1,8 +1,10 @@
 // Where the program `hsd` is: where the settings say, else on the path, else where cargo puts programs.
+import { execFile } from 'node:child_process';
 import { constants } from 'node:fs';
 import { access, stat } from 'node:fs/promises';
 import { homedir } from 'node:os';
 import { delimiter, isAbsolute, join } from 'node:path';
+import { promisify } from 'node:util';
 import { ConfigurationTarget, workspace } from 'vscode';
 
 const NAME = process.platform === 'win32' ? 'hsd.exe' : 'hsd';
@@ -26,6 +28,17 @@ export async function find(): Promise<string | undefined> {
     if (await runs(path)) return path;
   }
   return undefined;
+}
+
+/** Why a program is no language server, or nothing: an older `hsd`, or something else altogether. */
+export async function fault(program: string): Promise<string | undefined> {
+  try {
+    await promisify(execFile)(program, ['lsp', '--help'], { timeout: 10_000, windowsHide: true });
+    return undefined;
+  } catch (error) {
+    const said = (error as { stderr?: string }).stderr?.trim().split('\n')[0];
+    return said || (error instanceof Error ? error.message : String(error));
+  }
 }
 
 /** Writes the program's place into the settings, which starts it. */

@@ -1,5 +1,5 @@
-// node test/snippets.mjs HSD
-// Every snippet, with each of the values it offers, makes a text that the program HSD checks without a word and finds laid
+// node test/snippets.mjs
+// Every snippet, with each of the values it offers, makes a text that the program HSD (`hsd`) checks without a word and finds laid
 // out as it would do it itself. A snippet that is no house stands in a frame for that.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -7,7 +7,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { root } from './tokens.mjs';
 
-const hsd = process.argv[2] ?? 'hsd';
+const hsd = process.env.HSD ?? 'hsd';
 const none = text => text;
 const walls = (...rows) => rows.join('\n');
 const plain = 'KSK  KSK  KSK';
