@@ -153,6 +153,8 @@ fn mends_of_several_slips_do_not_hinder_one_another() {
         "  KSM  ksm # door\n",
         "KSM KSM  r # front\n",
         "大戸 KSM  l\n",
+        "  # the front\n",
+        "// the front\n",
     ];
     let (mut findings, mut count) = (vec![], 0);
     for (i, line) in lines.iter().enumerate() {

@@ -28,10 +28,21 @@ pub(super) struct Faults<'a> {
     first: &'a Source,
     /// What was said already, where something may be read several times.
     once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
+    /// How the lines of the first source end.
+    line_end: &'static str,
     out: Diagnostics,
     said: usize,
     /// The worst of those left out.
     worst: Option<Severity>,
+}
+
+/// The first line end of a text, or the usual one.
+fn line_end(text: &str) -> &'static str {
+    match text.find(['\n', '\r']).map(|at| &text.as_bytes()[at..]) {
+        Some([b'\r', b'\n', ..]) => "\r\n",
+        Some([b'\r', ..]) => "\r",
+        _ => "\n",
+    }
 }
 
 impl<'a> Faults<'a> {
@@ -42,10 +53,16 @@ impl<'a> Faults<'a> {
             more: vec![],
             first: source,
             once: None,
+            line_end: line_end(source.text()),
             out: Diagnostics::new(),
             said: 0,
             worst: None,
         }
+    }
+
+    /// How the lines of the text end.
+    pub(super) fn line_end_text(&self) -> &'static str {
+        self.line_end
     }
 
     /// Goes on to a source that the others include, and says where its text begins among all texts.

@@ -4,9 +4,6 @@ use super::line::after_line_end;
 use crate::parse::faults::Faults;
 use crate::source::Span;
 
-/// Bytes in which the first line end is looked for.
-const HEAD: usize = 4096;
-
 /// Line ends.
 const ENDS: [char; 2] = ['\n', '\r'];
 
@@ -14,17 +11,6 @@ impl Faults<'_> {
     /// What is written in a place.
     pub(super) fn written(&self, span: Span) -> &str {
         &self.source.text()[self.source.text_range(span)]
-    }
-
-    /// How the lines of the text end, by the first of them. A line may be megabytes long, so it is not sought far.
-    pub(super) fn line_end_text(&self) -> &'static str {
-        let text = &self.source.text().as_bytes()[..self.source.text().len().min(HEAD)];
-        let end = |b: &u8| matches!(b, b'\n' | b'\r');
-        match text.iter().position(end).map(|at| &text[at..]) {
-            Some([b'\r', b'\n', ..]) => "\r\n",
-            Some([b'\r', ..]) => "\r",
-            _ => "\n",
-        }
     }
 
     /// The lines of a place, with the last line end.
