@@ -7,7 +7,7 @@ import {
 import { LanguageClient, type LanguageClientOptions, State } from 'vscode-languageclient/node';
 import { told } from './colours';
 import { chosen, fault, find, show } from './program';
-import { fitTabs, written } from './typing';
+import { fitTabs, refitTabs, written } from './typing';
 
 /** Settings that reach the program when it starts. */
 const SETTINGS = [
@@ -32,6 +32,7 @@ export async function activate(context: ExtensionContext): Promise<void> {
     }),
     workspace.onDidGrantWorkspaceTrust(() => restart()),
     window.onDidChangeActiveTextEditor(fitTabs),
+    workspace.onDidChangeTextDocument(refitTabs),
   );
   fitTabs(window.activeTextEditor);
   await restart();

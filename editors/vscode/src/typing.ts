@@ -1,14 +1,26 @@
 // What makes codes of five columns easy to type.
-import { type CompletionItem, CompletionItemKind, type Position, Range, type TextDocument, type TextEditor } from 'vscode';
+import {
+  type CompletionItem, CompletionItemKind, type Position, Range, type TextDocument, type TextDocumentChangeEvent, type TextEditor,
+  window,
+} from 'vscode';
 
 const COLUMNS = 5;
 const INDENT = 2;
+/** Lines at the head of a text that tell its form. */
+const HEAD = 50;
 
 /** A tab leads to the next code in the legacy form, as the program reads tabs, and indents in XML. */
 export function fitTabs(editor: TextEditor | undefined): void {
   if (editor?.document.languageId !== 'hsd') return;
-  const xml = /^\s*</.test(editor.document.getText(new Range(0, 0, 50, 0)));
-  editor.options = { insertSpaces: true, tabSize: xml ? INDENT : COLUMNS };
+  const xml = /^\s*</.test(editor.document.getText(new Range(0, 0, HEAD, 0)));
+  const tabSize = xml ? INDENT : COLUMNS;
+  if (editor.options.tabSize !== tabSize) editor.options = { insertSpaces: true, tabSize };
+}
+
+/** The same when the head of a text has changed. */
+export function refitTabs({ document, contentChanges }: TextDocumentChangeEvent): void {
+  const editor = window.activeTextEditor;
+  if (editor?.document === document && contentChanges.some(change => change.range.start.line < HEAD)) fitTabs(editor);
 }
 
 /**
