@@ -1,10 +1,28 @@
-// The texts that every client of the language server opens: right ones, and a broken one with what must be said of it.
-import { execFileSync, spawnSync } from 'node:child_process';
+// The texts that the protocol's client opens: right ones, and broken ones with what must be said of them. neovim.lua and emacs.el
+// have the same.
+import { execFileSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** Signs of one, three and four bytes, of one and two code units, before the mistake in its line. */
-export const broken = `<!-- 𠮷野家 -->
+/** A broken text of each form, and the one mistake in it: signs of one, three and four bytes, of one and two code units. */
+export const broken = [
+  {
+    name: '長屋.hsd',
+    text: `# 𠮷野家
+0 0 180
+9.5
+name 𠮷野家の店
+
+KKS  TKD 2MRE
+KSK  ＭＲＥ  KSK
+KKS  TIT 2KKS
+KSK  KSK  KSK
+`,
+    code: 'HSD0122', line: 6, word: 'ＭＲＥ', mend: 'MRE',
+  },
+  {
+    name: '町家.hsd',
+    text: `<!-- 𠮷野家 -->
 <House name="𠮷野家の店" stret="yes">
   <Storey height="9.5">
     <Row>KKS  TKD 2MRE</Row>
@@ -13,16 +31,10 @@ export const broken = `<!-- 𠮷野家 -->
     <Row>KSK  KSK  KSK</Row>
   </Storey>
 </House>
-`;
-
-/** The mistake, where it stands and what mends it. */
-export const mistake = { code: 'HSD0222', line: 1, word: 'stret', mend: 'street' };
-
-/** What `hsd check` says of a file: code, line from 0 and the span in bytes of the file. */
-export function checked(hsd, file) {
-  const { stdout } = spawnSync(hsd, ['check', '--lang', 'en', '--format', 'json', file], { encoding: 'utf8', maxBuffer: 1 << 26 });
-  return JSON.parse(stdout);
-}
+`,
+    code: 'HSD0222', line: 1, word: 'stret', mend: 'street',
+  },
+];
 
 /** What `hsd fmt` makes of a text. */
 export function laid_out(hsd, text) {
