@@ -129,3 +129,29 @@ pub fn parts(parts: usize) -> String {
     let storeys = vec![storey.trim_end_matches('\n'); parts / 100].join("^\n");
     format!("0 0\n\n{storeys}\n")
 }
+
+/// A street of so many lines or a few more: every other house dressed, the others of all shapes.
+pub fn legacy_lines(lines: usize) -> String {
+    let dressed = include_str!("../../examples/machiya.hsd").trim_end();
+    let plain = outlines(lines / 10);
+    let mut text = String::new();
+    for house in plain.split("%\n") {
+        text += &format!("{dressed}\n%\n{house}");
+        if text.lines().count() >= lines {
+            break;
+        }
+        text += "%\n";
+    }
+    text
+}
+
+/// The same in the XML form.
+pub fn xml_lines(lines: usize) -> String {
+    // A line of the legacy form becomes a little more than one.
+    let legacy = legacy_lines(lines * 3 / 4);
+    let source = Source::new(FileId(0), "bench.hsd", legacy.as_bytes());
+    let (options, mut out) = (Options::default(), Diagnostics::new());
+    let text = driver::convert(&source, &NoPictures, &options, &mut out);
+    let told = out.iter().next().map(|d| d.message.clone());
+    text.unwrap_or_else(|| panic!("the text is wrong: {told:?}"))
+}

@@ -1,0 +1,171 @@
+//! Texts that include others: what is open and not saved is what counts.
+
+use crate::client::{Client, range};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::Path;
+
+const STREET: &str = r#"<Houses>
+  <include href="pieces.hsd"/>
+  <House name="家"><Storey><use name="front"/><Row>KSK  KSK</Row><Row>KSK  KSK</Row><Row>KSK  KSK</Row></Storey></House>
+</Houses>
+"#;
+const PIECES: &str =
+    "<Catalog>\n  <define name=\"front\"><Row>KSK  TOD</Row></define>\n</Catalog>\n";
+
+fn uri(folder: &Path, name: &str) -> String {
+    let path = folder.canonicalize().expect("is there").join(name);
+    format!("file://{}", path.display())
+}
+
+fn codes(list: &[Value]) -> Vec<&str> {
+    list.iter().filter_map(|d| d["code"].as_str()).collect()
+}
+
+fn whole(text: &str) -> Value {
+    json!([{ "text": text }])
+}
+
+/// The first trouble that is told of a text: before that the server may say that all is well.
+fn trouble(client: &mut Client, uri: &str) -> Vec<Value> {
+    loop {
+        let found = client.diagnostics(uri, None);
+        if !found.is_empty() {
+            return found;
+        }
+    }
+}
+
+#[test]
+fn unsaved_texts_are_seen_by_those_that_include_them() {
+    let folder = tempfile::tempdir().expect("can be made");
+    fs::write(folder.path().join("street.hsd"), STREET).expect("can be written");
+    fs::write(folder.path().join("pieces.hsd"), PIECES).expect("can be written");
+    let (street, pieces) = (
+        uri(folder.path(), "street.hsd"),
+        uri(folder.path(), "pieces.hsd"),
+    );
+    let mut client = Client::start("utf-16");
+    client.open(&street, STREET);
+    assert!(client.diagnostics(&street, Some(1)).is_empty());
+    client.open(&pieces, PIECES);
+    assert!(client.diagnostics(&pieces, Some(1)).is_empty());
+    client.forget();
+
+    // Another name for the piece: whoever uses it hears of it, though nothing is saved.
+    let renamed = PIECES.replace("front", "omote");
+    client.change(&pieces, 2, whole(&renamed));
+    assert!(client.diagnostics(&pieces, Some(2)).is_empty());
+    let found = trouble(&mut client, &street);
+    assert!(codes(&found).contains(&"HSD0263"), "{found:?}");
+
+    // What is wrong in the piece is shown there, in places of the unsaved text.
+    let broken = PIECES
+        .replace("<Catalog>", "<Catalog>\n\n")
+        .replace("TOD", "TODX");
+    client.forget();
+    client.change(&pieces, 3, whole(&broken));
+    let found = trouble(&mut client, &pieces);
+    assert_eq!(codes(&found), ["HSD0301"]);
+    let at = broken.find("TODX").expect("is there");
+    assert_eq!(found[0]["range"], range(&broken, at..at + 4, "utf-16"));
+    // And its mend is offered where the mistake is.
+    let wanted = json!({
+        "textDocument": { "uri": pieces }, "range": found[0]["range"], "context": { "diagnostics": found },
+    });
+    let actions = client
+        .request("textDocument/codeAction", wanted)
+        .expect("is answered");
+    let edits = actions[0]["edit"]["documentChanges"][0].clone();
+    assert_eq!(
+        edits["textDocument"],
+        json!({ "uri": pieces, "version": 3 }),
+        "{actions}"
+    );
+
+    // Once it is closed the file on disk counts again.
+    client.forget();
+    client.close(&pieces);
+    assert!(client.diagnostics(&street, Some(1)).is_empty());
+    assert!(client.finish());
+}
+
+#[test]
+fn texts_that_are_nowhere_on_disk_can_be_included() {
+    let folder = tempfile::tempdir().expect("can be made");
+    let (street, pieces) = (
+        uri(folder.path(), "street.hsd"),
+        uri(folder.path(), "pieces.hsd"),
+    );
+    let mut client = Client::start("utf-8");
+    client.open(&street, STREET);
+    assert!(!client.diagnostics(&street, Some(1)).is_empty());
+    client.open(&pieces, PIECES);
+    assert!(client.diagnostics(&street, Some(1)).is_empty());
+    assert!(client.finish());
+}
+
+#[test]
+fn files_that_others_change_are_read_anew() {
+    let folder = tempfile::tempdir().expect("can be made");
+    fs::write(folder.path().join("pieces.hsd"), "<Catalog/>").expect("can be written");
+    let street = uri(folder.path(), "street.hsd");
+    let mut client = Client::start("utf-16");
+    client.open(&street, STREET);
+    assert!(!client.diagnostics(&street, Some(1)).is_empty());
+    fs::write(folder.path().join("pieces.hsd"), PIECES).expect("can be written");
+    let change = json!([{ "uri": uri(folder.path(), "pieces.hsd"), "type": 2 }]);
+    client.notify(
+        "workspace/didChangeWatchedFiles",
+        json!({ "changes": change }),
+    );
+    assert!(client.diagnostics(&street, Some(1)).is_empty());
+    assert!(client.finish());
+}
+
+#[test]
+fn nothing_outside_the_folder_is_read() {
+    let folder = tempfile::tempdir().expect("can be made");
+    let inner = folder.path().join("inner");
+    fs::create_dir(&inner).expect("can be made");
+    fs::write(folder.path().join("pieces.hsd"), PIECES).expect("can be written");
+    let text = STREET.replace("pieces.hsd", "../pieces.hsd");
+    let street = uri(&inner, "street.hsd");
+    let mut client = Client::start("utf-16");
+    // Open or not: what lies outside is none of this text's business.
+    client.open(&uri(folder.path(), "pieces.hsd"), PIECES);
+    client.open(&street, &text);
+    let found = client.diagnostics(&street, Some(1));
+    assert!(codes(&found).contains(&"HSD0268"), "{found:?}");
+    assert!(client.finish());
+}
+
+#[test]
+fn wishes_change_what_is_said() {
+    let uri = "untitled:Untitled-1";
+    let text = "0 0\n\n\nKSK  QZJ\nKSK  KSK\nKSK  KSK\nKSK  KSK\n";
+    let mut client = Client::with(json!({
+        "capabilities": {}, "locale": "ja-JP", "initializationOptions": { "language": "auto" },
+    }));
+    client.open(uri, text);
+    let found = client.diagnostics(uri, Some(1));
+    assert!(
+        found[0]["message"]
+            .as_str()
+            .is_some_and(|m| m.contains("対処")),
+        "{found:?}"
+    );
+    let settings = json!({ "hsd": { "language": "en" } });
+    client.notify(
+        "workspace/didChangeConfiguration",
+        json!({ "settings": settings }),
+    );
+    let found = client.diagnostics(uri, Some(1));
+    assert!(
+        found[0]["message"]
+            .as_str()
+            .is_some_and(|m| m.contains("help: ")),
+        "{found:?}"
+    );
+    assert!(client.finish());
+}
