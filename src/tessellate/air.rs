@@ -28,6 +28,7 @@ const LATER: f64 = 0.5;
 /// The roofs of a house as shelters, in the house frame.
 #[derive(Debug, Default)]
 pub(super) struct Shelters {
+    /// The lowest first.
     faces: Vec<Cover>,
 }
 
@@ -37,6 +38,8 @@ struct Cover {
     corners: Vec<DVec3>,
     lo: DVec2,
     hi: DVec2,
+    /// The height of its lowest corner: there its edge hangs, which is all that counts.
+    low: f64,
 }
 
 impl Shelters {
@@ -57,29 +60,34 @@ impl Shelters {
             let flat = || corners.iter().map(|p| p.truncate());
             let lo = flat().fold(DVec2::INFINITY, DVec2::min);
             let hi = flat().fold(DVec2::NEG_INFINITY, DVec2::max);
-            Cover { corners, lo, hi }
+            let low = corners.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
+            Cover {
+                corners,
+                lo,
+                hi,
+                low,
+            }
         });
         // What stands upright covers nothing.
         let covers = covers.filter(|c| (c.hi - c.lo).min_element() > 1e-3);
-        Shelters {
-            faces: covers.collect(),
-        }
+        let mut faces: Vec<Cover> = covers.collect();
+        faces.sort_by(|a, b| a.low.total_cmp(&b.low));
+        Shelters { faces }
     }
 
-    /// How far the eaves over a place stand out in a direction, and how high their edge is; `None` where none do.
-    fn eaves(&self, foot: DVec3, out: DVec2) -> Option<(f64, f64)> {
+    /// How far the eaves over a place stand out in a direction, and how high their edge is; `None` where none do, or so
+    /// high that rain reaches all of the wall up to `top` below them.
+    fn eaves(&self, foot: DVec3, top: f64, out: DVec2) -> Option<(f64, f64)> {
+        let first = self.faces.partition_point(|f| f.low <= foot.z);
+        let last = self.faces.partition_point(|f| f.low < top + WET * REACH);
+        let above = self.faces.get(first..last)?;
         let steps = (REACH / STEP) as u32;
         let mut found = None;
         for step in 1..=steps {
             let reach = f64::from(step) * STEP;
             let p = foot.truncate() + out * reach;
-            let above = self
-                .faces
-                .iter()
-                .filter_map(|f| f.height(p))
-                .filter(|z| *z > foot.z);
-            match above.reduce(f64::min) {
-                Some(z) => found = Some((reach, z)),
+            match above.iter().find(|f| f.covers(p)) {
+                Some(face) => found = Some((reach, face.low)),
                 None => break,
             }
         }
@@ -88,10 +96,10 @@ impl Shelters {
 }
 
 impl Cover {
-    /// How high it lies over a point of the plan; `None` beside it.
-    fn height(&self, p: DVec2) -> Option<f64> {
+    /// Whether it lies over a point of the plan.
+    fn covers(&self, p: DVec2) -> bool {
         if p.cmplt(self.lo).any() || p.cmpgt(self.hi).any() {
-            return None;
+            return false;
         }
         let n = self.corners.len();
         let mut inside = false;
@@ -101,13 +109,7 @@ impl Cover {
                 inside = !inside;
             }
         }
-        // Its lowest corner is where its edge hangs, which is all that counts.
-        inside.then(|| {
-            self.corners
-                .iter()
-                .map(|c| c.z)
-                .fold(f64::INFINITY, f64::min)
-        })
+        inside
     }
 }
 
@@ -156,7 +158,7 @@ impl Aged {
         let middle = (wall.from + wall.to) / 2.0;
         // Eaves of the storey below do not shelter this one.
         let foot = house.place(middle, storey.z0 + 0.6 * (storey.z1 - storey.z0));
-        let eaves = self.shelters.eaves(foot, out);
+        let eaves = self.shelters.eaves(foot, storey.z1, out);
         Air {
             age: self.age,
             place: self

@@ -4,7 +4,7 @@ use super::bulk::Bulk;
 use super::dress::{Beyond, Run};
 use super::store::Quick;
 use super::weather::Weather;
-use crate::ast::RoofKind;
+use crate::ast::{RoofKind, RoofShape};
 use crate::building::{Dress, Face, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, MeshId};
@@ -26,6 +26,7 @@ pub(super) type Shown = (Option<MeshId>, Rc<[(Run, MeshId)]>);
 pub(super) struct Alike<'a> {
     number: usize,
     kind: RoofKind,
+    shape: RoofShape,
     dress: Dress,
     beyond: Beyond,
     weather: Weather,
@@ -56,6 +57,7 @@ impl<'a> Alike<'a> {
         Alike {
             number,
             kind: roof.kind,
+            shape: roof.shape,
             dress: roof.dress,
             beyond,
             weather,
@@ -111,6 +113,7 @@ impl PartialEq for Alike<'_> {
         };
         self.number == other.number
             && self.kind == other.kind
+            && self.shape == other.shape
             && self.dress == other.dress
             && self.beyond == other.beyond
             && self.walls == other.walls
