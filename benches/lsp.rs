@@ -4,6 +4,8 @@
 //! diagnostics of its version. Printed are percentiles of the time from the key to the last byte of the answer, by the
 //! clock; processor time of the server a key; and its memory before and after.
 
+#![expect(clippy::print_stdout)] // that is what it is for
+
 use serde_json::{Value, json};
 use std::fs;
 use std::io::{BufRead, BufReader, Read, Write};

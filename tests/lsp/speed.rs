@@ -33,7 +33,8 @@ fn keys(program: &mut Program, first: usize, count: usize, lines: usize) {
         let params = json!({
             "textDocument": { "uri": "file:///speed.hsd", "version": key + 2 }, "contentChanges": change,
         });
-        program.say(json!({ "jsonrpc": "2.0", "method": "textDocument/didChange", "params": params }));
+        program
+            .say(json!({ "jsonrpc": "2.0", "method": "textDocument/didChange", "params": params }));
         while program.hear()["params"]["version"] != key + 2 {}
     }
 }
@@ -72,7 +73,10 @@ fn a_key_takes_milliseconds() {
         let (after, _) = used(&program).expect("was told before");
         let each = (after - before) / count as u32;
         let bound = Duration::from_millis(bound).mul_f64(slowness());
-        assert!(each < bound, "{lines} lines: {each:?} of processor time a key, more than {bound:?}");
+        assert!(
+            each < bound,
+            "{lines} lines: {each:?} of processor time a key, more than {bound:?}"
+        );
         close(program);
     }
 }
