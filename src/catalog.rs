@@ -9,6 +9,7 @@ pub(crate) mod body;
 mod nearest;
 mod own;
 mod read;
+mod reading;
 pub(crate) mod value;
 
 pub use crate::ast::Era;
@@ -16,10 +17,12 @@ use crate::ast::{CodeText, PartEntry};
 use crate::diagnostic::messages::catalog as say;
 use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::material::SurfaceId;
-use crate::source::{FileId, Spanned};
+use crate::source::{FileId, Span, Spanned};
 use body::Element;
 use own::Scope;
+pub use reading::folded;
 use serde::{Serialize, Serializer};
+use std::collections::BTreeSet;
 use value::Mm;
 
 /// Index of a part in its [`Catalog`].
@@ -107,6 +110,11 @@ impl PartDef {
         self.code.as_str()
     }
 
+    /// Where it is defined.
+    pub fn span(&self) -> Span {
+        self.written.span
+    }
+
     /// Its Japanese name, whole and without what stands in parentheses.
     fn ja_names(&self) -> [&str; 2] {
         let head = self.ja.split('(').next().unwrap_or_default();
@@ -159,6 +167,8 @@ pub struct Catalog {
     /// Packed codes with their parts, open addressing: a text holds hundreds of thousands of codes.
     table: Box<[(u64, u16); SLOTS]>,
     void: Option<PartId>,
+    /// How many parts everybody knows; own ones stand behind them.
+    builtin: usize,
     /// Own parts; a [`ScopeId`] counts them from 1.
     scopes: Vec<Scope>,
     /// What each house knows, by document.
@@ -172,6 +182,7 @@ impl Catalog {
             parts: Vec::new(),
             table: Box::new([(0, EMPTY); SLOTS]),
             void: None,
+            builtin: 0,
             scopes: vec![],
             houses: vec![],
         };
@@ -196,6 +207,7 @@ impl Catalog {
             }
             catalog.parts.push(part);
         }
+        catalog.builtin = catalog.parts.len();
         catalog
     }
 
@@ -237,6 +249,34 @@ impl Catalog {
             next = scope.outer;
         }
         self.find(code)
+    }
+
+    /// The parts that are known in a scope, its own before those round it; each code once.
+    pub fn known(&self, scope: ScopeId) -> Vec<PartId> {
+        let mut codes = BTreeSet::new();
+        let mut found = vec![];
+        let mut next = scope;
+        while let Some(scope) = self.own(next) {
+            let mut own: Vec<PartId> = scope.names.values().copied().collect();
+            own.sort();
+            own.dedup();
+            found.extend(
+                own.into_iter()
+                    .filter(|id| codes.insert(self.part(*id).code())),
+            );
+            next = scope.outer;
+        }
+        let all = (0..).map(PartId).zip(&self.parts).take(self.builtin);
+        found.extend(
+            all.filter(|(_, p)| codes.insert(p.code()))
+                .map(|(id, _)| id),
+        );
+        found
+    }
+
+    /// Whether a part came with the program.
+    pub fn is_builtin(&self, id: PartId) -> bool {
+        usize::from(id.0) < self.builtin
     }
 
     /// Puts a code into the table; false where it is there already.

@@ -23,6 +23,7 @@ use crate::expand;
 use crate::fit;
 use crate::lower;
 use crate::parse;
+use crate::parse::Values;
 use crate::parse::xml::Trees;
 use crate::program::{Content, PictureId, Program, Unit};
 use crate::roof;
@@ -47,6 +48,8 @@ pub struct Options {
     pub catalogs: Arc<[Source]>,
     /// How often the texts are built, each time with the next seed; the houses stand in rows then.
     pub variants: Option<NonZeroU32>,
+    /// Whether [`check`] takes down what expressions and names come to.
+    pub notes_values: bool,
 }
 
 /// What a run made, and how long each step took.
@@ -123,6 +126,8 @@ pub struct Checked {
     pub catalog: Cow<'static, Catalog>,
     /// Walls and roofs.
     pub building: Building,
+    /// What expressions and names came to, if that was asked for.
+    pub values: Values,
 }
 
 /// Runs the chain up to the roofs and looks at the pictures, so that everything is said that there is to say.
@@ -132,7 +137,9 @@ pub fn check(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Checked {
-    let read = documents(sources, world, options, out);
+    let values = Values::default();
+    let noted = options.notes_values.then_some(&values);
+    let read = documents_noted(sources, world, options, noted, out);
     let (documents, included, catalog) = (read.documents, read.included, read.catalog);
     let program = program(sources, &documents, &catalog, world, &options.expand, out);
     let parameters = documents.into_iter().flat_map(|d| d.parameters).collect();
@@ -145,6 +152,7 @@ pub fn check(
         included,
         catalog,
         building,
+        values,
     }
 }
 
@@ -201,10 +209,24 @@ pub fn documents(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Read {
+    documents_noted(sources, world, options, None, out)
+}
+
+/// The same, and takes down what expressions and names come to.
+fn documents_noted(
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
+    values: Option<&Values>,
+    out: &mut Diagnostics,
+) -> Read {
     let shelf = shelf(sources, options);
     let mut trees = Trees::default();
-    let documents = read(sources, world, options, (&shelf, &mut trees), out);
-    let setting = setting(world, options, &shelf);
+    let setting = parse::Setting {
+        values,
+        ..setting(world, options, &shelf)
+    };
+    let documents = read(sources, setting, &mut trees, out);
     let catalog = catalog(
         sources,
         &documents,
@@ -236,23 +258,22 @@ fn setting<'a>(world: &'a dyn World, options: &'a Options, shelf: &'a Shelf) -> 
         seed: options.expand.seed,
         world,
         shelf,
+        values: None,
     }
 }
 
 /// Reads the sources; files and elements that were read before are taken from where they are kept.
 fn read<'a>(
     sources: &[&'a Source],
-    world: &'a dyn World,
-    options: &'a Options,
-    (shelf, trees): (&'a Shelf, &mut Trees<'a>),
+    setting: parse::Setting<'a>,
+    trees: &mut Trees<'a>,
     out: &mut Diagnostics,
 ) -> Vec<Document> {
-    let setting = setting(world, options, shelf);
     let documents = sources
         .iter()
         .map(|s| parse::parse_in(s, setting, trees, out));
     let documents: Vec<Document> = documents.collect();
-    unknown_parameters(sources, &documents, &options.parameters, out);
+    unknown_parameters(sources, &documents, setting.parameters, out);
     documents
 }
 

@@ -4,6 +4,7 @@
 //! protocol. An [`Analysis`] is all that is known of one text at one moment: nothing in it changes, and what is costly
 //! and not always asked for is worked out when it is asked for.
 
+mod card;
 pub mod complete;
 pub mod folding;
 pub mod format;
@@ -13,6 +14,7 @@ pub mod names;
 pub mod selection;
 pub mod symbols;
 pub mod tokens;
+mod words;
 
 use crate::catalog::Catalog;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -33,6 +35,8 @@ pub struct Analysis {
     pub checked: Checked,
     options: Options,
     outline: OnceCell<Outline>,
+    /// Of the included files.
+    outlines: OnceCell<Vec<Outline>>,
 }
 
 /// A place in a text that was read.
@@ -48,13 +52,18 @@ impl Analysis {
     /// Checks a text.
     pub fn new(source: Source, world: &dyn World, options: &Options) -> Analysis {
         let mut out = Diagnostics::new();
-        let checked = driver::check(&[&source], world, options, &mut out);
+        let asked = Options {
+            notes_values: true,
+            ..options.clone()
+        };
+        let checked = driver::check(&[&source], world, &asked, &mut out);
         Analysis {
             source,
             diagnostics: out.into_sorted(),
             checked,
             options: options.clone(),
             outline: OnceCell::new(),
+            outlines: OnceCell::new(),
         }
     }
 
@@ -63,6 +72,15 @@ impl Analysis {
         let limits = &self.options.expand.limits;
         self.outline
             .get_or_init(|| Outline::of(&self.source, limits))
+    }
+
+    /// What stands in the included files.
+    fn outlines(&self) -> &[Outline] {
+        let limits = &self.options.expand.limits;
+        self.outlines.get_or_init(|| {
+            let files = self.checked.included.iter();
+            files.map(|s| Outline::of(s, limits)).collect()
+        })
     }
 
     /// The text.
@@ -80,4 +98,9 @@ impl Analysis {
         let mut all = std::iter::once(&self.source).chain(&self.checked.included);
         all.find(|s| s.id() == id)
     }
+}
+
+/// Whether a text is of the XML form.
+fn is_xml(text: &str) -> bool {
+    text.trim_start().starts_with(['<', '＜'])
 }

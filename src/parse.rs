@@ -8,6 +8,7 @@
 //! been made, and returns every house it found.
 
 pub use builtin::builtin;
+pub use values::{Seen, Values};
 
 use crate::ast::Document;
 use crate::diagnostic::messages::file as say;
@@ -19,6 +20,7 @@ mod expr;
 mod faults;
 pub mod legacy;
 pub mod outline;
+mod values;
 pub mod xml;
 
 /// What a file is read with.
@@ -34,6 +36,8 @@ pub struct Setting<'a> {
     pub world: &'a dyn World,
     /// Where those that were read are kept.
     pub shelf: &'a Shelf,
+    /// Where it is taken down what expressions and names come to, if anybody asks.
+    pub values: Option<&'a Values>,
 }
 
 impl<'a> Setting<'a> {
@@ -45,6 +49,7 @@ impl<'a> Setting<'a> {
             seed: None,
             world: &NoPictures,
             shelf,
+            values: None,
         }
     }
 }

@@ -42,14 +42,17 @@ pub(super) fn value<T: Value>(
 
 /// Structures whose fields are attributes.
 macro_rules! attributes {
-    ($($(#[$doc:meta])* $name:ident { $($(#[$field_doc:meta])* $field:ident: $ty:ty = $default:expr,)* })*) => {$(
+    ($($(#[$doc:meta])* $name:ident { $($(#[doc = $about:literal])* $field:ident: $ty:ty = $default:expr,)* })*) => {$(
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq)]
-        pub(crate) struct $name { $($(#[$field_doc])* pub(crate) $field: $ty,)* }
+        pub(crate) struct $name { $($(#[doc = $about])* pub(crate) $field: $ty,)* }
 
         impl $name {
             /// The names of its attributes.
             const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
+
+            /// What they mean.
+            const ABOUT: &'static [&'static str] = &[$(concat!($($about),*)),*];
 
             /// From the attributes of an element.
             fn read(attributes: &[Said], out: &mut Diagnostics) -> $name {
@@ -69,6 +72,18 @@ macro_rules! shapes {
 
         /// The words of all elements.
         pub(super) const WORDS: &[&str] = &[$($word),*];
+
+        /// The attributes of an element with what they mean, by its word.
+        pub(crate) fn attributes_of(word: &str) -> Option<Vec<(&'static str, &'static str)>> {
+            let (names, about) = match word {
+                $($word => ($name::NAMES, $name::ABOUT),)*
+                _ => return None,
+            };
+            let own = names.iter().zip(about);
+            let all = own.chain(Place::NAMES.iter().zip(Place::ABOUT));
+            let all = all.map(|(name, about)| (*name, about.trim()));
+            Some(all.chain([("over", "The area that it lies over.")]).collect())
+        }
 
         impl Element {
             /// From an element as written, without what stands in it; `None` where its word is unknown, which is reported.

@@ -6,7 +6,7 @@ mod sheet;
 use super::options::exit;
 use super::terminal::{padded, width};
 use super::{Outcome, Stop};
-use crate::catalog::PartDef;
+use crate::catalog::{PartDef, folded};
 use crate::diagnostic::{Language, Noun, noun};
 use crate::parse;
 use crate::text;
@@ -117,31 +117,6 @@ impl Parts {
         fields.iter().any(|f| f.to_lowercase().contains(&wanted))
             || (!sound.is_empty() && folded(&part.romaji).contains(&sound))
     }
-}
-
-/// A reading without what romanisations differ in: long vowels, hyphens, blanks.
-fn folded(reading: &str) -> String {
-    let mut out = String::new();
-    for c in reading.to_lowercase().chars() {
-        let plain = match c {
-            'ā' | 'â' => 'a',
-            'ī' | 'î' => 'i',
-            'ū' | 'û' => 'u',
-            'ē' | 'ê' => 'e',
-            'ō' | 'ô' => 'o',
-            '-' | ' ' | '\'' | '\u{304}' | '\u{302}' => continue,
-            c => c,
-        };
-        let long = match plain {
-            'u' => out.ends_with(['o', 'u']),
-            'o' | 'a' => out.ends_with(plain),
-            _ => false,
-        };
-        if !long {
-            out.push(plain);
-        }
-    }
-    out
 }
 
 /// A number of at most three decimals.

@@ -35,7 +35,12 @@ pub(super) fn documents(
     let mut documents = vec![];
     for (variant, options) in &runs {
         let mut said = Diagnostics::new();
-        let read = super::read(sources, world, options, (&shelf, &mut trees), &mut said);
+        let read = super::read(
+            sources,
+            super::setting(world, options, &shelf),
+            &mut trees,
+            &mut said,
+        );
         out.push_new(said);
         documents.extend(read.into_iter().map(|document| Document {
             variant: Some(*variant),

@@ -3,7 +3,18 @@
 //! Nothing here trusts the text to be sound: it is under way. Where the reader's own view of it is not to be had, the
 //! characters before the place decide (see `place`).
 
-use super::Analysis;
+mod cells;
+pub(super) mod legacy;
+pub(super) mod names;
+pub(super) mod parts;
+mod place;
+pub(super) mod roofs;
+pub(super) mod scope;
+mod values;
+mod xml;
+
+use super::{Analysis, card};
+use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
 use std::ops::Range;
 
@@ -74,8 +85,21 @@ pub struct PartKey {
 /// The list depends on what was typed, in whatever script, so a client should ask again as typing goes on
 /// (`isIncomplete`).
 pub fn complete(a: &Analysis, at: usize, files: &dyn Fn(&str) -> Vec<String>) -> Vec<Completion> {
-    let _ = (a, at, files);
-    vec![]
+    let text = a.text();
+    if !text.is_char_boundary(at) {
+        return vec![];
+    }
+    let ask = Ask { a, text, at, files };
+    let mut found = match super::is_xml(text) {
+        true => xml::complete(&ask),
+        false => legacy::complete(&ask),
+    };
+    found.retain(|c| {
+        let typed = text.get(c.replace.start..at).unwrap_or_default();
+        answers(&c.filter, typed.trim())
+    });
+    found.sort_by(|x, y| (&x.sort, &x.label).cmp(&(&y.sort, &y.label)));
+    found
 }
 
 /// More about the part of a proposal, in Markdown: its card, with a picture where `pictures` are wanted.
@@ -85,6 +109,48 @@ pub fn documentation(
     language: Language,
     pictures: bool,
 ) -> Option<String> {
-    let _ = (a, key, language, pictures);
-    None
+    let catalog = a.catalog();
+    let same = |p: &&PartDef| p.code() == key.code;
+    let part = catalog.parts().iter().rev().find(same)?;
+    Some(card::card(a, part, 0, language, pictures))
+}
+
+/// Whether the letters of what was typed stand in a text in their order, as clients compare them.
+fn answers(filter: &str, typed: &str) -> bool {
+    let mut letters = filter.chars().flat_map(char::to_lowercase);
+    let mut typed = typed.chars().flat_map(char::to_lowercase);
+    typed.all(|wanted| letters.any(|letter| letter == wanted))
+}
+
+/// What was asked.
+struct Ask<'a> {
+    a: &'a Analysis,
+    text: &'a str,
+    at: usize,
+    files: &'a dyn Fn(&str) -> Vec<String>,
+}
+
+impl Completion {
+    /// A word that takes the place of what is under way; what was typed of it stays what a client compares.
+    fn word(label: &str, kind: CompletionKind, detail: Text, replace: &Range<usize>) -> Completion {
+        Completion {
+            label: label.to_owned(),
+            kind,
+            detail,
+            replace: replace.clone(),
+            insert: label.to_owned(),
+            snippet: None,
+            filter: label.to_owned(),
+            sort: "5".to_owned(),
+            part: None,
+        }
+    }
+
+    /// The same with another place in the list.
+    fn sorted(self, sort: impl Into<String>) -> Completion {
+        Completion {
+            sort: sort.into(),
+            ..self
+        }
+    }
 }

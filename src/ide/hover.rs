@@ -1,7 +1,14 @@
-//! What stands at a place of a text, told in Markdown.
+//! What stands at a place of a text, told in Markdown: parts with their cards, walls and what was built of them, words
+//! with what they mean, expressions with what they came to.
 
-use super::Analysis;
-use crate::diagnostic::Language;
+mod built;
+mod computed;
+mod legacy;
+mod xml;
+
+use super::complete::parts;
+use super::{Analysis, card};
+use crate::diagnostic::{Language, Text};
 use std::ops::Range;
 
 /// What is told of a place.
@@ -15,6 +22,61 @@ pub struct Hover {
 
 /// What stands at an offset. `pictures` = cards of parts show a picture, as a `data:` URI; some clients show its raw text.
 pub fn hover(a: &Analysis, at: usize, language: Language, pictures: bool) -> Option<Hover> {
-    let _ = (a, at, language, pictures);
-    None
+    if !a.text().is_char_boundary(at) || a.outline().in_comment(at) {
+        return None;
+    }
+    let ask = Ask {
+        a,
+        at,
+        language,
+        pictures,
+    };
+    let found = match super::is_xml(a.text()) {
+        true => xml::hover(&ask),
+        false => legacy::hover(&ask),
+    };
+    found.filter(|h| !h.markdown.is_empty())
+}
+
+/// What was asked.
+struct Ask<'a> {
+    a: &'a Analysis,
+    at: usize,
+    language: Language,
+    pictures: bool,
+}
+
+impl Ask<'_> {
+    /// Paragraphs about a range; those without words are left out.
+    fn told(
+        &self,
+        range: &Range<usize>,
+        paragraphs: impl IntoIterator<Item = Text>,
+    ) -> Option<Hover> {
+        let words = paragraphs.into_iter();
+        let words: Vec<String> = words
+            .map(|t| t.in_language(self.language).to_owned())
+            .filter(|t| !t.is_empty())
+            .collect();
+        Some(Hover {
+            range: range.clone(),
+            markdown: words.join("\n\n"),
+        })
+    }
+
+    /// The card of the part that a code means.
+    fn part(&self, range: &Range<usize>, code: &str) -> Option<Hover> {
+        let id = parts::meant(self.a, self.at, code)?;
+        let house = parts::house_at(self.a, self.at);
+        let part = self.a.catalog().part(id);
+        Some(Hover {
+            range: range.clone(),
+            markdown: card::card(self.a, part, house, self.language, self.pictures),
+        })
+    }
+}
+
+/// Whether a range holds an offset, its end included.
+fn holds(range: &Range<usize>, at: usize) -> bool {
+    range.start <= at && at <= range.end
 }

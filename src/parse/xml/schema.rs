@@ -371,7 +371,7 @@ pub(super) static DEFINITIONS: Content = content("definitions", &[Tag::PartDef])
 pub(super) static NOTHING: Content = content("nothing", &[]);
 
 /// The element of a name.
-pub(super) fn named(name: &str) -> Option<&'static Schema> {
+pub fn named(name: &str) -> Option<&'static Schema> {
     ELEMENTS.iter().find(|e| e.name == name)
 }
 

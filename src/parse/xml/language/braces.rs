@@ -172,7 +172,11 @@ impl<'a> Maker<'a, '_> {
             }
         };
         let trouble = match expr::evaluate(&expr, &names) {
-            Ok(value) => return Some(value),
+            Ok(value) => {
+                let place = self.faults.span(&text.range(range));
+                self.note(place, &value);
+                return Some(value);
+            }
             Err(trouble) => trouble,
         };
         let (start, inner) = (range.start + 1, trouble.range);

@@ -149,9 +149,19 @@ impl<'a> Maker<'a, '_> {
     /// Gives a name to a value; one name is given once in an element.
     pub(super) fn bind(&mut self, name: &Spanned<String>, value: Option<Value>, scope: &Scope<'a>) {
         let place = name.span;
+        if let Some(value) = &value {
+            self.note(place, value);
+        }
         if let Some(before) = scope.bind(&name.value, Bound { value, place }) {
             self.faults
                 .push(|| say::named_twice(place, &name.value, before));
+        }
+    }
+
+    /// Takes down what a place came to, if anybody asks.
+    pub(super) fn note(&self, place: Span, value: &Value) {
+        if let Some(values) = self.setting.values {
+            values.note(place, value, self.storeys.number);
         }
     }
 

@@ -1,0 +1,181 @@
+//! The card of a part: its names, its picture, its measures, in Markdown.
+
+use super::{Analysis, words};
+use crate::catalog::{Era, PartDef};
+use crate::diagnostic::{Language, Text};
+use crate::geometry::SHAKU;
+use crate::tessellate::sheet;
+use crate::{text, texture};
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
+use image::imageops::{self, FilterType};
+use std::sync::{Mutex, PoisonError};
+
+/// Pixels a metre in which parts are drawn, and by which share the picture is made smaller then.
+const DENSITY: f64 = 156.0;
+
+/// The longer side of a picture, pixels.
+const SIDE: u32 = 160;
+
+/// Quality of the picture, first; the next where it would be too large, bytes.
+const QUALITIES: [u8; 3] = [88, 75, 50];
+const LARGEST: usize = 8800; // 12 kB in base 64, with what stands round it
+
+/// Pictures that are kept, the youngest last.
+const KEPT: usize = 256;
+
+static PICTURES: Mutex<Vec<(PartDef, Option<String>)>> = Mutex::new(vec![]);
+
+/// The card of a part, for a house of this number.
+pub(super) fn card(
+    a: &Analysis,
+    part: &PartDef,
+    house: usize,
+    language: Language,
+    pictures: bool,
+) -> String {
+    let picture = pictures.then(|| picture(part)).flatten();
+    let code = match part.code().trim().is_empty() {
+        true => ".....",
+        false => part.code().trim_end(),
+    };
+    let mut out = format!("**`{code}`** {}", part.ja);
+    if !part.romaji.is_empty() {
+        out += &format!(" *{}*", part.romaji);
+    }
+    if let Some(picture) = picture {
+        out += &format!("\n\n![{code}]({picture})");
+    }
+    if part.en != part.ja {
+        out += &format!("\n\n{}", part.en);
+    }
+    out += "\n";
+    let shell = &a.checked.building.shell;
+    let unit = shell.houses.get(house).map_or(3.0 * SHAKU, |h| h.unit);
+    let mut lines = vec![width(part.width(), unit), heights(part)];
+    if !part.made.is_empty() {
+        let made = &part.made;
+        lines.push(text!("made of {made}", "材料: {made}"));
+    }
+    let class = words::class(part.class());
+    let letter = part.class();
+    if letter != ' ' {
+        lines.push(text!([class] "class {letter}: {class}", "分類 {letter}: {class}"));
+    }
+    if part.era != Era::All
+        && let Some(era) = words::meaning(words::ERAS, part.era.word())
+    {
+        lines.push(text!([era] "era: {era}", "時代: {era}"));
+    }
+    for weathered in part.weathering.split('+') {
+        if let Some(about) = words::weathering(weathered) {
+            lines.push(
+                text!([about] "weathers as {weathered}, {about}", "経年変化 {weathered}、{about}"),
+            );
+        }
+    }
+    lines.push(origin(a, part));
+    for line in lines {
+        out += &format!("\n- {}", line.in_language(language));
+    }
+    out
+}
+
+/// A width in U, shaku and metres.
+pub(super) fn width(units: f64, unit: f64) -> Text {
+    let (u, shaku, metres) = (
+        short(units, 3),
+        short(units * unit / SHAKU, 2),
+        short(units * unit, 2),
+    );
+    text!(
+        "width {u} U = {shaku} shaku = {metres} m",
+        "幅 {u} U = {shaku} 尺 = {metres} m"
+    )
+}
+
+fn heights(part: &PartDef) -> Text {
+    match (part.from, part.to) {
+        (Some(from), Some(to)) => {
+            let (f, t) = (short(from, 2), short(to, 2));
+            let (fm, tm) = (short(from * SHAKU, 2), short(to * SHAKU, 2));
+            text!(
+                "from {f} to {t} shaku above the floor ({fm} to {tm} m)",
+                "床から {f}〜{t} 尺 ({fm}〜{tm} m)"
+            )
+        }
+        _ => text!("as high as the storey", "階の高さいっぱい"),
+    }
+}
+
+/// Where the part is defined.
+fn origin(a: &Analysis, part: &PartDef) -> Text {
+    let own = a
+        .catalog()
+        .parts()
+        .iter()
+        .position(|p| std::ptr::eq(p, part));
+    let own = own.filter(|i| !a.catalog().is_builtin(crate::catalog::PartId(*i as u16)));
+    let span = part.span();
+    match own.and_then(|_| a.file(span.file)) {
+        Some(file) => {
+            let (name, line) = (file.name(), file.line_column(span).0);
+            text!(
+                "own part of {name}, line {line}",
+                "自作の部材 ({name} {line} 行)"
+            )
+        }
+        None => {
+            let class = part.class();
+            let class = if class == ' ' {
+                "....."
+            } else {
+                &class.to_string()
+            };
+            text!(
+                "in the catalogue: `hsd parts {class}`",
+                "カタログ: `hsd parts {class}`"
+            )
+        }
+    }
+}
+
+/// A number of at most so many decimals.
+pub(super) fn short(number: f64, decimals: usize) -> String {
+    let text = format!("{:.decimals$}", number + 0.0);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// The picture of a part as a `data:` URI; `None` of what cannot be seen. It is made once.
+fn picture(part: &PartDef) -> Option<String> {
+    let kept = || PICTURES.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, found)) = kept().iter().find(|(p, _)| p == part) {
+        return found.clone();
+    }
+    let made = drawn(part);
+    let mut all = kept();
+    if all.len() >= KEPT {
+        all.remove(0);
+    }
+    all.push((part.clone(), made.clone()));
+    made
+}
+
+fn drawn(part: &PartDef) -> Option<String> {
+    // A part of a hundred units would be a picture of a hundred megapixels.
+    let density = DENSITY.min(DENSITY * 4.0 / part.width().max(1.0));
+    let picture = sheet::picture(part, density)?;
+    let (w, h) = picture.dimensions();
+    let scale = f64::from(SIDE) / f64::from(w.max(h));
+    let size = |n: u32| ((f64::from(n) * scale).round() as u32).max(1);
+    let picture = imageops::resize(&picture, size(w), size(h), FilterType::Triangle);
+    let files = QUALITIES.iter().map(|q| texture::jpeg(&picture, *q));
+    let file = files.into_iter().find(|f| f.len() <= LARGEST)?;
+    Some(format!(
+        "data:image/jpeg;base64,{}",
+        BASE64_STANDARD.encode(file)
+    ))
+}

@@ -1,0 +1,224 @@
+//! The legacy form: keys of the header, codes and turns of wall lines, and roof lines.
+
+use super::{Ask, Completion, CompletionKind, cells, parts, roofs};
+use crate::diagnostic::{Text, noun};
+use crate::ide::words;
+use crate::parse::legacy::LineKind;
+use crate::text;
+use std::ops::Range;
+
+/// What lines before a place make of its line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::ide) struct Before {
+    /// Lines of numbers in the header of this house.
+    pub(in crate::ide) numbers: usize,
+    /// Lines of walls in this house.
+    pub(in crate::ide) walls: usize,
+    /// Lines of walls since the storey began.
+    pub(in crate::ide) rows: usize,
+    /// Storeys that are closed.
+    pub(in crate::ide) storeys: usize,
+    /// Whether the line before is blank, or a roof.
+    pub(in crate::ide) apart: bool,
+}
+
+/// The lines before the one that begins at `line`, by what the reader takes them for.
+pub(in crate::ide) fn before(a: &crate::ide::Analysis, line: usize) -> Before {
+    let text = a.text();
+    let mut before = Before::default();
+    for other in a
+        .outline()
+        .lines
+        .iter()
+        .take_while(|l| l.range.start < line)
+    {
+        let written = &text[other.range.clone()];
+        match other.kind {
+            LineKind::Comment => continue,
+            LineKind::Separator => before = Before::default(),
+            LineKind::Blank => before.apart = true,
+            LineKind::Roof => before.apart = true,
+            LineKind::Header => {
+                let number = written
+                    .trim_start()
+                    .starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
+                before.numbers += usize::from(number);
+                before.apart = false;
+            }
+            LineKind::Wall => {
+                before.walls += 1;
+                before.rows += 1;
+                before.apart = false;
+                if written.trim_end().ends_with('^') {
+                    (before.storeys, before.rows) = (before.storeys + 1, 0);
+                }
+            }
+        }
+    }
+    before
+}
+
+/// What may stand at the place that was asked about.
+pub(super) fn complete(ask: &Ask<'_>) -> Vec<Completion> {
+    let start = ask.text[..ask.at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
+    let end = ask.text[ask.at..]
+        .find(['\n', '\r'])
+        .map_or(ask.text.len(), |i| ask.at + i);
+    let line = start..end;
+    let written = &ask.text[line.clone()];
+    if written.starts_with('#') {
+        return vec![];
+    }
+    let before = before(ask.a, start);
+    let kind = ask
+        .a
+        .outline()
+        .line_at(ask.at)
+        .map(|l| ask.a.outline().lines[l].kind);
+    if before.walls > 0 && (before.apart || kind == Some(LineKind::Roof)) {
+        return roofs::complete(ask, &line);
+    }
+    let head = &ask.text[start..ask.at];
+    if before.walls == 0 {
+        let mut found = header(ask, &line, head, before);
+        let walls = before.numbers > 0 && kind != Some(LineKind::Header);
+        if walls && (before.apart || !written.trim().is_empty()) {
+            found.extend(wall(ask, &line, before));
+        }
+        return found;
+    }
+    wall(ask, &line, before)
+}
+
+/// Codes, and behind whole ones the letters of turns.
+fn wall(ask: &Ask<'_>, line: &Range<usize>, before: Before) -> Vec<Completion> {
+    let written = &ask.text[line.clone()];
+    let shown = written.trim_end();
+    let turn = shown.ends_with(" L") || shown.ends_with(" R") || shown.ends_with('^');
+    let run = line.start
+        ..line.end
+            - if turn {
+                written.len() - shown.len() + 1
+            } else {
+                0
+            };
+    if ask.at > run.end {
+        return vec![];
+    }
+    let cell = cells::under_way(ask.text, run, ask.at, &|code| {
+        parts::meant(ask.a, ask.at, code).is_some()
+    });
+    let storey = parts::Storey {
+        upper: before.storeys > 0,
+        rear: before.rows > 0,
+    };
+    let mut found = parts::in_run(ask, &cell, storey);
+    let last = ask.text[ask.at..line.end].trim().is_empty();
+    if last && cell.typed.is_empty() && cell.range.start > line.start {
+        let place = cell.range.start..line.end;
+        for (letter, about) in words::TURNS {
+            found.push(
+                Completion::word(letter, CompletionKind::Turn, (*about).into(), &place).sorted("3"),
+            );
+        }
+    }
+    found
+}
+
+/// Keys, their values, and the numbers that come first.
+fn header(ask: &Ask<'_>, line: &Range<usize>, head: &str, before: Before) -> Vec<Completion> {
+    let typed = head.trim_start();
+    let word = line.start + head.len() - typed.len();
+    let end = |from: usize| {
+        let more = ask.text[ask.at..line.end].find(char::is_whitespace);
+        from..more.map_or(line.end, |i| ask.at + i)
+    };
+    let Some(key) = typed
+        .split_whitespace()
+        .next()
+        .filter(|_| typed.contains(char::is_whitespace))
+    else {
+        return keys(ask, &end(word), typed, before);
+    };
+    let value = typed.rfind(char::is_whitespace).map_or(0, |i| i + 1);
+    let range = end(word + value);
+    // A key has one value.
+    if typed[key.len()..value].trim().is_empty() {
+        let list = words::table("", key);
+        let item = |(rank, (w, about)): (usize, &(&str, crate::diagnostic::Noun))| {
+            Completion::word(w, CompletionKind::Value, (*about).into(), &range)
+                .sorted(format!("1{rank}"))
+        };
+        return match key {
+            "roofs" | "method" | "street" | "era" => list.iter().enumerate().map(item).collect(),
+            "unit" => UNITS.iter().enumerate().map(item).collect(),
+            _ => vec![],
+        };
+    }
+    vec![]
+}
+
+const UNITS: &[(&str, crate::diagnostic::Noun)] = &[
+    ("3.0", noun("Edo-ma", "江戸間")),
+    ("3.15", noun("Chukyo-ma", "中京間")),
+    ("3.25", noun("Kyo-ma", "京間")),
+];
+
+fn keys(ask: &Ask<'_>, range: &Range<usize>, typed: &str, before: Before) -> Vec<Completion> {
+    let mut found = vec![];
+    if typed.is_empty() && before.numbers < 2 {
+        let (label, about): (&str, Text) = match before.numbers {
+            0 => (
+                "0 0 180",
+                text!(
+                    "x and y in metres, then where the front looks: 180 is south",
+                    "x と y(m)、正面の向く方位(180 は南)"
+                ),
+            ),
+            _ => (
+                "9.0 7.5",
+                text!("the heights of the storeys in shaku", "各階の高さ(尺)"),
+            ),
+        };
+        found.push(Completion::word(label, CompletionKind::Value, about, range).sorted("0"));
+    }
+    if before.numbers == 0 && typed.is_empty() {
+        return found;
+    }
+    let lines = &ask.a.outline().lines;
+    let there = |key: &str| {
+        let own = lines.iter().filter(|l| {
+            l.kind == LineKind::Header && !l.range.contains(&ask.at) && l.range.end != ask.at
+        });
+        own.map(|l| &ask.text[l.range.clone()])
+            .any(|l| l.split_whitespace().next() == Some(key))
+    };
+    for (rank, (key, about)) in words::KEYS.iter().enumerate() {
+        if !key.starts_with(&typed.to_ascii_lowercase()) || there(key) {
+            continue;
+        }
+        let list = words::table("", key);
+        let list: Vec<&str> = list.iter().map(|(w, _)| *w).collect();
+        let value = match list.is_empty() {
+            true => format!("${{1:{}}}", sample(key)),
+            false => format!("${{1|{}|}}", list.join(",")),
+        };
+        let word = Completion::word(key, CompletionKind::Key, (*about).into(), range);
+        found.push(Completion {
+            insert: format!("{key} "),
+            snippet: Some(format!("{key} {value}")),
+            ..word.sorted(format!("1{rank}"))
+        });
+    }
+    found
+}
+
+/// A value that a key may begin with.
+fn sample(key: &str) -> &'static str {
+    match key {
+        "unit" => "3.25",
+        "seed" => "1",
+        "age" => "100",
+        _ => "",
+    }
+}

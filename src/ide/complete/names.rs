@@ -1,0 +1,95 @@
+//! Names in expressions, and pieces.
+
+use super::scope::{self, Known};
+use super::{Ask, Completion, CompletionKind};
+use crate::diagnostic::Text;
+use crate::ide::words;
+use crate::text;
+use std::ops::Range;
+
+/// What may stand in an expression that begins at `from`; `storey` = whether there is a `k`.
+pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Completion> {
+    let before = &ask.text[from..ask.at];
+    // Within quotes a text stands, and no name.
+    if before.matches('\'').count() % 2 == 1 || before.matches('"').count() % 2 == 1 {
+        return vec![];
+    }
+    let start = before.rfind(|c: char| !(c.is_alphanumeric() || c == '_'));
+    let start = from
+        + start.map_or(0, |i| {
+            i + before[i..].chars().next().map_or(1, char::len_utf8)
+        });
+    let more = ask.text[ask.at..].find(|c: char| !(c.is_alphanumeric() || c == '_'));
+    let range = start..more.map_or(ask.text.len(), |i| ask.at + i);
+    if ask.text[start..ask.at].starts_with(|c: char| c.is_ascii_digit()) {
+        return vec![];
+    }
+    let mut found = vec![];
+    for (rank, known) in scope::names(ask.a, ask.at).iter().enumerate() {
+        let word = Completion::word(known.name(), CompletionKind::Name, about(known), &range);
+        found.push(word.sorted(format!("1{rank:04}")));
+    }
+    if storey {
+        let about = text!("the number of the storey, from 1", "階の番号(1 から)");
+        found.push(Completion::word("k", CompletionKind::Name, about, &range).sorted("2"));
+    }
+    for (name, about) in words::FUNCTIONS {
+        let word = Completion::word(name, CompletionKind::Function, (*about).into(), &range);
+        found.push(Completion {
+            insert: format!("{name}("),
+            snippet: Some(format!("{name}($1)$0")),
+            ..word.sorted("3")
+        });
+    }
+    found
+}
+
+/// The pieces that a `use` may name.
+pub(super) fn pieces(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
+    let all = scope::pieces(ask.a, ask.at).into_iter().enumerate();
+    all.map(|(rank, piece)| {
+        let named = scope::parameters(&piece);
+        let named: Vec<&str> = named.iter().map(Known::name).collect();
+        let (list, file) = (named.join(", "), piece.source.name());
+        let about = match list.as_str() {
+            "" => text!("piece of {file}", "{file} の部品"),
+            _ => text!("piece of {file}; sets {list}", "{file} の部品。変数 {list}"),
+        };
+        Completion::word(piece.name(), CompletionKind::Piece, about, range)
+            .sorted(format!("1{rank:04}"))
+    })
+    .collect()
+}
+
+/// What a name is, in a line.
+pub(in crate::ide) fn about(known: &Known<'_>) -> Text {
+    let element = known.element();
+    if known.is_argument() {
+        let default = element.attributes[known.attribute].value.clone();
+        let piece = element.value("name").unwrap_or_default();
+        return match default.trim() {
+            "" => text!(
+                "parameter of `{piece}`; must be given",
+                "`{piece}` の変数。必ず指定する"
+            ),
+            default => text!(
+                "parameter of `{piece}`: {default} unless given",
+                "`{piece}` の変数。既定値 {default}"
+            ),
+        };
+    }
+    if scope::kind(element) == "let" {
+        let value = element.value("value").unwrap_or_default();
+        return format!("= {value}").into();
+    }
+    let says = |name: &str| element.value(name).unwrap_or_default();
+    let (doc, unit, default) = (says("doc"), says("unit"), says("default"));
+    let bounds = match (says("choices"), says("min"), says("max")) {
+        ("", "", "") => String::new(),
+        ("", min, max) => format!(" [{min}..{max}]"),
+        (choices, ..) => format!(" [{choices}]"),
+    };
+    let words = format!("{doc} = {default} {unit}");
+    let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
+    (words + &bounds).into()
+}

@@ -1,0 +1,244 @@
+//! What stands round a place of a text in the XML form, by its characters alone: the text is under way, and tags that
+//! are not closed yet would lead a reader of the whole astray.
+
+use crate::parse::xml::schema::{self, Holds, Schema};
+use std::ops::Range;
+
+/// Where a place is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(in crate::ide) enum Place {
+    /// Where nothing is proposed: in a comment, a declaration, behind the name of an end tag.
+    Nowhere,
+    /// Among elements and codes.
+    Content,
+    /// In the name of a start tag, behind `<`.
+    TagName(Tag),
+    /// In an end tag; where it begins and ends.
+    EndTag(Range<usize>),
+    /// In the name of an attribute, or where one may begin.
+    AttributeName(Tag, Range<usize>),
+    /// In the value of an attribute.
+    Value(Tag, usize),
+}
+
+/// A start tag as far as it is there.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::ide) struct Tag {
+    pub(in crate::ide) name: Range<usize>,
+    pub(in crate::ide) attributes: Vec<Said>,
+    /// Behind `>`, or where it breaks off.
+    pub(in crate::ide) end: usize,
+    /// Whether it ends with `/>`.
+    pub(in crate::ide) empty: bool,
+    /// Whether it ends with `>`.
+    pub(in crate::ide) closed: bool,
+}
+
+/// An attribute in a tag.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(in crate::ide) struct Said {
+    pub(in crate::ide) name: Range<usize>,
+    /// What stands between the quotes, or where it should.
+    pub(in crate::ide) inner: Option<Range<usize>>,
+    /// Whether it has quotes.
+    pub(in crate::ide) quoted: bool,
+}
+
+/// What is open round a place, outermost first: names of elements and their start tags.
+pub(in crate::ide) type Open<'t> = Vec<(&'t str, usize)>;
+
+/// Where an offset is, and what is open round it.
+pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
+    let mut open: Open<'_> = vec![];
+    let mut from = 0;
+    while let Some(start) = text[from..].find('<').map(|i| from + i) {
+        if start >= at {
+            break;
+        }
+        let rest = &text[start..];
+        let skipped = [
+            ("<!--", "-->"),
+            ("<![CDATA[", "]]>"),
+            ("<?", "?>"),
+            ("<!", ">"),
+        ];
+        if let Some((mark, end)) = skipped.iter().find(|(mark, _)| rest.starts_with(mark)) {
+            let end = rest
+                .get(mark.len()..)
+                .and_then(|r| r.find(end).map(|i| start + mark.len() + i + end.len()));
+            match end.filter(|end| *end <= at) {
+                Some(end) => from = end,
+                None => return (Place::Nowhere, open),
+            }
+            continue;
+        }
+        if rest.starts_with("</") {
+            let end = start + 2 + word(&text[start + 2..]);
+            if at <= end {
+                return (Place::EndTag(start..end), open);
+            }
+            let name = &text[start + 2..end];
+            if let Some(depth) = open.iter().rposition(|(n, _)| *n == name) {
+                open.truncate(depth);
+            }
+            let close = text[end..].find(['>', '<']).map_or(text.len(), |i| end + i);
+            let ended = text[close..].starts_with('>');
+            if at <= close && ended {
+                return (Place::Nowhere, open);
+            }
+            from = if ended { close + 1 } else { close };
+            continue;
+        }
+        let tag = tag(text, start);
+        if at < tag.end || at == tag.end && !tag.closed {
+            return (within(tag, at), open);
+        }
+        from = tag.end.max(start + 1);
+        enter(&mut open, text, start, &tag);
+    }
+    (Place::Content, open)
+}
+
+/// Opens an element, unless it is whole or none.
+fn enter<'t>(open: &mut Open<'t>, text: &'t str, start: usize, tag: &Tag) {
+    let name = &text[tag.name.clone()];
+    let leaf = |s: &Schema| matches!(s.holds, Holds::Only(content) if content.name == "nothing");
+    if tag.empty || name.is_empty() || schema::named(name).is_some_and(leaf) {
+        return;
+    }
+    // An element that holds none of its kind ends where the next begins.
+    if let Some(last) = open
+        .iter()
+        .rposition(|(n, _)| *n == name && SINGLE.contains(n))
+    {
+        open.truncate(last);
+    }
+    open.push((name, start));
+}
+
+/// Elements that never stand in one of their kind.
+const SINGLE: [&str; 8] = [
+    "Row", "Storey", "House", "Floor", "Facade", "Loop", "Roofs", "PartDef",
+];
+
+/// The start tag that begins here.
+pub(in crate::ide) fn tag(text: &str, start: usize) -> Tag {
+    let name = start + 1..start + 1 + word(&text[start + 1..]);
+    let mut tag = Tag {
+        end: name.end,
+        name,
+        ..Tag::default()
+    };
+    loop {
+        let at = tag.end + blanks(&text[tag.end..]);
+        let rest = &text[at..];
+        if rest.starts_with("/>") {
+            (tag.end, tag.empty, tag.closed) = (at + 2, true, true);
+            return tag;
+        }
+        match rest.chars().next() {
+            None | Some('<') => {
+                tag.end = at;
+                return tag;
+            }
+            Some('>') => {
+                (tag.end, tag.closed) = (at + 1, true);
+                return tag;
+            }
+            Some(c) => {
+                let len = word(rest);
+                if len == 0 {
+                    tag.end = at + c.len_utf8();
+                    continue;
+                }
+                let said = attribute(text, at..at + len);
+                let value = said.inner.as_ref().map(|i| i.end);
+                let quote =
+                    value.is_some_and(|v| text[v..].starts_with(['"', '\'']) && said.quoted);
+                tag.end = value.map_or(at + len, |v| v + usize::from(quote));
+                tag.attributes.push(said);
+            }
+        }
+    }
+}
+
+fn attribute(text: &str, name: Range<usize>) -> Said {
+    let equals = name.end + blanks(&text[name.end..]);
+    if !text[equals..].starts_with('=') {
+        return Said {
+            name,
+            ..Said::default()
+        };
+    }
+    let at = equals + 1 + blanks(&text[equals + 1..]);
+    let Some(quote) = text[at..]
+        .chars()
+        .next()
+        .filter(|c| matches!(c, '"' | '\''))
+    else {
+        let len = word(&text[at..]);
+        // Behind a lone `=` the next word is the next attribute.
+        let here = if at > equals + 1 {
+            equals + 1..equals + 1
+        } else {
+            at..at + len
+        };
+        return Said {
+            name,
+            inner: Some(here),
+            quoted: false,
+        };
+    };
+    let start = at + 1;
+    let end = text[start..].find(quote).map(|i| start + i);
+    let wild = text[start..].find('<').map_or(text.len(), |i| start + i);
+    let end = end.filter(|end| *end <= wild).unwrap_or_else(|| {
+        let line = text[start..wild]
+            .find(['\n', '\r'])
+            .map_or(wild, |i| start + i);
+        let tag = text[start..line].rfind('>').map_or(line, |i| start + i);
+        tag - usize::from(text[start..tag].ends_with('/'))
+    });
+    Said {
+        name,
+        inner: Some(start..end),
+        quoted: true,
+    }
+}
+
+/// The place of an offset in a tag.
+fn within(tag: Tag, at: usize) -> Place {
+    if at <= tag.name.end {
+        return Place::TagName(tag);
+    }
+    let here = |r: &Range<usize>| r.start <= at && at <= r.end;
+    if let Some(index) = tag
+        .attributes
+        .iter()
+        .position(|a| a.inner.as_ref().is_some_and(here))
+    {
+        return Place::Value(tag, index);
+    }
+    let named = tag.attributes.iter().find(|a| here(&a.name));
+    let range = named.map_or(at..at, |a| a.name.clone());
+    Place::AttributeName(tag, range)
+}
+
+/// The length of the word at the start of a text.
+fn word(text: &str) -> usize {
+    let ends = |c: char| c.is_whitespace() || matches!(c, '<' | '>' | '/' | '=' | '"' | '\'');
+    text.find(ends).unwrap_or(text.len())
+}
+
+fn blanks(text: &str) -> usize {
+    text.len() - text.trim_start().len()
+}
+
+/// The expression that a place of a text stands in, by the offset behind its opening brace; `from` = where its run of text begins.
+pub(in crate::ide) fn braces(text: &str, from: usize, at: usize) -> Option<usize> {
+    let before = text.get(from..at)?;
+    let open = before.rfind('{')?;
+    let inside = &before[open + 1..];
+    let ended = inside.contains(['}', '\n', '\r']);
+    (!ended).then_some(from + open + 1)
+}

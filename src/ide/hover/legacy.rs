@@ -1,0 +1,159 @@
+//! Lines of the legacy form.
+
+use super::{Ask, Hover, built};
+use crate::diagnostic::{Text, noun};
+use crate::geometry::SHAKU;
+use crate::ide::card::short;
+use crate::ide::complete::legacy::before;
+use crate::ide::complete::parts;
+use crate::ide::complete::roofs::{Field, field};
+use crate::ide::words;
+use crate::parse::legacy::LineKind;
+use crate::parse::outline::Line;
+use crate::text;
+use std::ops::Range;
+
+/// What stands at the place that was asked about.
+pub(super) fn hover(ask: &Ask<'_>) -> Option<Hover> {
+    let outline = ask.a.outline();
+    let line = &outline.lines[outline.line_at(ask.at)?];
+    match line.kind {
+        LineKind::Wall => wall(ask, line),
+        LineKind::Header => header(ask, line),
+        LineKind::Roof => roof(ask, line),
+        LineKind::Separator => ask.told(
+            &line.range,
+            [text!("another house begins", "次の建物が始まる")],
+        ),
+        LineKind::Blank | LineKind::Comment => None,
+    }
+}
+
+/// A part on its code, the wall everywhere else.
+fn wall(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
+    let text = ask.a.text();
+    let written = |range: &Range<usize>| range.start + text[range.clone()].trim_end().len();
+    let code = line
+        .codes
+        .iter()
+        .find(|c| c.start <= ask.at && ask.at < written(c));
+    if let Some(code) = code {
+        return ask.part(code, &text[code.clone()]);
+    }
+    let end = line.range.start + text[line.range.clone()].trim_end().len();
+    let reset = text[..end].ends_with('^').then(|| end - 1..end);
+    let turn = line.turn.clone().or(reset);
+    let turn = turn.filter(|t| super::holds(t, ask.at));
+    let walls = built::walls(ask, &line.range);
+    let letter = turn.clone().map(|t| &text[t]);
+    let meaning = letter.and_then(|l| words::meaning(words::TURNS, l).map(|m| (l, m)));
+    let meaning = meaning.map(|(l, m)| text!([m] "`{l}`: {m}", "`{l}`: {m}"));
+    let range = turn.unwrap_or(line.range.clone());
+    ask.told(&range, meaning.into_iter().chain(walls))
+}
+
+/// The words of a line with their places.
+fn words_of(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
+    let written = &text[line.clone()];
+    let words = written.split_whitespace();
+    words
+        .map(|w| {
+            let start = line.start + (w.as_ptr() as usize - written.as_ptr() as usize);
+            start..start + w.len()
+        })
+        .collect()
+}
+
+fn header(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
+    let text = ask.a.text();
+    let words = words_of(text, &line.range);
+    let index = words.iter().position(|w| super::holds(w, ask.at))?;
+    let (first, word) = (&text[words[0].clone()], &text[words[index].clone()]);
+    if !first.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+        let key = first.to_ascii_lowercase();
+        let about: Text = words::meaning(words::KEYS, &key)?.into();
+        let about = text!([about] "`{key}`: {about}", "`{key}`: {about}");
+        let value = words::meaning(words::table("", &key), word).filter(|_| index > 0);
+        let value = value.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
+        return ask.told(&words[index], [about].into_iter().chain(value));
+    }
+    if before(ask.a, line.range.start).numbers == 0 {
+        const PLACE: [crate::diagnostic::Noun; 3] = [
+            noun("x: metres to the east", "x: 東へ(m)"),
+            noun("y: metres to the north", "y: 北へ(m)"),
+            noun(
+                "compass direction that the front looks to, degrees: 0 north, 90 east, 180 south, 270 west",
+                "正面の向く方位(度): 0 北、90 東、180 南、270 西",
+            ),
+        ];
+        let about = PLACE.get(index)?;
+        return ask.told(&words[index], [(*about).into()]);
+    }
+    let number = index + 1;
+    let height: f64 = word.parse().ok()?;
+    let metres = short(height * SHAKU, 2);
+    let about = text!(
+        "height of storey {number}: {word} shaku = {metres} m",
+        "{number}階の高さ: {word} 尺 = {metres} m"
+    );
+    let house = ask
+        .a
+        .checked
+        .building
+        .shell
+        .houses
+        .get(parts::house_at(ask.a, ask.at));
+    let top = house
+        .and_then(|h| h.storeys.iter().find(|s| s.number as usize == number))
+        .map(|s| {
+            let (shaku, metres) = (short(s.z1 / SHAKU, 2), short(s.z1, 2));
+            text!(
+                "its top is {shaku} shaku = {metres} m above the sill",
+                "上端は土台から {shaku} 尺 = {metres} m"
+            )
+        });
+    ask.told(&words[index], [about].into_iter().chain(top))
+}
+
+fn roof(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
+    let text = ask.a.text();
+    let words = words_of(text, &line.range);
+    let built = built::roofs(ask, &line.range, false);
+    let Some(index) = words.iter().position(|w| super::holds(w, ask.at)) else {
+        return ask.told(&line.range, built);
+    };
+    let word = &text[words[index].clone()];
+    let meaning = |table| words::meaning(table, word).map(Text::from);
+    let about: Option<Text> = match field(index) {
+        Field::Covering => meaning(words::COVERINGS),
+        Field::Direction => meaning(words::DIRECTIONS),
+        Field::Shape => meaning(words::ROOF_SHAPES),
+        Field::Height if word == "*" => {
+            Some(text!("the eaves are where the walls end", "軒は壁の上端"))
+        }
+        Field::Height => word.parse::<f64>().ok().map(|h| {
+            let metres = short(h * SHAKU, 2);
+            text!(
+                "height of the eaves above the sill: {word} shaku = {metres} m",
+                "軒の高さ(土台から): {word} 尺 = {metres} m"
+            )
+        }),
+        Field::Corner(number) => {
+            let name = ["a0", "b0", "a1", "b1"][number];
+            let way = match number % 2 {
+                0 => text!(
+                    "units to the left along the first line",
+                    "最初の行に沿って左へ(ユニット)"
+                ),
+                _ => text!("units back into the plot", "奥へ(ユニット)"),
+            };
+            Some(text!([way] "`{name}`: {way}", "`{name}`: {way}"))
+        }
+        Field::Option => word
+            .get(..1)
+            .and_then(|l| words::meaning(words::OPTIONS, l))
+            .map(Text::from),
+    };
+    let head = about.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
+    ask.told(&words[index], head.into_iter().chain(built))
+}

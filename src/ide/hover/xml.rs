@@ -1,0 +1,237 @@
+//! Elements, attributes and codes of the XML form.
+
+use super::computed::{self, expression_at, word_at};
+use super::{Ask, Hover, built, holds};
+use crate::catalog::body;
+use crate::diagnostic::{Text, noun};
+use crate::ide::card::short;
+use crate::ide::words;
+use crate::parse::outline::{Attribute, Element};
+use crate::parse::xml::schema::{Bears, Kind};
+use crate::text;
+
+/// What stands at the place that was asked about.
+pub(super) fn hover(ask: &Ask<'_>) -> Option<Hover> {
+    let outline = ask.a.outline();
+    let element = &outline.elements[outline.element_at(ask.at)?];
+    let named = [Some(&element.name), element.end_name.as_ref()];
+    if let Some(name) = named.into_iter().flatten().find(|n| holds(n, ask.at)) {
+        return element_told(ask, element, name);
+    }
+    if let Some(attribute) = element.attributes.iter().find(|a| holds(&a.range, ask.at)) {
+        return attribute_told(ask, element, attribute);
+    }
+    let words = element.words.iter().find(|w| holds(&w.range, ask.at));
+    let text = ask.a.text();
+    if let Some(words) = words {
+        if let Some(expression) = expression_at(&words.expressions, ask.at) {
+            return computed::expression(ask, expression);
+        }
+        let end = |c: &std::ops::Range<usize>| c.start + text[c.clone()].trim_end().len();
+        if let Some(code) = words
+            .codes
+            .iter()
+            .find(|c| c.start <= ask.at && ask.at < end(c))
+        {
+            return ask.part(code, &text[code.clone()]);
+        }
+    }
+    let row = element.schema.is_some_and(|s| s.name == "Row");
+    row.then(|| ask.told(&element.range, built::walls(ask, &element.range)))
+        .flatten()
+}
+
+/// What an element is, and what was built of it.
+fn element_told(ask: &Ask<'_>, element: &Element, name: &std::ops::Range<usize>) -> Option<Hover> {
+    let word = &ask.a.text()[name.clone()];
+    let Some(schema) = element.schema else {
+        let about: Text = words::meaning(words::SHAPES, word)?.into();
+        return ask.told(
+            name,
+            [text!([about] "**{word}**: {about}", "**{word}**: {about}")],
+        );
+    };
+    let (en, ja) = (schema.en, schema.ja);
+    let head = text!("**{word}**: {en}", "**{word}**: {ja}");
+    let built = match schema.name {
+        "Row" => built::walls(ask, &element.range),
+        "Storey" | "Floor" => built::storeys(ask, &element.range),
+        "House" | "Structure" => built::houses(ask, &element.range),
+        "Roof" => built::roofs(ask, &element.range, false),
+        "Roofs" => built::roofs(ask, &element.range, true),
+        _ => vec![],
+    };
+    let home = schema.home;
+    let home = match schema.is_language() || schema.home.starts_with("nothing") {
+        true => Text::default(),
+        false => {
+            let names = ja_home(home);
+            text!("in {home}", "書ける場所: {names}")
+        }
+    };
+    let card = match (schema.name, element.value("code")) {
+        ("Part", Some(code)) => ask.part(name, code).map(|h| h.markdown.into()),
+        _ => None,
+    };
+    ask.told(
+        name,
+        [head].into_iter().chain(built).chain(card).chain([home]),
+    )
+}
+
+/// The names in backticks of an English list of elements.
+fn ja_home(home: &str) -> String {
+    let names: Vec<&str> = home.split('`').skip(1).step_by(2).collect();
+    names.join("、")
+}
+
+fn attribute_told(ask: &Ask<'_>, element: &Element, attribute: &Attribute) -> Option<Hover> {
+    let schema = element.schema.map_or("", |s| s.name);
+    if holds(&attribute.name, ask.at) {
+        if let Some(bears) = attribute.bears {
+            return ask.told(&attribute.name, bears_told(bears));
+        }
+        let word = &ask.a.text()[element.name.clone()];
+        let known = body::attributes_of(word).unwrap_or_default();
+        let about = known
+            .iter()
+            .find(|(n, _)| *n == attribute.word)
+            .map(|(_, about)| *about);
+        if let Some(about) = about {
+            let name = &attribute.word;
+            return ask.told(&attribute.name, [format!("`{name}`: {about}").into()]);
+        }
+        return None;
+    }
+    if let Some(expression) = expression_at(&attribute.expressions, ask.at) {
+        return computed::expression(ask, expression);
+    }
+    let inner = &attribute.inner;
+    if !holds(inner, ask.at) {
+        return None;
+    }
+    let value = attribute.value.trim();
+    match (schema, attribute.word.as_str()) {
+        ("Part" | "Texture", "code") | ("PartDef", "base" | "code") => ask.part(inner, value),
+        ("random" | "replace", "code" | "with") => listed_part(ask, attribute),
+        ("use", "name") => computed::piece(ask, inner, value),
+        ("include", "href") => computed::file(ask, inner, value),
+        ("let" | "Param", "name") => {
+            let all = crate::ide::complete::scope::names(ask.a, element.range.end);
+            let known = all
+                .into_iter()
+                .find(|k| k.place() == *inner && k.source.id() == ask.a.source.id())?;
+            computed::value(ask, inner, &known)
+        }
+        (_, name) => {
+            let table = words::table(schema, name);
+            let word = word_at(ask.a.text(), ask.at);
+            let word = if table.iter().any(|(w, _)| *w == value) {
+                inner.clone()
+            } else {
+                word
+            };
+            let written = ask.a.text().get(word.clone())?;
+            let about = words::meaning(table, written)?;
+            ask.told(
+                &word,
+                [text!([about] "`{written}`: {about}", "`{written}`: {about}")],
+            )
+        }
+    }
+}
+
+/// The part in a list of codes that the place is in.
+fn listed_part(ask: &Ask<'_>, attribute: &Attribute) -> Option<Hover> {
+    let text = ask.a.text();
+    let inner = &attribute.inner;
+    let start = text[inner.start..ask.at]
+        .rfind(',')
+        .map_or(inner.start, |i| inner.start + i + 1);
+    let end = text[ask.at..inner.end]
+        .find(',')
+        .map_or(inner.end, |i| ask.at + i);
+    let start = start + text[start..end].len() - text[start..end].trim_start().len();
+    let end = start + text[start..end].trim_end().len();
+    let range = start..end.max(start);
+    if !holds(&range, ask.at) {
+        return None;
+    }
+    ask.part(&range, &text[range.clone()])
+}
+
+/// What an attribute means, what it may say, and what holds without it.
+fn bears_told(bears: &Bears) -> Vec<Text> {
+    let (name, en, ja) = (bears.name, bears.en, bears.ja);
+    let mut told = vec![text!("`{name}`: {en}", "`{name}`: {ja}")];
+    told.extend(form(bears.kind));
+    if bears.required {
+        told.push(noun("required", "必須").into());
+    } else if !bears.default.is_empty() {
+        let default = bears.default;
+        told.push(text!("`{default}` without it", "既定値 `{default}`"));
+    }
+    told
+}
+
+/// What an attribute may say.
+fn form(kind: Kind) -> Option<Text> {
+    let number = |least: f64, most: f64| {
+        let (least, most) = (bound(least), bound(most));
+        text!("from {least} to {most}", "{least} から {most} まで")
+    };
+    let list = |list: &[&str]| {
+        list.iter()
+            .map(|w| format!("`{w}`"))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    Some(match kind {
+        Kind::Text => return None,
+        Kind::Number(least, most) if most >= f64::MAX || least <= f64::MIN => {
+            noun("a number", "数値").into()
+        }
+        Kind::Number(least, most) => {
+            let bounds = number(least, most);
+            text!([bounds] "a number {bounds}", "数値 {bounds}")
+        }
+        Kind::Whole(_, most) if most == u64::MAX => noun("a whole number", "整数").into(),
+        Kind::Whole(least, most) => text!(
+            "a whole number from {least} to {most}",
+            "{least} から {most} までの整数"
+        ),
+        Kind::Numbers(..) => noun(
+            "numbers divided by blanks or commas",
+            "空白かコンマで区切った数値",
+        )
+        .into(),
+        Kind::Pair(..) | Kind::WholePair(..) => noun(
+            "two numbers, or one for both",
+            "ふたつの数値、または両方を兼ねる一つ",
+        )
+        .into(),
+        Kind::Point(..) => noun("two numbers: a and b", "ふたつの数値 a、b").into(),
+        Kind::YesNo => noun("`yes` or `no`", "`yes` か `no`").into(),
+        Kind::Choice(words) => list(words).into(),
+        Kind::Choices(words) => {
+            let words = list(words);
+            text!("some of {words}", "{words} のいくつか")
+        }
+        Kind::Either(words, ..) => {
+            let words = list(words);
+            text!("{words}, or a number", "{words} または数値")
+        }
+        Kind::Positions => noun(
+            "positions from 1, such as `2,5-7`",
+            "`2,5-7` のような位置(1 から)",
+        )
+        .into(),
+    })
+}
+
+fn bound(number: f64) -> String {
+    match number.abs() >= 1e5 {
+        true => format!("{number:e}"),
+        false => short(number, 6),
+    }
+}

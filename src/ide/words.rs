@@ -1,0 +1,377 @@
+//! What the words of the language mean: those of values, of roof lines, of the legacy header, and letters of classes.
+
+mod shapes;
+
+pub(super) use shapes::SHAPES;
+
+use crate::diagnostic::{Noun, noun};
+
+/// Words with what they mean.
+pub(super) type Table = [(&'static str, Noun)];
+
+/// What covers a roof.
+pub(super) const COVERINGS: &Table = &[
+    ("K", noun("pantiles (sangawara)", "桟瓦葺")),
+    ("G", noun("cover tiles (hon-gawara)", "本瓦葺")),
+    ("I", noun("boards (ita)", "板葺")),
+    ("S", noun("shingles (kokera)", "杮葺")),
+    ("H", noun("bark (hiwada)", "檜皮葺")),
+    ("Y", noun("thatch (kaya)", "茅葺")),
+    ("T", noun("metal (totan)", "トタン葺")),
+];
+
+/// The forms of roofs.
+pub(super) const ROOF_SHAPES: &Table = &[
+    ("KIR", noun("gable (kirizuma)", "切妻")),
+    ("KAT", noun("lean-to (katanagare)", "片流れ")),
+    ("HIS", noun("pent roof (hisashi)", "庇")),
+    ("YOS", noun("hip (yosemune)", "寄棟")),
+    ("IRI", noun("hip and gable (irimoya)", "入母屋")),
+    ("HOG", noun("pyramid (hogyo)", "宝形")),
+    (
+        "YOK",
+        noun("gable along the short side (yokonaga)", "横長切妻"),
+    ),
+    ("HAK", noun("half-hip (hakama-goshi)", "袴腰")),
+    ("TER", noun("temple: irimoya with sori (tera)", "寺院")),
+    ("KAR", noun("undulating gable (karahafu)", "唐破風")),
+    ("RIK", noun("flat (rikuyane)", "陸屋根")),
+];
+
+/// Ridges and falls.
+pub(super) const DIRECTIONS: &Table = &[
+    (
+        "X",
+        noun("ridge along the first line", "棟が最初の行に平行"),
+    ),
+    (
+        "Y",
+        noun("ridge across the first line", "棟が最初の行に直交"),
+    ),
+    ("F", noun("one slope, falls to the front", "前へ下る片流れ")),
+    ("B", noun("one slope, falls to the back", "奥へ下る片流れ")),
+    ("L", noun("one slope, falls to the left", "左へ下る片流れ")),
+    ("R", noun("one slope, falls to the right", "右へ下る片流れ")),
+];
+
+/// The option letters of a roof line.
+pub(super) const OPTIONS: &Table = &[
+    ("P", noun("pitch in sun: 4 = 4 in 10", "勾配(寸)")),
+    ("E", noun("overhang at the eaves, shaku", "軒の出(尺)")),
+    ("G", noun("overhang at the verge, shaku", "けらばの出(尺)")),
+    ("T", noun("thickness, shaku", "屋根の厚さ(尺)")),
+    ("M", noun("courses of ridge tiles (noshi)", "熨斗瓦の段数")),
+    (
+        "S",
+        noun(
+            "sagitta of the slope in per cent of its length (sori); negative = convex (mukuri)",
+            "反り。流れ長さに対する矢高(%)。負は起り",
+        ),
+    ),
+    (
+        "C",
+        noun(
+            "how far an irimoya's gable stands inside its walls, share of the span",
+            "入母屋の妻の引っ込み。梁間に対する割合",
+        ),
+    ),
+    (
+        "R",
+        noun(
+            "length of a hip's ridge, share of the roof's length",
+            "寄棟の棟の長さ。屋根の長さに対する割合",
+        ),
+    ),
+    ("O", noun("no ridge-end tile (onigawara)", "鬼瓦を置かない")),
+];
+
+/// The keys of the legacy header.
+pub(super) const KEYS: &Table = &[
+    ("name", noun("any text: the house's name", "建物の名")),
+    (
+        "unit",
+        noun(
+            "one unit in shaku: 3.0 (Edo-ma), 3.15, 3.25 (Kyo-ma)",
+            "1ユニットの長さ(尺)。3.0(江戸間)、3.15、3.25(京間)",
+        ),
+    ),
+    ("seed", noun("key of the draws", "抽選の種")),
+    (
+        "roofs",
+        noun(
+            "which roofs stand: written ones and automatic ones, or only the written ones",
+            "どの屋根を建てるか。書いた屋根と自動屋根、または書いた屋根だけ",
+        ),
+    ),
+    (
+        "method",
+        noun("how plans are divided into roofs", "平面を屋根に分ける方法"),
+    ),
+    (
+        "street",
+        noun(
+            "whether the first line stands on the street: its roof's ridge runs along it",
+            "最初の行が通りに面するか(平入りになる)",
+        ),
+    ),
+    (
+        "age",
+        noun(
+            "years since it was built: it has weathered",
+            "築年数。経年変化を表す",
+        ),
+    ),
+    (
+        "era",
+        noun(
+            "when it was built; with `age`",
+            "建てた時代。`age` とともに書く",
+        ),
+    ),
+];
+
+/// Letters at the end of a wall line.
+pub(super) const TURNS: &Table = &[
+    (
+        "L",
+        noun("turn left: an inner corner (irisumi)", "左へ曲がる(入隅)"),
+    ),
+    (
+        "R",
+        noun("turn right: an outer corner (desumi)", "右へ曲がる(出隅)"),
+    ),
+    (
+        "^",
+        noun(
+            "the storey ends; the next one begins above its start",
+            "階が終わり、この上に次の階が始まる",
+        ),
+    ),
+];
+
+const MODES: &Table = &[
+    (
+        "auto",
+        noun(
+            "the written roofs, and automatic ones for the rest",
+            "書いた屋根と残りの自動屋根",
+        ),
+    ),
+    ("explicit", noun("only the written roofs", "書いた屋根だけ")),
+];
+const METHODS: &Table = &[
+    (
+        "least-cut",
+        noun("least roof is cut", "屋根の切断を最小にする"),
+    ),
+    (
+        "kd",
+        noun("the published method of kD-roofing", "kD-roofing の方法"),
+    ),
+    (
+        "branch-cut",
+        noun("branches cut off one after the other", "枝を順に切り離す"),
+    ),
+    (
+        "skeleton",
+        noun(
+            "one hipped roof over the whole outline, by its straight skeleton",
+            "全体に一つの寄棟(ストレートスケルトン)",
+        ),
+    ),
+];
+const TRUTHS: &Table = &[
+    ("yes", noun("it does", "はい")),
+    ("no", noun("it does not", "いいえ")),
+];
+pub(super) const ERAS: &Table = &[
+    ("E", noun("Edo", "江戸")),
+    ("M", noun("Meiji to early Showa", "明治から昭和初期")),
+    ("N", noun("modern", "近代以降")),
+    ("all", noun("any time", "いつでも")),
+];
+const PAINTS: &Table = &[
+    ("cedar", noun("plain cedar", "杉の素木")),
+    ("hinoki", noun("plain cypress", "檜の素木")),
+    ("keyaki", noun("plain zelkova", "欅の素木")),
+    ("vermilion", noun("vermilion paint", "丹塗")),
+    ("bengara", noun("iron red stain", "弁柄塗")),
+    ("sooted", noun("stained with soot", "煤塗")),
+];
+const RAILS: &Table = &[
+    ("none", noun("no railing", "高欄なし")),
+    ("crossed", noun("railing whose beams cross", "組高欄")),
+    ("knobbed", noun("railing with knobbed posts", "擬宝珠高欄")),
+];
+const FINIALS: &Table = &[
+    ("sorin", noun("the spire of a pagoda", "相輪")),
+    ("hoju", noun("a jewel", "宝珠")),
+    ("shibi", noun("fish tails at the ridge's ends", "鴟尾")),
+    (
+        "chigi",
+        noun("crossed boards and logs of a shrine", "千木・鰹木"),
+    ),
+];
+const SIDES: &Table = &[
+    ("F", noun("front", "前")),
+    ("B", noun("back", "奥")),
+    ("L", noun("left", "左")),
+    ("R", noun("right", "右")),
+];
+const STOREYS: &Table = &[
+    (
+        "storey",
+        noun("rooms, and a roof above them", "部屋のある階"),
+    ),
+    (
+        "parapet",
+        noun(
+            "a wall round a flat roof; not counted",
+            "陸屋根の周りの胸壁。階に数えない",
+        ),
+    ),
+];
+const ORDERS: &Table = &[
+    ("left", noun("parts run to the left", "部材は左へ並ぶ")),
+    ("right", noun("parts run to the right", "部材は右へ並ぶ")),
+];
+const REFLECTIONS: &Table = &[
+    (
+        "enable",
+        noun("its glass mirrors the neighbours", "ガラスに周囲を映す"),
+    ),
+    ("disable", noun("its glass mirrors nothing", "映さない")),
+];
+const STANCES: &Table = &[
+    ("posts", noun("between posts that show", "真壁(柱を見せる)")),
+    (
+        "bare",
+        noun("thick plaster over the posts", "大壁(柱を塗り込める)"),
+    ),
+    (
+        "modern",
+        noun("a modern wall without posts", "柱のない近代の壁"),
+    ),
+    ("fence", noun("a fence, no posts of the house", "塀")),
+    (
+        "none",
+        noun("nothing that joins the wall", "壁につながらないもの"),
+    ),
+];
+const BELOWS: &Table = &[
+    ("dado", noun("a boarded dado", "腰板")),
+    ("wall", noun("the neighbour's wall", "隣の壁")),
+    ("open", noun("nothing", "何もない")),
+];
+const UPPER: &Table = &[("*", noun("the top of the walls there", "そこの壁の上端"))];
+
+/// The words of an attribute, or of a key of the legacy header (`element` is empty then).
+pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
+    match (element, attribute) {
+        ("Storey" | "Floor", "kind") => STOREYS,
+        ("Finial", "kind") => FINIALS,
+        (_, "kind") => COVERINGS,
+        (_, "shape") => ROOF_SHAPES,
+        (_, "ridge") => DIRECTIONS,
+        ("Roof", "height") => UPPER,
+        (_, "mode" | "roofs") => MODES,
+        (_, "method") => METHODS,
+        (_, "era") => ERAS,
+        (_, "paint") => PAINTS,
+        (_, "rail") => RAILS,
+        (_, "stairs") => SIDES,
+        (_, "turn") => TURNS,
+        ("Structure", "order") => ORDERS,
+        ("Facade", "reflection") => REFLECTIONS,
+        ("PartDef", "stance") => STANCES,
+        ("PartDef", "below") => BELOWS,
+        ("PartDef", "above" | "fills") => TRUTHS,
+        (_, "street" | "hole" | "inner" | "round" | "plain_ridge" | "random" | "test") => TRUTHS,
+        _ => &[],
+    }
+}
+
+/// What a word of a table means.
+pub(super) fn meaning(table: &Table, word: &str) -> Option<Noun> {
+    table.iter().find(|(w, _)| *w == word).map(|(_, n)| *n)
+}
+
+/// What a class of parts is called.
+pub(super) fn class(letter: char) -> Noun {
+    match letter {
+        'K' => noun("wall", "壁"),
+        'T' => noun("door", "戸"),
+        'M' => noun("window", "窓"),
+        'G' => noun("lattice", "格子"),
+        'H' => noun("post", "柱"),
+        'A' => noun("opening", "開口"),
+        'N' => noun("modern", "近代"),
+        _ => noun("void", "空き"),
+    }
+}
+
+/// What weathers in a weathering class.
+pub(super) fn weathering(class: &str) -> Option<Noun> {
+    Some(match class {
+        "WD" => noun(
+            "bare wood: brown, silver, dark grey",
+            "素木: 褐色から銀灰色へ",
+        ),
+        "WB" => noun("stained wood, which fades", "塗った木: 色が褪せる"),
+        "WY" => noun("charred wood, which loses its char", "焼いた木: 炭が落ちる"),
+        "PL" => noun(
+            "lime plaster: grey runs, lost patches",
+            "漆喰: 雨垂れと剥落",
+        ),
+        "CL" => noun("clay: washed grooves", "土: 雨に洗われた溝"),
+        "TI" => noun(
+            "fired tile: the silver goes, lichen comes",
+            "瓦: 銀色が失せ苔がつく",
+        ),
+        "PA" => noun("paper: yellow within two years", "紙: 二年で黄ばむ"),
+        "CT" => noun(
+            "dyed cloth: fades within five years",
+            "染めた布: 五年で褪せる",
+        ),
+        "AL" => noun("aluminium: dirt under joints", "アルミ: 継目の下の汚れ"),
+        "GL" => noun("glass: dust", "ガラス: ほこり"),
+        "ST" => noun("painted steel: rust", "塗った鋼: 錆"),
+        "MO" => noun(
+            "mortar and concrete: dirt and hair cracks",
+            "モルタル: 汚れと細かなひび",
+        ),
+        _ => return None,
+    })
+}
+
+/// What a function of expressions does.
+pub(super) const FUNCTIONS: &Table = &[
+    (
+        "min",
+        noun("min(a, b, ...): the least", "min(a, b, ...): 最小値"),
+    ),
+    (
+        "max",
+        noun("max(a, b, ...): the greatest", "max(a, b, ...): 最大値"),
+    ),
+    (
+        "floor",
+        noun("floor(a): rounded down", "floor(a): 切り捨て"),
+    ),
+    ("ceil", noun("ceil(a): rounded up", "ceil(a): 切り上げ")),
+    (
+        "round",
+        noun(
+            "round(a): rounded, halves away from 0",
+            "round(a): 四捨五入",
+        ),
+    ),
+    ("abs", noun("abs(a): without its sign", "abs(a): 絶対値")),
+    (
+        "clamp",
+        noun(
+            "clamp(a, least, most): a, held between the two",
+            "clamp(a, 下限, 上限): 範囲に収めた値",
+        ),
+    ),
+];

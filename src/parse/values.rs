@@ -1,0 +1,52 @@
+//! What expressions and names came to when a text was worked out, for editors that show it.
+//!
+//! A place may be worked out many times, in a repetition or a piece that is used often; the first few values are kept.
+
+use crate::ast::Value;
+use crate::source::Span;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+/// Different values that are kept of a place.
+const KEPT: usize = 8;
+
+/// What places came to: those of expressions with their braces, and those of names where they are given.
+#[derive(Debug, Default)]
+pub struct Values {
+    seen: RefCell<BTreeMap<Span, Seen>>,
+}
+
+/// What one place came to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Seen {
+    /// The first few different values, in the order of the work.
+    pub values: Vec<Value>,
+    /// Whether there were more of them.
+    pub more: bool,
+    /// The first few different numbers of the storeys in which that was, where there is a storey.
+    pub storeys: Vec<u64>,
+}
+
+impl Values {
+    /// What a place came to, if it came to anything.
+    pub fn at(&self, place: Span) -> Option<Seen> {
+        self.seen.borrow().get(&place).cloned()
+    }
+
+    /// Takes down what a place came to.
+    pub(super) fn note(&self, place: Span, value: &Value, storey: Option<u64>) {
+        let mut seen = self.seen.borrow_mut();
+        let seen = seen.entry(place).or_default();
+        if !seen.values.contains(value) {
+            match seen.values.len() < KEPT {
+                true => seen.values.push(value.clone()),
+                false => seen.more = true,
+            }
+        }
+        if let Some(storey) = storey.filter(|s| !seen.storeys.contains(s))
+            && seen.storeys.len() < KEPT
+        {
+            seen.storeys.push(storey);
+        }
+    }
+}
