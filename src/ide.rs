@@ -11,9 +11,11 @@ pub mod format;
 pub mod hover;
 pub mod inlay;
 pub mod names;
+mod sections;
 pub mod selection;
 pub mod symbols;
 pub mod tokens;
+mod walked;
 mod words;
 
 use crate::catalog::Catalog;
@@ -37,6 +39,7 @@ pub struct Analysis {
     outline: OnceCell<Outline>,
     /// Of the included files.
     outlines: OnceCell<Vec<Outline>>,
+    names: OnceCell<names::Names>,
 }
 
 /// A place in a text that was read.
@@ -64,6 +67,7 @@ impl Analysis {
             options: options.clone(),
             outline: OnceCell::new(),
             outlines: OnceCell::new(),
+            names: OnceCell::new(),
         }
     }
 

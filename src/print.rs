@@ -12,10 +12,12 @@
 //! | `to_xml`, `to_legacy` | write a house in the other form |
 //! | `essence` | a tree without its places, to compare |
 //! | `encode` | a text as bytes in the encoding it came in |
+//! | `lines` | how two texts differ |
 
 mod encode;
 mod essence;
 mod legacy;
+mod lines;
 mod table;
 mod to_legacy;
 mod to_xml;
@@ -23,6 +25,7 @@ mod xml;
 
 pub use encode::encode;
 pub use essence::essence;
+pub use lines::changes;
 pub use to_legacy::to_legacy;
 pub use to_xml::to_xml;
 

@@ -1,26 +1,21 @@
 //! A short diff of two texts, line by line, for a reader who wants to know what would change.
 
 use crate::diagnostic::Language;
+use crate::print;
 
 /// Lines shown.
 const MOST: usize = 12;
 
-/// How far apart the same line may stand in both texts.
-const NEAR: usize = 60;
-
 /// The first lines that differ: `3 - before`, `3 + after`, with blanks at their ends made visible.
 pub(super) fn short(before: &str, after: &str, language: Language) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
-    let (mut i, mut j, mut shown) = (0, 0, vec![]);
-    while (i < old.len() || j < new.len()) && shown.len() <= MOST {
-        if i < old.len() && j < new.len() && old[i] == new[j] {
-            (i, j) = (i + 1, j + 1);
-            continue;
+    let mut shown = vec![];
+    for (gone, come) in print::changes(&old, &new) {
+        if shown.len() > MOST {
+            break;
         }
-        let (gone, come) = apart(&old[i..], &new[j..]);
-        shown.extend((i..i + gone).map(|n| line(n, '-', old[n])));
-        shown.extend((j..j + come).map(|n| line(n, '+', new[n])));
-        (i, j) = (i + gone, j + come);
+        shown.extend(gone.map(|n| line(n, '-', old[n])));
+        shown.extend(come.map(|n| line(n, '+', new[n])));
     }
     if shown.len() > MOST {
         shown.truncate(MOST);
@@ -32,21 +27,6 @@ pub(super) fn short(before: &str, after: &str, language: Language) -> Vec<String
         shown.push(format!("    {ends}"));
     }
     shown
-}
-
-/// How many lines of both stand before the next one they share; at least one of both texts moves on.
-fn apart(old: &[&str], new: &[&str]) -> (usize, usize) {
-    for distance in 1..=NEAR.min(old.len() + new.len()) {
-        for gone in (0..=distance.min(old.len())).rev() {
-            let come = distance - gone;
-            let both = old.get(gone).zip(new.get(come));
-            let ends = gone == old.len() && come == new.len();
-            if ends || both.is_some_and(|(o, n)| o == n) {
-                return (gone, come);
-            }
-        }
-    }
-    (1.min(old.len()), 1.min(new.len()))
 }
 
 fn line(number: usize, sign: char, text: &str) -> String {

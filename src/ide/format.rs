@@ -1,6 +1,8 @@
 //! A text laid out anew, as edits of those lines only that change.
 
 use super::Analysis;
+use crate::diagnostic::Diagnostics;
+use crate::print;
 use std::ops::Range;
 
 /// What takes the place of a range.
@@ -14,12 +16,74 @@ pub struct Edit {
 
 /// The edits that lay the text out, in its order; `None` where its meaning is in doubt.
 pub fn format(a: &Analysis) -> Option<Vec<Edit>> {
-    let _ = a;
-    None
+    let limits = &a.options.expand.limits;
+    let made = print::format(&a.source, limits, &mut Diagnostics::new())?;
+    Some(edits(a.text(), &made))
 }
 
 /// Those of them that touch the lines of a range.
 pub fn format_range(a: &Analysis, range: Range<usize>) -> Option<Vec<Edit>> {
-    let _ = (a, range);
-    None
+    let text = a.text();
+    let bound = |at: usize| (0..=at.min(text.len())).rfind(|i| text.is_char_boundary(*i));
+    let (start, end) = (bound(range.start)?, bound(range.end)?);
+    let start = text[..start].rfind('\n').map_or(0, |i| i + 1);
+    let end = text[end..].find('\n').map_or(text.len(), |i| end + i + 1);
+    let mut edits = format(a)?;
+    edits.retain(|e| start <= e.range.start && e.range.end <= end);
+    Some(edits)
+}
+
+/// The edits that make one text of another: of lines that differ what differs in them, so that a cursor elsewhere stays
+/// where it is.
+fn edits(old: &str, new: &str) -> Vec<Edit> {
+    let (before, after): (Vec<&str>, Vec<&str>) = (lines(old), lines(new));
+    let starts = starts(&before);
+    let mut found = vec![];
+    for (gone, come) in print::changes(&before, &after) {
+        if gone.len() == come.len() {
+            for (i, j) in gone.zip(come) {
+                found.extend(within(starts[i], before[i], after[j]));
+            }
+        } else {
+            found.push(Edit {
+                range: starts[gone.start]..starts[gone.end],
+                text: after[come].concat(),
+            });
+        }
+    }
+    found
+}
+
+/// The edit of a line: what lies between the same start and the same end.
+fn within(at: usize, old: &str, new: &str) -> Option<Edit> {
+    let same = |(a, b): &(char, char)| a == b;
+    let length = |(c, _): (char, char)| c.len_utf8();
+    let head: usize = old
+        .chars()
+        .zip(new.chars())
+        .take_while(same)
+        .map(length)
+        .sum();
+    let (rest, other) = (&old[head..], &new[head..]);
+    let ends = rest.chars().rev().zip(other.chars().rev());
+    let tail: usize = ends.take_while(same).map(length).sum();
+    let text = other[..other.len() - tail].to_owned();
+    let range = at + head..at + old.len() - tail;
+    (!range.is_empty() || !text.is_empty()).then_some(Edit { range, text })
+}
+
+/// The lines of a text with their ends.
+fn lines(text: &str) -> Vec<&str> {
+    text.split_inclusive('\n').collect()
+}
+
+/// Where lines begin, and where the last one ends.
+fn starts(lines: &[&str]) -> Vec<usize> {
+    let mut at = 0;
+    let mut starts = vec![0];
+    for line in lines {
+        at += line.len();
+        starts.push(at);
+    }
+    starts
 }

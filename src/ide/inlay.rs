@@ -1,7 +1,12 @@
-//! What a text does not say and its reader wants to know: how long a line is, where the walk stands after it.
+//! What a text does not say and its reader wants to know: how long a line is, where the walk stands after it, how high
+//! a storey is and which one, and what an open walk lacks. All of it comes from the walls that were built.
 
 use super::Analysis;
+use super::walked::{self, Built, Walked, length, plain, span_of};
 use crate::diagnostic::{Language, Text};
+use crate::geometry::SAME;
+use crate::text;
+use glam::DVec2;
 use std::ops::Range;
 
 /// A few words behind a place of the text.
@@ -17,6 +22,134 @@ pub struct Inlay {
 
 /// The hints of a range, in the order of the text.
 pub fn inlays(a: &Analysis, range: Range<usize>, language: Language) -> Vec<Inlay> {
-    let _ = (a, range, language);
-    vec![]
+    let mut found = vec![];
+    for ((start, end), storeys) in walked::storeys(a) {
+        if start <= range.end && range.start <= end {
+            found.extend(storey(a, start, &storeys, language));
+        }
+    }
+    for ((start, end), walls) in walked::walls(a, &range) {
+        found.extend(line(a, start..end, &walls, language));
+    }
+    found.retain(|i| range.start <= i.at && i.at <= range.end);
+    found.sort_by_key(|i| i.at);
+    found
+}
+
+/// The number and height of a storey: behind its start tag, or before its first line.
+fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language) -> Option<Inlay> {
+    let outline = a.outline();
+    let elements = &outline.elements;
+    let number = elements.binary_search_by_key(&start, |e| e.range.start);
+    let at = number.map_or(start, |e| elements[e].tag.end);
+    let number = walked::numbers(storeys)?;
+    let heights = || storeys.iter().map(|s| s.height());
+    let (height, metres) = (
+        span_of(heights()),
+        span_of(heights().map(|h| centi(h * crate::geometry::SHAKU))),
+    );
+    let perimeter = span_of(storeys.iter().map(|s| s.perimeter()));
+    let label = text!(
+        "storey {number} · {height} shaku",
+        "{number}階 · {height}尺"
+    );
+    Some(Inlay {
+        at,
+        label: label.in_language(language).to_owned(),
+        tooltip: text!(
+            "storey {number}: {height} shaku ({metres} m) high, {perimeter} units round",
+            "{number}階: 高さ {height}尺 ({metres} m)、外周 {perimeter} U"
+        ),
+    })
+}
+
+/// A length in metres to a hundredth.
+fn centi(metres: f64) -> f64 {
+    (metres * 100.0).round() / 100.0
+}
+
+/// The length of a line, where the walk stands behind it and, where it is the last, what it lacks.
+fn line(
+    a: &Analysis,
+    range: Range<usize>,
+    walls: &[Walked<'_>],
+    language: Language,
+) -> Option<Inlay> {
+    let first = walls.first()?;
+    let beside: Vec<&Walked<'_>> = walls.iter().filter(|w| w.is_beside(first)).collect();
+    let last = beside.last()?;
+    let alone = beside.len() == walls.len();
+    let at = range.start + a.text().get(range)?.trim_end().len();
+    let sum: f64 = beside.iter().map(|w| length(w.wall)).sum();
+    let metres = plain(centi(sum * first.unit));
+    let end = last.wall.to;
+    let (x, y) = (plain(end.x), plain(end.y));
+    let many = beside.len();
+    let (label, tooltip) = match (alone, many) {
+        // The walks of several storeys or houses stand in several places.
+        (false, _) => {
+            let each = span_of(walls.iter().map(|w| length(w.wall)));
+            let metres = span_of(walls.iter().map(|w| centi(length(w.wall) * w.unit)));
+            let count = walls.len();
+            (
+                format!("{each} U"),
+                text!(
+                    "{each} units = {metres} m; {count} walls come of this line",
+                    "{each} U = {metres} m。この行から壁が {count} 枚できます"
+                ),
+            )
+        }
+        (true, 1) => {
+            let units = plain(sum);
+            (
+                format!("{units} U → ({x}, {y})"),
+                text!(
+                    "{units} units = {metres} m; the walk then stands {x} to the left and {y} back from its origin",
+                    "{units} U = {metres} m。この行の終わりは原点から左へ {x}、奥へ {y}"
+                ),
+            )
+        }
+        (true, _) => {
+            let (each, units) = (span_of(beside.iter().map(|w| length(w.wall))), plain(sum));
+            (
+                format!("{each} U ×{many} = {units} U → ({x}, {y})"),
+                text!(
+                    "{many} walls, {units} units = {metres} m in all; the walk then stands {x} to the left and {y} back from its origin",
+                    "壁 {many} 枚、あわせて {units} U = {metres} m。終わりは原点から左へ {x}、奥へ {y}"
+                ),
+            )
+        }
+    };
+    let mut inlay = Inlay { at, label, tooltip };
+    if alone && last.is_last() && !last.ring.closed && !last.ring.inner {
+        let lacks = last.ring.walls.first().map(|w| w.from - end);
+        lack(&mut inlay, lacks.unwrap_or_default(), language);
+    }
+    Some(inlay)
+}
+
+/// Adds what an open walk lacks to get back to its start.
+fn lack(inlay: &mut Inlay, gap: DVec2, language: Language) {
+    let sides = [
+        (gap.x, text!("left", "左"), text!("right", "右")),
+        (gap.y, text!("back", "奥"), text!("front", "手前")),
+    ];
+    let (mut en, mut ja) = (vec![], vec![]);
+    for (by, plus, minus) in sides.iter().filter(|(by, ..)| by.abs() > SAME) {
+        let side = if *by > 0.0 { plus } else { minus };
+        let by = plain(by.abs());
+        en.push(format!("{by} {}", side.en));
+        ja.push(format!("{}へ {by}", side.ja));
+    }
+    if en.is_empty() {
+        return;
+    }
+    let (en, ja) = (en.join(", "), ja.join("、"));
+    let words = Text::both(format!("open: {en}"), format!("未完: {ja}"));
+    inlay.label = format!("{} · {}", inlay.label, words.in_language(language));
+    let said = &inlay.tooltip;
+    inlay.tooltip = Text::both(
+        format!("{}. To close the walls, it lacks {en} (units)", said.en),
+        format!("{}。壁を閉じるには{ja} (U) 足りません", said.ja),
+    );
 }

@@ -1,8 +1,29 @@
 //! What is named in a text and where it is used: pieces and their parameters, values, own parts, floors, facades, files.
+//!
+//! | file | knows |
+//! |---|---|
+//! | `index` | names in expressions, pieces and their parameters |
+//! | `links` | which `include` leads to which file |
+//! | `floors` | ids of floors and facades |
+//! | `codes` | codes of parts |
+//! | `rename` | what another name changes, and whether it may |
+
+mod codes;
+mod floors;
+mod index;
+mod links;
+mod rename;
+
+pub use rename::{Change, prepare_rename, rename, rename_symbol};
 
 use super::{Analysis, Place};
-use crate::diagnostic::Text;
-use crate::source::FileId;
+use crate::ast::CodeText;
+use crate::parse;
+pub(super) use codes::{Form as CodeForm, of_element as codes_of_element};
+
+use codes::{Codes, Form, Spot};
+use index::{File, Index, Mark, Role};
+use links::Links;
 use std::ops::Range;
 
 /// What kind of thing a name means.
@@ -38,54 +59,238 @@ pub struct Symbol {
     pub defined: Option<(String, Range<usize>)>,
 }
 
+/// The names of a text, worked out once.
+#[derive(Debug)]
+pub(super) struct Names {
+    links: Links,
+    index: Index,
+}
+
+/// What stands at an offset.
+enum Found {
+    /// Names; several where one is worked out.
+    Names(Vec<Mark>),
+    /// A code.
+    Code(Spot),
+}
+
+impl Analysis {
+    /// The text and the files that were read for it.
+    fn files(&self) -> Vec<File<'_>> {
+        let included = self.checked.included.iter().zip(self.outlines());
+        let all = std::iter::once((&self.source, self.outline())).chain(included);
+        all.map(|(source, outline)| File {
+            id: source.id(),
+            name: source.name(),
+            text: source.text(),
+            outline,
+        })
+        .collect()
+    }
+
+    fn names(&self, files: &[File<'_>]) -> &Names {
+        self.names.get_or_init(|| {
+            let links = Links::of(files);
+            let index = Index::of(files, &links);
+            Names { links, index }
+        })
+    }
+
+    fn codes<'a>(&self, files: &'a [File<'a>]) -> Codes<'a> {
+        let given = self.options.catalogs.len();
+        Codes::of(files, &self.names(files).links, given)
+    }
+
+    /// What stands at an offset of the text.
+    fn found(&self, files: &[File<'_>], codes: &Codes<'_>, at: usize) -> Option<Found> {
+        let marks = self.names(files).index.at(self.source.id(), at);
+        let marks: Vec<Mark> = marks.cloned().collect();
+        if !marks.is_empty() {
+            return Some(Found::Names(marks));
+        }
+        let spot = codes.at(0, at)?;
+        let known = |code: &str| parse::builtin().find(&CodeText::new(code)).is_some();
+        let sure = spot.form != Form::Perhaps
+            || known(codes.text(&spot).trim())
+            || codes.meaning(&spot).is_some();
+        sure.then_some(Found::Code(spot))
+    }
+}
+
+fn place_of_mark(mark: &Mark) -> Place {
+    Place {
+        file: mark.file,
+        range: mark.range.clone(),
+    }
+}
+
+fn place_of_spot(codes: &Codes<'_>, spot: &Spot) -> Place {
+    Place {
+        file: codes.files[spot.file].id,
+        range: spot.range.clone(),
+    }
+}
+
 /// What is named at an offset.
 pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
-    let _ = (a, at);
-    None
+    let files = a.files();
+    let codes = a.codes(&files);
+    match a.found(&files, &codes, at)? {
+        Found::Names(marks) => {
+            let index = &a.names(&files).index;
+            let symbol = marks.first()?.symbol;
+            let declared = index.of_symbol(symbol).find(|m| m.role == Role::Declares);
+            let named = &index.symbols[symbol];
+            let file = |m: &Mark| files.iter().find(|f| f.id == m.file);
+            let defined = declared.and_then(|m| Some((file(m)?.name.to_owned(), m.range.clone())));
+            let to_itself = (named.kind == SymbolKind::File).then(|| (named.name.clone(), 0..0));
+            Some(Symbol {
+                kind: named.kind,
+                name: named.name.clone(),
+                defined: defined.or(to_itself),
+            })
+        }
+        Found::Code(spot) => {
+            let site = codes.meaning(&spot);
+            let picture = site.is_some_and(|s| s.form == Form::Picture);
+            let kind = match picture {
+                true => SymbolKind::Picture,
+                false => SymbolKind::Part,
+            };
+            let name = CodeText::new(codes.text(&spot).trim()).as_str().to_owned();
+            let defined = site.map(|s| (files[s.file].name.to_owned(), s.range.clone()));
+            Some(Symbol {
+                kind,
+                name,
+                defined,
+            })
+        }
+    }
 }
 
 /// Where what stands at an offset is defined.
 pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
-    let _ = (a, at);
-    vec![]
+    let files = a.files();
+    let codes = a.codes(&files);
+    let index = &a.names(&files).index;
+    match a.found(&files, &codes, at) {
+        None => vec![],
+        Some(Found::Code(spot)) => {
+            let site = codes.meaning(&spot);
+            site.map(|s| place_of_spot(&codes, s)).into_iter().collect()
+        }
+        Some(Found::Names(marks)) => {
+            let mut places = vec![];
+            for mark in &marks {
+                let named = &index.symbols[mark.symbol];
+                if named.kind == SymbolKind::File {
+                    let target = files.iter().find(|f| f.name == named.name);
+                    places.extend(target.map(|f| Place {
+                        file: f.id,
+                        range: 0..0,
+                    }));
+                }
+                let all = index.of_symbol(mark.symbol);
+                let declared = all.filter(|m| m.role == Role::Declares);
+                places.extend(declared.map(place_of_mark));
+            }
+            places.dedup();
+            places
+        }
+    }
 }
 
 /// Where what stands at an offset is used, in this text and the files that were read for it.
 pub fn references(a: &Analysis, at: usize, with_declaration: bool) -> Vec<Place> {
-    let _ = (a, at, with_declaration);
-    vec![]
-}
-
-/// Where a thing is used that another text may define.
-pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
-    let _ = (a, symbol);
-    vec![]
-}
-
-/// What a rename at an offset would change, and what it is called now; `None` where nothing can be renamed.
-pub fn prepare_rename(a: &Analysis, at: usize) -> Option<(Range<usize>, String)> {
-    let _ = (a, at);
-    None
-}
-
-/// The edits that give what stands at an offset another name.
-///
-/// # Errors
-/// Where the name is none, or means something else already.
-pub fn rename(
-    a: &Analysis,
-    at: usize,
-    new: &str,
-) -> Result<Vec<(FileId, Range<usize>, String)>, Text> {
-    let _ = (a, at, new);
-    Err(crate::text!(
-        "there is no name here",
-        "ここに名はありません"
-    ))
+    let found = occurrences(a, at).into_iter();
+    let kept = found.filter(|(_, declares)| with_declaration || !declares);
+    kept.map(|(place, _)| place).collect()
 }
 
 /// Where what stands at an offset stands in this text, and whether it is defined there.
 pub fn highlights(a: &Analysis, at: usize) -> Vec<(Range<usize>, bool)> {
-    let _ = (a, at);
-    vec![]
+    let found = occurrences(a, at).into_iter();
+    let here = found.filter(|(place, _)| place.file == a.source.id());
+    here.map(|(place, declares)| (place.range, declares))
+        .collect()
+}
+
+/// All places of what stands at an offset, and whether it is defined there.
+fn occurrences(a: &Analysis, at: usize) -> Vec<(Place, bool)> {
+    let files = a.files();
+    let codes = a.codes(&files);
+    let index = &a.names(&files).index;
+    match a.found(&files, &codes, at) {
+        None => vec![],
+        Some(Found::Code(spot)) => spots_like(&codes, &spot),
+        Some(Found::Names(marks)) => {
+            let mut symbols: Vec<usize> = marks.iter().map(|m| m.symbol).collect();
+            symbols.dedup();
+            let all = symbols.iter().flat_map(|s| index.of_symbol(*s));
+            all.map(|m| (place_of_mark(m), m.role == Role::Declares))
+                .collect()
+        }
+    }
+}
+
+fn spots_like(codes: &Codes<'_>, spot: &Spot) -> Vec<(Place, bool)> {
+    let alike = codes.alike(codes.text(spot), codes.meaning(spot));
+    let declares = |s: &Spot| matches!(s.form, Form::Part | Form::Picture);
+    alike
+        .iter()
+        .map(|s| (place_of_spot(codes, s), declares(s)))
+        .collect()
+}
+
+/// Where a thing is used that another text may define.
+pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
+    let files = a.files();
+    let codes = a.codes(&files);
+    let uses = match target(a, &files, &codes, symbol) {
+        None => vec![],
+        Some(Target::Name(symbol)) => {
+            let all = a.names(&files).index.of_symbol(symbol);
+            all.map(|m| (place_of_mark(m), m.role == Role::Declares))
+                .collect()
+        }
+        Some(Target::Code(site)) => spots_like(&codes, &site),
+        Some(Target::Known) => {
+            let alike = codes.alike(&symbol.name, None).into_iter();
+            alike.map(|s| (place_of_spot(&codes, &s), false)).collect()
+        }
+    };
+    let used = uses.into_iter().filter(|(_, declares)| !declares);
+    used.map(|(place, _)| place).collect()
+}
+
+/// What a symbol is in these files.
+enum Target {
+    /// By its number in the index.
+    Name(usize),
+    /// A part of one's own, or a picture.
+    Code(Spot),
+    /// A part that comes with the program.
+    Known,
+}
+
+fn target(a: &Analysis, files: &[File<'_>], codes: &Codes<'_>, symbol: &Symbol) -> Option<Target> {
+    let index = &a.names(files).index;
+    let is_code = matches!(symbol.kind, SymbolKind::Part | SymbolKind::Picture);
+    let Some((path, range)) = &symbol.defined else {
+        return is_code.then_some(Target::Known);
+    };
+    let file = files.iter().find(|f| links::same(f.name, path))?;
+    if is_code {
+        let spot = codes.at(codes.number(file.id)?, range.start)?;
+        let site = codes.meaning(&spot)?;
+        return (site.range == *range).then(|| Target::Code(site.clone()));
+    }
+    if symbol.kind == SymbolKind::File {
+        let is_it = |n: &index::Named| n.kind == SymbolKind::File && n.name == file.name;
+        return index.symbols.iter().position(is_it).map(Target::Name);
+    }
+    let mut marks = index.at(file.id, range.start);
+    let mark = marks.find(|m| m.role == Role::Declares && m.range == *range)?;
+    let same = index.symbols[mark.symbol].kind == symbol.kind;
+    same.then_some(Target::Name(mark.symbol))
 }

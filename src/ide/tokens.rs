@@ -1,6 +1,20 @@
 //! What each word of a text is, for colours that know the language.
+//!
+//! | file | reads |
+//! |---|---|
+//! | `legacy` | lines of the legacy form |
+//! | `xml` | elements, attributes, codes |
+//! | `braces` | expressions |
+
+mod braces;
+mod legacy;
+mod xml;
 
 use super::Analysis;
+use crate::ast::CodeText;
+use crate::catalog::Catalog;
+use crate::parse;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// What a word is.
@@ -56,6 +70,112 @@ pub struct Token {
 
 /// The words of a text in their order; none overlaps another.
 pub fn tokens(a: &Analysis) -> Vec<Token> {
-    let _ = a;
-    vec![]
+    let mut list = List::new(a);
+    for comment in &a.outline().comments {
+        list.add(comment.clone(), TokenKind::Comment);
+    }
+    legacy::tokens(a.outline(), &mut list);
+    xml::tokens(a.outline(), &mut list);
+    list.finish()
+}
+
+/// Tokens in the making.
+struct List<'a> {
+    text: &'a str,
+    builtin: &'static Catalog,
+    /// The codes of parts of one's own, and the names of pictures that are shown.
+    own: BTreeSet<&'a str>,
+    found: Vec<Token>,
+}
+
+impl<'a> List<'a> {
+    fn new(a: &'a Analysis) -> List<'a> {
+        let builtin = parse::builtin();
+        let own = a.catalog().parts().iter().skip(builtin.parts().len());
+        let pictures = a.checked.building.shell.pictures.iter();
+        let own = own.map(|p| p.code().trim());
+        List {
+            text: a.text(),
+            builtin,
+            own: own.chain(pictures.map(|p| &*p.name)).collect(),
+            found: vec![],
+        }
+    }
+
+    fn add(&mut self, range: Range<usize>, kind: TokenKind) {
+        self.put(range, kind, Modifiers::default());
+    }
+
+    fn declare(&mut self, range: Range<usize>, kind: TokenKind) {
+        let modifiers = Modifiers {
+            declaration: true,
+            ..Modifiers::default()
+        };
+        self.put(range, kind, modifiers);
+    }
+
+    fn put(&mut self, range: Range<usize>, kind: TokenKind, modifiers: Modifiers) {
+        if !range.is_empty() {
+            self.found.push(Token {
+                range,
+                kind,
+                modifiers,
+            });
+        }
+    }
+
+    /// What is known of a code; `None` = nothing.
+    fn known(&self, code: &str) -> Option<Modifiers> {
+        let (own, code) = (self.own.contains(code.trim()), CodeText::new(code.trim()));
+        let default_library = !own && self.builtin.find(&code).is_some();
+        (own || default_library).then_some(Modifiers {
+            own,
+            default_library,
+            ..Modifiers::default()
+        })
+    }
+
+    /// A code; blanks that fill it up are no part of its word.
+    fn code(&mut self, range: &Range<usize>) {
+        let text = self.text;
+        let written = &text[range.clone()];
+        let known = self.known(written).unwrap_or(Modifiers {
+            unknown: true,
+            ..Modifiers::default()
+        });
+        let end = range.start + written.trim_end().len();
+        self.put(range.start..end, TokenKind::Code, known);
+    }
+
+    /// The tokens in order; those of several lines are divided, and of two that overlap the first one counts.
+    fn finish(self) -> Vec<Token> {
+        let (text, mut found) = (self.text, self.found);
+        found.sort_by_key(|t| (t.range.start, std::cmp::Reverse(t.range.end)));
+        let mut made: Vec<Token> = Vec::with_capacity(found.len());
+        let mut end = 0;
+        for token in found {
+            if token.range.start < end {
+                continue;
+            }
+            end = token.range.end;
+            let written = &text[token.range.clone()];
+            if !written.contains(['\n', '\r']) {
+                made.push(token);
+                continue;
+            }
+            let mut at = token.range.start;
+            for line in written.split(['\n', '\r']) {
+                let start = at + line.len() - line.trim_start().len();
+                let range = start..start + line.trim().len();
+                at += line.len() + 1;
+                if !range.is_empty() {
+                    made.push(Token {
+                        range,
+                        ..token.clone()
+                    });
+                }
+            }
+        }
+        made
+    }
 }

@@ -13,6 +13,11 @@ use crate::diagnostic::Diagnostics;
 use crate::source::{Limits, Source};
 use std::ops::Range;
 
+/// Whether a text may be the name of a value: letters, digits and `_`, and no word of the language.
+pub fn is_name(text: &str) -> bool {
+    expr::is_name(text) && !expr::RESERVED.contains(&text)
+}
+
 /// What stands in one text.
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
@@ -33,7 +38,7 @@ pub struct Line {
     pub kind: LineKind,
     /// The codes of a wall line.
     pub codes: Vec<Range<usize>>,
-    /// The letter at the end of a wall line.
+    /// The letter at the end of a wall line, or its `^`.
     pub turn: Option<Range<usize>>,
 }
 
@@ -163,6 +168,7 @@ impl Outline {
                 line.fill(source, row);
             }
         }
+        lines.iter_mut().for_each(|line| line.end(source.text()));
         outline.lines = lines;
         outline
     }
@@ -218,6 +224,16 @@ impl Line {
         }
         let turn = row.turn.as_ref().map(|t| source.text_range(t.span));
         self.turn = turn.filter(|t| !t.is_empty());
+    }
+
+    /// Takes the `^` that ends a storey, which is no turn of its row.
+    fn end(&mut self, text: &str) {
+        let written = text[self.range.clone()].trim_end();
+        if self.kind == LineKind::Wall && self.turn.is_none() && written.ends_with('^') {
+            let end = self.range.start + written.len();
+            let free = self.codes.last().is_none_or(|c| c.end < end);
+            self.turn = free.then_some(end - 1..end);
+        }
     }
 }
 

@@ -2,11 +2,20 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "../support/mod.rs"]
+mod support;
+
 mod complete;
+mod hints;
+mod hostile;
 mod hover;
+mod names;
+mod shape;
+mod speed;
+mod words;
 
 use hsd::Options;
-use hsd::ide::Analysis;
+use hsd::ide::{Analysis, Place};
 use hsd::source::{FileId, NoText, PictureFile, Source, World};
 use std::collections::BTreeMap;
 
@@ -53,4 +62,15 @@ pub(crate) fn analysis(name: &str, text: &str, beside: &[(&str, &str)]) -> Analy
     let world = Texts(beside.iter().map(owned).collect());
     let source = Source::new(FileId(0), name, text.as_bytes());
     Analysis::new(source, &world, &Options::default())
+}
+
+/// Places as `file:line text`.
+pub(crate) fn shown(a: &Analysis, places: &[Place]) -> Vec<String> {
+    let one = |place: &Place| {
+        let source = a.file(place.file).unwrap();
+        let (line, _) = source.line_column(source.span(place.range.clone()));
+        let text = &source.text()[place.range.clone()];
+        format!("{}:{line} {text}", source.name())
+    };
+    places.iter().map(one).collect()
 }

@@ -1,0 +1,344 @@
+//! The codes of parts: where they stand, and which part of one's own each of them means.
+//!
+//! A code means the part that the house knows in which it stands: its own one, that of its file, of files named for the
+//! run, of the file beside the text, and at last the one that comes with the program (see [`catalog`](crate::catalog)).
+
+use super::index::{File, word};
+use super::links::Links;
+use crate::ast::CodeText;
+use crate::parse::outline::{Attribute, Element, Outline};
+use crate::source::FileId;
+use std::ops::Range;
+
+/// How a code stands where it stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::ide) enum Form {
+    /// Five columns of a wall line; shorter where blanks at its end were left out.
+    Columns,
+    /// Text of an attribute or an expression.
+    Value,
+    /// The code of a `PartDef`.
+    Part,
+    /// What a `PartDef` is based on.
+    Base,
+    /// A picture that a `Texture` names, with a file of its own.
+    Picture,
+    /// The picture that a `PartDef` shows.
+    Shown,
+    /// A value that may be a code: of a `let`, a parameter, a quoted text.
+    Perhaps,
+}
+
+/// A code in a text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Spot {
+    /// The number of the file in the list of files.
+    pub(super) file: usize,
+    pub(super) range: Range<usize>,
+    pub(super) element: Option<usize>,
+    pub(super) form: Form,
+}
+
+/// A part or picture that a text defines: where its code stands.
+pub(super) type Site = Spot;
+
+/// What all codes of a text are looked up in.
+pub(super) struct Codes<'a> {
+    pub(super) files: &'a [File<'a>],
+    sites: Vec<Site>,
+    /// For each file in which houses of the text its parts are known; `None` = in all of them.
+    homes: Vec<Option<Vec<usize>>>,
+    /// The files that are read without being included: first those named for the run, then the one beside the text.
+    given: usize,
+}
+
+/// A code without the blanks that fill it up.
+pub(super) fn key(code: &str) -> &str {
+    code.trim()
+}
+
+impl<'a> Codes<'a> {
+    /// What is defined in some files. So many of them behind the first are named for the run.
+    pub(super) fn of(files: &'a [File<'a>], links: &Links, given: usize) -> Codes<'a> {
+        let mut sites = vec![];
+        for number in 0..files.len() {
+            for element in 0..files[number].outline.elements.len() {
+                let name = word(&files[number].outline.elements[element]);
+                if matches!(name, "PartDef" | "Texture") {
+                    let of = &mut |spot: Spot| {
+                        if matches!(spot.form, Form::Part | Form::Picture) {
+                            sites.push(spot);
+                        }
+                    };
+                    spots_of_element(files, number, element, of);
+                }
+            }
+        }
+        let mut codes = Codes {
+            files,
+            sites,
+            homes: vec![Some(vec![]); files.len()],
+            given,
+        };
+        codes.homes[0] = None;
+        for link in links.list.iter().filter(|l| l.from == 0) {
+            let house = codes.house(0, Some(link.element));
+            codes.known_in(link.to, house, links);
+        }
+        codes
+    }
+
+    /// Notes that a file and those it includes are known in a house, or everywhere.
+    fn known_in(&mut self, file: usize, house: Option<usize>, links: &Links) {
+        match (&mut self.homes[file], house) {
+            (None, _) => return,
+            (Some(houses), Some(house)) if houses.contains(&house) => return,
+            (Some(houses), Some(house)) => houses.push(house),
+            (homes, None) => *homes = None,
+        }
+        for link in links.list.iter().filter(|l| l.from == file) {
+            self.known_in(link.to, house, links);
+        }
+    }
+
+    /// The text of a code.
+    pub(super) fn text(&self, spot: &Spot) -> &'a str {
+        &self.files[spot.file].text[spot.range.clone()]
+    }
+
+    /// The house round an element.
+    fn house(&self, file: usize, element: Option<usize>) -> Option<usize> {
+        let outline = self.files[file].outline;
+        let mut around = outline.around(element?);
+        around.find(|e| word(&outline.elements[*e]) == "House")
+    }
+
+    /// The part or picture that a code means; `None` = one that comes with the program, or none at all.
+    pub(super) fn meaning(&self, spot: &Spot) -> Option<&Site> {
+        if spot.form == Form::Part || spot.form == Form::Picture {
+            return self.sites.iter().find(|s| *s == spot);
+        }
+        let key = key(self.text(spot));
+        let house = self.house(spot.file, spot.element);
+        let itself =
+            |s: &Site| spot.form == Form::Base && s.file == spot.file && s.element == spot.element;
+        let of = |form: Form| {
+            let like = self.sites.iter().enumerate();
+            let like = like.filter(move |(_, s)| s.form == form && self::key(self.text(s)) == key);
+            like.filter(|(_, s)| !itself(s))
+                .min_by_key(|(number, s)| (self.distance(s, spot.file, house), *number))
+                .map(|(_, s)| s)
+        };
+        match spot.form {
+            Form::Shown => of(Form::Picture),
+            _ => of(Form::Part).or_else(|| {
+                let known = crate::parse::builtin().find(&CodeText::new(key)).is_some();
+                of(Form::Picture).filter(|_| !known)
+            }),
+        }
+    }
+
+    /// How far from a house of a file a part is looked for.
+    fn distance(&self, site: &Site, file: usize, house: Option<usize>) -> usize {
+        if file != 0 {
+            // A piece means what the house that uses it knows; parts are based on those of their file.
+            return usize::from(site.file != file);
+        }
+        let own = self.house(site.file, site.element);
+        let beside = self.files.len();
+        match (&self.homes[site.file], site.file) {
+            (_, 0) if own.is_some() && own == house => 0,
+            (Some(houses), _) if house.is_some_and(|h| houses.contains(&h)) => 1,
+            (_, 0) if own.is_none() => 2,
+            (None, _) => 3,
+            (Some(houses), file) if houses.is_empty() && file <= self.given => {
+                4 + self.given - file
+            }
+            (Some(houses), _) if houses.is_empty() => 5 + beside,
+            _ => 6 + beside,
+        }
+    }
+
+    /// All codes of all files that mean the same as one of them, itself included.
+    pub(super) fn alike(&self, code: &str, meaning: Option<&Site>) -> Vec<Spot> {
+        let mut found = vec![];
+        for number in 0..self.files.len() {
+            self.each(number, &mut |spot| {
+                let same = key(self.text(&spot)) == key(code);
+                if same && self.meaning(&spot) == meaning {
+                    found.push(spot);
+                }
+            });
+        }
+        found.sort_by_key(|s| (s.file, s.range.start));
+        found.dedup_by_key(|s| (s.file, s.range.start));
+        found
+    }
+
+    /// The code at an offset of a file.
+    pub(super) fn at(&self, file: usize, at: usize) -> Option<Spot> {
+        let outline = self.files[file].outline;
+        let mut found: Option<Spot> = None;
+        let mut take = |spot: Spot| {
+            // Between two codes the one that begins here counts.
+            let behind = spot.range.end == at && found.is_some();
+            if spot.range.start <= at && at <= spot.range.end && !behind {
+                found = Some(spot);
+            }
+        };
+        if let Some(element) = outline.element_at(at) {
+            // At the end of a tag the text round it may begin.
+            let outer = outline.elements[element].parent;
+            for element in [Some(element), outer].into_iter().flatten() {
+                spots_of_element(self.files, file, element, &mut take);
+            }
+        } else if let Some(line) = outline.line_at(at) {
+            spots_of_line(self.files, file, line, &mut take);
+        }
+        found.filter(|s| !key(self.text(s)).is_empty())
+    }
+
+    /// Every code of a file.
+    pub(super) fn each(&self, file: usize, take: &mut dyn FnMut(Spot)) {
+        let outline = self.files[file].outline;
+        for line in 0..outline.lines.len() {
+            spots_of_line(self.files, file, line, take);
+        }
+        for element in 0..outline.elements.len() {
+            spots_of_element(self.files, file, element, take);
+        }
+    }
+
+    /// The number of a file.
+    pub(super) fn number(&self, file: FileId) -> Option<usize> {
+        self.files.iter().position(|f| f.id == file)
+    }
+}
+
+fn spots_of_line(files: &[File<'_>], file: usize, line: usize, take: &mut dyn FnMut(Spot)) {
+    for range in &files[file].outline.lines[line].codes {
+        take(Spot {
+            file,
+            range: range.clone(),
+            element: None,
+            form: Form::Columns,
+        });
+    }
+}
+
+fn spots_of_element(files: &[File<'_>], file: usize, number: usize, take: &mut dyn FnMut(Spot)) {
+    let File { text, outline, .. } = files[file];
+    of_element(text, outline, number, &mut |range, form| {
+        take(Spot {
+            file,
+            range,
+            element: Some(number),
+            form,
+        });
+    });
+}
+
+/// The codes of an element, those of its attributes and those right in it.
+pub(in crate::ide) fn of_element(
+    text: &str,
+    outline: &Outline,
+    number: usize,
+    take: &mut dyn FnMut(Range<usize>, Form),
+) {
+    let element = &outline.elements[number];
+    for words in &element.words {
+        words
+            .codes
+            .iter()
+            .for_each(|c| take(c.clone(), Form::Columns));
+        let expressions = words.expressions.iter();
+        let quoted = expressions.flat_map(|e| quoted(text, &e.range));
+        quoted.for_each(|range| take(range, Form::Perhaps));
+    }
+    for attribute in &element.attributes {
+        let Some(form) = form(element, attribute) else {
+            continue;
+        };
+        if text.get(attribute.inner.clone()) != Some(&attribute.value) {
+            continue;
+        }
+        let expressions = &attribute.expressions;
+        let inside = expressions.iter().flat_map(|e| quoted(text, &e.range));
+        inside.for_each(|range| take(range, Form::Perhaps));
+        if expressions.is_empty() {
+            let single =
+                matches!(form, Form::Part | Form::Base | Form::Shown) || word(element) == "Part";
+            let pieces = pieces(text, &attribute.inner, single);
+            pieces.into_iter().for_each(|range| take(range, form));
+        }
+    }
+}
+
+/// What an attribute of an element has to do with codes.
+fn form(element: &Element, attribute: &Attribute) -> Option<Form> {
+    let form = match (word(element), &*attribute.word) {
+        ("PartDef", "code") => Form::Part,
+        ("PartDef", "base") => Form::Base,
+        ("PartDef", "texture") => Form::Shown,
+        ("Texture", "code") if element.attribute("src").is_some() => Form::Picture,
+        ("Part" | "Texture" | "random" | "replace", "code") | ("replace", "with") => Form::Value,
+        ("use" | "define", "name") => return None,
+        ("use" | "define", _) | ("let", "value") | ("Param", "default" | "choices") => {
+            Form::Perhaps
+        }
+        _ if attribute.expressions.is_empty() => return None,
+        _ => Form::Perhaps,
+    };
+    Some(form)
+}
+
+/// The texts in quotes in an expression, without their quotes.
+fn quoted(text: &str, range: &Range<usize>) -> Vec<Range<usize>> {
+    let (mut found, mut at) = (vec![], range.start);
+    let text = &text[..range.end];
+    while let Some(open) = text[at..].find(['\'', '"']).map(|i| at + i) {
+        let quote = &text[open..=open];
+        let Some(close) = text[open + 1..].find(quote).map(|i| open + 1 + i) else {
+            break;
+        };
+        found.extend(trim(text, open + 1..close));
+        at = close + 1;
+    }
+    found
+}
+
+/// The pieces of a list of codes; a single one may have blanks in it.
+fn pieces(text: &str, range: &Range<usize>, single: bool) -> Vec<Range<usize>> {
+    let written = &text[range.clone()];
+    let known = |code: &str| crate::parse::builtin().find(&CodeText::new(code)).is_some();
+    // `GDE 2` is one code, own ones of this form as well.
+    let one = |code: &str| {
+        known(code) || (code.len() == 5 && code.is_ascii() && !code[..4].trim_end().contains(' '))
+    };
+    if single || (!written.contains(',') && one(written.trim())) {
+        return Vec::from_iter(trim(text, range.clone()));
+    }
+    let comma = written.contains(',');
+    let divides = |c: char| {
+        if comma {
+            c == ','
+        } else {
+            c.is_ascii_whitespace()
+        }
+    };
+    let mut at = range.start;
+    let pieces = written.split(divides).filter_map(|piece| {
+        let start = at;
+        at += piece.len() + 1;
+        trim(text, start..start + piece.len())
+    });
+    pieces.collect()
+}
+
+/// A range without the white space at its ends; `None` where nothing is left.
+fn trim(text: &str, range: Range<usize>) -> Option<Range<usize>> {
+    let written = &text[range.clone()];
+    let start = range.start + written.len() - written.trim_start().len();
+    let inner = start..start + written.trim().len();
+    (!inner.is_empty()).then_some(inner)
+}

@@ -1,0 +1,85 @@
+//! Which `include` leads to which file.
+
+use super::index::{File, trimmed, word};
+use std::ops::Range;
+
+/// An `include`.
+#[derive(Clone, Debug)]
+pub(super) struct Link {
+    /// In which file, by number in the list of files.
+    pub(super) from: usize,
+    /// Its element there.
+    pub(super) element: usize,
+    /// Its path, without the quotes.
+    pub(super) range: Range<usize>,
+    /// To which file.
+    pub(super) to: usize,
+}
+
+/// All of them.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Links {
+    pub(super) list: Vec<Link>,
+}
+
+impl Links {
+    /// The links between files.
+    pub(super) fn of(files: &[File<'_>]) -> Links {
+        let mut list = vec![];
+        let names: Vec<Vec<&str>> = files.iter().map(|f| steps(&[f.name])).collect();
+        for (from, file) in files.iter().enumerate() {
+            let elements = file.outline.elements.iter().enumerate();
+            for (element, include) in elements.filter(|(_, e)| word(e) == "include") {
+                let href = include
+                    .attribute("href")
+                    .filter(|a| a.expressions.is_empty());
+                let Some(range) = href.and_then(|a| trimmed(file.text, a)) else {
+                    continue;
+                };
+                let to = target(file.name, &file.text[range.clone()], &names);
+                if let Some(to) = to {
+                    list.push(Link {
+                        from,
+                        element,
+                        range,
+                        to,
+                    });
+                }
+            }
+        }
+        Links { list }
+    }
+}
+
+/// The file that a path leads to: by its whole path or, where files go by other names, the only one that ends so.
+fn target(from: &str, href: &str, names: &[Vec<&str>]) -> Option<usize> {
+    let folder = from.rfind(['/', '\\']).map_or("", |i| &from[..i]);
+    let whole = steps(&[folder, href]);
+    if let Some(found) = names.iter().position(|n| *n == whole) {
+        return Some(found);
+    }
+    let end = steps(&[href]);
+    let mut like = (1..names.len()).filter(|i| names[*i].ends_with(&end));
+    let first = like.next()?;
+    like.next().is_none().then_some(first)
+}
+
+/// Whether two paths are the same but for their spelling.
+pub(super) fn same(one: &str, other: &str) -> bool {
+    one == other || steps(&[one]) == steps(&[other])
+}
+
+/// The steps of paths one after another, without `.` and with `..` undone where that can be.
+fn steps<'p>(paths: &[&'p str]) -> Vec<&'p str> {
+    let mut steps: Vec<&str> = vec![];
+    for step in paths.iter().flat_map(|p| p.split(['/', '\\'])) {
+        match step {
+            "" | "." => {}
+            ".." if steps.last().is_some_and(|s| *s != "..") => {
+                steps.pop();
+            }
+            step => steps.push(step),
+        }
+    }
+    steps
+}
