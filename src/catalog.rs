@@ -190,7 +190,7 @@ impl Catalog {
             let part = read::part(entry, None, out);
             let id = PartId(catalog.parts.len() as u16);
             let CodeText::Five(code) = part.code else {
-                out.push(say::wrong_value(entry.span, "code", part.code(), FIVE));
+                out.push(say::wrong_value(entry.span, "code", part.code(), FIVE, &[]));
                 continue;
             };
             if catalog.parts.len() >= SLOTS / 2 {
@@ -198,7 +198,7 @@ impl Catalog {
                 break;
             }
             if !catalog.enter(code, id) {
-                out.push(say::part_twice(entry.span, part.code(), entry.span));
+                out.push(say::part_twice(entry.span, part.code(), entry.span, None));
                 continue;
             }
             if code == *b"     " {

@@ -183,6 +183,14 @@ impl Diagnostics {
         self.list.extend(new.collect::<Vec<_>>());
     }
 
+    /// Leaves out the mends of which a change is not to be made.
+    pub fn retain_mends(&mut self, keep: impl Fn(&Edit) -> bool) {
+        let mended = self.list.iter_mut().filter(|d| !d.mends.is_empty());
+        for found in mended {
+            found.mends.retain(|mend| mend.edits.iter().all(&keep));
+        }
+    }
+
     /// Whether anything is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|d| d.severity == Severity::Error)

@@ -106,6 +106,7 @@ pub fn compile(
     let scene = timed(&mut times, "tessellate", || {
         scene(&building, &catalog, options.detail)
     });
+    spare_expressions(sources, &included, out);
     Compiled {
         included,
         catalog,
@@ -147,6 +148,7 @@ pub fn check(
     let shell = &building.shell;
     let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
     pictures(&paths, shell, world, &options.expand.limits, out);
+    spare_expressions(sources, &included, out);
     Checked {
         parameters,
         included,
@@ -154,6 +156,20 @@ pub fn check(
         building,
         values,
     }
+}
+
+/// Leaves out mends that would put a word in the place of an expression: what is wrong with a computed value is not
+/// mended where that stands.
+fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnostics) {
+    let file = |id: FileId| {
+        let mut all = sources.iter().copied().chain(included);
+        all.find(|source| source.id() == id)
+    };
+    out.retain_mends(|edit| {
+        let there = file(edit.span.file).and_then(|s| s.text().get(s.text_range(edit.span)));
+        let computed = there.is_some_and(|there| there.contains('{'));
+        !computed || edit.text.is_empty() || edit.text.contains('{')
+    });
 }
 
 /// Runs the whole chain on one file up to the bytes of a GLB without pictures; returns how many there are.

@@ -54,6 +54,11 @@ impl SurfaceId {
         Some(SurfaceId(at as u16))
     }
 
+    /// The names of all surfaces.
+    pub fn names() -> impl Iterator<Item = &'static str> {
+        TABLE.iter().map(|s| s.name)
+    }
+
     /// The surface of a name that the table is known to hold; plain wood where it does not, which a test
     /// excludes.
     pub fn named(name: &str) -> SurfaceId {

@@ -9,6 +9,9 @@ use serde::Serialize;
 pub struct PartEntry {
     /// Its name in the start tag.
     pub span: Span,
+    /// All of it with the blanks before it, so that it can be left out.
+    #[serde(skip)]
+    pub whole: Option<Span>,
     /// What the start tag says.
     pub attributes: Vec<Said>,
     /// Its bodies, and changes of those of its base.
@@ -29,6 +32,9 @@ pub struct Said {
 pub struct BodyEntry {
     /// Its name.
     pub word: Spanned<String>,
+    /// Its name again, in its end tag.
+    #[serde(skip)]
+    pub end: Option<Span>,
     /// What its start tag says.
     pub attributes: Vec<Said>,
     /// What stands in it.

@@ -35,7 +35,9 @@ pub(super) fn value<T: Value>(
         return default;
     };
     T::read(&text.value).unwrap_or_else(|| {
-        out.push(say::wrong_value(text.span, name, &text.value, T::FORM));
+        let offers = T::offers(&text.value);
+        let (span, value) = (text.span, &text.value);
+        out.push(say::wrong_value(span, name, value, T::FORM, &offers));
         default
     })
 }
@@ -94,7 +96,9 @@ macro_rules! shapes {
                     $($word => (Shape::$name($name::read(said, out)), Area::$area, $name::NAMES),)*
                     _ => {
                         let near = near(word, WORDS);
-                        out.push(elements::unknown_element(entry.word.span, word, near, None));
+                        let names = std::iter::once(entry.word.span).chain(entry.end);
+                        let tags = elements::Tags { names: names.collect(), whole: vec![] };
+                        out.push(elements::unknown_element(entry.word.span, word, near, None, &tags));
                         return None;
                     }
                 };
@@ -102,7 +106,8 @@ macro_rules! shapes {
                 for attribute in said.iter().filter(|a| !known.contains(&a.name.value.as_str())) {
                     let Spanned { value, span } = &attribute.name;
                     let near = near(value, &known);
-                    out.push(elements::unknown_attribute(*span, value, word, near, &known));
+                    let near = near.map(|near| (near, said.iter().any(|a| a.name.value == near)));
+                    out.push(elements::unknown_attribute(*span, value, word, near, &known, None));
                 }
                 let over = value(said, "over", area, out);
                 let place = Place { over, ..Place::read(said, out) };

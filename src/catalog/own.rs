@@ -186,7 +186,12 @@ impl Making<'_> {
         match self.codes.get(text.as_str()) {
             Some(first) => {
                 let first = self.entries[*first].span;
-                out.push(say::part_twice(entry.span, text.as_str(), first));
+                out.push(say::part_twice(
+                    entry.span,
+                    text.as_str(),
+                    first,
+                    entry.whole,
+                ));
             }
             None => {
                 self.codes.insert(text.as_str().to_owned(), index);
@@ -240,6 +245,7 @@ fn merged(entry: &PartEntry, base: Option<&PartEntry>, out: &mut Diagnostics) ->
     if textured && entry.body.is_empty() && !has(&whole.body, "picture") {
         whole.body = vec![BodyEntry {
             word: Spanned::new("picture".into(), entry.span),
+            end: None,
             attributes: vec![],
             children: vec![],
         }];
@@ -256,7 +262,7 @@ fn extrude(whole: &mut PartEntry, entry: &PartEntry, out: &mut Diagnostics) {
     };
     if !has(&whole.body, "picture") {
         let words = words(&whole.body);
-        out.push(say::nothing_to_change(depth.span, "picture", &words));
+        out.push(say::nothing_to_change(depth.span, "picture", &words, false));
         return;
     }
     let given = |name: &str, value: String| Said {
@@ -291,6 +297,7 @@ fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
                 own.word.span,
                 "change",
                 "element",
+                &[],
             ));
         } else {
             body.clear();
@@ -322,8 +329,10 @@ fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
         false => retain(body, &word.value, &mut || !takes()),
     }
     if !hit {
-        let span = at.filter(|_| seen > 0).map_or(word.span, |at| at.span);
-        out.push(say::nothing_to_change(span, &word.value, &words(body)));
+        let at = at.filter(|_| seen > 0);
+        let (span, other) = (at.map_or(word.span, |at| at.span), at.is_none());
+        let words = words(body);
+        out.push(say::nothing_to_change(span, &word.value, &words, other));
     }
 }
 

@@ -30,7 +30,11 @@ pub(super) fn part(entry: &PartEntry, class: Option<char>, out: &mut Diagnostics
     let width = head.width(&code, out).unwrap_or_else(|| {
         let says = |name: &str| said(head.given, name).is_some();
         if !says("width") && !says("base") {
-            out.push(elements::attribute_missing(entry.span, "PartDef", "width"));
+            // What it is taken for without one.
+            let words = ["1"];
+            out.push(elements::attribute_missing(
+                entry.span, "PartDef", "width", &words,
+            ));
         }
         1.0
     });
@@ -78,7 +82,7 @@ fn bodies(entries: &[BodyEntry], out: &mut Diagnostics) -> Vec<Element> {
             let fits = is_sound(&entry.word.value, a);
             if !fits {
                 let (Spanned { value, span }, name) = (&a.value, &a.name.value);
-                out.push(say::wrong_value(*span, name, value, LENGTHS));
+                out.push(say::wrong_value(*span, name, value, LENGTHS, &[]));
             }
             sound && fits
         });
@@ -191,7 +195,7 @@ impl<'a> Head<'a> {
         let text = said(self.given, name)?;
         let read = shaku(&text.value).filter(|n| (0.0..=most).contains(n));
         if read.is_none() {
-            out.push(say::wrong_value(text.span, name, &text.value, form));
+            out.push(say::wrong_value(text.span, name, &text.value, form, &[]));
         }
         read
     }
@@ -219,7 +223,8 @@ impl<'a> Head<'a> {
             && column != width
         {
             let code = code.as_str().trim_end();
-            out.push(say::width_column(place.span, code, width, column));
+            let own = said(self.given, "width").map(|width| width.span);
+            out.push(say::width_column(place.span, code, width, column, own));
         }
         Some(width)
     }
@@ -253,6 +258,7 @@ fn shaku(text: &str) -> Option<f64> {
 
 impl Value for Era {
     const FORM: Noun = noun("E, M, N or all", "E、M、N、all のどれか");
+    const WORDS: &'static [&'static str] = &["E", "M", "N", "all"];
     fn read(text: &str) -> Option<Era> {
         Era::ALL.into_iter().find(|era| era.word() == text)
     }
@@ -263,6 +269,7 @@ impl Value for Stance {
         "posts, bare, modern, fence or none",
         "posts、bare、modern、fence、none のどれか",
     );
+    const WORDS: &'static [&'static str] = &["posts", "bare", "modern", "fence", "none"];
     fn read(text: &str) -> Option<Stance> {
         match text {
             "posts" => Some(Stance::Posts),
@@ -277,6 +284,7 @@ impl Value for Stance {
 
 impl Value for Below {
     const FORM: Noun = noun("dado, wall or open", "dado、wall、open のどれか");
+    const WORDS: &'static [&'static str] = &["dado", "wall", "open"];
     fn read(text: &str) -> Option<Below> {
         match text {
             "dado" => Some(Below::Dado),

@@ -1,5 +1,6 @@
 //! Values in the attributes of a part: lengths, places, shares, surfaces.
 
+use super::nearest::near;
 use crate::diagnostic::{Noun, noun};
 use crate::material::SurfaceId;
 
@@ -7,8 +8,14 @@ use crate::material::SurfaceId;
 pub(crate) trait Value: Sized {
     /// What it looks like, for messages.
     const FORM: Noun;
+    /// The words that it may be, if there are few.
+    const WORDS: &'static [&'static str] = &[];
     /// From the attribute's text.
     fn read(text: &str) -> Option<Self>;
+    /// What an unknown word may be meant for.
+    fn offers(text: &str) -> Vec<&'static str> {
+        near(text, Self::WORDS).map_or(Self::WORDS.to_vec(), |word| vec![word])
+    }
 }
 
 /// A length; millimetres in the file, metres here.
@@ -132,6 +139,7 @@ impl Value for u32 {
 
 impl Value for bool {
     const FORM: Noun = noun("yes or no", "yes か no");
+    const WORDS: &'static [&'static str] = &["yes", "no"];
     fn read(text: &str) -> Option<bool> {
         match text {
             "yes" => Some(true),
@@ -146,12 +154,19 @@ impl Value for SurfaceId {
     fn read(text: &str) -> Option<SurfaceId> {
         SurfaceId::find(text)
     }
+    fn offers(text: &str) -> Vec<&'static str> {
+        let names: Vec<&str> = SurfaceId::names().collect();
+        near(text, &names).into_iter().collect()
+    }
 }
 
 impl<T: Value> Value for Option<T> {
     const FORM: Noun = T::FORM;
     fn read(text: &str) -> Option<Option<T>> {
         T::read(text).map(Some)
+    }
+    fn offers(text: &str) -> Vec<&'static str> {
+        T::offers(text)
     }
 }
 
@@ -160,6 +175,7 @@ impl Value for Area {
         "bay, clear, opening, above or below",
         "bay、clear、opening、above、below のどれか",
     );
+    const WORDS: &'static [&'static str] = &["bay", "clear", "opening", "above", "below"];
     fn read(text: &str) -> Option<Area> {
         match text {
             "bay" => Some(Area::Bay),
@@ -174,6 +190,7 @@ impl Value for Area {
 
 impl Value for Run {
     const FORM: Noun = noun("level or upright", "level か upright");
+    const WORDS: &'static [&'static str] = &["level", "upright"];
     fn read(text: &str) -> Option<Run> {
         match text {
             "level" => Some(Run::Level),
@@ -185,6 +202,7 @@ impl Value for Run {
 
 impl Value for Joints {
     const FORM: Noun = noun("diagonal or running", "diagonal か running");
+    const WORDS: &'static [&'static str] = &["diagonal", "running"];
     fn read(text: &str) -> Option<Joints> {
         match text {
             "diagonal" => Some(Joints::Diagonal),

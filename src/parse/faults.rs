@@ -13,6 +13,9 @@ use std::ops::Range;
 /// Messages of one code on one place, where something is read several times.
 const A_FEW: usize = 4;
 
+/// More white space than anybody puts before something.
+const FAR: usize = 4096;
+
 /// Messages on one file that are passed on.
 const ENOUGH: usize = 500;
 
@@ -102,6 +105,24 @@ impl<'a> Faults<'a> {
         let (base, source) = self.source_at(self.base + range.start);
         let offset = |at: usize| (self.base + at).saturating_sub(base);
         source.span(offset(range.start)..offset(range.end))
+    }
+
+    /// Whether the next message is made at all: else nobody needs its mends.
+    pub(super) fn wanted(&self) -> bool {
+        self.said < ENOUGH
+    }
+
+    /// The span of a range of the text and of the white space before it: without them nothing of it is left.
+    pub(super) fn with_gap(&self, range: &Range<usize>) -> Span {
+        if !self.wanted() {
+            return self.span(range);
+        }
+        let (base, source) = self.source_at(self.base + range.start);
+        let from = (self.base + range.start).saturating_sub(base);
+        let before = source.text().as_bytes().get(..from).unwrap_or_default();
+        let blank = |b: &&u8| matches!(b, b' ' | b'\t' | b'\r' | b'\n');
+        let blanks = before.iter().rev().take(FAR).take_while(blank).count();
+        self.span(&(range.start - blanks..range.end))
     }
 
     /// The author's words in a range of the text.

@@ -12,6 +12,7 @@
 //! - Expressions, conditions and named pieces are worked out on the tree, see [`language`].
 
 mod codes;
+mod edits;
 mod facades;
 mod fittings;
 mod house;
@@ -21,6 +22,7 @@ mod monuments;
 mod outline;
 mod parts;
 mod pieces;
+mod quotes;
 mod read;
 mod roofs;
 mod scan;
@@ -82,6 +84,7 @@ pub(super) fn parse_from<'a>(
     };
     let made = language::work_out(tree, setting, nesting, trees, &mut faults);
     let mut reader = Reader {
+        turn: None,
         tree: &made.tree,
         faults: &mut faults,
         suggest: suggest::Suggest::new(),

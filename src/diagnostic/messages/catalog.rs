@@ -1,12 +1,16 @@
 //! Messages about own parts (HSD0323 and following).
 
 use super::words::{all_of, any_of, quote, short};
+use super::xml::offer;
 use crate::diagnostic::{Diagnostic, Noun};
 use crate::source::Span;
 use crate::text;
 
 /// Links of a chain that a message marks.
 const MARKED: usize = 6;
+
+/// Words that are offered one by one.
+const FEW: usize = 8;
 
 /// A base that is no part.
 #[cold]
@@ -17,13 +21,14 @@ pub fn unknown_base(span: Span, code: &str, near: &[String]) -> Diagnostic {
         "base の {code} という部材はありません"
     );
     let any = any_of(near);
-    Diagnostic::error(323, span, message).help(match near.is_empty() {
+    let found = Diagnostic::error(323, span, message).help(match near.is_empty() {
         true => text!(
             "name a part of the catalogue or of this file; `hsd parts` lists them",
             "既製の部材か、このファイルの部材を指定してください。一覧は `hsd parts` で見られます"
         ),
         false => text!([any] "did you mean {any}?", "{any} ではありませんか"),
-    })
+    });
+    offer(found, span, near.iter().map(|code| code.trim_end()))
 }
 
 /// Parts that are based on each other.
@@ -63,66 +68,89 @@ pub fn bases_too_deep(span: Span, limit: usize) -> Diagnostic {
     ))
 }
 
-/// Two parts of one code.
+/// Two parts of one code; `whole` = all of the second.
 #[cold]
-pub fn part_twice(span: Span, code: &str, first: Span) -> Diagnostic {
+pub fn part_twice(span: Span, code: &str, first: Span, whole: Option<Span>) -> Diagnostic {
     let code = quote(code);
     let message = text!(
         "the part {code} is defined twice",
         "部材 {code} が二度定義されています"
     );
-    Diagnostic::error(325, span, message)
+    let found = Diagnostic::error(325, span, message)
         .help(text!(
             "give one of them another code, or remove it; the first one counts",
             "片方のコードを変えるか、取り除いてください。最初のものを使います"
         ))
-        .label(first, text!("the first one", "最初の定義"))
+        .label(first, text!("the first one", "最初の定義"));
+    let title = text!("Remove this one", "こちらを削除する");
+    match whole {
+        Some(whole) => found.mend(title, whole, ""),
+        None => found,
+    }
 }
 
-/// An attribute of a part or a body that says nothing it could mean.
+/// An attribute of a part or a body that says nothing it could mean; `offers` = words that it may be.
 #[cold]
-pub fn wrong_value(span: Span, name: &str, value: &str, form: Noun) -> Diagnostic {
+pub fn wrong_value(span: Span, name: &str, value: &str, form: Noun, offers: &[&str]) -> Diagnostic {
     let value = quote(value);
     let message = text!(
         "{value} cannot be the `{name}` of a part",
         "{value} は部材の `{name}` として読めません"
     );
-    Diagnostic::error(326, span, message).help(text!([form]
+    let found = Diagnostic::error(326, span, message).help(text!([form]
         "write {form}",
         "{form}を書いてください"
-    ))
+    ));
+    offer(found, span, offers.iter().copied())
 }
 
-/// A code whose fifth column tells another width.
+/// A code whose fifth column tells another width; `own` = where the width is written.
 #[cold]
-pub fn width_column(span: Span, code: &str, width: f64, column: f64) -> Diagnostic {
+pub fn width_column(
+    span: Span,
+    code: &str,
+    width: f64,
+    column: f64,
+    own: Option<Span>,
+) -> Diagnostic {
     let (code, width, column) = (quote(code), short(width), short(column));
     let message = text!(
         "{code} is {width} U wide, but its fifth column says {column}",
         "{code} の幅は {width} U ですが、五桁目は {column} を表しています"
     );
-    Diagnostic::warning(327, span, message).help(text!(
-        "end the code with the width: a blank for 1, `h` for a half, a digit for others; or use a name of six letters or more",
-        "コードの最後に幅を書いてください。1 は空白、半分は `h`、そのほかは数字です。六文字以上の名前も使えます"
-    ))
+    let found = Diagnostic::warning(327, span, message).help(text!(
+        "end the code with the width: a blank for 1, `h` for a half, a digit for others; or use a name of six letters or more, or write the width {column}",
+        "コードの最後に幅を書いてください。1 は空白、半分は `h`、そのほかは数字です。六文字以上の名前を使うか、幅を {column} としてもかまいません"
+    ));
+    let title = text!("Write the width {column}", "幅を {column} とする");
+    match own {
+        Some(own) => found.mend(title, own, column),
+        None => found,
+    }
 }
 
-/// A change of something that the base has not.
+/// A change of something that the base has not; `other` = another word in its place would do.
 #[cold]
-pub fn nothing_to_change(span: Span, word: &str, words: &[String]) -> Diagnostic {
+pub fn nothing_to_change(span: Span, word: &str, words: &[String], other: bool) -> Diagnostic {
     let word = quote(word);
     let message = text!(
         "the base has no element {word} here",
         "base のこの位置に {word} という要素はありません"
     );
     let all = all_of(words);
-    Diagnostic::error(328, span, message).help(match words.is_empty() {
+    let few = if other && words.len() <= FEW {
+        words
+    } else {
+        &[]
+    };
+    let found = Diagnostic::error(328, span, message).help(match words.is_empty() {
         true => text!(
             "a part without a base, or with an empty one, has nothing to change: write its elements",
             "base のない部材や中身のない base には変えるものがありません。要素をそのまま書いてください"
         ),
         false => text!([all] "its elements are {all}", "要素は {all} です"),
-    })
+    });
+    offer(found, span, few.iter().map(String::as_str))
 }
 
 /// A part of more shapes than anybody could see.

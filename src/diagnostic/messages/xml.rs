@@ -1,13 +1,19 @@
-//! Messages about the XML form (HSD02xx): its markup in [`markup`] and [`tags`], its elements in [`elements`].
+//! Messages about the XML form (HSD02xx): its markup in [`markup`] and [`tags`], its elements in [`elements`] and [`values`].
 
 mod elements;
 mod language;
 mod markup;
+mod mends;
+mod parameters;
 mod pieces;
 mod tags;
+mod values;
 
 pub use elements::*;
 pub use language::*;
 pub use markup::*;
+pub(super) use mends::offer;
+pub use parameters::*;
 pub use pieces::*;
 pub use tags::*;
+pub use values::*;

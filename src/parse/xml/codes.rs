@@ -117,8 +117,11 @@ impl Reader<'_, '_> {
             match code[0].byte {
                 Some(letter @ (b'L' | b'R' | b'^')) if code.len() == 1 => {
                     let place = text.range(code[0].range.clone());
-                    self.faults
-                        .at(&place, |s| say::control_letter(s, letter as char, turns));
+                    let bear = self.turn.filter(|_| turns);
+                    let bear = bear.map(|at| self.faults.span(&(at..at)));
+                    self.faults.at(&place, |s| {
+                        say::control_letter(s, letter as char, turns, bear)
+                    });
                     let degrees = if letter == b'L' { -90.0 } else { 90.0 };
                     turn =
                         (letter != b'^').then(|| Spanned::new(degrees, self.faults.span(&place)));

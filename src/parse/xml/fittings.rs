@@ -1,5 +1,6 @@
 //! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`: what stands at a house besides walls and roofs.
 
+use super::edits;
 use super::read::{Attributes, Reader};
 use super::schema::{Schema, Tag};
 use super::tree::Element;
@@ -89,8 +90,9 @@ impl<'t> Reader<'t, '_> {
         first: Option<Span>,
     ) {
         if let Some(first) = first {
+            let mends = edits::of_two(self.faults, self.tree, first, element);
             self.faults.at(&element.name_range, |s| {
-                say::second_of(s, schema.name, parent, first)
+                say::second_of(s, schema.name, parent, first, mends)
             });
         }
     }

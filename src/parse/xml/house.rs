@@ -1,5 +1,6 @@
 //! Houses: settings, storeys, loops and rows.
 
+use super::edits;
 use super::facades::KINDS;
 use super::pieces::Line;
 use super::read::{Attributes, Node, Reader};
@@ -39,8 +40,9 @@ impl<'t> Reader<'t, '_> {
                 Tag::Roofs => {
                     let read = self.roofs(schema, child);
                     if let Some(first) = roofs {
+                        let mends = edits::of_two(self.faults, self.tree, first, child);
                         self.faults.at(&child.name_range, |s| {
-                            say::second_of(s, schema.name, element.name, first)
+                            say::second_of(s, schema.name, element.name, first, mends)
                         });
                         house.roofs.lines.extend(read.lines);
                     } else {
@@ -166,6 +168,7 @@ impl<'t> Reader<'t, '_> {
         } else {
             self.number(&of, "turn")
         };
+        self.turn = (!element.bears("turn")).then_some(element.name_range.end);
         let Line { pieces, turn } = self.line(element, schema.content(), true);
         Row {
             span: self.whole(element),

@@ -3,6 +3,7 @@
 
 use super::scan::Scanner;
 use super::tag::{is_blank, is_name};
+use crate::diagnostic::Edit;
 use crate::diagnostic::messages::{file, xml as say};
 use std::ops::Range;
 
@@ -21,13 +22,34 @@ impl Scanner<'_, '_> {
             let rest = &inner[target.len()..];
             let sound = target == "xml" && is_declaration(rest);
             if whole.start > 0 || !sound {
-                self.faults.at(&whole, |s| say::bad_declaration(s, sound));
+                let start = self.declared(&whole, sound);
+                self.faults
+                    .at(&whole, |s| say::bad_declaration(s, sound, start));
             }
         } else if !is_name(target) {
             let place = whole.start + 2..(whole.start + 2 + target.len());
             let place = if target.is_empty() { whole } else { place };
             self.faults.at(&place, |s| say::bad_name(s, target));
         }
+    }
+
+    /// What to write at the start of the file in the place of a declaration, if there is none yet.
+    fn declared(&self, whole: &Range<usize>, sound: bool) -> Option<Edit> {
+        const PLAIN: &str = r#"<?xml version="1.0" encoding="UTF-8"?>"#;
+        let declares = |text: &str| text.starts_with("<?xml") && !text.starts_with("<?xml-");
+        if !sound && self.faults.source.encoding() != "UTF-8" {
+            return None;
+        }
+        if whole.start == 0 {
+            return Some(Edit::new(self.faults.span(whole), PLAIN));
+        }
+        let text = if sound {
+            self.faults.quote(whole)
+        } else {
+            PLAIN
+        };
+        let start = self.faults.span(&(0..0));
+        (!declares(self.text)).then(|| Edit::new(start, format!("{text}\n")))
     }
 
     /// Reports characters that XML does not allow, in what is not looked at otherwise.

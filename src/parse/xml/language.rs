@@ -12,6 +12,7 @@
 //! | `storeys` | the number `k`, and repetitions in which it stands |
 //! | `pieces` | `define` and `use` |
 //! | `files` | `include` |
+//! | `mends` | what editors offer to change |
 //!
 //! - A name is known behind its `let` or `Param` in the same element and whatever stands in that; a piece in the whole
 //!   element. `if` and `else` count as what they hold, so that names given in them are known behind them.
@@ -23,6 +24,7 @@ mod braces;
 mod conditions;
 mod draws;
 mod files;
+mod mends;
 mod names;
 mod pieces;
 mod scope;
@@ -306,8 +308,8 @@ impl<'a> Maker<'a, '_> {
             Some(Tag::Let) => self.assign(spot, scope),
             Some(Tag::Define) => {}
             Some(Tag::Use) => self.use_piece(spot, scope, into),
-            Some(Tag::If) => return self.condition(spot, scope, into, Branch::Open),
-            Some(Tag::Else) => return self.condition(spot, scope, into, branch),
+            Some(Tag::If) => return self.condition(spot, parent, scope, into, Branch::Open),
+            Some(Tag::Else) => return self.condition(spot, parent, scope, into, branch),
             Some(Tag::Include) => self.include(spot, scope, into),
             Some(Tag::Repeat) => self.repeat(spot, scope, into),
             Some(Tag::Random) if draws::is_choice(spot) => self.choose(spot, scope, into),

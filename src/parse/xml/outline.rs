@@ -22,6 +22,7 @@ pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> O
     let mut writer = Writer {
         text: source.text(),
         reader: Reader {
+            turn: None,
             tree: &tree,
             faults: &mut faults,
             suggest: Suggest::new(),

@@ -1,11 +1,11 @@
 //! Own parts: `PartDef` with its bodies as they are written. What they mean is the business of the catalogue.
 
+use super::edits;
 use super::read::Reader;
 use super::schema::Schema;
 use super::tag::{Attribute, is_blank};
 use super::tree::{Child, Element};
 use crate::ast::{BodyEntry, PartEntry, Said};
-use crate::diagnostic::messages::xml as say;
 use crate::source::Spanned;
 
 impl<'t> Reader<'t, '_> {
@@ -25,6 +25,7 @@ impl<'t> Reader<'t, '_> {
         of.get("code")?;
         Some(PartEntry {
             span: self.faults.span(&element.name_range),
+            whole: Some(self.faults.with_gap(&element.range)),
             attributes,
             body,
         })
@@ -36,9 +37,7 @@ impl<'t> Reader<'t, '_> {
             match child {
                 Child::Text(text) => {
                     let words = text.as_str().trim_matches(is_blank);
-                    self.faults.at(&text.whole(), |s| {
-                        say::text_not_allowed(s, words, element.name)
-                    });
+                    self.misplaced(&text.whole(), words, element.name);
                 }
                 Child::Element(index) => {
                     let child = &self.tree.elements[*index];
@@ -49,6 +48,7 @@ impl<'t> Reader<'t, '_> {
                             child.name.to_owned(),
                             self.faults.span(&child.name_range),
                         ),
+                        end: edits::end_name(self.faults, child),
                         attributes,
                         children: self.bodies(child),
                     });

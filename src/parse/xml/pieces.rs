@@ -1,5 +1,6 @@
 //! What stands in a wall line: parts, codes, and the operations on them.
 
+use super::edits;
 use super::read::{Attributes, Node, Reader};
 use super::schema::{self, Content, Schema, Tag};
 use super::tag::is_blank;
@@ -34,8 +35,9 @@ impl<'t> Reader<'t, '_> {
                 Node::Element(schema, child) if schema.tag == Tag::Row => {
                     let of = self.attributes(schema, child);
                     if let Some(turn) = of.get("turn") {
-                        let name = turn.name_range.clone();
-                        self.faults.at(&name, say::turn_in_floor);
+                        let whole = self.faults.with_gap(&turn.range);
+                        self.faults
+                            .at(&turn.name_range, |s| say::turn_in_floor(s, whole));
                     }
                     line.pieces
                         .extend(self.line(child, schema.content(), false).pieces);
@@ -109,8 +111,9 @@ impl<'t> Reader<'t, '_> {
             let place = &mut halves[usize::from(schema.tag == Tag::Lower)];
             if let Some(first) = place {
                 let before = first.span;
+                let mends = edits::of_two(self.faults, self.tree, before, child);
                 self.faults.at(&child.name_range, |s| {
-                    say::second_of(s, schema.name, element.name, before)
+                    say::second_of(s, schema.name, element.name, before, mends)
                 });
             } else {
                 *place = Some(half);
@@ -237,8 +240,8 @@ impl<'t> Reader<'t, '_> {
         if weights.value.iter().any(|w| *w > 0.0) {
             return Some(weights);
         }
-        let span = weights.span;
-        self.faults.push(|| say::no_weight(span));
+        let (span, count) = (weights.span, weights.value.len());
+        self.faults.push(|| say::no_weight(span, Some(count)));
         None
     }
 

@@ -1,5 +1,6 @@
 //! What every element's reader shares: its children and attributes, checked against the tables.
 
+use super::edits;
 use super::schema::{self, Content, Kind, Schema, Tag};
 use super::suggest::Suggest;
 use super::tag::{Attribute, is_blank};
@@ -8,13 +9,15 @@ use super::tree::{Child, Element, Tree};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::faults::Faults;
 use crate::source::Span;
-use std::ops::RangeInclusive;
+use std::ops::{Range, RangeInclusive};
 
 /// The state of the second step, from the tree to the document.
 pub(super) struct Reader<'t, 'a> {
     pub(super) tree: &'t Tree<'t>,
     pub(super) faults: &'t mut Faults<'a>,
     pub(super) suggest: Suggest,
+    /// Where the row under way could bear a `turn`, if it bears none.
+    pub(super) turn: Option<usize>,
 }
 
 /// A child that may stand where it stands.
@@ -132,9 +135,7 @@ impl<'t> Reader<'t, '_> {
                     let start = s.len() - s.trim_start_matches(is_blank).len();
                     let end = s.trim_end_matches(is_blank).len();
                     let range = text.range(start..end);
-                    let quoted = &s[start..end];
-                    self.faults
-                        .at(&range, |s| say::text_not_allowed(s, quoted, parent));
+                    self.misplaced(&range, &s[start..end], parent);
                 }
                 Child::Element(index) => {
                     let child = &self.tree.elements[*index];
@@ -142,6 +143,13 @@ impl<'t> Reader<'t, '_> {
                 }
             }
         }
+    }
+
+    /// Reports a text that stands in an element of elements.
+    pub(super) fn misplaced(&mut self, range: &Range<usize>, text: &str, parent: &str) {
+        let written = self.faults.quote(range);
+        self.faults
+            .at(range, |s| say::text_not_allowed(s, text, parent, written));
     }
 
     /// Puts an element among the nodes if it may stand there.
@@ -163,7 +171,8 @@ impl<'t> Reader<'t, '_> {
                     && content.tags.contains(&Tag::Roofs)
                     && !schema.required().any(|name| element.bears(name)) =>
             {
-                self.faults.at(range, say::roof_for_roofs);
+                let tags = edits::tags(self.faults, element);
+                self.faults.at(range, |s| say::roof_for_roofs(s, &tags));
                 nodes.extend(schema::named("Roofs").map(|s| Node::Element(s, element)));
             }
             Some(schema) => {
@@ -186,8 +195,9 @@ impl<'t> Reader<'t, '_> {
         let near = self.suggest.among(element.name, here.map(|e| e.name));
         let near = near.or_else(|| self.suggest.among(element.name, all.map(|e| e.name)));
         if is_name(element.name) {
+            let tags = edits::tags(self.faults, element);
             self.faults.at(&element.name_range, |s| {
-                say::unknown_element(s, element.name, near, parent)
+                say::unknown_element(s, element.name, near, parent, &tags)
             });
         }
         match near.and_then(schema::named) {
@@ -225,14 +235,15 @@ pub(super) fn check<'t>(
         if attribute.is_foreign() {
             continue;
         }
-        if let Some(name) = attribute_name(faults, suggest, schema, attribute) {
+        if let Some(name) = attribute_name(faults, suggest, schema, element, attribute) {
             found.add(faults, name, attribute);
         }
     }
     for required in schema.required() {
         if !found.list.iter().any(|(n, ..)| *n == required) {
             faults.at(&element.name_range, |s| {
-                say::attribute_missing(s, schema.name, required)
+                let words = schema.attribute(required).map_or(&[][..], edits::few_words);
+                say::attribute_missing(s, schema.name, required, words)
             });
         }
     }
@@ -243,6 +254,7 @@ fn attribute_name(
     faults: &mut Faults<'_>,
     suggest: &mut Suggest,
     schema: &'static Schema,
+    element: &Element<'_>,
     attribute: &Attribute<'_>,
 ) -> Option<&'static str> {
     let canonical = schema::canonical(attribute.name);
@@ -256,9 +268,13 @@ fn attribute_name(
         suggest.among(attribute.name, words)
     });
     if !attribute.faulty {
+        let whole = faults.with_gap(&attribute.range);
         faults.at(&attribute.name_range, |s| {
             let known: Vec<&str> = bears.clone().collect();
-            say::unknown_attribute(s, attribute.name, schema.name, near, &known)
+            let is = |near, a: &Attribute<'_>| schema::canonical(a.name) == schema::canonical(near);
+            let near = near.map(|near| (near, element.attributes.iter().any(|a| is(near, a))));
+            let (name, of) = (attribute.name, schema.name);
+            say::unknown_attribute(s, name, of, near, &known, Some(whole))
         });
     }
     let near = schema::canonical(near?);
@@ -272,8 +288,9 @@ impl<'t> Attributes<'t> {
             // Twins of the same spelling were reported by the tree.
             if first.name != attribute.name && !attribute.faulty {
                 let before = faults.span(&first.name_range);
+                let both = [&first.range, &attribute.range].map(|range| faults.with_gap(range));
                 faults.at(&attribute.name_range, |s| {
-                    say::attribute_twice(s, attribute.name, first.name, before)
+                    say::attribute_twice(s, attribute.name, first.name, before, both)
                 });
             }
             return;
@@ -281,7 +298,11 @@ impl<'t> Attributes<'t> {
         let text = attribute.value.as_str();
         let empty = text.trim_matches(is_blank).is_empty() && !void(text);
         if empty && !attribute.faulty {
-            faults.at(&attribute.range, |s| say::value_empty(s, attribute.name));
+            let needed = self.schema.required().any(|required| required == name);
+            let spared = (!needed).then(|| faults.with_gap(&attribute.range));
+            faults.at(&attribute.range, |s| {
+                say::value_empty(s, attribute.name, spared)
+            });
         }
         self.list.push((name, attribute, !empty));
     }

@@ -6,8 +6,9 @@
 //! of their kind was looked for in vain. Whatever is left open ends at the next line that begins with `<`.
 
 use super::tag::{Attribute, is_blank, is_name_start, narrow};
+use super::tree::Habits;
 use crate::diagnostic::messages::xml as say;
-use crate::diagnostic::{Noun, noun};
+use crate::diagnostic::{Edit, Noun, noun};
 use crate::parse::faults::Faults;
 use quick_xml::{Reader, events::Event};
 use std::ops::Range;
@@ -27,6 +28,9 @@ const ENCLOSED: [(&str, Noun, &str); 4] = [
     ),
     ("<!DOCTYPE", noun("", ""), ">"),
 ];
+
+/// Comments that are longer are not mended.
+const LONG: usize = 1 << 16;
 
 /// A piece of the file.
 pub(super) enum Token<'a> {
@@ -62,16 +66,21 @@ pub(super) struct Scanner<'a, 'f> {
     pub(super) faults: &'f mut Faults<'a>,
     pub(super) text: &'a str,
     pub(super) at: usize,
+    pub(super) habits: Habits,
+    /// The element whose start tag is being read.
+    pub(super) element: &'a str,
     /// Which of [`ENCLOSED`] were without an end, so that nobody looks for one again.
     endless: [bool; ENCLOSED.len()],
 }
 
 impl<'a, 'f> Scanner<'a, 'f> {
-    pub(super) fn new(faults: &'f mut Faults<'a>, at: usize) -> Self {
+    pub(super) fn new(faults: &'f mut Faults<'a>, at: usize, habits: Habits) -> Self {
         Scanner {
             text: faults.source.text(),
             faults,
             at,
+            habits,
+            element: "",
             endless: [false; ENCLOSED.len()],
         }
     }
@@ -105,7 +114,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
                 return Some(Token::Verbatim(range));
             }
             Some(Event::Comment(_)) => return self.check_comment(start..self.at),
-            Some(Event::DocType(_)) => return self.refuse(start),
+            Some(Event::DocType(_)) => return self.refuse(start, Some(self.at)),
             Some(Event::PI(_) | Event::Decl(_)) => {
                 self.check_instruction(start..self.at);
                 return None;
@@ -157,7 +166,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         let range = self.at..self.at + c.len_utf8();
         self.at = range.end;
         if let Some(narrow) = narrow(c) {
-            let message = |s| say::full_width_markup(s, c, narrow);
+            let message = |s| say::full_width_markup(s, c, narrow, &[s]);
             self.faults.at(&range, message);
         }
     }
@@ -271,13 +280,17 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.at += stop.map_or(rest.len(), |(i, _)| i);
         if matches!(self.peek(), Some('>' | '＞')) {
             if self.at > junk {
-                self.faults.at(&(junk..self.at), say::junk_in_end_tag);
+                let words = self.faults.quote(&(junk..self.at));
+                self.faults
+                    .at(&(junk..self.at), |s| say::junk_in_end_tag(s, words));
             }
             self.bump();
         } else {
             self.at = name_end;
-            self.faults
-                .at(&(start..name_end), |s| say::tag_not_closed(s, name, true));
+            let end = Edit::new(self.faults.span(&(name_end..name_end)), ">");
+            self.faults.at(&(start..name_end), |s| {
+                say::tag_not_closed(s, name, false, end)
+            });
         }
         let range = start..self.at;
         Some(Token::End(EndTag { name, range }))
@@ -289,27 +302,39 @@ impl<'a, 'f> Scanner<'a, 'f> {
         if let Some((open, what, end)) = kind.filter(|k| !k.1.en.is_empty()) {
             self.at += open.len();
             let range = start..self.at;
-            self.faults.at(&range, |s| say::not_ended(s, *what, end));
-        } else {
-            self.refuse(start);
-            let rest = self.rest();
-            let stop = rest.find(['<', '>']).unwrap_or(rest.len());
-            if rest[stop..].starts_with('>') {
-                self.at += stop + 1;
-                return None;
-            }
+            self.at = self.resumption();
+            let mend = self.ending(range.end..self.at, end);
+            self.faults
+                .at(&range, |s| say::not_ended(s, *what, end, mend));
+            return None;
         }
-        self.at = self.resumption();
+        let rest = self.rest();
+        let stop = rest[1..].find(['<', '>']).map_or(rest.len(), |i| 1 + i);
+        let end = rest[stop..].starts_with('>').then_some(self.at + stop + 1);
+        self.refuse(start, end);
+        self.at = end.unwrap_or_else(|| self.resumption());
         None
     }
 
+    /// How to end what has no end, at the latest where this range does.
+    fn ending(&self, range: Range<usize>, end: &str) -> Edit {
+        let inside = self.text[range.clone()].trim_end_matches(is_blank);
+        // A part of the end may be there: `--` for `-->`.
+        let parts = (1..end.len()).rev().map(|i| end.split_at(i));
+        let part = parts.into_iter().find(|(part, _)| inside.ends_with(part));
+        let at = range.start + inside.len();
+        let text = part.map_or_else(|| format!(" {end}"), |(_, rest)| rest.to_owned());
+        Edit::new(self.faults.span(&(at..at)), text)
+    }
+
     /// Reports `<!DOCTYPE ...>`, whatever it holds.
-    fn refuse(&mut self, start: usize) -> Option<Token<'a>> {
+    fn refuse(&mut self, start: usize, whole: Option<usize>) -> Option<Token<'a>> {
         let word = &self.text[start..];
         let end = word.find(|c| is_blank(c) || c == '>');
         let range = start..start + end.unwrap_or(word.len());
         self.at = self.at.max(range.end);
-        self.faults.at(&range, say::document_type);
+        let whole = whole.map(|end| self.faults.span(&(start..end)));
+        self.faults.at(&range, |s| say::document_type(s, whole));
         None
     }
 
@@ -323,11 +348,52 @@ impl<'a, 'f> Scanner<'a, 'f> {
         let at = from + inside.find("--").or(touching)?;
         if self.text[..at].ends_with("<!") {
             let open = self.faults.span(&(comment.start..from));
-            self.faults
-                .at(&(at - 2..at + 2), |s| say::comment_in_comment(s, open));
+            let within = at - 2;
+            // The first line that begins with markup shows where the comment should have ended.
+            let mut end = from;
+            let mut lines = self.text[from..within].split_inclusive('\n').peekable();
+            while let Some(line) = lines.next() {
+                end += line.len();
+                if lines
+                    .peek()
+                    .is_some_and(|l| l.trim_start().starts_with('<'))
+                {
+                    break;
+                }
+            }
+            let mend = self.ending(from..end, "-->");
+            self.faults.at(&(within..at + 2), |s| {
+                say::comment_in_comment(s, open, mend)
+            });
         } else {
-            self.faults.at(&(at..at + 2), say::dashes_in_comment);
+            let mend = self.undashed(from..to);
+            self.faults
+                .at(&(at..at + 2), |s| say::dashes_in_comment(s, mend));
         }
         None
+    }
+
+    /// What to write in the place of dashes inside a comment: a long one for two, double strokes for a line of them.
+    fn undashed(&self, inside: Range<usize>) -> Vec<Edit> {
+        let text = &self.text[inside.clone()];
+        let (mut edits, mut at) = (vec![], 0);
+        if !self.faults.wanted() || text.len() > LONG {
+            return edits;
+        }
+        while let Some(start) = text[at..].find('-').map(|i| at + i) {
+            let rest = &text[start..];
+            let count = rest.len() - rest.trim_start_matches('-').len();
+            at = start + count;
+            let last = at == text.len();
+            let place = inside.start + start..inside.start + at;
+            let span = self.faults.span(&place);
+            match count {
+                1 if last => edits.push(Edit::new(span.after(), " ")),
+                1 => {}
+                2 => edits.push(Edit::new(span, "—")),
+                _ => edits.push(Edit::new(span, "=".repeat(count))),
+            }
+        }
+        edits
     }
 }

@@ -383,6 +383,11 @@ pub(super) fn canonical(attribute: &str) -> &str {
     }
 }
 
+/// What an element bears by this name.
+fn borne(element: &str, attribute: &str) -> Option<&'static Bears> {
+    named(element)?.attribute(canonical(attribute))
+}
+
 /// The attribute meant by a word that other programs use for it.
 pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
     let counts = ["count", "times", "n", "number", "repeat"];
@@ -404,4 +409,10 @@ pub(super) static HABITS: Habits = Habits {
         !nests.contains(&name) && named(name).is_some()
     },
     known: |name| named(name).is_some(),
+    needs: |element, name| borne(element, name).is_some_and(|a| a.required),
+    switch: |element, name| borne(element, name).is_some_and(|a| a.kind == Kind::YesNo),
+    around: |names| {
+        let fits = |name: &&str| named(name).is_some_and(|s| HOUSES.tags.contains(&s.tag));
+        names.iter().all(fits).then_some("Houses")
+    },
 };

@@ -1,7 +1,10 @@
-//! Tags: those that quick-xml reads and nothing is wrong with, and everything that can be wrong inside `<` and `>`.
+//! Tags: those that quick-xml reads and nothing is wrong with, and everything that can be wrong inside `<` and `>` but
+//! the values of attributes, which are read in [`quotes`](super::quotes).
 
+use super::quotes::closers;
 use super::scan::{EndTag, Scanner, StartTag};
 use super::text::{Run, Text};
+use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::faults::Faults;
 use quick_xml::events::{BytesEnd, BytesStart};
@@ -59,18 +62,8 @@ pub(super) fn narrow(c: char) -> Option<char> {
 }
 
 /// Whether a name ends before it.
-fn ends_name(c: char) -> bool {
+pub(super) fn ends_name(c: char) -> bool {
     is_blank(c) || narrow(c).is_some() || matches!(c, '<' | '>' | '/' | '=' | '"' | '\'')
-}
-
-/// The marks that close what this one opens: any of its kind, since input methods mix them.
-fn closers(open: char) -> &'static [char] {
-    match open {
-        '"' => &['"'],
-        '\'' => &['\''],
-        '“' | '”' | '„' | '＂' => &['”', '“', '＂', '"'],
-        _ => &['’', '‘', '＇', '\''],
-    }
 }
 
 /// Whether XML allows it as a name.
@@ -147,14 +140,13 @@ impl<'a> Scanner<'a, '_> {
         let name = &self.text[name_range.clone()];
         self.check_name(&name_range);
         self.at = name_range.end;
+        self.element = name;
         let mut attributes = vec![];
         let (empty, closed) = match self.attributes(&mut attributes) {
             End::Open => (false, true),
             End::Empty => (true, true),
             End::Missing(slash) => {
-                let range = start..name_range.end;
-                self.faults
-                    .at(&range, |s| say::tag_not_closed(s, name, slash));
+                self.unclosed(start..name_range.end, name, slash);
                 (slash, false)
             }
         };
@@ -167,6 +159,19 @@ impl<'a> Scanner<'a, '_> {
             empty,
             closed,
         }
+    }
+
+    /// Reports a start tag without `>`, which ends here. That of an element that holds nothing should end with `/>`.
+    fn unclosed(&mut self, range: Range<usize>, name: &str, slash: bool) {
+        let end = self.text[..self.at].trim_end_matches(is_blank).len();
+        let end = self.faults.span(&(end..end));
+        let own_end = self.rest().strip_prefix("</");
+        let held = own_end.is_some_and(|rest| rest.starts_with(name));
+        let empty = !slash && !held && (self.habits.leaf)(name);
+        let mark = if empty { "/>" } else { ">" };
+        self.faults.at(&range, |s| {
+            say::tag_not_closed(s, name, slash, Edit::new(end, mark))
+        });
     }
 
     fn attributes(&mut self, list: &mut Vec<Attribute<'a>>) -> End {
@@ -260,32 +265,6 @@ impl<'a> Scanner<'a, '_> {
         }
     }
 
-    /// Reads `=` and a value, or what stands in their place; the range within the quotes, and whether all is there.
-    fn value(&mut self, name: &'a str, place: &Range<usize>) -> (Range<usize>, bool) {
-        self.blanks();
-        let equals = matches!(self.peek(), Some('=' | '＝'));
-        if equals {
-            self.bump();
-            self.blanks();
-        }
-        let quote = self.peek().filter(|c| "\"'“”„＂‘’＇".contains(*c));
-        let value = match (equals, quote) {
-            (true, None) => self.unquoted(name, place),
-            (_, Some(quote)) => {
-                if !equals {
-                    self.faults.at(place, |s| say::equals_missing(s, name));
-                }
-                self.quoted(name, quote)
-            }
-            (false, None) => {
-                self.at = place.end;
-                self.faults.at(place, |s| say::value_missing(s, name));
-                self.at..self.at
-            }
-        };
-        (value, equals && quote.is_some())
-    }
-
     /// Steps over something that cannot begin an attribute.
     fn nameless(&mut self) {
         let start = self.at;
@@ -306,143 +285,6 @@ impl<'a> Scanner<'a, '_> {
         let junk = self.faults.quote(&range);
         self.faults.at(&range, |s| say::stray_in_tag(s, junk));
     }
-
-    /// Reads a value up to its closing quote; the range within the quotes.
-    fn quoted(&mut self, name: &'a str, quote: char) -> Range<usize> {
-        let open = self.at;
-        self.bump();
-        let from = self.at;
-        let limit = self.value_limit(quote);
-        let close = self.text[from..limit]
-            .find(closers(quote))
-            .map(|i| from + i);
-        let end = match close {
-            Some(close) if !self.runs_on(from..close) => {
-                self.at = close;
-                self.bump();
-                close
-            }
-            _ => {
-                let end = self.guess_end(from..close.unwrap_or(limit));
-                if self.at == end {
-                    let head = open..from;
-                    self.faults.at(&head, |s| say::quote_not_closed(s, name));
-                }
-                end
-            }
-        };
-        if let Some(i) = self.text[from..end].find('<') {
-            self.faults
-                .at(&(from + i..from + i + 1), say::less_than_in_value);
-        }
-        from..end
-    }
-
-    /// Where a value that begins here ends at the latest: its closing quote, or a line that begins with `<`.
-    fn value_limit(&self, quote: char) -> usize {
-        let mut line_start = false;
-        for (i, c) in self.rest().char_indices() {
-            let closes = closers(quote).contains(&c);
-            if closes {
-                return self.at + i + c.len_utf8();
-            }
-            match c {
-                '\n' => line_start = true,
-                '<' | '＜' if line_start => return self.at + i,
-                c if !is_blank(c) => line_start = false,
-                _ => {}
-            }
-        }
-        self.text.len()
-    }
-
-    /// Whether the closing quote of a value is really the opening one of the next attribute: ` next=` stands before
-    /// it and no end of a tag or value behind.
-    fn runs_on(&self, value: Range<usize>) -> bool {
-        let Some(before) = self.text[value.clone()]
-            .trim_end()
-            .strip_suffix(['=', '＝'])
-        else {
-            return false;
-        };
-        let before = before.trim_end();
-        let blank = before.rfind(is_blank).map_or(0, |i| i + 1);
-        let after = self.text[value.end..].chars().nth(1);
-        before.contains(is_blank)
-            && before.get(blank..).is_none_or(is_name)
-            && after.is_some_and(|c| !is_blank(c) && !matches!(c, '>' | '/'))
-    }
-
-    /// The likely end of a value whose closing quote is missing; reading goes on behind it.
-    fn guess_end(&mut self, value: Range<usize>) -> usize {
-        let text = &self.text[value.clone()];
-        let line = &text[..text.find('\n').unwrap_or(text.len())];
-        let end = if let Some(close) = line.find(['”', '“', '＂', '’', '＇']) {
-            // The value was closed after all, by a mark that only looks like one.
-            self.at = value.start + close;
-            self.bump();
-            return value.start + close;
-        } else if let Some(tag) = line.find('>') {
-            line[..tag].trim_end_matches('/').len()
-        } else {
-            let mut blanks = line.match_indices(is_blank);
-            blanks
-                .find(|(i, blank)| names_attribute(&line[i + blank.len()..]))
-                .map_or(line.trim_end().len(), |(i, _)| i)
-        };
-        self.at = value.start + end;
-        self.at
-    }
-
-    fn unquoted(&mut self, name: &'a str, place: &Range<usize>) -> Range<usize> {
-        let (start, rest) = (self.at, self.rest());
-        if let Some(inner) = bracketed(rest) {
-            let value = start + inner.start..start + inner.end;
-            let close = self.text[value.end..].chars().next();
-            self.at = value.end + close.map_or(0, char::len_utf8);
-            let text = self.faults.quote(&value);
-            self.faults
-                .at(&(start..self.at), |s| say::value_in_brackets(s, name, text));
-            return value;
-        }
-        let stops = |(i, c): &(usize, char)| match c {
-            '/' | '／' => rest[i + c.len_utf8()..].starts_with(['>', '＞']),
-            c => is_blank(*c) || matches!(c, '<' | '＜' | '>' | '＞'),
-        };
-        let stop = rest.char_indices().find(stops);
-        self.at += stop.map_or(rest.len(), |(i, _)| i);
-        let value = start..self.at;
-        if value.is_empty() {
-            self.faults.at(place, |s| say::value_missing(s, name));
-        } else {
-            let text = self.faults.quote(&value).trim_matches(['"', '\'', '”']);
-            self.faults
-                .at(&value, |s| say::value_not_quoted(s, name, text));
-        }
-        value
-    }
-}
-
-/// The range within the brackets that begin a text, if they are quotation marks of another script and end soon.
-fn bracketed(text: &str) -> Option<Range<usize>> {
-    const PAIRS: [(char, &[char]); 5] = [
-        ('「', &['」']),
-        ('『', &['』']),
-        ('｢', &['｣']),
-        ('«', &['»']),
-        ('〝', &['〟', '〞']),
-    ];
-    let open = text.chars().next()?;
-    let (_, close) = PAIRS.iter().find(|(o, _)| *o == open)?;
-    let from = open.len_utf8();
-    let line = text[from..].split(['\n', '<', '>']).next()?;
-    Some(from..from + line.find(*close)?)
-}
-
-/// Whether a text goes on with `name=`.
-fn names_attribute(text: &str) -> bool {
-    let name = text.find(ends_name).unwrap_or(text.len());
-    is_name(&text[..name]) && text[name..].starts_with(['=', '＝'])
 }
 
 /// Reports attributes of the same name and keeps the first of them.
@@ -450,10 +292,12 @@ fn report_twins(attributes: &mut [Attribute<'_>], faults: &mut Faults<'_>) {
     let mut first = HashMap::new();
     for twin in attributes {
         let (name, span) = (twin.name, faults.span(&twin.name_range));
-        let before = *first.entry(name).or_insert(span);
-        if before != span {
+        let range = twin.range.clone();
+        let (before, whole) = first.entry(name).or_insert((span, range.clone()));
+        if *before != span {
             twin.faulty = true;
-            faults.push(|| say::attribute_twice(span, name, name, before));
+            let both = [faults.with_gap(whole), faults.with_gap(&range)];
+            faults.push(|| say::attribute_twice(span, name, name, *before, both));
         }
     }
 }

@@ -10,6 +10,7 @@ use super::slash::Slashes;
 use super::suggest::alike;
 use super::tag::{Attribute, is_blank};
 use super::text::{Run, Text};
+use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::faults::Faults;
 use crate::source::Span;
@@ -25,6 +26,12 @@ pub(super) struct Habits {
     pub(super) alone: fn(&str) -> bool,
     /// An element of the language.
     pub(super) known: fn(&str) -> bool,
+    /// An element that must bear an attribute.
+    pub(super) needs: fn(&str, &str) -> bool,
+    /// An element and an attribute of it that says yes or no.
+    pub(super) switch: fn(&str, &str) -> bool,
+    /// What holds several elements of these names, if anything does.
+    pub(super) around: fn(&[&str]) -> Option<&'static str>,
 }
 
 /// All elements of a file.
@@ -105,7 +112,7 @@ pub(super) fn read<'a>(
         habits,
         slashes: Slashes::new(),
     };
-    let mut scanner = Scanner::new(faults, at);
+    let mut scanner = Scanner::new(faults, at, habits);
     while let Some(token) = scanner.token() {
         let (at, text) = (scanner.at, scanner.text);
         let faults = &mut *scanner.faults;
@@ -124,6 +131,8 @@ pub(super) fn read<'a>(
 struct Open<'a> {
     name: &'a str,
     name_range: Range<usize>,
+    /// Where its start tag ends.
+    inside: usize,
     /// `None` = nested too deep, or inside such a one: not in the tree.
     element: Option<usize>,
 }
@@ -155,11 +164,17 @@ impl<'a> Builder<'a> {
             let start = range.start + text.len() - text.trim_start_matches(is_blank).len();
             let end = start + text.trim_matches(is_blank).len();
             if start < end {
-                faults.at(&(start..end), say::text_outside);
+                self.outside(start..end, faults);
             } else if !raw {
-                faults.at(&(range.start - 9..range.end + 3), say::text_outside);
+                self.outside(range.start - 9..range.end + 3, faults);
             }
         }
+    }
+
+    /// Reports text that stands in no element.
+    fn outside(&self, range: Range<usize>, faults: &mut Faults<'a>) {
+        let written = faults.quote(&range);
+        faults.at(&range, |s| say::text_outside(s, written));
     }
 
     /// Ends the run of text under way.
@@ -193,13 +208,14 @@ impl<'a> Builder<'a> {
             .strip_prefix("</")
             .is_some_and(|r| r.starts_with(tag.name));
         let empty = tag.empty || (!tag.closed && (self.habits.leaf)(tag.name) && !own_end);
-        let (name, name_range) = (tag.name, tag.name_range.clone());
+        let (name, name_range, inside) = (tag.name, tag.name_range.clone(), tag.range.end);
         let element = place.then(|| self.add(tag));
         if !empty {
             *self.counts.entry(name).or_default() += 1;
             self.open.push(Open {
                 name,
                 name_range,
+                inside,
                 element,
             });
         }
@@ -217,11 +233,7 @@ impl<'a> Builder<'a> {
     /// Whether an element gets a place in the tree; what is wrong with it is reported.
     fn place(&mut self, tag: &StartTag<'a>, faults: &mut Faults<'a>) -> bool {
         let Some(parent) = self.open.last() else {
-            if let Some(first) = self.tree.roots.first() {
-                let first = faults.span(&self.tree.elements[*first].name_range);
-                faults.at(&tag.name_range, |s| say::second_root(s, tag.name, first));
-            }
-            return self.nesting > 0;
+            return self.nesting > 0; // a second one is reported at the end
         };
         let fits = self.open.len() < self.nesting;
         if let (false, Some(parent)) = (fits, parent.element) {
@@ -297,9 +309,16 @@ impl<'a> Builder<'a> {
 
     /// Closes the innermost element where its end tag is missing; `before` = the tag that shows it.
     fn unfinished(&mut self, end: usize, before: Option<(Span, &str)>, faults: &mut Faults<'a>) {
-        if let Some(open) = self.pop(end) {
-            faults.at(&open.name_range, |s| say::not_closed(s, open.name, before));
-        }
+        let Some(open) = self.pop(end) else { return };
+        let leaf = (self.habits.leaf)(open.name);
+        let (at, text) = match faults.wanted() {
+            true => closing(faults.source.text(), &open, end, leaf),
+            false => (end, String::new()),
+        };
+        let mend = Edit::new(faults.span(&(at..at)), text);
+        faults.at(&open.name_range, |s| {
+            say::not_closed(s, open.name, before, mend)
+        });
     }
 
     fn pop(&mut self, end: usize) -> Option<Open<'a>> {
@@ -317,8 +336,67 @@ impl<'a> Builder<'a> {
         while !self.open.is_empty() {
             self.unfinished(end, None, faults);
         }
-        if self.tree.roots.is_empty() {
-            faults.at(&(end..end), say::no_element);
+        match self.tree.roots[..] {
+            [] => faults.at(&(end..end), say::no_element),
+            [_] => {}
+            [first, ..] => self.several(first, faults),
         }
     }
+
+    /// Reports all outermost elements but the first.
+    fn several(&self, first: usize, faults: &mut Faults<'a>) {
+        let roots = self
+            .tree
+            .roots
+            .iter()
+            .map(|root| &self.tree.elements[*root]);
+        let names: Vec<&str> = roots.clone().map(|r| r.name).collect();
+        let start = self.tree.elements[first].range.start;
+        let end = roots.clone().map(|r| r.range.end).max().unwrap_or(start);
+        let edits = (self.habits.around)(&names).map(|name| {
+            let edit = |at: usize, text: String| Edit::new(faults.span(&(at..at)), text);
+            let tags = (format!("<{name}>\n"), format!("\n</{name}>"));
+            vec![edit(start, tags.0), edit(end, tags.1)]
+        });
+        let first = faults.span(&self.tree.elements[first].name_range);
+        for root in roots.skip(1) {
+            faults.at(&root.name_range, |s| {
+                say::second_root(s, root.name, first, edits.clone())
+            });
+        }
+    }
+}
+
+/// Where to close an element without an end tag, before `end`, and how: on the line of what stands before, or on a
+/// line of its own where its content has lines of their own; and that of a leaf right in its start tag.
+fn closing(text: &str, open: &Open<'_>, end: usize, leaf: bool) -> (usize, String) {
+    /// Longer elements have more than one line.
+    const LINE: usize = 1 << 16;
+    let tag = text[..open.inside].trim_end_matches(['>', '＞']);
+    if leaf && tag.len() < open.inside {
+        return (tag.len(), "/".to_owned());
+    }
+    let name = open.name;
+    let before = text[..end].trim_end_matches(is_blank);
+    let gap = &text[before.len()..end];
+    let break_ = match gap.contains("\r\n") {
+        true => "\r\n",
+        false => "\n",
+    };
+    if !gap.contains('\n') && end < text.len() {
+        return (end, format!("</{name}>"));
+    }
+    let start = open.name_range.start;
+    let inside = text[..before.len()].get(start..).unwrap_or_default();
+    if inside.len() < LINE && !inside.contains('\n') {
+        return (before.len(), format!("</{name}>"));
+    }
+    // What stands before the tag on its line, if that is white space.
+    let before_tag = text[..start].trim_end_matches('<');
+    let line = before_tag.trim_end_matches([' ', '\t']);
+    let indent = match line.ends_with('\n') {
+        true => &before_tag[line.len()..],
+        false => "",
+    };
+    (before.len(), format!("{break_}{indent}</{name}>"))
 }

@@ -68,7 +68,8 @@ impl<'t> Reader<'t, '_> {
                         "a whole number from {least} to {most}",
                         "{least} から {most} までの整数"
                     );
-                    say::out_of_range(span, name, text, bounds)
+                    let near = near_whole(text, &range).map(|n| n.to_string());
+                    say::out_of_range(span, name, text, bounds, near.as_deref())
                 });
                 None
             }
@@ -156,7 +157,7 @@ impl<'t> Reader<'t, '_> {
             [one, two] => Some(Spanned::new([one, two], list.span)),
             _ => {
                 self.faults
-                    .push(|| say::not_a_pair(list.span, name, list.value.len()));
+                    .push(|| say::not_a_pair(list.span, name, &list.value));
                 None
             }
         }
@@ -179,7 +180,9 @@ impl<'t> Reader<'t, '_> {
                 "whole numbers from {least} to {most}",
                 "{least} から {most} までの整数"
             );
-            say::out_of_range(pair.span, name, &part.to_string(), bounds)
+            let near = pair.value.map(|n| n.round().clamp(least, most));
+            let near = format!("{} {}", near[0], near[1]);
+            say::out_of_range(pair.span, name, &part.to_string(), bounds, Some(&near))
         });
         None
     }
@@ -265,10 +268,32 @@ impl<'t> Reader<'t, '_> {
                 "a number from {least} to {most}",
                 "{least} から {most} までの数値"
             );
-            say::out_of_range(span, name, text, bounds)
+            let near = near_number(text, value, range);
+            say::out_of_range(span, name, text, bounds, Some(&near))
         });
         None
     }
+}
+
+/// The number within bounds that is nearest to one outside of them; without its sign, if that was the fault.
+fn near_number(text: &str, value: f64, bounds: &RangeInclusive<f64>) -> String {
+    match bounds.contains(&-value) {
+        true => text.trim_start_matches(['+', '-']).to_owned(),
+        false => value.clamp(*bounds.start(), *bounds.end()).to_string(),
+    }
+}
+
+/// The whole number within bounds that is nearest to what is none, or none of those.
+fn near_whole(text: &str, bounds: &RangeInclusive<u64>) -> Option<u64> {
+    let (least, most) = (*bounds.start(), *bounds.end());
+    let value: f64 = text.parse().ok()?;
+    let whole = value.abs().round() as u64; // what is larger becomes the largest
+    let near = if value < 0.0 && whole > most {
+        0
+    } else {
+        whole
+    };
+    Some(near.clamp(least, most))
 }
 
 /// A finite number in the usual form.

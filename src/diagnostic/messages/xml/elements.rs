@@ -1,22 +1,38 @@
 //! Messages about the elements, attributes and codes of the XML form.
 
+use super::mends::{escaped, offer_comment, removing, writing};
 use crate::diagnostic::messages::words::{all_of, any_of, quote};
-use crate::diagnostic::{Diagnostic, Text};
+use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::source::Span;
 use crate::text;
 
-/// Text in an element that holds elements only.
+/// Text in an element that holds elements only; `written` = how it stands in the file.
 #[cold]
-pub fn text_not_allowed(span: Span, text: &str, parent: &str) -> Diagnostic {
+pub fn text_not_allowed(span: Span, text: &str, parent: &str, written: &str) -> Diagnostic {
     let (text, parent) = (quote(text), quote(parent));
     let message = text!(
         "the text {text} has no place in {parent}",
         "{parent} の中に文字 {text} は書けません"
     );
-    Diagnostic::error(209, span, message).help(text!(
+    let found = Diagnostic::error(209, span, message).help(text!(
         "codes belong in `Row`, `Floor`, `upper` or `lower`; make it a comment if it is a remark",
         "部材コードは `Row`、`Floor`、`upper`、`lower` の中に書きます。覚え書きなら注釈にしてください"
-    ))
+    ));
+    offer_comment(found, span, written)
+}
+
+/// The tags of an element, for mends.
+pub struct Tags {
+    /// The names in its start tag and its end tag.
+    pub names: Vec<Span>,
+    /// Both tags, or the only one.
+    pub whole: Vec<Span>,
+}
+
+/// Another name for an element.
+fn renamed(found: Diagnostic, tags: &Tags, name: &str) -> Diagnostic {
+    let edits = tags.names.iter().map(|span| Edit::new(*span, name));
+    found.mend_all(writing(name), edits.collect())
 }
 
 /// A name that the language does not know.
@@ -26,10 +42,12 @@ pub fn unknown_element(
     name: &str,
     near: Option<&str>,
     parent: Option<&str>,
+    tags: &Tags,
 ) -> Diagnostic {
+    let title = removing(name);
     let name = quote(name);
     let message = text!("{name} is no element", "{name} という要素はありません");
-    Diagnostic::error(221, span, message).help(match (near, parent) {
+    let found = Diagnostic::error(221, span, message).help(match (near, parent) {
         (Some(near), _) => text!(
             "write `{near}`; capitals matter",
             "`{near}` と書いてください。大文字と小文字は区別されます"
@@ -42,26 +60,37 @@ pub fn unknown_element(
             "the outermost element is `House`, `Houses` or `Structure`",
             "最も外側の要素は `House`、`Houses`、`Structure` のどれかです"
         ),
-    })
+    });
+    match (near, parent) {
+        (Some(near), _) => renamed(found, tags, near),
+        (None, Some(_)) => {
+            let edits = tags.whole.iter().map(|span| Edit::new(*span, ""));
+            found.mend_all(title, edits.collect())
+        }
+        (None, None) => found,
+    }
 }
 
-/// A name that the element does not bear.
+/// A name that the element does not bear; `whole` = the attribute with the blanks before it, `near` may be borne
+/// already.
 #[cold]
 pub fn unknown_attribute(
     span: Span,
     name: &str,
     element: &str,
-    near: Option<&str>,
+    near: Option<(&str, bool)>,
     known: &[&str],
+    whole: Option<Span>,
 ) -> Diagnostic {
+    let title = removing(name);
     let name = quote(name);
     let message = text!(
         "{name} is no attribute of `{element}`",
         "`{element}` に {name} という属性はありません"
     );
     let all = all_of(known);
-    Diagnostic::error(222, span, message).help(match near {
-        Some(near) => text!("write `{near}`", "`{near}` と書いてください"),
+    let found = Diagnostic::error(222, span, message).help(match near {
+        Some((near, _)) => text!("write `{near}`", "`{near}` と書いてください"),
         None if known.is_empty() => text!(
             "`{element}` bears nothing",
             "`{element}` に属性はありません"
@@ -70,7 +99,12 @@ pub fn unknown_attribute(
             "`{element}` bears {all}",
             "`{element}` の属性は {all} です"
         ),
-    })
+    });
+    match (near, whole) {
+        (Some((near, false)), _) => found.mend(writing(near), span, near),
+        (_, Some(whole)) => found.mend(title, whole, ""),
+        (_, None) => found,
+    }
 }
 
 /// A known element where it has no meaning; `home` says where it has: names in backquotes and "outermost".
@@ -101,73 +135,30 @@ pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> 
 
 /// `Roof` without a rectangle beside the storeys.
 #[cold]
-pub fn roof_for_roofs(span: Span) -> Diagnostic {
+pub fn roof_for_roofs(span: Span, tags: &Tags) -> Diagnostic {
     let message = text!(
         "`Roof` has no place in `House`; the element for all roofs of a house is `Roofs`",
         "`House` の中に `Roof` は書けません。家の屋根全体を表す要素は `Roofs` です"
     );
-    Diagnostic::error(223, span, message).help(text!("write `Roofs`", "`Roofs` と書いてください"))
+    let found = Diagnostic::error(223, span, message)
+        .help(text!("write `Roofs`", "`Roofs` と書いてください"));
+    renamed(found, tags, "Roofs")
 }
 
-/// An attribute that must be there.
+/// An attribute that must be there, with one of `words` if that is all it may say. `span` = the element's name.
 #[cold]
-pub fn attribute_missing(span: Span, element: &str, name: &str) -> Diagnostic {
+pub fn attribute_missing(span: Span, element: &str, name: &str, words: &[&str]) -> Diagnostic {
     let message = text!(
         "`{element}` needs the attribute `{name}`",
         "`{element}` には属性 `{name}` が必要です"
     );
-    Diagnostic::error(224, span, message).help(text!(
+    let found = Diagnostic::error(224, span, message).help(text!(
         "write `<{element} {name}=\"...\">`",
         "`<{element} {name}=\"...\">` と書いてください"
-    ))
-}
-
-/// A value that is no number.
-#[cold]
-pub fn not_a_number(span: Span, name: &str, text: &str, mend: Option<&str>) -> Diagnostic {
-    let (name, text) = (quote(name), quote(text));
-    let message = text!(
-        "{text} is no number for {name}",
-        "{text} は {name} の数値として読めません"
-    );
-    Diagnostic::error(225, span, message).help(match mend.map(quote) {
-        Some(mend) => text!("write {mend}", "{mend} と書いてください"),
-        None => text!(
-            "write plain digits with a point, such as `9.5`, without a unit",
-            "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
-        ),
-    })
-}
-
-/// A number that makes no sense.
-#[cold]
-pub fn out_of_range(span: Span, name: &str, text: &str, bounds: impl Into<Text>) -> Diagnostic {
-    let (name, text, bounds) = (quote(name), quote(text), bounds.into());
-    let message = text!(
-        "{text} is out of range for {name}",
-        "{text} は {name} の範囲を外れています"
-    );
-    Diagnostic::error(226, span, message)
-        .help(text!([bounds] "write {bounds}", "{bounds}を書いてください"))
-}
-
-/// A word that is none of those asked for.
-#[cold]
-pub fn not_a_choice(
-    span: Span,
-    name: &str,
-    text: &str,
-    all: &[&str],
-    near: Option<&str>,
-) -> Diagnostic {
-    let (name, text, all) = (quote(name), quote(text), any_of(all));
-    let message = text!(
-        "{text} is no value of {name}",
-        "{text} は {name} の値になりません"
-    );
-    Diagnostic::error(227, span, message).help(match near {
-        Some(near) => text!("write `{near}`", "`{near}` と書いてください"),
-        None => text!([all] "write {all}", "{all} と書いてください"),
+    ));
+    words.iter().fold(found, |found, word| {
+        let mend = format!("{name}=\"{word}\"");
+        found.mend(writing(&mend), span.after(), format!(" {mend}"))
     })
 }
 
@@ -185,27 +176,42 @@ pub fn child_missing(span: Span, parent: &str, name: &str) -> Diagnostic {
     ))
 }
 
-/// Two of something of which there is one.
+/// Two of something of which there is one; `mends` = how to join them, and how to remove the second.
 #[cold]
-pub fn second_of(span: Span, name: &str, parent: &str, before: Span) -> Diagnostic {
+pub fn second_of(
+    span: Span,
+    name: &str,
+    parent: &str,
+    before: Span,
+    mends: [Option<Vec<Edit>>; 2],
+) -> Diagnostic {
     let parent = quote(parent);
     let message = text!(
         "{parent} has a second `{name}`",
         "{parent} に `{name}` が二つあります"
     );
-    Diagnostic::error(231, span, message)
+    let found = Diagnostic::error(231, span, message)
         .help(text!("join the two", "ひとつにまとめてください"))
-        .label(before, text!("the first is here", "一つ目はここです"))
+        .label(before, text!("the first is here", "一つ目はここです"));
+    let titles = [
+        text!("Join the two", "ひとつにまとめる"),
+        text!("Remove this one", "こちらを削除する"),
+    ];
+    let mends = titles.into_iter().zip(mends);
+    mends.fold(found, |found, (title, edits)| match edits {
+        Some(edits) => found.mend_all(title, edits),
+        None => found,
+    })
 }
 
-/// `L` at the end of a row's text.
+/// `L` at the end of a row's text; `turns` = the row may bear a `turn`, `turn` = where, if it bears none.
 #[cold]
-pub fn control_letter(span: Span, letter: char, turns: bool) -> Diagnostic {
+pub fn control_letter(span: Span, letter: char, turns: bool, turn: Option<Span>) -> Diagnostic {
     let message = text!(
         "the control letter `{letter}` has no meaning in XML; a row turns by `turn`",
         "XML では制御文字 `{letter}` に意味がありません。行は `turn` で曲げます"
     );
-    Diagnostic::error(232, span, message).help(match (letter, turns) {
+    let found = Diagnostic::error(232, span, message).help(match (letter, turns) {
         ('^', _) => text!(
             "remove it and write the next storey as a `Storey` or `Floor` of its own",
             "削除して、次の階を別の `Storey` か `Floor` として書いてください"
@@ -215,7 +221,16 @@ pub fn control_letter(span: Span, letter: char, turns: bool) -> Diagnostic {
             "削除して `<Row turn=\"{letter}\">` と書いてください"
         ),
         (_, false) => angle_turns(),
-    })
+    });
+    let removed = Edit::new(span, "");
+    let mend = format!("turn=\"{letter}\"");
+    match turn.filter(|_| letter != '^') {
+        Some(turn) => {
+            let edits = vec![Edit::new(turn, format!(" {mend}")), removed];
+            found.mend_all(writing(&mend), edits)
+        }
+        None => found.mend_all(removing(&letter.to_string()), vec![removed]),
+    }
 }
 
 /// What turns the walls of facades.
@@ -226,28 +241,37 @@ fn angle_turns() -> Text {
     )
 }
 
-/// `turn` on the base row of a floor.
+/// `turn` on the base row of a floor; `whole` = the attribute with the blanks before it.
 #[cold]
-pub fn turn_in_floor(span: Span) -> Diagnostic {
+pub fn turn_in_floor(span: Span, whole: Span) -> Diagnostic {
     let message = text!(
         "`turn` has no meaning in a `Floor`",
         "`Floor` の中では `turn` に意味がありません"
     );
-    Diagnostic::error(232, span, message).help(angle_turns())
+    Diagnostic::error(232, span, message)
+        .help(angle_turns())
+        .mend(removing("turn"), whole, "")
 }
 
-/// Characters that no code holds.
+/// Characters that no code holds, and those meant instead.
 #[cold]
 pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
+    let mend = escaped(plain);
     if text.starts_with('\u{3000}') {
         let message = text!(
             "a full-width blank stands among the codes",
             "部材コードの並びに全角空白があります"
         );
-        return Diagnostic::error(233, span, message).help(text!(
-            "replace each full-width blank by two blanks",
-            "全角空白ひとつを半角空白二つに置き換えてください"
-        ));
+        return Diagnostic::error(233, span, message)
+            .help(text!(
+                "replace each full-width blank by two blanks",
+                "全角空白ひとつを半角空白二つに置き換えてください"
+            ))
+            .mend(
+                text!("Replace by plain blanks", "半角空白に置き換える"),
+                span,
+                mend,
+            );
     }
     let text = quote(text);
     let message = text!(
@@ -261,11 +285,16 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
             "部材コードは ASCII です。独自の部材は `<Part code=\"...\"/>` で書いてください"
         ))
     } else {
+        let (title, braces) = (writing(plain), plain.contains(['{', '}']));
         let plain = quote(plain);
-        found.help(text!(
+        let found = found.help(text!(
             "replace it by {plain}",
             "{plain} に置き換えてください"
-        ))
+        ));
+        match braces {
+            true => found, // those would begin an expression
+            false => found.mend(title, span, mend),
+        }
     }
 }
 
@@ -276,96 +305,21 @@ pub fn tab_in_codes(span: Span, column: usize, blanks: usize) -> Diagnostic {
         "a tab stands among the codes, in column {column} of this line of codes",
         "この行の{column}桁目、部材コードの並びにタブがあります"
     );
+    let mend = " ".repeat(blanks.min(4096));
     let (plural, next) = (if blanks == 1 { "" } else { "s" }, column + blanks);
-    Diagnostic::error(233, span, message).help(text!(
-        "replace it by {blanks} blank{plural}, so that the next code begins in column {next}",
-        "次の部材コードが{next}桁目から始まるよう、空白{blanks}個に置き換えてください"
-    ))
-}
-
-/// A share above 1.
-#[cold]
-pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
-    let message = text!(
-        "the reflection {given} is read as {given} per cent",
-        "反射率 {given} を {given} パーセントとして読みました"
-    );
-    Diagnostic::warning(234, span, message).help(text!(
-        "write the share of light from 0 to 1: `{share}`",
-        "光の割合を 0 から 1 で `{share}` と書いてください"
-    ))
-}
-
-/// A bad piece of `at`; `read` = what it is taken for.
-#[cold]
-pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagnostic {
-    let text = quote(text);
-    let message = text!("{text} is no position", "{text} は位置になりません");
-    Diagnostic::error(235, span, message).help(match read {
-        Some((first, last)) if first < last => {
+    Diagnostic::error(233, span, message)
+        .help(text!(
+            "replace it by {blanks} blank{plural}, so that the next code begins in column {next}",
+            "次の部材コードが{next}桁目から始まるよう、空白{blanks}個に置き換えてください"
+        ))
+        .mend(
             text!(
-                "write `{first}-{last}`",
-                "`{first}-{last}` と書いてください"
-            )
-        }
-        Some((first, _)) => text!("write `{first}`", "`{first}` と書いてください"),
-        None => text!(
-            "positions count from 1; write for example `2,5-7`",
-            "位置は 1 から数えます。`2,5-7` のように書いてください"
-        ),
-    })
-}
-
-/// An empty value.
-#[cold]
-pub fn value_empty(span: Span, name: &str) -> Diagnostic {
-    let name = quote(name);
-    let message = text!("the value of {name} is empty", "{name} の値が空です");
-    Diagnostic::error(237, span, message).help(text!(
-        "write a value, or remove the attribute",
-        "値を書くか、属性を削除してください"
-    ))
-}
-
-/// A point that is not two numbers.
-#[cold]
-pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
-    let name = quote(name);
-    let message = text!(
-        "{name} takes two numbers, not {count}",
-        "{name} の数値は二つですが、{count}個あります"
-    );
-    Diagnostic::error(238, span, message).help(text!(
-        "write units to the left and units back, such as `4 8`",
-        "`4 8` のように、左へと奥への距離を U で書いてください"
-    ))
-}
-
-/// Neither one number nor two.
-#[cold]
-pub fn not_a_pair(span: Span, name: &str, count: usize) -> Diagnostic {
-    let name = quote(name);
-    let message = text!(
-        "{name} takes one number or two, not {count}",
-        "{name} の数値は一つか二つですが、{count}個あります"
-    );
-    Diagnostic::error(244, span, message).help(text!(
-        "write two numbers, across and in depth, such as `5 2`; one alone stands for both",
-        "`5 2` のように、間口と奥行きの二つを書いてください。一つなら両方を表します"
-    ))
-}
-
-/// Weights that are all nought.
-#[cold]
-pub fn no_weight(span: Span) -> Diagnostic {
-    let message = text!(
-        "all weights are 0, so nothing can be drawn",
-        "重みがすべて 0 なので抽選できません"
-    );
-    Diagnostic::error(239, span, message).help(text!(
-        "give at least one code a weight above 0",
-        "少なくともひとつの部材コードに 0 より大きい重みを付けてください"
-    ))
+                "Replace by {blanks} blank{plural}",
+                "空白{blanks}個に置き換える"
+            ),
+            span,
+            mend,
+        )
 }
 
 /// A `replace` that says neither what nor where.

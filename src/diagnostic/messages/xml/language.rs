@@ -1,14 +1,15 @@
-//! Messages about what is computed in the XML form: expressions, names and parameters. Those about conditions,
-//! pieces and files stand in [`pieces`](super::pieces).
+//! Messages about what is computed in the XML form: expressions and names. Those about parameters stand in
+//! [`parameters`](super::parameters), those about conditions, pieces and files in [`pieces`](super::pieces).
 
-use crate::ast::{Parameter, Value};
+use super::mends::{offer, putting_in, removing};
+use crate::ast::Value;
 use crate::diagnostic::messages::words::quote;
-use crate::diagnostic::{Diagnostic, Noun, Text};
+use crate::diagnostic::{Diagnostic, Edit, Noun, Text};
 use crate::source::Span;
 use crate::text;
 
 /// Names that a help text lists.
-const LISTED: usize = 12;
+pub(super) const LISTED: usize = 12;
 
 /// Known names for a help text.
 pub(super) fn known(words: &[impl AsRef<str>]) -> Text {
@@ -36,37 +37,14 @@ fn found(value: &Value) -> Text {
     }
 }
 
-/// What a parameter may be: "a number from 4 to 14 in steps of 1", "one of lattice, shop".
-pub fn bounds(of: &Parameter) -> Text {
-    if !of.choices.is_empty() {
-        let words: Vec<String> = of.choices.iter().map(Value::to_string).collect();
-        let words = words.join(", ");
-        return text!("one of {words}", "{words} のどれか");
-    }
-    let step = match of.step {
-        Some(step) => text!(" in steps of {step}", "（{step} きざみ）"),
-        None => Text::default(),
-    };
-    match (of.min, of.max, &of.default) {
-        (Some(least), Some(most), _) => text!([step]
-            "a number from {least} to {most}{step}",
-            "{least} から {most} までの数値{step}"
-        ),
-        (Some(least), None, _) => text!([step]
-            "a number from {least} on{step}",
-            "{least} 以上の数値{step}"
-        ),
-        (None, Some(most), _) => text!("a number up to {most}", "{most} 以下の数値"),
-        (None, None, Some(Value::Truth(_))) => text!("`yes` or `no`", "`yes` か `no`"),
-        (None, None, Some(Value::Number(_))) => text!("a number", "数値"),
-        (None, None, Some(Value::Text(_))) => text!("a text", "文字列"),
-        (None, None, None) => text!("any value", "任意の値"),
-    }
-}
-
-/// What stands between braces is no expression.
+/// What stands between braces is no expression; `mend` = what makes it one, where that can be told.
 #[cold]
-pub fn bad_expression(span: Span, wanted: Noun, text: &str) -> Diagnostic {
+pub fn bad_expression(
+    span: Span,
+    wanted: Noun,
+    text: &str,
+    mend: Option<(Text, Vec<Edit>)>,
+) -> Diagnostic {
     let there = match text {
         "" => text!("the end of the expression", "式の終わり"),
         text => quote(text).into(),
@@ -92,25 +70,41 @@ pub fn bad_expression(span: Span, wanted: Noun, text: &str) -> Diagnostic {
             "例: `{{depth - 2}}`、`{{max(1, w / 2)}}`、`{{name = 'shop'}}`"
         ),
     };
-    Diagnostic::error(229, span, message).help(help)
+    let found = Diagnostic::error(229, span, message).help(help);
+    match mend {
+        Some((title, edits)) => found.mend_all(title, edits),
+        None => found,
+    }
 }
 
-/// `{}`.
+/// What a mend of an expression does: it puts in a quote or a parenthesis, or replaces full-width signs.
+pub fn expression_mend(put: Option<char>) -> Text {
+    match put {
+        Some(c) => text!("Put in `{c}`", "`{c}` を入れる"),
+        None => text!("Write half-width signs", "半角に直す"),
+    }
+}
+
+/// `{}`, alone in a value or beside something.
 #[cold]
-pub fn empty_braces(span: Span) -> Diagnostic {
+pub fn empty_braces(span: Span, alone: bool) -> Diagnostic {
     let message = text!(
         "there is no expression between the braces",
         "波括弧の中に式がありません"
     );
-    Diagnostic::error(250, span, message).help(text!(
+    let found = Diagnostic::error(250, span, message).help(text!(
         "write a name or a value between them, or remove them",
         "名前か値を書くか、波括弧を取り除いてください"
-    ))
+    ));
+    match alone {
+        true => found, // nothing would be left
+        false => found.mend(text!("Remove the braces", "波括弧を取り除く"), span, ""),
+    }
 }
 
-/// A brace without its partner.
+/// A brace without its partner, which may belong at `partner`; `plain` = it may stand for itself.
 #[cold]
-pub fn brace_alone(span: Span, opens: bool) -> Diagnostic {
+pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) -> Diagnostic {
     let message = if opens {
         text!(
             "`{{` is not closed on its line",
@@ -130,15 +124,40 @@ pub fn brace_alone(span: Span, opens: bool) -> Diagnostic {
             "取り除くか、式の始まりに `{{` を書いてください"
         )
     };
-    Diagnostic::error(251, span, message).help(text!([mend]
+    let mut found = Diagnostic::error(251, span, message).help(text!([mend]
         "{mend}; a brace itself is written `{{'{{'}}` or `{{'}}'}}`",
         "{mend}。波括弧そのものは `{{'{{'}}` や `{{'}}'}}` と書きます"
-    ))
+    ));
+    let (brace, other, itself) = match opens {
+        true => ("{", "}", "{'{'}"),
+        false => ("}", "{", "{'}'}"),
+    };
+    if let Some(partner) = partner {
+        found = found.mend(putting_in(other), partner, other);
+    }
+    if !opens {
+        found = found.mend(removing(brace), span, "");
+    }
+    if plain {
+        let title = text!(
+            "Write the brace itself: `{itself}`",
+            "波括弧そのものを書く: `{itself}`"
+        );
+        found = found.mend(title, span, itself);
+    }
+    found
 }
 
-/// A name that stands for nothing.
+/// A name that stands for nothing; `compared` = it may be a text.
 #[cold]
-pub fn unknown_name(span: Span, name: &str, near: Option<&str>, names: &[String]) -> Diagnostic {
+pub fn unknown_name(
+    span: Span,
+    name: &str,
+    near: Option<&str>,
+    names: &[String],
+    compared: bool,
+) -> Diagnostic {
+    let quoted = format!("'{name}'");
     let name = quote(name);
     let message = text!(
         "nothing is called {name} here",
@@ -151,10 +170,15 @@ pub fn unknown_name(span: Span, name: &str, near: Option<&str>, names: &[String]
             text!([all] "known here: {all}", "ここで使える名前: {all}")
         }
     };
-    Diagnostic::error(252, span, message).help(text!([here]
+    let found = Diagnostic::error(252, span, message).help(text!([here]
         "{here}; a text stands in quotes: `'...'`",
         "{here}。文字列は引用符で囲みます: `'...'`"
-    ))
+    ));
+    offer(
+        found,
+        span,
+        near.into_iter().chain(compared.then_some(&*quoted)),
+    )
 }
 
 /// A function that there is none of.
@@ -165,13 +189,14 @@ pub fn unknown_function(span: Span, name: &str, near: Option<&str>, all: &[&str]
         "there is no function {name}",
         "{name} という関数はありません"
     );
-    Diagnostic::error(252, span, message).help(match near {
+    let found = Diagnostic::error(252, span, message).help(match near {
         Some(near) => write(near),
         None => {
             let all = known(all);
             text!([all] "the functions are {all}", "関数は {all} です")
         }
-    })
+    });
+    offer(found, span, near)
 }
 
 /// An operand of another type.
@@ -198,16 +223,16 @@ pub fn wrong_type(span: Span, text: &str, wanted: Noun, value: &Value) -> Diagno
     })
 }
 
-/// A test that is neither true nor false.
+/// A test that is neither true nor false; `sound` = it is an expression if braces stand round it.
 #[cold]
-pub fn test_no_truth(span: Span, text: &str, value: &Value) -> Diagnostic {
+pub fn test_no_truth(span: Span, text: &str, value: &Value, sound: bool) -> Diagnostic {
     let is = found(value);
     let message = text!([is]
         "the test is {is}, neither true nor false",
         "条件が{is}で、真でも偽でもありません"
     );
     let plain = text.trim();
-    Diagnostic::error(253, span, message).help(if text.contains('{') {
+    let found = Diagnostic::error(253, span, message).help(if text.contains('{') {
         text!(
             "compare it with something, as in `{{depth > 8}}`",
             "`{{depth > 8}}` のように比較してください"
@@ -217,21 +242,41 @@ pub fn test_no_truth(span: Span, text: &str, value: &Value) -> Diagnostic {
             "an expression stands in braces: `{{{plain}}}`",
             "式は波括弧で囲みます: `{{{plain}}}`"
         )
-    })
+    });
+    let start = Span {
+        end: span.start,
+        ..span
+    };
+    match sound {
+        true => found.mend_all(
+            text!("Put it in braces", "波括弧で囲む"),
+            vec![Edit::new(start, "{"), Edit::new(span.after(), "}")],
+        ),
+        false => found,
+    }
 }
 
 /// `1 / 0`.
 #[cold]
 pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {
+    let start = Span {
+        end: span.start,
+        ..span
+    };
     let text = quote(text);
     let message = text!(
         "a division by {text}, which is 0 here",
         "{text} で割っていますが、ここでは 0 です"
     );
-    Diagnostic::error(254, span, message).help(text!(
-        "divide by `max(1, ...)`, or make it depend on an `if`",
-        "`max(1, ...)` で割るか、`if` で場合を分けてください"
-    ))
+    Diagnostic::error(254, span, message)
+        .help(text!(
+            "divide by `max(1, ...)`, or make it depend on an `if`",
+            "`max(1, ...)` で割るか、`if` で場合を分けてください"
+        ))
+        .mend_all(
+            text!("Divide by 1 at least", "1 以上で割る"),
+            vec![Edit::new(start, "max(1,"), Edit::new(span.after(), ")")],
+        )
 }
 
 /// Beyond the range of numbers.
@@ -250,15 +295,20 @@ pub fn number_too_large(span: Span, text: &str) -> Diagnostic {
 
 /// `clamp(x, 5, 1)`.
 #[cold]
-pub fn clamp_bounds(span: Span) -> Diagnostic {
+pub fn clamp_bounds(span: Span, swapped: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
         "the least value of this `clamp` is above its greatest",
         "この `clamp` の下限が上限より大きくなっています"
     );
-    Diagnostic::error(254, span, message).help(text!(
+    let found = Diagnostic::error(254, span, message).help(text!(
         "write `clamp(value, least, greatest)`",
         "`clamp(値, 下限, 上限)` の順に書いてください"
-    ))
+    ));
+    let title = text!("Swap the two", "二つを入れ替える");
+    match swapped {
+        Some(edits) => found.mend_all(title, edits),
+        None => found,
+    }
 }
 
 /// A function with too many or too few arguments.
@@ -292,7 +342,8 @@ pub fn no_storey(span: Span) -> Diagnostic {
 pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
     let name = quote(name);
     let message = text!("{name} cannot be a name", "{name} は名前になりません");
-    Diagnostic::error(257, span, message).help(match plain {
+    let offered = Some(plain).filter(|plain| !plain.is_empty());
+    let found = Diagnostic::error(257, span, message).help(match plain {
         "" => text!(
             "a name is a letter, then letters, digits and `_`",
             "名前は文字で始め、文字、数字、`_` を続けます"
@@ -301,163 +352,60 @@ pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
             let mend = write(plain);
             text!([mend] "{mend}: letters, digits and `_`", "{mend}（文字、数字、`_`）")
         }
-    })
+    });
+    offer(found, span, offered)
 }
 
-/// The same name twice in one element.
+/// The same name twice in one element; `free` = another one that nobody has.
 #[cold]
-pub fn named_twice(span: Span, name: &str, before: Span) -> Diagnostic {
+pub fn named_twice(span: Span, name: &str, before: Span, free: &str) -> Diagnostic {
     let name = quote(name);
     let message = text!(
         "{name} is given a second time in the same element",
         "同じ要素の中で {name} が二度定められています"
     );
-    Diagnostic::error(258, span, message)
+    let found = Diagnostic::error(258, span, message)
         .help(text!(
             "take another name; the first one counts",
             "別の名前にしてください。最初のものが有効です"
         ))
-        .label(before, text!("the first is here", "最初のものはここです"))
+        .label(before, text!("the first is here", "最初のものはここです"));
+    offer(found, span, [free])
 }
 
-/// A default that the parameter's own bounds exclude.
+/// Something beside the `choice`s of a `random`; `mend` makes one of it.
 #[cold]
-pub fn default_out_of_range(span: Span, value: &Value, of: &Parameter) -> Diagnostic {
-    let (value, name) = (quote(&value.to_string()), quote(&of.name));
-    let message = text!(
-        "the default {value} is not what {name} may be",
-        "既定値 {value} は {name} の取りうる値ではありません"
-    );
-    let bounds = bounds(of);
-    Diagnostic::error(259, span, message)
-        .help(text!([bounds] "write {bounds}", "{bounds}を書いてください"))
-}
-
-/// A value that the parameter's bounds exclude.
-#[cold]
-pub fn value_out_of_range(span: Span, value: &Value, of: &Parameter, place: Span) -> Diagnostic {
-    let (value, name) = (quote(&value.to_string()), quote(&of.name));
-    let message = text!(
-        "{value} is not what the parameter {name} may be",
-        "{value} は変数 {name} の取りうる値ではありません"
-    );
-    let bounds = bounds(of);
-    let found = Diagnostic::error(259, span, message).help(text!([bounds]
-        "give {name} {bounds}",
-        "{name} には{bounds}を与えてください"
-    ));
-    if span == place {
-        return found;
-    }
-    found.label(
-        place,
-        text!("the parameter is here", "変数はここで宣言されています"),
-    )
-}
-
-/// A parameter that is to be drawn, but from what?
-#[cold]
-pub fn nothing_to_draw(span: Span, name: &str) -> Diagnostic {
-    let name = quote(name);
-    let message = text!(
-        "{name} is to be drawn, but its values cannot be told",
-        "{name} は抽選しますが、取りうる値がわかりません"
-    );
-    Diagnostic::error(275, span, message).help(text!(
-        "list them by `choices`, or give `min` and `max`, and best a `step`",
-        "`choices` に並べるか、`min` と `max`（できれば `step` も）を書いてください"
-    ))
-}
-
-/// Something beside the `choice`s of a `random`.
-#[cold]
-pub fn beside_choices(span: Span) -> Diagnostic {
+pub fn beside_choices(span: Span, mend: Vec<Edit>) -> Diagnostic {
     let message = text!(
         "a `random` with choices holds nothing else",
         "`choice` のある `random` には、ほかのものを書けません"
     );
-    Diagnostic::error(276, span, message).help(text!(
-        "write it into a `choice`, or outside of the `random`",
-        "`choice` の中か、`random` の外に書いてください"
-    ))
+    Diagnostic::error(276, span, message)
+        .help(text!(
+            "write it into a `choice`, or outside of the `random`",
+            "`choice` の中か、`random` の外に書いてください"
+        ))
+        .mend_all(
+            text!("Put it into a `choice`", "`choice` の中に入れる"),
+            mend,
+        )
 }
 
-/// An attribute of a `random` that chooses among pieces.
+/// An attribute of a `random` that chooses among pieces; `whole` = with its value and the blanks before it.
 #[cold]
-pub fn attribute_beside_choices(span: Span, name: &str) -> Diagnostic {
+pub fn attribute_beside_choices(span: Span, name: &str, whole: Span) -> Diagnostic {
+    let title = removing(name);
     let name = quote(name);
     let message = text!(
         "a `random` with choices has no attribute {name}",
         "`choice` のある `random` に属性 {name} は書けません"
     );
-    Diagnostic::error(276, span, message).help(text!(
-        "give each `choice` its `weight`, and what it stands for as its content",
-        "重みはそれぞれの `choice` の `weight` に、選ばれるものはその中に書いてください"
-    ))
-}
-
-/// `--param` with a name that no file has.
-#[cold]
-pub fn no_such_parameter(
-    span: Span,
-    name: &str,
-    near: Option<&str>,
-    all: &[Parameter],
-) -> Diagnostic {
-    let name = quote(name);
-    let message = text!(
-        "there is no parameter {name} to be set",
-        "値を与えるべき変数 {name} がありません"
-    );
-    let listed = all.iter().take(LISTED).map(|of| {
-        let (name, bounds) = (quote(&of.name), bounds(of));
-        text!([bounds] "{name} ({bounds})", "{name}（{bounds}）")
-    });
-    let listed: Vec<Text> = listed.collect();
-    let english: Vec<&str> = listed.iter().map(|t| &*t.en).collect();
-    let japanese: Vec<&str> = listed.iter().map(|t| &*t.ja).collect();
-    let list = match listed.len() {
-        0 => text!(
-            "none; write `<Param name=\"...\" default=\"...\"/>` in `House`",
-            "なし。`House` の中に `<Param name=\"...\" default=\"...\"/>` と書きます"
-        ),
-        _ => Text::both(english.join(", "), japanese.join("、")),
-    };
-    let help = text!([list] "parameters here: {list}", "ここにある変数: {list}");
-    Diagnostic::error(260, span, message).help(match near.map(quote) {
-        Some(near) => text!([help] "set {near}; {help}", "{near} ではありませんか。{help}"),
-        None => help,
-    })
-}
-
-/// A parameter without a value; `place` = where it is declared, if that is elsewhere.
-#[cold]
-pub fn parameter_missing(span: Span, name: &str, place: Option<Span>) -> Diagnostic {
-    let quoted = quote(name);
-    let plain = quoted.replace('`', "");
-    let message = text!(
-        "the parameter {quoted} has no value",
-        "変数 {quoted} に値がありません"
-    );
-    let found = Diagnostic::error(261, span, message);
-    match place {
-        Some(place) => found
-            .help(text!(
-                "write `{plain}=\"...\"` in the `use`, or give it a default",
-                "`use` に `{plain}=\"...\"` と書くか、既定値を与えてください"
-            ))
-            .label(
-                place,
-                text!(
-                    "it is declared here, without a default",
-                    "既定値なしでここに宣言されています"
-                ),
-            ),
-        None => found.help(text!(
-            "write `default=\"...\"`, or set it by `--param {plain}=...`",
-            "`default=\"...\"` を書くか、`--param {plain}=...` で与えてください"
-        )),
-    }
+    Diagnostic::error(276, span, message)
+        .help(text!(
+            "give each `choice` its `weight`, and what it stands for as its content",
+            "重みはそれぞれの `choice` の `weight` に、選ばれるものはその中に書いてください"
+        ))
+        .mend(title, whole, "")
 }
 
 /// A text that grew beyond all measure.

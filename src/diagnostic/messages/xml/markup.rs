@@ -1,7 +1,8 @@
 //! Messages about the markup between the tags: elements that do not close, text, comments, references.
 
+use super::mends::{offer_comment, putting_in, removing, writing};
 use crate::diagnostic::messages::words::{quote, shortened};
-use crate::diagnostic::{Diagnostic, Noun};
+use crate::diagnostic::{Diagnostic, Edit, Noun};
 use crate::source::Span;
 use crate::text;
 
@@ -18,22 +19,26 @@ pub fn nested_too_deep(span: Span, limit: usize) -> Diagnostic {
     ))
 }
 
-/// A comment, text section or processing instruction without its end.
+/// A comment, text section or processing instruction without its end, which may be put in by `mend`.
 #[cold]
-pub fn not_ended(span: Span, what: Noun, end: &str) -> Diagnostic {
+pub fn not_ended(span: Span, what: Noun, end: &str, mend: Edit) -> Diagnostic {
     let message = text!([what] "the {what} has no end", "{what}が終わっていません");
-    Diagnostic::error(203, span, message).help(text!(
-        "write `{end}` where it ends; reading goes on at the next line that begins with `<`",
-        "終わりに `{end}` と書いてください。`<` で始まる次の行から読み続けます"
-    ))
+    Diagnostic::error(203, span, message)
+        .help(text!(
+            "write `{end}` where it ends; reading goes on at the next line that begins with `<`",
+            "終わりに `{end}` と書いてください。`<` で始まる次の行から読み続けます"
+        ))
+        .mend_all(putting_in(end), vec![mend])
 }
 
-/// An element without its end tag; `before` = the tag before which it should stand, and that tag's name.
+/// An element without its end tag, which may be put in by `mend`; `before` = the tag before which it should stand, and
+/// that tag's name.
 #[cold]
-pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>) -> Diagnostic {
+pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, mend: Edit) -> Diagnostic {
     let name = shortened(name);
     let message = text!("`{name}` has no end tag", "`{name}` の終了タグがありません");
-    let found = Diagnostic::error(204, span, message);
+    let title = putting_in(mend.text.trim());
+    let found = Diagnostic::error(204, span, message).mend_all(title, vec![mend]);
     match before {
         Some((place, tag)) => {
             let tag = quote(tag);
@@ -60,6 +65,7 @@ pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>) -> Diagn
 /// `</Rwo>` for `</Row>`.
 #[cold]
 pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnostic {
+    let mend = format!("</{open}>");
     let (name, open) = (shortened(name), shortened(open));
     let message = text!(
         "the end tag `</{name}>` does not match `<{open}>`",
@@ -67,6 +73,7 @@ pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnosti
     );
     Diagnostic::error(205, span, message)
         .help(text!("write `</{open}>`", "`</{open}>` と書いてください"))
+        .mend(writing(&mend), span, mend)
         .label(
             start,
             text!("`{open}` begins here", "`{open}` はここから始まります"),
@@ -76,6 +83,7 @@ pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnosti
 /// `<Row>` for `</Row>`.
 #[cold]
 pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
+    let mend = format!("</{name}>");
     let name = shortened(name);
     let message = text!(
         "`<{name}>` should be `</{name}>`",
@@ -86,6 +94,7 @@ pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
             "write the slash: `</{name}>`",
             "斜線を入れて `</{name}>` と書いてください"
         ))
+        .mend(writing(&mend), span, mend)
         .label(
             start,
             text!(
@@ -103,10 +112,12 @@ pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagno
         "`</{name}>` closes nothing",
         "`</{name}>` に対応する開始タグがありません"
     );
-    let found = Diagnostic::error(206, span, message).help(text!(
-        "remove it, or write `<{name}>` where it should begin",
-        "削除するか、始まる位置に `<{name}>` と書いてください"
-    ));
+    let found = Diagnostic::error(206, span, message)
+        .help(text!(
+            "remove it, or write `<{name}>` where it should begin",
+            "削除するか、始まる位置に `<{name}>` と書いてください"
+        ))
+        .mend(removing(&format!("</{name}>")), span, "");
     match inside {
         Some((open, place)) => {
             let open = quote(open);
@@ -120,15 +131,15 @@ pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagno
     }
 }
 
-/// A second outermost element.
+/// A second outermost element; `around` puts one element round all of them, if that may be.
 #[cold]
-pub fn second_root(span: Span, name: &str, first: Span) -> Diagnostic {
+pub fn second_root(span: Span, name: &str, first: Span, around: Option<Vec<Edit>>) -> Diagnostic {
     let name = quote(name);
     let message = text!(
         "{name} stands behind the end of the outermost element",
         "{name} が最も外側の要素の終わりより後にあります"
     );
-    Diagnostic::error(207, span, message)
+    let found = Diagnostic::error(207, span, message)
         .help(text!(
             "put several houses into one `<Houses>`",
             "何軒かの家はひとつの `<Houses>` の中に書いてください"
@@ -139,30 +150,41 @@ pub fn second_root(span: Span, name: &str, first: Span) -> Diagnostic {
                 "the outermost element is this one",
                 "最も外側の要素はこれです"
             ),
-        )
+        );
+    let title = text!(
+        "Put all of them into `<Houses>`",
+        "全体を `<Houses>` で囲む"
+    );
+    match around {
+        Some(edits) => found.mend_all(title, edits),
+        None => found,
+    }
 }
 
-/// Text before or behind the outermost element.
+/// Text before or behind the outermost element; `written` = it.
 #[cold]
-pub fn text_outside(span: Span) -> Diagnostic {
+pub fn text_outside(span: Span, written: &str) -> Diagnostic {
     let message = text!(
         "text stands outside the outermost element",
         "最も外側の要素の外に文字があります"
     );
-    Diagnostic::error(208, span, message).help(text!(
+    let found = Diagnostic::error(208, span, message).help(text!(
         "remove it, or make it a comment: `<!-- ... -->`",
         "削除するか、`<!-- ... -->` と注釈にしてください"
-    ))
+    ));
+    offer_comment(found, span, written).mend(removing(written), span, "")
 }
 
 /// `a < b` in text.
 #[cold]
 pub fn bare_less_than(span: Span) -> Diagnostic {
     let message = text!("`<` begins no tag", "`<` がタグの始まりになっていません");
-    Diagnostic::error(214, span, message).help(text!(
-        "write `&lt;` for the character `<`",
-        "文字としての `<` は `&lt;` と書いてください"
-    ))
+    Diagnostic::error(214, span, message)
+        .help(text!(
+            "write `&lt;` for the character `<`",
+            "文字としての `<` は `&lt;` と書いてください"
+        ))
+        .mend(writing("&lt;"), span, "&lt;")
 }
 
 /// `]]>` in text.
@@ -172,59 +194,123 @@ pub fn stray_cdata_end(span: Span) -> Diagnostic {
         "`]]>` ends no text section",
         "`]]>` に対応する CDATA 区間がありません"
     );
-    Diagnostic::error(214, span, message).help(text!("remove it", "削除してください"))
+    Diagnostic::error(214, span, message)
+        .help(text!("remove it", "削除してください"))
+        .mend(removing("]]>"), span, "")
 }
 
 /// `&` that begins no reference.
 #[cold]
 pub fn bare_ampersand(span: Span) -> Diagnostic {
     let message = text!("`&` stands alone", "`&` が単独で使われています");
-    Diagnostic::error(215, span, message).help(text!(
-        "write `&amp;` for the character `&`",
-        "文字としての `&` は `&amp;` と書いてください"
-    ))
+    Diagnostic::error(215, span, message)
+        .help(text!(
+            "write `&amp;` for the character `&`",
+            "文字としての `&` は `&amp;` と書いてください"
+        ))
+        .mend(writing("&amp;"), span, "&amp;")
 }
+
+/// Characters that other languages give a name to, such as HTML.
+const NAMED: [(&str, &str); 40] = [
+    ("nbsp", " "),
+    ("quot", "&quot;"),
+    ("amp", "&amp;"),
+    ("lt", "&lt;"),
+    ("gt", "&gt;"),
+    ("apos", "&apos;"),
+    ("times", "×"),
+    ("divide", "÷"),
+    ("minus", "−"),
+    ("plusmn", "±"),
+    ("deg", "°"),
+    ("prime", "′"),
+    ("middot", "·"),
+    ("bull", "•"),
+    ("hellip", "…"),
+    ("ndash", "–"),
+    ("mdash", "—"),
+    ("lsquo", "‘"),
+    ("rsquo", "’"),
+    ("ldquo", "“"),
+    ("rdquo", "”"),
+    ("copy", "©"),
+    ("frac12", "½"),
+    ("frac14", "¼"),
+    ("frac34", "¾"),
+    ("sup2", "²"),
+    ("yen", "¥"),
+    ("para", "¶"),
+    ("sect", "§"),
+    ("agrave", "à"),
+    ("aacute", "á"),
+    ("acirc", "â"),
+    ("auml", "ä"),
+    ("ccedil", "ç"),
+    ("egrave", "è"),
+    ("eacute", "é"),
+    ("iuml", "ï"),
+    ("ouml", "ö"),
+    ("uuml", "ü"),
+    ("szlig", "ß"),
+];
 
 /// `&nbsp;` or `&#0;`.
 #[cold]
 pub fn unknown_entity(span: Span, reference: &str) -> Diagnostic {
+    let name = reference.trim_matches(['&', ';']).to_ascii_lowercase();
+    let known = NAMED.iter().find(|(known, _)| *known == name);
     let reference = quote(reference);
     let message = text!(
         "{reference} stands for no character",
         "{reference} が表す文字はありません"
     );
-    Diagnostic::error(216, span, message).help(text!(
+    let found = Diagnostic::error(216, span, message).help(text!(
         "write the character itself; only `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` and numbers such as `&#23478;` are read",
         "文字そのものを書いてください。読めるのは `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` と、`&#23478;` のような番号だけです"
-    ))
+    ));
+    match known {
+        Some((_, " ")) => found.mend(text!("Write a blank", "空白にする"), span, " "),
+        Some((_, character)) => found.mend(writing(character), span, *character),
+        None => found,
+    }
 }
 
-/// A document type or another declaration.
+/// A document type or another declaration; `whole` = all of it, if it has an end.
 #[cold]
-pub fn document_type(span: Span) -> Diagnostic {
+pub fn document_type(span: Span, whole: Option<Span>) -> Diagnostic {
     let message = text!(
         "declarations such as a document type are refused",
         "文書型などの宣言は受け付けません"
     );
-    Diagnostic::error(217, span, message).help(text!(
+    let found = Diagnostic::error(217, span, message).help(text!(
         "remove it: a house needs no document type and no entities",
         "削除してください。家に文書型や実体は要りません"
-    ))
+    ));
+    let title = text!("Remove the declaration", "宣言を削除する");
+    match whole {
+        Some(whole) => found.mend(title, whole, ""),
+        None => found,
+    }
 }
 
-/// `--` in a comment.
+/// `--` in a comment; `mend` replaces all that are in it.
 #[cold]
-pub fn dashes_in_comment(span: Span) -> Diagnostic {
+pub fn dashes_in_comment(span: Span, mend: Vec<Edit>) -> Diagnostic {
     let message = text!("`--` stands in a comment", "注釈の中に `--` があります");
-    Diagnostic::warning(236, span, message).help(text!(
+    let found = Diagnostic::warning(236, span, message).help(text!(
         "use another character: other XML programs refuse the whole file for it",
         "別の文字にしてください。ほかの XML プログラムはファイル全体を拒みます"
-    ))
+    ));
+    match mend.is_empty() {
+        true => found, // too many of them
+        false => found.mend_all(text!("Write other characters", "別の文字にする"), mend),
+    }
 }
 
-/// `<!--` in a comment.
+/// `<!--` in a comment, which began at `open`; `mend` ends that one before.
 #[cold]
-pub fn comment_in_comment(span: Span, open: Span) -> Diagnostic {
+pub fn comment_in_comment(span: Span, open: Span, mend: Edit) -> Diagnostic {
     let message = text!(
         "a comment begins inside a comment",
         "注釈の中で注釈が始まっています"
@@ -241,6 +327,7 @@ pub fn comment_in_comment(span: Span, open: Span) -> Diagnostic {
                 "最初の注釈はここから始まります"
             ),
         )
+        .mend_all(putting_in("-->"), vec![mend])
 }
 
 /// A file of comments only.
@@ -253,9 +340,10 @@ pub fn no_element(span: Span) -> Diagnostic {
     ))
 }
 
-/// `<?xml ...?>` that is not at the start, or says something else than its version, encoding and `standalone`.
+/// `<?xml ...?>` that is not at the start, or says something else than its version, encoding and `standalone`;
+/// `start` = the start of the file, if it may be written there.
 #[cold]
-pub fn bad_declaration(span: Span, sound: bool) -> Diagnostic {
+pub fn bad_declaration(span: Span, sound: bool, start: Option<Edit>) -> Diagnostic {
     let message = match sound {
         true => text!(
             "the XML declaration is not at the start of the file",
@@ -266,8 +354,24 @@ pub fn bad_declaration(span: Span, sound: bool) -> Diagnostic {
             "XML 宣言として正しくありません"
         ),
     };
-    Diagnostic::error(245, span, message).help(text!(
+    let found = Diagnostic::error(245, span, message).help(text!(
         "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` as the very first characters of the file, or remove it",
         "ファイルのいちばん先頭に `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` と書くか、取り除いてください"
-    ))
+    ));
+    let removed = Edit::new(span, "");
+    let found = match start {
+        Some(start) if start.span == span => found.mend_all(
+            text!("Write a proper declaration", "正しい宣言にする"),
+            vec![start],
+        ),
+        Some(start) => found.mend_all(
+            text!("Move it to the start", "先頭に移す"),
+            vec![start, removed.clone()],
+        ),
+        None => found,
+    };
+    found.mend_all(
+        text!("Remove the declaration", "宣言を削除する"),
+        vec![removed],
+    )
 }

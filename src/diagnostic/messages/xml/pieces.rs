@@ -1,8 +1,9 @@
 //! Messages about conditions, named pieces and included files of the XML form.
 
 use super::language::{known, write};
-use crate::diagnostic::Diagnostic;
+use super::mends::{offer, removing};
 use crate::diagnostic::messages::words::quote;
+use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
 use crate::text;
 
@@ -38,17 +39,22 @@ fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
         })
 }
 
-/// `else` that follows no `if`.
+/// `else` that follows no `if`; `mend` puts it behind the one that stands before.
 #[cold]
-pub fn else_without_if(span: Span) -> Diagnostic {
+pub fn else_without_if(span: Span, mend: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
         "`else` does not follow an `if`",
         "`else` の直前に `if` がありません"
     );
-    Diagnostic::error(262, span, message).help(text!(
+    let found = Diagnostic::error(262, span, message).help(text!(
         "put it directly behind the `</if>` that it belongs to",
         "対応する `</if>` のすぐ後に置いてください"
-    ))
+    ));
+    let title = text!("Put it behind the `</if>`", "`</if>` の後に移す");
+    match mend {
+        Some(edits) => found.mend_all(title, edits),
+        None => found,
+    }
 }
 
 /// A piece that nobody defined.
@@ -59,13 +65,14 @@ pub fn unknown_piece(span: Span, name: &str, near: Option<&str>, names: &[String
         "no `define` has the name {name}",
         "{name} という名前の `define` はありません"
     );
-    Diagnostic::error(263, span, message).help(match near {
+    let found = Diagnostic::error(263, span, message).help(match near {
         Some(near) => write(near),
         None => {
             let all = known(names);
             text!([all] "defined here: {all}", "ここで定義されているもの: {all}")
         }
-    })
+    });
+    offer(found, span, near)
 }
 
 /// A piece that would use itself.
@@ -88,7 +95,7 @@ pub fn piece_in_itself(span: Span, chain: &[(String, Span)], place: Span) -> Dia
     marked(found, chain)
 }
 
-/// A parameter that the piece has not.
+/// A parameter that the piece has not; `whole` = what sets it, with the blanks before it.
 #[cold]
 pub fn unknown_parameter(
     span: Span,
@@ -96,32 +103,43 @@ pub fn unknown_parameter(
     piece: &str,
     near: Option<&str>,
     names: &[String],
+    whole: Span,
 ) -> Diagnostic {
+    let title = removing(name);
     let (name, piece) = (quote(name), quote(piece));
     let message = text!(
         "{piece} has no parameter {name}",
         "{piece} に {name} という変数はありません"
     );
-    Diagnostic::error(265, span, message).help(match near {
+    let found = Diagnostic::error(265, span, message).help(match near {
         Some(near) => write(near),
         None => {
             let all = known(names);
             text!([all] "its parameters: {all}", "変数: {all}")
         }
-    })
+    });
+    match near {
+        Some(near) => offer(found, span, [near]),
+        None => found.mend(title, whole, ""),
+    }
 }
 
-/// A `use` that holds something.
+/// A `use` that holds something; `mend` puts that behind it.
 #[cold]
-pub fn use_with_content(span: Span) -> Diagnostic {
+pub fn use_with_content(span: Span, mend: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
         "`use` holds nothing: it stands for what its `define` holds",
         "`use` の中には何も書けません。`define` の中身がその場所に入ります"
     );
-    Diagnostic::error(266, span, message).help(text!(
+    let found = Diagnostic::error(266, span, message).help(text!(
         "end it by `/>`, and put what is in it before or behind it",
         "`/>` で閉じ、中身は前か後ろに移してください"
-    ))
+    ));
+    let title = text!("Put what is in it behind it", "中身を後ろに移す");
+    match mend {
+        Some(edits) => found.mend_all(title, edits),
+        None => found,
+    }
 }
 
 /// A file that cannot be included; `why` in the words of the system.

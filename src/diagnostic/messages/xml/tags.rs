@@ -1,19 +1,20 @@
 //! Messages about the inside of tags: names, attributes, quotes.
 
-use crate::diagnostic::Diagnostic;
+use super::mends::{putting_in, removing, writing};
 use crate::diagnostic::messages::words::{quote, shortened};
+use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
 use crate::text;
 
-/// `<Row` without `>`.
+/// `<Row` without `>`; `end` = what belongs where.
 #[cold]
-pub fn tag_not_closed(span: Span, name: &str, slash: bool) -> Diagnostic {
+pub fn tag_not_closed(span: Span, name: &str, slash: bool, end: Edit) -> Diagnostic {
     let tag = quote(name);
     let message = text!(
         "the tag of {tag} is not closed by `>`",
         "{tag} のタグが `>` で閉じていません"
     );
-    Diagnostic::error(201, span, message).help(if slash {
+    let found = Diagnostic::error(201, span, message).help(if slash {
         text!(
             "write `/>` or `>` behind the last attribute",
             "最後の属性の後に `/>` か `>` と書いてください"
@@ -23,26 +24,35 @@ pub fn tag_not_closed(span: Span, name: &str, slash: bool) -> Diagnostic {
             "write `>` behind the last attribute",
             "最後の属性の後に `>` と書いてください"
         )
-    })
+    });
+    found.mend_all(putting_in(&end.text), vec![end])
 }
 
-/// A value without its second quote.
+/// A value without its second quote, which belongs at `end`.
 #[cold]
-pub fn quote_not_closed(span: Span, name: &str) -> Diagnostic {
+pub fn quote_not_closed(span: Span, name: &str, end: Edit) -> Diagnostic {
     let name = quote(name);
     let message = text!(
         "the value of {name} has no closing quote",
         "{name} の値に終わりの引用符がありません"
     );
-    Diagnostic::error(202, span, message).help(text!(
-        "close it with the same quote that opens it",
-        "始まりと同じ引用符で閉じてください"
-    ))
+    Diagnostic::error(202, span, message)
+        .help(text!(
+            "close it with the same quote that opens it",
+            "始まりと同じ引用符で閉じてください"
+        ))
+        .mend_all(text!("Close the value", "値を閉じる"), vec![end])
 }
 
-/// The same attribute twice.
+/// The same attribute twice; `whole` = both with the blanks before them, the first one first.
 #[cold]
-pub fn attribute_twice(span: Span, name: &str, first: &str, before: Span) -> Diagnostic {
+pub fn attribute_twice(
+    span: Span,
+    name: &str,
+    first: &str,
+    before: Span,
+    whole: [Span; 2],
+) -> Diagnostic {
     let message = if name == first {
         let name = quote(name);
         text!("{name} is given twice", "{name} が二度書かれています")
@@ -58,59 +68,93 @@ pub fn attribute_twice(span: Span, name: &str, first: &str, before: Span) -> Dia
             "どちらか一方を削除してください。先の方を読みます"
         ))
         .label(before, text!("the first is here", "一つ目はここです"))
+        .mend(text!("Remove this one", "こちらを削除する"), whole[1], "")
+        .mend(text!("Remove the first", "一つ目を削除する"), whole[0], "")
 }
 
 /// `turn=L`.
 #[cold]
 pub fn value_not_quoted(span: Span, name: &str, value: &str) -> Diagnostic {
+    let mend = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
     let message = text!(
         "the value of `{name}` has no quotes",
         "`{name}` の値が引用符で囲まれていません"
     );
-    Diagnostic::error(211, span, message).help(text!(
-        "write `{name}=\"{value}\"`",
-        "`{name}=\"{value}\"` と書いてください"
-    ))
+    Diagnostic::error(211, span, message)
+        .help(text!(
+            "write `{name}=\"{value}\"`",
+            "`{name}=\"{value}\"` と書いてください"
+        ))
+        .mend(text!("Put it in quotes", "引用符で囲む"), span, mend)
+}
+
+/// What was written of a value, between quotes.
+fn in_quotes(value: &str) -> String {
+    format!("\"{}\"", value.replace('"', "&quot;"))
 }
 
 /// `name=「裏長屋」`.
 #[cold]
 pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
+    let mend = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
     let message = text!(
         "the value of `{name}` stands in brackets, not in quotes",
         "`{name}` の値が引用符ではなく括弧で囲まれています"
     );
-    Diagnostic::error(211, span, message).help(text!(
-        "replace the brackets by quotes: `{name}=\"{value}\"`",
-        "括弧を引用符に置き換えて `{name}=\"{value}\"` と書いてください"
-    ))
+    Diagnostic::error(211, span, message)
+        .help(text!(
+            "replace the brackets by quotes: `{name}=\"{value}\"`",
+            "括弧を引用符に置き換えて `{name}=\"{value}\"` と書いてください"
+        ))
+        .mend(
+            text!("Replace the brackets by quotes", "括弧を引用符に置き換える"),
+            span,
+            mend,
+        )
 }
 
-/// `<Loop hole>`.
+/// `<Loop hole>`; `whole` = all that is written of it, `switch` = it says yes or no, `spared` = it may be left out, and
+/// this is what goes with it.
 #[cold]
-pub fn value_missing(span: Span, name: &str) -> Diagnostic {
+pub fn value_missing(
+    span: Span,
+    name: &str,
+    whole: Span,
+    switch: bool,
+    spared: Option<Span>,
+) -> Diagnostic {
+    let yes = format!("{name}=\"yes\"");
     let name = shortened(name);
     let message = text!("`{name}` has no value", "`{name}` に値がありません");
-    Diagnostic::error(212, span, message).help(text!(
+    let mut found = Diagnostic::error(212, span, message).help(text!(
         "write `{name}=\"...\"`, or remove it",
         "`{name}=\"...\"` と書くか、削除してください"
-    ))
+    ));
+    if switch {
+        found = found.mend(writing(&yes), whole, yes);
+    }
+    match spared {
+        Some(spared) => found.mend(removing(&name), spared, ""),
+        None => found,
+    }
 }
 
-/// `<Row turn "L">`.
+/// `<Row turn "L">`; `gap` = from the name to the quote.
 #[cold]
-pub fn equals_missing(span: Span, name: &str) -> Diagnostic {
+pub fn equals_missing(span: Span, name: &str, gap: Span) -> Diagnostic {
     let name = quote(name);
     let message = text!(
         "`=` is missing between {name} and its value",
         "{name} と値のあいだに `=` がありません"
     );
-    Diagnostic::error(212, span, message).help(text!(
-        "write `=` between the name and the quote",
-        "名前と引用符のあいだに `=` を書いてください"
-    ))
+    Diagnostic::error(212, span, message)
+        .help(text!(
+            "write `=` between the name and the quote",
+            "名前と引用符のあいだに `=` を書いてください"
+        ))
+        .mend(putting_in("="), gap, "=")
 }
 
 /// `<1st>`.
@@ -137,30 +181,36 @@ pub fn nameless_tag(span: Span) -> Diagnostic {
     ))
 }
 
-/// `name="a<b"`.
+/// `name="a<b"`; `all` = where one stands in the value.
 #[cold]
-pub fn less_than_in_value(span: Span) -> Diagnostic {
+pub fn less_than_in_value(span: Span, all: &[Span]) -> Diagnostic {
     let message = text!(
         "`<` stands in the value of an attribute",
         "属性の値の中に `<` があります"
     );
-    Diagnostic::error(214, span, message).help(text!(
-        "write `&lt;`; or is the closing quote missing before it?",
-        "`&lt;` と書いてください。または、その前の終わりの引用符を忘れていませんか"
-    ))
+    let mends = all.iter().map(|place| Edit::new(*place, "&lt;"));
+    Diagnostic::error(214, span, message)
+        .help(text!(
+            "write `&lt;`; or is the closing quote missing before it?",
+            "`&lt;` と書いてください。または、その前の終わりの引用符を忘れていませんか"
+        ))
+        .mend_all(writing("&lt;"), mends.collect())
 }
 
-/// `＝` in a tag.
+/// `＝` in a tag; `all` = what must be replaced with it, for quotes both.
 #[cold]
-pub fn full_width_markup(span: Span, wide: char, narrow: char) -> Diagnostic {
+pub fn full_width_markup(span: Span, wide: char, narrow: char, all: &[Span]) -> Diagnostic {
     let message = text!(
         "`{wide}` stands in a tag in place of `{narrow}`",
         "タグの中で `{narrow}` の代わりに `{wide}` が使われています"
     );
-    Diagnostic::error(218, span, message).help(text!(
-        "replace it by `{narrow}` (half width, straight)",
-        "半角の `{narrow}` に置き換えてください"
-    ))
+    let mends = all.iter().map(|place| Edit::new(*place, narrow));
+    Diagnostic::error(218, span, message)
+        .help(text!(
+            "replace it by `{narrow}` (half width, straight)",
+            "半角の `{narrow}` に置き換えてください"
+        ))
+        .mend_all(writing(narrow.encode_utf8(&mut [0; 4])), mends.collect())
 }
 
 /// U+3000 in a tag.
@@ -170,37 +220,44 @@ pub fn full_width_blank(span: Span) -> Diagnostic {
         "a full-width blank stands in a tag",
         "タグの中に全角空白があります"
     );
-    Diagnostic::error(218, span, message).help(text!(
-        "replace it by a plain blank",
-        "半角空白に置き換えてください"
-    ))
+    Diagnostic::error(218, span, message)
+        .help(text!(
+            "replace it by a plain blank",
+            "半角空白に置き換えてください"
+        ))
+        .mend(text!("Write a plain blank", "半角空白にする"), span, " ")
 }
 
 /// A quote, `=` or `/` that belongs to no attribute.
 #[cold]
 pub fn stray_in_tag(span: Span, what: &str) -> Diagnostic {
+    let mend = removing(what);
     let what = quote(what);
     let message = text!(
         "{what} belongs to no attribute",
         "{what} はどの属性にも属していません"
     );
-    Diagnostic::error(219, span, message).help(text!(
-        "remove it, or write an attribute as `name=\"value\"`",
-        "削除するか、`name=\"value\"` の形で属性を書いてください"
-    ))
+    Diagnostic::error(219, span, message)
+        .help(text!(
+            "remove it, or write an attribute as `name=\"value\"`",
+            "削除するか、`name=\"value\"` の形で属性を書いてください"
+        ))
+        .mend(mend, span, "")
 }
 
 /// `</Row turn="L">`.
 #[cold]
-pub fn junk_in_end_tag(span: Span) -> Diagnostic {
+pub fn junk_in_end_tag(span: Span, what: &str) -> Diagnostic {
     let message = text!(
         "an end tag holds nothing but the name",
         "終了タグには名前しか書けません"
     );
-    Diagnostic::error(219, span, message).help(text!(
-        "move it into the start tag",
-        "開始タグの中へ移してください"
-    ))
+    Diagnostic::error(219, span, message)
+        .help(text!(
+            "remove it; attributes stand in the start tag",
+            "削除してください。属性は開始タグに書きます"
+        ))
+        .mend(removing(what), span, "")
 }
 
 /// `< Row>`.
@@ -210,7 +267,9 @@ pub fn blank_before_name(span: Span) -> Diagnostic {
         "a blank stands before the name of the element",
         "要素の名前の前に空白があります"
     );
-    Diagnostic::error(219, span, message).help(text!("remove the blank", "空白を削除してください"))
+    Diagnostic::error(219, span, message)
+        .help(text!("remove the blank", "空白を削除してください"))
+        .mend(text!("Remove the blank", "空白を削除する"), span, "")
 }
 
 /// `/ >`.
@@ -220,7 +279,9 @@ pub fn blank_before_closing(span: Span) -> Diagnostic {
         "a blank stands between `/` and `>`",
         "`/` と `>` のあいだに空白があります"
     );
-    Diagnostic::error(219, span, message).help(text!("write `/>`", "`/>` と書いてください"))
+    Diagnostic::error(219, span, message)
+        .help(text!("write `/>`", "`/>` と書いてください"))
+        .mend(writing("/>"), span, "")
 }
 
 /// `a="1"b="2"`.
@@ -232,4 +293,5 @@ pub fn no_blank_between(span: Span) -> Diagnostic {
     );
     Diagnostic::error(219, span, message)
         .help(text!("put a blank here", "ここに空白を入れてください"))
+        .mend(text!("Put in a blank", "空白を入れる"), span, " ")
 }

@@ -2,7 +2,7 @@
 
 use super::super::tag::is_blank;
 use super::super::text::{REPORTED, Text};
-use super::{Maker, Scope};
+use super::{Maker, Scope, mends};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr::{self, Expr, Problem};
@@ -97,7 +97,7 @@ impl<'a> Maker<'a, '_> {
             match segment {
                 Segment::Plain(range) => filled.append(text.part(range)),
                 Segment::Loose(range) => {
-                    self.loose(text, range);
+                    self.loose(text, range, true, scope);
                     sound = false;
                 }
                 Segment::Expression(range) => match self.expression(text, range.clone(), scope) {
@@ -130,7 +130,7 @@ impl<'a> Maker<'a, '_> {
                     }
                 }
                 Segment::Loose(range) => {
-                    self.loose(text, range.clone());
+                    self.loose(text, range.clone(), false, scope);
                     let place = text.range(range);
                     self.add_text(Text::instead(REPORTED.to_string(), place), into);
                 }
@@ -144,11 +144,17 @@ impl<'a> Maker<'a, '_> {
         }
     }
 
-    fn loose(&mut self, text: &Text<'_>, range: Range<usize>) {
+    /// Reports a brace without a partner in a value, or else among codes, where it cannot stand for itself.
+    fn loose(&mut self, text: &Text<'_>, range: Range<usize>, plain: bool, scope: &Scope<'a>) {
         let opens = text.as_str()[range.clone()].starts_with('{');
         let brace = range.start..range.start + 1;
-        self.faults
-            .at(&text.range(brace), |s| say::brace_alone(s, opens));
+        let partner = self.partner(text, range, plain, scope);
+        // A number or a word cannot hold one; what has several words may.
+        let prose = || text.as_str().trim_matches(is_blank).contains(is_blank);
+        let plain = plain && partner.is_none() && self.faults.wanted() && prose();
+        self.faults.at(&text.range(brace), |s| {
+            say::brace_alone(s, opens, partner, plain)
+        });
     }
 
     /// The value of an expression with its braces; `None` where something was reported.
@@ -181,8 +187,10 @@ impl<'a> Maker<'a, '_> {
         };
         let (start, inner) = (range.start + 1, trouble.range);
         let place = text.range(start + inner.start..start + inner.end);
-        let quoted = text.as_str()[start..range.end - 1].get(inner)?;
-        self.trouble(&trouble.problem, &place, quoted, scope);
+        let whole = &text.as_str()[start..range.end - 1];
+        let quoted = whole.get(inner.clone())?;
+        let compared = mends::is_compared(whole, &inner);
+        self.trouble(&trouble.problem, &place, (quoted, compared), scope);
         None
     }
 
@@ -193,7 +201,8 @@ impl<'a> Maker<'a, '_> {
         }
         let inner = &text.as_str()[range.start + 1..range.end - 1];
         let parsed = if inner.chars().all(is_blank) {
-            self.faults.at(&place, say::empty_braces);
+            let alone = text.as_str().trim_matches(is_blank).len() == range.len();
+            self.faults.at(&place, |s| say::empty_braces(s, alone));
             None
         } else {
             let found = expr::parse(inner).map_err(|fault| {
@@ -206,8 +215,10 @@ impl<'a> Maker<'a, '_> {
                     at.end
                 };
                 let place = text.range(start + at.start..start + end);
-                self.faults
-                    .at(&place, |s| say::bad_expression(s, fault.wanted, quoted));
+                let mend = self.mended(text, start..range.end - 1, &at);
+                self.faults.at(&place, |s| {
+                    say::bad_expression(s, fault.wanted, quoted, mend)
+                });
             });
             found.ok().map(Rc::new)
         };
@@ -219,7 +230,7 @@ impl<'a> Maker<'a, '_> {
         &mut self,
         problem: &Problem,
         place: &Range<usize>,
-        quoted: &str,
+        (quoted, compared): (&str, bool),
         scope: &Scope<'a>,
     ) {
         match problem {
@@ -227,8 +238,9 @@ impl<'a> Maker<'a, '_> {
             Problem::Unknown(name) => {
                 let known = self.known(|| scope.names());
                 let near = self.suggest.among(name, known.iter().map(|n| &**n));
-                self.faults
-                    .at(place, |s| say::unknown_name(s, name, near, &known));
+                self.faults.at(place, |s| {
+                    say::unknown_name(s, name, near, &known, compared)
+                });
             }
             Problem::NoFunction(name) => {
                 let near = self.suggest.among(name, expr::FUNCTIONS.iter().copied());
@@ -248,7 +260,10 @@ impl<'a> Maker<'a, '_> {
                 say::wrong_arguments(s, function, *wanted, *found)
             }),
             Problem::Division => self.faults.at(place, |s| say::division_by_zero(s, quoted)),
-            Problem::Bounds => self.faults.at(place, say::clamp_bounds),
+            Problem::Bounds => {
+                let swapped = self.swapped(place);
+                self.faults.at(place, |s| say::clamp_bounds(s, swapped));
+            }
             Problem::Overflow => self.faults.at(place, |s| say::number_too_large(s, quoted)),
             Problem::TooLong => self.faults.at(place, say::value_too_long),
         }

@@ -22,6 +22,7 @@ impl<'a> Maker<'a, '_> {
     pub(super) fn condition(
         &mut self,
         spot: &Spot<'_, 'a>,
+        parent: &Spot<'_, 'a>,
         scope: &Scope<'a>,
         into: usize,
         branch: Branch,
@@ -31,7 +32,9 @@ impl<'a> Maker<'a, '_> {
             return branch;
         };
         if branch == Branch::None {
-            self.faults.at(&element.name_range, say::else_without_if);
+            let mend = self.behind_the_if(spot, parent);
+            self.faults
+                .at(&element.name_range, |s| say::else_without_if(s, mend));
             return Branch::None;
         }
         let of = check(self.faults, &mut self.suggest, schema, element);
@@ -45,8 +48,11 @@ impl<'a> Maker<'a, '_> {
                 Some(Value::Truth(truth)) => truth,
                 Some(found) => {
                     let quoted = test.as_str();
-                    self.faults
-                        .at(&test.whole(), |s| say::test_no_truth(s, quoted, &found));
+                    let worth = self.worth(quoted, scope);
+                    let sound = matches!(worth, Some(Value::Truth(_)));
+                    self.faults.at(&test.whole(), |s| {
+                        say::test_no_truth(s, quoted, &found, sound)
+                    });
                     return Branch::Chosen;
                 }
                 None => return Branch::Chosen,

@@ -152,8 +152,9 @@ impl<'a> Maker<'a, '_> {
     pub(super) fn choose(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let element = spot.element();
         for attribute in element.attributes.iter().filter(|a| !a.is_foreign()) {
+            let whole = self.faults.with_gap(&attribute.range);
             self.faults.at(&attribute.name_range, |s| {
-                say::attribute_beside_choices(s, attribute.name)
+                say::attribute_beside_choices(s, attribute.name, whole)
             });
         }
         let (mut choices, mut sums, mut sum) = (vec![], vec![], 0.0);
@@ -161,13 +162,16 @@ impl<'a> Maker<'a, '_> {
             let child = match child {
                 Child::Element(index) => spot.child(*index),
                 Child::Text(text) => {
-                    self.faults.at(&text.whole(), say::beside_choices);
+                    let mend = self.chosen(&text.whole());
+                    self.faults
+                        .at(&text.whole(), |s| say::beside_choices(s, mend));
                     continue;
                 }
             };
             if child.tag() != Some(Tag::Choice) {
                 let place = child.element().name_range.clone();
-                self.faults.at(&place, say::beside_choices);
+                let mend = self.chosen(&child.element().range);
+                self.faults.at(&place, |s| say::beside_choices(s, mend));
                 continue;
             }
             sum += self.weight(&child, scope);
@@ -177,7 +181,7 @@ impl<'a> Maker<'a, '_> {
         let place = self.open.next();
         if sum <= 0.0 {
             let span = self.faults.span(&element.name_range);
-            self.faults.push(|| say::no_weight(span));
+            self.faults.push(|| say::no_weight(span, None));
             return;
         }
         let chosen = &choices[place.pick(&sums)];
@@ -216,7 +220,8 @@ impl<'a> Maker<'a, '_> {
                 "a number from 0 to 1000000000",
                 "0 から 1000000000 までの数"
             );
-            say::out_of_range(s, "weight", &text, bounds)
+            let near = given.abs().min(1e9).to_string();
+            say::out_of_range(s, "weight", &text, bounds, Some(&near))
         });
         1.0
     }
@@ -266,7 +271,7 @@ impl<'a> Maker<'a, '_> {
             return None;
         }
         if weights.iter().sum::<f64>() <= 0.0 {
-            self.faults.push(|| say::no_weight(span));
+            self.faults.push(|| say::no_weight(span, Some(values)));
             return None;
         }
         Some(weights)

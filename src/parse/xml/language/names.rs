@@ -3,7 +3,7 @@
 use super::super::read::{Attributes, check};
 use super::super::schema::{self, Tag};
 use super::scope::Bound;
-use super::{Maker, Scope, Spot};
+use super::{Maker, Scope, Spot, mends};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr;
@@ -86,11 +86,13 @@ impl<'a> Maker<'a, '_> {
         parameter.value = value.unwrap_or_else(|| drawn.or_else(|| parameter.default.clone()));
         if parameter.value.is_none() && !written && !at_run {
             let span = self.uses.last().map_or(name.span, |u| u.span);
+            let at = self.uses.last().map(|u| (&parameter, u.tag));
             self.faults
-                .push(|| say::parameter_missing(span, &name.value, Some(name.span)));
+                .push(|| say::parameter_missing(span, &name.value, Some(name.span), at));
         } else if parameter.value.is_none() && !written {
+            let at = Some((&parameter, self.faults.span(&element.name_range)));
             self.faults
-                .push(|| say::parameter_missing(name.span, &name.value, None));
+                .push(|| say::parameter_missing(name.span, &name.value, None, at));
         }
         self.bind(&name, parameter.value.clone(), scope);
         if at_run {
@@ -153,8 +155,10 @@ impl<'a> Maker<'a, '_> {
             self.note(place, value);
         }
         if let Some(before) = scope.bind(&name.value, Bound { value, place }) {
-            self.faults
-                .push(|| say::named_twice(place, &name.value, before));
+            self.faults.push(|| {
+                let free = mends::free(&name.value, |n| scope.value(n).is_some());
+                say::named_twice(place, &name.value, before, &free)
+            });
         }
     }
 

@@ -7,7 +7,7 @@ use super::super::tag::Attribute;
 use super::super::tree::{Child, Element};
 use super::names::Given;
 use super::scope::{Frame, Piece};
-use super::{ELEMENT, Maker, Scope, Spot};
+use super::{ELEMENT, Maker, Scope, Spot, mends};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
 use crate::source::{Span, Spanned};
@@ -19,6 +19,8 @@ pub(super) struct Used<'a> {
     name: String,
     piece: Piece<'a>,
     pub(super) span: Span,
+    /// The name of its element.
+    pub(super) tag: Span,
 }
 
 /// What a use sets, by name. `None` = this was reported.
@@ -44,8 +46,10 @@ impl<'a> Maker<'a, '_> {
             place,
         };
         if let Some(before) = scope.define(&name.value, piece) {
-            self.faults
-                .push(|| say::named_twice(place, &name.value, before));
+            self.faults.push(|| {
+                let free = mends::free(&name.value, |n| scope.piece(n).is_some());
+                say::named_twice(place, &name.value, before, &free)
+            });
         }
     }
 
@@ -53,7 +57,9 @@ impl<'a> Maker<'a, '_> {
     pub(super) fn use_piece(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let element = spot.element();
         if let Some(Child::Element(_) | Child::Text(_)) = element.children.first() {
-            self.faults.at(&element.name_range, say::use_with_content);
+            let mend = self.emptied(element);
+            self.faults
+                .at(&element.name_range, |s| say::use_with_content(s, mend));
         }
         let Some(name) = self.piece_name(element, scope) else {
             return;
@@ -82,6 +88,7 @@ impl<'a> Maker<'a, '_> {
             name: name.value.clone(),
             piece,
             span: name.span,
+            tag: self.faults.span(&element.name_range),
         });
         if self.take(ELEMENT, &element.name_range) {
             let frame = Frame::within(&home);
@@ -121,8 +128,9 @@ impl<'a> Maker<'a, '_> {
             let value = match given {
                 Some((_, value)) => value,
                 None if default.as_str().trim().is_empty() => {
-                    self.faults
-                        .push(|| say::parameter_missing(name.span, parameter.name, Some(place)));
+                    self.faults.push(|| {
+                        say::parameter_missing(name.span, parameter.name, Some(place), None)
+                    });
                     None
                 }
                 None => self.value(default, frame),
@@ -150,8 +158,9 @@ impl<'a> Maker<'a, '_> {
         }
         for (unknown, (attribute, _)) in arguments {
             let near = self.suggest.among(&unknown, known.iter().map(|n| &**n));
+            let whole = self.faults.with_gap(&attribute.range);
             self.faults.at(&attribute.name_range, |s| {
-                say::unknown_parameter(s, &unknown, &name.value, near, &known)
+                say::unknown_parameter(s, &unknown, &name.value, near, &known, whole)
             });
         }
     }
@@ -169,7 +178,7 @@ impl<'a> Maker<'a, '_> {
         if text.is_empty() {
             if !name.faulty {
                 self.faults
-                    .at(&name.range, |s| say::value_empty(s, name.name));
+                    .at(&name.range, |s| say::value_empty(s, name.name, None));
             }
             return None;
         }

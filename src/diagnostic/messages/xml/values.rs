@@ -1,0 +1,177 @@
+//! Messages about the values of attributes.
+
+use super::mends::{offer, removing};
+use crate::diagnostic::messages::words::{any_of, quote};
+use crate::diagnostic::{Diagnostic, Text};
+use crate::source::Span;
+use crate::text;
+
+/// Words that are offered one by one; a longer list is no help.
+const FEW: usize = 8;
+
+/// A value that is no number.
+#[cold]
+pub fn not_a_number(span: Span, name: &str, text: &str, mend: Option<&str>) -> Diagnostic {
+    let offered = mend;
+    let (name, text) = (quote(name), quote(text));
+    let message = text!(
+        "{text} is no number for {name}",
+        "{text} は {name} の数値として読めません"
+    );
+    let found = Diagnostic::error(225, span, message).help(match mend.map(quote) {
+        Some(mend) => text!("write {mend}", "{mend} と書いてください"),
+        None => text!(
+            "write plain digits with a point, such as `9.5`, without a unit",
+            "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
+        ),
+    });
+    offer(found, span, offered)
+}
+
+/// A number that makes no sense; `near` = the nearest that does.
+#[cold]
+pub fn out_of_range(
+    span: Span,
+    name: &str,
+    text: &str,
+    bounds: impl Into<Text>,
+    near: Option<&str>,
+) -> Diagnostic {
+    let (name, text, bounds) = (quote(name), quote(text), bounds.into());
+    let message = text!(
+        "{text} is out of range for {name}",
+        "{text} は {name} の範囲を外れています"
+    );
+    let found = Diagnostic::error(226, span, message)
+        .help(text!([bounds] "write {bounds}", "{bounds}を書いてください"));
+    offer(found, span, near)
+}
+
+/// A word that is none of those asked for.
+#[cold]
+pub fn not_a_choice(
+    span: Span,
+    name: &str,
+    text: &str,
+    all: &[&str],
+    near: Option<&str>,
+) -> Diagnostic {
+    let few = if all.len() <= FEW { all } else { &[] };
+    let offered: Vec<&str> = near.map_or(few.to_vec(), |near| vec![near]);
+    let (name, text, all) = (quote(name), quote(text), any_of(all));
+    let message = text!(
+        "{text} is no value of {name}",
+        "{text} は {name} の値になりません"
+    );
+    let found = Diagnostic::error(227, span, message).help(match near {
+        Some(near) => text!("write `{near}`", "`{near}` と書いてください"),
+        None => text!([all] "write {all}", "{all} と書いてください"),
+    });
+    offer(found, span, offered)
+}
+
+/// A share above 1.
+#[cold]
+pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
+    let message = text!(
+        "the reflection {given} is read as {given} per cent",
+        "反射率 {given} を {given} パーセントとして読みました"
+    );
+    let found = Diagnostic::warning(234, span, message).help(text!(
+        "write the share of light from 0 to 1: `{share}`",
+        "光の割合を 0 から 1 で `{share}` と書いてください"
+    ));
+    offer(found, span, [share.to_string().as_str()])
+}
+
+/// A bad piece of `at`; `read` = what it is taken for.
+#[cold]
+pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagnostic {
+    let text = quote(text);
+    let message = text!("{text} is no position", "{text} は位置になりません");
+    let mend = read.map(|(first, last)| match first < last {
+        true => format!("{first}-{last}"),
+        false => first.to_string(),
+    });
+    let found = Diagnostic::error(235, span, message).help(match read {
+        Some((first, last)) if first < last => {
+            text!(
+                "write `{first}-{last}`",
+                "`{first}-{last}` と書いてください"
+            )
+        }
+        Some((first, _)) => text!("write `{first}`", "`{first}` と書いてください"),
+        None => text!(
+            "positions count from 1; write for example `2,5-7`",
+            "位置は 1 から数えます。`2,5-7` のように書いてください"
+        ),
+    });
+    offer(found, span, mend.as_deref())
+}
+
+/// An empty value; `whole` = the attribute with the blanks before it, if it may be left out.
+#[cold]
+pub fn value_empty(span: Span, name: &str, whole: Option<Span>) -> Diagnostic {
+    let title = removing(name);
+    let name = quote(name);
+    let message = text!("the value of {name} is empty", "{name} の値が空です");
+    let found = Diagnostic::error(237, span, message).help(text!(
+        "write a value, or remove the attribute",
+        "値を書くか、属性を削除してください"
+    ));
+    match whole {
+        Some(whole) => found.mend(title, whole, ""),
+        None => found,
+    }
+}
+
+/// A point that is not two numbers.
+#[cold]
+pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
+    let name = quote(name);
+    let message = text!(
+        "{name} takes two numbers, not {count}",
+        "{name} の数値は二つですが、{count}個あります"
+    );
+    Diagnostic::error(238, span, message).help(text!(
+        "write units to the left and units back, such as `4 8`",
+        "`4 8` のように、左へと奥への距離を U で書いてください"
+    ))
+}
+
+/// Neither one number nor two.
+#[cold]
+pub fn not_a_pair(span: Span, name: &str, given: &[f64]) -> Diagnostic {
+    let count = given.len();
+    let name = quote(name);
+    let message = text!(
+        "{name} takes one number or two, not {count}",
+        "{name} の数値は一つか二つですが、{count}個あります"
+    );
+    let found = Diagnostic::error(244, span, message).help(text!(
+        "write two numbers, across and in depth, such as `5 2`; one alone stands for both",
+        "`5 2` のように、間口と奥行きの二つを書いてください。一つなら両方を表します"
+    ));
+    match given {
+        [across, deep, ..] => offer(found, span, [format!("{across} {deep}").as_str()]),
+        _ => found,
+    }
+}
+
+/// Weights that are all nought; `count` = how many are written in the value at that place.
+#[cold]
+pub fn no_weight(span: Span, count: Option<usize>) -> Diagnostic {
+    let message = text!(
+        "all weights are 0, so nothing can be drawn",
+        "重みがすべて 0 なので抽選できません"
+    );
+    let found = Diagnostic::error(239, span, message).help(text!(
+        "give at least one code a weight above 0",
+        "少なくともひとつの部材コードに 0 より大きい重みを付けてください"
+    ));
+    let title = text!("Give all the same weight", "すべて同じ重みにする");
+    match count {
+        Some(count) => found.mend(title, span, vec!["1"; count.min(4096)].join(" ")),
+        None => found,
+    }
+}

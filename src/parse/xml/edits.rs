@@ -1,0 +1,127 @@
+//! What mends change in elements: their tags, attributes, and two of which there should be one.
+
+use super::schema::{Bears, Kind, canonical};
+use super::suggest::alike;
+use super::tag::{Attribute, is_blank};
+use super::tree::{Element, Tree};
+use crate::diagnostic::Edit;
+use crate::diagnostic::messages::xml::Tags;
+use crate::parse::faults::Faults;
+use crate::source::Span;
+use std::ops::Range;
+
+/// Words that a mend offers one by one.
+const FEW: usize = 8;
+
+/// Where the end tag of an element stands, and the name in it.
+fn end_tag(faults: &Faults<'_>, element: &Element<'_>) -> Option<(Range<usize>, Range<usize>)> {
+    /// No end tag is longer.
+    const LONGEST: usize = 256;
+    if element.tag.end >= element.range.end || !faults.wanted() {
+        return None;
+    }
+    let written = faults.quote(&element.range);
+    let tail = written.len().saturating_sub(LONGEST);
+    let at = written.as_bytes()[tail..]
+        .windows(2)
+        .rposition(|w| w == b"</")?
+        + tail;
+    let name = written[at + 2..].strip_suffix('>')?.trim_matches(is_blank);
+    if name != element.name && !alike(name, element.name) {
+        return None; // of another element, since the own one is missing
+    }
+    let start = element.range.start + at;
+    let inside = written[at + 2..].find(name)? + start + 2;
+    Some((start..element.range.end, inside..inside + name.len()))
+}
+
+/// The tags of an element.
+pub(super) fn tags(faults: &Faults<'_>, element: &Element<'_>) -> Tags {
+    let mut tags = Tags {
+        names: vec![faults.span(&element.name_range)],
+        whole: vec![faults.span(&element.tag)],
+    };
+    if let Some((whole, name)) = end_tag(faults, element) {
+        tags.names.push(faults.span(&name));
+        tags.whole.push(faults.span(&whole));
+    }
+    tags
+}
+
+/// Where the name of an element stands in its end tag.
+pub(super) fn end_name(faults: &Faults<'_>, element: &Element<'_>) -> Option<Span> {
+    end_tag(faults, element).map(|(_, name)| faults.span(&name))
+}
+
+/// What an attribute may say, if that is one of a few words.
+pub(super) fn few_words(bears: &Bears) -> &'static [&'static str] {
+    match bears.kind {
+        Kind::YesNo => &["yes", "no"],
+        Kind::Choice(words) if words.len() <= FEW => words,
+        _ => &[],
+    }
+}
+
+/// How to put a second element into the first, and how to leave it out.
+pub(super) fn of_two(
+    faults: &Faults<'_>,
+    tree: &Tree<'_>,
+    first: Span,
+    second: &Element<'_>,
+) -> [Option<Vec<Edit>>; 2] {
+    if !faults.wanted() {
+        return [None, None];
+    }
+    let removed = Edit::new(faults.with_gap(&second.range), "");
+    // Where elements do not stand in their order, since they come from pieces, the search finds none.
+    let before = |e: &Element<'_>| faults.span(&e.name_range).start < first.start;
+    let found = tree.elements.get(tree.elements.partition_point(before));
+    let is_first = |e: &&Element<'_>| {
+        let place = faults.span(&e.name_range);
+        place.file == first.file && place.end <= first.end
+    };
+    let first = found.filter(is_first);
+    let joined = first.and_then(|first| joined(faults, first, second));
+    let joined = joined.map(|edits| edits.into_iter().chain([removed.clone()]).collect());
+    [joined, Some(vec![removed])]
+}
+
+/// Puts the attributes and the content of an element into another one before it, if nothing is said twice then.
+fn joined(faults: &Faults<'_>, first: &Element<'_>, second: &Element<'_>) -> Option<Vec<Edit>> {
+    let bears = |of: &Attribute<'_>| {
+        let mut all = first.attributes.iter();
+        all.any(|a| canonical(a.name) == canonical(of.name))
+    };
+    let apart = faults.span(&first.range).file == faults.span(&second.range).file
+        && first.range.end <= second.range.start
+        && first.name == second.name
+        && !second.attributes.iter().any(bears);
+    if !apart {
+        return None;
+    }
+    let written = |a: &Attribute<'_>| format!(" {}", faults.quote(&a.range));
+    let attributes: String = second.attributes.iter().map(written).collect();
+    let end = end_tag(faults, second).map_or(second.tag.end, |(end, _)| end.start);
+    let content = faults.quote(&(second.tag.end..end.max(second.tag.end)));
+    let content = content.trim_end_matches(is_blank);
+    let start = faults.quote(&first.tag);
+    let mark = if start.ends_with("/>") { 2 } else { 1 };
+    let head = start[..start.len().checked_sub(mark)?].trim_end_matches(is_blank);
+    let head = first.tag.start + head.len()..first.tag.end;
+    let edit = |range: Range<usize>, text: String| Edit::new(faults.span(&range), text);
+    if content.is_empty() {
+        return Some(vec![edit(head.start..head.start, attributes)]);
+    }
+    if mark == 2 {
+        let text = format!("{attributes}>{content}</{}>", first.name);
+        return Some(vec![edit(head, text)]);
+    }
+    let (end, _) = end_tag(faults, first)?;
+    let inside = faults.quote(&(first.tag.end..end.start));
+    let at = first.tag.end + inside.trim_end_matches(is_blank).len();
+    let mut edits = vec![edit(at..at, content.to_owned())];
+    if !attributes.is_empty() {
+        edits.insert(0, edit(head.start..head.start, attributes));
+    }
+    Some(edits)
+}
