@@ -71,6 +71,12 @@ local function text()
   return table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')
 end
 
+-- The range of bytes in a line, as the protocol has it.
+local function place(row, column)
+  vim.api.nvim_win_set_cursor(0, { row, column })
+  return vim.lsp.util.make_position_params(0, client().offset_encoding)
+end
+
 local function write(path, content)
   local file = assert(io.open(path, 'w'))
   file:write(content, '\n')
@@ -153,6 +159,52 @@ local function mends(case)
   end)
 end
 
+local function answers()
+  local hover = vim.inspect(request('textDocument/hover', place(4, #'    <Row>KKS  T')))
+  check(hover:find('格子'), 'the card of TKD has its name: ' .. hover)
+
+  -- Somebody takes the code out and begins it anew.
+  local whole = text()
+  vim.api.nvim_buf_set_lines(0, 3, 4, false, { '    <Row>KKS  TKMRE</Row>' })
+  local list = request('textDocument/completion', place(4, #'    <Row>KKS  TK'))
+  local done = false
+  for _, item in ipairs(list.items or list) do
+    local change = item.textEdit
+    if change and vim.trim(change.newText) == 'TKD 2' then
+      local range = change.range or change.insert
+      vim.lsp.util.apply_text_edits({ { range = range, newText = change.newText } }, vim.api.nvim_get_current_buf(), client().offset_encoding)
+      done = true
+      break
+    end
+  end
+  check(done and text() == whole, 'TKD 2 is completed: ' .. text())
+
+  vim.api.nvim_buf_set_lines(0, 4, 5, false, { '  <Row>KSK  MRE  KSK</Row>' })
+  local edits = request('textDocument/formatting', vim.lsp.util.make_formatting_params())
+  vim.lsp.util.apply_text_edits(edits, vim.api.nvim_get_current_buf(), client().offset_encoding)
+  check(text() == whole, 'the layout is put right: ' .. text())
+end
+
+local function renames()
+  edit(root .. '/examples/param-machiya.hsd')
+  wait('diagnostics', function()
+    return published[uri()]
+  end)
+  local before = text()
+  local row = vim.fn.search('"{frontage}"')
+  local params = place(row, vim.fn.col('.') + 1)
+  params.newName = '間口'
+  local change = request('textDocument/rename', params)
+  local count = published[uri()].count
+  vim.lsp.util.apply_workspace_edit(change, client().offset_encoding)
+  local comment, house = before:match('^(.-)(<House.*)$')
+  check(text() == comment .. house:gsub('%f[%w_]frontage%f[^%w_]', '間口'), 'every use is renamed: ' .. text())
+  wait('diagnostics of the renamed text', function()
+    return published[uri()].count > count and #published[uri()].diagnostics == 0
+  end)
+  check(#vim.diagnostic.get(0) == 0, 'the renamed text is right')
+end
+
 local ok, message = xpcall(function()
   vim.o.swapfile = false
   vim.o.hidden = true
@@ -162,7 +214,11 @@ local ok, message = xpcall(function()
   colours()
   blanks()
   clean_examples()
-  mends(broken[1])
+  for _, case in ipairs(broken) do
+    mends(case)
+  end
+  answers()
+  renames()
 end, debug.traceback)
 local version = vim.version()
 say(('Neovim %d.%d.%d: %s'):format(version.major, version.minor, version.patch, ok and 'well' or message))
