@@ -1,10 +1,11 @@
 // Which colours come from the program. The grammar of the extension knows the form of a text at once, with neighbouring codes in
-// two colours; the program knows what words mean. So only that is taken from it which no grammar can tell: whose a part is,
-// and what a name in an expression is.
+// two colours; the program knows what words mean. So only that is taken from it which no grammar can tell: that nobody knows
+// a part, and what a name in an expression is.
 import { type SemanticTokens, type SemanticTokensLegend } from 'vscode';
 
 const KINDS = new Set(['parameter', 'variable', 'function']);
-const MODIFIERS = ['own', 'unknown'];
+// One's own parts too keep the two colours: without them neighbours could not be told apart.
+const MODIFIERS = ['unknown'];
 /** Numbers that one token takes: lines and columns from the token before, length, kind, modifiers. */
 const STEP = 5;
 
