@@ -123,7 +123,8 @@ fn imports(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     let mut open: Option<Range<usize>> = None;
     for include in includes.map(|e| &e.range) {
         match &mut open {
-            Some(open) if text[open.end..include.start].trim().is_empty() => {
+            // One that was not closed may hold the next.
+            Some(open) if gap(text, open, include).is_some_and(str::is_empty) => {
                 open.end = include.end;
             }
             _ => {
@@ -133,6 +134,11 @@ fn imports(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
         }
     }
     found.extend(open.map(import_fold));
+}
+
+/// What stands between two elements, without white space round it; `None` where the one holds the other.
+fn gap<'t>(text: &'t str, first: &Range<usize>, next: &Range<usize>) -> Option<&'t str> {
+    text.get(first.end..next.start).map(str::trim)
 }
 
 fn import_fold(range: Range<usize>) -> Fold {

@@ -144,19 +144,28 @@ fn ask_everything(client: &mut Client, uri: &str, text: &str, random: &mut Numbe
     );
 }
 
+/// A number of the environment, for longer runs by hand.
+fn number(name: &str, otherwise: usize) -> usize {
+    let given = std::env::var(name).ok().and_then(|n| n.parse().ok());
+    given.unwrap_or(otherwise)
+}
+
 #[test]
 fn diagnostics_are_those_of_check_after_any_edit() {
     let mut paths = texts("examples");
     paths.extend(texts("library"));
-    let mut random = Numbers(20261121);
+    let (edits, mut random) = (
+        number("HSD_EDITS", EDITS),
+        Numbers(number("HSD_SEED", 20261121) as u64),
+    );
     let mut done = 0;
     for (number, encoding) in (0..).zip(["utf-16", "utf-8", "utf-32"].into_iter().cycle()) {
-        if done >= EDITS {
+        if done >= edits {
             break;
         }
         let mut client = Client::start(encoding);
         for path in &paths {
-            if done >= EDITS {
+            if done >= edits {
                 break;
             }
             let start = std::fs::read_to_string(path).expect("is UTF-8");
