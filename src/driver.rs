@@ -158,16 +158,21 @@ pub fn check(
     }
 }
 
-/// Leaves out mends that would put a word in the place of an expression: what is wrong with a computed value is not
-/// mended where that stands.
+/// Leaves out mends that would put a word in the place of an expression, or codes right behind one: what is wrong with a
+/// computed value is not mended where that stands, and blanks that fill a code belong to it.
 fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnostics) {
     let file = |id: FileId| {
         let mut all = sources.iter().copied().chain(included);
         all.find(|source| source.id() == id)
     };
     out.retain_mends(|edit| {
-        let there = file(edit.span.file).and_then(|s| s.text().get(s.text_range(edit.span)));
-        let computed = there.is_some_and(|there| there.contains('{'));
+        let Some(source) = file(edit.span.file) else {
+            return true;
+        };
+        let place = source.text_range(edit.span);
+        let there = source.text().get(place.clone()).unwrap_or_default();
+        let before = source.text().get(..place.start).unwrap_or_default();
+        let computed = there.contains('{') || there.is_empty() && before.ends_with('}');
         !computed || edit.text.is_empty() || edit.text.contains('{')
     });
 }

@@ -1,5 +1,6 @@
-//! Changes of a wall line in the legacy text, for mends. A wall knows no text, but the places of its codes tell enough:
-//! a line of the legacy form ends right behind its last code, five columns wide, or with a letter after that.
+//! Changes of a wall line, for mends. A wall knows no text, but the places of its codes tell enough: a line of the
+//! legacy form ends right behind its last code, five columns wide, or with a letter after that; a row whose codes end
+//! it has only its end tag behind them.
 
 use crate::building::Wall;
 use crate::diagnostic::Edit;
@@ -9,10 +10,15 @@ use crate::source::Span;
 /// Columns, and so bytes, of one code.
 const CELL: u32 = 5;
 
+/// Bytes of the end tag of a row, `</Row>`: more than may stand behind the last code of a line, and less than any other
+/// tag with it.
+const END_TAG: u32 = 6;
+
 /// A wall of one unit, where nobody says which.
 const PLAIN: &str = "KSK  ";
 
-/// The last code of a line and what stands behind it, if the line is one of the legacy text.
+/// The last code of a line and what stands behind it, if that is no more than the letter of a legacy line or the end tag
+/// of a row.
 fn end(wall: &Wall) -> Option<(Span, Span)> {
     let last = wall.units.last()?.span;
     let inside = last.start >= wall.span.start && last.end <= wall.span.end;
@@ -20,11 +26,15 @@ fn end(wall: &Wall) -> Option<(Span, Span)> {
         start: last.end,
         ..wall.span
     };
-    // An element has an end tag behind its codes, which is longer.
     let plain = last.file == rest.file
         && (1..=CELL).contains(&(last.end.saturating_sub(last.start)))
-        && rest.end.saturating_sub(rest.start) <= CELL;
+        && rest.end.saturating_sub(rest.start) <= END_TAG;
     (inside && plain).then_some((last, rest))
+}
+
+/// Whether a row ends behind its codes, and not a line of the legacy text.
+fn is_row(rest: Span) -> bool {
+    rest.end - rest.start == END_TAG
 }
 
 /// The blanks that fill a code up to its five columns.
@@ -35,7 +45,7 @@ fn filling(code: Span) -> String {
 /// Ends a line that has no letter with a turn to the left.
 pub(super) fn turn_left(wall: &Wall) -> Option<Edit> {
     let (last, rest) = end(wall)?;
-    Some(Edit::new(rest, filling(last) + "L"))
+    (!is_row(rest)).then(|| Edit::new(rest, filling(last) + "L"))
 }
 
 /// Takes the letter away that turns to the left.
@@ -62,7 +72,7 @@ pub(super) fn resize(wall: &Wall, by: f64) -> Option<Edit> {
     }
     let whole = (1.0..=1000.0).contains(&by) && (by - by.round()).abs() < SAME;
     let codes = filling(last) + &PLAIN.repeat(by.round() as usize);
-    let codes = match rest.end == rest.start {
+    let codes = match rest.end == rest.start || is_row(rest) {
         true => codes.trim_end().to_owned(),
         false => codes,
     };

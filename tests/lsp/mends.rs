@@ -82,3 +82,23 @@ fn everything_is_mended_at_once() {
     }
     assert!(client.finish());
 }
+
+#[test]
+fn a_wall_that_is_too_short_can_be_made_longer_in_xml() {
+    let uri = "file:///a.hsd";
+    let text = include_str!("../suite/diagnostics/HSD0401_row_short.hsd");
+    let mut client = Client::start("utf-16");
+    client.open(uri, text);
+    let found = client.diagnostics(uri, Some(1));
+    let offered = actions(&mut client, uri, &found[0]["range"], Some("quickfix"));
+    assert_eq!(offered.len(), 2, "{offered:?}");
+    for (version, action) in (2..).zip(&offered) {
+        let mended = done(text, action, "utf-16");
+        client.change(uri, version, json!([{ "text": mended }]));
+        assert!(
+            client.diagnostics(uri, Some(version)).is_empty(),
+            "{mended}"
+        );
+    }
+    assert!(client.finish());
+}
