@@ -1,10 +1,12 @@
-//! The README in its two languages: the same commands, texts and pictures, and a first house that does what it says.
+//! The README and the pages of `grammar/` in their two languages: the same commands, texts, words and pictures, and a
+//! first house that does what it says.
 
 mod support;
 
 use hsd::diagnostic::Code;
+use std::collections::BTreeSet;
 use std::fs;
-use support::{compile, root};
+use support::{assert_none, compile, root};
 
 fn readme(name: &str) -> String {
     fs::read_to_string(root().join(name)).expect("the README is there")
@@ -21,17 +23,130 @@ fn links(text: &str) -> Vec<&str> {
     behind.filter_map(|rest| rest.split(')').next()).collect()
 }
 
+/// The links of a page, those to Japanese pages as if they led to the English ones.
+fn english_links(text: &str) -> Vec<String> {
+    let all = links(text).into_iter();
+    all.map(|link| link.replace(".ja.md", ".md")).collect()
+}
+
+/// What stands between single backticks, names of Japanese pages as those of the English ones.
+fn code(text: &str) -> BTreeSet<String> {
+    let prose: Vec<&str> = text.split("```").step_by(2).collect();
+    let pieces = prose.iter().flat_map(|p| p.split('`').skip(1).step_by(2));
+    pieces.map(|c| c.replace(".ja.md", ".md")).collect()
+}
+
+/// How many lines begin so.
+fn lines(text: &str, start: char) -> usize {
+    text.lines().filter(|l| l.starts_with(start)).count()
+}
+
 #[test]
 fn both_languages_show_the_same() {
     let (english, japanese) = (readme("README.md"), readme("README.ja.md"));
     assert_eq!(fenced(&english), fenced(&japanese));
-    let (mut en, mut ja) = (links(&english), links(&japanese));
-    assert_eq!((en.remove(0), ja.remove(0)), ("README.ja.md", "README.md"));
-    assert_eq!(en, ja);
-    let headings = |text: &str| text.lines().filter(|l| l.starts_with('#')).count();
-    assert_eq!(headings(&english), headings(&japanese));
-    let rows = |text: &str| text.lines().filter(|l| l.starts_with('|')).count();
-    assert_eq!(rows(&english), rows(&japanese));
+    let first = |text: &str| links(text).first().map(|&l| l.to_owned());
+    assert_eq!(first(&english).as_deref(), Some("README.ja.md"));
+    assert_eq!(first(&japanese).as_deref(), Some("README.md"));
+    assert_eq!(english_links(&english), english_links(&japanese));
+    assert_eq!(lines(&english, '#'), lines(&japanese, '#'));
+    assert_eq!(lines(&english, '|'), lines(&japanese, '|'));
+}
+
+/// The names of the pages of `grammar/` that are there in Japanese, without their ends.
+fn pairs() -> Vec<String> {
+    let folder = fs::read_dir(root().join("grammar")).expect("the pages are there");
+    let names = folder.map(|e| {
+        e.expect("an entry")
+            .file_name()
+            .to_string_lossy()
+            .into_owned()
+    });
+    let mut pairs: Vec<String> = names
+        .filter_map(|n| Some(n.strip_suffix(".ja.md")?.to_owned()))
+        .collect();
+    pairs.sort();
+    assert!(pairs.len() > 3, "Japanese pages are looked for in vain");
+    pairs
+}
+
+/// The Japanese overview of the language is a short one, and the tutorial has a test of its own; all others say what
+/// the English pages say.
+#[test]
+fn pages_in_both_languages_show_the_same() {
+    let pairs = pairs();
+    let mut findings = vec![];
+    for name in pairs
+        .iter()
+        .filter(|n| !["README", "tutorial"].contains(&n.as_str()))
+    {
+        let (english, japanese) = (
+            readme(&format!("grammar/{name}.md")),
+            readme(&format!("grammar/{name}.ja.md")),
+        );
+        let mut said = |what: &str, en: String, ja: String| {
+            if en != ja {
+                findings.push(format!("{name}: {what}: {en} | {ja}"));
+            }
+        };
+        let show = |all: &dyn std::fmt::Debug| format!("{all:?}");
+        said("fences", show(&fenced(&english)), show(&fenced(&japanese)));
+        let (en, ja) = (english_links(&english), english_links(&japanese));
+        said("first link", show(&en.first()), show(&ja.first()));
+        let [en, ja]: [BTreeSet<String>; 2] = [en, ja].map(BTreeSet::from_iter);
+        said(
+            "links",
+            show(&en.difference(&ja)),
+            show(&ja.difference(&en)),
+        );
+        let (en, ja) = (code(&english), code(&japanese));
+        said(
+            "words",
+            show(&en.difference(&ja)),
+            show(&ja.difference(&en)),
+        );
+        for start in ['#', '|', '!'] {
+            said(
+                "lines",
+                lines(&english, start).to_string(),
+                lines(&japanese, start).to_string(),
+            );
+        }
+    }
+    assert_none(&findings);
+}
+
+/// A Japanese page leads to Japanese pages, but for the English one that it is a pair with.
+#[test]
+fn japanese_pages_lead_to_japanese_ones() {
+    let mut pages = vec![root().join("README.ja.md")];
+    pages.extend(
+        pairs()
+            .iter()
+            .map(|n| root().join(format!("grammar/{n}.ja.md"))),
+    );
+    let mut findings = vec![];
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("the page is there");
+        let own = page
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .replace(".ja.md", ".md");
+        for link in links(&text) {
+            let file = link.split('#').next().unwrap_or(link);
+            let to = page.with_file_name(file);
+            if !file.contains("://") && !to.exists() {
+                findings.push(format!("{}: {link} is not there", page.display()));
+            }
+            let twin = file.strip_suffix(".md").filter(|f| !f.ends_with(".ja"));
+            let twin = twin.map(|f| page.with_file_name(format!("{f}.ja.md")));
+            if file != own && twin.is_some_and(|twin| twin.exists()) {
+                findings.push(format!("{}: {link} is there in Japanese", page.display()));
+            }
+        }
+    }
+    assert_none(&findings);
 }
 
 #[test]
