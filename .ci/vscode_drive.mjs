@@ -153,7 +153,7 @@ export async function drive({ program, repository, out, only, took, serve }) {
   const data = join(out, 'data');
   const settings = {
     'hsd.serverPath': program,
-    'hsd.language': 'ja',
+    'hsd.language': process.env.HSD_LANGUAGE ?? 'ja',
     'security.workspace.trust.enabled': false,
     'telemetry.telemetryLevel': 'off',
     'workbench.startupEditor': 'none',

@@ -17,6 +17,8 @@ pub(super) struct Client {
     pub(super) folder: Option<PathBuf>,
     /// Whether completions may hold places to jump to.
     pub(super) snippets: bool,
+    /// Whether every row of a list of completions can say more than its label.
+    pub(super) label_details: bool,
     /// Whether edits may name versions.
     pub(super) versions: bool,
     /// Whether it can be asked for settings.
@@ -53,6 +55,7 @@ impl Client {
             }),
             folder: root.and_then(super::uri::to_path),
             snippets: can("/textDocument/completion/completionItem/snippetSupport"),
+            label_details: can("/textDocument/completion/completionItem/labelDetailsSupport"),
             versions: can("/workspace/workspaceEdit/documentChanges"),
             configuration: can("/workspace/configuration"),
             watches: can("/workspace/didChangeWatchedFiles/dynamicRegistration"),

@@ -17,7 +17,8 @@ pub(super) fn completion(
     params: lsp::CompletionParams,
 ) -> Answer<lsp::CompletionList> {
     let place = params.text_document_position_params;
-    let (language, snippets) = (server.settings.language, server.client.snippets);
+    let (language, client) = (server.settings.language, &server.client);
+    let (snippets, details) = (client.snippets, client.label_details);
     let mut list = lsp::CompletionList {
         // What fits depends on what was typed, in whatever script.
         is_incomplete: true,
@@ -38,8 +39,15 @@ pub(super) fn completion(
             Some(snippet) => (snippet, lsp::InsertTextFormat::Snippet),
             None => (c.insert.clone(), lsp::InsertTextFormat::PlainText),
         };
+        let detail = c.detail.in_language(language).to_owned();
+        // What a part is called is to be seen in every row of the list.
+        let label_details = details.then(|| lsp::CompletionItemLabelDetails {
+            detail: None,
+            description: Some(detail.clone()),
+        });
         lsp::CompletionItem {
-            detail: Some(c.detail.in_language(language).to_owned()),
+            label_details,
+            detail: Some(detail),
             kind: Some(kind(c.kind)),
             sort_text: Some(c.sort.clone()),
             filter_text: Some(c.filter.clone()),
