@@ -34,9 +34,10 @@ const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['gramm
 
 const menu = {
   en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Own parts'],
-    ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
+    ['types.html', 'Types'], ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
   ja: [['ja/index.html', 'はじめに'], ['ja/language.html', '言語'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'],
-    ['ja/catalogs.html', '自分の部材'], ['ja/types.html', '家の類型'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根に載るもの'], ['ja/materials.html', '材料'], ['ja/messages/index.html', 'メッセージ']],
+    ['ja/catalogs.html', '自分の部材'], ['ja/types.html', '家の類型'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根に載るもの'],
+    ['ja/partitions.html', '平面の分け方'], ['ja/materials.html', '材料'], ['ja/messages/index.html', 'メッセージ']],
 };
 
 const relative = (from, to) => posix.relative(posix.dirname(from), to) || posix.basename(to);

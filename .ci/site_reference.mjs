@@ -147,10 +147,10 @@ function japanese_start({ write }) {
 <li><a href="catalogue.html">部材</a>: 絵とコード</li>
 <li><a href="messages/index.html">メッセージ</a>: 原因、例、直し方</li>
 <li><a href="language.html">言語</a>: 壁の歩き方、旧形式、XML 形式</li>
-<li><a href="types.html">家の類型</a>、<a href="roofs.html">屋根</a>、<a href="dressing.html">屋根に載るもの</a></li>
+<li><a href="types.html">家の類型</a>、<a href="roofs.html">屋根</a>、<a href="dressing.html">屋根に載るもの</a>、<a href="partitions.html">平面の分け方</a></li>
 <li><a href="parts.html">部材の形</a>、<a href="xml.html">XML の範囲</a></li>
 <li><a href="catalogs.html">自分の部材とテクスチャー</a>、<a href="materials.html">材料</a></li>
-<li><a href="../index.html">細かな取り決め (英語)</a>、<a href="../partitions.html">屋根の分け方 (英語)</a></li>
+<li><a href="../index.html">細かな取り決め (英語)</a></li>
 </ul>
 `);
 }
