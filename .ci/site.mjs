@@ -108,9 +108,16 @@ function target(source, page, href) {
   return there.isDirectory() ? undefined : relative(page, copied(path));
 }
 
+/** A text whose lines are joined where a space has no place: between Japanese signs, and behind their stops. */
+function joined(text) {
+  const sign = '[\\p{Script=Han}\\p{Script=Hiragana}\\p{Script=Katakana}ー。、「」]';
+  const breaks = new RegExp(`(?<=${sign})\\n *(?=${sign})|(?<=[。、])\\n *(?=[\`A-Za-z]|\\*\\*)`, 'gu');
+  return text.split(/(^```[^]*?^```)/m).map((piece, i) => i % 2 ? piece : piece.replace(breaks, '')).join('');
+}
+
 /** A page of Markdown. */
 function markdown(source, page) {
-  const text = readFileSync(join(root, source), 'utf8');
+  const text = joined(readFileSync(join(root, source), 'utf8'));
   const used = new Map();
   const slug = words => {
     const base = words.toLowerCase().replace(/[^\p{L}\p{N}\s_-]/gu, '').trim().replace(/\s/g, '-');
