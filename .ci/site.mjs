@@ -111,7 +111,7 @@ function target(source, page, href) {
 /** A text whose lines are joined where a space has no place: between Japanese signs, and behind their stops. */
 function joined(text) {
   const sign = '[\\p{Script=Han}\\p{Script=Hiragana}\\p{Script=Katakana}ー。、「」]';
-  const breaks = new RegExp(`(?<=${sign})\\n *(?=${sign})|(?<=[。、])\\n *(?=[\`A-Za-z]|\\*\\*)`, 'gu');
+  const breaks = new RegExp(`(?<=${sign})\\n *(?=${sign})|(?<=[。、])\\n *(?=[\`A-Za-z]|\\*\\*|\\d(?!\\d*\\. ))`, 'gu');
   return text.split(/(^```[^]*?^```)/m).map((piece, i) => i % 2 ? piece : piece.replace(breaks, '')).join('');
 }
 
