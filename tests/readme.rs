@@ -23,10 +23,10 @@ fn links(text: &str) -> Vec<&str> {
     behind.filter_map(|rest| rest.split(')').next()).collect()
 }
 
-/// The links of a page, those to Japanese pages as if they led to the English ones.
+/// The links of a page, those to Japanese pages and pictures as if they led to the English ones.
 fn english_links(text: &str) -> Vec<String> {
     let all = links(text).into_iter();
-    all.map(|link| link.replace(".ja.md", ".md")).collect()
+    all.map(|link| link.replace(".ja.", ".")).collect()
 }
 
 /// What stands between single backticks, names of Japanese pages as those of the English ones.
