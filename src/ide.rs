@@ -19,12 +19,14 @@ mod walked;
 mod words;
 
 use crate::catalog::Catalog;
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::{Diagnostic, Diagnostics, Text};
 use crate::driver::{self, Checked, Options};
 use crate::parse::outline::Outline;
-use crate::source::{FileId, Source, World};
+use crate::source::{FileId, Source, Span, World};
+use crate::text;
 use std::cell::OnceCell;
 use std::ops::Range;
+use std::path::Path;
 
 /// All that is known of a text.
 #[derive(Debug)]
@@ -95,6 +97,17 @@ impl Analysis {
     /// The parts that are known in it.
     pub fn catalog(&self) -> &Catalog {
         &self.checked.catalog
+    }
+
+    /// Where something is said, in words: the line, and the file where that is another one.
+    fn line_of(&self, source: &Source, span: Span) -> Text {
+        let line = source.line_column(span).0;
+        if source.id() == self.source.id() {
+            return text!("line {line}", "{line} 行");
+        }
+        let path = Path::new(source.name());
+        let name = path.file_name().unwrap_or(path.as_os_str()).display();
+        text!("{name}, line {line}", "{name} {line} 行")
     }
 
     /// A file that was read for it.

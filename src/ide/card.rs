@@ -119,11 +119,8 @@ fn origin(a: &Analysis, part: &PartDef) -> Text {
     let span = part.span();
     match own.and_then(|_| a.file(span.file)) {
         Some(file) => {
-            let (name, line) = (file.name(), file.line_column(span).0);
-            text!(
-                "own part of {name}, line {line}",
-                "自作の部材 ({name} {line} 行)"
-            )
+            let line = a.line_of(file, span);
+            text!([line] "own part ({line})", "自作の部材 ({line})")
         }
         None => {
             let class = part.class();

@@ -65,10 +65,12 @@ pub(super) fn value(ask: &Ask<'_>, range: &Range<usize>, known: &Known<'_>) -> O
     let came: Text = came.map_or("".into(), |seen| {
         format!("`{name}` = {}", list(&seen)).into()
     });
-    let (kind, file) = (scope::kind(known.element()), known.source.name());
-    let line = known.source.line_column(place).0;
+    let (kind, line) = (
+        scope::kind(known.element()),
+        ask.a.line_of(known.source, place),
+    );
     let about = about(known);
-    let said = text!([about] "`{kind}` of {file}, line {line}: {about}", "`{kind}` ({file} {line} 行): {about}");
+    let said = text!([about, line] "`{kind}` ({line}): {about}", "`{kind}` ({line}): {about}");
     ask.told(range, [came, said])
 }
 
@@ -76,14 +78,10 @@ pub(super) fn value(ask: &Ask<'_>, range: &Range<usize>, known: &Known<'_>) -> O
 pub(super) fn piece(ask: &Ask<'_>, range: &Range<usize>, name: &str) -> Option<Hover> {
     let found = scope::pieces(ask.a, ask.at).into_iter();
     let piece = found.into_iter().find(|p| p.name() == name)?;
-    let (file, line) = (
-        piece.source.name(),
-        piece.source.line_column(piece.source.span(piece.place())).0,
-    );
-    let head = text!(
-        "piece **{name}** of {file}, line {line}",
-        "部品 **{name}** ({file} {line} 行)"
-    );
+    let line = ask
+        .a
+        .line_of(piece.source, piece.source.span(piece.place()));
+    let head = text!([line] "piece **{name}** ({line})", "部品 **{name}** ({line})");
     let parameters = scope::parameters(&piece);
     let lines: Vec<(String, Text)> = parameters
         .iter()
