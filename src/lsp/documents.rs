@@ -31,6 +31,8 @@ pub(super) struct Document {
     pub(super) lines: Lines,
     /// What is known of the text, unless it has changed since.
     pub(super) analysis: Option<Analysis>,
+    /// Whether the program failed over the text as it is.
+    given_up: bool,
     /// The texts that it asked for when it was last read.
     asked: BTreeSet<PathBuf>,
 }
@@ -43,6 +45,12 @@ impl Document {
         } else {
             0
         }
+    }
+
+    /// Notes that nothing is known of the text any more.
+    fn forget(&mut self) {
+        self.analysis = None;
+        self.given_up = false;
     }
 
     /// Takes over changes, one after the other.
@@ -108,6 +116,7 @@ impl Documents {
             text,
             lines,
             analysis: None,
+            given_up: false,
             asked: BTreeSet::new(),
         };
         self.open.insert(uri.clone(), document);
@@ -144,7 +153,7 @@ impl Documents {
         let Some(document) = self.open.get_mut(uri) else {
             return;
         };
-        document.analysis = None;
+        document.forget();
         if let Some(path) = document.path.clone() {
             let text = match document.text.starts_with(MARK) {
                 true => document.text.clone(),
@@ -159,7 +168,7 @@ impl Documents {
     pub(super) fn forget(&mut self, path: &Path) {
         for document in self.open.values_mut() {
             if document.asked.contains(path) {
-                document.analysis = None;
+                document.forget();
             }
         }
     }
@@ -167,14 +176,21 @@ impl Documents {
     /// Notes that anything may have changed.
     pub(super) fn forget_all(&mut self) {
         for document in self.open.values_mut() {
-            document.analysis = None;
+            document.forget();
         }
     }
 
-    /// A text of which nothing is known.
+    /// A text of which nothing is known and that may be read.
     pub(super) fn stale(&self) -> Option<&str> {
-        let stale = self.open.values().find(|d| d.analysis.is_none());
-        stale.map(|d| &*d.uri)
+        let stale = |d: &&Document| d.analysis.is_none() && !d.given_up;
+        self.open.values().find(stale).map(|d| &*d.uri)
+    }
+
+    /// Leaves a text unread until it changes: the program failed over it, and would again.
+    pub(super) fn give_up(&mut self, uri: &str) {
+        if let Some(document) = self.open.get_mut(uri) {
+            document.given_up = true;
+        }
     }
 
     /// Reads a text, unless it is known already; says whether it was read.
@@ -235,5 +251,21 @@ fn options(settings: &Settings) -> Options {
         parameters: settings.parameters.clone(),
         catalogs: numbered.collect::<Vec<_>>().into(),
         ..Options::default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_that_was_given_up_is_read_when_it_changes() {
+        let mut documents = Documents::default();
+        documents.open("file:///a.hsd".to_owned(), 1, "KSK".to_owned());
+        assert_eq!(documents.stale(), Some("file:///a.hsd"));
+        documents.give_up("file:///a.hsd");
+        assert_eq!(documents.stale(), None);
+        documents.edit("file:///a.hsd", 2, vec![], Encoding::Utf8);
+        assert_eq!(documents.stale(), Some("file:///a.hsd"));
     }
 }

@@ -66,7 +66,7 @@ impl Server {
                 Some(message) => message,
                 None => match self.documents.stale().map(str::to_owned) {
                     Some(uri) => {
-                        self.refresh(&uri);
+                        self.keep_up(&uri);
                         continue;
                     }
                     None => match self.connection.receiver.recv() {
@@ -190,9 +190,21 @@ impl Server {
         }
         let work = AssertUnwindSafe(|| self.take(&note.method, note.params));
         if catch_unwind(work).is_err() {
-            let message = json!({ "type": 1, "message": "hsd: a fault of the program" });
-            self.notify("window/logMessage", message);
+            self.regret();
         }
+    }
+
+    /// Reads a text that has changed. Where the program fails over it, it waits for the next change.
+    fn keep_up(&mut self, uri: &str) {
+        if catch_unwind(AssertUnwindSafe(|| self.refresh(uri))).is_err() {
+            self.documents.give_up(uri);
+            self.regret();
+        }
+    }
+
+    fn regret(&self) {
+        let message = json!({ "type": 1, "message": "hsd: a fault of the program" });
+        self.notify("window/logMessage", message);
     }
 
     fn take(&mut self, method: &str, params: Value) {

@@ -1,8 +1,11 @@
 //! Messages from and to a stream. What is no message is answered as such, and the next one read.
 
 use lsp_server::{Connection, ErrorCode, Message};
-use std::io::{BufRead, ErrorKind, Write};
+use std::io::{self, BufRead, Error, ErrorKind, Read, Write};
 use std::thread::{self, JoinHandle};
+
+/// The longest message that is read, bytes; of a longer one nothing is kept.
+const LONGEST: u64 = 1 << 28;
 
 /// Reads and writes in the background. The writer ends when the server is gone.
 pub(super) fn start(
@@ -14,7 +17,7 @@ pub(super) fn start(
     // Nobody waits for the reader: it may hang on a stream that never ends.
     thread::spawn(move || {
         loop {
-            match Message::read(&mut input) {
+            match read(&mut input) {
                 Ok(Some(message)) => {
                     if sender.send(message).is_err() {
                         return;
@@ -47,6 +50,45 @@ pub(super) fn start(
             }
         }
     })
+}
+
+/// The next message; `None` at the end of the stream. Room is made for what comes, not for what is announced: a header
+/// may say anything.
+fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
+    let broken = |why: &dyn std::fmt::Display| Error::new(ErrorKind::InvalidData, why.to_string());
+    let mut length = None;
+    loop {
+        let mut line = String::new();
+        if input.read_line(&mut line)? == 0 {
+            return Ok(None);
+        }
+        let Some(line) = line.strip_suffix("\r\n") else {
+            return Err(broken(&"a header without a line end"));
+        };
+        if line.is_empty() {
+            break;
+        }
+        let Some((name, value)) = line.split_once(':') else {
+            return Err(broken(&"a header without a name"));
+        };
+        if name.eq_ignore_ascii_case("Content-Length") {
+            length = Some(value.trim().parse::<u64>().map_err(|e| broken(&e))?);
+        }
+    }
+    let length = length.ok_or_else(|| broken(&"no Content-Length"))?;
+    let mut rest = input.take(length);
+    let mut body = vec![];
+    rest.by_ref().take(LONGEST).read_to_end(&mut body)?;
+    if body.len() as u64 == LONGEST {
+        io::copy(&mut rest, &mut io::sink())?;
+        return Err(broken(&"a message too long"));
+    }
+    if rest.limit() > 0 {
+        return Ok(None);
+    }
+    serde_json::from_slice(&body)
+        .map(Some)
+        .map_err(|e| broken(&e))
 }
 
 /// The name under which a broken message is passed on.

@@ -86,6 +86,8 @@ fn broken_messages_are_answered_and_the_next_ones_read() {
     assert_eq!(program.hear()["error"]["code"], -32700);
     program.raw(b"no header at all\r\n");
     assert_eq!(program.hear()["error"]["code"], -32700);
+    program.raw(b"Content-Length: -1\r\n");
+    assert_eq!(program.hear()["error"]["code"], -32700);
     let unknown = program.ask(3, "no/such", json!({}));
     assert_eq!(unknown["error"]["code"], -32601);
     assert_eq!(
@@ -94,6 +96,22 @@ fn broken_messages_are_answered_and_the_next_ones_read() {
     );
     program.say(json!({ "jsonrpc": "2.0", "method": "exit" }));
     assert_eq!(program.child.wait().expect("it ends").code(), Some(0));
+}
+
+#[test]
+fn room_is_not_made_for_what_never_comes() {
+    for length in [
+        "18446744073709551615",
+        "4611686018427387904",
+        "1000000000000",
+    ] {
+        let mut program = Program::start();
+        program.ask(1, "initialize", json!({ "capabilities": {} }));
+        program.raw(format!("Content-Length: {length}\r\n\r\n{{").as_bytes());
+        drop(program.input);
+        let ended = program.child.wait().expect("it ends");
+        assert_eq!(ended.code(), Some(1), "{length}");
+    }
 }
 
 #[test]
