@@ -23,25 +23,26 @@ pub struct Inlay {
 /// The hints of a range, in the order of the text.
 pub fn inlays(a: &Analysis, range: Range<usize>, language: Language) -> Vec<Inlay> {
     let mut found = vec![];
+    // Of two at one place the length of the line comes first.
+    for ((start, end), walls) in walked::walls(a, &range) {
+        found.extend(line(a, start..end, &walls, language));
+    }
     for ((start, end), storeys) in walked::storeys(a) {
         if start <= range.end && range.start <= end {
             found.extend(storey(a, start, &storeys, language));
         }
-    }
-    for ((start, end), walls) in walked::walls(a, &range) {
-        found.extend(line(a, start..end, &walls, language));
     }
     found.retain(|i| range.start <= i.at && i.at <= range.end);
     found.sort_by_key(|i| i.at);
     found
 }
 
-/// The number and height of a storey: behind its start tag, or before its first line.
+/// The number and height of a storey: behind its start tag, or behind its first line, whose columns it leaves as they are.
 fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language) -> Option<Inlay> {
     let outline = a.outline();
     let elements = &outline.elements;
     let number = elements.binary_search_by_key(&start, |e| e.range.start);
-    let at = number.map_or(start, |e| elements[e].tag.end);
+    let at = number.map_or_else(|| line_end(a.text(), start), |e| elements[e].tag.end);
     let number = walked::numbers(storeys)?;
     let heights = || storeys.iter().map(|s| s.height());
     let (height, metres) = (
@@ -61,6 +62,12 @@ fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language)
             "{number}階: 高さ {height}尺 ({metres} m)、外周 {perimeter} U"
         ),
     })
+}
+
+/// Where the words of the line of an offset end.
+fn line_end(text: &str, at: usize) -> usize {
+    let line = text.get(at..).and_then(|t| t.split(['\n', '\r']).next());
+    at + line.map_or(0, |l| l.trim_end().len())
 }
 
 /// A length in metres to a hundredth.

@@ -1,4 +1,4 @@
-//! Hints at the ends of lines and the starts of storeys.
+//! Hints at the ends of lines and behind the tags of storeys.
 
 use crate::analysis;
 use hsd::diagnostic::Language;
@@ -22,16 +22,15 @@ fn legacy_lines_say_how_long_they_are_and_where_the_walk_stands() {
     assert_eq!(
         hinted(text, Language::English),
         [
-            "«storey 1 · 9.5 shaku»GSI  GSI  GDE 2TOD  KKS«6 U → (6, 0)»",
+            "GSI  GSI  GDE 2TOD  KKS«6 U → (6, 0)»«storey 1 · 9.5 shaku»",
             "APW  APW«2 U → (6, 2)»",
             "KTU  TSH 2TSH 2KTU«6 U → (0, 2)»",
             "APW  APW  ^«2 U → (0, 0)»",
-            "«storey 2 · 8 shaku»KSK  MMU  KSK«3 U → (3, 0) · open: 3 right»",
+            "KSK  MMU  KSK«3 U → (3, 0) · open: 3 right»«storey 2 · 8 shaku»",
         ]
     );
     let ja = hinted(text, Language::Japanese);
-    assert!(ja[4].starts_with("«2階 · 8尺»"), "{}", ja[4]);
-    assert!(ja[4].ends_with("未完: 右へ 3»"), "{}", ja[4]);
+    assert!(ja[4].ends_with("未完: 右へ 3»«2階 · 8尺»"), "{}", ja[4]);
 }
 
 #[test]

@@ -7,7 +7,7 @@ import {
 import { LanguageClient, type LanguageClientOptions, State } from 'vscode-languageclient/node';
 import { told } from './colours';
 import { chosen, fault, find, show } from './program';
-import { aside, fitTabs, refitTabs, written } from './typing';
+import { fitTabs, refitTabs, written } from './typing';
 
 /** Settings that reach the program when it starts. */
 const SETTINGS = [
@@ -93,7 +93,6 @@ async function start(): Promise<void> {
         const items = Array.isArray(found) ? found : found?.items ?? [];
         return written(document, position, items) ? undefined : found;
       },
-      provideInlayHints: async (document, range, token, next) => aside(document, (await next(document, range, token)) ?? []),
       provideDocumentSemanticTokens: async (document, token, next) => colours(await next(document, token)),
       provideDocumentRangeSemanticTokens: async (document, range, token, next) => colours(await next(document, range, token)),
     },

@@ -1,7 +1,6 @@
 // What makes codes of five columns easy to type, and keeps them in their columns.
 import {
-  type CompletionItem, CompletionItemKind, type InlayHint, type Position, Range, type TextDocument, type TextDocumentChangeEvent, type TextEditor,
-  window,
+  type CompletionItem, CompletionItemKind, type Position, Range, type TextDocument, type TextDocumentChangeEvent, type TextEditor, window,
 } from 'vscode';
 
 const COLUMNS = 5;
@@ -21,18 +20,6 @@ export function fitTabs(editor: TextEditor | undefined): void {
 export function refitTabs({ document, contentChanges }: TextDocumentChangeEvent): void {
   const editor = window.activeTextEditor;
   if (editor?.document === document && contentChanges.some(change => change.range.start.line < HEAD)) fitTabs(editor);
-}
-
-/** Hints before the words of a line would push its columns aside: they go behind it. */
-export function aside(document: TextDocument, hints: InlayHint[]): InlayHint[] {
-  for (const hint of hints) {
-    const { range, firstNonWhitespaceCharacterIndex: first } = document.lineAt(hint.position);
-    if (hint.position.character > first) continue;
-    hint.position = range.end;
-    hint.paddingLeft = true;
-    hint.paddingRight = false;
-  }
-  return hints;
 }
 
 /**
