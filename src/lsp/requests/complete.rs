@@ -6,11 +6,12 @@ use crate::lsp::documents::Document;
 use crate::lsp::server::Server;
 use gen_lsp_types as lsp;
 use serde_json::{Value, json};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// Files that are listed, and how deep below the folder of a text.
+/// Files that are listed, how deep below the folder of a text, and how many names are looked at for them.
 const FILES: usize = 1000;
 const DEEP: usize = 3;
+const NAMES: usize = 20_000;
 
 pub(super) fn completion(
     server: &mut Server,
@@ -124,39 +125,62 @@ fn beside(document: &Document) -> impl Fn(&str) -> Vec<String> + use<> {
     let path = crate::lsp::uri::to_path(&document.uri);
     let folder = path.as_deref().and_then(Path::parent).map(Path::to_owned);
     move |ending: &str| {
-        let mut found = vec![];
+        let mut list = List {
+            ending,
+            names: 0,
+            found: vec![],
+        };
         if let Some(folder) = &folder {
-            list(folder, String::new(), ending, DEEP, &mut found);
+            list.add(folder, "", DEEP);
         }
-        found.sort();
-        found
+        list.found.sort();
+        list.found
     }
 }
 
-fn list(folder: &PathBuf, before: String, ending: &str, deep: usize, found: &mut Vec<String>) {
-    let Ok(entries) = std::fs::read_dir(folder) else {
-        return;
-    };
-    for entry in entries.flatten() {
-        let Ok(name) = entry.file_name().into_string() else {
-            continue;
+/// Files with an ending.
+struct List<'e> {
+    ending: &'e str,
+    /// Names that were looked at.
+    names: usize,
+    found: Vec<String>,
+}
+
+impl List<'_> {
+    /// Adds those of a folder, then those of the folders in it; `before` = what their paths begin with.
+    fn add(&mut self, folder: &Path, before: &str, deep: usize) {
+        let mut folders = vec![];
+        let Ok(entries) = std::fs::read_dir(folder) else {
+            return;
         };
-        if found.len() >= FILES || name.starts_with('.') {
-            continue;
-        }
-        let path = format!("{before}{name}");
-        // Links are not followed: they may lead round in circles.
-        match entry.file_type() {
-            Ok(kind) if kind.is_dir() && deep > 0 => {
-                list(&entry.path(), format!("{path}/"), ending, deep - 1, found);
+        for entry in entries.flatten() {
+            self.names += 1;
+            if self.names > NAMES || self.found.len() >= FILES {
+                return;
             }
-            Ok(kind) if kind.is_file() => {
-                let own = Path::new(&name).extension();
-                if own.is_some_and(|e| e.eq_ignore_ascii_case(ending)) {
-                    found.push(path);
+            let Ok(name) = entry.file_name().into_string() else {
+                continue;
+            };
+            if name.starts_with('.') {
+                continue;
+            }
+            let path = format!("{before}{name}");
+            // Links are not followed: they may lead round in circles.
+            match entry.file_type() {
+                Ok(kind) if kind.is_dir() && deep > 0 => {
+                    folders.push((entry.path(), format!("{path}/")));
                 }
+                Ok(kind) if kind.is_file() => {
+                    let own = Path::new(&name).extension();
+                    if own.is_some_and(|e| e.eq_ignore_ascii_case(self.ending)) {
+                        self.found.push(path);
+                    }
+                }
+                _ => {}
             }
-            _ => {}
+        }
+        for (folder, before) in folders {
+            self.add(&folder, &before, deep - 1);
         }
     }
 }
