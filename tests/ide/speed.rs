@@ -2,7 +2,9 @@
 
 use crate::analysis;
 use hsd::diagnostic::Language;
-use hsd::ide::{Analysis, folding, format, inlay, names, selection, symbols, tokens};
+use hsd::ide::{
+    Analysis, complete, folding, format, hover, inlay, names, selection, symbols, tokens,
+};
 use std::time::{Duration, Instant};
 
 /// A street of houses of 20 lines in the legacy form.
@@ -42,6 +44,7 @@ fn asks(text: &str) -> Vec<Ask> {
     let codes: Vec<usize> = text.match_indices("KTU").map(|(i, _)| i).collect();
     let at = codes[codes.len() / 2];
     let named = text.rfind("側").or(text.rfind("MMU")).unwrap();
+    let braces = text.rfind("{幅").map_or(at, |i| i + 1);
     let all = text.len();
     vec![
         ("tokens", Box::new(|a| drop(tokens::tokens(a)))),
@@ -67,6 +70,18 @@ fn asks(text: &str) -> Vec<Ask> {
             "definition",
             Box::new(move |a| drop(names::definition(a, named))),
         ),
+        (
+            "complete",
+            Box::new(move |a| drop(complete::complete(a, at + 1, &|_| vec![]))),
+        ),
+        (
+            "names",
+            Box::new(move |a| drop(complete::complete(a, braces, &|_| vec![]))),
+        ),
+        (
+            "hover",
+            Box::new(move |a| drop(hover::hover(a, at + 1, Language::English, true))),
+        ),
         ("layout", Box::new(|a| drop(format::format(a)))),
     ]
 }
@@ -77,6 +92,12 @@ fn answers_come_within_a_blink() {
     for (form, text) in [("legacy", legacy as fn(usize) -> String), ("xml", xml)] {
         for lines in [2_000, 20_000] {
             let text = text(lines);
+            let start = Instant::now();
+            let a = analysis("a.hsd", &text, &[]);
+            println!("{form:>6} {lines:>6} analysis   {:?}", start.elapsed());
+            let start = Instant::now();
+            a.outline();
+            println!("{form:>6} {lines:>6} outline    {:?}", start.elapsed());
             for (name, ask) in asks(&text) {
                 let time = timed(&text, &ask);
                 println!("{form:>6} {lines:>6} {name:<10} {time:?}");
@@ -87,4 +108,23 @@ fn answers_come_within_a_blink() {
             }
         }
     }
+}
+
+#[test]
+#[allow(clippy::print_stdout)] // for those who look at the times
+fn pictures_of_parts_come_within_a_blink() {
+    let a = analysis("a.hsd", "0 0 180\n9\n\nGSI  KSK\n", &[]);
+    let (mut all, mut worst) = (Duration::ZERO, (Duration::ZERO, String::new()));
+    let parts = hsd::parse::builtin().parts();
+    for part in parts {
+        let code = part.code().to_owned();
+        let start = Instant::now();
+        let key = complete::PartKey { code: code.clone() };
+        assert!(complete::documentation(&a, &key, Language::English, true).is_some());
+        let time = start.elapsed();
+        all += time;
+        worst = worst.max((time, code));
+    }
+    let each = all / parts.len() as u32;
+    println!("pictures: {each:?} each, at most {worst:?}");
 }
