@@ -9,7 +9,6 @@ pub(super) mod names;
 pub(super) mod parts;
 mod place;
 pub(super) mod roofs;
-pub(super) mod scope;
 mod values;
 mod xml;
 

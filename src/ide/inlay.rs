@@ -42,7 +42,7 @@ fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language)
     let outline = a.outline();
     let elements = &outline.elements;
     let number = elements.binary_search_by_key(&start, |e| e.range.start);
-    let at = number.map_or_else(|| line_end(a.text(), start), |e| elements[e].tag.end);
+    let at = number.map_or_else(|_| line_end(a.text(), start), |e| elements[e].tag.end);
     let number = walked::numbers(storeys)?;
     let heights = || storeys.iter().map(|s| s.height());
     let (height, metres) = (

@@ -2,6 +2,7 @@
 //!
 //! | file | knows |
 //! |---|---|
+//! | `scopes`, `known` | which values and pieces are known where |
 //! | `index` | names in expressions, pieces and their parameters |
 //! | `links` | which `include` leads to which file |
 //! | `floors` | ids of floors and facades |
@@ -11,8 +12,10 @@
 mod codes;
 mod floors;
 mod index;
+mod known;
 mod links;
 mod rename;
+mod scopes;
 
 pub use rename::{Change, prepare_rename, rename, rename_symbol};
 
@@ -20,6 +23,8 @@ use super::{Analysis, Place};
 use crate::ast::CodeText;
 use crate::parse;
 pub(super) use codes::{Form as CodeForm, of_element as codes_of_element};
+pub(super) use index::word;
+pub(super) use known::{Known, parameters, pieces, values};
 
 use codes::{Codes, Form, Spot};
 use index::{File, Index, Mark, Role};

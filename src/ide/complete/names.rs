@@ -1,8 +1,8 @@
 //! Names in expressions, and pieces.
 
-use super::scope::{self, Known};
 use super::{Ask, Completion, CompletionKind};
 use crate::diagnostic::Text;
+use crate::ide::names::{self, Known};
 use crate::ide::words;
 use crate::text;
 use std::ops::Range;
@@ -25,7 +25,7 @@ pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Complet
         return vec![];
     }
     let mut found = vec![];
-    for (rank, known) in scope::names(ask.a, ask.at).iter().enumerate() {
+    for (rank, known) in names::values(ask.a, ask.at).iter().enumerate() {
         let word = Completion::word(known.name(), CompletionKind::Name, about(known), &range);
         found.push(word.sorted(format!("1{rank:04}")));
     }
@@ -46,9 +46,9 @@ pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Complet
 
 /// The pieces that a `use` may name.
 pub(super) fn pieces(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
-    let all = scope::pieces(ask.a, ask.at).into_iter().enumerate();
+    let all = names::pieces(ask.a, ask.at).into_iter().enumerate();
     all.map(|(rank, piece)| {
-        let named = scope::parameters(&piece);
+        let named = names::parameters(&piece);
         let named: Vec<&str> = named.iter().map(Known::name).collect();
         let (list, file) = (named.join(", "), piece.source.name());
         let about = match list.as_str() {
@@ -78,7 +78,7 @@ pub(in crate::ide) fn about(known: &Known<'_>) -> Text {
             ),
         };
     }
-    if scope::kind(element) == "let" {
+    if names::word(element) == "let" {
         let value = element.value("value").unwrap_or_default();
         return format!("= {value}").into();
     }

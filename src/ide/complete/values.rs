@@ -1,11 +1,11 @@
 //! Values of attributes: words of a list, codes, names of other things, files.
 
 use super::place::{self, Open, Tag};
-use super::scope::Known;
 use super::xml::{self, is_numbered};
 use super::{Ask, Completion, CompletionKind, names, parts};
 use crate::catalog::body;
 use crate::diagnostic::Text;
+use crate::ide::names::Known;
 use crate::ide::words;
 use crate::material;
 use crate::parse::xml::schema::{self, Kind};

@@ -1,9 +1,10 @@
 //! Elements, end tags and attributes of the XML form.
 
 use super::place::{self, Open, Place, Tag};
-use super::{Ask, Completion, CompletionKind, cells, names, parts, scope, values};
+use super::{Ask, Completion, CompletionKind, cells, names, parts, values};
 use crate::catalog::body;
 use crate::diagnostic::{Noun, Text, noun};
+use crate::ide::names::{self as known, Known};
 use crate::ide::words;
 use crate::parse::xml::schema::{self, Content, ELEMENTS, Holds, ROOT, Schema};
 use std::ops::Range;
@@ -382,7 +383,7 @@ fn choices(bears: &schema::Bears, first: &str) -> Vec<&'static str> {
 }
 
 /// The parameters of the piece that a `use` names.
-pub(super) fn parameters<'a>(ask: &Ask<'a>, tag: &Tag) -> Vec<scope::Known<'a>> {
+pub(super) fn parameters<'a>(ask: &Ask<'a>, tag: &Tag) -> Vec<Known<'a>> {
     let named = tag
         .attributes
         .iter()
@@ -391,10 +392,10 @@ pub(super) fn parameters<'a>(ask: &Ask<'a>, tag: &Tag) -> Vec<scope::Known<'a>> 
         return vec![];
     };
     let name = ask.text[name].trim();
-    let piece = scope::pieces(ask.a, ask.at)
+    let piece = known::pieces(ask.a, ask.at)
         .into_iter()
         .find(|p| p.name() == name);
-    piece.map_or(vec![], |piece| scope::parameters(&piece))
+    piece.map_or(vec![], |piece| known::parameters(&piece))
 }
 
 /// The attributes of an element of shape.

@@ -3,7 +3,7 @@
 use super::{Ask, Hover, holds};
 use crate::diagnostic::Text;
 use crate::ide::complete::names::about;
-use crate::ide::complete::scope::{self, Known};
+use crate::ide::names::{self, Known};
 use crate::ide::words;
 use crate::parse::Seen;
 use crate::parse::outline::Expression;
@@ -36,7 +36,7 @@ pub(super) fn expression(ask: &Ask<'_>, expression: &Expression) -> Option<Hover
                 ],
             );
         }
-        let known = scope::names(ask.a, ask.at)
+        let known = names::values(ask.a, ask.at)
             .into_iter()
             .find(|k| k.name() == name);
         if let Some(known) = known {
@@ -66,7 +66,7 @@ pub(super) fn value(ask: &Ask<'_>, range: &Range<usize>, known: &Known<'_>) -> O
         format!("`{name}` = {}", list(&seen)).into()
     });
     let (kind, line) = (
-        scope::kind(known.element()),
+        names::word(known.element()),
         ask.a.line_of(known.source, place),
     );
     let about = about(known);
@@ -76,13 +76,13 @@ pub(super) fn value(ask: &Ask<'_>, range: &Range<usize>, known: &Known<'_>) -> O
 
 /// A piece: its parameters with their defaults, and what is said of it.
 pub(super) fn piece(ask: &Ask<'_>, range: &Range<usize>, name: &str) -> Option<Hover> {
-    let found = scope::pieces(ask.a, ask.at).into_iter();
+    let found = names::pieces(ask.a, ask.at).into_iter();
     let piece = found.into_iter().find(|p| p.name() == name)?;
     let line = ask
         .a
         .line_of(piece.source, piece.source.span(piece.place()));
     let head = text!([line] "piece **{name}** ({line})", "部品 **{name}** ({line})");
-    let parameters = scope::parameters(&piece);
+    let parameters = names::parameters(&piece);
     let lines: Vec<(String, Text)> = parameters
         .iter()
         .map(|p| (p.name().to_owned(), about(p)))
@@ -112,7 +112,7 @@ pub(super) fn file(ask: &Ask<'_>, range: &Range<usize>, href: &str) -> Option<Ho
         let outer = element
             .parent
             .is_none_or(|p| outline.elements[p].parent.is_none());
-        let kind = scope::kind(element);
+        let kind = names::word(element);
         let name = match kind {
             "let" | "Param" | "define" => element.value("name"),
             "PartDef" => element.value("code"),

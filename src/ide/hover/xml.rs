@@ -5,6 +5,7 @@ use super::{Ask, Hover, built, holds};
 use crate::catalog::body;
 use crate::diagnostic::{Text, noun};
 use crate::ide::card::short;
+use crate::ide::names::Known;
 use crate::ide::words;
 use crate::parse::outline::{Attribute, Element};
 use crate::parse::xml::schema::{Bears, Kind};
@@ -13,13 +14,14 @@ use crate::text;
 /// What stands at the place that was asked about.
 pub(super) fn hover(ask: &Ask<'_>) -> Option<Hover> {
     let outline = ask.a.outline();
-    let element = &outline.elements[outline.element_at(ask.at)?];
+    let number = outline.element_at(ask.at)?;
+    let element = &outline.elements[number];
     let named = [Some(&element.name), element.end_name.as_ref()];
     if let Some(name) = named.into_iter().flatten().find(|n| holds(n, ask.at)) {
         return element_told(ask, element, name);
     }
     if let Some(attribute) = element.attributes.iter().find(|a| holds(&a.range, ask.at)) {
-        return attribute_told(ask, element, attribute);
+        return attribute_told(ask, number, attribute);
     }
     let words = element.words.iter().find(|w| holds(&w.range, ask.at));
     let text = ask.a.text();
@@ -85,7 +87,8 @@ fn ja_home(home: &str) -> String {
     names.join("、")
 }
 
-fn attribute_told(ask: &Ask<'_>, element: &Element, attribute: &Attribute) -> Option<Hover> {
+fn attribute_told(ask: &Ask<'_>, number: usize, attribute: &Attribute) -> Option<Hover> {
+    let element = &ask.a.outline().elements[number];
     let schema = element.schema.map_or("", |s| s.name);
     if holds(&attribute.name, ask.at) {
         if let Some(bears) = attribute.bears {
@@ -116,13 +119,7 @@ fn attribute_told(ask: &Ask<'_>, element: &Element, attribute: &Attribute) -> Op
         ("random" | "replace", "code" | "with") => listed_part(ask, attribute),
         ("use", "name") => computed::piece(ask, inner, value),
         ("include", "href") => computed::file(ask, inner, value),
-        ("let" | "Param", "name") => {
-            let all = crate::ide::complete::scope::names(ask.a, element.range.end);
-            let known = all
-                .into_iter()
-                .find(|k| k.place() == *inner && k.source.id() == ask.a.source.id())?;
-            computed::value(ask, inner, &known)
-        }
+        ("let" | "Param", "name") => computed::value(ask, inner, &Known::of(ask.a, number)?),
         (_, name) => {
             let table = words::table(schema, name);
             let word = word_at(ask.a.text(), ask.at);

@@ -41,7 +41,7 @@ pub(super) fn marks(file: File<'_>, index: &mut Index) {
         let id = letter(&file.text[range.clone()]);
         let symbol = *ids
             .entry((structure, kind, id))
-            .or_insert_with(|| index.add(kind, id, 0));
+            .or_insert_with(|| index.add(kind, id));
         let declares = kind == SymbolKind::Facade || filled[own];
         let role = if declares { Role::Declares } else { Role::Uses };
         index.marks.push(mark(file, range, symbol, role));

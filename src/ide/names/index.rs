@@ -1,11 +1,12 @@
 //! Which names stand where, and which of them mean the same: the scopes of [`language`](crate::parse::xml) seen from
-//! outside, on the outlines of a text and of the files that were read for it.
+//! outside, on the outlines of a text and of the files that were read for it. `scopes` says what is known where.
 //!
 //! Names of one frame are one symbol however often they are given there: the branches of an `if` give one each. The
 //! parameters of pieces that one `use` may mean are one symbol too, since its attributes set them all.
 
 use super::SymbolKind;
 use super::links::Links;
+use super::scopes::{Frames, Given, Named as Value, Scopes};
 use crate::parse::outline::{Attribute, Element, Outline};
 use crate::source::FileId;
 use std::collections::BTreeMap;
@@ -36,8 +37,6 @@ pub(super) struct Mark {
 pub(super) struct Named {
     pub(super) kind: SymbolKind,
     pub(super) name: String,
-    /// From where on it is known in its frame.
-    from: usize,
 }
 
 /// A file as the index needs it.
@@ -55,33 +54,14 @@ pub(super) struct Index {
     pub(super) symbols: Vec<Named>,
     /// By file and place.
     pub(super) marks: Vec<Mark>,
+    /// What is known where.
+    pub(super) scopes: Scopes,
     /// Which symbol stands for one, where several turned out to be the same.
     same: Vec<usize>,
 }
 
-/// What is named in an element.
-#[derive(Default)]
-struct Frame {
-    outer: Option<usize>,
-    /// Whether it is that of a piece: what stands round it counts as it is where the piece is used.
-    piece: bool,
-    values: BTreeMap<String, usize>,
-    pieces: BTreeMap<String, usize>,
-    /// The frames of included files, and from where on.
-    files: Vec<(usize, usize)>,
-}
-
-/// The frames of one file: round each element, and in it.
-#[derive(Default)]
-struct Frames {
-    around: Vec<usize>,
-    inside: Vec<usize>,
-}
-
 struct Maker<'a> {
     files: &'a [File<'a>],
-    frames: Vec<Frame>,
-    of: Vec<Frames>,
     index: Index,
     /// The parameters of each piece, by name.
     parameters: BTreeMap<usize, BTreeMap<String, usize>>,
@@ -92,8 +72,6 @@ impl Index {
     pub(super) fn of(files: &[File<'_>], links: &Links) -> Index {
         let mut maker = Maker {
             files,
-            frames: vec![],
-            of: vec![],
             index: Index::default(),
             parameters: BTreeMap::new(),
         };
@@ -126,12 +104,11 @@ impl Index {
         self.same[one.max(other)] = one.min(other);
     }
 
-    pub(super) fn add(&mut self, kind: SymbolKind, name: &str, from: usize) -> usize {
+    pub(super) fn add(&mut self, kind: SymbolKind, name: &str) -> usize {
         self.same.push(self.symbols.len());
         self.symbols.push(Named {
             kind,
             name: name.to_owned(),
-            from,
         });
         self.symbols.len() - 1
     }
@@ -164,7 +141,7 @@ fn is_open(word: &str) -> bool {
 }
 
 /// The word of the language that an element is, if it is one.
-pub(super) fn word(element: &Element) -> &'static str {
+pub(in crate::ide) fn word(element: &Element) -> &'static str {
     element.schema.map_or("", |s| s.name)
 }
 
@@ -178,26 +155,25 @@ pub(super) fn trimmed(text: &str, attribute: &Attribute) -> Option<Range<usize>>
     Some(start..start + written.trim().len())
 }
 
-/// The attributes of a `define` or a `use` that are parameters, with their names as written.
-pub(super) fn parameters<'e>(
+/// The attributes of a `define` or a `use` that are parameters, with their numbers and their names as written.
+pub(in crate::ide) fn parameters<'e>(
     text: &'e str,
     element: &'e Element,
-) -> impl Iterator<Item = (&'e str, &'e Attribute)> {
-    let named = |a: &'e Attribute| (&text[a.name.clone()], a);
-    let all = element.attributes.iter().map(named);
-    all.filter(|(name, _)| *name != "name" && *name != "xmlns" && !name.contains(':'))
+) -> impl Iterator<Item = (usize, &'e str, &'e Attribute)> {
+    let all = element.attributes.iter().enumerate();
+    let all = all.map(|(number, a)| (number, &text[a.name.clone()], a));
+    all.filter(|(_, name, _)| *name != "name" && *name != "xmlns" && !name.contains(':'))
+}
+
+/// The attribute that names an element, and its name.
+pub(in crate::ide) fn named(text: &str, element: &Element) -> Option<(usize, Range<usize>)> {
+    let mut all = element.attributes.iter().enumerate();
+    let (number, name) = all.find(|(_, a)| a.word == "name")?;
+    let fixed = name.expressions.is_empty();
+    Some((number, trimmed(text, name).filter(|_| fixed)?))
 }
 
 impl<'a> Maker<'a> {
-    fn frame(&mut self, outer: Option<usize>, piece: bool) -> usize {
-        self.frames.push(Frame {
-            outer,
-            piece,
-            ..Frame::default()
-        });
-        self.frames.len() - 1
-    }
-
     /// The frames of a file, and what is named in them.
     fn declare(&mut self, number: usize) {
         let elements = &self.files[number].outline.elements;
@@ -211,32 +187,43 @@ impl<'a> Maker<'a> {
                 names[parent] = true;
             }
         }
-        let outermost = self.frame(None, false);
-        self.of.push(Frames::default());
+        let scopes = &mut self.index.scopes;
+        let outermost = scopes.frame(None, false);
+        scopes.of.push(Frames {
+            outermost,
+            ..Frames::default()
+        });
         for (own, element) in elements.iter().enumerate() {
+            let scopes = &mut self.index.scopes;
             let around = element
                 .parent
-                .map_or(outermost, |p| self.of[number].inside[p]);
+                .map_or(outermost, |p| scopes.of[number].inside[p]);
             let inside = match word(element) {
-                "define" => self.frame(Some(around), true),
+                "define" => scopes.frame(Some(around), true),
                 word if is_open(word) || !names[own] => around,
-                _ => self.frame(Some(around), false),
+                _ => scopes.frame(Some(around), false),
             };
-            self.of[number].around.push(around);
-            self.of[number].inside.push(inside);
-            self.declared(number, element, around, inside);
+            scopes.of[number].around.push(around);
+            scopes.of[number].inside.push(inside);
+            self.declared(number, own);
         }
     }
 
     /// Takes what an element names.
-    fn declared(&mut self, number: usize, element: &Element, around: usize, inside: usize) {
+    fn declared(&mut self, number: usize, own: usize) {
         let file = self.files[number];
-        let name = element
-            .attribute("name")
-            .filter(|a| a.expressions.is_empty());
-        let name = name.and_then(|a| trimmed(file.text, a));
+        let element = &file.outline.elements[own];
+        let frames = &self.index.scopes.of[number];
+        let (around, inside) = (frames.around[own], frames.inside[own]);
+        let given = |attribute: usize, from: usize| Given {
+            file: number,
+            element: own,
+            attribute,
+            from,
+        };
+        let name = named(file.text, element);
         match (word(element), name) {
-            ("let" | "Param", Some(range)) => {
+            ("let" | "Param", Some((attribute, range))) => {
                 let parent = element.parent.map(|p| &file.outline.elements[p]);
                 let of_piece = parent.is_some_and(|p| word(p) == "define");
                 let kind = match of_piece && word(element) == "Param" {
@@ -244,27 +231,23 @@ impl<'a> Maker<'a> {
                     false => SymbolKind::Value,
                 };
                 let name = &file.text[range.clone()];
-                self.value(file, kind, around, range, element.range.end);
+                self.give(kind, around, range, given(attribute, element.range.end));
                 if let Some(parent) = parent.filter(|_| kind == SymbolKind::Parameter) {
-                    let home = self.of[number].around[element.parent.unwrap_or(0)];
+                    let home = self.index.scopes.of[number].around[element.parent.unwrap_or(0)];
                     self.parameter_of(file, parent, home, name, around);
                 }
             }
             ("define", name) => {
-                for (_, attribute) in parameters(file.text, element) {
-                    let (range, from) = (attribute.name.clone(), attribute.range.end);
-                    self.value(file, SymbolKind::Parameter, inside, range, from);
+                for (number, _, attribute) in parameters(file.text, element) {
+                    let given = given(number, attribute.range.end);
+                    let range = attribute.name.clone();
+                    self.give(SymbolKind::Parameter, inside, range, given);
                 }
-                let Some(range) = name else { return };
-                let text = &file.text[range.clone()];
-                let known = self.frames[around].pieces.get(text).copied();
-                let symbol = known.unwrap_or_else(|| {
-                    let symbol = self.index.add(SymbolKind::Piece, text, 0);
-                    self.frames[around].pieces.insert(text.to_owned(), symbol);
-                    symbol
-                });
-                self.mark(file.id, range, symbol, Role::Declares);
-                for (name, _) in parameters(file.text, element) {
+                let Some((attribute, range)) = name else {
+                    return;
+                };
+                self.give(SymbolKind::Piece, around, range, given(attribute, 0));
+                for (_, name, _) in parameters(file.text, element) {
                     self.parameter_of(file, element, around, name, inside);
                 }
             }
@@ -282,31 +265,38 @@ impl<'a> Maker<'a> {
         inside: usize,
     ) {
         let called = piece.attribute("name").and_then(|a| trimmed(file.text, a));
-        let called = called.and_then(|r| self.frames[home].pieces.get(&file.text[r]));
-        let value = self.frames[inside].values.get(name);
-        if let (Some(piece), Some(value)) = (called.copied(), value.copied()) {
+        let frames = &self.index.scopes.frames;
+        let called = called.and_then(|r| frames[home].pieces.get(&file.text[r]));
+        let value = frames[inside].values.get(name);
+        if let (Some(piece), Some(value)) = (called, value) {
+            let (piece, value) = (piece.symbol, value.symbol);
             let list = self.parameters.entry(piece).or_default();
             let first = *list.entry(name.to_owned()).or_insert(value);
             self.index.join(first, value);
         }
     }
 
-    /// Gives a name to a value in a frame.
-    fn value(
-        &mut self,
-        file: File<'_>,
-        kind: SymbolKind,
-        frame: usize,
-        range: Range<usize>,
-        from: usize,
-    ) {
+    /// Gives a name to a value or a piece in a frame.
+    fn give(&mut self, kind: SymbolKind, frame: usize, range: Range<usize>, given: Given) {
+        let file = self.files[given.file];
         let name = &file.text[range.clone()];
-        let known = self.frames[frame].values.get(name).copied();
-        let symbol = known.unwrap_or_else(|| {
-            let symbol = self.index.add(kind, name, from);
-            self.frames[frame].values.insert(name.to_owned(), symbol);
-            symbol
-        });
+        let known = &mut self.index.scopes.frames[frame];
+        let list = match kind {
+            SymbolKind::Piece => &mut known.pieces,
+            _ => &mut known.values,
+        };
+        let symbol = match list.get_mut(name) {
+            Some(known) => {
+                known.given.push(given);
+                known.symbol
+            }
+            None => {
+                let symbol = self.index.symbols.len();
+                let given = vec![given];
+                list.insert(name.to_owned(), Value { symbol, given });
+                self.index.add(kind, name)
+            }
+        };
         self.mark(file.id, range, symbol, Role::Declares);
     }
 
@@ -325,13 +315,15 @@ impl<'a> Maker<'a> {
         for link in &links.list {
             let (file, target) = (self.files[link.from], self.files[link.to]);
             let element = &file.outline.elements[link.element];
-            let around = self.of[link.from].around[link.element];
-            if let Some(export) = self.of[link.to].inside.first() {
-                self.frames[around].files.push((*export, element.range.end));
+            let scopes = &mut self.index.scopes;
+            let around = scopes.of[link.from].around[link.element];
+            if let Some(export) = scopes.of[link.to].inside.first() {
+                let export = (*export, element.range.end);
+                scopes.frames[around].files.push(export);
             }
             let symbol = *files
                 .entry(link.to)
-                .or_insert_with(|| self.index.add(SymbolKind::File, target.name, 0));
+                .or_insert_with(|| self.index.add(SymbolKind::File, target.name));
             self.mark(file.id, link.range.clone(), symbol, Role::Uses);
         }
     }
@@ -340,7 +332,8 @@ impl<'a> Maker<'a> {
     fn resolve(&mut self, number: usize) {
         let file = self.files[number];
         for (own, element) in file.outline.elements.iter().enumerate() {
-            let (around, inside) = (self.of[number].around[own], self.of[number].inside[own]);
+            let frames = &self.index.scopes.of[number];
+            let (around, inside) = (frames.around[own], frames.inside[own]);
             let word = word(element);
             for attribute in &element.attributes {
                 let of_piece = word == "define" && attribute.word != "name";
@@ -362,52 +355,11 @@ impl<'a> Maker<'a> {
 
     /// A name in an expression.
     fn name(&mut self, file: File<'_>, frame: usize, range: &Range<usize>) {
-        if let Some(symbol) = self.find(frame, &file.text[range.clone()], range.start) {
+        let scopes = &self.index.scopes;
+        let value = scopes.value(frame, &file.text[range.clone()], range.start);
+        if let Some(symbol) = value {
             self.mark(file.id, range.clone(), symbol, Role::Uses);
         }
-    }
-
-    /// What a name means in a frame at a place.
-    fn find(&self, frame: usize, name: &str, at: usize) -> Option<usize> {
-        let (mut next, mut at) = (Some(frame), Some(at));
-        while let Some(index) = next {
-            let frame = &self.frames[index];
-            let behind = |from: usize| at.is_none_or(|at| from <= at);
-            let own = frame.values.get(name).copied();
-            let own = own.filter(|s| behind(self.index.symbols[*s].from));
-            let found = own.or_else(|| {
-                let files = frame.files.iter().filter(|(_, from)| behind(*from));
-                let get = |f: &Frame| f.values.get(name).copied();
-                files
-                    .into_iter()
-                    .find_map(|(f, _)| self.exported(*f, get, &mut vec![]))
-            });
-            if found.is_some() {
-                return found;
-            }
-            // Round a piece counts what is known where it is used, and that is not seen from here.
-            if frame.piece {
-                at = None;
-            }
-            next = frame.outer;
-        }
-        None
-    }
-
-    /// What a file says, or those that it includes.
-    fn exported(
-        &self,
-        frame: usize,
-        get: impl Fn(&Frame) -> Option<usize> + Copy,
-        seen: &mut Vec<usize>,
-    ) -> Option<usize> {
-        if seen.contains(&frame) {
-            return None;
-        }
-        seen.push(frame);
-        let frame = &self.frames[frame];
-        let further = || frame.files.iter();
-        get(frame).or_else(|| further().find_map(|(f, _)| self.exported(*f, get, seen)))
     }
 
     /// A `use`: the pieces that it may mean, and their parameters.
@@ -418,17 +370,19 @@ impl<'a> Maker<'a> {
         let Some(range) = trimmed(file.text, attribute) else {
             return;
         };
-        let text = &file.text[range.clone()];
+        let (text, scopes) = (&file.text[range.clone()], &self.index.scopes);
         let (pieces, role) = if attribute.expressions.is_empty() {
-            (Vec::from_iter(self.piece(around, text)), Role::Uses)
+            (Vec::from_iter(scopes.piece(around, text)), Role::Uses)
         } else {
             let literals = literals(file.text, &range, attribute);
-            (self.pieces_like(around, &literals), Role::Computed)
+            let all = scopes.pieces(around).into_iter();
+            let like = all.filter(|(name, _)| is_like(name, &literals));
+            (like.map(|(_, p)| p.symbol).collect(), Role::Computed)
         };
         for piece in &pieces {
             self.mark(file.id, range.clone(), *piece, role);
         }
-        for (name, attribute) in parameters(file.text, element) {
+        for (_, name, attribute) in parameters(file.text, element) {
             let all = pieces
                 .iter()
                 .filter_map(|p| self.parameters.get(p)?.get(name));
@@ -437,34 +391,6 @@ impl<'a> Maker<'a> {
             all.iter().for_each(|other| self.index.join(*first, *other));
             self.mark(file.id, attribute.name.clone(), *first, Role::Uses);
         }
-    }
-
-    /// The piece of a name.
-    fn piece(&self, frame: usize, name: &str) -> Option<usize> {
-        let get = |f: &Frame| f.pieces.get(name).copied();
-        let mut frames = std::iter::successors(Some(frame), |f| self.frames[*f].outer);
-        frames.find_map(|f| self.exported(f, get, &mut vec![]))
-    }
-
-    /// The pieces whose names have these texts in them, in this order, with anything between.
-    fn pieces_like(&self, frame: usize, literals: &[&str]) -> Vec<usize> {
-        let mut names: BTreeMap<&str, usize> = BTreeMap::new();
-        let (mut next, mut seen) = (Some(frame), vec![]);
-        while let Some(frame) = next {
-            let mut open = vec![frame];
-            while let Some(f) = open.pop() {
-                if !seen.contains(&f) {
-                    seen.push(f);
-                    for (name, symbol) in &self.frames[f].pieces {
-                        names.entry(name).or_insert(*symbol);
-                    }
-                    open.extend(self.frames[f].files.iter().map(|(f, _)| *f));
-                }
-            }
-            next = self.frames[frame].outer;
-        }
-        let fits = |(name, _): &(&str, usize)| is_like(name, literals);
-        names.into_iter().filter(fits).map(|(_, s)| s).collect()
     }
 }
 

@@ -1,0 +1,160 @@
+//! What is known where: each element that names something is a frame, and so is each file; a place knows what its frame
+//! names before it, then what the frames round that do, and the files that they include.
+
+use crate::parse::outline::Outline;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The frames of a text and of the files that were read for it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scopes {
+    pub(super) frames: Vec<Frame>,
+    /// Those of each file.
+    pub(super) of: Vec<Frames>,
+}
+
+/// What is named in an element.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Frame {
+    outer: Option<usize>,
+    /// Whether it is that of a piece: what stands round it counts as it is where the piece is used.
+    piece: bool,
+    pub(super) values: BTreeMap<String, Named>,
+    pub(super) pieces: BTreeMap<String, Named>,
+    /// The frames of included files, and from where on.
+    pub(super) files: Vec<(usize, usize)>,
+}
+
+/// A name in a frame.
+#[derive(Clone, Debug)]
+pub(super) struct Named {
+    /// Its number in the index.
+    pub(super) symbol: usize,
+    /// Where it is given: in several branches, or again further on.
+    pub(super) given: Vec<Given>,
+}
+
+/// Where a name is given.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given {
+    /// The number of the file.
+    pub(super) file: usize,
+    /// The `let`, `Param` or `define`.
+    pub(super) element: usize,
+    /// The attribute that names it: `name`, or of a `define` the parameter itself.
+    pub(super) attribute: usize,
+    /// From where on it is known.
+    pub(super) from: usize,
+}
+
+/// The frames of one file: round each element, and in it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Frames {
+    pub(super) around: Vec<usize>,
+    pub(super) inside: Vec<usize>,
+    /// Round all of them.
+    pub(super) outermost: usize,
+}
+
+impl Scopes {
+    /// A new frame.
+    pub(super) fn frame(&mut self, outer: Option<usize>, piece: bool) -> usize {
+        self.frames.push(Frame {
+            outer,
+            piece,
+            ..Frame::default()
+        });
+        self.frames.len() - 1
+    }
+
+    /// The frame of an offset of a file.
+    pub(super) fn at(&self, file: usize, outline: &Outline, at: usize) -> usize {
+        let frames = &self.of[file];
+        let Some(own) = outline.element_at(at) else {
+            return frames.outermost;
+        };
+        let element = &outline.elements[own];
+        let inside = at >= element.tag.end || super::index::word(element) == "define";
+        if inside {
+            frames.inside[own]
+        } else {
+            frames.around[own]
+        }
+    }
+
+    /// The frames that one knows at a place, itself first, each with the place up to which it counts; `None` = all of it.
+    fn known(&self, frame: usize, at: Option<usize>) -> Vec<(usize, Option<usize>)> {
+        let (mut found, mut next, mut at) = (vec![], Some(frame), at);
+        while let Some(index) = next {
+            let frame = &self.frames[index];
+            found.push((index, at));
+            self.included(frame, at, &mut found);
+            // Round a piece counts what is known where it is used, and that is not seen from here.
+            if frame.piece {
+                at = None;
+            }
+            next = frame.outer;
+        }
+        found
+    }
+
+    /// Adds the frames of the files that a frame includes before a place.
+    fn included(&self, frame: &Frame, at: Option<usize>, found: &mut Vec<(usize, Option<usize>)>) {
+        for (file, from) in &frame.files {
+            let new = found.iter().all(|f| f != &(*file, None));
+            if new && at.is_none_or(|at| *from <= at) {
+                found.push((*file, None));
+                self.included(&self.frames[*file], None, found);
+            }
+        }
+    }
+
+    /// What a name means in a frame at a place.
+    pub(super) fn value(&self, frame: usize, name: &str, at: usize) -> Option<usize> {
+        let known = self.known(frame, Some(at)).into_iter();
+        let mut values = known.filter_map(|(f, at)| Some((self.frames[f].values.get(name)?, at)));
+        let value = values.find(|(value, at)| value.before(*at).is_some());
+        value.map(|(value, _)| value.symbol)
+    }
+
+    /// The values that a frame knows at a place, the nearest first; each name once.
+    pub(super) fn values(&self, frame: usize, at: usize) -> Vec<Given> {
+        let (mut names, mut found) = (BTreeSet::new(), vec![]);
+        for (frame, at) in self.known(frame, Some(at)) {
+            let all = self.frames[frame].values.iter();
+            let all = all.filter_map(|(name, value)| Some((name, value.before(at)?)));
+            let mut new: Vec<Given> = all
+                .filter(|(n, _)| names.insert(*n))
+                .map(|(_, g)| g)
+                .collect();
+            new.sort_by_key(|g| std::cmp::Reverse(g.from));
+            found.extend(new);
+        }
+        found
+    }
+
+    /// The piece of a name.
+    pub(super) fn piece(&self, frame: usize, name: &str) -> Option<usize> {
+        let mut known = self.known(frame, None).into_iter();
+        let piece = known.find_map(|(f, _)| self.frames[f].pieces.get(name));
+        piece.map(|p| p.symbol)
+    }
+
+    /// The pieces that a frame knows, the nearest first; each name once.
+    pub(super) fn pieces(&self, frame: usize) -> Vec<(&str, &Named)> {
+        let (mut names, mut found) = (BTreeSet::new(), vec![]);
+        for (frame, _) in self.known(frame, None) {
+            let all = self.frames[frame].pieces.iter();
+            let new = all.filter(|(name, _)| names.insert(*name));
+            found.extend(new.map(|(name, piece)| (name.as_str(), piece)));
+        }
+        found
+    }
+}
+
+impl Named {
+    /// Where it is given last before a place; `None` = anywhere.
+    fn before(&self, at: Option<usize>) -> Option<Given> {
+        let known = |g: &&Given| at.is_none_or(|at| g.from <= at);
+        self.given.iter().rfind(known).copied()
+    }
+}
