@@ -104,11 +104,14 @@ fn all(documents: &Documents, document: &Document, manner: Manner) -> Option<lsp
             let next = taken.range(s.start..).next();
             next.is_some_and(|(_, start)| *start <= s.end)
         };
+        let Some(made) = places.edits(&mend.edits) else {
+            continue;
+        };
         if !own || spans().any(meets) {
             continue;
         }
         taken.extend(spans().map(|s| (s.end, s.start)));
-        changes.merge(places.edits(&mend.edits)?);
+        changes.merge(made);
         count += 1;
     }
     if count == 0 {
