@@ -42,8 +42,8 @@ pub fn serve(
     language: Language,
 ) -> bool {
     let (server, client) = Connection::memory();
-    let writer = transport::start(client, input, output);
-    let polite = serve_on(server, language);
+    let (written, writer) = transport::start(client, input, output);
+    let polite = server::Server::new(server, Some(written), language).run();
     // What was said last is to be written before the program ends.
     let _ = writer.join();
     polite
@@ -51,5 +51,5 @@ pub fn serve(
 
 /// The same on messages.
 pub fn serve_on(connection: Connection, language: Language) -> bool {
-    server::Server::new(connection, language).run()
+    server::Server::new(connection, None, language).run()
 }

@@ -11,6 +11,7 @@ use gen_lsp_types as lsp;
 use lsp_server::ErrorCode;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::value::{RawValue, to_raw_value};
 use serde_json::{Value, json};
 use std::ops::Range;
 
@@ -51,7 +52,7 @@ pub(super) fn capabilities(encoding: Encoding) -> Value {
 }
 
 /// Answers a request.
-pub(super) fn answer(server: &mut Server, method: &str, params: Value) -> Answer<Value> {
+pub(super) fn answer(server: &mut Server, method: &str, params: Value) -> Answer<Box<RawValue>> {
     match method {
         "textDocument/completion" => run(server, params, complete::completion),
         "completionItem/resolve" => run(server, params, complete::resolve),
@@ -77,16 +78,16 @@ pub(super) fn answer(server: &mut Server, method: &str, params: Value) -> Answer
     }
 }
 
-/// Reads the parameters, works, writes the result.
+/// Reads the parameters, works, writes the result: as text at once, since a tree of it would take longer than all the rest.
 fn run<P: DeserializeOwned, R: Serialize>(
     server: &mut Server,
     params: Value,
     work: fn(&mut Server, P) -> Answer<R>,
-) -> Answer<Value> {
+) -> Answer<Box<RawValue>> {
     let params = serde_json::from_value(params);
     let params = params.map_err(|e| (ErrorCode::InvalidParams, e.to_string()))?;
     let result = work(server, params)?;
-    serde_json::to_value(result).map_err(|e| (ErrorCode::InternalError, e.to_string()))
+    to_raw_value(&result).map_err(|e| (ErrorCode::InternalError, e.to_string()))
 }
 
 /// An open text with all that is known of it.

@@ -5,16 +5,19 @@ use super::documents::Documents;
 use super::publish::Published;
 use super::requests;
 use super::settings::Settings;
-use super::transport::BROKEN;
+use super::transport::{BROKEN, bytes};
 use super::uri;
 use super::world::key;
 use crate::diagnostic::Language;
 use gen_lsp_types as lsp;
 use lsp_server::{Connection, ErrorCode, Message, Notification, Request, RequestId, Response};
+use serde::Serialize;
 use serde::de::DeserializeOwned;
+use serde_json::value::RawValue;
 use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::Sender;
 
 /// The number of the request for settings.
 const SETTINGS: &str = "hsd/settings";
@@ -33,6 +36,8 @@ enum Phase {
 /// One client and its texts.
 pub(super) struct Server {
     connection: Connection,
+    /// Where messages go as bytes, if they do.
+    written: Option<Sender<Vec<u8>>>,
     /// Messages that came and are not answered yet.
     queue: VecDeque<Message>,
     phase: Phase,
@@ -45,9 +50,14 @@ pub(super) struct Server {
 }
 
 impl Server {
-    pub(super) fn new(connection: Connection, locale: Language) -> Server {
+    pub(super) fn new(
+        connection: Connection,
+        written: Option<Sender<Vec<u8>>>,
+        locale: Language,
+    ) -> Server {
         Server {
             connection,
+            written,
             queue: VecDeque::new(),
             phase: Phase::New,
             client: Client::default(),
@@ -134,15 +144,14 @@ impl Server {
                 // A fault of the program ends this request and no other.
                 let answer =
                     catch_unwind(AssertUnwindSafe(|| requests::answer(self, method, params)));
-                let response = match answer {
-                    Ok(Ok(result)) => Response::new_ok(id, result),
-                    Ok(Err((code, why))) => Response::new_err(id, code as i32, why),
+                match answer {
+                    Ok(Ok(result)) => self.answer(id, &result),
+                    Ok(Err((code, why))) => self.refuse(id, code, &why),
                     Err(_) => {
                         let why = format!("{method}: a fault of the program");
-                        Response::new_err(id, ErrorCode::InternalError as i32, why)
+                        self.refuse(id, ErrorCode::InternalError, &why);
                     }
-                };
-                self.send(response);
+                }
             }
         }
     }
@@ -183,7 +192,7 @@ impl Server {
 
     fn notification(&mut self, note: Notification) {
         if note.method == BROKEN {
-            return self.send(note);
+            return self.misunderstood(note.params.as_str().unwrap_or_default());
         }
         if self.phase != Phase::Running {
             return;
@@ -298,14 +307,48 @@ impl Server {
 
     fn publish(&self, shown: Vec<lsp::PublishDiagnosticsParams>) {
         for params in shown {
-            if let Ok(params) = serde_json::to_value(params) {
-                self.notify("textDocument/publishDiagnostics", params);
+            self.notify("textDocument/publishDiagnostics", params);
+        }
+    }
+
+    fn notify(&self, method: &str, params: impl Serialize) {
+        match &self.written {
+            Some(written) => {
+                let message = Note {
+                    jsonrpc: VERSION,
+                    method,
+                    params,
+                };
+                let _ = written.send(bytes(&message));
+            }
+            None => self.send(Notification::new(method.to_owned(), params)),
+        }
+    }
+
+    fn answer(&self, id: RequestId, result: &RawValue) {
+        match &self.written {
+            Some(written) => {
+                let message = Answer {
+                    jsonrpc: VERSION,
+                    id,
+                    result,
+                };
+                let _ = written.send(bytes(&message));
+            }
+            None => {
+                let result: Value = serde_json::from_str(result.get()).unwrap_or_default();
+                self.send(Response::new_ok(id, result));
             }
         }
     }
 
-    fn notify(&self, method: &str, params: Value) {
-        self.send(Notification::new(method.to_owned(), params));
+    /// Answers what is no message: nobody knows its number.
+    fn misunderstood(&self, why: &str) {
+        let error = json!({ "code": ErrorCode::ParseError as i32, "message": why });
+        if let Some(written) = &self.written {
+            let message = json!({ "jsonrpc": VERSION, "id": null, "error": error });
+            let _ = written.send(bytes(&message));
+        }
     }
 
     fn ask(&self, id: &str, method: &str, params: Value) {
@@ -319,8 +362,35 @@ impl Server {
 
     /// Says something; a client that is gone hears nothing.
     fn send(&self, message: impl Into<Message>) {
-        let _ = self.connection.sender.send(message.into());
+        let message = message.into();
+        let _ = match &self.written {
+            Some(written) => {
+                let mut bytes = vec![];
+                let _ = message.write(&mut bytes);
+                written.send(bytes).is_ok()
+            }
+            None => self.connection.sender.send(message).is_ok(),
+        };
     }
+}
+
+/// The version of the protocol below this one.
+const VERSION: &str = "2.0";
+
+/// A notification whose parameters are written as they are.
+#[derive(Serialize)]
+struct Note<'m, P> {
+    jsonrpc: &'static str,
+    method: &'m str,
+    params: P,
+}
+
+/// A response whose result is written already.
+#[derive(Serialize)]
+struct Answer<'m> {
+    jsonrpc: &'static str,
+    id: RequestId,
+    result: &'m RawValue,
 }
 
 /// What a notification says; one that makes no sense is passed over.

@@ -1,55 +1,57 @@
 //! Messages from and to a stream. What is no message is answered as such, and the next one read.
 
-use lsp_server::{Connection, ErrorCode, Message};
+use lsp_server::{Connection, Message};
+use serde::Serialize;
 use std::io::{self, BufRead, Error, ErrorKind, Read, Write};
+use std::sync::mpsc::{self, Sender};
 use std::thread::{self, JoinHandle};
 
 /// The longest message that is read, bytes; of a longer one nothing is kept.
 const LONGEST: u64 = 1 << 28;
 
-/// Reads and writes in the background. The writer ends when the server is gone.
+/// Reads and writes in the background. The writer takes messages as [`bytes`] has them, and ends when the server is gone.
 pub(super) fn start(
     client: Connection,
     mut input: impl BufRead + Send + 'static,
     mut output: impl Write + Send + 'static,
-) -> JoinHandle<()> {
-    let Connection { sender, receiver } = client;
+) -> (Sender<Vec<u8>>, JoinHandle<()>) {
+    let sender = client.sender;
     // Nobody waits for the reader: it may hang on a stream that never ends.
     thread::spawn(move || {
         loop {
-            match read(&mut input) {
-                Ok(Some(message)) => {
-                    if sender.send(message).is_err() {
-                        return;
-                    }
-                }
+            let message = match read(&mut input) {
+                Ok(Some(message)) => message,
                 // The stream goes on behind what could not be read.
-                Err(error) if error.kind() == ErrorKind::InvalidData => {
-                    let broken = lsp_server::Notification {
-                        method: BROKEN.into(),
-                        params: error.to_string().into(),
-                    };
-                    if sender.send(broken.into()).is_err() {
-                        return;
-                    }
+                Err(error) if error.kind() == ErrorKind::InvalidData => lsp_server::Notification {
+                    method: BROKEN.into(),
+                    params: error.to_string().into(),
                 }
+                .into(),
                 Ok(None) | Err(_) => return,
-            }
-        }
-    });
-    thread::spawn(move || {
-        for message in receiver {
-            let written = match &message {
-                Message::Notification(n) if n.method == BROKEN => {
-                    refuse(&mut output, n.params.as_str().unwrap_or_default())
-                }
-                other => other.write(&mut output),
             };
-            if written.is_err() {
+            if sender.send(message).is_err() {
                 return;
             }
         }
-    })
+    });
+    let (written, messages) = mpsc::channel::<Vec<u8>>();
+    let writer = thread::spawn(move || {
+        for message in messages {
+            let done = output.write_all(&message).and_then(|()| output.flush());
+            if done.is_err() {
+                return;
+            }
+        }
+    });
+    (written, writer)
+}
+
+/// A message as it goes over a stream.
+pub(super) fn bytes(message: &impl Serialize) -> Vec<u8> {
+    let body = serde_json::to_vec(message).unwrap_or_default();
+    let mut whole = format!("Content-Length: {}\r\n\r\n", body.len()).into_bytes();
+    whole.extend(body);
+    whole
 }
 
 /// The next message; `None` at the end of the stream. Room is made for what comes, not for what is announced: a header
@@ -93,16 +95,3 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
 
 /// The name under which a broken message is passed on.
 pub(super) const BROKEN: &str = "$/broken";
-
-/// Answers what is no message: nobody knows its number.
-fn refuse(output: &mut dyn Write, why: &str) -> std::io::Result<()> {
-    let code = ErrorCode::ParseError as i32;
-    let body = serde_json::json!({
-        "jsonrpc": "2.0",
-        "id": null,
-        "error": { "code": code, "message": why },
-    });
-    let body = body.to_string();
-    write!(output, "Content-Length: {}\r\n\r\n{body}", body.len())?;
-    output.flush()
-}
