@@ -7,6 +7,7 @@ mod conformance;
 mod files;
 mod life;
 mod mends;
+mod program;
 mod speed;
 mod stream;
 #[path = "../support/mod.rs"]
