@@ -7,7 +7,8 @@ use crate::text;
 
 /// A width as an author would write it.
 fn units(width: f64) -> String {
-    let rounded = (width * 1000.0).round() / 1000.0;
+    // Adding nothing makes -0 plain 0.
+    let rounded = (width * 1000.0).round() / 1000.0 + 0.0;
     format!("{rounded} U")
 }
 

@@ -129,8 +129,13 @@ pub(super) fn nearest<'c>(word: &str, candidates: &[&'c str]) -> Option<&'c str>
     if lower.len() > 32 {
         return None;
     }
-    let score = |c: &&'c str| (strsim::osa_distance(&lower, &c.to_ascii_lowercase()), *c);
-    let (edits, best) = candidates.iter().map(score).min()?;
+    // Of words as near, one with the same first letter: that is seldom the mistake.
+    let score = |c: &&'c str| {
+        let small = c.to_ascii_lowercase();
+        let edits = strsim::osa_distance(&lower, &small);
+        (edits, small.bytes().next() != lower.bytes().next(), *c)
+    };
+    let (edits, _, best) = candidates.iter().map(score).min()?;
     (edits * 3 <= best.len().max(3) + 1).then_some(best)
 }
 
@@ -153,5 +158,6 @@ mod tests {
         assert_eq!(nearest("units", &keys), Some("unit"));
         assert_eq!(nearest("STRET", &keys), Some("street"));
         assert_eq!(nearest("depth", &keys), None);
+        assert_eq!(nearest("KRI", &["IRI", "KIR"]), Some("KIR"));
     }
 }

@@ -147,6 +147,11 @@ impl<'t> Reader<'t, '_> {
 
     /// Reports a text that stands in an element of elements.
     pub(super) fn misplaced(&mut self, range: &Range<usize>, text: &str, parent: &str) {
+        // A lone `<` was told of as a tag that is none.
+        let whole = self.faults.source.text();
+        if &whole[range.clone()] == "<" && !whole[..range.start].ends_with("[CDATA[") {
+            return;
+        }
         let written = self.faults.quote(range);
         self.faults
             .at(range, |s| say::text_not_allowed(s, text, parent, written));

@@ -173,6 +173,10 @@ impl<'a> Builder<'a> {
 
     /// Reports text that stands in no element.
     fn outside(&self, range: Range<usize>, faults: &mut Faults<'a>) {
+        // A lone `<` was told of as a tag that is none.
+        if &faults.source.text()[range.clone()] == "<" {
+            return;
+        }
         let written = faults.quote(&range);
         faults.at(&range, |s| say::text_outside(s, written));
     }

@@ -22,6 +22,18 @@ fn names(chain: &[(String, Span)], between: &str) -> String {
     names.join(between)
 }
 
+/// A path, of a long one the end, which tells files apart.
+fn path_end(path: &str) -> String {
+    let skipped = path.chars().count().saturating_sub(36);
+    let cut = path.char_indices().nth(skipped);
+    let cut = cut.map(|(at, _)| at).unwrap_or_default();
+    match path[cut..].find(['/', '\\']) {
+        Some(slash) if cut > 0 => format!("…{}", &path[cut + slash..]),
+        _ if cut > 0 => path.rsplit(['/', '\\']).next().unwrap_or(path).to_owned(),
+        _ => path.to_owned(),
+    }
+}
+
 /// Marks the links of a chain.
 fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
     chain
@@ -179,7 +191,8 @@ pub fn include_outside(span: Span, href: &str) -> Diagnostic {
 /// Files that include each other.
 #[cold]
 pub fn include_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
-    let (en, ja) = (names(chain, ", which includes "), names(chain, " → "));
+    let paths: Vec<_> = chain.iter().map(|(n, s)| (path_end(n), *s)).collect();
+    let (en, ja) = (names(&paths, ", which includes "), names(&paths, " → "));
     let message = text!(
         "files include each other: {en}",
         "ファイルが互いを取り込んでいます: {ja}"
