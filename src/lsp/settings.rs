@@ -8,7 +8,7 @@
 //! | `parameters` | names and values of parameters |
 //! | `seed` | in place of the seeds of houses |
 //! | `root` | the folder below which included files lie |
-//! | `pictures` | whether hovers show pictures of parts |
+//! | `pictures` | whether cards show pictures of parts; unless said they do not, since terminals show a page of letters in their place |
 //! | `inlayHints` | whether lengths are shown behind wall lines |
 
 use crate::diagnostic::Language;
@@ -30,7 +30,7 @@ pub(super) struct Settings {
     pub(super) seed: Option<u64>,
     /// The folder below which included files lie.
     pub(super) root: Option<PathBuf>,
-    /// Whether hovers show pictures.
+    /// Whether cards show pictures.
     pub(super) pictures: bool,
     /// Whether lengths are shown behind lines.
     pub(super) inlay_hints: bool,
@@ -46,7 +46,7 @@ impl Settings {
             parameters: vec![],
             seed: None,
             root: None,
-            pictures: true,
+            pictures: false,
             inlay_hints: true,
         }
     }
@@ -78,7 +78,7 @@ impl Settings {
             })
             .collect();
         settings.seed = said["seed"].as_u64();
-        settings.pictures = said["pictures"].as_bool().unwrap_or(true);
+        settings.pictures = said["pictures"].as_bool().unwrap_or(false);
         settings.inlay_hints = said["inlayHints"].as_bool().unwrap_or(true);
         settings
     }

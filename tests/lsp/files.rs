@@ -169,3 +169,22 @@ fn wishes_change_what_is_said() {
     );
     assert!(client.finish());
 }
+
+#[test]
+fn cards_show_pictures_only_where_they_are_asked_for() {
+    let uri = "untitled:Untitled-1";
+    let text = "0 0\n9\n\nKSK  KSK\nKSK  KSK\nKSK  KSK\nKSK  KSK\n";
+    for (said, shown) in [(json!({}), false), (json!({ "pictures": true }), true)] {
+        let mut client = Client::with(json!({ "capabilities": {}, "initializationOptions": said }));
+        client.open(uri, text);
+        let place =
+            json!({ "textDocument": { "uri": uri }, "position": { "line": 3, "character": 1 } });
+        let card = client
+            .request("textDocument/hover", place)
+            .unwrap()
+            .to_string();
+        assert!(card.contains("漆喰壁"), "{card}");
+        assert_eq!(card.contains("data:image"), shown, "{card}");
+        assert!(client.finish());
+    }
+}
