@@ -54,8 +54,9 @@ pub(super) fn card(
     let unit = shell.houses.get(house).map_or(3.0 * SHAKU, |h| h.unit);
     let mut lines = vec![width(part.width(), unit), heights(part)];
     if !part.made.is_empty() {
-        let made = &part.made;
-        lines.push(text!("made of {made}", "材料: {made}"));
+        let said = words::meaning(words::STUFFS, &part.made);
+        let made = said.map_or((&*part.made).into(), Text::from);
+        lines.push(text!([made] "made of {made}", "材料: {made}"));
     }
     let class = words::class(part.class());
     let letter = part.class();

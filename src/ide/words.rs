@@ -1,10 +1,13 @@
 //! What the words of the language mean: those of values, of roof lines, of the legacy header, and letters of classes.
 
 mod shapes;
+mod stuffs;
 
 pub(super) use shapes::SHAPES;
+pub(super) use stuffs::STUFFS;
 
 use crate::diagnostic::{Noun, noun};
+use crate::source::Source;
 
 /// Words with what they mean.
 pub(super) type Table = [(&'static str, Noun)];
@@ -294,6 +297,12 @@ pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
 /// What a word of a table means.
 pub(super) fn meaning(table: &Table, word: &str) -> Option<Noun> {
     table.iter().find(|(w, _)| *w == word).map(|(_, n)| *n)
+}
+
+/// A file without its folders, which would be most of a line.
+pub(super) fn file(source: &Source) -> &str {
+    let name = source.name();
+    name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
 
 /// What a class of parts is called.

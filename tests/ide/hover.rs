@@ -199,3 +199,38 @@ fn every_place_of_every_example_can_be_asked() {
     }
     assert!(told > 5_000, "{told}");
 }
+
+#[test]
+fn cards_speak_in_the_language_of_the_reader_and_in_numbers_of_the_text() {
+    let (a, at) = marked(&[("家.hsd", &house("KKS  ", "G‸SI  "))]);
+    let card = hover(&a, at, Language::Japanese, false).unwrap().markdown;
+    assert!(card.contains("材料: 杉、弁柄塗"), "{card}");
+    let pitched = house("P4.0", "P3‸.5 E2.5");
+    says(&pitched, "P3.5", &["pitch of 3.5 sun: rises 3.5 in 10"]);
+    let wide = house("P4.0", "P3.5 E‸2.5");
+    says(&wide, "E2.5", &["overhang at the eaves", "2.5 = 0.76 m"]);
+}
+
+#[test]
+fn cards_name_files_without_their_folders() {
+    let text = "<House><include href=\"lib/parts.hsd\"/><Storey height=\"9\"><Row>GX‸X</Row></Storey></House>";
+    let parts = "<Catalog><PartDef code=\"GXX  \" base=\"GSI\" ja=\"自作格子\"/></Catalog>";
+    let files = [("家.hsd", text), ("lib/parts.hsd", parts)];
+    let (_, card) = told_among(&files, Language::English);
+    assert!(card.contains("own part (parts.hsd, line 1)"), "{card}");
+    let named = "<House><Param name=\"w\" default=\"2\"/><Storey height=\"{w‸}\"/></House>";
+    let (_, card) = told_among(&[("/home/花子/家.hsd", named)], Language::English);
+    assert!(card.contains("`Param` (line 1)"), "{card}");
+}
+
+#[test]
+fn an_open_facade_has_no_area() {
+    let text = "<House><Storey‸ height=\"9\"><Row>GSI  GSI</Row></Storey></House>";
+    let (_, card) = told(text);
+    assert!(
+        card.contains("perimeter 2 U") && !card.contains("area"),
+        "{card}"
+    );
+    let bounds = "<House><Storey hei‸ght=\"9\"/></House>";
+    says(bounds, "height", &["from 0.001 to 100000"]);
+}

@@ -94,12 +94,21 @@ fn storey(house: &House, storey: &Storey) -> Text {
         short(storey.z0 / SHAKU, 2),
         short(storey.z1 / SHAKU, 2),
     );
-    let (tsubo, area) = (short(area / TSUBO, 1), short(area, 1));
     let (u, shaku, metres) = lengths(perimeter, house.unit);
-    text!(
-        "storey {number}: {z0} to {z1} shaku above the sill; perimeter {u} U = {shaku} shaku = {metres} m; area {area} m² = {tsubo} tsubo",
-        "{number}階: 土台から {z0}〜{z1} 尺、周長 {u} U = {shaku} 尺 = {metres} m、面積 {area} m² = {tsubo} 坪"
+    let floor = bounded(area, noun("; area", "、面積"));
+    text!([floor]
+        "storey {number}: {z0} to {z1} shaku above the sill; perimeter {u} U = {shaku} shaku = {metres} m{floor}",
+        "{number}階: 土台から {z0}〜{z1} 尺、周長 {u} U = {shaku} 尺 = {metres} m{floor}"
     )
+}
+
+/// An area; nothing of walls that bound none.
+fn bounded(area: f64, what: Noun) -> Text {
+    if area <= 0.0 {
+        return "".into();
+    }
+    let (tsubo, area) = (short(area / TSUBO, 1), short(area, 1));
+    text!([what] "{what} {area} m² = {tsubo} tsubo", "{what} {area} m² = {tsubo} 坪")
 }
 
 /// Area in square metres, and the length of the outer walls in U.
@@ -129,14 +138,14 @@ pub(super) fn houses(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
     own.take(WALLS)
         .map(|(index, house)| {
             let area: f64 = house.storeys.iter().map(|s| measures(house, s).0).sum();
-            let (tsubo, area) = (short(area / TSUBO, 1), short(area, 1));
+            let floors = bounded(area, noun("; floors", "、延べ面積"));
             let count = house.storeys.iter().map(|s| s.number).max().unwrap_or(0);
             let roofs = building.roofs.get(index).map_or(0, |r| r.roofs.len());
             let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
             let (shaku, metres) = (short(top / SHAKU, 2), short(top, 2));
-            text!(
-                "{count} storeys, {roofs} roofs; walls {shaku} shaku = {metres} m high; floors {area} m² = {tsubo} tsubo",
-                "{count}階建て、屋根 {roofs}、壁の高さ {shaku} 尺 = {metres} m、延べ面積 {area} m² = {tsubo} 坪"
+            text!([floors]
+                "{count} storeys, {roofs} roofs; walls {shaku} shaku = {metres} m high{floors}",
+                "{count}階建て、屋根 {roofs}、壁の高さ {shaku} 尺 = {metres} m{floors}"
             )
         })
         .collect()

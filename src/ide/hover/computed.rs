@@ -107,7 +107,7 @@ pub(super) fn file(ask: &Ask<'_>, range: &Range<usize>, href: &str) -> Option<Ho
     };
     let all = ask.a.checked.included.iter().zip(ask.a.outlines());
     let (source, outline) = all.into_iter().find(|(s, _)| ends(s.name()))?;
-    let mut lines = vec![format!("**{}**", source.name()), String::new()];
+    let mut lines = vec![format!("**{}**", words::file(source)), String::new()];
     for element in &outline.elements {
         let outer = element
             .parent

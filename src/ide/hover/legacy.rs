@@ -149,11 +149,28 @@ fn roof(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
             };
             Some(text!([way] "`{name}`: {way}", "`{name}`: {way}"))
         }
-        Field::Option => word
-            .get(..1)
-            .and_then(|l| words::meaning(words::OPTIONS, l))
-            .map(Text::from),
+        Field::Option => option(word),
     };
     let head = about.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
     ask.told(&words[index], head.into_iter().chain(built))
+}
+
+/// An option: what its letter means, and its number.
+fn option(word: &str) -> Option<Text> {
+    let (letter, number) = (word.get(..1)?, word.get(1..)?);
+    let about = Text::from(words::meaning(words::OPTIONS, letter)?);
+    let Ok(number) = number.parse::<f64>() else {
+        return Some(about);
+    };
+    let (own, metres) = (short(number, 3), short(number * SHAKU, 2));
+    Some(match letter {
+        "P" => text!(
+            "pitch of {own} sun: rises {own} in 10",
+            "勾配 {own} 寸: 10 進んで {own} 上がる"
+        ),
+        "E" | "G" | "T" => {
+            text!([about] "{about}: {own} = {metres} m", "{about}: {own} = {metres} m")
+        }
+        _ => about,
+    })
 }

@@ -227,7 +227,7 @@ fn form(kind: Kind) -> Option<Text> {
 }
 
 fn bound(number: f64) -> String {
-    match number.abs() >= 1e5 {
+    match number.abs() >= 1e9 {
         true => format!("{number:e}"),
         false => short(number, 6),
     }
