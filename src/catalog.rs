@@ -20,7 +20,7 @@ use crate::material::SurfaceId;
 use crate::source::{FileId, Span, Spanned};
 use body::Element;
 use own::Scope;
-pub use reading::folded;
+pub use reading::{folded, narrow};
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use value::Mm;

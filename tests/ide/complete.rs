@@ -126,6 +126,27 @@ fn codes_come_by_code_by_japanese_name_by_reading_and_in_english() {
 }
 
 #[test]
+fn codes_come_by_kana_and_in_full_width_letters() {
+    for (typed, code) in [
+        ("こうしど", "TKD"),
+        ("おおど", "TOD"),
+        ("ムシコ", "MMU"),
+        ("しっくい", "KSK"),
+        ("ＫＫＳ", "KKS"),
+        ("ｋｋｓ", "KKS"),
+    ] {
+        let asked = wall(&format!("KKS  {typed}‸"));
+        let best = asked.found.iter().min_by_key(|c| &c.sort);
+        assert_eq!(best.map(|c| &*c.label), Some(code), "{typed}");
+        assert!(asked.find(code).filter.starts_with(typed), "{typed}");
+        assert_eq!(asked.line(code), format!("KKS  {code}  "), "{typed}");
+        asked.clean(code);
+    }
+    let lattices = wall("こうし‸");
+    assert!(lattices.has("GSI") && lattices.has("TKD") && !lattices.has("KSK"));
+}
+
+#[test]
 fn codes_behind_keep_their_columns() {
     assert_eq!(wall("KKS  ‸").line("GSI"), "KKS  GSI  ");
     assert_eq!(wall("G‸X   KKS").line("GSI"), "GSI  KKS");
@@ -168,6 +189,9 @@ fn parts_have_cards_with_pictures_when_one_is_chosen() {
         };
         let card = documentation(&asked.a, &key, Language::Japanese, true).unwrap();
         assert!(card.len() < 13_000, "{}: {}", part.code(), card.len());
+        let made = card.lines().find_map(|l| l.strip_prefix("- 材料: "));
+        let english = made.is_some_and(|m| m.contains(|c: char| c.is_ascii_alphabetic()));
+        assert!(!english, "{}: {made:?}", part.code());
         assert_eq!(
             card.contains("data:image"),
             part.class() != ' ',

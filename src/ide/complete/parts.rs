@@ -2,7 +2,7 @@
 
 use super::cells::{Cell, padded};
 use super::{Ask, Completion, CompletionKind, PartKey};
-use crate::catalog::{Catalog, PartDef, PartId, folded};
+use crate::catalog::{Catalog, PartDef, PartId, folded, narrow};
 use crate::diagnostic::Text;
 use crate::ide::{Analysis, words};
 use crate::text;
@@ -160,7 +160,7 @@ struct Wanted {
 
 impl Wanted {
     fn new(typed: &str) -> Wanted {
-        let typed = typed.trim();
+        let typed = &*narrow(typed.trim());
         Wanted {
             code: typed.to_ascii_uppercase(),
             lower: typed.to_lowercase(),
@@ -186,7 +186,9 @@ impl Wanted {
                 || words::class(part.class()).ja.contains(&*self.lower);
             let reads =
                 !self.sound.is_empty() && sounds(part).iter().any(|s| s.contains(&self.sound));
-            return match (part.ja.starts_with(&*self.lower), named || reads) {
+            let begins = part.ja.starts_with(&*self.lower)
+                || sounds(part).iter().any(|s| s.starts_with(&self.sound));
+            return match (begins && !self.sound.is_empty(), named || reads) {
                 (true, _) => Some(0),
                 (_, true) => Some(1),
                 _ => None,
