@@ -181,7 +181,7 @@ fn cards_show_pictures_only_where_they_are_asked_for() {
             json!({ "textDocument": { "uri": uri }, "position": { "line": 3, "character": 1 } });
         let card = client
             .request("textDocument/hover", place)
-            .unwrap()
+            .unwrap_or_else(|why| panic!("{why:?}"))
             .to_string();
         assert!(card.contains("漆喰壁"), "{card}");
         assert_eq!(card.contains("data:image"), shown, "{card}");

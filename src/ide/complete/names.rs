@@ -50,7 +50,7 @@ pub(super) fn pieces(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
     all.map(|(rank, piece)| {
         let named = names::parameters(&piece);
         let named: Vec<&str> = named.iter().map(Known::name).collect();
-        let (list, file) = (named.join(", "), words::file(&piece.source));
+        let (list, file) = (named.join(", "), words::file(piece.source));
         let about = match list.as_str() {
             "" => text!("piece of {file}", "{file} の部品"),
             _ => text!("piece of {file}; sets {list}", "{file} の部品。変数 {list}"),
