@@ -10,6 +10,7 @@ pub mod folding;
 pub mod format;
 pub mod hover;
 pub mod inlay;
+pub mod mend;
 pub mod names;
 mod sections;
 pub mod selection;

@@ -3,20 +3,22 @@
 use super::documents::{Document, Documents};
 use super::lines::Encoding;
 use super::proto::{Changes, Places};
-use crate::diagnostic::{Diagnostic, Language, Mend};
-use crate::source::Span;
+use super::settings::Settings;
+use crate::ide::mend::mend_all;
 use crate::text;
 use gen_lsp_types as lsp;
-use std::collections::BTreeMap;
 
 /// Mends everything that can be mended without further thought.
 pub(super) const ALL: &str = "source.fixAll.hsd";
 
+/// How often a text is mended and read again, where that is asked for.
+const ROUNDS: usize = 8;
+
 /// What the client can do with actions, and how its columns count.
 #[derive(Clone, Copy)]
-pub(super) struct Manner {
+pub(super) struct Manner<'s> {
     pub(super) encoding: Encoding,
-    pub(super) language: Language,
+    pub(super) settings: &'s Settings,
     pub(super) versions: bool,
 }
 
@@ -26,7 +28,7 @@ pub(super) fn actions(
     uri: &str,
     range: lsp::Range,
     only: Option<&[String]>,
-    manner: Manner,
+    manner: Manner<'_>,
 ) -> Vec<lsp::CodeAction> {
     let wanted = |kind: &str| {
         only.is_none_or(|o| {
@@ -45,7 +47,7 @@ pub(super) fn actions(
     }
     if wanted(ALL) {
         let document = documents.get(uri);
-        found.extend(document.and_then(|d| all(documents, d, manner)));
+        found.extend(document.and_then(|d| all(documents, d, only.is_some(), manner)));
     }
     found
 }
@@ -56,7 +58,7 @@ fn quick_fixes(
     document: &Document,
     uri: &str,
     range: lsp::Range,
-    manner: Manner,
+    manner: Manner<'_>,
 ) -> Vec<lsp::CodeAction> {
     let Some(analysis) = &document.analysis else {
         return vec![];
@@ -65,7 +67,7 @@ fn quick_fixes(
     let mut found = vec![];
     let mendable = analysis.diagnostics.iter().filter(|d| !d.mends.is_empty());
     for diagnostic in mendable.filter(|d| places.uri(d.span.file) == Some(uri)) {
-        let Some((_, shown)) = places.diagnostic(diagnostic, manner.language) else {
+        let Some((_, shown)) = places.diagnostic(diagnostic, manner.settings.language) else {
             continue;
         };
         if shown.range.start > range.end || shown.range.end < range.start {
@@ -76,7 +78,7 @@ fn quick_fixes(
                 continue;
             };
             found.push(lsp::CodeAction {
-                title: mend.title.in_language(manner.language).to_owned(),
+                title: mend.title.in_language(manner.settings.language).to_owned(),
                 kind: Some(lsp::CodeActionKind::QuickFix),
                 diagnostics: Some(vec![shown.clone()]),
                 is_preferred: (index == 0).then_some(true),
@@ -88,47 +90,31 @@ fn quick_fixes(
     found
 }
 
-/// The first mend of each message of a text, as many as do not touch one another.
-fn all(documents: &Documents, document: &Document, manner: Manner) -> Option<lsp::CodeAction> {
+/// All mends of a text at once, if they make it better. Where nobody has asked for them, one round has to do.
+fn all(
+    documents: &Documents,
+    document: &Document,
+    asked: bool,
+    manner: Manner<'_>,
+) -> Option<lsp::CodeAction> {
     let analysis = document.analysis.as_ref()?;
     let places = Places::new(documents, document, analysis, manner.encoding);
-    // By their ends: none of them meets another.
-    let mut taken: BTreeMap<u32, u32> = BTreeMap::new();
-    let mut changes = Changes::default();
-    let mut count = 0usize;
-    let mends = analysis.diagnostics.iter().filter_map(first_mend);
-    for mend in mends {
-        let spans = || mend.edits.iter().map(|e| e.span);
-        let own = spans().all(|s| s.file == analysis.source.id());
-        let meets = |s: Span| {
-            let next = taken.range(s.start..).next();
-            next.is_some_and(|(_, start)| *start <= s.end)
-        };
-        let Some(made) = places.edits(&mend.edits) else {
-            continue;
-        };
-        if !own || spans().any(meets) {
-            continue;
-        }
-        taken.extend(spans().map(|s| (s.end, s.start)));
-        changes.merge(made);
-        count += 1;
-    }
-    if count == 0 {
-        return None;
+    let read = |text: &str| documents.trial(&document.uri, text, manner.settings);
+    let rounds = if asked { ROUNDS } else { 1 };
+    let (count, edits) = mend_all(analysis, &read, rounds)?;
+    let (own, mut changes) = (analysis.source.id(), Changes::default());
+    for edit in edits {
+        let place = places.location(own, &edit.range)?;
+        changes.add(place, places.version(own), edit.text);
     }
     let title = text!(
         "Mend all that can be mended ({count})",
         "直せるところをすべて直す({count}か所)"
     );
     Some(lsp::CodeAction {
-        title: title.in_language(manner.language).to_owned(),
+        title: title.in_language(manner.settings.language).to_owned(),
         kind: Some(lsp::CodeActionKind::from(ALL.to_owned())),
         edit: Some(changes.finish(manner.versions)),
         ..lsp::CodeAction::default()
     })
-}
-
-fn first_mend(diagnostic: &Diagnostic) -> Option<&Mend> {
-    diagnostic.mends.first()
 }

@@ -198,20 +198,30 @@ impl Documents {
         let Some(document) = self.open.get(uri).filter(|d| d.analysis.is_none()) else {
             return false;
         };
-        let path = uri::to_path(uri);
-        let folder = path.as_deref().and_then(Path::parent);
-        let world = self.world(folder, settings);
-        let name = path.as_deref().and_then(Path::to_str).unwrap_or(uri);
-        let mark = if document.mark() == 0 { MARK } else { "" };
-        let text = [mark, &document.text].concat();
-        let source = Source::new(FileId(0), name, text.as_bytes());
-        let analysis = Analysis::new(source, &world, &options(settings));
-        let asked = world.asked.into_inner();
+        let (analysis, asked) = self.read(uri, &document.text, settings);
         if let Some(document) = self.open.get_mut(uri) {
             document.analysis = Some(analysis);
             document.asked = asked;
         }
         true
+    }
+
+    /// What would be known of a text if it read so.
+    pub(super) fn trial(&self, uri: &str, text: &str, settings: &Settings) -> Analysis {
+        self.read(uri, text, settings).0
+    }
+
+    /// Reads a text; tells which others it asked for.
+    fn read(&self, uri: &str, text: &str, settings: &Settings) -> (Analysis, BTreeSet<PathBuf>) {
+        let path = uri::to_path(uri);
+        let folder = path.as_deref().and_then(Path::parent);
+        let world = self.world(folder, settings);
+        let name = path.as_deref().and_then(Path::to_str).unwrap_or(uri);
+        let mark = if text.starts_with(MARK) { "" } else { MARK };
+        let text = [mark, text].concat();
+        let source = Source::new(FileId(0), name, text.as_bytes());
+        let analysis = Analysis::new(source, &world, &options(settings));
+        (analysis, world.asked.into_inner())
     }
 
     /// The files that a text in this folder may use.

@@ -200,14 +200,6 @@ impl Changes {
         }
     }
 
-    /// Adds those of another.
-    pub(super) fn merge(&mut self, other: Changes) {
-        for (uri, (version, edits)) in other.texts {
-            let (_, own) = self.texts.entry(uri).or_insert_with(|| (version, vec![]));
-            own.extend(edits);
-        }
-    }
-
     /// As the client can take them.
     pub(super) fn finish(self, versions: bool) -> lsp::WorkspaceEdit {
         if !versions {

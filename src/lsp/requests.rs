@@ -280,7 +280,7 @@ fn code_actions(
     let only = only.map(|kinds| kinds.iter().map(ToString::to_string).collect::<Vec<_>>());
     let manner = Manner {
         encoding: server.client.encoding,
-        language: server.settings.language,
+        settings: &server.settings,
         versions: server.client.versions,
     };
     let documents = &server.documents;

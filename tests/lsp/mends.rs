@@ -102,3 +102,23 @@ fn a_wall_that_is_too_short_can_be_made_longer_in_xml() {
     }
     assert!(client.finish());
 }
+
+/// A mend may bring to light what the mistake had hidden; nobody wants to ask twice, nor a text that is worse.
+#[test]
+fn mended_texts_are_mended_again_until_they_are_best() {
+    let uri = "file:///a.hsd";
+    let text = "0 0\nstret 　yes\n\n\nKSK　KSK\nKSK  KSX\nKSK  KSK\nKSK  KSKL\n";
+    let mut client = Client::start("utf-16");
+    client.open(uri, text);
+    let before = client.diagnostics(uri, Some(1)).len();
+    let start = json!({ "line": 0, "character": 0 });
+    let nowhere = json!({ "start": start, "end": start });
+    let offered = actions(&mut client, uri, &nowhere, Some("source.fixAll"));
+    let mended = done(text, &offered[0], "utf-16");
+    client.change(uri, 2, json!([{ "text": mended }]));
+    let after = client.diagnostics(uri, Some(2));
+    assert!(after.len() < before, "{before}\n{mended}\n{after:?}");
+    let again = actions(&mut client, uri, &nowhere, Some("source.fixAll"));
+    assert!(again.is_empty(), "{mended}\n{again:?}");
+    assert!(client.finish());
+}
