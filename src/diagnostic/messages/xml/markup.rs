@@ -181,10 +181,10 @@ pub fn bare_less_than(span: Span) -> Diagnostic {
     let message = text!("`<` begins no tag", "`<` がタグの始まりになっていません");
     Diagnostic::error(214, span, message)
         .help(text!(
-            "write `&lt;` for the character `<`",
-            "文字としての `<` は `&lt;` と書いてください"
+            "remove it; for the character `<` write `&lt;`",
+            "削除してください。文字としての `<` は `&lt;` と書きます"
         ))
-        .mend(writing("&lt;"), span, "&lt;")
+        .mend(removing("<"), span, "")
 }
 
 /// `]]>` in text.
