@@ -148,11 +148,11 @@ impl<'t> Reader<'t, '_> {
     /// Reports a text that stands in an element of elements.
     pub(super) fn misplaced(&mut self, range: &Range<usize>, text: &str, parent: &str) {
         // A lone `<` was told of as a tag that is none.
-        let whole = self.faults.source.text();
-        if &whole[range.clone()] == "<" && !whole[..range.start].ends_with("[CDATA[") {
+        let (written, verbatim) = (self.faults.quote(range), "[CDATA[");
+        let before = range.start.saturating_sub(verbatim.len())..range.start;
+        if written == "<" && self.faults.quote(&before) != verbatim {
             return;
         }
-        let written = self.faults.quote(range);
         self.faults
             .at(range, |s| say::text_not_allowed(s, text, parent, written));
     }
