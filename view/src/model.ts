@@ -1,0 +1,212 @@
+// A model as the page needs it. What was one node each in the file is joined to chunks: all triangles of one facade, roof or
+// the like in one material. So a house is some dozens of draws instead of hundreds, parts are found again by their
+// triangles, and whatever sees only a part of a town (a mirror) picks chunks by their boxes.
+//
+// Frame: that of glTF, metres, x east, y up, -z north, moved so that the model's middle on the ground is the origin.
+
+import * as THREE from 'three';
+import type { Bytes } from './server.ts';
+
+/** A node of the file that shows something, or that stands above one. */
+export interface Part {
+  name: string;
+  kind: string;
+  code: string | null;
+  /** Counted from 1; that of the nearest node above which has one, 0 = none. */
+  storey: number;
+  span: Bytes | null;
+  /** Which source the span is of. */
+  file: number;
+  shape: string | null;
+  /** Number of the house. */
+  house: number;
+  /** Into the parts. */
+  parent: number | null;
+  /** The facade that it stands in, into the parts. */
+  facade: number | null;
+  box: THREE.Box3;
+}
+
+/** Triangles of a chunk that one part has: indices from `start`, `count` of them. */
+export interface Range {
+  start: number;
+  count: number;
+  part: number;
+}
+
+export interface Chunk {
+  mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
+  house: number;
+  storey: number;
+  /** The part whose node all of it stands under: a facade, a roof, or what else stands below a storey or a house. */
+  owner: number;
+  /** In the order of their starts. */
+  ranges: Range[];
+  box: THREE.Box3;
+  /** Share of the neighbourhood that it mirrors. */
+  reflection: number;
+}
+
+export interface Model {
+  parts: Part[];
+  chunks: Chunk[];
+  box: THREE.Box3;
+  houses: number;
+  triangles: number;
+  /** What the origin of the page is in the frame of the file. */
+  middle: THREE.Vector3;
+}
+
+/** Kinds that a chunk does not reach beyond. */
+const OWNERS = new Set(['facade', 'roof', 'platform', 'veranda', 'bracket', 'finial']);
+
+interface Extras {
+  kind?: string;
+  code?: string;
+  storey?: number;
+  span?: Bytes | [number, number, number];
+  shape?: string;
+}
+
+/** What goes to one chunk. */
+interface Heap {
+  material: THREE.MeshStandardMaterial;
+  house: number;
+  storey: number;
+  owner: number;
+  pieces: { mesh: THREE.Mesh; part: number }[];
+}
+
+/** The part whose triangle this is. */
+export function part_of(chunk: Chunk, triangle: number): number {
+  const index = triangle * 3;
+  let low = 0, high = chunk.ranges.length - 1;
+  while (low < high) {
+    const half = (low + high + 1) >> 1;
+    if (chunk.ranges[half]!.start <= index) low = half; else high = half - 1;
+  }
+  return chunk.ranges[low]!.part;
+}
+
+/** Joins what a loader made. */
+export function model_of(root: THREE.Object3D): Model {
+  root.updateMatrixWorld(true);
+  const parts: Part[] = [];
+  const heaps = new Map<string, Heap>();
+  let houses = 0;
+  const visit = (node: THREE.Object3D, above: number | null, owner: number | null) => {
+    const extras = node.userData as Extras;
+    let own = above, owned = owner;
+    if (extras.kind !== undefined) {
+      const up = above === null ? undefined : parts[above];
+      own = parts.length;
+      if (extras.kind === 'house') houses++;
+      if (OWNERS.has(extras.kind)) owned = own;
+      parts.push({
+        name: (node.userData as { name?: string }).name ?? node.name, // the loader leaves out blanks of its own
+        kind: extras.kind,
+        code: extras.code ?? null,
+        storey: extras.storey ?? up?.storey ?? 0,
+        span: extras.span ? [extras.span[0], extras.span[1]] : null,
+        file: extras.span?.[2] ?? 0,
+        shape: extras.shape ?? null,
+        house: Math.max(0, houses - 1),
+        parent: above,
+        facade: extras.kind === 'facade' ? own : up?.facade ?? null,
+        box: new THREE.Box3(),
+      });
+    }
+    if (node instanceof THREE.Mesh) {
+      if (own === null) {
+        // A model that is not ours: all of it is one part.
+        own = parts.push({
+          name: node.name, kind: 'model', code: null, storey: 0, span: null, file: 0, shape: null, house: 0,
+          parent: null, facade: null, box: new THREE.Box3(),
+        }) - 1;
+      }
+      const part = parts[own]!, material = node.material as THREE.MeshStandardMaterial;
+      const key = `${part.house} ${part.storey} ${owned ?? -1} ${material.uuid}`;
+      let heap = heaps.get(key);
+      if (!heap) heaps.set(key, heap = { material, house: part.house, storey: part.storey, owner: owned ?? own, pieces: [] });
+      heap.pieces.push({ mesh: node, part: own });
+    }
+    for (const child of node.children) visit(child, own, owned);
+  };
+  visit(root, null, null);
+
+  const all = new THREE.Box3().setFromObject(root);
+  if (all.isEmpty()) all.set(new THREE.Vector3(-1, 0, -1), new THREE.Vector3(1, 1, 1));
+  const middle = all.getCenter(new THREE.Vector3());
+  middle.y = 0;
+  const chunks = [...heaps.values()].map(heap => joined(heap, parts, middle));
+  for (let i = parts.length - 1; i >= 0; i--) {
+    const { parent, box } = parts[i]!;
+    if (parent !== null) parts[parent]!.box.union(box);
+  }
+  const triangles = chunks.reduce((sum, chunk) => sum + chunk.mesh.geometry.index!.count / 3, 0);
+  return { parts, chunks, box: all.translate(middle.clone().negate()), houses: Math.max(1, houses), triangles, middle };
+}
+
+/** One chunk: everything of a heap in one geometry, in the frame of the page. */
+function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
+  const { pieces, material } = heap;
+  const of = (name: string) => pieces.every(p => p.mesh.geometry.hasAttribute(name));
+  const vertices = pieces.reduce((sum, p) => sum + p.mesh.geometry.getAttribute('position').count, 0);
+  const indices = pieces.reduce((sum, p) => sum + count_of(p.mesh.geometry), 0);
+  const position = new Float32Array(vertices * 3), normal = new Float32Array(vertices * 3);
+  const tangent = of('tangent') ? new Float32Array(vertices * 4) : null;
+  const uv = of('uv') ? new Float32Array(vertices * 2) : null;
+  const index = new Uint32Array(indices);
+  const ranges: Range[] = [], box = new THREE.Box3();
+  const at = new THREE.Vector3(), turn = new THREE.Matrix3();
+  let vertex = 0, next = 0;
+  for (const { mesh, part } of pieces) {
+    const from = mesh.geometry, count = from.getAttribute('position').count;
+    const positions = from.getAttribute('position'), normals = from.getAttribute('normal');
+    turn.getNormalMatrix(mesh.matrixWorld);
+    const own = parts[part]!.box;
+    for (let i = 0; i < count; i++) {
+      at.fromBufferAttribute(positions, i).applyMatrix4(mesh.matrixWorld).sub(middle);
+      own.expandByPoint(at);
+      at.toArray(position, (vertex + i) * 3);
+      if (normals) at.fromBufferAttribute(normals, i).applyMatrix3(turn).normalize().toArray(normal, (vertex + i) * 3);
+    }
+    if (tangent) {
+      const tangents = from.getAttribute('tangent');
+      for (let i = 0; i < count; i++) {
+        at.fromBufferAttribute(tangents, i).transformDirection(mesh.matrixWorld).toArray(tangent, (vertex + i) * 4);
+        tangent[(vertex + i) * 4 + 3] = tangents.getW(i);
+      }
+    }
+    if (uv) {
+      const uvs = from.getAttribute('uv');
+      for (let i = 0; i < count; i++) {
+        uv[(vertex + i) * 2] = uvs.getX(i);
+        uv[(vertex + i) * 2 + 1] = uvs.getY(i);
+      }
+    }
+    const length = count_of(from);
+    for (let i = 0; i < length; i++) index[next + i] = vertex + (from.index ? from.index.getX(i) : i);
+    const last = ranges.at(-1);
+    if (last?.part === part) last.count += length; else ranges.push({ start: next, count: length, part });
+    vertex += count;
+    next += length;
+    box.union(own);
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(index, 1));
+  geometry.setAttribute('position', new THREE.BufferAttribute(position, 3));
+  geometry.setAttribute('normal', new THREE.BufferAttribute(normal, 3));
+  if (tangent) geometry.setAttribute('tangent', new THREE.BufferAttribute(tangent, 4));
+  if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
+  geometry.boundingBox = box.clone();
+  geometry.boundingSphere = box.getBoundingSphere(new THREE.Sphere());
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.castShadow = mesh.receiveShadow = true;
+  mesh.matrixAutoUpdate = false;
+  const { reflection } = material.userData as { reflection?: number };
+  const { house, storey, owner } = heap;
+  return { mesh, house, storey, owner, ranges, box, reflection: reflection ?? 0 };
+}
+
+const count_of = (geometry: THREE.BufferGeometry) => (geometry.index ?? geometry.getAttribute('position')).count;
