@@ -128,8 +128,9 @@ struct Storey {
     regions: Vec<Region>,
 }
 
-#[derive(Serialize)]
-struct Region {
+/// One automatic region.
+#[derive(Debug, Serialize)]
+pub struct Region {
     a0: Number,
     b0: Number,
     a1: Number,
@@ -165,7 +166,8 @@ fn storey(plan: &StoreyPlan) -> Storey {
     }
 }
 
-fn region(r: &PlanRegion) -> Region {
+/// A region as it is written.
+pub fn region(r: &PlanRegion) -> Region {
     let [a0, b0, a1, b1] = r.rect.map(Number);
     Region {
         a0,

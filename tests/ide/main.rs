@@ -12,6 +12,7 @@ mod hover;
 mod names;
 mod shape;
 mod speed;
+mod strokes;
 mod words;
 
 use hsd::Options;

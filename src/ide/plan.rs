@@ -1,0 +1,346 @@
+//! The plan of a text for those who draw on it: every wall with its place and with the place where it is written.
+//!
+//! Places are `[a, b]` in U in the author frame of their house; spans are bytes of the original file; houses, storeys,
+//! rings, walls and units stand in the order of the [`Building`](crate::building::Building), by which strokes count
+//! them. As JSON:
+//!
+//! ```json
+//! {"reasons":{"repeat":"This is written once for several walls; change the text."},
+//!  "houses":[{"name":"machiya","file":0,"span":[0,900],"origin":[0,0,0],"azimuth":180,"unit_m":0.909091,"street":false,
+//!   "fixed":null,
+//!   "storeys":[{"storey":1,"kind":"storey","z0":0,"z1":2.727273,"height":9,"file":0,"span":[300,420],"fixed":null,
+//!    "rings":[{"hole":false,"inner":false,"closed":true,"walls":[
+//!     {"facade":1,"from":[0,0],"to":[6,0],"file":0,"span":[300,329],"reflection":false,"fixed":null,"units":[
+//!      {"code":"GSI","part":"lattice","from":[0,0],"to":[1,0],"file":0,"span":[300,305],"fixed":null}]}]}],
+//!    "regions":[]}],
+//!   "roofs":[{"shape":"KIR","kind":"K","storey":2,"file":0,"span":[700,740],"rect":[0,0,6,8],"z":4.24,
+//!     "ridge":[[6,4],[0,4]]}]}]}
+//! ```
+//!
+//! `fixed` is the key of a reason, in words of the language that was asked for, why no stroke can change a thing (for a
+//! wall: move it), or null. `height` of a storey is in shaku, `z0`, `z1` and `z` are metres above the house's origin. The `part` of a unit is one of
+//! `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`, `picture`, `split`. `regions` are those of
+//! `hsd dump --stage regions`. The `rect` of a roof are its bounds with its eaves, `ridge` the line of its highest
+//! points, null where that is a point, a surface or broken.
+
+use super::Analysis;
+use crate::ast::StoreyKind;
+use crate::backend::dump::{Region, region};
+use crate::backend::number::Number;
+use crate::building::{self, HouseRoofs};
+use crate::catalog::Catalog;
+use crate::diagnostic::Language;
+use crate::geometry::SHAKU;
+use crate::program::{self, Content};
+use crate::source::Span;
+use glam::{DVec2, dvec2};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The plan of a text.
+#[derive(Debug, Serialize)]
+pub struct Plan {
+    /// What the reasons in it mean.
+    pub reasons: BTreeMap<&'static str, String>,
+    /// In the order of the text.
+    pub houses: Vec<House>,
+}
+
+/// A house.
+#[derive(Debug, Serialize)]
+pub struct House {
+    /// Empty if it has none.
+    pub name: String,
+    /// Where it is written.
+    #[serde(flatten)]
+    pub place: Place,
+    /// East, north, up, metres.
+    pub origin: [Number; 3],
+    /// Where its front looks, degrees from north.
+    pub azimuth: Number,
+    /// Metres in one U.
+    pub unit_m: Number,
+    /// Whether its first wall stands on a street.
+    pub street: bool,
+    /// Why no storey can be put on it.
+    pub fixed: Option<&'static str>,
+    /// From the ground up.
+    pub storeys: Vec<Storey>,
+    /// Everything above the walls.
+    pub roofs: Vec<Roof>,
+}
+
+/// Where something is written.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Place {
+    /// The file; 0 is the text itself.
+    pub file: u16,
+    /// Its bytes.
+    pub span: Span,
+}
+
+/// A storey.
+#[derive(Debug, Serialize)]
+pub struct Storey {
+    /// Counted from 1; a parapet has the number of the storey it crowns.
+    pub storey: u32,
+    /// `storey` or `parapet`.
+    pub kind: &'static str,
+    /// Its floor, metres above the house's origin.
+    pub z0: Number,
+    /// Its top.
+    pub z1: Number,
+    /// Shaku.
+    pub height: Number,
+    /// Where it is written.
+    #[serde(flatten)]
+    pub place: Place,
+    /// Why its height cannot be changed.
+    pub fixed: Option<&'static str>,
+    /// Outer walks and courtyards.
+    pub rings: Vec<Ring>,
+    /// Its automatic roofs in plan.
+    pub regions: Vec<Region>,
+}
+
+/// A walk.
+#[derive(Debug, Serialize)]
+pub struct Ring {
+    /// Whether it is a courtyard.
+    pub hole: bool,
+    /// Whether it is a wall inside the storey.
+    pub inner: bool,
+    /// Whether it ends where it begins.
+    pub closed: bool,
+    /// In walk order.
+    pub walls: Vec<Wall>,
+}
+
+/// A wall.
+#[derive(Debug, Serialize)]
+pub struct Wall {
+    /// Its number from 1, over the storey.
+    pub facade: u32,
+    /// Its right end as seen from outside.
+    pub from: [Number; 2],
+    /// Its left end.
+    pub to: [Number; 2],
+    /// Where its line is written.
+    #[serde(flatten)]
+    pub place: Place,
+    /// Whether its glass mirrors.
+    pub reflection: bool,
+    /// Why it cannot be moved.
+    pub fixed: Option<&'static str>,
+    /// From its right end to its left end.
+    pub units: Vec<Unit>,
+}
+
+/// What stands in a wall.
+#[derive(Debug, Serialize)]
+pub struct Unit {
+    /// Its code, or the name of its part or picture; empty for a void or a split.
+    pub code: String,
+    /// What it is.
+    pub part: &'static str,
+    /// Its right end.
+    pub from: [Number; 2],
+    /// Its left end.
+    pub to: [Number; 2],
+    /// Where it is written.
+    #[serde(flatten)]
+    pub place: Place,
+    /// Why no other part can be put there.
+    pub fixed: Option<&'static str>,
+}
+
+/// A roof.
+#[derive(Debug, Serialize)]
+pub struct Roof {
+    /// Letters of its form.
+    pub shape: &'static str,
+    /// Letter of its covering.
+    pub kind: char,
+    /// The storey it covers, from 1.
+    pub storey: u32,
+    /// Its line, if it has one.
+    #[serde(flatten)]
+    pub place: Option<Place>,
+    /// a0, b0, a1, b1 of its bounds.
+    pub rect: [Number; 4],
+    /// Its top, metres above the house's origin.
+    pub z: Number,
+    /// The ends of its ridge.
+    pub ridge: Option<[[Number; 2]; 2]>,
+}
+
+impl Plan {
+    /// The plan of a text; reasons are in this language.
+    pub fn of(a: &Analysis, language: Language) -> Plan {
+        let _ = language;
+        let (building, catalog) = (&a.checked.building, a.catalog());
+        let none = HouseRoofs::default();
+        let roofs = building.roofs.iter().chain(std::iter::repeat(&none));
+        let pictures = &building.shell.pictures;
+        let houses = building.shell.houses.iter().zip(roofs);
+        let writer = Writer { catalog, pictures };
+        Plan {
+            reasons: BTreeMap::new(),
+            houses: houses.map(|(h, r)| writer.house(h, r)).collect(),
+        }
+    }
+}
+
+/// What units are called by.
+struct Writer<'a> {
+    catalog: &'a Catalog,
+    pictures: &'a [program::Picture],
+}
+
+fn place(span: Span) -> Place {
+    Place {
+        file: span.file.0,
+        span,
+    }
+}
+
+fn point(p: DVec2) -> [Number; 2] {
+    [Number(p.x), Number(p.y)]
+}
+
+impl Writer<'_> {
+    fn house(&self, house: &building::House, roofs: &HouseRoofs) -> House {
+        let storeys = house.storeys.iter().map(|s| self.storey(s, roofs));
+        House {
+            name: house.name.clone(),
+            place: place(house.span),
+            origin: house.origin.map(Number),
+            azimuth: Number(house.azimuth),
+            unit_m: Number(house.unit),
+            street: house.street,
+            fixed: None,
+            storeys: storeys.collect(),
+            roofs: roofs.roofs.iter().map(|r| roof(r, house.unit)).collect(),
+        }
+    }
+
+    fn storey(&self, storey: &building::Storey, roofs: &HouseRoofs) -> Storey {
+        let is_storey = storey.kind == StoreyKind::Storey;
+        let own = |p: &&building::StoreyPlan| is_storey && p.storey == storey.number;
+        let plan = roofs.plans.iter().find(own);
+        Storey {
+            storey: storey.number,
+            kind: if is_storey { "storey" } else { "parapet" },
+            z0: Number(storey.z0),
+            z1: Number(storey.z1),
+            height: Number((storey.z1 - storey.z0) / SHAKU),
+            place: place(storey.span),
+            fixed: None,
+            rings: storey.rings.iter().map(|r| self.ring(r)).collect(),
+            regions: plan.map_or(vec![], |p| p.regions.iter().map(region).collect()),
+        }
+    }
+
+    fn ring(&self, ring: &building::Ring) -> Ring {
+        Ring {
+            hole: ring.hole,
+            inner: ring.inner,
+            closed: ring.closed,
+            walls: ring.walls.iter().map(|w| self.wall(w)).collect(),
+        }
+    }
+
+    fn wall(&self, wall: &building::Wall) -> Wall {
+        let mut at = wall.from;
+        let mut unit = |unit: &program::Unit| {
+            let from = at;
+            at += wall.direction * unit.width;
+            Unit {
+                code: self.code(unit),
+                part: self.part(unit),
+                from: point(from),
+                to: point(at),
+                place: place(unit.span),
+                fixed: None,
+            }
+        };
+        Wall {
+            facade: wall.facade,
+            from: point(wall.from),
+            to: point(wall.to),
+            place: place(wall.span),
+            reflection: wall.reflection,
+            fixed: None,
+            units: wall.units.iter().map(&mut unit).collect(),
+        }
+    }
+
+    /// What an author calls a unit.
+    fn code(&self, unit: &program::Unit) -> String {
+        let picture = |id: program::PictureId| self.pictures.get(id.0 as usize);
+        match &unit.content {
+            Content::Void | Content::Split(_) => String::new(),
+            Content::Part(id) => self.catalog.part(*id).code().trim_end().to_owned(),
+            Content::Picture(id) => picture(*id).map_or(String::new(), |p| p.name.clone()),
+        }
+    }
+
+    /// What it is in a word.
+    fn part(&self, unit: &program::Unit) -> &'static str {
+        match &unit.content {
+            Content::Void => "void",
+            Content::Picture(_) => "picture",
+            Content::Split(_) => "split",
+            Content::Part(id) => match self.catalog.part(*id).class() {
+                'T' => "door",
+                'M' => "window",
+                'G' => "lattice",
+                'H' => "post",
+                'A' => "opening",
+                'N' => "modern",
+                _ => "wall",
+            },
+        }
+    }
+}
+
+/// Heights that differ by less are the same, metres.
+const LEVEL: f64 = 1e-3;
+
+fn roof(roof: &building::Roof, unit: f64) -> Roof {
+    let points = || roof.solids.iter().flat_map(|s| &s.points);
+    let plan = |p: &glam::DVec3| dvec2(-p.x / unit, p.y / unit);
+    let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+    for p in points().map(plan) {
+        (low, high) = (low.min(p), high.max(p));
+    }
+    let top = points().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
+    let highest = points().filter(|p| top - p.z < LEVEL).map(plan);
+    let letter = crate::ast::RoofKind::ALL.iter().find(|k| k.1 == roof.kind);
+    Roof {
+        shape: roof.shape.letters(),
+        kind: letter.map_or('K', |k| k.0),
+        storey: roof.storey,
+        place: roof.span.map(place),
+        rect: [low.x, low.y, high.x, high.y].map(Number),
+        z: Number(top),
+        ridge: ridge(highest.collect()),
+    }
+}
+
+/// The ends of the line on which all points lie, if they lie on one.
+fn ridge(points: Vec<DVec2>) -> Option<[[Number; 2]; 2]> {
+    let first = *points.first()?;
+    let far = |from: DVec2| {
+        let distance = |p: &&DVec2| p.distance_squared(from);
+        points
+            .iter()
+            .max_by(|p, q| distance(p).total_cmp(&distance(q)))
+    };
+    let start = *far(first)?;
+    let end = *far(start)?;
+    let along = (end - start).try_normalize()?;
+    let off = |p: &DVec2| along.perp_dot(*p - start).abs();
+    let straight = points.iter().all(|p| off(p) < 0.05);
+    (straight && start.distance(end) > 0.05).then_some([point(start), point(end)])
+}
