@@ -32,7 +32,6 @@ const ORDER: &[&str] = &[
     "ide",
     "report",
     "disk",
-    "view",
     "lsp",
     "cli",
     "lib",

@@ -30,13 +30,15 @@ export interface Source {
   /** Its path below the folder; null where it lies outside. */
   path: string | null;
   text: string;
-  /** Bytes of the file before the text. */
-  mark: number;
-  /** How many bytes of the file each UTF-16 unit of the text takes, a digit each; null = as in UTF-8. */
-  widths: string | null;
+  /** Of the file, by which spans count; UTF-8 where it is left out. */
+  encoding?: string;
+  /** Whether the file begins with a byte order mark. */
+  bom?: boolean;
 }
 
 export interface Diagnostic {
+  /** Which source it is in. */
+  id?: number;
   code: string;
   severity: 'error' | 'warning' | 'note';
   message: string;
@@ -50,12 +52,16 @@ export interface Diagnostic {
 
 export type Point = [a: number, b: number];
 
+/** What stands in a wall, from `from` at its right to `to` as seen from outside. */
 export interface Unit {
   code: string;
-  from: number;
-  to: number;
+  /** One of wall, door, window, lattice, post, opening, modern, void, picture, split. */
+  part: string;
+  from: Point;
+  to: Point;
   span: Bytes;
   file: number;
+  /** Key of a reason why nothing else can be put there. */
   fixed: string | null;
 }
 
@@ -80,18 +86,50 @@ export interface Region {
   role: 'main' | 'branch' | 'lean-to';
   shape: string;
   over: number | null;
+  /** Only where it is no rectangle. */
+  polygon?: Point[];
+}
+
+/** A walk along walls. */
+export interface Ring {
+  hole: boolean;
+  inner: boolean;
+  closed: boolean;
+  walls: Wall[];
 }
 
 export interface Storey {
   storey: number;
+  kind: 'storey' | 'parapet';
   z0: number;
   z1: number;
-  rings: { hole: boolean; inner: boolean; walls: Wall[] }[];
+  /** Shaku. */
+  height: number;
+  file: number;
+  span: Bytes;
+  fixed: string | null;
+  rings: Ring[];
   regions: Region[];
+}
+
+export interface Roof {
+  shape: string;
+  kind: string;
+  storey: number;
+  file?: number;
+  span?: Bytes;
+  rect: [a0: number, b0: number, a1: number, b1: number];
+  z: number;
+  ridge: [Point, Point] | null;
 }
 
 export interface House {
   name: string;
+  file: number;
+  span: Bytes;
+  street: boolean;
+  fixed: string | null;
+  roofs: Roof[];
   azimuth: number;
   origin: [east: number, north: number, up: number];
   unit_m: number;
@@ -105,7 +143,8 @@ export interface State {
   diagnostics: Diagnostic[];
   /** The pictures beside the model, by name: what is the same under the same key is the same picture. */
   pictures: Record<string, string>;
-  plan: { houses: House[] };
+  /** `reasons`: what the keys in `fixed` mean. */
+  plan: { reasons: Record<string, string>; houses: House[] };
   times: [step: string, ms: number][];
 }
 
@@ -134,19 +173,50 @@ async function post<T>(path: string, body: unknown): Promise<T> {
 /** Sends the author's editor to a place. */
 export const open = (file: string, id: number, span: Bytes) => post<{}>('/api/open', { file, id, span });
 
-/** Hears of what changes; returns how to stop. */
+export interface Palette {
+  code: string;
+  width: number;
+  kind: string;
+  names: Record<string, string>;
+  picture: string | null;
+}
+
+export const palette = async (file: string) => answer<Palette[]>(await fetch(`/api/parts?${of(file)}`));
+
+/** What a stroke came to: a new revision, or why it was refused. */
+export type Answer = { revision?: number; refused?: string };
+
+/** Changes the text by a stroke, as the header of src/ide/stroke.rs has them. */
+export const stroke = (file: string, revision: number, stroke: object) => post<Answer>('/api/stroke', { file, revision, stroke });
+export const undo = (file: string) => post<Answer>('/api/undo', { file });
+export const redo = (file: string) => post<Answer>('/api/redo', { file });
+
+/** Hears of what changes; returns how to stop. Where the server is lost it is called again until it answers. */
 export function listen(file: string, hear: {
   state: (revision: number) => void;
   cursor: (cursor: Cursor | null) => void;
   files: () => void;
   lost: () => void;
+  found: () => void;
 }): () => void {
-  const events = new EventSource(`/api/events?${of(file)}`);
-  const on = (name: string, then: (data: never) => void) =>
-    events.addEventListener(name, event => then(JSON.parse((event as MessageEvent<string>).data) as never));
-  on('state', ({ revision }: { revision: number }) => hear.state(revision));
-  on('cursor', hear.cursor);
-  on('files', hear.files);
-  events.addEventListener('error', hear.lost);
-  return () => events.close();
+  let events: EventSource, again = 0;
+  const begin = () => {
+    events = new EventSource(`/api/events?${of(file)}`);
+    const on = (name: string, then: (data: never) => void) =>
+      events.addEventListener(name, event => then(JSON.parse((event as MessageEvent<string>).data) as never));
+    on('state', ({ revision }: { revision: number }) => hear.state(revision));
+    on('cursor', hear.cursor);
+    on('files', hear.files);
+    events.addEventListener('open', hear.found);
+    events.addEventListener('error', () => {
+      hear.lost();
+      events.close();
+      again = window.setTimeout(begin, 1000);
+    });
+  };
+  begin();
+  return () => {
+    clearTimeout(again);
+    events.close();
+  };
 }

@@ -1,0 +1,225 @@
+// Where pictures for documents are taken: the model on gravel under the sky. See still.ts for the light.
+
+import * as THREE from 'three';
+import type { Model } from './model.ts';
+import { bounds_in, corners_of, type View, way_of } from './views.ts';
+
+const EYE = 1.5; // metres
+const SUN = new THREE.Vector3(-0.55, 0.72, 0.62).normalize(); // from the south-west, a little behind the front viewer
+const SUN_COLOUR = new THREE.Color(1.0, 0.93, 0.82), SKY_COLOUR = new THREE.Color(0.72, 0.84, 1.0);
+const SUN_STRENGTH = 3.8, SKY_STRENGTH = 2.1, SUN_SHARE = 0.4; // share of the lights that stand for the sun
+const HAZE = new THREE.Color(0.66, 0.77, 0.88), ZENITH = new THREE.Color(0.13, 0.32, 0.70);
+
+/** A number in [0, 1) that fills the interval evenly: van der Corput's sequence. */
+export function even(index: number, base: number): number {
+  let result = 0;
+  for (let share = 1 / base; index > 0; index = Math.floor(index / base), share /= base) result += share * (index % base);
+  return result;
+}
+
+/** A dome whose colour runs from the haze at the horizon to the zenith. */
+function sky_dome(radius: number): THREE.Mesh {
+  const material = new THREE.ShaderMaterial({
+    side: THREE.BackSide, depthWrite: false,
+    uniforms: { haze: { value: HAZE }, zenith: { value: ZENITH }, sun: { value: SUN } },
+    vertexShader: 'varying vec3 way; void main() { way = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }',
+    fragmentShader: `varying vec3 way; uniform vec3 haze, zenith, sun; void main() {
+      vec3 d = normalize(way); float up = pow(clamp(d.y, 0.0, 1.0), 0.55);
+      float glow = pow(max(dot(d, sun), 0.0), 6.0) * 0.25;
+      gl_FragColor = vec4(mix(haze, zenith, up) + glow * vec3(1.0, 0.9, 0.7), 1.0); }`,
+  });
+  return new THREE.Mesh(new THREE.SphereGeometry(radius, 48, 24), material);
+}
+
+/** What glass and glazed tiles mirror: the sky above, the ground below. */
+function sky_reflections(renderer: THREE.WebGLRenderer): THREE.Texture {
+  const scene = new THREE.Scene();
+  scene.add(sky_dome(50));
+  const ground = new THREE.Mesh(new THREE.CircleGeometry(60, 48), new THREE.MeshBasicMaterial({ color: 0x8c8474 }));
+  ground.rotation.x = -Math.PI / 2;
+  ground.position.y = -2;
+  scene.add(ground);
+  const maker = new THREE.PMREMGenerator(renderer);
+  const { texture } = maker.fromScene(scene, 0, 0.1, 200);
+  maker.dispose();
+  return texture;
+}
+
+/** Raked gravel, drawn once: fine grain without a visible repeat. */
+function ground_texture(): THREE.Texture {
+  const size = 512, canvas = new OffscreenCanvas(size, size), context = canvas.getContext('2d')!;
+  const image = context.createImageData(size, size);
+  let grain = 12345;
+  for (let i = 0; i < image.data.length; i += 4) {
+    grain = (Math.imul(grain, 1664525) + 1013904223) >>> 0;
+    const value = 226 + (grain >>> 24) / 255 * 29;
+    image.data.set([value, value, value, 255], i);
+  }
+  context.putImageData(image, 0, 0);
+  const texture = new THREE.CanvasTexture(canvas);
+  texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+  texture.colorSpace = THREE.SRGBColorSpace;
+  texture.anisotropy = 2;
+  return texture;
+}
+
+/** The ground: a disc that fades into the haze. */
+function ground(ball: THREE.Sphere, level: number): THREE.Mesh {
+  const radius = ball.radius * 40, map = ground_texture();
+  map.repeat.setScalar(radius / 4);
+  const plane = new THREE.Mesh(new THREE.CircleGeometry(radius, 96), new THREE.MeshLambertMaterial({ color: 0xa3967f, map }));
+  plane.rotation.x = -Math.PI / 2;
+  plane.position.set(ball.center.x, level, ball.center.z);
+  plane.receiveShadow = true;
+  return plane;
+}
+
+const copy = new THREE.ShaderMaterial({
+  uniforms: { picture: { value: null as THREE.Texture | null }, share: { value: 1 } },
+  vertexShader: 'varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }',
+  fragmentShader: 'varying vec2 at; uniform sampler2D picture; uniform float share; void main() { gl_FragColor = vec4(texture2D(picture, at).rgb * share, 1.0); }',
+  blending: THREE.AdditiveBlending, depthTest: false, depthWrite: false, transparent: true,
+});
+const develop = new THREE.ShaderMaterial({
+  uniforms: { picture: { value: null as THREE.Texture | null } },
+  vertexShader: copy.vertexShader,
+  fragmentShader: `varying vec2 at; uniform sampler2D picture; void main() { gl_FragColor = vec4(texture2D(picture, at).rgb, 1.0);
+    #include <tonemapping_fragment>
+    #include <colorspace_fragment>
+  }`,
+  depthTest: false, depthWrite: false,
+});
+
+export class Studio {
+  readonly renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
+  readonly scene = new THREE.Scene();
+  #light = new THREE.DirectionalLight(0xffffff, 1);
+  #ball: THREE.Sphere;
+  #corners: THREE.Vector3[];
+  #quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2));
+  #screen = new THREE.Scene();
+
+  constructor(readonly model: Model, readonly width: number, readonly height: number, readonly azimuth: number) {
+    const { renderer, scene } = this;
+    renderer.setSize(width, height);
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = THREE.BasicShadowMap; // the sum over many lights softens it
+    renderer.shadowMap.autoUpdate = false;
+    document.body.append(renderer.domElement);
+    for (const { mesh } of model.chunks) {
+      const { material } = mesh, glass = material.transparent || (material as THREE.MeshPhysicalMaterial).transmission > 0;
+      mesh.castShadow = !glass;
+      material.envMapIntensity = glass ? 1.0 : 0.35;
+      for (const map of [material.map, material.normalMap]) if (map) map.anisotropy = 2;
+      scene.add(mesh);
+    }
+    const ball = this.#ball = model.box.getBoundingSphere(new THREE.Sphere());
+    const level = Math.min(0, model.box.min.y) - 0.002;
+    this.#corners = corners_of(model.parts.map(part => part.box));
+    scene.add(ground(ball, level), sky_dome(ball.radius * 60));
+    scene.fog = new THREE.Fog(HAZE, ball.radius * 8, ball.radius * 38);
+    scene.environment = sky_reflections(renderer);
+    const bounce = new THREE.HemisphereLight(0xffffff, 0xd8c4a0, 0.35); // what ground and neighbours throw back
+    const light = this.#light, reach = ball.radius * 1.1;
+    light.castShadow = true;
+    light.shadow.mapSize.setScalar(2048);
+    Object.assign(light.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 0, far: reach * 6 });
+    light.shadow.normalBias = reach / 2048 * 2;
+    light.target.position.copy(ball.center);
+    scene.add(bounce, light, light.target);
+    this.#quad.frustumCulled = false;
+    this.#screen.add(this.#quad);
+  }
+
+  /** Takes pictures with so many lights. */
+  async take(views: View[], of: number, then: (view: View, png: Blob) => Promise<void>) {
+    const { renderer, width, height } = this;
+    const cameras = views.map(view => this.camera(view));
+    const shot = new THREE.WebGLRenderTarget(width, height, { type: THREE.HalfFloatType });
+    const sums = cameras.map(() => new THREE.WebGLRenderTarget(width, height, { type: THREE.FloatType, depthBuffer: false }));
+    for (const sum of sums) {
+      renderer.setRenderTarget(sum);
+      renderer.clear();
+    }
+    for (let i = 0; i < of; i++) {
+      this.#shine(i, of);
+      renderer.shadowMap.needsUpdate = true;
+      for (const [k, { camera, shift }] of cameras.entries()) {
+        camera.setViewOffset(width, height, shift.x + even(i + 1, 2) - 0.5, shift.y + even(i + 1, 3) - 0.5, width, height);
+        renderer.toneMapping = THREE.NoToneMapping;
+        renderer.autoClear = true;
+        renderer.setRenderTarget(shot);
+        renderer.render(this.scene, camera);
+        copy.uniforms.picture!.value = shot.texture;
+        copy.uniforms.share!.value = 1 / of;
+        renderer.autoClear = false;
+        this.#draw(copy, sums[k]!);
+      }
+    }
+    renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    renderer.toneMappingExposure = 0.8;
+    renderer.autoClear = true;
+    for (const [k, view] of views.entries()) {
+      develop.uniforms.picture!.value = sums[k]!.texture;
+      this.#draw(develop, null);
+      const png = await new Promise<Blob | null>(done => renderer.domElement.toBlob(done, 'image/png'));
+      if (png) await then(view, png);
+    }
+    for (const target of [shot, ...sums]) target.dispose();
+  }
+
+  /**
+   * A camera that sees the model from a direction, as near as the whole of it allows. With an eye height it looks level, so
+   * that posts stay parallel. Its lens is shifted (pixels) so that the model stands in the middle.
+   */
+  camera(view: View): { camera: THREE.PerspectiveCamera; shift: THREE.Vector2 } {
+    const { box } = this.model, { way, level } = way_of(view, this.azimuth);
+    const camera = new THREE.PerspectiveCamera(26, this.width / this.height, 0.1, 100000);
+    const middle = box.getCenter(new THREE.Vector3()), size = box.getSize(new THREE.Vector3()).length();
+    const low = Math.min(0, box.min.y);
+    const eye = level === undefined ? undefined : low + (level === null ? EYE : level * (box.max.y - low));
+    const bounds_from = (far: number) => {
+      camera.position.copy(middle).addScaledVector(way, far);
+      if (eye !== undefined) camera.position.y = eye;
+      camera.lookAt(middle.x, eye ?? middle.y, middle.z);
+      return bounds_in(camera, this.#corners);
+    };
+    let near = size * 0.3, far = size * 6;
+    for (let step = 0; step < 24; step++) {
+      const half = (near + far) / 2, extent = bounds_from(half)?.getSize(new THREE.Vector2());
+      if (!extent || extent.x > 2 * 0.9 || extent.y > 2 * 0.8) near = half; else far = half;
+    }
+    const centre = bounds_from(far)?.getCenter(new THREE.Vector2()) ?? new THREE.Vector2();
+    camera.near = size / 200;
+    camera.far = size * 80;
+    return { camera, shift: new THREE.Vector2(centre.x * this.width / 2, -centre.y * this.height / 2) };
+  }
+
+  /** Moves the light to place `i` of `of`: some stand for the sun's disc, the others for the sky. */
+  #shine(i: number, of: number) {
+    const light = this.#light, ball = this.#ball;
+    const suns = Math.max(1, Math.round(of * SUN_SHARE)), skies = of - suns;
+    const u = even(i + 1, 2), v = even(i + 1, 3), way = new THREE.Vector3();
+    if (i < suns) {
+      way.set(u - 0.5, v - 0.5, even(i + 1, 5) - 0.5).multiplyScalar(0.035).add(SUN);
+      light.color.copy(SUN_COLOUR);
+      light.intensity = SUN_STRENGTH * of / suns;
+    } else {
+      // Evenly over the dome by the cosine to the zenith, so that equal weights make an even sky.
+      const height = Math.sqrt(1 - u * 0.94), around = v * 2 * Math.PI, flat = Math.sqrt(1 - height * height);
+      way.set(flat * Math.cos(around), height, flat * Math.sin(around));
+      light.color.copy(SKY_COLOUR);
+      light.intensity = SKY_STRENGTH * of / skies;
+    }
+    light.position.copy(ball.center).addScaledVector(way.normalize(), ball.radius * 3);
+  }
+
+  /** Draws a picture over the whole target (the canvas if there is none). */
+  #draw(material: THREE.Material, target: THREE.WebGLRenderTarget | null) {
+    this.#quad.material = material;
+    this.renderer.setRenderTarget(target);
+    this.renderer.render(this.#screen, this.#quad_camera);
+  }
+
+  #quad_camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 1);
+}

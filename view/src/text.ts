@@ -1,0 +1,151 @@
+// The text beside the house: numbered lines, what the compiler says underlined, the code of the selected part and that
+// under the editor's cursor lit up. It is read here and written in the author's editor.
+
+import type { App, Spot } from './app.ts';
+import { field, h } from './dom.ts';
+import type { Bytes } from './server.ts';
+import { words } from './words.ts';
+
+/** A stretch of the text, in characters, that looks different. */
+interface Mark {
+  start: number;
+  end: number;
+  name: string;
+}
+
+export class TextPane {
+  readonly element: HTMLElement;
+  #app: App;
+  #id = 0;
+  #lines = h('div', { class: 'lines', tabindex: 0, role: 'region', 'aria-label': words.source_text });
+  #chooser = h('select', { onchange: () => { this.#id = Number(this.#chooser.value); this.#fill(); } });
+  #shown = '';
+  #codes: { start: number; end: number; span: Bytes }[] = [];
+  #spot: Spot | null = null;
+
+  constructor(app: App) {
+    this.#app = app;
+    this.element = h('section', { class: 'pane text', 'aria-label': words.text, hidden: true },
+      h('div', { class: 'bar' }, field(words.source, this.#chooser)), this.#lines);
+    this.#lines.addEventListener('click', event => {
+      const line = (event.target as Element).closest<HTMLElement>('[data-start]');
+      if (line) this.#choose(Number(line.dataset.start));
+    });
+    this.#lines.addEventListener('keydown', event => this.#key(event));
+    app.on('state', () => { this.#spot = null; this.#choosers(); this.update(); });
+    app.on('model', () => { this.#shown = ''; this.update(); });
+    app.on('select', () => { this.#spot = null; this.update(); this.#reveal(app.selection === null ? null : app.spot_of(app.selection)); });
+    app.on('cursor', () => { this.update(); this.#reveal(app.cursor); });
+  }
+
+  /** Shows a place, and marks it. */
+  show(spot: Spot) {
+    this.#id = spot.id;
+    this.#spot = spot;
+    this.#choosers();
+    this.update();
+    this.#reveal(spot);
+  }
+
+  #choosers() {
+    const { sources } = this.#app.state!;
+    if (!sources.some(source => source.id === this.#id)) this.#id = sources[0]?.id ?? 0;
+    this.#chooser.replaceChildren(...sources.map(({ id, name }) => h('option', { value: id, selected: id === this.#id }, name)));
+  }
+
+  /** Draws the text anew if anything in it has changed and it is shown. */
+  update() {
+    if (this.element.hidden || !this.#app.state) return;
+    this.#fill();
+  }
+
+  #fill() {
+    const { state, model, selection, pointed, places } = this.#app, here = places.get(this.#id);
+    if (!here || !state) { this.#lines.replaceChildren(); return; }
+    const marks: Mark[] = [];
+    const mark = (span: Bytes, name: string) => {
+      const [start, end] = here.chars(span);
+      marks.push({ start, end: Math.max(end, start + 1), name });
+    };
+    for (const { id, file, span, severity } of state.diagnostics) {
+      const source = id ?? state.sources.find(s => s.name === file)?.id;
+      if (source === this.#id) mark([span.start, span.end], severity);
+    }
+    const seen = new Set<string>();
+    this.#codes = [];
+    for (const { kind, span, file } of model?.parts ?? []) {
+      if (kind !== 'part' || file !== this.#id || !span || seen.has(`${span}`)) continue;
+      seen.add(`${span}`);
+      const [start, end] = here.chars(span);
+      this.#codes.push({ start, end, span });
+      marks.push({ start, end, name: 'code' });
+    }
+    this.#codes.sort((a, b) => a.start - b.start);
+    const lit = (parts: number[], name: string) => {
+      for (const span of new Set(parts.map(part => this.#app.spot_of(part)).filter(s => s?.id === this.#id).map(s => `${s!.span}`))) {
+        mark(span.split(',').map(Number) as Bytes, name);
+      }
+    };
+    lit(selection === null ? [] : [selection], 'selected');
+    lit(pointed.parts, 'pointed');
+    if (this.#spot?.id === this.#id) mark(this.#spot.span, 'spot');
+    const shown = `${state.revision} ${this.#id} ${marks.map(m => `${m.start}-${m.end}${m.name}`).join()}`;
+    if (shown === this.#shown) return;
+    this.#shown = shown;
+    const { scrollTop } = this.#lines;
+    this.#lines.replaceChildren(...lines(here.text, here.lines, marks));
+    this.#lines.scrollTop = scrollTop;
+  }
+
+  /** Scrolls to a place. */
+  #reveal(spot: Spot | null) {
+    const here = this.#app.places.get(this.#id);
+    if (this.element.hidden || !spot || spot.id !== this.#id || !here) return;
+    const line = this.#lines.children[here.line(here.char(spot.span[0]))] as HTMLElement | undefined;
+    if (!line) return;
+    const { offsetTop } = line, { scrollTop, clientHeight } = this.#lines;
+    const top = offsetTop - this.#lines.offsetTop;
+    if (top < scrollTop || top > scrollTop + clientHeight - 40) this.#lines.scrollTop = top - clientHeight / 3;
+  }
+
+  #choose(char: number) {
+    const code = this.#codes.find(({ start, end }) => start <= char && char < end);
+    if (code) this.#app.select_at({ id: this.#id, span: code.span });
+  }
+
+  /** From part to part without a mouse. */
+  #key(event: KeyboardEvent) {
+    const { selection } = this.#app, step = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    const spot = selection === null ? null : this.#app.spot_of(selection);
+    if (event.key === 'Enter' && spot) void this.#app.open(spot);
+    else if (step && this.#codes.length) {
+      const at = this.#codes.findIndex(({ span }) => spot?.id === this.#id && `${span}` === `${spot.span}`);
+      const next = this.#codes[at < 0 ? (step > 0 ? 0 : this.#codes.length - 1) : at + step];
+      if (next) this.#app.select_at({ id: this.#id, span: next.span });
+    } else return;
+    event.preventDefault();
+  }
+}
+
+/** Lines with their marks. */
+function lines(text: string, starts: number[], marks: Mark[]): HTMLElement[] {
+  const sorted = [...marks].sort((a, b) => a.start - b.start);
+  let first = 0;
+  return starts.map((from, i) => {
+    const to = (starts[i + 1] ?? text.length + 1) - 1;
+    while (first < sorted.length && sorted[first]!.end <= from && sorted[first]!.start < from) first++;
+    const here: Mark[] = [];
+    for (let k = first; k < sorted.length && sorted[k]!.start <= to; k++) if (sorted[k]!.end > from) here.push(sorted[k]!);
+    const line = h('div', { class: 'source-line', 'data-line': i + 1 });
+    const edges = [...new Set([from, to, ...here.flatMap(m => [m.start, m.end])])].filter(c => c >= from && c <= to).sort((a, b) => a - b);
+    for (let k = 0; k + 1 < edges.length; k++) {
+      const [start, end] = [edges[k]!, edges[k + 1]!];
+      const names = here.filter(m => m.start <= start && m.end >= end).map(m => m.name);
+      const piece = text.slice(start, end);
+      line.append(names.length ? h('span', { class: [...new Set(names)].join(' '), 'data-start': start }, piece) : piece);
+    }
+    // A message about the end of a line still has to be seen.
+    for (const m of here) if (m.start >= to && m.name !== 'code') line.append(h('span', { class: m.name, 'data-start': m.start }, ' '));
+    return line;
+  });
+}
