@@ -22,6 +22,7 @@ mod parts;
 mod reason;
 mod terminal;
 mod textures;
+mod view;
 mod watch;
 pub use crate::diagnostic::{Language, Text};
 use crate::text;
@@ -135,6 +136,7 @@ enum Command {
     Explain(explain::Explain),
     Fmt(fmt::Fmt),
     Textures(textures::Textures),
+    View(view::View),
     Lsp(lsp::Lsp),
     Completions(completions::Completions),
 }
@@ -158,6 +160,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Explain(c) => c.run(language),
         Command::Fmt(c) => c.run(language),
         Command::Textures(c) => c.run(language),
+        Command::View(c) => c.run(language),
         Command::Lsp(c) => c.run(language),
         Command::Completions(c) => c.run(language),
     };

@@ -113,10 +113,14 @@ impl Analysis {
         text!("{name}, line {line}", "{name} {line} 行")
     }
 
+    /// The text and the files that were read for it.
+    pub fn sources(&self) -> impl Iterator<Item = &Source> {
+        std::iter::once(&self.source).chain(&self.checked.included)
+    }
+
     /// A file that was read for it.
     pub fn file(&self, id: FileId) -> Option<&Source> {
-        let mut all = std::iter::once(&self.source).chain(&self.checked.included);
-        all.find(|s| s.id() == id)
+        self.sources().find(|s| s.id() == id)
     }
 }
 

@@ -24,8 +24,8 @@
 //!
 //! The trees between the steps are noun modules: data, small accessors, invariants in their headers. The steps are
 //! verb modules. A noun uses no verb; a step uses its input, its output and the foundations. `tests/order.rs` holds
-//! the sources to that. The core does no input or output: pictures come through [`source::World`], and only [`cli`]
-//! reads files and prints.
+//! the sources to that. The core does no input or output: pictures and included texts come through [`source::World`];
+//! files are read by [`disk`] for the shells [`cli`], [`lsp`] and [`view`], and only [`cli`] prints.
 //!
 //! # Numbers
 //!
@@ -67,5 +67,6 @@ pub mod cli;
 pub mod disk;
 pub mod lsp;
 pub mod report;
+pub mod view;
 
 pub use driver::{Compiled, Options, compile, compile_bytes};

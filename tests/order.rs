@@ -32,6 +32,7 @@ const ORDER: &[&str] = &[
     "ide",
     "report",
     "disk",
+    "view",
     "lsp",
     "cli",
     "lib",

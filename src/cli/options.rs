@@ -11,6 +11,7 @@ use crate::source::Limits;
 use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{IsTerminal, Write};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
 /// What is read, and how.
@@ -20,6 +21,21 @@ pub(super) struct Reading {
     #[arg(required = true, value_name = "IN")]
     pub(super) inputs: Vec<PathBuf>,
 
+    #[command(flatten)]
+    pub(super) manner: Manner,
+}
+
+impl Deref for Reading {
+    type Target = Manner;
+
+    fn deref(&self) -> &Manner {
+        &self.manner
+    }
+}
+
+/// How texts are read.
+#[derive(Clone, Debug, Args)]
+pub(super) struct Manner {
     /// Look for part pictures in this folder; may be given several times.
     ///
     /// Without it they are looked for in the folder of each text and in its folder `textures`.
@@ -69,7 +85,7 @@ pub(super) struct Reading {
     max_pixels: u64,
 }
 
-impl Reading {
+impl Manner {
     pub(super) fn limits(&self) -> Limits {
         Limits {
             bytes: self.max_bytes.min(u32::MAX as usize), // spans count in 32 bits
@@ -125,6 +141,11 @@ impl Reading {
             }
         }
         folders
+    }
+
+    /// The folders of the files of own parts.
+    pub(super) fn catalog_folders(&self) -> impl Iterator<Item = PathBuf> {
+        self.catalogs.iter().map(|file| home(file).to_owned())
     }
 
     /// The world of some of the inputs.

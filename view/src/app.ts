@@ -1,6 +1,6 @@
 // What the page knows: the file that is shown, its state, its model, what is selected. Whoever shows some of it listens.
 
-import { Places } from './bytes.ts';
+import { Places } from './places.ts';
 import { Highlight } from './highlight.ts';
 import { Loader } from './load.ts';
 import { Measure } from './measure.ts';
@@ -128,7 +128,7 @@ export class App {
     const first = this.model === null, before = this.places;
     const trace = this.model && this.selection !== null ? trace_of(this.model, this.selection) : null;
     this.state = now;
-    this.places = new Map(now.sources.map(({ id, text, encoding, bom }) => [id, new Places(text, encoding, bom)]));
+    this.places = new Map(now.sources.map(source => [source.id, new Places(source)]));
     const nothing = !model || model.chunks.length === 0;
     const keep = nothing && !first && now.diagnostics.some(d => d.severity === 'error');
     if (model && !keep) {
@@ -196,7 +196,7 @@ export class App {
   line_of({ id, span }: Spot): { line: number; text: string } | null {
     const places = this.places.get(id);
     if (!places) return null;
-    const line = places.line(places.char(span[0]));
+    const line = places.line(places.unit(span[0]));
     return { line: line + 1, text: places.text.slice(places.lines[line], places.lines[line + 1] ?? undefined).trimEnd() };
   }
 

@@ -64,7 +64,8 @@ interface Extras {
   kind?: string;
   code?: string;
   storey?: number;
-  span?: Bytes | [number, number, number];
+  span?: Bytes;
+  file?: number;
   shape?: string;
 }
 
@@ -107,8 +108,8 @@ export function model_of(root: THREE.Object3D): Model {
         kind: extras.kind,
         code: extras.code ?? null,
         storey: extras.storey ?? up?.storey ?? 0,
-        span: extras.span ? [extras.span[0], extras.span[1]] : null,
-        file: extras.span?.[2] ?? 0,
+        span: extras.span ?? null,
+        file: extras.file ?? 0,
         shape: extras.shape ?? null,
         house: Math.max(0, houses - 1),
         parent: above,

@@ -2,8 +2,9 @@
 // written once may stand in many places; its place in the model tells them apart.
 
 import * as THREE from 'three';
-import { carried, type Places } from './bytes.ts';
+import { carried } from './carried.ts';
 import { type Chunk, type Model, type Part, part_of } from './model.ts';
+import type { Places } from './places.ts';
 import type { Bytes } from './server.ts';
 
 /** Whether a part is another or stands below it. */
@@ -87,7 +88,7 @@ function path_of(model: Model, part: number): number[] {
 /** The same part in a new model: at the place its text has moved to, else at the same place of the tree. */
 export function found_again(trace: Trace, model: Model, old: Places | undefined, now: Places | undefined): number | null {
   if (trace.span && old && now) {
-    const moved = carried(old.chars(trace.span), old.text, now.text);
+    const moved = carried(old.range(trace.span), old.text, now.text);
     if (moved) {
       const span: Bytes = [now.byte(moved[0]), now.byte(moved[1])];
       const here = model.parts.flatMap((part, i) =>

@@ -30,10 +30,10 @@ export interface Source {
   /** Its path below the folder; null where it lies outside. */
   path: string | null;
   text: string;
-  /** Of the file, by which spans count; UTF-8 where it is left out. */
-  encoding?: string;
-  /** Whether the file begins with a byte order mark. */
-  bom?: boolean;
+  /** Bytes of the file before the text. */
+  mark: number;
+  /** How many bytes of the file each UTF-16 unit of the text takes, a digit each; null = as in UTF-8. */
+  widths: string | null;
 }
 
 export interface Diagnostic {

@@ -64,7 +64,7 @@ export class TextPane {
     if (!here || !state) { this.#lines.replaceChildren(); return; }
     const marks: Mark[] = [];
     const mark = (span: Bytes, name: string) => {
-      const [start, end] = here.chars(span);
+      const [start, end] = here.range(span);
       marks.push({ start, end: Math.max(end, start + 1), name });
     };
     for (const { id, file, span, severity } of state.diagnostics) {
@@ -76,7 +76,7 @@ export class TextPane {
     for (const { kind, span, file } of model?.parts ?? []) {
       if (kind !== 'part' || file !== this.#id || !span || seen.has(`${span}`)) continue;
       seen.add(`${span}`);
-      const [start, end] = here.chars(span);
+      const [start, end] = here.range(span);
       this.#codes.push({ start, end, span });
       marks.push({ start, end, name: 'code' });
     }
@@ -101,7 +101,7 @@ export class TextPane {
   #reveal(spot: Spot | null) {
     const here = this.#app.places.get(this.#id);
     if (this.element.hidden || !spot || spot.id !== this.#id || !here) return;
-    const line = this.#lines.children[here.line(here.char(spot.span[0]))] as HTMLElement | undefined;
+    const line = this.#lines.children[here.line(here.unit(spot.span[0]))] as HTMLElement | undefined;
     if (!line) return;
     const { offsetTop } = line, { scrollTop, clientHeight } = this.#lines;
     const top = offsetTop - this.#lines.offsetTop;

@@ -37,6 +37,9 @@ struct Extras<'a> {
     storey: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     span: Option<Span>,
+    /// The file of the span, by its number in the order of reading; the first is not named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    file: Option<u16>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<&'a str>,
 }
@@ -148,6 +151,7 @@ fn made<'a>(
             code: node.code.as_deref(),
             storey: node.storey,
             span: node.span,
+            file: node.span.map(|s| s.file.0).filter(|file| *file > 0),
             shape: node.shape.as_deref(),
         },
         mesh,

@@ -308,6 +308,33 @@ pub(super) static COMMANDS: &[Words] = &[
         values: &[],
     },
     Words {
+        path: "view",
+        about: "家をブラウザーに表示し、保存するたびに建て直す",
+        more: "このマシンの中だけのページに、モデル、平面図、テキストの指摘が表示されます。フォルダーを指定すると、その中の\
+               テキストやモデルを画面で選べます。外部とは通信しません。中断するまで動き続けます。",
+        examples: "\
+例:
+  hsd view house.hsd                                   エディターの隣に家を
+  hsd view street/                                     フォルダーのすべてのテキスト
+  hsd view house.hsd --editor 'code -g {file}:{line}'  部材をクリックするとその行へ",
+        arguments: &[
+            (
+                "input",
+                "テキスト、テキストのフォルダー、またはモデル (.glb)",
+                "",
+            ),
+            (
+                "editor",
+                "エディターをその場所へ移すコマンド。{file}、{line}、{column} が場所に置き換わる",
+                "",
+            ),
+            ("read_only", "画面で何を描いてもテキストを変えない", ""),
+            ("port", "ページのポート。省くと空いているもの", ""),
+            ("no_open", "ブラウザーを開かず、アドレスだけを書く", ""),
+        ],
+        values: &[],
+    },
+    Words {
         path: "lsp",
         about: "エディターに応える: 診断、補完、説明などを Language Server Protocol で",
         more: "エディターが自分で起動します。標準入力を読み、標準出力に書きます。エディターの設定は README にあります。",

@@ -1,0 +1,128 @@
+//! `hsd view`: the live preview.
+
+mod disk;
+
+use super::options::Manner;
+use super::{Exit, Outcome, Stop};
+use crate::diagnostic::Language;
+use crate::text;
+use crate::view::{self, Preview, RecursiveMode, Show};
+use clap::Args;
+use disk::Disk;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Show a house in the browser, and build it again at every save.
+///
+/// A page on this machine shows the model, the plan and what is wrong with the text. Of a folder any text or model
+/// can be chosen there. Nothing leaves the machine. It runs until it is interrupted.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd view house.hsd                                   the house beside your editor
+  hsd view street/                                     all texts of a folder
+  hsd view house.hsd --editor 'code -g {file}:{line}'  a click on a part goes to its line")]
+pub(super) struct View {
+    /// A text, a folder of texts, or a model (.glb).
+    #[arg(value_name = "FILE")]
+    input: PathBuf,
+
+    #[command(flatten)]
+    manner: Manner,
+
+    /// What sends your editor to a place; {file}, {line} and {column} stand for it.
+    #[arg(long, value_name = "COMMAND", env = "HSD_EDITOR")]
+    editor: Option<String>,
+
+    /// Change no text, whatever is drawn in the page.
+    #[arg(long)]
+    read_only: bool,
+
+    /// The port of the page; any free one without it.
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    port: u16,
+
+    /// Do not open the browser; the address is written.
+    #[arg(long)]
+    no_open: bool,
+}
+
+impl View {
+    pub(super) fn run(&self, language: Language) -> Outcome {
+        self.manner.check_folders()?;
+        page_is_there()?;
+        let editor = self.editor.as_deref().map(disk::editor).transpose()?;
+        let disk = Disk {
+            manner: self.manner.clone(),
+            editor,
+            writes: !self.read_only,
+        };
+        let preview = start(&self.input, &self.manner, disk, self.port, language)?;
+        let url = preview.url();
+        writeln!(io::stdout(), "{url}")?;
+        io::stdout().flush()?;
+        if !self.no_open && open::that_detached(&url).is_err() {
+            let hint = text!(
+                "no browser could be started; open the address above",
+                "ブラウザーを起動できませんでした。上のアドレスを開いてください"
+            );
+            writeln!(io::stderr(), "hsd: {}", hint.in_language(language))?;
+        }
+        preview.wait().map_err(|e| Stop::at(&url, e))?;
+        Ok(Exit::Done)
+    }
+}
+
+/// Fails where the page was not built before the program.
+pub(super) fn page_is_there() -> Result<(), Stop> {
+    match view::there() {
+        true => Ok(()),
+        false => Err(Stop::Usage(text!(
+            "this hsd is built without its page; with Node.js at hand, `npm ci --prefix view && npm run build --prefix view` and \
+             `cargo build --release` make one that has it",
+            "この hsd には画面が含まれていません。Node.js があれば `npm ci --prefix view && npm run build --prefix view` のあと \
+             `cargo build --release` で含めて作れます"
+        ))),
+    }
+}
+
+/// Begins to show a file or a folder.
+pub(super) fn start(
+    input: &Path,
+    manner: &Manner,
+    disk: Disk,
+    port: u16,
+    language: Language,
+) -> Result<Preview, Stop> {
+    let failed = |e: io::Error| Stop::at(input.display(), e);
+    let real = input.canonicalize().map_err(failed)?;
+    let (root, only, mode) = if real.is_dir() {
+        (real, None, RecursiveMode::Recursive)
+    } else {
+        let folder = real.parent().unwrap_or(Path::new("/")).to_owned();
+        let name = real.file_name().map(|n| n.to_string_lossy().into_owned());
+        (folder, name, RecursiveMode::NonRecursive)
+    };
+    let mut watched = vec![(root.clone(), mode)];
+    let inputs = only.iter().map(|name| root.join(name));
+    let inputs: Vec<PathBuf> = inputs.collect();
+    let beside = manner.folders(&inputs).into_iter();
+    let beside = beside.chain(manner.catalog_folders());
+    for folder in beside.filter_map(|f| f.canonicalize().ok()) {
+        let known = |(f, mode): &(PathBuf, RecursiveMode)| {
+            *f == folder || *mode == RecursiveMode::Recursive && folder.starts_with(f)
+        };
+        if !watched.iter().any(known) {
+            watched.push((folder, RecursiveMode::NonRecursive));
+        }
+    }
+    Preview::start(Show {
+        root,
+        only,
+        language,
+        desk: Box::new(disk),
+        port,
+        watched,
+    })
+    .map_err(failed)
+}

@@ -1,0 +1,152 @@
+//! The author's desk where no language server stands between: files, and a command that starts an editor.
+
+use crate::cli::Stop;
+use crate::cli::input::Inputs;
+use crate::cli::options::Manner;
+use crate::diagnostic::Diagnostics;
+use crate::driver::Options;
+use crate::source::{Source, World};
+use crate::text;
+use crate::view::Desk;
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// Files, read in the manner that the command line says.
+pub(in crate::cli) struct Disk {
+    pub(in crate::cli) manner: Manner,
+    /// The words of the command that starts an editor.
+    pub(in crate::cli) editor: Option<Vec<String>>,
+    /// Whether texts may be changed.
+    pub(in crate::cli) writes: bool,
+}
+
+impl Desk for Disk {
+    fn read(
+        &self,
+        path: &Path,
+        work: &mut dyn FnMut(Source, &dyn World, &Options),
+    ) -> io::Result<()> {
+        let inputs = [path.to_owned()];
+        let limit = self.manner.limits().bytes;
+        let mut out = Diagnostics::new();
+        let stopped = |stop: Stop| match stop {
+            Stop::Io(why) | Stop::Usage(why) => io::Error::other(why.as_str().to_owned()),
+            Stop::Pipe => io::ErrorKind::BrokenPipe.into(),
+        };
+        let read = Inputs::read(&inputs, limit, &mut out).map_err(stopped)?;
+        if !read.taken().all(|taken| taken) {
+            return Err(io::Error::other(
+                "the file is larger than --max-bytes allows",
+            ));
+        }
+        let options = self.manner.options(&read, &mut out).map_err(stopped)?;
+        let world = self.manner.world(&inputs);
+        if let Some(source) = read.sources.into_iter().next() {
+            work(source, &world, &options);
+        }
+        Ok(())
+    }
+
+    fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
+        let mut bytes = vec![];
+        let limit = self.manner.limits().bytes as u64;
+        File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    fn writes(&self) -> bool {
+        self.writes
+    }
+
+    fn write(&self, path: &Path, before: &[u8], after: &[u8]) -> io::Result<()> {
+        if !self.writes {
+            return Err(io::ErrorKind::PermissionDenied.into());
+        }
+        if fs::read(path)? != before {
+            return Err(io::Error::other("the text was changed meanwhile"));
+        }
+        // A link stays a link: its target is what is written.
+        let path = path.canonicalize()?;
+        let folder = path.parent().unwrap_or(Path::new("."));
+        let mut file = tempfile::NamedTempFile::new_in(folder)?;
+        file.write_all(after)?;
+        fs::set_permissions(file.path(), fs::metadata(&path)?.permissions())?;
+        file.persist(&path).map_err(|e| e.error)?;
+        Ok(())
+    }
+
+    fn opens(&self) -> bool {
+        self.editor.is_some()
+    }
+
+    fn open(&self, path: &Path, line: usize, column: usize) -> io::Result<()> {
+        let missing = || io::Error::other("no editor is named: hsd view --editor COMMAND");
+        let (program, arguments) = self
+            .editor
+            .as_deref()
+            .and_then(<[String]>::split_first)
+            .ok_or_else(missing)?;
+        let place = |word: &String| {
+            word.replace("{line}", &line.to_string())
+                .replace("{column}", &column.to_string())
+                .replace("{file}", &path.to_string_lossy())
+        };
+        let mut command = Command::new(program);
+        command.args(arguments.iter().map(place));
+        command.stdin(Stdio::null()).stdout(Stdio::null());
+        let mut child = command.spawn()?;
+        // Somebody has to ask how it ended, or it stays in the list of processes.
+        std::thread::spawn(move || child.wait());
+        Ok(())
+    }
+}
+
+/// The words of a command: divided at blanks, but for what stands in quotation marks. No shell reads them.
+pub(super) fn editor(command: &str) -> Result<Vec<String>, Stop> {
+    let (mut words, mut word, mut quote) = (vec![], None::<String>, None);
+    for c in command.chars() {
+        match quote {
+            Some(q) if c == q => quote = None,
+            None if c == '"' || c == '\'' => {
+                quote = Some(c);
+                word.get_or_insert_default();
+            }
+            None if c.is_whitespace() => words.extend(word.take()),
+            _ => word.get_or_insert_default().push(c),
+        }
+    }
+    words.extend(word);
+    if quote.is_some() || words.is_empty() {
+        return Err(Stop::Usage(text!(
+            "--editor {command}: a command is meant, as in 'code -g {{file}}:{{line}}'",
+            "--editor {command}: 'code -g {{file}}:{{line}}' のようなコマンドを指定してください"
+        )));
+    }
+    if !words.iter().any(|w| w.contains("{file}")) {
+        words.push("{file}".to_owned());
+    }
+    Ok(words)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_command_is_divided_as_a_shell_would() {
+        let words = |command| editor(command).expect("is a command");
+        assert_eq!(
+            words("code -g {file}:{line}"),
+            ["code", "-g", "{file}:{line}"]
+        );
+        assert_eq!(
+            words("'my editor' \"--at={line}\" {file}"),
+            ["my editor", "--at={line}", "{file}"]
+        );
+        assert_eq!(words("emacsclient"), ["emacsclient", "{file}"]);
+        assert!(editor("  ").is_err());
+        assert!(editor("code 'x").is_err());
+    }
+}

@@ -1,0 +1,123 @@
+//! The live preview: a page on loopback that shows what texts make, and keeps up with them.
+//!
+//! It answers to its own page on this machine and to nobody else, reads no file outside of the folder that is shown, and
+//! asks nothing of any network. The page itself is written in TypeScript in `view/` and embedded by `build.rs`; what both
+//! say to one another stands in `view/src/server.ts`.
+//!
+//! | file | does |
+//! |---|---|
+//! | `desk` | where texts lie as they are written, and where the editor is |
+//! | `hall`, `made` | which files are shown; what each makes |
+//! | `watch` | notices what is saved |
+//! | `routes`, `guard` | what the page asks for; who may ask |
+//! | `strokes` | what was drawn in the page, so that it can be taken back |
+//! | `page` | the files of the page |
+
+mod desk;
+mod guard;
+mod hall;
+mod made;
+mod page;
+mod routes;
+mod strokes;
+mod watch;
+
+pub use desk::Desk;
+pub use hall::Cursor;
+pub use notify_debouncer_full::notify::RecursiveMode;
+pub use page::there;
+
+use crate::diagnostic::Language;
+use hall::{Hall, News};
+use std::io;
+use std::net::{Ipv4Addr, SocketAddr, TcpListener};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+use watch::Watch;
+
+/// What is to be shown, and how.
+pub struct Show {
+    /// The folder below which all files lie that may be read.
+    pub root: PathBuf,
+    /// The only file that is shown, by its path below the root with `/`.
+    pub only: Option<String>,
+    /// Of messages and of the page.
+    pub language: Language,
+    /// Where texts lie as they are written, and where the editor is.
+    pub desk: Box<dyn Desk>,
+    /// The port; 0 = any that is free.
+    pub port: u16,
+    /// Folders in which files may be saved that matter.
+    pub watched: Vec<(PathBuf, RecursiveMode)>,
+}
+
+/// A preview that runs, on threads of its own, until the program ends.
+pub struct Preview {
+    hall: Arc<Hall>,
+    address: SocketAddr,
+    server: JoinHandle<io::Result<()>>,
+    _watch: Option<Watch>,
+}
+
+impl Preview {
+    /// Begins to show.
+    ///
+    /// # Errors
+    /// Where the root is not there, the port is taken, or folders cannot be watched.
+    pub fn start(show: Show) -> io::Result<Preview> {
+        let root = show.root.canonicalize()?;
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, show.port))?;
+        listener.set_nonblocking(true)?;
+        let address = listener.local_addr()?;
+        let hall = Arc::new(Hall::new(root, show.only, show.language, show.desk));
+        let watch = match &show.watched[..] {
+            [] => None,
+            folders => Some(watch::watch(&hall, folders).map_err(io::Error::other)?),
+        };
+        let routes = routes::routes(hall.clone(), address.port());
+        let runtime = tokio::runtime::Builder::new_current_thread()
+            .enable_io()
+            .enable_time()
+            .build()?;
+        let server = thread::Builder::new()
+            .name("hsd view".to_owned())
+            .spawn(move || {
+                runtime.block_on(async {
+                    let listener = tokio::net::TcpListener::from_std(listener)?;
+                    axum::serve(listener, routes).await
+                })
+            })?;
+        Ok(Preview {
+            hall,
+            address,
+            server,
+            _watch: watch,
+        })
+    }
+
+    /// Where the page is.
+    pub fn url(&self) -> String {
+        format!("http://{}/", self.address)
+    }
+
+    /// Something has changed that is not noticed by itself.
+    pub fn changed(&self) {
+        self.hall.changed();
+    }
+
+    /// The editor stands at a place of a text that was read for a file, or left it.
+    pub fn cursor(&self, file: &str, place: Option<Cursor>) {
+        let file = file.into();
+        self.hall.tell(News::Cursor { file, place });
+    }
+
+    /// Waits until it ends, which it does for a failure only.
+    ///
+    /// # Errors
+    /// That failure.
+    pub fn wait(self) -> io::Result<()> {
+        let fault = || io::Error::other("a fault of the program");
+        self.server.join().map_err(|_| fault())?
+    }
+}

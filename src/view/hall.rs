@@ -1,0 +1,258 @@
+//! What is shown: the files below a folder, each built when it is first asked for, and again when something that it is
+//! made of has changed while a page looks at it.
+
+use super::desk::Desk;
+use super::made::{Made, slashed};
+use super::strokes::History;
+use crate::diagnostic::Language;
+use crate::source::{FileId, Span};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::sync::broadcast;
+
+/// Files of a folder that are listed at most, and how deep folders are searched.
+const LISTED: usize = 2000;
+const DEPTH: usize = 6;
+
+/// What pages hear of.
+#[derive(Clone, Debug)]
+pub(super) enum News {
+    /// A file makes something else now.
+    State { file: Arc<str>, revision: u64 },
+    /// The editor stands at another place of a file, or in none.
+    Cursor {
+        file: Arc<str>,
+        place: Option<Cursor>,
+    },
+    /// There are other files.
+    Files,
+}
+
+/// A place in one of the texts that were read for a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Cursor {
+    /// Which text; 0 = the file itself.
+    pub id: u16,
+    /// Bytes of it.
+    pub span: [u32; 2],
+}
+
+/// A file that may be shown.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub(super) struct Listed {
+    pub(super) path: String,
+    pub(super) kind: &'static str,
+}
+
+/// Everything that is shown, and who looks at it.
+pub(super) struct Hall {
+    /// All links followed; nothing above it is read.
+    pub(super) root: PathBuf,
+    /// The only file that is shown, if it is one.
+    pub(super) only: Option<String>,
+    pub(super) language: Language,
+    pub(super) desk: Box<dyn Desk>,
+    rooms: Mutex<BTreeMap<String, Arc<Room>>>,
+    news: broadcast::Sender<News>,
+    revision: AtomicU64,
+}
+
+/// A file that was asked for.
+pub(super) struct Room {
+    pub(super) file: Arc<str>,
+    made: Mutex<Option<Arc<Made>>>,
+    /// How many pages look at it.
+    eyes: AtomicUsize,
+    /// What was drawn in it.
+    pub(super) history: Mutex<History>,
+}
+
+/// Somebody who looks at a file.
+pub(super) struct Eye(Arc<Room>);
+
+impl Drop for Eye {
+    fn drop(&mut self) {
+        self.0.eyes.fetch_sub(1, Ordering::AcqRel);
+    }
+}
+
+/// Takes a lock; what a thread that failed has left is as good as before, since whole values are put in.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Hall {
+    /// A hall of all files below a folder, or of one of them.
+    pub(super) fn new(
+        root: PathBuf,
+        only: Option<String>,
+        language: Language,
+        desk: Box<dyn Desk>,
+    ) -> Hall {
+        Hall {
+            root,
+            only,
+            language,
+            desk,
+            rooms: Mutex::default(),
+            news: broadcast::channel(64).0,
+            revision: AtomicU64::new(1),
+        }
+    }
+
+    /// The files that may be shown.
+    pub(super) fn files(&self) -> Vec<Listed> {
+        let mut list = vec![];
+        match &self.only {
+            Some(file) => list.extend(listed(file.clone())),
+            None => walk(&self.root, &self.root, DEPTH, &mut list),
+        }
+        list
+    }
+
+    /// The room of a file.
+    ///
+    /// # Errors
+    /// Where it may not be shown: it lies elsewhere, or is no text or model.
+    pub(super) fn room(&self, file: &str) -> io::Result<Arc<Room>> {
+        if let Some(room) = lock(&self.rooms).get(file) {
+            return Ok(room.clone());
+        }
+        let path = Path::new(file);
+        let plain = path.components().all(|c| matches!(c, Component::Normal(_)));
+        let known = plain && !file.contains('\\') && listed(file.to_owned()).is_some();
+        let wanted = self.only.as_ref().is_none_or(|only| only == file);
+        let inside = |p: PathBuf| p.starts_with(&self.root) && p.is_file();
+        // A file that an editor has not saved yet is read by the desk.
+        let real = self.root.join(path).canonicalize();
+        let there = real.map_or_else(|_| self.desk.bytes(&self.root.join(path)).is_ok(), inside);
+        if !known || !wanted || !there {
+            return Err(io::ErrorKind::NotFound.into());
+        }
+        let room = Arc::new(Room {
+            file: file.into(),
+            made: Mutex::default(),
+            eyes: AtomicUsize::new(0),
+            history: Mutex::default(),
+        });
+        let mut rooms = lock(&self.rooms);
+        Ok(rooms.entry(file.to_owned()).or_insert(room).clone())
+    }
+
+    /// What a file makes; built unless it is known.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub(super) fn made(&self, room: &Room) -> io::Result<Arc<Made>> {
+        let mut made = lock(&room.made);
+        if let Some(made) = &*made {
+            return Ok(made.clone());
+        }
+        let new = Arc::new(self.build(&room.file)?);
+        *made = Some(new.clone());
+        Ok(new)
+    }
+
+    /// A picture beside the model of a revision.
+    pub(super) fn picture(&self, revision: u64, name: &str) -> Option<Vec<u8>> {
+        let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
+        rooms.iter().find_map(|room| {
+            let made = lock(&room.made).clone()?;
+            (made.revision == revision).then(|| made.pictures.get(name).cloned())?
+        })
+    }
+
+    /// Sends the editor to a place of a text that was read for a file.
+    ///
+    /// # Errors
+    /// Where there is no such text, or no editor.
+    pub(super) fn open(&self, room: &Room, id: u16, [start, end]: [u32; 2]) -> io::Result<()> {
+        let made = self.made(room)?;
+        let source = made.sources.iter().find(|s| s.id() == FileId(id));
+        let source = source.ok_or(io::ErrorKind::NotFound)?;
+        let file = source.id();
+        let (line, column) = source.line_column(Span { file, start, end });
+        self.desk.open(Path::new(source.name()), line, column)
+    }
+
+    fn build(&self, file: &str) -> io::Result<Made> {
+        let revision = self.revision.fetch_add(1, Ordering::Relaxed);
+        let place = (&*self.root, file);
+        match listed(file.to_owned()).map(|l| l.kind) {
+            Some("model") => Made::of_model(place, revision),
+            _ => Made::of_text(&*self.desk, place, self.language, revision),
+        }
+    }
+
+    /// Looks at a file: it is kept up from now on.
+    pub(super) fn look(&self, room: &Arc<Room>) -> (Eye, broadcast::Receiver<News>) {
+        room.eyes.fetch_add(1, Ordering::AcqRel);
+        (Eye(room.clone()), self.news.subscribe())
+    }
+
+    /// Something has changed: what is looked at is built anew, the rest when it is asked for.
+    pub(super) fn changed(&self) {
+        let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
+        for room in rooms {
+            let mut made = lock(&room.made);
+            if room.eyes.load(Ordering::Acquire) == 0 {
+                *made = None;
+                continue;
+            }
+            // A file that is gone for a moment, as editors do it, is shown as it was.
+            let Ok(new) = self.build(&room.file) else {
+                continue;
+            };
+            if made.as_ref().is_some_and(|old| old.same(&new)) {
+                continue;
+            }
+            let (file, revision) = (room.file.clone(), new.revision);
+            *made = Some(Arc::new(new));
+            drop(made);
+            self.tell(News::State { file, revision });
+        }
+    }
+
+    /// Tells all pages; where nobody looks, nobody hears.
+    pub(super) fn tell(&self, news: News) {
+        let _ = self.news.send(news);
+    }
+}
+
+/// A file that may be shown, if its ending says so.
+fn listed(path: String) -> Option<Listed> {
+    let ending = Path::new(&path).extension()?.to_str()?.to_ascii_lowercase();
+    let kind = match &*ending {
+        "hsd" | "xml" => "text",
+        "glb" => "model",
+        _ => return None,
+    };
+    Some(Listed { path, kind })
+}
+
+/// The files below a folder, in the order of their names; hidden folders and those of programs are passed over.
+fn walk(root: &Path, folder: &Path, depth: usize, list: &mut Vec<Listed>) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<(PathBuf, fs::FileType)> = entries
+        .filter_map(|e| Some((e.path(), e.file_type().ok()?)))
+        .collect();
+    paths.sort_by(|(a, _), (b, _)| a.cmp(b));
+    for (path, kind) in &paths {
+        if kind.is_file() && list.len() < LISTED {
+            let below = path.strip_prefix(root).ok();
+            list.extend(below.and_then(|p| listed(slashed(p))));
+        }
+    }
+    for (path, kind) in paths {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let passed = name.starts_with('.') || name == "node_modules" || name == "target";
+        if kind.is_dir() && depth > 0 && !passed {
+            walk(root, &path, depth - 1, list);
+        }
+    }
+}

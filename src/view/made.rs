@@ -1,0 +1,219 @@
+//! What one text makes, ready to be handed out: what the page is told of it, its model, the pictures beside that.
+
+use super::desk::Desk;
+use crate::backend::gltf::Glb;
+use crate::diagnostic::{Diagnostics, Language};
+use crate::driver::{self, Options};
+use crate::ide::Analysis;
+use crate::report::{Format, Report, Style};
+use crate::source::{Source, Span, World};
+use serde::Serialize;
+use serde_json::value::RawValue;
+use std::collections::BTreeMap;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io;
+use std::path::Path;
+use std::time::Duration;
+
+/// The name of the model; its pictures lie in a folder named after it.
+pub(super) const STEM: &str = "house";
+
+/// A text and its model at one moment.
+pub(super) struct Made {
+    /// Counts up with every change of any text.
+    pub(super) revision: u64,
+    /// What the page is told, as JSON.
+    pub(super) state: Vec<u8>,
+    /// The model, `.glb`.
+    pub(super) model: Vec<u8>,
+    /// The files beside it by their names.
+    pub(super) pictures: BTreeMap<String, Vec<u8>>,
+    /// The text and those that were read for it.
+    pub(super) sources: Vec<Source>,
+    /// What is the same for the same content.
+    print: u64,
+}
+
+/// What the page is told of a text: `State` in `view/src/server.ts`.
+#[derive(Serialize)]
+struct State<'a> {
+    revision: u64,
+    file: &'a str,
+    sources: Vec<Told<'a>>,
+    diagnostics: &'a RawValue,
+    pictures: &'a BTreeMap<String, String>,
+    times: Vec<(&'static str, f64)>,
+}
+
+/// A text that was read.
+#[derive(Serialize)]
+struct Told<'a> {
+    id: u16,
+    name: &'a str,
+    /// Below the root, with `/`.
+    path: Option<String>,
+    text: &'a str,
+    /// Bytes of the file before the text: those of a byte order mark.
+    mark: u32,
+    /// How many bytes of the file each UTF-16 unit of the text takes, a digit each; `null` = as in UTF-8.
+    widths: Option<String>,
+}
+
+impl Made {
+    /// Reads a text below `root` and builds it. `file` is what the page calls it.
+    ///
+    /// # Errors
+    /// Where the file cannot be read.
+    pub(super) fn of_text(
+        desk: &dyn Desk,
+        (root, file): (&Path, &str),
+        language: Language,
+        revision: u64,
+    ) -> io::Result<Made> {
+        let path = root.join(file);
+        let mut made = None;
+        desk.read(&path, &mut |source, world, options| {
+            made = Some(built(source, world, options));
+        })?;
+        let (read, files, times) = made.ok_or(io::ErrorKind::NotFound)?;
+        let (model, pictures) = files;
+        let keys = pictures.iter().map(|(name, bytes)| {
+            let key = format!("{:016x}", print(|p| bytes.hash(p)));
+            (name.clone(), key)
+        });
+        let keys: BTreeMap<String, String> = keys.collect();
+        let sources: Vec<Source> = read.sources().cloned().collect();
+        let report = Report::new(&sources, &read.diagnostics).in_language(language);
+        let diagnostics = raw(&report)?;
+        let same = print(|p| {
+            model.hash(p);
+            keys.hash(p);
+            diagnostics.get().hash(p);
+            sources.iter().for_each(|s| s.text().hash(p));
+        });
+        let state = State {
+            revision,
+            file,
+            sources: sources.iter().map(|s| told(s, root)).collect(),
+            diagnostics: &diagnostics,
+            pictures: &keys,
+            times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
+        };
+        Ok(Made {
+            revision,
+            state: serde_json::to_vec(&state)?,
+            model,
+            pictures,
+            sources,
+            print: same,
+        })
+    }
+
+    /// A model that was made before and is shown as it is.
+    ///
+    /// # Errors
+    /// Where the file cannot be read.
+    pub(super) fn of_model((root, file): (&Path, &str), revision: u64) -> io::Result<Made> {
+        let model = fs::read(root.join(file))?;
+        let state = State {
+            revision,
+            file,
+            sources: vec![],
+            diagnostics: &RawValue::from_string("[]".to_owned())?,
+            pictures: &BTreeMap::new(),
+            times: vec![],
+        };
+        Ok(Made {
+            revision,
+            state: serde_json::to_vec(&state)?,
+            print: print(|p| model.hash(p)),
+            model,
+            pictures: BTreeMap::new(),
+            sources: vec![],
+        })
+    }
+
+    /// Whether the page would show the same.
+    pub(super) fn same(&self, other: &Made) -> bool {
+        self.print == other.print
+    }
+}
+
+type Times = Vec<(&'static str, Duration)>;
+type Files = (Vec<u8>, BTreeMap<String, Vec<u8>>);
+
+/// Runs the chain; the model and the files beside it by their names.
+fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Files, Times) {
+    let mut times = vec![];
+    let read = driver::timed(&mut times, "read", || Analysis::new(source, world, options));
+    let building = &read.checked.building;
+    let scene = driver::timed(&mut times, "shape", || {
+        driver::scene(building, &read.checked.catalog, options.detail)
+    });
+    let files = driver::timed(&mut times, "write", || {
+        // What is wrong with pictures was said by the reading.
+        let (mut said, limits) = (Diagnostics::new(), &options.expand.limits);
+        let paths = &scene.pictures;
+        let mut library = driver::pictures(paths, &building.shell, world, limits, &mut said);
+        library.bake(&scene.baked);
+        let (model, files) = Glb::beside(&scene, &library, STEM);
+        let name = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
+        let files = files.into_iter();
+        let pictures = files.map(|f| (name(&f.name), f.bytes.into_owned()));
+        (model.bytes(), pictures.collect())
+    });
+    (read, files, times)
+}
+
+/// What is said of a text, as `hsd check --format json` writes it.
+fn raw(report: &Report<'_>) -> io::Result<Box<RawValue>> {
+    let mut json = vec![];
+    report.write(Format::Json, Style::default(), &mut json)?;
+    let json = String::from_utf8(json).map_err(io::Error::other)?;
+    Ok(RawValue::from_string(json.trim().to_owned())?)
+}
+
+fn told<'a>(source: &'a Source, root: &Path) -> Told<'a> {
+    let path = Path::new(source.name()).canonicalize().ok();
+    let below = path.and_then(|p| p.strip_prefix(root).ok().map(slashed));
+    let text = source.text();
+    let mark = source.span(0..0).start;
+    let plain = source.span(0..text.len()).end - mark == text.len() as u32;
+    Told {
+        id: source.id().0,
+        name: source.name(),
+        path: below,
+        text,
+        mark,
+        widths: (!plain || source.encoding() != "UTF-8").then(|| widths(source)),
+    }
+}
+
+/// The bytes of each UTF-16 unit; the second unit of a pair takes none.
+fn widths(source: &Source) -> String {
+    let characters = source.text().char_indices();
+    let digits = characters.flat_map(|(at, c)| {
+        let Span { start, end, .. } = source.span(at..at + c.len_utf8());
+        let first = char::from_digit((end - start).min(9), 10).unwrap_or('0');
+        [first, '0'].into_iter().take(c.len_utf16())
+    });
+    digits.collect()
+}
+
+/// A path as the page writes it.
+pub(super) fn slashed(path: &Path) -> String {
+    let parts = path.components().map(|c| c.as_os_str().to_string_lossy());
+    parts.collect::<Vec<_>>().join("/")
+}
+
+fn millis(time: Duration) -> f64 {
+    (time.as_secs_f64() * 1e6).round() / 1e3
+}
+
+/// What is the same for the same content.
+fn print(content: impl FnOnce(&mut DefaultHasher)) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    content(&mut hasher);
+    hasher.finish()
+}

@@ -1,0 +1,22 @@
+//! The page, where it was built before the program (`view/` in the sources).
+
+/// The files of the page by their names, each packed with gzip.
+const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
+
+/// Whether there is a page to be shown.
+pub fn there() -> bool {
+    file("index.html").is_some()
+}
+
+/// A file of the page and its media type.
+pub(super) fn file(name: &str) -> Option<(&'static str, &'static [u8])> {
+    let (_, bytes) = FILES.iter().find(|(own, _)| *own == name)?;
+    let kind = match name.rsplit('.').next() {
+        Some("html") => "text/html; charset=utf-8",
+        Some("js") => "text/javascript; charset=utf-8",
+        Some("css") => "text/css; charset=utf-8",
+        Some("svg") => "image/svg+xml",
+        _ => "application/octet-stream",
+    };
+    Some((kind, bytes))
+}
