@@ -4,7 +4,7 @@
 //! protocol. An [`Analysis`] is all that is known of one text at one moment: nothing in it changes, and what is costly
 //! and not always asked for is worked out when it is asked for.
 
-mod card;
+pub mod card;
 pub mod complete;
 pub mod folding;
 pub mod format;

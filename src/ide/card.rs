@@ -9,7 +9,7 @@ use crate::{text, texture};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use image::imageops::{self, FilterType};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Pixels a metre in which parts are drawn, and by which share the picture is made smaller then.
 const DENSITY: f64 = 156.0;
@@ -24,7 +24,7 @@ const LARGEST: usize = 8800; // 12 kB in base 64, with what stands round it
 /// Pictures that are kept, the youngest last.
 const KEPT: usize = 256;
 
-static PICTURES: Mutex<Vec<(PartDef, Option<String>)>> = Mutex::new(vec![]);
+static PICTURES: Mutex<Vec<(PartDef, Option<Arc<[u8]>>)>> = Mutex::new(vec![]);
 
 /// The card of a part, for a house of this number.
 pub(super) fn card(
@@ -147,13 +147,20 @@ pub(super) fn short(number: f64, decimals: usize) -> String {
     }
 }
 
-/// The picture of a part as a `data:` URI; `None` of what cannot be seen. It is made once.
+/// The picture of a part as a `data:` URI; `None` of what cannot be seen.
 fn picture(part: &PartDef) -> Option<String> {
+    let file = part_picture(part)?;
+    let text = BASE64_STANDARD.encode(&*file);
+    Some(format!("data:image/jpeg;base64,{text}"))
+}
+
+/// The picture of a part as JPEG, its longer side of 160 pixels; `None` of what cannot be seen. It is made once.
+pub fn part_picture(part: &PartDef) -> Option<Arc<[u8]>> {
     let kept = || PICTURES.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, found)) = kept().iter().find(|(p, _)| p == part) {
         return found.clone();
     }
-    let made = drawn(part);
+    let made: Option<Arc<[u8]>> = drawn(part).map(Into::into);
     let mut all = kept();
     if all.len() >= KEPT {
         all.remove(0);
@@ -162,7 +169,7 @@ fn picture(part: &PartDef) -> Option<String> {
     made
 }
 
-fn drawn(part: &PartDef) -> Option<String> {
+fn drawn(part: &PartDef) -> Option<Vec<u8>> {
     // A part of a hundred units would be a picture of a hundred megapixels.
     let density = DENSITY.min(DENSITY * 4.0 / part.width().max(1.0));
     let picture = sheet::picture(part, density)?;
@@ -170,10 +177,6 @@ fn drawn(part: &PartDef) -> Option<String> {
     let scale = f64::from(SIDE) / f64::from(w.max(h));
     let size = |n: u32| ((f64::from(n) * scale).round() as u32).max(1);
     let picture = imageops::resize(&picture, size(w), size(h), FilterType::Triangle);
-    let files = QUALITIES.iter().map(|q| texture::jpeg(&picture, *q));
-    let file = files.into_iter().find(|f| f.len() <= LARGEST)?;
-    Some(format!(
-        "data:image/jpeg;base64,{}",
-        BASE64_STANDARD.encode(file)
-    ))
+    let mut files = QUALITIES.iter().map(|q| texture::jpeg(&picture, *q));
+    files.find(|f| f.len() <= LARGEST)
 }

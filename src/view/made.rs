@@ -2,13 +2,17 @@
 
 use super::desk::Desk;
 use crate::backend::gltf::Glb;
+use crate::catalog::Catalog;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::{self, Options};
 use crate::ide::Analysis;
+use crate::ide::plan::Plan;
+use crate::parse;
 use crate::report::{Format, Report, Style};
 use crate::source::{Source, Span, World};
 use serde::Serialize;
 use serde_json::value::RawValue;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -31,6 +35,8 @@ pub(super) struct Made {
     pub(super) pictures: BTreeMap<String, Vec<u8>>,
     /// The text and those that were read for it.
     pub(super) sources: Vec<Source>,
+    /// The parts that its houses may be made of.
+    pub(super) catalog: Cow<'static, Catalog>,
     /// What is the same for the same content.
     print: u64,
 }
@@ -43,6 +49,7 @@ struct State<'a> {
     sources: Vec<Told<'a>>,
     diagnostics: &'a RawValue,
     pictures: &'a BTreeMap<String, String>,
+    plan: Plan,
     times: Vec<(&'static str, f64)>,
 }
 
@@ -98,6 +105,7 @@ impl Made {
             sources: sources.iter().map(|s| told(s, root)).collect(),
             diagnostics: &diagnostics,
             pictures: &keys,
+            plan: Plan::of(&read, language),
             times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
         };
         Ok(Made {
@@ -106,6 +114,7 @@ impl Made {
             model,
             pictures,
             sources,
+            catalog: read.checked.catalog,
             print: same,
         })
     }
@@ -122,6 +131,10 @@ impl Made {
             sources: vec![],
             diagnostics: &RawValue::from_string("[]".to_owned())?,
             pictures: &BTreeMap::new(),
+            plan: Plan {
+                reasons: BTreeMap::new(),
+                houses: vec![],
+            },
             times: vec![],
         };
         Ok(Made {
@@ -131,6 +144,7 @@ impl Made {
             model,
             pictures: BTreeMap::new(),
             sources: vec![],
+            catalog: Cow::Borrowed(parse::builtin()),
         })
     }
 

@@ -1,11 +1,12 @@
 //! What the page asks for. Every answer is worked out on a thread that may take its time.
 
-use super::hall::{Eye, Hall, Listed, News, Room, lock};
+use super::hall::{Eye, Hall, Listed, News, Room};
 use super::made::Made;
-use super::strokes::Change;
 use super::{guard, page};
+use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
-use crate::text;
+use crate::ide::card::part_picture;
+use crate::ide::stroke::Stroke;
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Path, Query, State};
 use axum::http::{StatusCode, header};
@@ -39,7 +40,10 @@ pub(super) fn routes(hall: Arc<Hall>, port: u16) -> Router {
         .route("/api/model/{revision}/house.glb", get(model))
         .route("/api/model/{revision}/house_textures/{name}", get(picture))
         .route("/api/events", get(events))
+        .route("/api/parts", get(parts))
+        .route("/api/part", get(part))
         .route("/api/open", post(open))
+        .route("/api/stroke", post(stroke))
         .route("/api/undo", post(undo))
         .route("/api/redo", post(redo))
         .layer(DefaultBodyLimit::max(PICTURE))
@@ -179,6 +183,36 @@ async fn picture(
     Ok(([(header::CONTENT_TYPE, kind)], bytes).into_response())
 }
 
+/// The parts that stand in the palette, in the order of the catalogue.
+async fn parts(State(hall): Shared, Query(of): Query<Of>) -> Answer<Response> {
+    let made = made(&hall, of).await?;
+    let catalog = &made.catalog;
+    let known = catalog.known(catalog.known_in(0, 0)).into_iter();
+    let list: Vec<&PartDef> = known.map(|id| catalog.part(id)).collect();
+    Ok(Json(list).into_response())
+}
+
+#[derive(Deserialize)]
+struct OfPart {
+    file: String,
+    code: String,
+}
+
+/// What a part looks like.
+async fn part(State(hall): Shared, Query(of): Query<OfPart>) -> Answer<Response> {
+    let drawn = work(&hall, move |hall| {
+        let made = hall.made(&*hall.room(&of.file)?)?;
+        let parts = made.catalog.parts().iter();
+        // Of several with one code the last is the one that counts.
+        let part = parts.rev().find(|p| p.code() == of.code);
+        Ok(part.and_then(part_picture))
+    });
+    let Some(picture) = drawn.await? else {
+        return Err(Refused(StatusCode::NOT_FOUND, "nothing to see".to_owned()));
+    };
+    Ok(([(header::CONTENT_TYPE, "image/jpeg")], picture.to_vec()).into_response())
+}
+
 /// Keeps a page up with its file.
 async fn events(State(hall): Shared, Query(Of { file }): Query<Of>) -> Answer<Response> {
     let looks = work(&hall, move |hall| {
@@ -248,6 +282,25 @@ async fn open(State(hall): Shared, Json(place): Json<Place>) -> Answer<Json<Valu
     opened.await.map(Json)
 }
 
+/// Something drawn on the plan of a revision.
+#[derive(Deserialize)]
+struct Drawn {
+    file: String,
+    revision: u64,
+    stroke: Stroke,
+}
+
+async fn stroke(State(hall): Shared, Json(drawn): Json<Drawn>) -> Answer<Json<Value>> {
+    let done = work(&hall, move |hall| {
+        let room = hall.room(&drawn.file)?;
+        match hall.stroke(&room, drawn.revision, &drawn.stroke)? {
+            Ok(revision) => Ok(json!({ "revision": revision })),
+            Err(why) => Ok(refused(hall, &why)),
+        }
+    });
+    done.await.map(Json)
+}
+
 #[derive(Deserialize)]
 struct Step {
     file: String,
@@ -264,32 +317,14 @@ async fn redo(State(hall): Shared, Json(step): Json<Step>) -> Answer<Json<Value>
 async fn take_step(hall: &Arc<Hall>, step: Step, redo: bool) -> Answer<Json<Value>> {
     let done = work(hall, move |hall| {
         let room = hall.room(&step.file)?;
-        let mut history = lock(&room.history);
-        let path = hall.root.join(&step.file);
-        let now = hall.desk.bytes(&path)?;
-        let Some(Change { before, after }) = history.step(redo, &now) else {
-            return Ok(refused(hall, &nothing_to_step(history.depth(), redo)));
-        };
-        hall.desk.write(&path, &before, &after)?;
-        history.stepped(redo);
-        drop(history);
-        hall.changed();
-        Ok(json!({ "revision": hall.made(&room)?.revision }))
+        match hall.step(&room, redo)? {
+            Ok(revision) => Ok(json!({ "revision": revision })),
+            Err(why) => Ok(refused(hall, &why)),
+        }
     });
     done.await.map(Json)
 }
 
 fn refused(hall: &Hall, why: &Text) -> Value {
     json!({ "refused": why.in_language(hall.language) })
-}
-
-fn nothing_to_step((done, undone): (usize, usize), redo: bool) -> Text {
-    match (redo, done, undone) {
-        (false, 0, _) => text!("there is nothing to take back", "元に戻すものがありません"),
-        (true, _, 0) => text!("there is nothing to do again", "やり直すものがありません"),
-        _ => text!(
-            "the text was changed elsewhere since; take it back there",
-            "その後テキストがほかで変更されています。そちらで元に戻してください"
-        ),
-    }
 }
