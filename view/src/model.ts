@@ -24,6 +24,8 @@ export interface Part {
   parent: number | null;
   /** The facade that it stands in, into the parts. */
   facade: number | null;
+  /** Which way a facade looks: out of the house. */
+  front: THREE.Vector3 | null;
   box: THREE.Box3;
 }
 
@@ -114,6 +116,7 @@ export function model_of(root: THREE.Object3D): Model {
         house: Math.max(0, houses - 1),
         parent: above,
         facade: extras.kind === 'facade' ? own : up?.facade ?? null,
+        front: extras.kind === 'facade' ? new THREE.Vector3(0, 0, 1).transformDirection(node.matrixWorld) : null,
         box: new THREE.Box3(),
       });
     }
@@ -122,7 +125,7 @@ export function model_of(root: THREE.Object3D): Model {
         // A model that is not ours: all of it is one part.
         own = parts.push({
           name: node.name, kind: 'model', code: null, storey: 0, span: null, file: 0, shape: null, house: 0,
-          parent: null, facade: null, box: new THREE.Box3(),
+          parent: null, facade: null, front: null, box: new THREE.Box3(),
         }) - 1;
       }
       const part = parts[own]!, material = node.material as THREE.MeshStandardMaterial;

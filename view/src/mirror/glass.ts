@@ -1,0 +1,149 @@
+// Glass that shows what is mirrored: materials of glass, flat or physically shaded, get a few lines more in their shaders.
+//
+// What a pane mirrors lies in an atlas, at a place that follows from where the pane is on the screen. A table says for
+// each view and layer of panes where: u = x * scale + shift, the same for v. It mirrors
+//
+//     weight = share + (1 - share) * (1 - cos)^5
+//
+// of the light, cos being that of the angle between the view and the pane's normal (Schlick's approximation with the
+// texture's share at normal incidence); the rest is the pane's own colour and what is seen through it. Glass which has no
+// mirror of its own shows the plain sky or ground instead: with its share where its facade mirrors, else faintly.
+
+import * as THREE from 'three';
+import { ATTRIBUTE } from './walls.ts';
+
+/** Share of glass that is to mirror nothing but the sky: that of plain glass (index of refraction 1.5). */
+export const FAINT = 0.04;
+/** Entries in a row of the table's texture. */
+const WIDTH = 256;
+
+/** Where a layer's picture lies: u = x * scale + shift; v alike. A scale of 0 = nowhere. */
+export type Entry = [u_scale: number, u_shift: number, v_scale: number, v_shift: number];
+
+/** What all glass of a scene knows. */
+export class Glass {
+  readonly uniforms = {
+    mirrorAtlas: { value: null as THREE.Texture | null },
+    mirrorTable: { value: null as THREE.DataTexture | null },
+    /** Where the view that is drawn begins in the table; -1 = it sees no mirrors. */
+    mirrorFirst: { value: -1 },
+    mirrorSky: { value: new THREE.Color(0xcfdde6) },
+    mirrorGround: { value: new THREE.Color(0xcfdde6) },
+  };
+  #layers = 0;
+  #known = new WeakSet<THREE.Material>();
+  #entries = new Float32Array(0);
+
+  constructor() { this.#make(1); }
+
+  /** Makes room for a table of so many views that see layers. */
+  begin(views: number, layers: number) {
+    this.#layers = layers;
+    this.#make(Math.max(1, views * layers));
+    this.#entries.fill(0);
+  }
+
+  set(view: number, layer: number, entry: Entry) {
+    this.#entries.set(entry, (view * this.#layers + layer) * 4);
+  }
+
+  /** Hands the table over to the card. */
+  end() {
+    this.uniforms.mirrorTable.value!.needsUpdate = true;
+  }
+
+  /** What the next view sees: its number in the table, -1 = no mirrors; and the atlas that they lie in. */
+  view(number: number, atlas: THREE.Texture | null) {
+    this.uniforms.mirrorFirst.value = number < 0 ? -1 : number * this.#layers;
+    this.uniforms.mirrorAtlas.value = atlas;
+  }
+
+  /** Lets a material mirror. */
+  dress(material: THREE.Material) {
+    if (this.#known.has(material)) return;
+    this.#known.add(material);
+    const { reflection } = material.userData as { reflection?: number };
+    const share = { value: reflection ?? 0 }, before = material.onBeforeCompile;
+    if ('envMapIntensity' in material) material.envMapIntensity = 0; // or it would mirror twice
+    material.onBeforeCompile = (shader, renderer) => {
+      before.call(material, shader, renderer);
+      Object.assign(shader.uniforms, this.uniforms, { mirrorShare: share });
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', `#include <common>${VERTEX}`)
+        .replace('#include <project_vertex>', `#include <project_vertex>${AT_VERTEX}`);
+      shader.fragmentShader = shader.fragmentShader
+        .replace('#include <common>', `#include <common>${FRAGMENT}`)
+        .replace('#include <opaque_fragment>', `${AT_FRAGMENT}\n#include <opaque_fragment>`);
+    };
+    material.customProgramCacheKey = () => 'mirror';
+    material.needsUpdate = true;
+  }
+
+  dispose() { this.uniforms.mirrorTable.value?.dispose(); }
+
+  #make(entries: number) {
+    const rows = Math.ceil(entries / WIDTH);
+    if (this.#entries.length >= rows * WIDTH * 4) return;
+    this.uniforms.mirrorTable.value?.dispose();
+    this.#entries = new Float32Array(rows * WIDTH * 4);
+    this.uniforms.mirrorTable.value = new THREE.DataTexture(this.#entries, WIDTH, rows, THREE.RGBAFormat, THREE.FloatType);
+    this.end();
+  }
+}
+
+const VERTEX = `
+attribute float ${ATTRIBUTE};
+uniform highp sampler2D mirrorTable;
+uniform int mirrorFirst;
+flat varying vec4 vMirrorPlace;
+flat varying float vMirrorLayer;
+varying vec3 vMirrorAt;
+varying vec3 vMirrorNormal;
+`;
+
+const AT_VERTEX = `
+vMirrorAt = (modelMatrix * vec4(transformed, 1.0)).xyz;
+vMirrorNormal = mat3(modelMatrix) * normal;
+vMirrorLayer = ${ATTRIBUTE};
+vMirrorPlace = vec4(0.0);
+if (${ATTRIBUTE} >= 0.0 && mirrorFirst >= 0) {
+  int mirrorEntry = mirrorFirst + int(${ATTRIBUTE} + 0.5);
+  vMirrorPlace = texelFetch(mirrorTable, ivec2(mirrorEntry % ${WIDTH}, mirrorEntry / ${WIDTH}), 0);
+}
+`;
+
+const FRAGMENT = `
+uniform sampler2D mirrorAtlas;
+uniform float mirrorShare;
+uniform vec3 mirrorSky;
+uniform vec3 mirrorGround;
+flat varying vec4 vMirrorPlace;
+flat varying float vMirrorLayer;
+varying vec3 vMirrorAt;
+varying vec3 vMirrorNormal;
+`;
+
+const AT_FRAGMENT = `
+{
+  vec3 mirrorWay = isOrthographic ? -vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]) : normalize(vMirrorAt - cameraPosition);
+  vec3 mirrorNormal = normalize(vMirrorNormal);
+  float mirrorFirstShare = vMirrorLayer >= 0.0 ? mirrorShare : ${FAINT};
+  float mirrorCos = abs(dot(mirrorNormal, mirrorWay));
+  float mirrorWeight = mirrorFirstShare + (1.0 - mirrorFirstShare) * pow(1.0 - mirrorCos, 5.0);
+  vec3 mirrored;
+  if (vMirrorPlace.x != 0.0) {
+    mirrored = texture2D(mirrorAtlas, gl_FragCoord.xy * vMirrorPlace.xz + vMirrorPlace.yw).rgb;
+  } else {
+    mirrored = mix(mirrorGround, mirrorSky, smoothstep(-0.02, 0.02, reflect(mirrorWay, mirrorNormal).y));
+  }
+  #ifdef OPAQUE
+  float mirrorCover = 1.0;
+  #else
+  float mirrorCover = diffuseColor.a;
+  #endif
+  // What is behind is seen through the rest of the rest.
+  float mirrorAll = 1.0 - (1.0 - mirrorWeight) * (1.0 - mirrorCover);
+  outgoingLight = ((1.0 - mirrorWeight) * mirrorCover * outgoingLight + mirrorWeight * mirrored) / max(mirrorAll, 1e-4);
+  diffuseColor.a = mirrorAll;
+}
+`;

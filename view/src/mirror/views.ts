@@ -1,0 +1,188 @@
+// What a frame mirrors: for each pane in sight the beam of the view mirrored in its plane, and so on for panes that the
+// beam meets. Only planes and rectangles are worked out here; nothing is drawn.
+//
+// Screens: a mirrored view is laid out so that what a pane shows lies at the pane's own place on the screen of the view that
+// sees it. All views of a frame therefore share one screen, counted in its pixels from the lower left corner.
+
+import * as THREE from 'three';
+import type { Chunk } from '../model.ts';
+import { area_of, before, clip, hull, type Point, type Rect, rect_of, reflection, sides } from './geometry.ts';
+import type { Place } from './atlas.ts';
+import type { Tree } from './tree.ts';
+import type { Layer, Wall } from './walls.ts';
+
+/** What looks into the scene: the eye, or the eye mirrored once or more. */
+export interface View {
+  /** How often it is mirrored. */
+  level: number;
+  parent: View | null;
+  /** The point that it looks from; w = 0 where that is at infinity. */
+  eye: THREE.Vector4;
+  /** From the frame of the page to the screen (-1 to 1), as if looking through the mirrors. */
+  screen: THREE.Matrix4;
+  /** Where the camera stands: that of the eye mirrored. */
+  world: THREE.Matrix4;
+  /** What it sees lies before all of these. */
+  beam: THREE.Plane[];
+  children: View[];
+}
+
+/** A view that is mirrored. */
+export interface Mirrored extends View {
+  parent: View;
+  wall: Wall;
+  /** Whose panes show it. */
+  layers: Layer[];
+  plane: THREE.Plane;
+  /** What it needs of the screen. */
+  rect: Rect;
+  /** What of that glass can cover: convex, counter-clockwise, pixels. */
+  outline: Point[];
+  /** Where it is drawn. */
+  place: Place;
+  chunks: Chunk[];
+}
+
+export interface Limits {
+  /** How often a view may be mirrored. */
+  depth: number;
+  /** Panes of one wall share a picture where that shifts nothing by more pixels. */
+  shift: number;
+  /** Mirrors with fewer pixels are left out. */
+  pixels: number;
+  /** Views at most; the largest are kept. */
+  views: number;
+}
+
+export interface Town {
+  walls: Tree<Wall>;
+  chunks: Tree<Chunk>;
+  /** Whether a wall may be seen from a view. */
+  visible: (wall: Wall, from: View) => boolean;
+}
+
+/** What a camera sees on a screen of so many pixels. */
+export function eye_view(camera: THREE.Camera): View {
+  const screen = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+  const m = camera.matrixWorld.elements;
+  const flat = camera.projectionMatrix.elements[15] === 1; // parallel: the eye is infinitely far behind
+  const eye = flat ? new THREE.Vector4(m[8], m[9], m[10], 0) : new THREE.Vector4(m[12], m[13], m[14], 1);
+  const frustum = new THREE.Frustum().setFromProjectionMatrix(screen);
+  return { level: 0, parent: null, eye, screen, world: camera.matrixWorld.clone(), beam: frustum.planes, children: [] };
+}
+
+/** All mirrored views of a frame, each after those that see it; `seen` = those there would be without limits to their number. */
+export function mirrored_views(eye: View, size: THREE.Vector2, town: Town, limits: Limits): { views: Mirrored[]; seen: number } {
+  const views: Mirrored[] = [];
+  let level: View[] = [eye], seen = 0;
+  for (let depth = 1; depth <= limits.depth && level.length > 0; depth++) {
+    const found = level.flatMap(view => town.walls.within(view.beam)
+      .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && town.visible(wall, view))
+      .flatMap(wall => in_wall(view, wall, size, limits)));
+    seen += found.length;
+    const kept = found.sort((a, b) => area_of(b.rect) - area_of(a.rect)).slice(0, Math.max(0, limits.views - views.length));
+    for (const view of kept) view.parent.children.push(view);
+    views.push(...kept);
+    level = kept;
+  }
+  for (const view of views) view.chunks = town.chunks.within(view.beam).filter(chunk => chunk.mesh.visible);
+  return { views, seen };
+}
+
+/** What a view sees mirrored in one wall. */
+function in_wall(view: View, wall: Wall, size: THREE.Vector2, limits: Limits): Mirrored[] {
+  const seen = wall.layers.flatMap(layer => {
+    if (before(layer.plane, view.eye) <= 1e-3) return [];
+    let polygon = layer.polygon;
+    for (const plane of view.beam) polygon = clip(polygon, plane);
+    return polygon.length < 3 ? [] : [{ layer, polygon }];
+  });
+  const views: Mirrored[] = [];
+  for (let from = 0, to = 0; from < seen.length; from = to) {
+    const first = seen[from]!, near = pixels_per_metre(view, first.polygon, size);
+    const apart = (i: number) => seen[i]!.layer.plane.constant - first.layer.plane.constant;
+    for (to = from + 1; to < seen.length && 2 * apart(to) * near <= limits.shift;) to++;
+    const group = seen.slice(from, to);
+    const outline = hull(group.flatMap(({ polygon }) => polygon.map(point => on_screen(view, point, size))));
+    const rect = rect_of(outline, 1);
+    if (outline.length < 3 || !(area_of(rect_of(outline, 0)) >= limits.pixels)) continue;
+    views.push(mirrored(view, wall, group.map(({ layer }) => layer), rect, outline, size));
+  }
+  return views;
+}
+
+function mirrored(parent: View, wall: Wall, layers: Layer[], rect: Rect, outline: Point[], size: THREE.Vector2): Mirrored {
+  const { plane } = layers[0]!, through = reflection(plane);
+  const screen = parent.screen.clone().multiply(through);
+  const polygon = outline.map(([x, y]): Point => [2 * x / size.x - 1, 2 * y / size.y - 1]);
+  return {
+    level: parent.level + 1,
+    parent,
+    eye: parent.eye.clone().applyMatrix4(through),
+    screen,
+    world: through.clone().multiply(parent.world),
+    // A pixel more on all sides: texels round the outline are read where pictures are smaller than what they fill.
+    beam: [plane, ...sides(screen, polygon, [2 / size.x, 2 / size.y])],
+    children: [],
+    wall, layers, plane, rect, outline,
+    place: { x: 0, y: 0, width: 0, height: 0 },
+    chunks: [],
+  };
+}
+
+function on_screen(view: View, point: THREE.Vector3, size: THREE.Vector2): Point {
+  const at = new THREE.Vector4(point.x, point.y, point.z, 1).applyMatrix4(view.screen);
+  return [(at.x / at.w + 1) / 2 * size.x, (at.y / at.w + 1) / 2 * size.y];
+}
+
+/** How large a metre is where a polygon is nearest. */
+function pixels_per_metre(view: View, polygon: THREE.Vector3[], size: THREE.Vector2): number {
+  const m = view.screen.elements;
+  const scale = Math.hypot(m[1]!, m[5]!, m[9]!) * size.y / 2; // the row that makes the screen's y
+  const near = Math.min(...polygon.map(({ x, y, z }) => m[3]! * x + m[7]! * y + m[11]! * z + m[15]!));
+  return scale / Math.max(near, 1e-6);
+}
+
+/** A camera for a mirrored view, cropped to its rectangle, cut off at its plane. Pictures at odd levels are flipped sideways,
+ * so that no triangle turns its back. */
+export function stand(camera: THREE.Camera, view: Mirrored, projection: THREE.Matrix4, size: THREE.Vector2, reach: number) {
+  const flipped = view.level % 2 === 1, flip = new THREE.Matrix4().makeScale(-1, 1, 1);
+  camera.matrixWorld.copy(view.world);
+  camera.projectionMatrix.copy(projection);
+  let { x0, x1 } = view.rect;
+  if (flipped) {
+    camera.matrixWorld.multiply(flip);
+    camera.projectionMatrix.premultiply(flip).multiply(flip);
+    [x0, x1] = [size.x - x1, size.x - x0];
+  }
+  camera.matrixWorldInverse.copy(camera.matrixWorld).invert();
+  const { y0, y1 } = view.rect;
+  camera.projectionMatrix.premultiply(new THREE.Matrix4().set(
+    size.x / (x1 - x0), 0, 0, (size.x - x1 - x0) / (x1 - x0),
+    0, size.y / (y1 - y0), 0, (size.y - y1 - y0) / (y1 - y0),
+    0, 0, 1, 0,
+    0, 0, 0, 1,
+  ));
+  cut(camera, view.plane, reach);
+  camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
+}
+
+/** Lays a camera's near plane into a mirror's plane: only the row of depths changes. Perspective reaches to infinity. */
+function cut(camera: THREE.Camera, plane: THREE.Plane, reach: number) {
+  const { normal, constant } = plane.clone().applyMatrix4(camera.matrixWorldInverse);
+  const p = camera.projectionMatrix.elements, parallel = p[15] === 1;
+  // Depth = grown * distance to the plane / w - 1. The largest growth which keeps all in front of the far end, at the corners.
+  let most = parallel ? reach : 1e-9;
+  if (!parallel) {
+    for (const x of [-1, 1]) {
+      for (const y of [-1, 1]) {
+        most = Math.max(most, normal.x * (x + p[8]!) / p[0]! + normal.y * (y + p[9]!) / p[5]! - normal.z);
+      }
+    }
+  }
+  const grown = 2 / most;
+  p[2] = grown * normal.x - p[3]!;
+  p[6] = grown * normal.y - p[7]!;
+  p[10] = grown * normal.z - p[11]!;
+  p[14] = grown * constant - p[15]!;
+}

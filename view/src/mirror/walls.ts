@@ -1,0 +1,148 @@
+// Where a model's glass lies: the panes of facades that mirror, by wall and by depth. Panes of one plane have one layer,
+// whatever facades of a wall (one a storey) they stand in. Each vertex of glass is told its layer.
+
+import * as THREE from 'three';
+import type { Chunk, Model } from '../model.ts';
+import { axes, hull, type Point } from './geometry.ts';
+
+/** Panes that lie in one plane. */
+export interface Layer {
+  /** Its number in the model: what `mirrorLayer` of a vertex says. */
+  id: number;
+  /** Its front is outside. */
+  plane: THREE.Plane;
+  /** What they lie within: convex, counter-clockwise seen from outside. */
+  polygon: THREE.Vector3[];
+}
+
+/** Glass of one wall. */
+export interface Wall {
+  id: number;
+  normal: THREE.Vector3;
+  /** The outermost first. */
+  layers: Layer[];
+  chunks: Chunk[];
+  box: THREE.Box3;
+}
+
+/** Which layer a vertex belongs to; `NONE` = none, so it mirrors nothing but the sky. */
+export const ATTRIBUTE = 'mirrorLayer';
+export const NONE = -1;
+
+/** Panes less apart in depth lie in one plane: far above what f32 loses, far below a real step. Metres. */
+const SAME = 5e-4;
+/** How far facades of one wall may be apart, along it and across it. Metres. */
+const JOIN = 0.75, STEP = 0.3;
+/** Least cosine to the way that the facade looks: panes of doors that stand open and of slanting windows count. */
+const OUTWARD = 0.2;
+
+/** Glass triangles of one chunk that look one way. */
+interface Piece {
+  chunk: Chunk;
+  normal: THREE.Vector3;
+  box: THREE.Box3;
+  /** Corners (positions in the index) by their depth along the normal. */
+  triangles: { at: number; depth: number }[];
+  depth: number;
+}
+
+/** Whether a chunk is glass, mirroring or not. */
+export const is_glass = ({ mesh: { material } }: Chunk) => (material.userData as { reflection?: number }).reflection !== undefined;
+
+/** The walls of a model; gives its glass the attribute. */
+export function walls_of(model: Model): Wall[] {
+  const pieces: Piece[] = [];
+  for (const chunk of model.chunks) {
+    if (!is_glass(chunk)) continue;
+    const { geometry } = chunk.mesh;
+    const layers = new Float32Array(geometry.getAttribute('position').count).fill(NONE);
+    geometry.setAttribute(ATTRIBUTE, new THREE.BufferAttribute(layers, 1));
+    const front = chunk.reflection > 0 ? model.parts[chunk.owner]?.front : null;
+    if (front) pieces.push(...pieces_of(chunk, front));
+  }
+  let count = 0;
+  return joined(pieces).map((group, id) => {
+    const wall: Wall = { id, normal: group[0]!.normal, layers: layers_of(group, count), chunks: [], box: new THREE.Box3() };
+    count += wall.layers.length;
+    for (const { chunk } of group) if (!wall.chunks.includes(chunk)) wall.chunks.push(chunk);
+    for (const { polygon } of wall.layers) for (const point of polygon) wall.box.expandByPoint(point);
+    return wall;
+  });
+}
+
+function pieces_of(chunk: Chunk, front: THREE.Vector3): Piece[] {
+  const pieces = new Map<string, Piece>();
+  const position = chunk.mesh.geometry.getAttribute('position'), index = chunk.mesh.geometry.index!;
+  const [a, b, c] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
+  const normal = new THREE.Vector3(), side = new THREE.Vector3();
+  for (let at = 0; at < index.count; at += 3) {
+    a.fromBufferAttribute(position, index.getX(at));
+    b.fromBufferAttribute(position, index.getX(at + 1));
+    c.fromBufferAttribute(position, index.getX(at + 2));
+    normal.subVectors(b, a).cross(side.subVectors(c, a)).normalize();
+    const out = normal.dot(front);
+    if (!(out > OUTWARD)) continue;
+    if (out > 0.99999) normal.copy(front);
+    const key = normal.toArray().map(n => Math.round(n * 1000)).join(' ');
+    let piece = pieces.get(key);
+    if (!piece) pieces.set(key, piece = { chunk, normal: normal.clone(), box: new THREE.Box3(), triangles: [], depth: 0 });
+    piece.box.expandByPoint(a).expandByPoint(b).expandByPoint(c);
+    piece.triangles.push({ at, depth: (piece.normal.dot(a) + piece.normal.dot(b) + piece.normal.dot(c)) / 3 });
+  }
+  const all = [...pieces.values()];
+  for (const piece of all) piece.depth = piece.triangles.reduce((sum, t) => sum + t.depth, 0) / piece.triangles.length;
+  return all;
+}
+
+/** Pieces that make one wall: of one house, looking one way, nearly in one plane and near each other. */
+function joined(pieces: Piece[]): Piece[][] {
+  const families = new Map<string, Piece[]>();
+  for (const piece of pieces) {
+    const key = [piece.chunk.house, ...piece.normal.toArray().map(n => Math.round(n * 1000))].join(' ');
+    const family = families.get(key);
+    if (family) family.push(piece); else families.set(key, [piece]);
+  }
+  const groups: Piece[][] = [];
+  for (const family of families.values()) {
+    const left = new Set(family);
+    for (const first of family) {
+      if (!left.delete(first)) continue;
+      const group = [first];
+      for (const piece of group) {
+        const reach = piece.box.clone().expandByScalar(JOIN);
+        for (const other of left) {
+          if (Math.abs(other.depth - piece.depth) > STEP || !reach.intersectsBox(other.box)) continue;
+          left.delete(other);
+          group.push(other);
+        }
+      }
+      groups.push(group);
+    }
+  }
+  return groups;
+}
+
+/** The planes of a wall's panes, the outermost first; numbers from `first`. */
+function layers_of(group: Piece[], first: number): Layer[] {
+  const normal = group[0]!.normal, [u, v] = axes(normal);
+  const all = group.flatMap(({ chunk, triangles }) => triangles.map(t => ({ chunk, ...t }))).sort((a, b) => b.depth - a.depth);
+  const layers: Layer[] = [], point = new THREE.Vector3();
+  for (let from = 0, to = 0; from < all.length; from = to) {
+    while (to < all.length && all[Math.max(from, to - 1)]!.depth - all[to]!.depth < SAME) to++;
+    const depth = all[(from + to - 1) >> 1]!.depth, id = first + layers.length;
+    const points: Point[] = [];
+    for (const { chunk, at } of all.slice(from, to)) {
+      const { geometry } = chunk.mesh, layer = geometry.getAttribute(ATTRIBUTE);
+      for (let i = at; i < at + 3; i++) {
+        const vertex = geometry.index!.getX(i);
+        layer.setX(vertex, id);
+        point.fromBufferAttribute(geometry.getAttribute('position'), vertex);
+        points.push([point.dot(u), point.dot(v)]);
+      }
+    }
+    const polygon = hull(points).map(([x, y]) =>
+      new THREE.Vector3().addScaledVector(u, x).addScaledVector(v, y).addScaledVector(normal, depth));
+    layers.push({ id, plane: new THREE.Plane(normal.clone(), -depth), polygon });
+  }
+  return layers;
+}

@@ -1,0 +1,137 @@
+// The page that tests of mirrors draw in: a model, an eye, and nothing else of `hsd view`. Flat, each part has one colour,
+// no light falls and no edge is smoothed; lit, it has sun, shadows, sky and ground.
+
+import * as THREE from 'three';
+import { Loader } from '../../src/load.ts';
+import { Mirrors, type Options, type Stats } from '../../src/mirror/mirrors.ts';
+import type { Model } from '../../src/model.ts';
+import { colour_of } from '../colours.ts';
+
+export interface Shot {
+  eye: [number, number, number];
+  target: [number, number, number];
+  fov?: number;
+  width: number;
+  height: number;
+  /** Half the height of what is seen, for a parallel view. */
+  parallel?: number;
+  options?: Partial<Options>;
+}
+
+export interface Shown {
+  walls: number;
+  layers: number;
+  chunks: number;
+  triangles: number;
+}
+
+export interface Drawn {
+  stats: Stats;
+  /** Milliseconds until the card had drawn all. */
+  ms: number;
+  /** Of the whole frame. */
+  calls: number;
+  triangles: number;
+}
+
+const SKY = new THREE.Color().setRGB(150 / 255, 180 / 255, 210 / 255, THREE.SRGBColorSpace);
+
+class Page {
+  #renderer: THREE.WebGLRenderer;
+  #scene = new THREE.Scene();
+  #mirrors: Mirrors;
+  #model: Model | null = null;
+  #defaults: Options;
+
+  constructor(flat: boolean) {
+    this.#renderer = new THREE.WebGLRenderer({ antialias: !flat, preserveDrawingBuffer: true });
+    document.body.append(this.#renderer.domElement);
+    this.#scene.background = SKY;
+    this.#mirrors = new Mirrors(this.#renderer, this.#scene);
+    this.#defaults = { ...this.#mirrors.options };
+    this.#renderer.info.autoReset = false;
+  }
+
+  async load(file: string, flat: boolean): Promise<Shown> {
+    const model = await new Loader().load(file, {});
+    this.#model = model;
+    if (flat) for (const chunk of model.chunks) flatten(chunk);
+    else this.#light(model);
+    for (const { mesh } of model.chunks) this.#scene.add(mesh);
+    this.#mirrors.show(model);
+    const { walls } = this.#mirrors;
+    return {
+      walls: walls.length, layers: walls.reduce((sum, wall) => sum + wall.layers.length, 0),
+      chunks: model.chunks.length, triangles: model.triangles,
+    };
+  }
+
+  /** Draws; places are those of the file. */
+  draw(shot: Shot): Drawn {
+    const { eye, target, fov = 50, width, height, parallel } = shot, { middle } = this.#model!;
+    Object.assign(this.#mirrors.options, this.#defaults, shot.options);
+    this.#renderer.setSize(width, height);
+    const camera = parallel === undefined ? new THREE.PerspectiveCamera(fov, width / height, 0.05, 500)
+      : new THREE.OrthographicCamera(-parallel * width / height, parallel * width / height, parallel, -parallel, 0.05, 500);
+    camera.position.set(...eye).sub(middle);
+    camera.lookAt(new THREE.Vector3(...target).sub(middle));
+    const begun = performance.now(), gl = this.#renderer.getContext(), { info } = this.#renderer;
+    info.reset();
+    this.#mirrors.paint(camera);
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the card
+    return { stats: this.#mirrors.stats, ms: performance.now() - begun, calls: info.render.calls, triangles: info.render.triangles };
+  }
+
+  /** What is drawn: bytes from the lower left corner on, four a pixel, in base 64. */
+  pixels(): string {
+    const { width, height } = this.#renderer.domElement, gl = this.#renderer.getContext();
+    const bytes = new Uint8Array(width * height * 4);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    let text = '';
+    for (let i = 0; i < bytes.length; i += 0x8000) text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+    return btoa(text);
+  }
+
+  /** What went wrong on the card since the last call. */
+  errors(): number[] {
+    const gl = this.#renderer.getContext(), errors: number[] = [];
+    for (let error = gl.getError(); error !== gl.NO_ERROR; error = gl.getError()) errors.push(error);
+    return errors;
+  }
+
+  #light({ box }: Model) {
+    const renderer = this.#renderer, size = box.getSize(new THREE.Vector3()).length();
+    renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    renderer.shadowMap.enabled = true;
+    const sun = new THREE.DirectionalLight(0xfff2dd, 2.9);
+    sun.position.set(0.5, 1, 0.9).multiplyScalar(size);
+    sun.castShadow = true;
+    sun.shadow.mapSize.setScalar(2048);
+    Object.assign(sun.shadow.camera, { left: -size, right: size, top: size, bottom: -size, near: 0, far: size * 4 });
+    const ground = new THREE.Mesh(new THREE.CircleGeometry(size * 10, 48), new THREE.MeshStandardMaterial({ color: 0xcfc5b0 }));
+    ground.rotation.x = -Math.PI / 2;
+    ground.position.y = -0.003;
+    ground.receiveShadow = true;
+    this.#scene.add(sun, sun.target, new THREE.HemisphereLight(0xeaf1f8, 0xb0a288, 1.5), ground);
+  }
+}
+
+/** One colour for each part. */
+function flatten({ mesh, ranges }: Model['chunks'][number]) {
+  const { geometry } = mesh, colours = new Float32Array(geometry.getAttribute('position').count * 3);
+  for (const { start, count, part } of ranges) {
+    for (let i = start; i < start + count; i++) colours.set(colour_of(part), geometry.index!.getX(i) * 3);
+  }
+  geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
+  const { side, userData } = mesh.material;
+  const material = new THREE.MeshBasicMaterial({ vertexColors: true, toneMapped: false, side });
+  material.userData = userData;
+  mesh.material = material as unknown as typeof mesh.material;
+}
+
+declare global {
+  interface Window {
+    page: (flat: boolean) => Page;
+  }
+}
+window.page = flat => new Page(flat);

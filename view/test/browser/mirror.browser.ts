@@ -1,0 +1,119 @@
+// The mirrors of the page against a ray caster: what glass shows has to be what rays that turn back at it meet, pixel for
+// pixel, wherever the eye stands and however often light is mirrored.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Browser, Page } from 'playwright-core';
+import { of_bytes } from '../colours.ts';
+import { type Camera, Scene } from '../raycast.ts';
+import { browser, built, served } from './chromium.ts';
+import type { Drawn, Shot } from './mirror-page.ts';
+
+const here = dirname(fileURLToPath(import.meta.url)), SIZE = { width: 320, height: 200 }, SKY = of_bytes(150, 180, 210);
+/** Nothing is left out, nothing shared. */
+const EXACT = { shift: 0, pixels: 0, views: 64, side: 4096 };
+
+/** Pixels of a picture where one of both looks through a crack between parts that is as wide as numbers are rounded: no edge. */
+const CRACKS = 10;
+
+let chromium: Browser, page: Page, close: () => void, cast: Scene;
+
+before(async () => {
+  const model = built(join(here, '../scenes/two.hsd'));
+  cast = new Scene(model);
+  const server = await served(join(here, 'mirror-page.ts'), { 'two.glb': model });
+  close = server.close;
+  chromium = await browser();
+  page = await chromium.newPage();
+  page.on('pageerror', error => { throw error; });
+  await page.goto(server.url);
+  await page.evaluate(async () => {
+    const it = Object.assign(window, { it: window.page(true) }).it;
+    await it.load('two.glb', true);
+  });
+});
+
+after(async () => {
+  await chromium?.close();
+  close?.();
+});
+
+async function drawn(shot: Shot): Promise<{ drawn: Drawn; pixels: Uint8Array }> {
+  const { text, errors, ...rest } = await page.evaluate(shot => {
+    const { it } = window as unknown as { it: ReturnType<Window['page']> };
+    return { drawn: it.draw(shot), text: it.pixels(), errors: it.errors() };
+  }, shot);
+  assert.deepEqual(errors, [], 'the card has nothing to complain of');
+  return { ...rest, pixels: new Uint8Array(Buffer.from(text, 'base64')) };
+}
+
+type Eye = Pick<Camera, 'eye' | 'target' | 'fov'>;
+
+/** Share of pixels that agree within 3 of 255, and how many of the others stand at no edge. */
+function compared(pixels: Uint8Array, eye: Eye, depth: number): { same: number; loose: number; right: Uint8Array } {
+  const { width, height } = SIZE, camera = { ...eye, ...SIZE }, right = cast.picture(camera, depth, SKY);
+  let wrong = 0, loose = 0;
+  for (let at = 0; at < width * height; at++) {
+    const is = pixels.subarray(at * 4, at * 4 + 3), should = right.subarray(at * 3, at * 3 + 3);
+    if (!apart(is, should)) continue;
+    wrong++;
+    if (!edge(camera, at % width, Math.floor(at / width), depth)) loose++;
+  }
+  return { same: 1 - wrong / (width * height), loose, right };
+}
+
+const apart = (a: ArrayLike<number>, b: ArrayLike<number>) => [0, 1, 2].some(i => Math.abs(a[i]! - b[i]!) > 3);
+
+/** Whether rays through one pixel, or less than half a pixel beside it, do not all see the same. */
+function edge(camera: Camera, x: number, y: number, depth: number): boolean {
+  const middle = cast.seen(camera, x + 0.5, y + 0.5, depth, SKY), steps = [-0.8, -0.4, 0, 0.4, 0.8];
+  return steps.some(u => steps.some(v => apart(middle, cast.seen(camera, x + 0.5 + u, y + 0.5 + v, depth, SKY))));
+}
+
+const EYES: [name: string, eye: Eye][] = [
+  ['across the street', { eye: [-1.5, 2.2, 6.2], target: [-4, 2.4, 0], fov: 50 }],
+  ['close and slanting', { eye: [1.2, 1.6, 1.5], target: [-5, 2.6, 0.5], fov: 60 }],
+  ['from above', { eye: [-7, 9, 14], target: [-3.5, 2, 1], fov: 40 }],
+  ['before a pane', { eye: [-3.2, 4.6, 1.4], target: [-3.8, 4.4, 0], fov: 80 }],
+  ['at the south house', { eye: [-4, 3, 2.2], target: [-4.5, 2, 7], fov: 65 }],
+  ['round the corner', { eye: [5, 4, 3], target: [-1, 3.5, -1], fov: 50 }],
+];
+
+for (const depth of [0, 1, 2, 3]) {
+  for (const [name, eye] of EYES) {
+    test(`depth ${depth}, ${name}`, async t => {
+      const { pixels, drawn: { stats } } = await drawn({ ...eye, ...SIZE, options: { ...EXACT, depth } });
+      const { same, loose, right } = compared(pixels, eye, depth);
+      t.diagnostic(`${(same * 100).toFixed(2)} % agree, ${loose} off edges; ${stats.drawn} mirrors, ${stats.calls} calls`);
+      if (process.env['KEEP']) await keep(`${depth}-${name}`, pixels, right);
+      assert(same >= 0.985, `${same}`);
+      assert(loose <= CRACKS, `${loose} pixels differ off edges`);
+      assert.equal(stats.depth <= depth, true);
+      assert.equal(stats.drawn > 0, depth > 0);
+    });
+  }
+}
+
+test('the comparison tells mirrors from none, and an eye from one 20 cm beside it', async () => {
+  const [, eye] = EYES[0]!;
+  const good = compared((await drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 1 } })).pixels, eye, 1);
+  const without = compared((await drawn({ ...eye, ...SIZE, options: { ...EXACT, on: false } })).pixels, eye, 1);
+  assert(without.same < 0.985 && without.loose > 500, `${without.same}, ${without.loose}`);
+  const [x, y, z] = eye.eye, beside: Eye = { ...eye, eye: [x + 0.2, y, z] };
+  const moved = compared((await drawn({ ...beside, ...SIZE, options: { ...EXACT, depth: 1 } })).pixels, eye, 1);
+  assert(moved.same < 0.985 && moved.loose > 500, `${moved.same}, ${moved.loose}`);
+  assert(good.same > 0.99);
+});
+
+/** For looking at: both pictures beside each other. */
+async function keep(name: string, pixels: Uint8Array, right: Uint8Array) {
+  const { writeFile } = await import('node:fs/promises');
+  const { width, height } = SIZE, rows: string[] = [`P3 ${width * 2} ${height} 255`];
+  for (let y = height - 1; y >= 0; y--) {
+    for (let x = 0; x < width; x++) rows.push([...pixels.subarray((y * width + x) * 4, (y * width + x) * 4 + 3)].join(' '));
+    for (let x = 0; x < width; x++) rows.push([...right.subarray((y * width + x) * 3, (y * width + x) * 3 + 3)].join(' '));
+  }
+  await writeFile(`${process.env['KEEP']}/${name.replaceAll(' ', '_')}.ppm`, rows.join('\n'));
+}
