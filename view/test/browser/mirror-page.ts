@@ -2,9 +2,9 @@
 // no light falls and no edge is smoothed; lit, it has sun, shadows, sky and ground.
 
 import * as THREE from 'three';
-import { Loader } from '../../src/load.ts';
+import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { Mirrors, type Options, type Stats } from '../../src/mirror/mirrors.ts';
-import type { Model } from '../../src/model.ts';
+import { type Model, model_of } from '../../src/model.ts';
 import { colour_of } from '../colours.ts';
 
 export interface Shot {
@@ -53,7 +53,7 @@ class Page {
   }
 
   async load(file: string, flat: boolean): Promise<Shown> {
-    const model = await new Loader().load(file, {});
+    const model = model_of((await new GLTFLoader().loadAsync(file)).scene);
     this.#model = model;
     if (flat) for (const chunk of model.chunks) flatten(chunk);
     else this.#light(model);
