@@ -4,6 +4,7 @@ import { Places } from './places.ts';
 import { Highlight } from './highlight.ts';
 import { Loader } from './load.ts';
 import { Measure } from './measure.ts';
+import { Mirrors } from './mirror/mirrors.ts';
 import type { Chunk, Model } from './model.ts';
 import { Turntable } from './orbit.ts';
 import { found_again, parts_at, trace_of } from './parts.ts';
@@ -52,6 +53,7 @@ export class App {
   readonly section: Section;
   readonly measure: Measure;
   readonly turntable: Turntable;
+  readonly mirrors: Mirrors;
   readonly selected: Highlight;
   readonly pointed: Highlight;
   /** Says something to those who cannot see it. */
@@ -67,6 +69,7 @@ export class App {
     this.section = new Section(this.stage);
     this.measure = new Measure(this.stage);
     this.turntable = new Turntable(this.stage);
+    this.mirrors = mirrors_on(this.stage);
     this.pointed = new Highlight(this.stage, 'cursor', 0x2f6f9f);
     this.selected = new Highlight(this.stage, 'selection', 0xc8431f);
     this.stage.shown = chunk => !this.hidden.has(this.layer_of(chunk));
@@ -291,4 +294,14 @@ export class App {
 export function spot_of_message(message: Diagnostic, { sources }: State): Spot | null {
   const id = message.id ?? sources.find(source => source.name === message.file)?.id;
   return id === undefined ? null : { id, span: [message.span.start, message.span.end] };
+}
+
+/** Lets the glass of a stage mirror what stands on it. */
+function mirrors_on(stage: Stage): Mirrors {
+  const mirrors = new Mirrors(stage.renderer, stage.scene);
+  mirrors.options.sky = stage.surroundings.colours;
+  stage.marks.userData['mirrored'] = false;
+  stage.on_model.push(model => mirrors.show(model));
+  stage.paint = () => mirrors.paint(stage.camera);
+  return mirrors;
 }

@@ -81,6 +81,9 @@ export class Surroundings {
 
   get now(): Readonly<Sun> { return this.#now; }
 
+  /** Of sky and ground now; they change with the sun. */
+  get colours(): Readonly<Colours> { return this.#colours; }
+
   #place() {
     const { sun, sky } = this, { altitude } = this.#now;
     const [x, y, z] = way_to({ azimuth: this.#now.azimuth, altitude: Math.max(altitude, -5) });

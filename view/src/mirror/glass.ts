@@ -27,7 +27,8 @@ export class Glass {
     mirrorTable: { value: null as THREE.DataTexture | null },
     /** Where the view that is drawn begins in the table; -1 = it sees no mirrors. */
     mirrorFirst: { value: -1 },
-    mirrorSky: { value: new THREE.Color(0xcfdde6) },
+    mirrorZenith: { value: new THREE.Color(0xcfdde6) },
+    mirrorHorizon: { value: new THREE.Color(0xcfdde6) },
     mirrorGround: { value: new THREE.Color(0xcfdde6) },
   };
   #layers = 0;
@@ -115,8 +116,7 @@ if (${ATTRIBUTE} >= 0.0 && mirrorFirst >= 0) {
 const FRAGMENT = `
 uniform sampler2D mirrorAtlas;
 uniform float mirrorShare;
-uniform vec3 mirrorSky;
-uniform vec3 mirrorGround;
+uniform vec3 mirrorZenith, mirrorHorizon, mirrorGround;
 flat varying vec4 vMirrorPlace;
 flat varying float vMirrorLayer;
 varying vec3 vMirrorAt;
@@ -134,7 +134,9 @@ const AT_FRAGMENT = `
   if (vMirrorPlace.x != 0.0) {
     mirrored = texture2D(mirrorAtlas, gl_FragCoord.xy * vMirrorPlace.xz + vMirrorPlace.yw).rgb;
   } else {
-    mirrored = mix(mirrorGround, mirrorSky, smoothstep(-0.02, 0.02, reflect(mirrorWay, mirrorNormal).y));
+    float mirrorUp = reflect(mirrorWay, mirrorNormal).y;
+    mirrored = mix(mirrorHorizon, mirrorZenith, pow(max(mirrorUp, 0.0), 0.6));
+    mirrored = mix(mirrorGround, mirrored, smoothstep(-0.02, 0.02, mirrorUp));
   }
   #ifdef OPAQUE
   float mirrorCover = 1.0;

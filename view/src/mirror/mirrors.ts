@@ -20,9 +20,14 @@ export interface Options extends Limits {
   scale: number;
   /** Side of an atlas at most. */
   side: number;
-  /** Colours of what no picture shows; null = after the scene's background. */
-  sky: THREE.Color | null;
-  ground: THREE.Color | null;
+  /** Colours of what no picture shows; null = the scene's background. */
+  sky: Readonly<Sky> | null;
+}
+
+export interface Sky {
+  zenith: THREE.Color;
+  horizon: THREE.Color;
+  ground: THREE.Color;
 }
 
 /** What a frame's mirrors were and cost. */
@@ -51,7 +56,7 @@ const NO_STATS: Stats = { seen: 0, drawn: 0, depth: 0, calls: 0, triangles: 0, t
 
 export class Mirrors {
   readonly options: Options = {
-    on: true, depth: 1, shift: 3, pixels: 24, views: 48, scale: 1, side: 2048, sky: null, ground: null,
+    on: true, depth: 1, shift: 3, pixels: 24, views: 48, scale: 1, side: 2048, sky: null,
   };
   stats: Stats = { ...NO_STATS };
   /** The mirrored views of the last frame. */
@@ -233,10 +238,12 @@ export class Mirrors {
 
   /** What glass without a picture mirrors. */
   #colours() {
-    const { sky, ground } = this.options, { background } = this.#scene, { mirrorSky, mirrorGround } = this.#glass.uniforms;
-    if (sky) mirrorSky.value.copy(sky);
-    else if (background instanceof THREE.Color) mirrorSky.value.copy(background);
-    mirrorGround.value.copy(ground ?? mirrorSky.value);
+    const { background } = this.#scene, { mirrorZenith, mirrorHorizon, mirrorGround } = this.#glass.uniforms;
+    const plain = background instanceof THREE.Color ? background : mirrorHorizon.value;
+    const { zenith, horizon, ground } = this.options.sky ?? { zenith: plain, horizon: plain, ground: plain };
+    mirrorZenith.value.copy(zenith);
+    mirrorHorizon.value.copy(horizon);
+    mirrorGround.value.copy(ground);
   }
 }
 
