@@ -62,6 +62,8 @@ export class App {
   show_text: (spot: Spot) => void = () => {};
   #listeners = new Map<Happening, (() => void)[]>();
   #turn = 0;
+  /** The newest revision that the server has told of. */
+  #heard = 0;
   #stop: () => void = () => {};
 
   constructor(canvas: HTMLCanvasElement) {
@@ -97,15 +99,22 @@ export class App {
     this.measure.clear();
     this.select(null);
     this.tell('files');
+    this.#heard = 0;
     this.#stop = listen(file, {
-      state: revision => void this.reload(revision),
+      state: revision => {
+        this.#heard = revision;
+        if (this.state) void this.reload(revision); // the first one is on its way
+      },
       cursor: cursor => this.#point(cursor),
       files: () => void this.#list(),
       lost: () => this.#connection(true),
       found: () => { if (this.lost) { this.#connection(false); void this.reload(); void this.#list(); } },
     });
     await this.reload();
+    if (this.file === file && this.#heard > this.revision) await this.reload(this.#heard);
   }
+
+  get revision(): number { return this.state?.revision ?? 0; }
 
   /** Reads the state of the file and its model; `revision` = the one that was heard of. */
   async reload(revision?: number) {
@@ -130,6 +139,7 @@ export class App {
   #take(now: State, model: Model | null, times: Reload, heard: number) {
     const first = this.model === null, before = this.places;
     const trace = this.model && this.selection !== null ? trace_of(this.model, this.selection) : null;
+    now.plan ??= { reasons: {}, houses: [] }; // a model has none
     this.state = now;
     this.places = new Map(now.sources.map(source => [source.id, new Places(source)]));
     const nothing = !model || model.chunks.length === 0;

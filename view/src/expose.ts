@@ -8,11 +8,11 @@ declare global {
   var hsd: ReturnType<typeof exposed>;
 }
 
-export function exposed({ app, plan }: Page) {
+export function exposed({ app, plan, draw }: Page) {
   const { stage } = app;
   const camera = () => [...stage.camera.position.toArray(), ...stage.controls.target.toArray()];
   return {
-    app, plan, stage,
+    app, plan, draw, stage,
     /** Revision of the state that is shown; 0 = none yet. */
     get revision() { return app.state?.revision ?? 0; },
     /** The last frame: draw calls, triangles, milliseconds; and how many frames there were. */

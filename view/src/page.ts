@@ -4,6 +4,7 @@
 import { App } from './app.ts';
 import { attend, canvas_of } from './canvas.ts';
 import { h } from './dom.ts';
+import { DrawTool } from './draw/tool.ts';
 import { card } from './panel/card.ts';
 import { cut } from './panel/cut.ts';
 import { files } from './panel/files.ts';
@@ -22,6 +23,7 @@ export interface Page {
   app: App;
   plan: PlanView;
   text: TextPane;
+  draw: DrawTool;
 }
 
 export function page(): Page {
@@ -36,6 +38,7 @@ export function page(): Page {
   const app = new App(canvas);
   model.append(app.measure.labels);
   const plan = new PlanView(app), text = new TextPane(app);
+  const draw = new DrawTool(app, plan);
   main.prepend(text.element);
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': words.panel },
@@ -62,5 +65,5 @@ export function page(): Page {
   };
   app.on('connection', () => { lost.hidden = !app.lost; });
   app.on('files', () => { if (app.file === null) app.announce(words.no_file); });
-  return { app, plan, text };
+  return { app, plan, text, draw };
 }

@@ -27,6 +27,7 @@ export class PlanView {
   #scale = h('div', { class: 'scale', 'aria-hidden': 'true' });
   #empty = h('p', { class: 'empty' }, words.plan_empty);
   #stale = true;
+  #wanted: number | null = null;
 
   constructor(app: App) {
     this.#app = app;
@@ -50,6 +51,14 @@ export class PlanView {
 
   choose(storey: number) {
     this.storey = storey;
+    this.#stale = true;
+    this.update();
+  }
+
+  /** Shows a storey as soon as there is one of this number. */
+  want(storey: number) {
+    this.storey = storey;
+    this.#wanted = storey;
     this.#stale = true;
     this.update();
   }
@@ -92,7 +101,8 @@ export class PlanView {
     if (this.element.hidden || !this.#stale || !state) return;
     this.#stale = false;
     const storeys = storeys_of(state);
-    if (!storeys.includes(this.storey)) this.storey = storeys[0] ?? 1;
+    if (this.#wanted !== null && storeys.includes(this.#wanted)) [this.storey, this.#wanted] = [this.#wanted, null];
+    if (!storeys.includes(this.storey)) this.storey = storeys.findLast(n => n < this.storey) ?? storeys[0] ?? 1;
     this.#chooser.replaceChildren(...storeys.map(n => h('option', { value: n, selected: n === this.storey }, words.storey(n))));
     this.#empty.hidden = storeys.length > 0;
     this.drawn = picture(state, this.storey);
