@@ -153,7 +153,7 @@ export class App {
       this.stage.show(model);
       if (first) this.look('front');
     }
-    this.stage.frame();
+    this.stage.frame(!first);
     this.stage.settle();
     times.painted = performance.now() - heard;
     this.reload_times = times;
@@ -165,6 +165,7 @@ export class App {
       if (!keep) this.tell('model');
       this.tell('select');
       this.tell('reload');
+      if (first) setTimeout(() => { this.stage.frame(); this.stage.settle(); }, 100); // to know how quick the machine is
       const count = (severity: string) => now.diagnostics.filter(d => d.severity === severity).length;
       const messages = now.diagnostics.length ? ` ${words.messages(count('error'), count('warning'))}` : '';
       this.announce((keep ? words.kept : words.reloaded(now.revision)) + messages);

@@ -18,6 +18,9 @@ export interface FrameStats {
 /** Degrees from the foot of the picture to its top. */
 const FOV = 36;
 
+/** A machine that takes longer for a frame is slow, milliseconds. */
+const SLOW = 40;
+
 export class Stage {
   readonly renderer: THREE.WebGLRenderer;
   readonly scene = new THREE.Scene();
@@ -37,7 +40,13 @@ export class Stage {
   readonly on_frame: (() => void)[] = [];
   /** Draws a frame; those who add to it put their own in its place. */
   paint = () => this.renderer.render(this.scene, this.camera);
+  /** What all of a frame took when it was last waited for, milliseconds. */
+  pace = 0;
+  /** Whether the last frame was drawn with few pixels. */
+  coarse = false;
   #wanted = false;
+  #sharpen = 0;
+  #shade_later = false;
   #after: (() => void)[] = [];
   #spent: THREE.Material[] = [];
 
@@ -102,12 +111,26 @@ export class Stage {
     if (after) this.#after.push(after);
     if (this.#wanted) return;
     this.#wanted = true;
-    requestAnimationFrame(() => this.frame());
+    requestAnimationFrame(() => this.frame(true));
   }
 
-  /** Draws a frame at once. */
-  frame() {
+  /**
+   * Draws a frame at once. Where the machine is slow and things are about to change again (`quick`), it is drawn with few
+   * pixels and with the shadows there were, and again in full as soon as there is time.
+   */
+  frame(quick = false) {
     this.#wanted = false;
+    const { shadowMap } = this.renderer;
+    clearTimeout(this.#sharpen);
+    this.#shade_later ||= shadowMap.needsUpdate;
+    const coarse = quick && this.pace > SLOW;
+    if (coarse) this.#sharpen = window.setTimeout(() => this.frame(), 140);
+    shadowMap.needsUpdate = this.#shade_later && !coarse;
+    this.#shade_later &&= coarse;
+    if (coarse !== this.coarse) {
+      this.coarse = coarse;
+      this.#resize();
+    }
     const begun = performance.now(), { info } = this.renderer;
     info.reset();
     this.paint();
@@ -123,15 +146,25 @@ export class Stage {
 
   /** Waits until all that was asked for is drawn. */
   settle() {
+    const begun = performance.now() - this.stats.ms;
     const gl = this.renderer.getContext();
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    if (!this.coarse) this.pace = performance.now() - begun;
+  }
+
+  #resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    // As many pixels as there is time for.
+    const share = this.coarse ? Math.min(0.7, Math.max(0.25, Math.sqrt(SLOW / this.pace))) : 1;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * share);
+    this.renderer.setSize(width, height, false);
   }
 
   #fit() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
-    this.renderer.setSize(width, height, false);
+    this.coarse = false;
+    this.#resize();
     this.camera.aspect = width / height;
     // A narrow window sees as far to the sides as one of 4 to 3.
     const half = Math.tan(FOV / 2 * Math.PI / 180) * Math.max(1, 4 / 3 / this.camera.aspect);
