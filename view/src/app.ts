@@ -10,10 +10,10 @@ import { Turntable } from './orbit.ts';
 import { found_again, parts_at, trace_of } from './parts.ts';
 import { Section } from './section.ts';
 import type { Bytes, Cursor, Diagnostic, Hello, State } from './server.ts';
-import { hello, listen, open, state } from './server.ts';
+import { hello, listen, open, palette, state } from './server.ts';
 import { Stage } from './stage.ts';
 import { look_from, type View } from './views.ts';
-import { words } from './words.ts';
+import { both, words } from './words.ts';
 
 /** files: the folder; state: a text was read; model: another one stands; select, cursor: what is lit; shown: what is hidden. */
 export type Happening = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'connection' | 'reload';
@@ -51,6 +51,7 @@ export class App {
   readonly stage: Stage;
   readonly loader = new Loader();
   readonly section: Section;
+  readonly mirrors: Mirrors;
   readonly measure: Measure;
   readonly turntable: Turntable;
   readonly mirrors: Mirrors;
@@ -68,7 +69,12 @@ export class App {
 
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas);
-    this.section = new Section(this.stage);
+    const { stage } = this;
+    this.section = new Section(stage);
+    this.mirrors = new Mirrors(stage.renderer, stage.scene);
+    stage.marks.userData['mirrored'] = false;
+    stage.on_model.push(model => this.mirrors.show(model));
+    stage.paint = () => this.mirrors.paint(stage.camera);
     this.measure = new Measure(this.stage);
     this.turntable = new Turntable(this.stage);
     this.mirrors = mirrors_on(this.stage);
@@ -99,6 +105,7 @@ export class App {
     this.measure.clear();
     this.select(null);
     this.tell('files');
+    void this.#learn(file);
     this.#heard = 0;
     this.#stop = listen(file, {
       state: revision => {
@@ -291,6 +298,14 @@ export class App {
     this.lost = lost;
     this.announce(lost ? words.lost : words.found);
     this.tell('connection');
+  }
+
+  /** What parts are called. */
+  async #learn(file: string) {
+    const parts = await palette(file).catch(() => []);
+    if (file !== this.file) return;
+    this.names = new Map(parts.map(({ code, ja, romaji, en }) => [code.trim(), `${words === both.ja ? ja : en} · ${words === both.ja ? romaji : `${ja} ${romaji}`}`]));
+    this.tell('select');
   }
 
   async #list() {

@@ -8,6 +8,7 @@ import { DrawTool } from './draw/tool.ts';
 import { card } from './panel/card.ts';
 import { cut } from './panel/cut.ts';
 import { files } from './panel/files.ts';
+import { glass } from './panel/glass.ts';
 import { lengths } from './panel/lengths.ts';
 import { messages } from './panel/messages.ts';
 import { shown } from './panel/shown.ts';
@@ -42,7 +43,7 @@ export function page(): Page {
   main.prepend(text.element);
   main.append(plan.element);
   const panel = h('aside', { class: 'panel', 'aria-label': words.panel },
-    card(app), files(app), messages(app), shown(app), tree(app), cut(app), sky(app), lengths(app), stats(app));
+    card(app), files(app), messages(app), shown(app), tree(app), cut(app), sky(app), lengths(app), glass(app), stats(app));
   const narrow = matchMedia('(max-width: 720px)').matches;
   panel.hidden = narrow;
   const panes = [

@@ -173,15 +173,21 @@ async function post<T>(path: string, body: unknown): Promise<T> {
 /** Sends the author's editor to a place. */
 export const open = (file: string, id: number, span: Bytes) => post<{}>('/api/open', { file, id, span });
 
+/** A part that can be set. */
 export interface Palette {
   code: string;
+  /** Letter: K wall, T door, M window, G lattice, ... */
+  class: string;
+  ja: string;
+  romaji: string;
+  en: string;
+  /** U. */
   width: number;
-  kind: string;
-  names: Record<string, string>;
-  picture: string | null;
 }
 
+/** The parts that the houses of a file may be made of. */
 export const palette = async (file: string) => answer<Palette[]>(await fetch(`/api/parts?${of(file)}`));
+export const picture_of = (file: string, code: string) => `/api/part?${of(file)}&code=${encodeURIComponent(code)}`;
 
 /** What a stroke came to: a new revision, or why it was refused. */
 export type Answer = { revision?: number; refused?: string };

@@ -22,6 +22,7 @@ const en = {
   reset: 'Reset', turntable: 'Turntable', screenshot: 'Picture', screenshot_how: 'Save a picture of the model (PNG)',
   nearer: 'Nearer', farther: 'Farther',
   mirrors: 'Glass', mirrors_on: 'Glass mirrors its neighbours', mirrors_depth: 'Mirrors in mirrors',
+  mirrors_none: 'No facade of this model has glass that mirrors (reflection="enable").', mirrors_seen: 'Mirrors in sight', mirrors_cost: 'Drawn for mirrors',
   stats: 'Statistics', draw_calls: 'Draw calls', triangles: 'Triangles', frame_ms: 'Frame', reload_ms: 'Reload', compile: 'Compiling',
   parts: 'Parts', part: 'Part', parts_how: 'Arrow keys walk through the tree; Enter selects.', nothing: 'Nothing selected',
   kind: {
@@ -81,6 +82,7 @@ const ja: Words = {
   reset: '初めに戻す', turntable: '回す', screenshot: '画像', screenshot_how: '模型の画像を保存 (PNG)',
   nearer: '近く', farther: '遠く',
   mirrors: 'ガラス', mirrors_on: 'ガラスに隣の建物を映す', mirrors_depth: '鏡の中の鏡',
+  mirrors_none: 'この模型には映すガラスの壁面 (reflection="enable") がありません。', mirrors_seen: '見える鏡', mirrors_cost: '鏡のための描画',
   stats: '統計', draw_calls: '描画命令', triangles: '三角形', frame_ms: '一枚', reload_ms: '再読込', compile: '変換',
   parts: '部品', part: '部品', parts_how: '矢印キーで木をたどり、Enter で選びます。', nothing: '選ばれていません',
   kind: {

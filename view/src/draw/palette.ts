@@ -2,7 +2,7 @@
 
 import type { App } from '../app.ts';
 import { field, h } from '../dom.ts';
-import { type Palette as Entry, palette } from '../server.ts';
+import { type Palette as Entry, palette, picture_of } from '../server.ts';
 import { words } from '../words.ts';
 
 export class Palette {
@@ -33,25 +33,22 @@ export class Palette {
 
   #fill() {
     const wanted = this.#filter.value.toLowerCase();
-    const found = this.#entries.filter(entry => [entry.code, entry.kind, ...Object.values(entry.names)].some(name => name?.toLowerCase().includes(wanted)));
+    const found = this.#entries.filter(entry => [entry.code, entry.en, entry.ja, entry.romaji].some(name => name?.toLowerCase().includes(wanted)));
     this.#list.replaceChildren(...found.map(entry => this.#row(entry)), ...(found.length ? [] : [h('li', { class: 'quiet' }, words.no_parts)]));
   }
 
   #row(entry: Entry): HTMLElement {
-    const { code, picture } = entry;
+    const { code } = entry, picture = h('img', { src: picture_of(this.#app.file!, code), alt: '', loading: 'lazy', width: 40, height: 40 });
+    picture.addEventListener('error', () => { picture.classList.add('none'); }); // of a void there is nothing to see
     const choose = () => {
       this.chosen = entry;
       for (const button of this.#list.querySelectorAll('button')) button.setAttribute('aria-pressed', `${button.dataset.code === code}`);
       this.changed();
     };
     return h('li', {}, h('button', { type: 'button', onclick: choose, 'data-code': code, 'aria-pressed': `${this.chosen?.code === code}` },
-      picture && h('img', { src: picture, alt: '', loading: 'lazy', width: 40, height: 40 }),
-      h('span', { class: 'part-code' }, code), h('span', { class: 'part-name' }, name_of(entry))));
+      picture, h('span', { class: 'part-code' }, code.trim() || '—'), h('span', { class: 'part-name' }, name_of(entry))));
   }
 }
 
 /** Its name in the language of the page. */
-export function name_of({ names, code }: Entry): string {
-  const language = document.documentElement.lang;
-  return names[language] ?? names.en ?? Object.values(names)[0] ?? code;
-}
+export const name_of = ({ en, ja, code }: Entry) => (document.documentElement.lang === 'ja' ? ja : en) || code;

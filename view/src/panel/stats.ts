@@ -13,9 +13,11 @@ export function stats(app: App): HTMLElement {
   const show = () => {
     if (!element.open) return;
     const { calls, triangles, ms } = app.stage.stats, reload = app.reload_times;
+    const { mirrors } = app, { seen, drawn, calls: own, triangles: mirrored } = mirrors.stats;
     const rows: [string, string][] = [
       [words.draw_calls, `${calls}`], [words.triangles, triangles.toLocaleString('en')], [words.frame_ms, `${ms.toFixed(1)} ms`],
       ...(reload ? [[words.reload_ms, `${reload.painted.toFixed(0)} ms`] as [string, string]] : []),
+      ...(mirrors.walls.length ? [[words.mirrors_seen, `${drawn} / ${seen}`], [words.mirrors_cost, `${own}, ${mirrored.toLocaleString('en')}`]] as [string, string][] : []),
       ...(app.state?.times ?? []).map(([step, took]) => [`${words.compile}: ${step}`, `${took.toFixed(1)} ms`] as [string, string]),
     ];
     const text = rows.join();
