@@ -51,7 +51,6 @@ export class App {
   readonly stage: Stage;
   readonly loader = new Loader();
   readonly section: Section;
-  readonly mirrors: Mirrors;
   readonly measure: Measure;
   readonly turntable: Turntable;
   readonly mirrors: Mirrors;
@@ -69,12 +68,7 @@ export class App {
 
   constructor(canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas);
-    const { stage } = this;
-    this.section = new Section(stage);
-    this.mirrors = new Mirrors(stage.renderer, stage.scene);
-    stage.marks.userData['mirrored'] = false;
-    stage.on_model.push(model => this.mirrors.show(model));
-    stage.paint = () => this.mirrors.paint(stage.camera);
+    this.section = new Section(this.stage);
     this.measure = new Measure(this.stage);
     this.turntable = new Turntable(this.stage);
     this.mirrors = mirrors_on(this.stage);

@@ -63,7 +63,7 @@ export function rectangle(from: Point, to: Point): Point[] | null {
   const [a0, b0] = [Math.round(Math.min(from[0], to[0])), Math.round(Math.min(from[1], to[1]))];
   const [a1, b1] = [Math.round(Math.max(from[0], to[0])), Math.round(Math.max(from[1], to[1]))];
   if (a1 - a0 < 1 || b1 - b0 < 1) return null;
-  return [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
+  return [[a0, b0], [a1, b0], [a1, b1], [a0, b1]].map(([a, b]) => [a! + 0, b! + 0]); // no -0
 }
 
 /** Which way an arrow key points in the house: as [a, b], rounded to an axis. `to_house` turns places of the plan. */
