@@ -14,6 +14,7 @@
 //! | `server`, `requests` | the loop; what each request gets |
 //! | `client`, `settings` | what the client knows and wishes |
 //! | `documents`, `world` | texts that are open, and files round them |
+//! | `preview` | the live preview beside the editor |
 //! | `publish`, `actions` | diagnostics and their mends |
 //! | `proto`, `lines`, `uri` | places, positions and names of the protocol |
 
@@ -21,6 +22,7 @@ mod actions;
 mod client;
 mod documents;
 mod lines;
+mod preview;
 mod proto;
 mod publish;
 mod requests;

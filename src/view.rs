@@ -23,15 +23,14 @@ mod strokes;
 mod watch;
 
 pub use desk::Desk;
-pub use hall::Cursor;
 pub use notify_debouncer_full::notify::RecursiveMode;
-pub use page::there;
+pub use page::{how_to_get_it, there};
 
 use crate::diagnostic::Language;
-use hall::{Hall, News};
+use hall::Hall;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use watch::Watch;
@@ -106,10 +105,9 @@ impl Preview {
         self.hall.changed();
     }
 
-    /// The editor stands at a place of a text that was read for a file, or left it.
-    pub fn cursor(&self, file: &str, place: Option<Cursor>) {
-        let file = file.into();
-        self.hall.tell(News::Cursor { file, place });
+    /// The editor stands at an offset of the text of a file.
+    pub fn cursor(&self, path: &Path, at: usize) {
+        self.hall.cursor(path, at);
     }
 
     /// Waits until it ends, which it does for a failure only.

@@ -77,12 +77,7 @@ impl View {
 pub(super) fn page_is_there() -> Result<(), Stop> {
     match view::there() {
         true => Ok(()),
-        false => Err(Stop::Usage(text!(
-            "this hsd is built without its page; with Node.js at hand, `npm ci --prefix view && npm run build --prefix view` and \
-             `cargo build --release` make one that has it",
-            "この hsd には画面が含まれていません。Node.js があれば `npm ci --prefix view && npm run build --prefix view` のあと \
-             `cargo build --release` で含めて作れます"
-        ))),
+        false => Err(Stop::Usage(view::how_to_get_it())),
     }
 }
 

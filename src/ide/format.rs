@@ -35,7 +35,7 @@ pub fn format_range(a: &Analysis, range: Range<usize>) -> Option<Vec<Edit>> {
 
 /// The edits that make one text of another: of lines that differ what differs in them, so that a cursor elsewhere stays
 /// where it is.
-pub(super) fn edits(old: &str, new: &str) -> Vec<Edit> {
+pub fn edits(old: &str, new: &str) -> Vec<Edit> {
     let (before, after): (Vec<&str>, Vec<&str>) = (lines(old), lines(new));
     let starts = starts(&before);
     let mut found = vec![];

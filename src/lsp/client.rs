@@ -27,6 +27,10 @@ pub(super) struct Client {
     pub(super) watches: bool,
     /// Whether inlay hints can be asked for anew.
     pub(super) refreshes_hints: bool,
+    /// Whether it changes texts where it is asked to.
+    pub(super) applies_edits: bool,
+    /// Whether it can be sent to places.
+    pub(super) shows_documents: bool,
 }
 
 impl Client {
@@ -60,6 +64,8 @@ impl Client {
             configuration: can("/workspace/configuration"),
             watches: can("/workspace/didChangeWatchedFiles/dynamicRegistration"),
             refreshes_hints: can("/workspace/inlayHint/refreshSupport"),
+            applies_edits: can("/workspace/applyEdit"),
+            shows_documents: can("/window/showDocument/support"),
         }
     }
 }

@@ -3,19 +3,12 @@
 use super::lines::{Encoding, Lines};
 use super::settings::Settings;
 use super::uri;
-use super::world::{Overlay, key};
-use crate::disk::FolderWorld;
-use crate::driver::Options;
-use crate::expand;
+use super::world::{MARK, Open, Overlay, key, marked};
 use crate::ide::Analysis;
-use crate::source::{FileId, Limits, Source};
+use crate::source::{FileId, Source};
 use gen_lsp_types::{Range, TextDocumentContentChangeEvent};
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-
-/// Says that a file is UTF-8, whatever its XML declaration says: editors hand over characters.
-const MARK: &str = "\u{feff}";
 
 /// One open text.
 pub(super) struct Document {
@@ -84,8 +77,10 @@ impl Document {
 #[derive(Default)]
 pub(super) struct Documents {
     open: BTreeMap<String, Document>,
-    /// Those that are files, by [`key`]: what texts see that include them.
-    files: BTreeMap<PathBuf, String>,
+    /// Those that are files: what texts see that include them.
+    pub(super) files: Open,
+    /// Counts up whenever anything may have changed.
+    pub(super) edition: u64,
 }
 
 impl Documents {
@@ -103,6 +98,12 @@ impl Documents {
     pub(super) fn of_file(&self, path: &Path) -> Option<&Document> {
         let key = key(path);
         self.iter().find(|d| d.path.as_ref() == Some(&key))
+    }
+
+    /// What the client calls its files, and whether it counts a mark among their characters.
+    pub(super) fn names(&self) -> BTreeMap<PathBuf, (String, bool)> {
+        let name = |d: &Document| Some((d.path.clone()?, (d.uri.clone(), d.mark() > 0)));
+        self.iter().filter_map(name).collect()
     }
 
     /// Opens a text.
@@ -155,10 +156,7 @@ impl Documents {
         };
         document.forget();
         if let Some(path) = document.path.clone() {
-            let text = match document.text.starts_with(MARK) {
-                true => document.text.clone(),
-                false => format!("{MARK}{}", document.text),
-            };
+            let text = marked(&document.text).into();
             self.files.insert(path.clone(), text);
             self.forget(&path);
         }
@@ -166,6 +164,7 @@ impl Documents {
 
     /// Notes that a file is another, for whoever reads it.
     pub(super) fn forget(&mut self, path: &Path) {
+        self.edition += 1;
         for document in self.open.values_mut() {
             if document.asked.contains(path) {
                 document.forget();
@@ -175,6 +174,7 @@ impl Documents {
 
     /// Notes that anything may have changed.
     pub(super) fn forget_all(&mut self) {
+        self.edition += 1;
         for document in self.open.values_mut() {
             document.forget();
         }
@@ -215,52 +215,11 @@ impl Documents {
     fn read(&self, uri: &str, text: &str, settings: &Settings) -> (Analysis, BTreeSet<PathBuf>) {
         let path = uri::to_path(uri);
         let folder = path.as_deref().and_then(Path::parent);
-        let world = self.world(folder, settings);
+        let world = Overlay::new(folder, settings, &self.files);
         let name = path.as_deref().and_then(Path::to_str).unwrap_or(uri);
-        let mark = if text.starts_with(MARK) { "" } else { MARK };
-        let text = [mark, text].concat();
-        let source = Source::new(FileId(0), name, text.as_bytes());
-        let analysis = Analysis::new(source, &world, &options(settings));
+        let source = Source::new(FileId(0), name, marked(text).as_bytes());
+        let analysis = Analysis::new(source, &world, &world.options(settings));
         (analysis, world.asked.into_inner())
-    }
-
-    /// The files that a text in this folder may use.
-    fn world(&self, folder: Option<&Path>, settings: &Settings) -> Overlay<'_> {
-        let own = || folder.map(Path::to_owned).into_iter();
-        let textures = match &settings.textures[..] {
-            [] => own().chain(own().map(|f| f.join("textures"))).collect(),
-            given => given.to_vec(),
-        };
-        let roots: Vec<PathBuf> = match &settings.root {
-            Some(root) => vec![root.clone()],
-            None => own().collect(),
-        };
-        Overlay {
-            disk: FolderWorld::new(textures, Limits::default().pixels).with_roots(roots.clone()),
-            roots,
-            open: &self.files,
-            asked: RefCell::default(),
-        }
-    }
-}
-
-/// What a run is to do; files of own parts that cannot be read are left out.
-fn options(settings: &Settings) -> Options {
-    let limit = Limits::default().bytes as u64;
-    let small = |p: &&PathBuf| std::fs::metadata(p).is_ok_and(|m| m.len() <= limit);
-    let there = settings.catalogs.iter().filter(small);
-    let catalogs = there.filter_map(|path| Some((path, std::fs::read(path).ok()?)));
-    let numbered = catalogs
-        .zip(1u16..)
-        .map(|((path, bytes), number)| Source::new(FileId(number), path.to_string_lossy(), &bytes));
-    Options {
-        expand: expand::Options {
-            seed: settings.seed,
-            limits: Limits::default(),
-        },
-        parameters: settings.parameters.clone(),
-        catalogs: numbered.collect::<Vec<_>>().into(),
-        ..Options::default()
     }
 }
 

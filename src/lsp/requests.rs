@@ -5,8 +5,11 @@ use super::documents::Document;
 use super::lines::Encoding;
 use super::proto::{Changes, Places};
 use super::server::Server;
+use super::uri;
+use crate::diagnostic::Text;
 use crate::ide::{self, Analysis};
 use crate::source::FileId;
+use crate::{text, view};
 use gen_lsp_types as lsp;
 use lsp_server::ErrorCode;
 use serde::Serialize;
@@ -21,6 +24,9 @@ mod tokens;
 /// A refusal and its reason.
 type Refused = (ErrorCode, String);
 type Answer<T> = Result<T, Refused>;
+
+/// The command that shows a text in the live preview: its URI, and whether the server shall open the page.
+const VIEW: &str = "hsd.view";
 
 /// What the server can do.
 pub(super) fn capabilities(encoding: Encoding) -> Value {
@@ -48,6 +54,7 @@ pub(super) fn capabilities(encoding: Encoding) -> Value {
             "range": true,
         },
         "inlayHintProvider": true,
+        "executeCommandProvider": { "commands": [VIEW] },
     })
 }
 
@@ -71,6 +78,7 @@ pub(super) fn answer(server: &mut Server, method: &str, params: Value) -> Answer
         "textDocument/semanticTokens/full" => run(server, params, tokens::full),
         "textDocument/semanticTokens/range" => run(server, params, tokens::range),
         "textDocument/inlayHint" => run(server, params, inlay_hints),
+        "workspace/executeCommand" => run(server, params, execute),
         _ => Err((
             ErrorCode::MethodNotFound,
             format!("{method}: not known here"),
@@ -216,6 +224,8 @@ fn highlights(
     params: lsp::DocumentHighlightParams,
 ) -> Answer<Vec<lsp::DocumentHighlight>> {
     let place = params.text_document_position_params;
+    // Clients ask this wherever the cursor comes to rest.
+    server.point(&place);
     let Some(view) = server.view(&place.text_document) else {
         return Ok(vec![]);
     };
@@ -229,6 +239,40 @@ fn highlights(
         }),
     });
     Ok(made.collect())
+}
+
+/// Shows a text in the live preview; returns the address of the page.
+fn execute(server: &mut Server, params: lsp::ExecuteCommandParams) -> Answer<String> {
+    if params.command != VIEW {
+        let why = format!("{}: not known here", params.command);
+        return Err((ErrorCode::InvalidParams, why));
+    }
+    let failed = |why: &Text| {
+        let why = why.in_language(server.settings.language).to_owned();
+        (ErrorCode::RequestFailed, why)
+    };
+    if !view::there() {
+        return Err(failed(&view::how_to_get_it()));
+    }
+    let given = params.arguments.unwrap_or_default();
+    let uri = given.first().and_then(Value::as_str).unwrap_or_default();
+    let Some(path) = uri::to_path(uri) else {
+        return Err(failed(&text!(
+            "save the text in a file first",
+            "先にテキストをファイルに保存してください"
+        )));
+    };
+    let (documents, settings) = (&server.documents, &server.settings);
+    let (client, say) = (&server.client, server.say());
+    let shown = server
+        .previews
+        .show(&path, documents, settings, (client, &say));
+    let url = shown.map_err(|e| (ErrorCode::RequestFailed, e.to_string()))?;
+    if server.client.shows_documents && given.get(1) != Some(&Value::Bool(false)) {
+        let page = json!({ "uri": url, "external": true });
+        server.ask("hsd/page", "window/showDocument", page);
+    }
+    Ok(url)
 }
 
 fn symbols(

@@ -2,6 +2,7 @@
 
 use super::client::Client;
 use super::documents::Documents;
+use super::preview::{Previews, Say};
 use super::publish::Published;
 use super::requests;
 use super::settings::Settings;
@@ -17,6 +18,7 @@ use serde_json::value::RawValue;
 use serde_json::{Value, json};
 use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
 use std::sync::mpsc::Sender;
 
 /// The number of the request for settings.
@@ -45,6 +47,7 @@ pub(super) struct Server {
     pub(super) documents: Documents,
     pub(super) settings: Settings,
     published: Published,
+    pub(super) previews: Previews,
     /// Of the machine, where the client has none.
     locale: Language,
 }
@@ -64,6 +67,7 @@ impl Server {
             documents: Documents::default(),
             settings: Settings::new(locale),
             published: Published::default(),
+            previews: Previews::default(),
             locale,
         }
     }
@@ -72,6 +76,7 @@ impl Server {
     pub(super) fn run(mut self) -> bool {
         loop {
             self.drain();
+            self.previews.follow(&self.documents, &self.settings);
             let message = match self.queue.pop_front() {
                 Some(message) => message,
                 None => match self.documents.stale().map(str::to_owned) {
@@ -243,6 +248,11 @@ impl Server {
                     }
                 }
             }
+            "hsd/cursor" => {
+                if let Some(p) = read::<lsp::TextDocumentPositionParams>(params) {
+                    self.point(&p);
+                }
+            }
             "workspace/didChangeWatchedFiles" => {
                 if let Some(p) = read::<lsp::DidChangeWatchedFilesParams>(params) {
                     self.watched(&p.changes);
@@ -288,6 +298,35 @@ impl Server {
             match path.filter(|p| p.extension().is_some_and(|e| e == "hsd")) {
                 Some(path) => self.documents.forget(&key(&path)),
                 None => self.documents.forget_all(),
+            }
+        }
+    }
+
+    /// The cursor stands at a place: what is built of it lights up in the preview.
+    pub(super) fn point(&self, place: &lsp::TextDocumentPositionParams) {
+        let uri = place.text_document.uri.as_ref();
+        let path = uri::to_path(uri);
+        if let (Some(document), Some(path)) = (self.documents.get(uri), path) {
+            let (text, encoding) = (&document.text, self.client.encoding);
+            let at = document.lines.offset(text, place.position, encoding);
+            self.previews
+                .cursor(&path, at.saturating_sub(document.mark()));
+        }
+    }
+
+    /// How threads beside the loop speak to the client.
+    pub(super) fn say(&self) -> Say {
+        match self.written.clone() {
+            Some(written) => Arc::new(move |request| {
+                let mut bytes = vec![];
+                let _ = Message::from(request).write(&mut bytes);
+                let _ = written.send(bytes);
+            }),
+            None => {
+                let sender = self.connection.sender.clone();
+                Arc::new(move |request| {
+                    let _ = sender.send(request.into());
+                })
             }
         }
     }
@@ -351,7 +390,7 @@ impl Server {
         }
     }
 
-    fn ask(&self, id: &str, method: &str, params: Value) {
+    pub(super) fn ask(&self, id: &str, method: &str, params: Value) {
         let id = RequestId::from(id.to_owned());
         self.send(Request::new(id, method.to_owned(), params));
     }

@@ -1,11 +1,15 @@
 //! Texts as they stand in the editor: what is open and not yet saved goes before what lies on disk.
 
+use super::settings::Settings;
 use crate::disk::FolderWorld;
-use crate::source::{NoText, PictureFile, World};
+use crate::driver::Options;
+use crate::expand;
+use crate::source::{FileId, Limits, NoText, PictureFile, Source, World};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
-use std::io;
 use std::path::{Component, Path, PathBuf};
+use std::sync::Arc;
+use std::{fs, io};
 
 /// What a path is known by, however it is written and whatever links lead to it.
 pub(super) fn key(path: &Path) -> PathBuf {
@@ -30,6 +34,18 @@ pub(super) fn key(path: &Path) -> PathBuf {
     }
 }
 
+/// Open texts by [`key`], each with the mark that says it is UTF-8.
+pub(super) type Open = BTreeMap<PathBuf, Arc<str>>;
+
+/// Says that a file is UTF-8, whatever its XML declaration says: editors hand over characters.
+pub(super) const MARK: &str = "\u{feff}";
+
+/// A text as others see it that read it.
+pub(super) fn marked(text: &str) -> String {
+    let mark = if text.starts_with(MARK) { "" } else { MARK };
+    [mark, text].concat()
+}
+
 /// Files on disk with open texts before them.
 pub(super) struct Overlay<'a> {
     /// What lies on disk.
@@ -37,12 +53,57 @@ pub(super) struct Overlay<'a> {
     /// Folders below which texts may be included.
     pub(super) roots: Vec<PathBuf>,
     /// Open texts by [`key`].
-    pub(super) open: &'a BTreeMap<PathBuf, String>,
+    pub(super) open: &'a Open,
     /// The texts that were asked for, by [`key`], whether they are there or not.
     pub(super) asked: RefCell<BTreeSet<PathBuf>>,
 }
 
-impl Overlay<'_> {
+impl<'a> Overlay<'a> {
+    /// The files that a text in this folder may use.
+    pub(super) fn new(folder: Option<&Path>, settings: &Settings, open: &'a Open) -> Overlay<'a> {
+        let own = || folder.map(Path::to_owned).into_iter();
+        let textures = match &settings.textures[..] {
+            [] => own().chain(own().map(|f| f.join("textures"))).collect(),
+            given => given.to_vec(),
+        };
+        let roots: Vec<PathBuf> = match &settings.root {
+            Some(root) => vec![root.clone()],
+            None => own().collect(),
+        };
+        Overlay {
+            disk: FolderWorld::new(textures, Limits::default().pixels).with_roots(roots.clone()),
+            roots,
+            open,
+            asked: RefCell::default(),
+        }
+    }
+
+    /// What a run is to do; files of own parts that cannot be read are left out.
+    pub(super) fn options(&self, settings: &Settings) -> Options {
+        let read = settings.catalogs.iter().filter_map(|path| {
+            let key = key(path);
+            let bytes = match self.open.get(&key) {
+                Some(text) => Some(text.as_bytes().to_vec()),
+                None => small(path),
+            };
+            self.asked.borrow_mut().insert(key);
+            Some((path, bytes?))
+        });
+        let catalogs: Vec<Source> = read
+            .zip(1u16..)
+            .map(|((path, bytes), id)| Source::new(FileId(id), path.to_string_lossy(), &bytes))
+            .collect();
+        Options {
+            expand: expand::Options {
+                seed: settings.seed,
+                limits: Limits::default(),
+            },
+            parameters: settings.parameters.clone(),
+            catalogs: catalogs.into(),
+            ..Options::default()
+        }
+    }
+
     /// A text that is open and not on disk, if it may be read.
     fn unsaved(&self, from: &str, href: &str) -> Option<String> {
         let path = Path::new(from).parent()?.join(href);
@@ -51,6 +112,13 @@ impl Overlay<'_> {
         let there = self.open.contains_key(&key) && self.roots.iter().any(inside);
         there.then(|| key.to_str().map(str::to_owned))?
     }
+}
+
+/// The bytes of a file that is not too large.
+fn small(path: &Path) -> Option<Vec<u8>> {
+    let limit = Limits::default().bytes as u64;
+    let size = fs::metadata(path).ok()?.len();
+    (size <= limit).then(|| fs::read(path).ok())?
 }
 
 impl World for Overlay<'_> {

@@ -1,7 +1,7 @@
 //! The desk of the author: where texts lie as they are written, and where the editor is.
 
 use crate::driver::Options;
-use crate::source::{Source, World};
+use crate::source::{Source, Span, World};
 use std::io;
 use std::path::Path;
 
@@ -36,9 +36,9 @@ pub trait Desk: Send + Sync {
     /// Whether there is an editor that can be sent to a place.
     fn opens(&self) -> bool;
 
-    /// Sends the editor to a place: line and column from 1.
+    /// Sends the editor to a place of a text that was read.
     ///
     /// # Errors
     /// Where there is no editor, or it cannot be started.
-    fn open(&self, path: &Path, line: usize, column: usize) -> io::Result<()>;
+    fn open(&self, source: &Source, span: Span) -> io::Result<()>;
 }

@@ -10,8 +10,9 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Component, Path, PathBuf};
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::broadcast;
 
@@ -35,11 +36,11 @@ pub(super) enum News {
 
 /// A place in one of the texts that were read for a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Cursor {
+pub(super) struct Cursor {
     /// Which text; 0 = the file itself.
-    pub id: u16,
+    id: u16,
     /// Bytes of it.
-    pub span: [u32; 2],
+    span: [u32; 2],
 }
 
 /// A file that may be shown.
@@ -66,6 +67,10 @@ pub(super) struct Hall {
 pub(super) struct Room {
     pub(super) file: Arc<str>,
     made: Mutex<Option<Arc<Made>>>,
+    /// Whether something has changed since.
+    stale: AtomicBool,
+    /// Held while it is built, so that nobody builds it twice and whoever looks at what there is need not wait.
+    building: Mutex<()>,
     /// How many pages look at it.
     eyes: AtomicUsize,
     /// What was drawn in it.
@@ -137,6 +142,8 @@ impl Hall {
         let room = Arc::new(Room {
             file: file.into(),
             made: Mutex::default(),
+            stale: AtomicBool::new(false),
+            building: Mutex::default(),
             eyes: AtomicUsize::new(0),
             history: Mutex::default(),
         });
@@ -149,13 +156,33 @@ impl Hall {
     /// # Errors
     /// Where it cannot be read.
     pub(super) fn made(&self, room: &Room) -> io::Result<Arc<Made>> {
-        let mut made = lock(&room.made);
-        if let Some(made) = &*made {
-            return Ok(made.clone());
+        let known = || lock(&room.made).clone();
+        let fresh = || known().filter(|_| !room.stale.load(Ordering::Acquire));
+        if let Some(made) = fresh() {
+            return Ok(made);
         }
-        let new = Arc::new(self.build(&room.file)?);
+        let _alone = lock(&room.building);
+        match fresh() {
+            Some(made) => Ok(made),
+            None => self.renew(room).map(|(made, _)| made),
+        }
+    }
+
+    /// Builds a file again; whether it makes something else now. Where it does not, its revision stays. The lock of its
+    /// building is held.
+    fn renew(&self, room: &Room) -> io::Result<(Arc<Made>, bool)> {
+        // What changes from here on is not yet in what is built.
+        room.stale.store(false, Ordering::Release);
+        let new = self
+            .build(&room.file)
+            .inspect_err(|_| room.stale.store(true, Ordering::Release))?;
+        let mut made = lock(&room.made);
+        if let Some(old) = made.as_ref().filter(|old| old.same(&new)) {
+            return Ok((old.clone(), false));
+        }
+        let new = Arc::new(new);
         *made = Some(new.clone());
-        Ok(new)
+        Ok((new, true))
     }
 
     /// A picture beside the model of a revision.
@@ -176,11 +203,39 @@ impl Hall {
         let source = made.sources.iter().find(|s| s.id() == FileId(id));
         let source = source.ok_or(io::ErrorKind::NotFound)?;
         let file = source.id();
-        let (line, column) = source.line_column(Span { file, start, end });
-        self.desk.open(Path::new(source.name()), line, column)
+        self.desk.open(source, Span { file, start, end })
     }
 
+    /// The editor stands at an offset of a text: whatever is shown that was read from it hears of that.
+    pub(super) fn cursor(&self, path: &Path, at: usize) {
+        let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
+        for room in rooms {
+            let made = lock(&room.made).clone();
+            let sources = made.iter().flat_map(|made| &made.sources);
+            let mut read = sources.filter(|s| {
+                let name = Path::new(s.name());
+                name == path || name.canonicalize().is_ok_and(|real| real == path)
+            });
+            let place = read.next().map(|source| {
+                let Span { start, end, .. } = source.span(at..at);
+                let id = source.id().0;
+                Cursor {
+                    id,
+                    span: [start, end],
+                }
+            });
+            let file = room.file.clone();
+            self.tell(News::Cursor { file, place });
+        }
+    }
+
+    /// Builds a file. A fault of the program is one of this file, and ends no thread.
     fn build(&self, file: &str) -> io::Result<Made> {
+        let built = catch_unwind(AssertUnwindSafe(|| self.build_it(file)));
+        built.unwrap_or_else(|_| Err(io::Error::other("a fault of the program")))
+    }
+
+    fn build_it(&self, file: &str) -> io::Result<Made> {
         let revision = self.revision.fetch_add(1, Ordering::Relaxed);
         let place = (&*self.root, file);
         match listed(file.to_owned()).map(|l| l.kind) {
@@ -199,22 +254,16 @@ impl Hall {
     pub(super) fn changed(&self) {
         let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
         for room in rooms {
-            let mut made = lock(&room.made);
+            room.stale.store(true, Ordering::Release);
             if room.eyes.load(Ordering::Acquire) == 0 {
-                *made = None;
                 continue;
             }
+            let _alone = lock(&room.building);
             // A file that is gone for a moment, as editors do it, is shown as it was.
-            let Ok(new) = self.build(&room.file) else {
-                continue;
-            };
-            if made.as_ref().is_some_and(|old| old.same(&new)) {
-                continue;
+            if let Ok((made, true)) = self.renew(&room) {
+                let (file, revision) = (room.file.clone(), made.revision);
+                self.tell(News::State { file, revision });
             }
-            let (file, revision) = (room.file.clone(), new.revision);
-            *made = Some(Arc::new(new));
-            drop(made);
-            self.tell(News::State { file, revision });
         }
     }
 

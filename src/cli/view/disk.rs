@@ -5,7 +5,7 @@ use crate::cli::input::Inputs;
 use crate::cli::options::Manner;
 use crate::diagnostic::Diagnostics;
 use crate::driver::Options;
-use crate::source::{Source, World};
+use crate::source::{Source, Span, World};
 use crate::text;
 use crate::view::Desk;
 use std::fs::{self, File};
@@ -81,7 +81,8 @@ impl Desk for Disk {
         self.editor.is_some()
     }
 
-    fn open(&self, path: &Path, line: usize, column: usize) -> io::Result<()> {
+    fn open(&self, source: &Source, span: Span) -> io::Result<()> {
+        let (line, column) = source.line_column(span);
         let missing = || io::Error::other("no editor is named: hsd view --editor COMMAND");
         let (program, arguments) = self
             .editor
@@ -91,7 +92,7 @@ impl Desk for Disk {
         let place = |word: &String| {
             word.replace("{line}", &line.to_string())
                 .replace("{column}", &column.to_string())
-                .replace("{file}", &path.to_string_lossy())
+                .replace("{file}", source.name())
         };
         let mut command = Command::new(program);
         command.args(arguments.iter().map(place));

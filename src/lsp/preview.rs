@@ -1,0 +1,273 @@
+//! The live preview of an editor: it shows the texts as they stand there, saved or not, sends the editor to what is
+//! clicked on, and changes texts through it, so that its own undo takes strokes back too.
+
+use super::client::Client;
+use super::documents::Documents;
+use super::lines::Lines;
+use super::settings::Settings;
+use super::uri;
+use super::world::{MARK, Open, Overlay, key};
+use crate::driver::Options;
+use crate::ide::format;
+use crate::source::{FileId, Limits, Source, Span, World};
+use crate::view::{Desk, Preview, Show};
+use lsp_server::{Request, RequestId};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{self, Sender};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::Duration;
+
+/// How long a client may take to change a text.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// Says something to the client.
+pub(super) type Say = Arc<dyn Fn(Request) + Send + Sync>;
+
+/// All previews of a server, one a folder.
+#[derive(Default)]
+pub(super) struct Previews {
+    running: Option<Running>,
+}
+
+/// Previews by the folders that they show.
+type Folders = BTreeMap<PathBuf, Arc<Preview>>;
+
+struct Running {
+    shared: Arc<Shared>,
+    folders: Arc<Mutex<Folders>>,
+    /// Wakes the thread that builds.
+    nudge: Sender<()>,
+    /// The changes of the texts that are shown.
+    edition: u64,
+}
+
+/// What the server and the threads of previews share.
+struct Shared {
+    texts: Mutex<Texts>,
+    /// Whenever texts change.
+    changed: Condvar,
+    client: Client,
+    say: Say,
+    /// Counts what was asked of the client.
+    asked: AtomicU32,
+}
+
+/// The texts as they stand in the editor.
+struct Texts {
+    open: Open,
+    /// By the same keys: what the client calls them, and whether it counts a mark among its characters.
+    names: BTreeMap<PathBuf, (String, bool)>,
+    settings: Settings,
+}
+
+impl Texts {
+    fn of(documents: &Documents, settings: &Settings) -> Texts {
+        Texts {
+            open: documents.files.clone(),
+            names: documents.names(),
+            settings: settings.clone(),
+        }
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Previews {
+    /// Shows a file; returns the address of its page.
+    ///
+    /// # Errors
+    /// Where no server can be started.
+    pub(super) fn show(
+        &mut self,
+        path: &Path,
+        documents: &Documents,
+        settings: &Settings,
+        (client, say): (&Client, &Say),
+    ) -> io::Result<String> {
+        let path = key(path);
+        let own = path.parent().unwrap_or(Path::new("/"));
+        let work = client.folder.as_deref().map(key);
+        let root = work.filter(|w| path.starts_with(w));
+        let root = root.unwrap_or_else(|| own.to_owned());
+        let running = self.running.get_or_insert_with(|| {
+            let shared = Arc::new(Shared {
+                texts: Mutex::new(Texts::of(documents, settings)),
+                changed: Condvar::new(),
+                client: client.clone(),
+                say: say.clone(),
+                asked: AtomicU32::new(0),
+            });
+            Running::new(shared, documents.edition)
+        });
+        let mut folders = lock(&running.folders);
+        if !folders.contains_key(&root) {
+            let preview = Preview::start(Show {
+                root: root.clone(),
+                only: None,
+                language: settings.language,
+                desk: Box::new(EditorDesk(running.shared.clone())),
+                port: 0,
+                // The client tells of what is saved by others.
+                watched: vec![],
+            })?;
+            folders.insert(root.clone(), Arc::new(preview));
+        }
+        let below = path.strip_prefix(&root).unwrap_or(&path).to_string_lossy();
+        let url = folders.get(&root).map(|p| p.url()).unwrap_or_default();
+        let file = uri::from_path(Path::new(&*below.replace('\\', "/")));
+        let file = file.trim_start_matches("file:///");
+        Ok(format!("{url}?file={file}"))
+    }
+
+    /// Shows the texts as they are now.
+    pub(super) fn follow(&mut self, documents: &Documents, settings: &Settings) {
+        let Some(running) = &mut self.running else {
+            return;
+        };
+        if running.edition != documents.edition {
+            running.edition = documents.edition;
+            *lock(&running.shared.texts) = Texts::of(documents, settings);
+            running.shared.changed.notify_all();
+            let _ = running.nudge.send(());
+        }
+    }
+
+    /// The cursor stands at an offset of a text, a mark not counted.
+    pub(super) fn cursor(&self, path: &Path, at: usize) {
+        let Some(running) = &self.running else {
+            return;
+        };
+        let path = key(path);
+        for preview in lock(&running.folders).values() {
+            preview.cursor(&path, at);
+        }
+    }
+}
+
+impl Running {
+    fn new(shared: Arc<Shared>, edition: u64) -> Running {
+        let folders: Arc<Mutex<Folders>> = Arc::default();
+        let (nudge, nudges) = mpsc::channel();
+        let built = folders.clone();
+        // The server goes on reading keys while a house is built.
+        thread::spawn(move || {
+            while nudges.recv().is_ok() {
+                while nudges.try_recv().is_ok() {}
+                let all: Vec<Arc<Preview>> = lock(&built).values().cloned().collect();
+                all.iter().for_each(|preview| preview.changed());
+            }
+        });
+        Running {
+            shared,
+            folders,
+            nudge,
+            edition,
+        }
+    }
+}
+
+/// The desk of an author who works in an editor.
+struct EditorDesk(Arc<Shared>);
+
+impl EditorDesk {
+    /// Asks the client for something; its answer is not waited for.
+    fn ask(&self, method: &str, params: Value) {
+        let number = self.0.asked.fetch_add(1, Ordering::Relaxed);
+        let id = RequestId::from(format!("hsd/preview {number}"));
+        (self.0.say)(Request::new(id, method.to_owned(), params));
+    }
+
+    /// The name that the client knows a file by, and the text that its positions count in.
+    fn named(&self, path: &Path, text: &str) -> (String, String) {
+        let texts = lock(&self.0.texts);
+        let plain = text.strip_prefix(MARK).unwrap_or(text);
+        match texts.names.get(&key(path)) {
+            Some((uri, true)) => (uri.clone(), format!("{MARK}{plain}")),
+            Some((uri, false)) => (uri.clone(), plain.to_owned()),
+            None => (uri::from_path(path), plain.to_owned()),
+        }
+    }
+}
+
+impl Desk for EditorDesk {
+    fn read(
+        &self,
+        path: &Path,
+        work: &mut dyn FnMut(Source, &dyn World, &Options),
+    ) -> io::Result<()> {
+        let bytes = self.bytes(path)?;
+        let texts = lock(&self.0.texts);
+        let (open, settings) = (texts.open.clone(), texts.settings.clone());
+        drop(texts);
+        let world = Overlay::new(path.parent(), &settings, &open);
+        let source = Source::new(FileId(0), path.to_string_lossy(), &bytes);
+        work(source, &world, &world.options(&settings));
+        Ok(())
+    }
+
+    fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if let Some(text) = lock(&self.0.texts).open.get(&key(path)) {
+            return Ok(text.as_bytes().to_vec());
+        }
+        let mut bytes = vec![];
+        let limit = Limits::default().bytes as u64;
+        File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    fn writes(&self) -> bool {
+        self.0.client.applies_edits
+    }
+
+    fn write(&self, path: &Path, before: &[u8], after: &[u8]) -> io::Result<()> {
+        let text = |bytes: &[u8]| Source::new(FileId(0), "", bytes).text().to_owned();
+        let (uri, old) = self.named(path, &text(before));
+        let (_, new) = self.named(path, &text(after));
+        let (lines, encoding) = (Lines::new(&old), self.0.client.encoding);
+        let edits = format::edits(&old, &new).into_iter().map(|edit| {
+            let range = lines.range(&old, &edit.range, encoding);
+            json!({ "range": range, "newText": edit.text })
+        });
+        let changes = json!({ uri: edits.collect::<Vec<_>>() });
+        self.ask(
+            "workspace/applyEdit",
+            json!({ "edit": { "changes": changes } }),
+        );
+        let key = key(path);
+        let waits = |texts: &mut Texts| {
+            texts
+                .open
+                .get(&key)
+                .is_none_or(|t| text(t.as_bytes()) != text(after))
+        };
+        let texts = lock(&self.0.texts);
+        let waited = self.0.changed.wait_timeout_while(texts, PATIENCE, waits);
+        match waited.unwrap_or_else(PoisonError::into_inner).1.timed_out() {
+            true => Err(io::Error::other("the editor did not take the change")),
+            false => Ok(()),
+        }
+    }
+
+    fn opens(&self) -> bool {
+        self.0.client.shows_documents
+    }
+
+    fn open(&self, source: &Source, span: Span) -> io::Result<()> {
+        let range = source.text_range(span);
+        let (uri, text) = self.named(Path::new(source.name()), source.text());
+        let shift = text.len() - source.text().len();
+        let range = range.start + shift..range.end + shift;
+        let selection = Lines::new(&text).range(&text, &range, self.0.client.encoding);
+        let params = json!({ "uri": uri, "takeFocus": true, "selection": selection });
+        self.ask("window/showDocument", params);
+        Ok(())
+    }
+}
