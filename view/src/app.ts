@@ -98,6 +98,7 @@ export class App {
     this.hidden.clear();
     this.measure.clear();
     this.select(null);
+    this.cursor = null;
     this.tell('files');
     void this.#learn(file);
     this.#heard = 0;
@@ -150,7 +151,7 @@ export class App {
       const again = trace && found_again(trace, model, before.get(trace.file), this.places.get(trace.file));
       this.selection = again;
       this.selected.set(model, again === null ? [] : [again]);
-      this.pointed.set(model, []);
+      this.pointed.set(model, this.cursor ? parts_at(model, this.cursor.id, this.cursor.span) : []);
       this.stage.show(model);
       if (first) this.look('front');
     }

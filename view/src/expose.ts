@@ -4,7 +4,6 @@ import type { Page } from './page.ts';
 import { hit_at } from './canvas.ts';
 
 declare global {
-  // eslint-disable-next-line no-var
   var hsd: ReturnType<typeof exposed>;
 }
 
@@ -39,6 +38,8 @@ export function exposed({ app, plan, draw }: Page) {
     find: (code: string) => app.model?.parts.flatMap((part, i) => part.code?.trim() === code ? [i] : []) ?? [],
     /** The part at a place of the canvas, CSS pixels. */
     pick: (x: number, y: number) => hit_at(app, x, y)?.part ?? null,
+    /** The place of the model that is drawn there, metres. */
+    hit: (x: number, y: number) => hit_at(app, x, y)?.point.toArray() ?? null,
     /** Where a part's middle is drawn, CSS pixels of the canvas. */
     place_of(part: number) {
       const { x, y } = app.model!.parts[part]!.box.getCenter(stage.camera.position.clone()).project(stage.camera);
@@ -47,10 +48,12 @@ export function exposed({ app, plan, draw }: Page) {
     /** Colours at places of the canvas, CSS pixels, of a frame drawn now. */
     pixels(places: [number, number][]) {
       stage.frame();
-      const gl = stage.renderer.getContext(), ratio = stage.renderer.getPixelRatio(), colour = new Uint8Array(4);
+      const gl = stage.renderer.getContext(), ratio = stage.renderer.getPixelRatio();
+      const { drawingBufferWidth: width, drawingBufferHeight: height } = gl, all = new Uint8Array(width * height * 4);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all);
       return places.map(([x, y]) => {
-        gl.readPixels(Math.round(x * ratio), gl.drawingBufferHeight - 1 - Math.round(y * ratio), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, colour);
-        return [...colour.slice(0, 3)];
+        const at = ((height - 1 - Math.round(y * ratio)) * width + Math.round(x * ratio)) * 4;
+        return [...all.slice(at, at + 3)];
       });
     },
     /** Waits until nothing is left to draw. */

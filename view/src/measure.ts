@@ -31,15 +31,22 @@ export class Measure {
     stage.on_frame.push(() => this.#place());
   }
 
-  /** Adds a point where a surface was met. */
-  add({ chunk, triangle, point }: Pick<Hit, 'chunk' | 'triangle' | 'point'>) {
-    const { geometry } = chunk.mesh, position = geometry.getAttribute('position');
+  /** Adds a point where a surface was met; the nearest vertex round it takes its place. */
+  add({ point }: Pick<Hit, 'point'>) {
+    const { camera, canvas, model } = this.#stage;
+    // So far a few pixels are at its distance.
+    const pixel = 2 * Math.tan(camera.fov / 2 * Math.PI / 180) * camera.position.distanceTo(point) / canvas.clientHeight;
+    const round = new THREE.Sphere(point, SNAP * pixel), vertex = new THREE.Vector3();
     let best = point, least = SNAP;
     const there = this.#pixels(point);
-    for (let k = 0; k < 3; k++) {
-      const vertex = new THREE.Vector3().fromBufferAttribute(position, geometry.index!.getX(triangle * 3 + k));
-      const far = this.#pixels(vertex).distanceTo(there);
-      if (far < least) { least = far; best = vertex; }
+    for (const { mesh, box } of model?.chunks ?? []) {
+      if (!mesh.visible || !box.intersectsSphere(round)) continue;
+      const position = mesh.geometry.getAttribute('position');
+      for (let i = 0; i < position.count; i++) {
+        if (!round.containsPoint(vertex.fromBufferAttribute(position, i))) continue;
+        const far = this.#pixels(vertex).distanceTo(there);
+        if (far < least) { least = far; best = vertex.clone(); }
+      }
     }
     this.points.push(best.clone());
     this.#draw();

@@ -1,0 +1,182 @@
+// `hsd view` over a folder of its own, and pages of a real Chromium that look at it.
+
+import assert from 'node:assert/strict';
+import { type ChildProcess, spawn } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
+import type {} from '../../src/expose.ts';
+import { browser } from './chromium.ts';
+
+
+const here = dirname(fileURLToPath(import.meta.url));
+export const EXAMPLES = join(here, '../../../examples');
+
+export class Preview {
+  readonly folder = mkdtempSync(join(tmpdir(), 'hsd-view-'));
+  url = '';
+  /** Requests that left the preview, and what consoles complained of. */
+  readonly strays: string[] = [];
+  readonly complaints: string[] = [];
+  /** Run in each page before its own scripts. */
+  script = '';
+  #server: ChildProcess | null = null;
+  #browser: Browser | null = null;
+
+  /** Begins to show these examples, or texts by their names. */
+  static async of(files: (string | [name: string, text: string])[], ...options: string[]): Promise<Preview> {
+    const preview = new Preview();
+    for (const file of files) {
+      if (typeof file !== 'string') preview.write(...file);
+      else if (existsSync(file)) cpSync(file, join(preview.folder, file.split('/').pop()!));
+      else cpSync(join(EXAMPLES, file), join(preview.folder, file));
+    }
+    // An editor that writes down where it was sent.
+    const tools = mkdtempSync(join(tmpdir(), 'hsd-editor-'));
+    preview.#log = join(tools, 'log');
+    const editor = join(tools, 'editor.mjs');
+    writeFileSync(editor, `import { appendFileSync } from 'node:fs'; appendFileSync(${JSON.stringify(preview.#log)}, process.argv.slice(2).join(' ') + '\\n');`);
+    await preview.serve('0', '--editor', `${process.execPath} ${editor} {file} {line} {column}`, ...options);
+    return preview;
+  }
+
+  #log = '';
+  #options: string[] = [];
+
+  /** Starts the server; on the port it had before if none is named. */
+  async serve(port = new URL(this.url).port, ...options: string[]) {
+    const hsd = process.env['HSD'];
+    if (!hsd) throw new Error('HSD names no program: use test/browser/run.mjs');
+    if (options.length) this.#options = options;
+    const server = this.#server = spawn(hsd, ['view', this.folder, '--no-open', '--port', port, ...this.#options], { stdio: ['ignore', 'pipe', 'inherit'] });
+    this.url = await new Promise<string>((done, fail) => {
+      let said = '';
+      server.stdout!.on('data', data => {
+        said += data;
+        const url = said.match(/http:\S+/)?.[0];
+        if (url) done(url);
+      });
+      server.on('exit', code => fail(new Error(`hsd view ended with ${code}`)));
+    });
+  }
+
+  /** Ends the server, not the browser. */
+  async stop() {
+    const server = this.#server;
+    if (!server || server.exitCode !== null) return;
+    const ended = new Promise(done => server.once('exit', done));
+    server.kill();
+    await ended;
+  }
+
+  async close() {
+    await this.#browser?.close();
+    await this.stop();
+    rmSync(this.folder, { recursive: true, force: true });
+  }
+
+  /** A page, `query` behind its address; waits for its first model. */
+  async open(query = '', options: BrowserContextOptions = {}, wait = true): Promise<Page> {
+    this.#browser ??= await browser();
+    const context = await this.#browser.newContext({ viewport: { width: 1200, height: 760 }, acceptDownloads: true, ...options });
+    const page = await context.newPage(), own = new URL(this.url).origin;
+    page.setDefaultTimeout(20_000);
+    page.on('request', request => {
+      const url = request.url();
+      if (!url.startsWith(own) && !url.startsWith('blob:') && !url.startsWith('data:')) this.strays.push(url);
+    });
+    page.on('console', message => {
+      const text = message.text();
+      if (message.type() === 'error' && !/Failed to load resource|net::ERR/.test(text)) this.complaints.push(text);
+    });
+    page.on('pageerror', error => this.complaints.push(error.stack ?? error.message));
+    await page.addInitScript('globalThis.__name = f => f'); // what tsx writes into functions that are sent there
+    if (this.script) await page.addInitScript(this.script);
+    if (process.env['HSD_DIST']) await from_dist(page, own);
+    await page.goto(this.url + query);
+    if (wait) await page.waitForSelector('html[data-revision]', { state: 'attached' });
+    if (wait) await page.evaluate(() => hsd.settled());
+    return page;
+  }
+
+  write(name: string, text: string) {
+    const path = join(this.folder, name);
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, text);
+  }
+
+  read(name: string): string { return readFileSync(join(this.folder, name), 'utf8'); }
+
+  /** Saves a text and waits until a page shows it; milliseconds from the save to the painted frame. */
+  async save(page: Page, name: string, text: string): Promise<number> {
+    const shown = page.evaluate(before => new Promise<number>(done => {
+      const look = () => hsd.revision > before && hsd.reload?.revision === hsd.revision ? done(Date.now()) : setTimeout(look, 1);
+      look();
+    }), await page.evaluate(() => hsd.revision));
+    const begun = Date.now();
+    this.write(name, text);
+    return await shown - begun;
+  }
+
+  /** Where the editor was last sent: file, line, column. */
+  async sent(): Promise<[file: string, line: number, column: number]> {
+    await until(() => existsSync(this.#log) && readFileSync(this.#log, 'utf8').endsWith('\n'), 'the editor is called');
+    const [file, line, column] = readFileSync(this.#log, 'utf8').trim().split('\n').pop()!.split(' ');
+    rmSync(this.#log);
+    return [file!.split('/').pop()!, Number(line), Number(column)];
+  }
+
+  /** Nothing left the machine, nothing failed. */
+  blameless() {
+    assert.deepEqual(this.strays, [], 'requests that leave the preview');
+    assert.deepEqual(this.complaints, [], 'what consoles complain of');
+  }
+}
+
+/** The page as it lies in dist/, for those who work on it and do not want to build the program each time. */
+async function from_dist(page: Page, own: string) {
+  const { gunzipSync } = await import('node:zlib');
+  const types: Record<string, string> = { html: 'text/html', js: 'text/javascript', css: 'text/css' };
+  await page.route(url => url.origin === own && !url.pathname.startsWith('/api/'), async route => {
+    const name = new URL(route.request().url()).pathname.slice(1) || 'index.html';
+    const body = gunzipSync(new Uint8Array(readFileSync(join(here, `../../dist/${name}.gz`))));
+    await route.fulfill({ body: Buffer.from(new Uint8Array(body)), contentType: types[name.split('.').pop()!]!, headers: {
+      'content-security-policy': "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:; worker-src 'self' blob:; style-src 'self'",
+    } });
+  });
+}
+
+/** Waits until this holds. */
+export async function until(holds: () => boolean | Promise<boolean>, what: string, ms = 10_000) {
+  const end = Date.now() + ms;
+  while (!await holds()) {
+    if (Date.now() > end) assert.fail(`not within ${ms / 1000} s: ${what}`);
+    await new Promise(done => setTimeout(done, 20));
+  }
+}
+
+export const fold = (page: Page, name: string) => page.locator(`[data-fold=${name}]`);
+
+/** Opens a part of the panel. */
+export async function unfold(page: Page, name: string) {
+  const element = fold(page, name);
+  if (!await element.evaluate(e => (e as HTMLDetailsElement).open)) await element.locator('summary').first().click();
+  return element;
+}
+
+/** A button by what it does. */
+export const does = (page: Page, name: string) => page.locator(`[data-do="${name}"]:visible`).first();
+
+/** The picture of the canvas: brightness from 0 to 1 on a grid of places. */
+export const brightness = (page: Page) => page.evaluate(() => {
+  const { clientWidth: w, clientHeight: h } = hsd.stage.canvas, places: [number, number][] = [];
+  for (let y = 0.05; y < 1; y += 0.05) for (let x = 0.05; x < 1; x += 0.04) places.push([x * w, y * h]);
+  return hsd.pixels(places).map(([r, g, b]) => (r! * 0.3 + g! * 0.59 + b! * 0.11) / 255);
+});
+
+/** Share of places where two pictures differ. */
+export const differ = (a: number[], b: number[], by = 0.03) => a.filter((value, i) => Math.abs(value - b[i]!) > by).length / a.length;
+
+export const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -1,0 +1,105 @@
+// The page keeps up with what is saved: quickly, and without losing what the reader has set.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { brightness, differ, does, Preview, unfold, until } from './preview.ts';
+
+/** Milliseconds from a save to the painted frame; machines without a graphics card under other work need more. */
+const BAR = Number(process.env['HSD_BAR'] ?? 1000);
+
+let preview: Preview, page: Page, text: string;
+
+before(async () => {
+  preview = await Preview.of(['machiya.hsd']);
+  page = await preview.open('?file=machiya.hsd');
+  text = preview.read('machiya.hsd');
+});
+after(async () => { await preview?.close(); });
+
+test('a save is shown, and camera, toggles, section and selection stay', async () => {
+  await does(page, 'text').click();
+  const section = await unfold(page, 'section');
+  await section.getByLabel('Across').selectOption('x');
+  await section.getByLabel('Position').fill('0.8');
+  await (await unfold(page, 'shown')).getByLabel('Roofs of storey 2').uncheck();
+  const camera = [3, 5, 14, 0.5, 2, 1];
+  await page.evaluate(camera => { hsd.camera = camera; hsd.select(hsd.find('TOD')[0]!); }, camera);
+  const before = await page.evaluate(() => hsd.selection), pictures = await page.evaluate(() => hsd.stage.renderer.info.memory.textures);
+  // A comment before it moves the part's place; another part beside it changes.
+  await preview.save(page, 'machiya.hsd', `# 町家\n${text.replace('KKS', 'KSK')}`);
+  await page.evaluate(() => hsd.settled());
+  assert.equal((await page.evaluate(() => hsd.find('KKS'))).length, 0);
+  const now = await page.evaluate(() => hsd.selection);
+  assert.equal(now?.code, 'TOD');
+  assert.equal(now!.span![0], before!.span![0] + new TextEncoder().encode('# 町家\n').length);
+  assert.ok((await page.evaluate(() => hsd.camera)).every((n, i) => Math.abs(n - camera[i]!) < 1e-9), 'the camera stays');
+  assert.ok(await page.evaluate(() => hsd.app.section.cut.on && hsd.app.section.cut.at === 0.8 && hsd.app.section.caps > 0));
+  assert.ok(await page.evaluate(() => hsd.app.model!.chunks.every(c => c.mesh.visible !== (hsd.app.layer_of(c) === 'roof 2'))));
+  assert.equal((await page.locator('.source-line .selected').textContent())?.trim(), 'TOD');
+  assert.ok(await page.evaluate(() => hsd.stage.renderer.info.memory.textures) <= pictures + 3, 'pictures are kept');
+  assert.match(await page.locator('.live').textContent() ?? '', /reloaded, revision/);
+  await does(page, 'reset').click();
+});
+
+test('many saves leave nothing behind', async () => {
+  const held = () => page.evaluate(() => ({ ...hsd.stage.renderer.info.memory, programs: hsd.stage.renderer.info.programs!.length }));
+  for (const change of ['\n', '\n\n']) await preview.save(page, 'machiya.hsd', text + change);
+  await page.evaluate(() => hsd.settled());
+  const first = await held();
+  for (let i = 0; i < 6; i++) await preview.save(page, 'machiya.hsd', i % 2 ? `${text}\n` : text.replace('GSI  GSI', 'KSK  GSI'));
+  await page.evaluate(() => hsd.settled());
+  const last = await held();
+  assert.ok(last.geometries <= first.geometries + 2 && last.textures <= first.textures + 2 && last.programs <= first.programs + 1,
+    `${JSON.stringify(first)} became ${JSON.stringify(last)}`);
+});
+
+test(`a save is painted within ${BAR} ms`, async t => {
+  const took: number[] = [], in_page: number[] = [];
+  for (let i = 0; i < 7; i++) {
+    await page.waitForTimeout(700);
+    took.push(await preview.save(page, 'machiya.hsd', text.replace('GSI  GSI', i % 2 ? 'KSK  GSI' : 'GSI  KSK')));
+    in_page.push((await page.evaluate(() => hsd.reload))!.painted);
+  }
+  const median = (of: number[]) => [...of].sort((a, b) => a - b)[of.length >> 1]!;
+  t.diagnostic(`median ${median(took)} ms from the save, ${median(in_page).toFixed(0)} ms from the event; all: ${took.join(' ')}`);
+  assert.ok(median(took) <= BAR);
+});
+
+test('errors that leave no house: the last model stays, messages say why and lead to their place', async () => {
+  await preview.save(page, 'machiya.hsd', text);
+  await page.evaluate(() => hsd.settled());
+  const seen = await brightness(page), parts = await page.evaluate(() => hsd.app.model!.parts.length);
+  await preview.save(page, 'machiya.hsd', '<Houses><House name="x"/>\n<Haus/></Houses>\n');
+  await until(async () => /last model stays/.test(await page.locator('.live').textContent() ?? ''), 'it is said');
+  assert.equal(await page.evaluate(() => hsd.app.model!.parts.length), parts);
+  assert.equal(differ(seen, await brightness(page)), 0);
+  const messages = page.locator('.message');
+  const said = await page.evaluate(() => hsd.app.state!.diagnostics);
+  assert.equal(await messages.count(), said.length);
+  const index = said.findIndex(d => d.severity === 'error' && d.line === 2);
+  assert.ok(index >= 0);
+  const row = await messages.nth(index).textContent() ?? '';
+  assert.ok(row.includes('error') && row.includes(said[index]!.code) && row.includes('line 2') && row.includes(said[index]!.message), row);
+  if (said[index]!.help) assert.ok(row.includes(said[index]!.help!));
+  await messages.nth(index).click();
+  assert.equal(await page.locator('.source-line:has(.spot)').getAttribute('data-line'), '2');
+  assert.ok(await page.locator('.source-line .error').count() > 0, 'it is underlined');
+  const [file, line, column] = await preview.sent();
+  assert.deepEqual([file, line, column], ['machiya.hsd', 2, said[index]!.column]);
+  await preview.save(page, 'machiya.hsd', text);
+  await until(async () => await messages.count() === 0, 'messages go');
+});
+
+test('a lost server is said; it is found again, with what was saved meanwhile', async () => {
+  await preview.stop();
+  const alert = page.locator('.lost');
+  await alert.waitFor({ state: 'visible' });
+  assert.match(await alert.textContent() ?? '', /does not answer/);
+  preview.write('machiya.hsd', text.replace('KKS', 'KSK'));
+  await preview.serve();
+  await until(() => alert.isHidden(), 'it answers again');
+  await until(() => page.evaluate(() => hsd.find('KKS').length === 0 && hsd.find('KSK').length > 0), 'the new text is shown');
+});
+
+test('nothing left the machine, nothing failed', () => preview.blameless());

@@ -1,0 +1,66 @@
+// The pictures that `hsd render` takes by the page, and glass that mirrors in it.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { brightness, differ, does, Preview, unfold, until } from './preview.ts';
+
+const here = dirname(fileURLToPath(import.meta.url));
+let preview: Preview;
+
+before(async () => { preview = await Preview.of(['machiya.hsd', join(here, '../scenes/two.hsd')]); });
+after(async () => { await preview?.close(); });
+
+test('pictures are drawn and handed over, then the end is told', async () => {
+  const page = await preview.open('', {}, false);
+  const pictures = new Map<string, Buffer>(), ends: string[] = [];
+  await page.route('**/api/picture?**', route => {
+    pictures.set(new URL(route.request().url()).searchParams.get('view')!, route.request().postDataBuffer()!);
+    return route.fulfill({ json: {} });
+  });
+  await page.route('**/api/rendered', route => { ends.push(route.request().postData()!); return route.fulfill({ json: {} }); });
+  await page.goto(`${preview.url}?file=machiya.hsd&render=front,above&size=320x200&samples=3`);
+  await until(() => ends.length > 0, 'the end is told', 60_000);
+  assert.deepEqual(ends.map(end => JSON.parse(end)), [{ errors: [] }]);
+  assert.deepEqual([...pictures.keys()], ['front', 'above']);
+  for (const bytes of pictures.values()) {
+    assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+    assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [320, 200]);
+    assert.ok(bytes.length > 20_000, 'there is something in it');
+  }
+  await page.goto(`${preview.url}?file=machiya.hsd&render=nowhere`);
+  await until(() => ends.length > 1, 'a failure is told');
+  assert.match(JSON.parse(ends[1]!).errors[0], /nowhere/);
+  await page.context().close();
+});
+
+test('glass mirrors, or not, as deep as is chosen', async () => {
+  const page = await preview.open('?file=two.hsd', { viewport: { width: 900, height: 560 } });
+  const glass = await unfold(page, 'glass');
+  assert.ok(await page.evaluate(() => hsd.app.mirrors.walls.length > 0));
+  // A view in which glass has something to mirror.
+  for (const view of ['front', 'above', 'back', 'left', 'right']) {
+    await does(page, 'view').selectOption(view);
+    await page.evaluate(() => hsd.settled());
+    if (await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0)) break;
+  }
+  assert.ok(await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0), 'mirrors in sight');
+  const mirrored = await brightness(page), calls = await page.evaluate(() => hsd.stats.calls);
+  await glass.getByLabel('Glass mirrors its neighbours').uncheck();
+  const plain = await brightness(page);
+  assert.equal(await page.evaluate(() => hsd.app.mirrors.stats.drawn), 0);
+  assert.ok(await page.evaluate(() => hsd.stats.calls) < calls, 'less is drawn');
+  assert.ok(differ(mirrored, plain, 0.01) > 0, 'the picture is another');
+  await glass.getByLabel('Glass mirrors its neighbours').check();
+  assert.equal(differ(mirrored, await brightness(page), 0.01), 0);
+  await glass.getByLabel('Mirrors in mirrors').fill('3');
+  assert.equal(await page.evaluate(() => hsd.app.mirrors.options.depth), 3);
+  await does(page, 'reset').click();
+  assert.equal(await page.evaluate(() => hsd.app.mirrors.options.depth), 1);
+  const stats = await unfold(page, 'stats');
+  await until(async () => /Mirrors in sight\d+ \/ \d+/.test(await stats.textContent() ?? ''), 'statistics of mirrors');
+  await page.context().close();
+});
+
+test('nothing left the machine, nothing failed', () => preview.blameless());
