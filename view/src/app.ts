@@ -39,6 +39,8 @@ export class App {
   model: Model | null = null;
   selection: number | null = null;
   lost = false;
+  /** Whether the eye is on its way to a view. */
+  looking = false;
   /** Whether all controls go back to where they began. */
   resetting = false;
   /** What parts are called, by code. */
@@ -186,7 +188,7 @@ export class App {
   describe(part: number): string {
     const { kind, code, name, storey } = this.model!.parts[part]!;
     const what = words.kind[kind] ?? kind;
-    return [what, code?.trim() || name, storey > 0 && kind !== 'storey' ? words.storey(storey) : ''].filter(Boolean).join(', ');
+    return [what, code?.trim() || name, storey > 0 && kind !== 'storey' ? words.storey(storey) : ''].filter(Boolean).join(words.comma);
   }
 
   /** Lights up what is written at a place. */
@@ -270,8 +272,10 @@ export class App {
     const box = part === null ? this.model?.box : this.model?.parts[part]?.box;
     if (!box || box.isEmpty()) return;
     const { camera, controls } = this.stage;
+    this.looking = true;
     controls.target.copy(look_from(camera, box.clone(), view, this.azimuth()));
     controls.update();
+    this.looking = false;
     this.stage.draw();
   }
 

@@ -41,10 +41,11 @@ export function toolbar(app: App, { panes, panel, changed }: Panes): HTMLElement
   }, 'turntable');
   const views = h('select', { 'aria-label': words.views, 'data-do': 'view', onchange: () => {
     if (views.value) app.look(views.value as (typeof VIEWS)[number]);
-    views.value = '';
   } }, h('option', { value: '' }, words.views), ...VIEWS.map(view => h('option', { value: view }, words.view[view])));
+  // The view is left as soon as the eye moves.
+  app.stage.controls.addEventListener('change', () => { if (!app.looking) views.value = ''; });
   const bar = h('div', { class: 'toolbar', role: 'toolbar', 'aria-label': words.tools },
-    h('span', { class: 'brand' }, h('b', {}, 'hsd'), h('span', { class: 'title' })),
+    h('h1', { class: 'brand' }, h('b', {}, 'hsd'), ' ', h('span', { class: 'title' })),
     h('div', { class: 'group', role: 'group', 'aria-label': words.show }, ...switches.map(({ button }) => button)),
     h('div', { class: 'group', role: 'group', 'aria-label': words.views }, views, turn,
       button(words.reset, () => app.reset(), { 'data-do': 'reset' }),

@@ -3,7 +3,7 @@
 import type { Language } from './server.ts';
 
 const en = {
-  title: 'hsd – house preview',
+  title: 'hsd – house preview', comma: ', ',
   model: 'Model', plan: 'Plan', text: 'Text', panel: 'Panel', tools: 'Tools', show: 'Show',
   files: 'Files', filter_files: 'Find a file', no_file: 'Choose a file.', loading: 'Loading…',
   diagnostics: 'Messages', no_diagnostics: 'No messages: all is well.',
@@ -63,7 +63,7 @@ const en = {
 export type Words = typeof en;
 
 const ja: Words = {
-  title: 'hsd – 家の下見',
+  title: 'hsd – 家の下見', comma: '、',
   model: '模型', plan: '平面図', text: '本文', panel: 'パネル', tools: '道具', show: '表示',
   files: 'ファイル', filter_files: 'ファイルを探す', no_file: 'ファイルを選んでください。', loading: '読み込み中…',
   diagnostics: 'メッセージ', no_diagnostics: '問題はありません。',

@@ -8,7 +8,7 @@ test('every word has its Japanese, and it is Japanese', () => {
     if (typeof en === 'object') {
       assert.deepEqual(Object.keys(ja as object), Object.keys(en as object), name);
       for (const key of Object.keys(en as object)) walk((en as never)[key], (ja as never)[key], `${name}.${key}`);
-    } else if (typeof ja === 'string') assert.match(ja, /[\u3040-\u30ff\u4e00-\u9fff]/, name);
+    } else if (typeof ja === 'string') assert.match(ja, /[\u3001\u3040-\u30ff\u4e00-\u9fff]/, name);
   };
   walk(both.en, both.ja, 'words');
 });

@@ -18,7 +18,7 @@ export function card(app: App): HTMLElement {
     const rows: [string, string | null | undefined][] = [
       [words.code, part.code?.trim()], [words.name, names ?? part.name],
       [words.place, [part.storey > 0 ? words.storey(part.storey) : '', part.facade !== null && part.kind !== 'facade'
-        ? `${words.kind.facade} ${app.model!.parts[part.facade]!.name.replace(/^facade /, '')}` : ''].filter(Boolean).join(', ')],
+        ? `${words.kind.facade} ${app.model!.parts[part.facade]!.name.replace(/^facade /, '')}` : ''].filter(Boolean).join(words.comma)],
       [words.shape, part.shape],
       [words.size, size && [size.x, size.y, size.z].map(n => n.toFixed(2)).join(' × ') + ` m · ${length_words(size.y).shaku} ↕`],
       [words.line, line && `${line.line}`],

@@ -2,6 +2,8 @@
 
 import type { App } from '../app.ts';
 import { button, field, h, s } from '../dom.ts';
+import type { Model } from '../model.ts';
+import type { State, Unit } from '../server.ts';
 import { words } from '../words.ts';
 import { to_plan } from './frame.ts';
 import { type Drawn, extent, picture, storeys_of } from './picture.ts';
@@ -28,6 +30,9 @@ export class PlanView {
   #empty = h('p', { class: 'empty' }, words.plan_empty);
   #stale = true;
   #wanted: number | null = null;
+  /** The parts that units are, in the model that they were found in. */
+  #parts = new Map<Unit, number>();
+  #matched: Model | null = null;
 
   constructor(app: App) {
     this.#app = app;
@@ -74,25 +79,15 @@ export class PlanView {
     if (part !== null) this.#app.select(part);
   }
 
-  /** The part of the model that a unit is: as written at one place, the same one in turn. */
+  /** The part of the model that a unit is; null where there is nothing to see. */
   part_of(shape: SVGGElement): number | null {
-    const { model, state } = this.#app, found = this.drawn.units.get(shape);
-    if (!model || !state || !found) return null;
-    const { unit } = found;
-    const here = model.parts.flatMap((part, i) => part.kind === 'part' && part.file === unit.file
-      && part.span?.[0] === unit.span[0] && part.span[1] === unit.span[1] ? [i] : []);
-    if (here.length < 2) return here[0] ?? null;
-    let turn = 0;
-    for (const [h, house] of state.plan.houses.entries()) for (const [t, storey] of house.storeys.entries()) {
-      for (const [r, ring] of storey.rings.entries()) for (const [w, wall] of ring.walls.entries()) {
-        for (const [u, other] of wall.units.entries()) {
-          const { at } = found;
-          if (at.house === h && at.storey === t && at.ring === r && at.wall === w && at.unit === u) return here[Math.min(turn, here.length - 1)]!;
-          if (other.file === unit.file && other.span[0] === unit.span[0] && other.span[1] === unit.span[1]) turn++;
-        }
-      }
+    const { model, state } = this.#app, unit = this.drawn.units.get(shape)?.unit;
+    if (!model || !state || !unit) return null;
+    if (this.#matched !== model) {
+      this.#matched = model;
+      this.#parts = parts_of_units(state, model);
     }
-    return here[0]!;
+    return this.#parts.get(unit) ?? null;
   }
 
   /** Draws anew what has changed, if the plan is shown. */
@@ -100,6 +95,7 @@ export class PlanView {
     const { state } = this.#app;
     if (this.element.hidden || !this.#stale || !state) return;
     this.#stale = false;
+    this.#matched = null;
     const storeys = storeys_of(state);
     if (this.#wanted !== null && storeys.includes(this.#wanted)) [this.storey, this.#wanted] = [this.#wanted, null];
     if (!storeys.includes(this.storey)) this.storey = storeys.findLast(n => n < this.storey) ?? storeys[0] ?? 1;
@@ -148,6 +144,24 @@ export class PlanView {
     this.#scale.style.width = `${length / pixel}px`;
     this.#scale.textContent = `${Number(length.toPrecision(2))} m`;
   }
+}
+
+/** Which part of the model each unit is; those written at one place are told apart by their order. */
+function parts_of_units({ plan }: State, { parts }: Model): Map<Unit, number> {
+  const written = new Map<string, number[]>(), turns = new Map<string, number>(), found = new Map<Unit, number>();
+  for (const [i, { kind, file, span }] of parts.entries()) {
+    if (kind !== 'part' || !span) continue;
+    const key = `${file} ${span}`, list = written.get(key);
+    if (list) list.push(i); else written.set(key, [i]);
+  }
+  for (const { storeys } of plan.houses) for (const { rings } of storeys) for (const { walls } of rings) {
+    for (const unit of walls.flatMap(wall => wall.units)) {
+      const key = `${unit.file} ${unit.span}`, turn = turns.get(key) ?? 0, list = written.get(key);
+      turns.set(key, turn + 1);
+      if (list) found.set(unit, list[Math.min(turn, list.length - 1)]!);
+    }
+  }
+  return found;
 }
 
 function legend(): HTMLElement {

@@ -217,8 +217,12 @@ test('views: from where they say, and all of the house in sight', async () => {
   assert.ok(back.z < 0 && back.inside);
   const left = await from('left'), right = await from('right');
   assert.ok(left.x < 0 && right.x > 0 && Math.abs(left.z) < 0.1 && left.inside && right.inside);
+  assert.equal(await does(page, 'view').inputValue(), 'right');
   const top = await from('top');
   assert.ok(top.y > 5 && Math.hypot(top.x, top.z) < 0.2 && top.inside);
+  await page.locator('canvas.stage').focus();
+  await page.keyboard.press('ArrowLeft');
+  assert.equal(await does(page, 'view').inputValue(), '', 'the view is left when the eye moves');
 });
 
 test('the turntable turns, stops, and goes by steps where motion is not wanted', async () => {

@@ -122,7 +122,7 @@ test('by Tab alone: every control is reached, shows its focus, and has a name', 
       const e = document.activeElement as HTMLElement, style = getComputedStyle(e), inner = e.querySelector(':scope > .label, .base');
       const shown = [style, ...(inner ? [getComputedStyle(inner)] : [])].some(s => s.outlineStyle !== 'none' && parseFloat(s.outlineWidth) >= 2 || s.strokeWidth === '9px');
       const name = e.getAttribute('aria-label') || (e as HTMLInputElement).labels?.[0]?.textContent || e.textContent || '';
-      return { stop: e.dataset.stop, shown, name: name.trim(), what: `${e.tagName} ${e.className} ${e.textContent?.slice(0, 20)}` };
+      return { stop: e.dataset.stop, shown, name: name.trim(), what: `${e.tagName} ${(e as HTMLInputElement).type ?? ''} ${e.className} ${e.textContent?.slice(0, 20)}` };
     });
     if (here.stop !== undefined) reached.add(here.stop);
     if (!here.shown && !here.what.startsWith('BODY')) unseen.push(here.what);

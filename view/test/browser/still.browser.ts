@@ -4,6 +4,8 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { writeFileSync } from 'node:fs';
+import { built } from './chromium.ts';
 import { brightness, differ, does, Preview, unfold, until } from './preview.ts';
 
 const here = dirname(fileURLToPath(import.meta.url));
@@ -60,6 +62,18 @@ test('glass mirrors, or not, as deep as is chosen', async () => {
   assert.equal(await page.evaluate(() => hsd.app.mirrors.options.depth), 1);
   const stats = await unfold(page, 'stats');
   await until(async () => /Mirrors in sight\d+ \/ \d+/.test(await stats.textContent() ?? ''), 'statistics of mirrors');
+  await page.context().close();
+});
+
+test('a model that was built before is shown as it is, without a text', async () => {
+  writeFileSync(join(preview.folder, 'built.glb'), built(join(preview.folder, 'machiya.hsd')));
+  const page = await preview.open('?file=built.glb');
+  assert.equal(await page.evaluate(() => hsd.find('GDE 2').length), 1);
+  await page.evaluate(() => hsd.select(hsd.find('GDE 2')[0]!));
+  assert.match(await page.locator('.card').textContent() ?? '', /GDE 2.*Storey 1/);
+  assert.equal(await page.locator('[data-layer]').count(), 4);
+  await does(page, 'plan').click();
+  assert.ok(await page.getByText('There is no plan to draw.').isVisible());
   await page.context().close();
 });
 
