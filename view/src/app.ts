@@ -325,6 +325,7 @@ export function spot_of_message(message: Diagnostic, { sources }: State): Spot |
 function mirrors_on(stage: Stage): Mirrors {
   const mirrors = new Mirrors(stage.renderer, stage.scene);
   mirrors.options.sky = stage.surroundings.colours;
+  mirrors.probes.wake = () => stage.draw();
   stage.marks.userData['mirrored'] = false;
   stage.on_model.push(model => mirrors.show(model));
   stage.paint = () => mirrors.paint(stage.camera);

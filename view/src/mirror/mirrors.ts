@@ -10,12 +10,15 @@ import type { Chunk, Model } from '../model.ts';
 import { pack, type Size } from './atlas.ts';
 import { area_of } from './geometry.ts';
 import { type Entry, Glass } from './glass.ts';
+import { Probes } from './probes.ts';
 import { Tree } from './tree.ts';
 import { eye_view, type Limits, type Mirrored, mirrored_views, stand, type View } from './views.ts';
 import { is_glass, type Wall, walls_of } from './walls.ts';
 
 export interface Options extends Limits {
   on: boolean;
+  /** Whether walls are left out that are hidden behind other things. */
+  probe: boolean;
   /** Size of pictures to that of their panes on the screen; 2 = two pixels each way, so smoother edges. */
   scale: number;
   /** Side of an atlas at most. */
@@ -34,6 +37,8 @@ export interface Sky {
 export interface Stats {
   /** Views that panes in sight would show. */
   seen: number;
+  /** Walls that are hidden behind other things. */
+  hidden: number;
   /** Those that were drawn. */
   drawn: number;
   /** The deepest level that was drawn. */
@@ -52,16 +57,19 @@ export interface Stats {
   ms: number;
 }
 
-const NO_STATS: Stats = { seen: 0, drawn: 0, depth: 0, calls: 0, triangles: 0, tested: 0, chunks: 0, pixels: 0, scale: 1, ms: 0 };
+const NO_STATS: Stats = { seen: 0, hidden: 0, drawn: 0, depth: 0, calls: 0, triangles: 0, tested: 0, chunks: 0, pixels: 0, scale: 1, ms: 0 };
+
+type Camera = THREE.PerspectiveCamera | THREE.OrthographicCamera;
 
 export class Mirrors {
   readonly options: Options = {
-    on: true, depth: 1, shift: 3, pixels: 24, views: 48, scale: 1, side: 2048, sky: null,
+    on: true, probe: true, depth: 1, shift: 3, pixels: 24, views: 64, scale: 1, side: 2048, sky: null,
   };
   stats: Stats = { ...NO_STATS };
   /** The mirrored views of the last frame. */
   views: Mirrored[] = [];
   walls: Wall[] = [];
+  readonly probes: Probes;
   #glass = new Glass();
   #chunks = new Tree<Chunk>([]);
   #tree = new Tree<Wall>([]);
@@ -77,11 +85,13 @@ export class Mirrors {
   constructor(renderer: THREE.WebGLRenderer, scene: THREE.Scene) {
     this.#renderer = renderer;
     this.#scene = scene;
+    this.probes = new Probes(renderer);
     for (const camera of [this.#eye, this.#parallel]) camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
   }
 
   /** Takes the place of what was shown before. */
   show(model: Model) {
+    this.probes.clear();
     this.walls = walls_of(model);
     this.#layers = this.walls.reduce((sum, wall) => sum + wall.layers.length, 0);
     this.#tree = new Tree(this.walls);
@@ -92,34 +102,43 @@ export class Mirrors {
   }
 
   /** Draws the scene with what its glass mirrors. */
-  paint(camera: THREE.PerspectiveCamera | THREE.OrthographicCamera) {
+  paint(camera: Camera) {
     const begun = performance.now();
     const renderer = this.#renderer, scene = this.#scene;
     this.stats = { ...NO_STATS };
     this.views = [];
     this.#colours();
-    const eye = this.#look(camera);
-    if (this.views.length > 0) this.#pictures(camera);
+    const before: Wall[] = [], eye = this.#look(camera, before);
+    if (this.views.length > 0) this.#pictures(camera, eye);
     this.#glass.view(eye.children.length > 0 ? 0 : -1, this.#atlases[1]?.texture ?? null);
     this.stats.ms = performance.now() - begun;
     renderer.render(scene, camera);
+    if (this.options.probe) this.probes.ask(before, camera);
   }
 
   dispose() {
+    this.probes.clear();
     for (const atlas of this.#atlases) atlas.dispose();
     this.#atlases = [];
     this.#glass.dispose();
   }
 
-  /** Works out what is mirrored, and where it is drawn. */
-  #look(camera: THREE.Camera & { updateMatrixWorld(): void }): View {
+  /** Works out what is mirrored, and where it is drawn; adds the walls that would be seen if nothing stood before them. */
+  #look(camera: THREE.Camera, before: Wall[]): View {
     const { options, stats } = this;
     if (camera.parent === null) camera.updateMatrixWorld();
     const eye = eye_view(camera);
     if (!options.on || this.walls.length === 0) return eye;
     const size = this.#renderer.getDrawingBufferSize(new THREE.Vector2());
     this.#tree.tested = this.#chunks.tested = 0;
-    const town = { walls: this.#tree, chunks: this.#chunks, visible: () => true };
+    const visible = (wall: Wall, from: View) => {
+      if (!options.probe || from !== eye) return true;
+      before.push(wall);
+      const hidden = this.probes.hidden(wall);
+      if (hidden) stats.hidden++;
+      return !hidden;
+    };
+    const town = { walls: this.#tree, chunks: this.#chunks, visible };
     const { views, seen } = mirrored_views(eye, size, town, options);
     stats.seen = seen;
     stats.tested = this.#tree.tested + this.#chunks.tested;
@@ -163,10 +182,9 @@ export class Mirrors {
   }
 
   /** Draws the pictures of all views, the deepest first. */
-  #pictures(camera: THREE.PerspectiveCamera | THREE.OrthographicCamera) {
+  #pictures(camera: Camera, eye: View) {
     const renderer = this.#renderer, scene = this.#scene, { shadowMap, info } = renderer;
-    const seeing = [this.views[0]!.parent, ...this.views].filter((view, i) => i === 0 || view.children.length > 0);
-    seeing[0] = root_of(this.views[0]!);
+    const seeing = [eye, ...this.views].filter(view => view.children.length > 0);
     this.#table(seeing);
     const all = scene.children, others = all.filter(child => !this.#meshes.has(child) && child.userData['mirrored'] !== false);
     const before = {
@@ -203,7 +221,7 @@ export class Mirrors {
     }
   }
 
-  #stood(camera: THREE.PerspectiveCamera | THREE.OrthographicCamera, view: Mirrored): THREE.Camera {
+  #stood(camera: Camera, view: Mirrored): THREE.Camera {
     const own = camera instanceof THREE.OrthographicCamera ? this.#parallel : this.#eye;
     own.layers.mask = camera.layers.mask;
     stand(own, view, camera.projectionMatrix, this.#renderer.getDrawingBufferSize(new THREE.Vector2()), this.#reach);
@@ -245,11 +263,6 @@ export class Mirrors {
     mirrorHorizon.value.copy(horizon);
     mirrorGround.value.copy(ground);
   }
-}
-
-function root_of(view: View): View {
-  while (view.parent) view = view.parent;
-  return view;
 }
 
 /** How a pixel that a view is drawn at becomes a place in the atlas. */

@@ -57,9 +57,12 @@ export interface Limits {
 export interface Town {
   walls: Tree<Wall>;
   chunks: Tree<Chunk>;
-  /** Whether a wall may be seen from a view. */
+  /** Whether a wall that lies before a view may be seen from it. */
   visible: (wall: Wall, from: View) => boolean;
 }
+
+/** Eyes nearer to a pane see nothing mirrored in it, metres. */
+const NEAR = 1e-3;
 
 /** What a camera sees on a screen of so many pixels. */
 export function eye_view(camera: THREE.Camera): View {
@@ -77,7 +80,7 @@ export function mirrored_views(eye: View, size: THREE.Vector2, town: Town, limit
   let level: View[] = [eye], seen = 0;
   for (let depth = 1; depth <= limits.depth && level.length > 0; depth++) {
     const found = level.flatMap(view => town.walls.within(view.beam)
-      .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && town.visible(wall, view))
+      .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && faces(wall, view) && town.visible(wall, view))
       .flatMap(wall => in_wall(view, wall, size, limits)));
     seen += found.length;
     const kept = found.sort((a, b) => area_of(b.rect) - area_of(a.rect)).slice(0, Math.max(0, limits.views - views.length));
@@ -89,10 +92,13 @@ export function mirrored_views(eye: View, size: THREE.Vector2, town: Town, limit
   return { views, seen };
 }
 
+/** Whether a view looks at the front of some of a wall's panes. */
+const faces = ({ layers }: Wall, { eye }: View) => before(layers.at(-1)!.plane, eye) > NEAR;
+
 /** What a view sees mirrored in one wall. */
 function in_wall(view: View, wall: Wall, size: THREE.Vector2, limits: Limits): Mirrored[] {
   const seen = wall.layers.flatMap(layer => {
-    if (before(layer.plane, view.eye) <= 1e-3) return [];
+    if (before(layer.plane, view.eye) <= NEAR) return [];
     let polygon = layer.polygon;
     for (const plane of view.beam) polygon = clip(polygon, plane);
     return polygon.length < 3 ? [] : [{ layer, polygon }];

@@ -82,6 +82,20 @@ class Page {
     return { stats: this.#mirrors.stats, ms: performance.now() - begun, calls: info.render.calls, triangles: info.render.triangles };
   }
 
+  /** Draws until nothing asks for another frame; how many frames that took. */
+  async settle(shot: Shot): Promise<Drawn & { frames: number }> {
+    const { probes } = this.#mirrors;
+    let again = true, frames = 0;
+    probes.wake = () => { again = true; };
+    while (again && frames < 20) {
+      again = false;
+      this.draw(shot);
+      frames++;
+      while (probes.asking) await new Promise(done => setTimeout(done, 5));
+    }
+    return { ...this.draw(shot), frames: frames + 1 };
+  }
+
   /** What is drawn: bytes from the lower left corner on, four a pixel, in base 64. */
   pixels(): string {
     const { width, height } = this.#renderer.domElement, gl = this.#renderer.getContext();

@@ -13,7 +13,7 @@ import type { Drawn, Shot } from './mirror-page.ts';
 
 const here = dirname(fileURLToPath(import.meta.url)), SIZE = { width: 320, height: 200 }, SKY = of_bytes(150, 180, 210);
 /** Nothing is left out, nothing shared. */
-const EXACT = { shift: 0, pixels: 0, views: 64, side: 4096 };
+const EXACT = { probe: false, shift: 0, pixels: 0, views: 64, side: 4096 };
 
 /** Pixels of a picture where one of both looks through a crack between parts that is as wide as numbers are rounded: no edge. */
 const CRACKS = 10;
@@ -40,11 +40,11 @@ after(async () => {
   close?.();
 });
 
-async function drawn(shot: Shot): Promise<{ drawn: Drawn; pixels: Uint8Array }> {
-  const { text, errors, ...rest } = await page.evaluate(shot => {
+async function drawn(shot: Shot, settled = false): Promise<{ drawn: Drawn; pixels: Uint8Array }> {
+  const { text, errors, ...rest } = await page.evaluate(async ([shot, settled]) => {
     const { it } = window as unknown as { it: ReturnType<Window['page']> };
-    return { drawn: it.draw(shot), text: it.pixels(), errors: it.errors() };
-  }, shot);
+    return { drawn: settled ? await it.settle(shot) : it.draw(shot), text: it.pixels(), errors: it.errors() };
+  }, [shot, settled] as const);
   assert.deepEqual(errors, [], 'the card has nothing to complain of');
   return { ...rest, pixels: new Uint8Array(Buffer.from(text, 'base64')) };
 }
@@ -105,6 +105,38 @@ test('the comparison tells mirrors from none, and an eye from one 20 cm beside i
   const moved = compared((await drawn({ ...beside, ...SIZE, options: { ...EXACT, depth: 1 } })).pixels, eye, 1);
   assert(moved.same < 0.985 && moved.loose > 500, `${moved.same}, ${moved.loose}`);
   assert(good.same > 0.99);
+});
+
+test('glass behind a house is not mirrored, and comes back when the eye rises above it', async () => {
+  const behind: Eye = { eye: [-5, 1.5, 12], target: [-5, 1.5, 0], fov: 50 }, above: Eye = { ...behind, eye: [-5, 7, 13] };
+  const options = { ...EXACT, probe: true, depth: 1 };
+  const first = await drawn({ ...behind, ...SIZE, options });
+  assert(first.drawn.stats.drawn > 0, 'nothing is known yet');
+  const hidden = await drawn({ ...behind, ...SIZE, options }, true);
+  assert.equal(hidden.drawn.stats.drawn, 0);
+  assert.equal(hidden.drawn.stats.calls, 0);
+  assert(hidden.drawn.stats.hidden > 0);
+  assert(compared(hidden.pixels, behind, 1).same > 0.99);
+  const { drawn: { stats }, pixels } = await drawn({ ...above, ...SIZE, options }, true);
+  assert(stats.drawn > 0);
+  assert(compared(pixels, above, 1).same >= 0.985);
+});
+
+test('panes of several depths share a picture that is hardly shifted', async t => {
+  const [, eye] = EYES[0]!, shots = await Promise.all([0, 100].map(shift => drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 1, shift } })));
+  const [exact, shared] = shots.map(shot => shot.drawn.stats.drawn);
+  assert(shared! < exact!);
+  const { same } = compared(shots[1]!.pixels, eye, 1);
+  t.diagnostic(`${(same * 100).toFixed(2)} % agree; ${shared} mirrors instead of ${exact}`);
+  assert(same > 0.96);
+});
+
+test('a smaller atlas gives coarser pictures, no wrong ones', async t => {
+  const [, eye] = EYES[0]!, { drawn: { stats }, pixels } = await drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 2, side: 128 } });
+  assert(stats.scale < 0.8 && stats.drawn > 3);
+  const { same } = compared(pixels, eye, 2);
+  t.diagnostic(`${(same * 100).toFixed(2)} % agree at scale ${stats.scale.toFixed(2)}`);
+  assert(same > 0.9);
 });
 
 /** For looking at: both pictures beside each other. */
