@@ -30,7 +30,6 @@ export interface View {
 /** A view that is mirrored. */
 export interface Mirrored extends View {
   parent: View;
-  wall: Wall;
   /** Whose panes show it. */
   layers: Layer[];
   plane: THREE.Plane;
@@ -79,11 +78,15 @@ export function mirrored_views(eye: View, size: THREE.Vector2, town: Town, limit
   const views: Mirrored[] = [];
   let level: View[] = [eye], seen = 0;
   for (let depth = 1; depth <= limits.depth && level.length > 0; depth++) {
-    const found = level.flatMap(view => town.walls.within(view.beam)
-      .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && faces(wall, view) && town.visible(wall, view))
-      .flatMap(wall => in_wall(view, wall, size, limits)));
+    const found = level.flatMap(view => {
+      const panes = town.walls.within(view.beam)
+        .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && faces(wall, view) && town.visible(wall, view))
+        .flatMap(wall => in_wall(view, wall, size, limits));
+      return together(panes, limits.shift).map(some => ({ view, ...some }));
+    });
     seen += found.length;
-    const kept = found.sort((a, b) => area_of(b.rect) - area_of(a.rect)).slice(0, Math.max(0, limits.views - views.length));
+    const kept = found.sort((a, b) => area_of(b.rect) - area_of(a.rect)).slice(0, Math.max(0, limits.views - views.length))
+      .map(({ view, ...some }) => mirrored(view, some, size));
     for (const view of kept) view.parent.children.push(view);
     views.push(...kept);
     level = kept;
@@ -95,30 +98,72 @@ export function mirrored_views(eye: View, size: THREE.Vector2, town: Town, limit
 /** Whether a view looks at the front of some of a wall's panes. */
 const faces = ({ layers }: Wall, { eye }: View) => before(layers.at(-1)!.plane, eye) > NEAR;
 
-/** What a view sees mirrored in one wall. */
-function in_wall(view: View, wall: Wall, size: THREE.Vector2, limits: Limits): Mirrored[] {
+/** Panes that show one picture. */
+interface Panes {
+  layers: Layer[];
+  /** The outermost. */
+  plane: THREE.Plane;
+  rect: Rect;
+  outline: Point[];
+  /** How large a metre is where they are nearest, pixels. */
+  near: number;
+  /** What pictures of their own would have taken, pixels. */
+  area: number;
+}
+
+/** What a view sees of one wall's panes. */
+function in_wall(view: View, wall: Wall, size: THREE.Vector2, limits: Limits): Panes[] {
   const seen = wall.layers.flatMap(layer => {
     if (before(layer.plane, view.eye) <= NEAR) return [];
     let polygon = layer.polygon;
     for (const plane of view.beam) polygon = clip(polygon, plane);
-    return polygon.length < 3 ? [] : [{ layer, polygon }];
+    return polygon.length < 3 ? [] : [{ layer, polygon, near: pixels_per_metre(view, polygon, size) }];
   });
-  const views: Mirrored[] = [];
+  const all: Panes[] = [];
   for (let from = 0, to = 0; from < seen.length; from = to) {
-    const first = seen[from]!, near = pixels_per_metre(view, first.polygon, size);
-    const apart = (i: number) => seen[i]!.layer.plane.constant - first.layer.plane.constant;
-    for (to = from + 1; to < seen.length && 2 * apart(to) * near <= limits.shift;) to++;
+    const { layer: { plane }, near } = seen[from]!;
+    for (to = from + 1; to < seen.length && shifted(plane, seen[to]!.layer.plane, near) <= limits.shift;) to++;
     const group = seen.slice(from, to);
     const outline = hull(group.flatMap(({ polygon }) => polygon.map(point => on_screen(view, point, size))));
-    const rect = rect_of(outline, 1);
     if (outline.length < 3 || !(area_of(rect_of(outline, 0)) >= limits.pixels)) continue;
-    views.push(mirrored(view, wall, group.map(({ layer }) => layer), rect, outline, size));
+    const rect = rect_of(outline, 1);
+    all.push({ layers: group.map(({ layer }) => layer), plane, rect, outline, near, area: area_of(rect) });
   }
-  return views;
+  return all;
 }
 
-function mirrored(parent: View, wall: Wall, layers: Layer[], rect: Rect, outline: Point[], size: THREE.Vector2): Mirrored {
-  const { plane } = layers[0]!, through = reflection(plane);
+/** By how many pixels at most a picture is shifted if panes of one plane show that of a parallel one. */
+const shifted = (a: THREE.Plane, b: THREE.Plane, near: number) => 2 * Math.abs(a.constant - b.constant) * near;
+
+/** How much larger a picture of several may be than theirs together, and pixels that do not matter. */
+const LARGER = 2, LITTLE = 400;
+
+/** Panes of neighbours in one line show one picture where it is not much larger than theirs together: what they mirror is
+ * mostly the same, and drawn once. */
+function together(all: Panes[], shift: number): Panes[] {
+  const groups: Panes[] = [];
+  for (const panes of all) {
+    const group = groups.find(group => {
+      if (group.plane.normal.dot(panes.plane.normal) < 1 - 1e-7) return false;
+      if (shifted(group.plane, panes.plane, Math.max(group.near, panes.near)) > shift + 1e-3) return false;
+      return area_of(rect_of([...group.outline, ...panes.outline], 1)) <= LARGER * (group.area + panes.area) + LITTLE;
+    });
+    if (!group) {
+      groups.push(panes);
+      continue;
+    }
+    group.layers = [...group.layers, ...panes.layers];
+    if (panes.plane.constant < group.plane.constant) group.plane = panes.plane;
+    group.outline = hull([...group.outline, ...panes.outline]);
+    group.rect = rect_of(group.outline, 1);
+    group.near = Math.max(group.near, panes.near);
+    group.area += panes.area;
+  }
+  return groups;
+}
+
+function mirrored(parent: View, { layers, plane, rect, outline }: Panes, size: THREE.Vector2): Mirrored {
+  const through = reflection(plane);
   const screen = parent.screen.clone().multiply(through);
   const polygon = outline.map(([x, y]): Point => [2 * x / size.x - 1, 2 * y / size.y - 1]);
   return {
@@ -130,7 +175,7 @@ function mirrored(parent: View, wall: Wall, layers: Layer[], rect: Rect, outline
     // A pixel more on all sides: texels round the outline are read where pictures are smaller than what they fill.
     beam: [plane, ...sides(screen, polygon, [2 / size.x, 2 / size.y])],
     children: [],
-    wall, layers, plane, rect, outline,
+    layers, plane, rect, outline,
     place: { x: 0, y: 0, width: 0, height: 0 },
     chunks: [],
   };

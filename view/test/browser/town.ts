@@ -1,0 +1,28 @@
+// Towns for measuring mirrors: a street with fifty houses on each side, some of those on the north side with a glass front;
+// and rows of houses north of it, which no glass looks at.
+
+const WIDE = 6; // units of a house's front
+const STEP = 7; // metres from house to house
+const STREET = 9;
+
+/** A text: `glass` of the houses along the street have glass fronts; `rows` more rows of houses stand behind them. Each front
+ * stands back by its own length where `apart`; else all lie in one plane. */
+export function town(glass: number, rows: number, apart: boolean): string {
+  const houses: string[] = [];
+  for (let i = 0; i < 50; i++) {
+    const x = i * STEP, front = i % (50 / glass) === 0;
+    houses.push(front ? glazed(x, apart ? (i * 7 % 50) / 25 : 0) : plain(`n${i}`, x, 0, 180), plain(`s${i}`, x - WIDE * 10 / 11, -STREET, 0));
+    for (let row = 1; row <= rows; row++) houses.push(plain(`b${i}-${row}`, x, row * 12, 180));
+  }
+  return `<Houses>\n${houses.join('\n')}\n</Houses>\n`;
+}
+
+const facade = (code: string, num: number, more = '') =>
+  `<Facade${more}>${`<Floor><repeat num="${num}"><Part code="${code}"/></repeat></Floor>`.repeat(2)}</Facade>`;
+
+const glazed = (x: number, y: number) => `<House x="${x}" y="${y}"><Structure><Texture texturecode="NGC" reflection="0.7"/><Facades>${
+  facade('NGC', WIDE, ' reflection="enable"')}${facade('NAP', 6)}${facade('NAP', WIDE)}${facade('NAP', 6)}</Facades></Structure></House>`;
+
+const plain = (name: string, x: number, y: number, azimuth: number) => `<House name="${name}" x="${x}" y="${y}" azimuth="${azimuth}"><Storey>${
+  ['KTU  KTU  TKD 2KTU  KTU', 'APW  APW  APW  APW  APW  APW', 'KTU  KTU  KTU  KTU  KTU  KTU', 'APW  APW  APW  APW  APW  APW'].map(row => `<Row>${row}</Row>`).join('')
+}</Storey></House>`;
