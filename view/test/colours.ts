@@ -16,12 +16,17 @@ export function colour_of(part: number): Colour {
 /** What the screen shows as these bytes, in linear light. */
 export const of_bytes = (r: number, g: number, b: number): Colour => [linear(r / 255), linear(g / 255), linear(b / 255)];
 
-function linear(s: number): number {
+/** Light from what the screen shows, and back: 0 to 1. */
+export function linear(s: number): number {
   return s <= 0.04045 ? s / 12.92 : ((s + 0.055) / 1.055) ** 2.4;
+}
+
+export function encoded(c: number): number {
+  return c <= 0.0031308 ? c * 12.92 : 1.055 * c ** (1 / 2.4) - 0.055;
 }
 
 /** The bytes that the screen shows. */
 export function bytes_of(colour: Colour): Colour {
-  const byte = (c: number) => Math.round(255 * Math.min(1, c <= 0.0031308 ? c * 12.92 : 1.055 * c ** (1 / 2.4) - 0.055));
+  const byte = (c: number) => Math.round(255 * Math.min(1, encoded(c)));
   return [byte(colour[0]), byte(colour[1]), byte(colour[2])];
 }

@@ -1,7 +1,7 @@
 // A ray caster that knows nothing of the page: it reads the triangles of a GLB by itself and follows each pixel's ray, which
 // turns back at glass. The pictures of the page's mirrors are compared with what it says.
 
-import { type Colour, bytes_of, colour_of } from './colours.ts';
+import { bytes_of, type Colour, colour_of, encoded, linear } from './colours.ts';
 
 type Vec = [x: number, y: number, z: number];
 
@@ -65,6 +65,8 @@ const PLAIN = 0.04;
 
 export class Scene {
   triangles: Triangle[];
+  /** How much of what is behind glass its own colour covers. */
+  cover = 1;
   #root: Branch;
 
   constructor(glb: Uint8Array) {
@@ -82,16 +84,19 @@ export class Scene {
   }
 
   /** What a camera sees at a place of its picture, in pixels from the lower left corner. */
-  seen({ eye, target, fov, width, height }: Camera, x: number, y: number, depth: number, sky: Colour): Colour {
-    const back = unit(sub(eye, target)), right = unit(cross([0, 1, 0], back)), up = cross(back, right);
-    const half = Math.tan(fov * Math.PI / 360);
-    const across = (2 * x / width - 1) * half * width / height, high = (2 * y / height - 1) * half;
-    const way = unit(add(add([-back[0], -back[1], -back[2]], right, across), up, high));
-    return bytes_of(this.#light(eye, way, depth, sky));
+  seen(camera: Camera, x: number, y: number, depth: number, sky: Colour): Colour {
+    return bytes_of(this.#light(camera.eye, way_of(camera, x, y), depth, sky, true));
   }
 
-  /** The light that comes from a way. */
-  #light(from: Vec, way: Vec, depth: number, sky: Colour): Colour {
+  /** The share that the glass there mirrors, and where it is; null where there is none. */
+  glass(camera: Camera, x: number, y: number): { share: number; at: Vec } | null {
+    const way = way_of(camera, x, y), hit = this.#first(camera.eye, way);
+    return hit?.triangle.mirrors ? { share: hit.triangle.share!, at: add(camera.eye, way, hit.far) } : null;
+  }
+
+  /** The light that comes from a way; `screen` = straight, so that the screen mixes what is seen through clear glass, which
+   * it does with its own numbers instead of with light. */
+  #light(from: Vec, way: Vec, depth: number, sky: Colour, screen: boolean): Colour {
     const hit = this.#first(from, way);
     if (!hit) return sky;
     const { triangle: { colour, share, mirrors, normal }, far } = hit;
@@ -99,8 +104,12 @@ export class Scene {
     const least = mirrors ? share : PLAIN, slant = Math.abs(dot(normal, way));
     const weight = least + (1 - least) * (1 - slant) ** 5;
     const turned = add(way, normal, -2 * dot(normal, way));
-    const mirrored = mirrors && depth > 0 ? this.#light(add(from, way, far), turned, depth - 1, sky) : sky;
-    const mix = (i: 0 | 1 | 2) => (1 - weight) * colour[i] + weight * mirrored[i];
+    const at = add(from, way, far), mirrored = mirrors && depth > 0 ? this.#light(at, turned, depth - 1, sky, false) : sky;
+    const cover = 1 - (1 - weight) * (1 - this.cover), behind = cover < 1 ? this.#light(at, way, depth, sky, screen) : colour;
+    const mix = (i: 0 | 1 | 2) => {
+      const own = ((1 - weight) * this.cover * colour[i] + weight * mirrored[i]) / cover;
+      return screen ? linear(cover * encoded(own) + (1 - cover) * encoded(behind[i])) : cover * own + (1 - cover) * behind[i];
+    };
     return [mix(0), mix(1), mix(2)];
   }
 
@@ -127,6 +136,13 @@ export class Scene {
     }
     return found && { triangle: found, far };
   }
+}
+
+function way_of({ eye, target, fov, width, height }: Camera, x: number, y: number): Vec {
+  const back = unit(sub(eye, target)), right = unit(cross([0, 1, 0], back)), up = cross(back, right);
+  const half = Math.tan(fov * Math.PI / 360);
+  const across = (2 * x / width - 1) * half * width / height, high = (2 * y / height - 1) * half;
+  return unit(add(add([-back[0], -back[1], -back[2]], right, across), up, high));
 }
 
 /** How far a ray goes to a triangle, its back left out unless both sides show; NaN where it passes by. */

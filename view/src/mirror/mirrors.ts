@@ -205,7 +205,7 @@ export class Mirrors {
         atlas.scissor.set(x, y, width, height);
         renderer.setRenderTarget(atlas);
         scene.children = [...others, ...view.chunks.map(chunk => chunk.mesh)];
-        this.#glass.view(view.children.length > 0 ? seeing.indexOf(view) : -1, this.#atlases[(view.level + 1) % 2]!.texture);
+        this.#glass.view(seeing.indexOf(view), view.children.length > 0 ? this.#atlases[(view.level + 1) % 2]!.texture : null);
         renderer.render(scene, this.#stood(camera, view));
         this.stats.chunks += view.chunks.length;
       }
@@ -232,11 +232,11 @@ export class Mirrors {
     const blind = new THREE.OrthographicCamera(0, 1e-6, 1e-6, 0, 0, 1e-6);
     blind.position.set(0, -1e6, 0);
     blind.layers.mask = camera.layers.mask;
-    const atlas = this.#atlases[0]!;
+    const atlas = this.#atlases[1]!;
     atlas.viewport.set(0, 0, 1, 1);
     atlas.scissor.set(0, 0, 1, 1);
     this.#renderer.setRenderTarget(atlas);
-    this.#glass.view(-1, this.#atlases[1]!.texture);
+    this.#glass.view(-1, null);
     this.#renderer.render(this.#scene, blind);
   }
 

@@ -55,7 +55,7 @@ for (const of of RUN) {
     const page = await chromium.newPage();
     await page.goto(url);
     const result = await page.evaluate(async ([file, shot, frames]) => {
-      const it = window.page(false), { triangles } = await it.load(file, false);
+      const it = window.page(true), { triangles } = await it.load(file, false);
       const without = await it.measure({ ...shot, options: { ...shot.options, on: false, probe: false } }, frames);
       return { ...await it.measure(shot, frames), all: triangles, without: without.ms };
     }, [name(...of), SHOT, FRAMES] as const);

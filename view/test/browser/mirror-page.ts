@@ -43,8 +43,8 @@ class Page {
   #model: Model | null = null;
   #defaults: Options;
 
-  constructor(flat: boolean) {
-    this.#renderer = new THREE.WebGLRenderer({ antialias: !flat, preserveDrawingBuffer: true });
+  constructor(smooth: boolean) {
+    this.#renderer = new THREE.WebGLRenderer({ antialias: smooth, preserveDrawingBuffer: true });
     document.body.append(this.#renderer.domElement);
     this.#scene.background = SKY;
     this.#mirrors = new Mirrors(this.#renderer, this.#scene);
@@ -52,10 +52,12 @@ class Page {
     this.#renderer.info.autoReset = false;
   }
 
-  async load(file: string, flat: boolean): Promise<Shown> {
+  /** Shows a model; `cover` = how much of what is behind flat glass its own colour covers. */
+  async load(file: string, flat: boolean, cover = 1): Promise<Shown> {
+    for (const { mesh } of this.#model?.chunks ?? []) this.#scene.remove(mesh);
     const model = model_of((await new GLTFLoader().loadAsync(file)).scene);
     this.#model = model;
-    if (flat) for (const chunk of model.chunks) flatten(chunk);
+    if (flat) for (const chunk of model.chunks) flatten(chunk, cover);
     else this.#light(model);
     for (const { mesh } of model.chunks) this.#scene.add(mesh);
     this.#mirrors.show(model);
@@ -80,6 +82,14 @@ class Page {
     this.#mirrors.paint(camera);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the card
     return { stats: this.#mirrors.stats, ms: performance.now() - begun, calls: info.render.calls, triangles: info.render.triangles };
+  }
+
+  /** Draws what an eye sees from behind a mirror that faces south, which is not drawn: no glass mirrors. `z` as in the file. */
+  behind(shot: Shot, z: number) {
+    const turned = (p: [number, number, number]): [number, number, number] => [p[0], p[1], 2 * z - p[2]];
+    this.#renderer.clippingPlanes = [new THREE.Plane(new THREE.Vector3(0, 0, 1), this.#model!.middle.z - z)];
+    this.draw({ ...shot, eye: turned(shot.eye), target: turned(shot.target), options: { ...shot.options, on: false } });
+    this.#renderer.clippingPlanes = [];
   }
 
   /** Draws until nothing asks for another frame; how many frames that took. */
@@ -141,7 +151,7 @@ class Page {
 }
 
 /** One colour for each part. */
-function flatten({ mesh, ranges }: Model['chunks'][number]) {
+function flatten({ mesh, ranges }: Model['chunks'][number], cover: number) {
   const { geometry } = mesh, colours = new Float32Array(geometry.getAttribute('position').count * 3);
   for (const { start, count, part } of ranges) {
     for (let i = start; i < start + count; i++) colours.set(colour_of(part), geometry.index!.getX(i) * 3);
@@ -150,12 +160,14 @@ function flatten({ mesh, ranges }: Model['chunks'][number]) {
   const { side, userData } = mesh.material;
   const material = new THREE.MeshBasicMaterial({ vertexColors: true, toneMapped: false, side });
   material.userData = userData;
+  if (cover < 1 && 'reflection' in userData) Object.assign(material, { transparent: true, opacity: cover, depthWrite: false });
   mesh.material = material as unknown as typeof mesh.material;
 }
 
 declare global {
   interface Window {
-    page: (flat: boolean) => Page;
+    /** `smooth` = edges are. */
+    page: (smooth: boolean) => Page;
   }
 }
-window.page = flat => new Page(flat);
+window.page = smooth => new Page(smooth);

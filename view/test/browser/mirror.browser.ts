@@ -3,6 +3,8 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
@@ -18,19 +20,22 @@ const EXACT = { probe: false, shift: 0, pixels: 0, views: 64, side: 4096 };
 /** Pixels of a picture where one of both looks through a crack between parts that is as wide as numbers are rounded: no edge. */
 const CRACKS = 10;
 
-let chromium: Browser, page: Page, close: () => void, cast: Scene;
+let chromium: Browser, page: Page, url: string, close: () => void, cast: Scene, whole: Scene;
 
 before(async () => {
   const model = built(join(here, '../scenes/two.hsd'));
   cast = new Scene(model);
-  const server = await served(join(here, 'mirror-page.ts'), { 'two.glb': model });
-  close = server.close;
+  const text = readFileSync(join(here, '../scenes/two.hsd'), 'utf8'), other = join(mkdtempSync(join(tmpdir(), 'hsd-mirror-')), 'whole.hsd');
+  writeFileSync(other, text.replaceAll(/reflection="0\.\d+"/g, 'reflection="1"'));
+  const mirror = built(other);
+  whole = new Scene(mirror);
+  ({ url, close } = await served(join(here, 'mirror-page.ts'), { 'two.glb': model, 'whole.glb': mirror }));
   chromium = await browser();
   page = await chromium.newPage();
   page.on('pageerror', error => { throw error; });
-  await page.goto(server.url);
+  await page.goto(url);
   await page.evaluate(async () => {
-    const it = Object.assign(window, { it: window.page(true) }).it;
+    const it = Object.assign(window, { it: window.page(false) }).it;
     await it.load('two.glb', true);
   });
 });
@@ -137,6 +142,55 @@ test('a smaller atlas gives coarser pictures, no wrong ones', async t => {
   const { same } = compared(pixels, eye, 2);
   t.diagnostic(`${(same * 100).toFixed(2)} % agree at scale ${stats.scale.toFixed(2)}`);
   assert(same > 0.9);
+});
+
+test('what is behind clear glass is seen through the rest of the light', async t => {
+  const load = (cover: number) => page.evaluate(async cover => {
+    await (window as unknown as { it: ReturnType<Window['page']> }).it.load('two.glb', true, cover);
+  }, cover);
+  await load(0.35);
+  cast.cover = 0.35;
+  try {
+    for (const [name, eye] of EYES.slice(0, 2)) {
+      const { pixels } = await drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 2 } }), { same, right } = compared(pixels, eye, 2);
+      t.diagnostic(`${(same * 100).toFixed(2)} % agree`);
+      if (process.env['KEEP']) await keep(`clear-${name}`, pixels, right);
+      assert(same >= 0.985, `${same}`);
+    }
+  } finally {
+    cast.cover = 1;
+    await load(1);
+  }
+});
+
+test('light and shadows in a whole mirror are those that an eye behind it would see', async t => {
+  const [, eye] = EYES[0]!, lit = await chromium.newPage();
+  await lit.goto(url);
+  const [mirrored, direct] = await lit.evaluate(async shot => {
+    const it = window.page(false);
+    await it.load('whole.glb', false);
+    it.draw(shot);
+    const mirrored = it.pixels();
+    it.behind(shot, 0.055); // where the panes of the curtain wall lie
+    return [mirrored, it.pixels()];
+  }, { ...eye, ...SIZE, options: { ...EXACT, depth: 1 } } as Shot).then(all => all.map(text => new Uint8Array(Buffer.from(text, 'base64'))));
+  await lit.close();
+  let all = 0, same = 0;
+  const sky = direct!.subarray(direct!.length - 4); // seen straight, the tones of a background are not mapped
+  for (let y = 0; y < SIZE.height; y++) {
+    for (let x = 0; x < SIZE.width; x++) {
+      const glass = whole.glass({ ...eye, ...SIZE }, x + 0.5, y + 0.5);
+      if (!glass || glass.share !== 1 || Math.abs(glass.at[2] - 0.055) > 1e-4) continue;
+      const own = (y * SIZE.width + x) * 4, across = (y * SIZE.width + SIZE.width - 1 - x) * 4;
+      const is = mirrored!.subarray(own, own + 3), should = direct!.subarray(across, across + 3);
+      if (!apart(should, sky)) continue;
+      all++;
+      if (!apart(is, should)) same++;
+    }
+  }
+  t.diagnostic(`${(100 * same / all).toFixed(2)} % of ${all} agree`);
+  assert(all > 5000, 'enough of ground and neighbour is to be seen');
+  assert(same / all >= 0.985, `${same / all}`);
 });
 
 /** For looking at: both pictures beside each other. */
