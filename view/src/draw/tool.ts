@@ -58,7 +58,7 @@ export class DrawTool {
     plan.tools.append(this.#bar);
     plan.on_unit = shape => this.on && this.tool === 'part' && this.#units.choose(shape);
     plan.on_drawn = () => { this.#fill(); this.#enable(); };
-    plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && !target.closest('.wall');
+    plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && !target.closest('.run');
     app.on('files', () => {
       this.#switch.disabled = !app.hello.writes;
       this.#switch.title = app.hello.writes ? '' : words.draw_off_why;

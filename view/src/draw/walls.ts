@@ -48,7 +48,7 @@ export class WallTool {
   }
 
   down(event: PointerEvent): boolean {
-    const shape = (event.target as Element).closest<SVGGElement>('.wall');
+    const shape = (event.target as Element).closest<SVGGElement>('.run');
     const found = shape && this.#plan.drawn.walls.get(shape);
     if (!found) return false;
     const start = to_house(found.house, this.#plan.sheet.place(event));
@@ -79,7 +79,7 @@ export class WallTool {
   }
 
   key(event: KeyboardEvent): boolean {
-    const shape = (event.target as Element).closest<SVGGElement>('.wall');
+    const shape = (event.target as Element).closest<SVGGElement>('.run');
     const found = shape && this.#plan.drawn.walls.get(shape);
     if (!found) return false;
     const way = arrow(event.key, found.house, to_house);

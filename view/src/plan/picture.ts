@@ -102,7 +102,7 @@ function region_shapes(house: House, storey: Storey, into: SVGGElement, over: SV
 }
 
 function wall_shape(house: House, wall: Wall, at: WallAt, drawn: Drawn): SVGGElement {
-  const group = s('g', { class: 'wall' });
+  const group = s('g', { class: 'run' });
   const ends = [to_plan(house, wall.from), to_plan(house, wall.to)] as const;
   drawn.walls.set(group, { at, wall, house });
   for (const [i, unit] of wall.units.entries()) {
