@@ -21,7 +21,10 @@ export class Section {
   readonly plane = new THREE.Plane();
   #stage: Stage;
   #caps: THREE.Mesh[] = [];
-  #cap = new THREE.MeshBasicMaterial({ color: 0x8c3b2a, side: THREE.BackSide, clippingPlanes: [this.plane], toneMapped: false });
+  #cap = new THREE.MeshBasicMaterial({
+    color: 0x8c3b2a, side: THREE.BackSide, clippingPlanes: [this.plane], toneMapped: false,
+    polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 4, // behind fronts in the same plane
+  });
   #of: unknown = null;
 
   constructor(stage: Stage) {
@@ -55,6 +58,7 @@ export class Section {
       if ((material.clippingPlanes !== null) !== on) material.needsUpdate = true;
       material.clippingPlanes = planes;
       material.clipShadows = on;
+      material.shadowSide = on ? THREE.DoubleSide : null; // light comes in where a body is open
     }
     const of = on ? model : null;
     if (this.#of === of) return;

@@ -36,6 +36,9 @@ export interface Source {
   widths: string | null;
 }
 
+/** What a source is called: its path below the folder, else the end of its name. */
+export const called = ({ path, name }: Source) => path ?? name.split(/[\\/]/).pop()!;
+
 export interface Diagnostic {
   /** Which source it is in. */
   id?: number;

@@ -3,7 +3,7 @@
 
 import type { App, Spot } from './app.ts';
 import { field, h } from './dom.ts';
-import type { Bytes } from './server.ts';
+import { type Bytes, called } from './server.ts';
 import { words } from './words.ts';
 
 /** A stretch of the text, in characters, that looks different. */
@@ -50,7 +50,7 @@ export class TextPane {
   #choosers() {
     const { sources } = this.#app.state!;
     if (!sources.some(source => source.id === this.#id)) this.#id = sources[0]?.id ?? 0;
-    this.#chooser.replaceChildren(...sources.map(({ id, name }) => h('option', { value: id, selected: id === this.#id }, name)));
+    this.#chooser.replaceChildren(...sources.map(source => h('option', { value: source.id, selected: source.id === this.#id }, called(source))));
   }
 
   /** Draws the text anew if anything in it has changed and it is shown. */

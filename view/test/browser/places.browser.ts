@@ -11,6 +11,7 @@ before(async () => {
   preview = await Preview.of(['machiya.hsd', 't-house.hsd', 'court-house.hsd']);
   page = await preview.open('?file=machiya.hsd');
   await does(page, 'text').click();
+  assert.equal(await page.locator('.pane.text select').textContent(), 'machiya.hsd', 'no path of the machine');
 });
 after(async () => { await preview?.close(); });
 
