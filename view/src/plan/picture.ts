@@ -1,6 +1,7 @@
 // A storey of all houses as SVG: floors and courts, regions of roofs with their ridges and falls, walls with their units.
 
 import { s } from '../dom.ts';
+import { SHAKU } from '../lengths.ts';
 import type { House, Point, Ring, State, Storey, Unit, Wall } from '../server.ts';
 import { words } from '../words.ts';
 import { bounds, path, to_plan, type XY } from './frame.ts';
@@ -24,6 +25,8 @@ export interface Drawn {
 }
 
 const REGIONS = 8; // colours in turn
+/** Walls whose lengths are written are longer, units. */
+const MEASURED = 1.5;
 
 /** Storeys of all houses by their number. */
 export const storeys_of = ({ plan }: State) =>
@@ -114,7 +117,16 @@ function wall_shape(house: House, wall: Wall, at: WallAt, drawn: Drawn): SVGGEle
     group.append(shape, tick(ends, [x1, y1]));
   }
   group.append(tick(ends, ends[1]));
+  const long = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+  if (long > MEASURED * house.unit_m) group.append(measure(ends, long));
   return group;
+}
+
+/** The length of a wall in shaku, outside of it: the interior lies on the right of the walk. */
+function measure([[x1, y1], [x2, y2]]: readonly [XY, XY], long: number): SVGTextElement {
+  const [nx, ny] = [(y2 - y1) / long * 0.42, -(x2 - x1) / long * 0.42];
+  return s('text', { class: 'length', x: (x1 + x2) / 2 + nx, y: (y1 + y2) / 2 + ny, 'font-size': 0.34 },
+    `${Number((long / SHAKU).toFixed(2))}`);
 }
 
 /** A short line across a wall, where one unit ends and the next begins. */

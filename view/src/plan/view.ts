@@ -176,5 +176,6 @@ function legend(): HTMLElement {
     row('roofs', words.legend_ridge, s('line', { class: 'ridge', x1: 2, y1: 6, x2: 22, y2: 6 })),
     row('roofs', words.legend_fall, s('path', { class: 'fall', d: 'M2 6H21M17 2L21 6L17 10' })),
     row('floors', words.legend_court, s('rect', { class: 'court', x: 2, y: 1, width: 20, height: 10 })),
+    row('walls', words.legend_length, s('text', { class: 'length', x: 12, y: 7, 'font-size': 11 }, '18')),
     row('streets', words.legend_street, s('line', { x1: 2, y1: 6, x2: 22, y2: 6 }))));
 }
