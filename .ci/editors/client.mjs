@@ -1,182 +1,20 @@
 // node client.mjs HSD
-// A client of the language server that does nothing but the protocol (vscode-languageserver-protocol), once for each encoding of
+// A client of the language server, once for each encoding of
 // positions: it opens the examples, sees a mistake at its place, mends it by a code action, completes a part, hovers, formats and
 // renames. Exit 1 if anything is not as it should be.
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
-import { fileURLToPath, pathToFileURL } from 'node:url';
-import { load } from '../modules.mjs';
+import { fileURLToPath } from 'node:url';
+import { Session, edits_of } from './session.mjs';
 import { broken, examples, laid_out, read } from './texts.mjs';
 
-const { createProtocolConnection, StreamMessageReader, StreamMessageWriter } = load('vscode-languageserver-protocol/node');
 const [hsd] = process.argv.slice(2);
 if (!hsd) throw new Error('usage: node client.mjs HSD');
 const root = join(dirname(fileURLToPath(import.meta.url)), '../..');
 const work = mkdtempSync(join(tmpdir(), 'hsd-client-'));
 process.on('exit', () => rmSync(work, { recursive: true, force: true }));
-
-/** How many units of an encoding a text takes. */
-const width = {
-  'utf-8': text => Buffer.byteLength(text),
-  'utf-16': text => text.length,
-  'utf-32': text => [...text].length,
-};
-
-/** A file as a client holds it: its text, its version, and places in it. */
-class File {
-  constructor(path, text, encoding) {
-    Object.assign(this, { uri: pathToFileURL(path).href, text, encoding, version: 1 });
-  }
-
-  /** The position of a byte-exact place: behind `before` in line `line`. */
-  position(line, before) {
-    return { line, character: width[this.encoding](before) };
-  }
-
-  /** The offset in the text of a position. */
-  offset({ line, character }) {
-    const lines = this.text.split('\n');
-    const start = lines.slice(0, line).reduce((sum, l) => sum + l.length + 1, 0);
-    let [taken, at] = [0, 0];
-    for (const sign of lines[line] ?? '') {
-      if (taken >= character) break;
-      taken += width[this.encoding](sign);
-      at += sign.length;
-    }
-    assert.equal(taken, character, `a position stands within a character or behind line ${line + 1}`);
-    return start + at;
-  }
-
-  /** What a range covers. */
-  covered({ start, end }) {
-    return this.text.slice(this.offset(start), this.offset(end));
-  }
-
-  /** The text with edits done, none of which may overlap. */
-  edited(edits) {
-    const places = edits.map(e => [this.offset(e.range.start), this.offset(e.range.end), e.newText]);
-    places.sort((a, b) => b[0] - a[0] || b[1] - a[1]);
-    let text = this.text;
-    let last = text.length;
-    for (const [start, end, put] of places) {
-      assert(start <= end && end <= last, 'edits overlap');
-      text = text.slice(0, start) + put + text.slice(end);
-      last = start;
-    }
-    return text;
-  }
-}
-
-/** One run of the server. */
-class Session {
-  constructor() {
-    this.process = spawn(hsd, ['lsp'], { stdio: ['pipe', 'pipe', 'inherit'] });
-    this.ended = new Promise(done => this.process.once('exit', (code, signal) => done(signal ?? code)));
-    this.connection = createProtocolConnection(
-      new StreamMessageReader(this.process.stdout), new StreamMessageWriter(this.process.stdin));
-    this.published = new Map();
-    this.waiting = [];
-    this.connection.onNotification('textDocument/publishDiagnostics', said => {
-      this.published.set(said.uri, said);
-      this.waiting = this.waiting.filter(test => !test());
-    });
-    // What servers ask of clients.
-    this.connection.onRequest((method, params) =>
-      method === 'workspace/configuration' ? params.items.map(() => null) : null);
-    this.connection.listen();
-  }
-
-  ask(method, params) {
-    const late = new Promise((_, fail) => setTimeout(fail, 20_000, new Error(`no answer to ${method}`)).unref());
-    return Promise.race([this.connection.sendRequest(method, params), late]);
-  }
-
-  tell(method, params) {
-    return this.connection.sendNotification(method, params);
-  }
-
-  async start(encoding) {
-    const { capabilities } = await this.ask('initialize', {
-      processId: process.pid,
-      rootUri: null,
-      workspaceFolders: null,
-      capabilities: {
-        general: encoding ? { positionEncodings: [encoding, 'utf-16'] } : {},
-        textDocument: {
-          publishDiagnostics: { relatedInformation: true, versionSupport: true },
-          codeAction: { codeActionLiteralSupport: { codeActionKind: { valueSet: ['quickfix'] } } },
-          hover: { contentFormat: ['markdown', 'plaintext'] },
-          completion: { completionItem: { documentationFormat: ['markdown'] } },
-          rename: { prepareSupport: true },
-        },
-        workspace: { workspaceEdit: { documentChanges: true } },
-      },
-    });
-    await this.tell('initialized', {});
-    assert.equal(capabilities.positionEncoding ?? 'utf-16', encoding ?? 'utf-16');
-    this.encoding = encoding ?? 'utf-16';
-  }
-
-  async open(path, text = read(path)) {
-    const file = new File(path, text, this.encoding);
-    this.published.delete(file.uri);
-    await this.tell('textDocument/didOpen', {
-      textDocument: { uri: file.uri, languageId: 'hsd', version: file.version, text },
-    });
-    return file;
-  }
-
-  /** Replaces a range, as an editor does while somebody types. */
-  async change(file, range, text) {
-    const next = file.edited([{ range, newText: text }]);
-    file.version += 1;
-    await this.tell('textDocument/didChange', {
-      textDocument: { uri: file.uri, version: file.version },
-      contentChanges: [{ range, text }],
-    });
-    file.text = next;
-  }
-
-  /** Replaces the whole text by one incremental change. */
-  replace(file, text) {
-    const lines = file.text.split('\n');
-    const end = file.position(lines.length - 1, lines.at(-1));
-    return this.change(file, { start: { line: 0, character: 0 }, end }, text);
-  }
-
-  /** What is said of a file's last version. */
-  diagnostics(file) {
-    const now = () => {
-      const said = this.published.get(file.uri);
-      return said && (said.version ?? file.version) === file.version ? said.diagnostics : undefined;
-    };
-    return new Promise((done, fail) => {
-      if (now()) return done(now());
-      const timer = setTimeout(fail, 20_000, new Error(`nothing is said of ${file.uri} version ${file.version}`));
-      this.waiting.push(() => {
-        if (!now()) return false;
-        clearTimeout(timer);
-        done(now());
-        return true;
-      });
-    });
-  }
-
-  async stop() {
-    await this.ask('shutdown');
-    await this.tell('exit');
-    assert.equal(await this.ended, 0, 'the server ends well');
-  }
-}
-
-/** The edits of a workspace edit that concern a file. */
-function edits_of(edit, file) {
-  const changes = edit.documentChanges?.map(c => [c.textDocument.uri, c.edits]) ?? Object.entries(edit.changes ?? {});
-  return changes.filter(([uri]) => uri === file.uri).flatMap(([, edits]) => edits);
-}
 
 async function clean_examples(session) {
   for (const path of examples(root)) {
@@ -257,7 +95,7 @@ async function renames(session) {
 }
 
 for (const encoding of ['utf-8', 'utf-16', undefined]) {
-  const session = new Session();
+  const session = new Session(hsd);
   await session.start(encoding);
   await clean_examples(session);
   const files = [];

@@ -199,5 +199,18 @@ line.")
 (with-eval-after-load 'eglot
   (add-to-list 'eglot-server-programs '(hsd-mode . hsd--server)))
 
+(declare-function eglot-current-server "eglot")
+(declare-function eglot--TextDocumentIdentifier "eglot")
+(declare-function jsonrpc-request "jsonrpc")
+
+(defun hsd-view ()
+  "Show the house of this buffer in the browser, as it stands here."
+  (interactive)
+  (let ((server (or (eglot-current-server) (user-error "Start eglot first"))))
+    (browse-url
+     (jsonrpc-request server :workspace/executeCommand
+                      (list :command "hsd.view"
+                            :arguments (vector (plist-get (eglot--TextDocumentIdentifier) :uri) :json-false))))))
+
 (provide 'hsd-mode)
 ;;; hsd-mode.el ends here

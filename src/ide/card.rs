@@ -24,7 +24,10 @@ const LARGEST: usize = 8800; // 12 kB in base 64, with what stands round it
 /// Pictures that are kept, the youngest last.
 const KEPT: usize = 256;
 
-static PICTURES: Mutex<Vec<(PartDef, Option<Arc<[u8]>>)>> = Mutex::new(vec![]);
+static PICTURES: Mutex<Vec<(PartDef, Option<Picture>)>> = Mutex::new(vec![]);
+
+/// A picture as JPEG.
+pub type Picture = Arc<[u8]>;
 
 /// The card of a part, for a house of this number.
 pub(super) fn card(
@@ -155,12 +158,12 @@ fn picture(part: &PartDef) -> Option<String> {
 }
 
 /// The picture of a part as JPEG, its longer side of 160 pixels; `None` of what cannot be seen. It is made once.
-pub fn part_picture(part: &PartDef) -> Option<Arc<[u8]>> {
+pub fn part_picture(part: &PartDef) -> Option<Picture> {
     let kept = || PICTURES.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, found)) = kept().iter().find(|(p, _)| p == part) {
         return found.clone();
     }
-    let made: Option<Arc<[u8]>> = drawn(part).map(Into::into);
+    let made: Option<Picture> = drawn(part).map(Into::into);
     let mut all = kept();
     if all.len() >= KEPT {
         all.remove(0);

@@ -399,13 +399,7 @@ fn rename(server: &mut Server, params: lsp::RenameParams) -> Answer<lsp::Workspa
         let (Some(view), Some(symbol)) = (server.view(&other), &symbol) else {
             continue;
         };
-        let own = view.analysis.source.id();
-        let uses = ide::names::uses_of(view.analysis, symbol);
-        let Some(first) = uses.iter().find(|u| u.file == own) else {
-            continue;
-        };
-        let at = first.range.start;
-        let edits = ide::names::rename(view.analysis, at, new).map_err(refuse)?;
+        let edits = ide::names::rename_symbol(view.analysis, symbol, new).map_err(refuse)?;
         changes.extend(&view.places, edits);
     }
     Ok(changes.finish(versions))

@@ -188,3 +188,63 @@ fn cards_show_pictures_only_where_they_are_asked_for() {
         assert!(client.finish());
     }
 }
+
+#[test]
+fn a_rename_reaches_files_that_are_read_but_not_open() {
+    let folder = tempfile::tempdir().expect("can be made");
+    let mid = "<Catalog>\n  <include href=\"pieces.hsd\"/>\n  <define name=\"both\"><use name=\"front\"/></define>\n</Catalog>\n";
+    let house = STREET
+        .replace("pieces", "mid")
+        .replace("\"front\"", "\"both\"");
+    for (name, text) in [("pieces.hsd", PIECES), ("mid.hsd", mid)] {
+        fs::write(folder.path().join(name), text).expect("can be written");
+    }
+    let uris = ["pieces.hsd", "street.hsd", "house.hsd", "mid.hsd"];
+    let [pieces, street, other, between] = uris.map(|name| uri(folder.path(), name));
+    let mut client = Client::start("utf-16");
+    client.open(&pieces, PIECES);
+    client.open(&street, STREET);
+    client.open(&other, &house);
+    let at = PIECES.find("front").expect("is there");
+    let wanted = json!({
+        "textDocument": { "uri": pieces }, "position": range(PIECES, at..at, "utf-16")["start"], "newName": "omote",
+    });
+    let edit = client.request("textDocument/rename", wanted);
+    let edit = edit.expect("is answered");
+    let changes = edit["documentChanges"].as_array().expect("is a list");
+    let mut changed: Vec<&str> = changes
+        .iter()
+        .filter_map(|c| c["textDocument"]["uri"].as_str())
+        .collect();
+    changed.sort_unstable();
+    let mut wanted = [&*between, &*pieces, &*street];
+    wanted.sort_unstable();
+    assert_eq!(changed, wanted, "{edit}");
+    assert!(client.finish());
+}
+
+#[test]
+fn unsaved_catalogues_are_those_that_count() {
+    let folder = tempfile::tempdir().expect("can be made");
+    let part = |code: &str| {
+        format!("<Catalog><PartDef code=\"{code}\" base=\"KSK\" ja=\"壁\"/></Catalog>\n")
+    };
+    fs::write(folder.path().join("own.hsd"), part("XAA  ")).expect("can be written");
+    let text = "0 0 180\n9\n\nXBB  XBB\nKSK  KSK\nKSK  KSK\nKSK  KSK\n";
+    let (house, own) = (uri(folder.path(), "a.hsd"), uri(folder.path(), "own.hsd"));
+    let path = folder
+        .path()
+        .canonicalize()
+        .expect("is there")
+        .join("own.hsd");
+    let mut client = Client::with(json!({
+        "capabilities": {}, "initializationOptions": { "catalogs": [path] },
+    }));
+    client.open(&house, text);
+    assert_eq!(codes(&client.diagnostics(&house, Some(1)))[0], "HSD0301");
+    client.forget();
+    client.open(&own, &part("XBB  "));
+    let unknown = |list: &[Value]| codes(list).contains(&"HSD0301");
+    while unknown(&client.diagnostics(&house, None)) {}
+    assert!(client.finish());
+}

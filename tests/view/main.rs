@@ -1,5 +1,7 @@
 //! The server of the live preview: what it tells, when, and whom.
 
+#![expect(unreachable_pub)] // modules of one program
+
 mod web;
 
 use hsd::diagnostic::Language;
@@ -320,9 +322,7 @@ fn links_lead_nowhere_else() {
 
 #[test]
 fn the_editor_is_sent_to_what_was_clicked() {
-    let text = HOUSE
-        .replace("KKS  TKD", "KKS  TKD")
-        .replace("0 0 180", "# 町家\n0 0 180");
+    let text = HOUSE.replace("0 0 180", "# 町家\n0 0 180");
     let shown = show(&[("a.hsd", &text)], None, Files::default());
     let state = shown.web.state("a.hsd");
     let unit = &state["plan"]["houses"][0]["storeys"][0]["rings"][0]["walls"][0]["units"][1];

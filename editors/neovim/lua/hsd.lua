@@ -3,7 +3,7 @@
 --   vim.opt.runtimepath:append('/path/to/hsd/editors/neovim')
 --   require('hsd').setup()
 --
--- `:HsdBuildParser` builds the parser with the C compiler, once.
+-- `:HsdBuildParser` builds the parser with the C compiler, once. `:HsdView` shows the house in the browser.
 local M = {}
 
 -- Where this file lies tells where the grammar does.
@@ -129,6 +129,27 @@ function M.build_parser()
   return true
 end
 
+-- Shows the house of a buffer in the browser, as it stands in the editor.
+function M.view()
+  local buffer = vim.api.nvim_get_current_buf()
+  local params = { command = 'hsd.view', arguments = { vim.uri_from_bufnr(buffer), true } }
+  vim.lsp.buf_request(buffer, 'workspace/executeCommand', params, function(problem, url)
+    vim.notify(problem and problem.message or url, problem and vim.log.levels.ERROR or vim.log.levels.INFO)
+  end)
+  -- Resting on a part lights it up.
+  vim.api.nvim_create_autocmd('CursorHold', {
+    group = vim.api.nvim_create_augroup('hsd-view', { clear = true }),
+    pattern = '*.hsd',
+    callback = function(event)
+      for _, client in pairs((vim.lsp.get_clients or vim.lsp.get_active_clients)({ bufnr = event.buf })) do
+        if client.name == 'hsd' then
+          client.notify('hsd/cursor', vim.lsp.util.make_position_params(0, client.offset_encoding))
+        end
+      end
+    end,
+  })
+end
+
 function M.setup(given)
   local options = vim.tbl_deep_extend('force', defaults, given or {})
   local native = vim.fn.has('nvim-0.11') == 1 and vim.lsp.config ~= nil
@@ -159,6 +180,7 @@ function M.setup(given)
     end,
   })
   vim.api.nvim_create_user_command('HsdBuildParser', M.build_parser, {})
+  vim.api.nvim_create_user_command('HsdView', M.view, {})
   -- Files that were open before.
   for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
     if vim.api.nvim_buf_is_loaded(buffer) and vim.bo[buffer].filetype == 'hsd' then

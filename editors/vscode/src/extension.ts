@@ -1,7 +1,7 @@
 // The extension: it finds the program `hsd`, runs `hsd lsp` beside the editor, and starts it anew when a setting changes.
 // All knowledge of houses is the program's; here is nothing but wires.
 import {
-  type ConfigurationChangeEvent, type ExtensionContext, type LogOutputChannel, type ProviderResult, SemanticTokens, commands, env,
+  type ConfigurationChangeEvent, type ExtensionContext, type LogOutputChannel, type ProviderResult, SemanticTokens, type TextEditor, Uri, commands, env,
   l10n, window, workspace,
 } from 'vscode';
 import { LanguageClient, type LanguageClientOptions, State } from 'vscode-languageclient/node';
@@ -15,6 +15,8 @@ const SETTINGS = [
 ] as const;
 
 let client: LanguageClient | undefined;
+/** Whether a preview was shown, which wants to know where the cursor stands. */
+let previewed = false;
 let output: LogOutputChannel;
 /** Starting and stopping follow one another, however fast settings change. */
 let queue: Promise<void> = Promise.resolve();
@@ -27,6 +29,8 @@ export async function activate(context: ExtensionContext): Promise<void> {
     commands.registerCommand('hsd.showOutput', () => output.show()),
     commands.registerCommand('hsd.format', () => commands.executeCommand('editor.action.formatDocument')),
     commands.registerCommand('hsd.chooseServer', () => choose()),
+    commands.registerCommand('hsd.showHouse', () => showHouse()),
+    window.onDidChangeTextEditorSelection(({ textEditor }) => point(textEditor)),
     workspace.onDidChangeConfiguration((change: ConfigurationChangeEvent) => {
       if (SETTINGS.some(name => change.affectsConfiguration(`hsd.${name}`))) void restart();
     }),
@@ -115,6 +119,30 @@ function colours(tokens: Awaited<ProviderResult<SemanticTokens>>): SemanticToken
   const offered = client?.initializeResult?.capabilities.semanticTokensProvider;
   if (!tokens || !offered) return undefined;
   return new SemanticTokens(told(tokens, offered.legend));
+}
+
+/** Shows the house of the text in the live preview, as it stands in the editor. */
+async function showHouse(): Promise<void> {
+  const editor = window.activeTextEditor;
+  if (!client || editor?.document.languageId !== 'hsd') return;
+  const uri = client.code2ProtocolConverter.asUri(editor.document.uri);
+  try {
+    // The page is opened here: where the editor runs in a browser itself, only it knows the way to this machine.
+    const url: string = await client.sendRequest('workspace/executeCommand', { command: 'hsd.view', arguments: [uri, false] });
+    previewed = true;
+    await env.openExternal(Uri.parse(url, true));
+  } catch (error) {
+    void window.showErrorMessage(error instanceof Error ? error.message : String(error));
+  }
+}
+
+/** The part under the cursor lights up in the preview. */
+function point({ document, selection }: TextEditor): void {
+  if (!client || !previewed || document.languageId !== 'hsd') return;
+  void client.sendNotification('hsd/cursor', {
+    textDocument: { uri: client.code2ProtocolConverter.asUri(document.uri) },
+    position: client.code2ProtocolConverter.asPosition(selection.active),
+  });
 }
 
 /** Says that there is no program, and how to come by it. Nothing waits for the answer. */
