@@ -1,6 +1,7 @@
 // Where pictures for documents are taken: the model on gravel under the sky. See still.ts for the light.
 
 import * as THREE from 'three';
+import { Mirrors } from './mirror/mirrors.ts';
 import type { Model } from './model.ts';
 import { bounds_in, corners_of, type View, way_of } from './views.ts';
 
@@ -31,11 +32,14 @@ function sky_dome(radius: number): THREE.Mesh {
   return new THREE.Mesh(new THREE.SphereGeometry(radius, 48, 24), material);
 }
 
-/** What glass and glazed tiles mirror: the sky above, the ground below. */
+/** The colour of the ground in what is mirrored without being drawn. */
+const GROUND = new THREE.Color(0x8c8474);
+
+/** What glazed tiles mirror: the sky above, the ground below. */
 function sky_reflections(renderer: THREE.WebGLRenderer): THREE.Texture {
   const scene = new THREE.Scene();
   scene.add(sky_dome(50));
-  const ground = new THREE.Mesh(new THREE.CircleGeometry(60, 48), new THREE.MeshBasicMaterial({ color: 0x8c8474 }));
+  const ground = new THREE.Mesh(new THREE.CircleGeometry(60, 48), new THREE.MeshBasicMaterial({ color: GROUND }));
   ground.rotation.x = -Math.PI / 2;
   ground.position.y = -2;
   scene.add(ground);
@@ -93,6 +97,7 @@ const develop = new THREE.ShaderMaterial({
 export class Studio {
   readonly renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
   readonly scene = new THREE.Scene();
+  readonly #mirrors: Mirrors;
   #light = new THREE.DirectionalLight(0xffffff, 1);
   #ball: THREE.Sphere;
   #corners: THREE.Vector3[];
@@ -127,6 +132,9 @@ export class Studio {
     light.shadow.normalBias = reach / 2048 * 2;
     light.target.position.copy(ball.center);
     scene.add(bounce, light, light.target);
+    this.#mirrors = new Mirrors(renderer, scene);
+    Object.assign(this.#mirrors.options, { probe: false, depth: 2, shift: 1, sky: { zenith: ZENITH, horizon: HAZE, ground: GROUND } });
+    this.#mirrors.show(model);
     this.#quad.frustumCulled = false;
     this.#screen.add(this.#quad);
   }
@@ -149,7 +157,7 @@ export class Studio {
         renderer.toneMapping = THREE.NoToneMapping;
         renderer.autoClear = true;
         renderer.setRenderTarget(shot);
-        renderer.render(this.scene, camera);
+        this.#mirrors.paint(camera);
         copy.uniforms.picture!.value = shot.texture;
         copy.uniforms.share!.value = 1 / of;
         renderer.autoClear = false;

@@ -65,7 +65,9 @@ export class Glass {
     this.#known.add(material);
     const { reflection } = material.userData as { reflection?: number };
     const share = { value: reflection ?? 0 }, before = material.onBeforeCompile;
-    if ('envMapIntensity' in material) material.envMapIntensity = 0; // or it would mirror twice
+    // Or it would mirror twice: the sky round the scene, or what was baked for viewers that know no mirrors.
+    if ('envMapIntensity' in material) material.envMapIntensity = 0;
+    if ('emissiveMap' in material && material.emissiveMap) Object.assign(material, { emissiveIntensity: 0 });
     material.onBeforeCompile = (shader, renderer) => {
       before.call(material, shader, renderer);
       Object.assign(shader.uniforms, this.uniforms, { mirrorShare: share });

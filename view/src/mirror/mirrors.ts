@@ -132,7 +132,7 @@ export class Mirrors {
     if (camera.parent === null) camera.updateMatrixWorld();
     const eye = eye_view(camera);
     if (!options.on || this.walls.length === 0) return eye;
-    const size = this.#renderer.getDrawingBufferSize(new THREE.Vector2());
+    const size = this.#size();
     this.#tree.tested = this.#chunks.tested = 0;
     const visible = (wall: Wall, from: View) => {
       if (!options.probe || from !== eye) return true;
@@ -186,7 +186,7 @@ export class Mirrors {
 
   /** Draws the pictures of all views, the deepest first. */
   #pictures(camera: Camera, eye: View) {
-    const renderer = this.#renderer, scene = this.#scene, { shadowMap, info } = renderer;
+    const size = this.#size(), renderer = this.#renderer, scene = this.#scene, { shadowMap, info } = renderer;
     const seeing = [eye, ...this.views].filter(view => view.children.length > 0);
     this.#table(seeing);
     const all = scene.children, others = all.filter(child => !this.#meshes.has(child) && child.userData['mirrored'] !== false);
@@ -206,7 +206,7 @@ export class Mirrors {
         renderer.setRenderTarget(atlas);
         scene.children = [...others, ...view.chunks.map(chunk => chunk.mesh)];
         this.#glass.view(seeing.indexOf(view), view.children.length > 0 ? this.#atlases[(view.level + 1) % 2]!.texture : null);
-        renderer.render(scene, this.#stood(camera, view));
+        renderer.render(scene, this.#stood(camera, view, size));
         this.stats.chunks += view.chunks.length;
       }
       this.stats.calls = info.render.calls - calls;
@@ -220,10 +220,16 @@ export class Mirrors {
     }
   }
 
-  #stood(camera: Camera, view: Mirrored): THREE.Camera {
+  /** Pixels of what is drawn into. */
+  #size(): THREE.Vector2 {
+    const target = this.#renderer.getRenderTarget();
+    return target ? new THREE.Vector2(target.width, target.height) : this.#renderer.getDrawingBufferSize(new THREE.Vector2());
+  }
+
+  #stood(camera: Camera, view: Mirrored, size: THREE.Vector2): THREE.Camera {
     const own = camera instanceof THREE.OrthographicCamera ? this.#parallel : this.#eye;
     own.layers.mask = camera.layers.mask;
-    stand(own, view, camera.projectionMatrix, this.#renderer.getDrawingBufferSize(new THREE.Vector2()), this.#reach);
+    stand(own, view, camera.projectionMatrix, size, this.#reach);
     return own;
   }
 
