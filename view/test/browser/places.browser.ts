@@ -8,7 +8,7 @@ import { does, Preview, unfold, until } from './preview.ts';
 let preview: Preview, page: Page;
 
 before(async () => {
-  preview = await Preview.of(['machiya.hsd', 't-house.hsd', 'court-house.hsd']);
+  preview = await Preview.of(['machiya.hsd', 't-house.hsd', 'court-house.hsd', 'setback.hsd']);
   page = await preview.open('?file=machiya.hsd');
   await does(page, 'text').click();
   assert.equal(await page.locator('.pane.text select').textContent(), 'machiya.hsd', 'no path of the machine');
@@ -193,6 +193,12 @@ test('the plan of automatic roofs has their regions, ridges and courts', async (
   await show('court-house.hsd');
   assert.equal(await count('.court'), 1);
   assert.ok(await count('.region') >= 4);
+  // A lean-to before a storey that stands back: an arrow down its slope, away from the wall above.
+  await show('setback.hsd');
+  const falls = await page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys[0]!.regions.filter(r => r.fall)), fall = falls[0];
+  assert.equal(await count('.fall'), 3 * falls.length, 'a shaft and two barbs each');
+  const [x1, y1, x2, y2] = await page.locator('svg.sheet .fall').first().evaluate(l => ['x1', 'y1', 'x2', 'y2'].map(n => Number(l.getAttribute(n)))) as [number, number, number, number];
+  assert.ok({ F: y2 > y1, B: y2 < y1, L: x2 < x1, R: x2 > x1 }[fall!.fall!], `${fall!.fall}: ${x1} ${y1} to ${x2} ${y2}`);
 });
 
 test('the cursor of the editor lights up its part', async () => {
