@@ -26,6 +26,11 @@ pub trait Images {
 
     /// A page of baked pictures, by its index in [`crate::scene::Scene::baked`].
     fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>>;
+
+    /// What a wall mirrors, by its index in [`crate::scene::Scene::mirrored`].
+    fn mirrored(&self, _index: u32) -> Option<PictureBytes<'_>> {
+        None
+    }
 }
 
 /// One picture as a file: its name without a folder, its bytes as PNG or JPEG.

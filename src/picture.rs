@@ -4,10 +4,14 @@
 //! - [`raster`]: which lines of sight meet a triangle, and where;
 //! - [`view`]: the nearest thing on each line;
 //! - [`light`]: its colour in sun and shadow;
-//! - [`sheet`]: pictures side by side, with their numbers.
+//! - [`sheet`]: pictures side by side, with their numbers;
+//! - [`beam`]: the nearest thing on lines that an eye sends over a mirror;
+//! - [`mirror`]: what the glass of facades mirrors, as pictures for plain viewers.
 
+pub mod beam;
 mod digits;
 mod light;
+pub mod mirror;
 pub mod raster;
 pub mod sheet;
 pub mod view;
@@ -43,7 +47,9 @@ pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) ->
         MARGIN,
     );
     triangles.extend(ground(&triangles));
-    let seen = View::of(&triangles, eye, grid);
+    let looks = light::Looks::new(scene, &|_| None);
+    let open = |triangle: &Triangle, weights| looks.open(triangle, weights);
+    let seen = View::of(&triangles, eye, grid, open);
     let sun = Frame::new(SUN);
     // A shadow needs no finer grid than the picture has.
     let lit = Grid::around(
@@ -55,8 +61,9 @@ pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) ->
         (width * FINE, width * FINE),
         0.01,
     );
-    let shade = View::of(&triangles, sun, lit);
-    light::shine(scene, &triangles, &seen, &shade, FINE)
+    let shade = View::of(&triangles, sun, lit, open);
+    let seen = (&seen.grid, &*seen.hits);
+    light::shine(&triangles, &looks, seen, &shade, FINE, |_| light::SKY)
 }
 
 /// The ground under everything.
@@ -76,4 +83,19 @@ fn ground(triangles: &[Triangle]) -> [Triangle; 2] {
         at(low.x, high.y),
     ];
     [[a, b, c], [a, c, d]].map(Triangle::ground)
+}
+
+/// What comes of every item, in their order, made on all processors.
+fn on_all_processors<I: Sync, T: Send>(items: &[I], one: impl Fn(&I) -> T + Sync) -> Vec<T> {
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let share = items.len().div_ceil(threads).max(1);
+    let one = &one;
+    std::thread::scope(|scope| {
+        let jobs: Vec<_> = items
+            .chunks(share)
+            .map(|some| scope.spawn(move || some.iter().map(one).collect::<Vec<_>>()))
+            .collect();
+        let done = jobs.into_iter().map(|job| job.join().unwrap_or_default());
+        done.flatten().collect()
+    })
 }

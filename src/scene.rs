@@ -29,6 +29,9 @@ pub struct Scene {
     pub pictures: Vec<String>,
     /// Pictures of joinery, made where the detail asks for pictures in place of shapes.
     pub baked: Vec<Baked>,
+    /// What walls mirror, a picture for each plane, where that was asked for.
+    #[serde(skip)]
+    pub mirrored: Vec<image::RgbImage>,
 }
 
 /// How much of the joinery is shape and how much is picture.
@@ -102,6 +105,24 @@ pub struct Material {
     pub cutout: bool,
     /// Share of the neighbourhood that glass mirrors, 0 to 1 (003-13, 003-14).
     pub reflection: Option<f32>,
+    /// What it mirrors: index into [`Scene::mirrored`]; drawn by [`Primitive::mirror_uvs`].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mirrored: Option<u32>,
+}
+
+impl Material {
+    /// The tint, and how much light of the mirrored picture is added to it, so that blending both over what lies behind
+    /// comes to so much of the picture as the share says, and for the rest to what was there without it.
+    pub fn under_mirror(&self) -> ([f32; 4], f32) {
+        let share = self.reflection.unwrap_or(0.0).clamp(0.0, 1.0);
+        let [r, g, b, opacity] = self.tint;
+        let whole = opacity + share - opacity * share;
+        if whole <= 0.0 {
+            return (self.tint, 0.0);
+        }
+        let left = (1.0 - share) * opacity / whole;
+        ([r * left, g * left, b * left, whole], share / whole)
+    }
 }
 
 /// The picture of a material.
@@ -138,6 +159,9 @@ pub struct Primitive {
     pub normals: Vec<[f32; 3]>,
     /// Metres along the surface, u to the right and v UP (back ends flip v where theirs runs down).
     pub uvs: Vec<[f32; 2]>,
+    /// Places in the picture of what its material mirrors, 0 to 1, v upwards; empty where that is none.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub mirror_uvs: Vec<[f32; 2]>,
     /// Into the arrays.
     pub indices: Vec<u32>,
 }

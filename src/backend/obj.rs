@@ -43,6 +43,8 @@ struct Writer<'a> {
     out: String,
     /// By the scene's number: what texture coordinates are divided by, if the material shows a picture.
     metres: Vec<Option<f64>>,
+    /// Whether a material shows what it mirrors, by the coordinates for that.
+    mirrors: Vec<bool>,
     /// Materials on written faces.
     used: Vec<bool>,
     /// Vertices and texture vertices so far; numbers begin with 1 and run on through the file.
@@ -61,6 +63,11 @@ impl<'a> Writer<'a> {
             scene,
             out: String::new(),
             metres: scene.materials.iter().map(|m| metres(&m.image)).collect(),
+            mirrors: scene
+                .materials
+                .iter()
+                .map(|m| mtl::mirrored(m, images).is_some())
+                .collect(),
             used: vec![false; scene.materials.len()],
             counts: (0, 0),
         }
@@ -107,7 +114,10 @@ impl<'a> Writer<'a> {
                     number
                 })
                 .collect();
-            let metres = self.metres[material];
+            let (metres, uvs) = match self.mirrors[material] {
+                true => (Some(1.0), &primitive.mirror_uvs),
+                false => (self.metres[material], &primitive.uvs),
+            };
             let corners: Vec<usize> = metres.map_or(vec![], |metres| {
                 let mut corner = |uv: &[f32; 2]| {
                     let uv = uv.map(|x| Number(f64::from(x) / metres));
@@ -121,7 +131,7 @@ impl<'a> Writer<'a> {
                     }
                     number
                 };
-                primitive.uvs.iter().map(&mut corner).collect()
+                uvs.iter().map(&mut corner).collect()
             });
             let _ = writeln!(
                 self.out,

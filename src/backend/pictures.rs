@@ -32,6 +32,7 @@ pub enum Trouble {
 pub struct Library {
     parts: Vec<Option<(String, Vec<u8>)>>,
     baked: Vec<Page>,
+    mirrored: Vec<(String, Vec<u8>)>,
 }
 
 /// The files of a page of baked pictures: colour, normals, gloss.
@@ -54,12 +55,30 @@ impl Library {
         Library {
             parts: paths.iter().enumerate().map(one).collect(),
             baked: vec![],
+            mirrored: vec![],
         }
     }
 
     /// Takes the pictures that were baked for a scene.
     pub fn bake(&mut self, pages: &[Baked]) {
         self.baked = pages.iter().enumerate().map(page).collect();
+    }
+
+    /// Takes the pictures of what walls mirror.
+    pub fn mirror(&mut self, pictures: &[image::RgbImage]) {
+        let one = |(n, picture): (usize, &image::RgbImage)| {
+            (
+                format!("mirrored_{}.jpg", n + 1),
+                texture::jpeg(picture, 90),
+            )
+        };
+        self.mirrored = pictures.iter().enumerate().map(one).collect();
+    }
+
+    /// A part picture point by point, by its index.
+    pub fn pixels(&self, index: u32) -> Option<image::RgbImage> {
+        let (_, bytes) = self.parts.get(index as usize)?.as_ref()?;
+        Some(image::load_from_memory(bytes).ok()?.into_rgb8())
     }
 }
 
@@ -115,6 +134,14 @@ impl Images for Library {
             color,
             normal: Some(normal),
             orm: Some(orm),
+        })
+    }
+
+    fn mirrored(&self, index: u32) -> Option<PictureBytes<'_>> {
+        let (name, bytes) = self.mirrored.get(index as usize)?;
+        Some(PictureBytes {
+            name: Cow::Borrowed(name),
+            bytes,
         })
     }
 

@@ -1,5 +1,6 @@
 //! `hsd build`: texts to models.
 
+mod bake;
 mod variants;
 
 use super::input::{Inputs, STDIN};
@@ -72,6 +73,9 @@ pub(super) struct Build {
     /// bars as shapes, 3 everything.
     #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
     detail: u8,
+
+    #[command(flatten)]
+    baking: bake::Baking,
 
     /// Build again whenever a text or a picture changes, until interrupted.
     #[arg(long)]
@@ -189,6 +193,11 @@ impl Build {
         let mut times = std::mem::take(&mut compiled.times);
         // Only the scene is written; a town's walls and roofs make room.
         let houses = std::mem::take(&mut compiled.building).shell.houses.len();
+        if self.baking.bake {
+            driver::timed(&mut times, "bake", || {
+                self.baking.run(&mut compiled.scene, &mut library);
+            });
+        }
         let scene = &compiled.scene;
         let size = driver::timed(&mut times, "write", || {
             if self.compress {

@@ -1,6 +1,6 @@
 //! A contact sheet: a picture of every variant, each with the number of its seed.
 
-use super::{digits, picture};
+use super::{digits, on_all_processors, picture};
 use crate::building::House;
 use crate::scene::{NodeId, Scene};
 use image::{RgbImage, imageops};
@@ -27,7 +27,8 @@ pub fn sheet(scene: &Scene, houses: &[House]) -> RgbImage {
         rows * (height + GAP) + GAP,
         PAPER,
     );
-    let pictures = drawn(scene, &cells, (width, height));
+    let one = |cell: &Cell| picture(scene, &cell.nodes, (width, height));
+    let pictures = on_all_processors(&cells, one);
     for (index, (cell, mut picture)) in (0..).zip(cells.iter().zip(pictures)) {
         let dot = (width / 120).max(1);
         digits::write(cell.seed, &mut picture, (3 * dot, 3 * dot), dot);
@@ -62,19 +63,4 @@ fn cells(scene: &Scene, houses: &[House]) -> Vec<Cell> {
         cell.nodes.push(NodeId(node as u32));
     }
     cells.into_values().collect()
-}
-
-/// A picture of each, on all processors.
-fn drawn(scene: &Scene, cells: &[Cell], size: (u32, u32)) -> Vec<RgbImage> {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let share = cells.len().div_ceil(threads).max(1);
-    let one = |cell: &Cell| picture(scene, &cell.nodes, size);
-    std::thread::scope(|scope| {
-        let jobs: Vec<_> = cells
-            .chunks(share)
-            .map(|some| scope.spawn(move || some.iter().map(one).collect::<Vec<_>>()))
-            .collect();
-        let done = jobs.into_iter().map(|job| job.join().unwrap_or_default());
-        done.flatten().collect()
-    })
 }

@@ -348,6 +348,7 @@ impl Store {
             double_sided: surface.thin,
             cutout: false,
             reflection: surface.glass.then(|| share.value()),
+            mirrored: None,
         })
     }
 
@@ -365,6 +366,7 @@ impl Store {
             double_sided: false,
             cutout: false,
             reflection: (share.0 > 0).then(|| share.value()),
+            mirrored: None,
         })
     }
 
@@ -385,6 +387,7 @@ impl Store {
             nodes,
             pictures,
             baked: self.atlas.pages,
+            mirrored: vec![],
         }
     }
 
@@ -400,6 +403,7 @@ impl Store {
             double_sided: false,
             cutout,
             reflection: None,
+            mirrored: None,
         })
     }
 
@@ -434,6 +438,7 @@ pub(super) fn primitive(material: MaterialId, soup: Soup) -> Primitive {
         positions,
         normals,
         uvs,
+        mirror_uvs: vec![],
         indices,
     }
 }

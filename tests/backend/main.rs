@@ -66,6 +66,7 @@ fn material(name: &str, image: Image) -> Material {
         cutout: false,
         double_sided: false,
         reflection: None,
+        mirrored: None,
     }
 }
 
@@ -76,6 +77,7 @@ fn pane(material: u32, w: f32, h: f32) -> Primitive {
         positions: vec![[0.0, 0.0, 0.0], [w, 0.0, 0.0], [w, 0.0, h], [0.0, 0.0, h]],
         normals: vec![[0.0, -1.0, 0.0]; 4],
         uvs: vec![[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]],
+        mirror_uvs: vec![],
         indices: vec![0, 1, 2, 0, 2, 3],
     }
 }
@@ -423,6 +425,7 @@ fn many_vertices_have_long_indices() {
             .collect(),
         normals: vec![[0.0, -2.0, 0.0]; count],
         uvs: vec![[0.0; 2]; count],
+        mirror_uvs: vec![],
         indices: vec![0, 1, count as u32 - 1],
     };
     let (root, bin) = read(&gltf::glb(&scene, &Pictures::new()));

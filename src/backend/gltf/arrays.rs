@@ -13,16 +13,18 @@ pub(super) enum Array {
     Normals,
     Tangents,
     Uvs,
+    MirrorUvs,
     Indices,
 }
 
 impl Array {
     /// In the order of the buffer.
-    pub(super) const ALL: [Array; 5] = [
+    pub(super) const ALL: [Array; 6] = [
         Array::Positions,
         Array::Normals,
         Array::Tangents,
         Array::Uvs,
+        Array::MirrorUvs,
         Array::Indices,
     ];
 
@@ -33,6 +35,7 @@ impl Array {
             Array::Normals => Some(Semantic::Normals),
             Array::Tangents => Some(Semantic::Tangents),
             Array::Uvs => Some(Semantic::TexCoords(0)),
+            Array::MirrorUvs => Some(Semantic::TexCoords(1)),
             Array::Indices => None,
         }
     }
@@ -42,7 +45,7 @@ impl Array {
         match self {
             Array::Positions | Array::Normals => Type::Vec3,
             Array::Tangents => Type::Vec4,
-            Array::Uvs => Type::Vec2,
+            Array::Uvs | Array::MirrorUvs => Type::Vec2,
             Array::Indices => Type::Scalar,
         }
     }
@@ -78,7 +81,9 @@ impl Array {
     pub(super) fn is_in(self, look: Look) -> bool {
         match self {
             Array::Tangents => look.relief,
-            Array::Uvs => look.metres.is_some(),
+            // Coordinates are counted from 0 without a gap.
+            Array::Uvs => look.metres.is_some() || look.mirrors,
+            Array::MirrorUvs => look.mirrors,
             Array::Positions | Array::Normals | Array::Indices => true,
         }
     }
@@ -97,6 +102,7 @@ impl Array {
                 let metres = look.metres.unwrap_or(1.0);
                 write_floats(out, &p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]);
             }
+            Array::MirrorUvs => write_floats(out, &p.mirror_uvs, |[u, v]| [u, 1.0 - v]),
             Array::Indices => write_indices(out, &p.indices, p.positions.len()),
         }
     }

@@ -220,7 +220,7 @@ fn empty(array: Array, component: ComponentType) -> Stream {
     match array {
         Array::Normals | Array::Tangents => Stream::directions(),
         Array::Indices => Stream::indices(component.size()),
-        Array::Positions | Array::Uvs => Stream::floats(array.elements().multiplicity()),
+        Array::Positions | Array::Uvs | Array::MirrorUvs => Stream::floats(array.elements().multiplicity()),
     }
 }
 
@@ -253,7 +253,7 @@ fn append(array: Array, piece: &Piece<'_>, stream: &mut Stream) -> Accessor {
             made.min = edge(f32::min, f32::MAX);
             made.max = edge(f32::max, f32::MIN);
         }
-        Array::Uvs => stream.push_floats(&values, REPEATS),
+        Array::Uvs | Array::MirrorUvs => stream.push_floats(&values, REPEATS),
         _ => {
             stream.push_directions(&values, array.elements().multiplicity());
             made.component_type = Valid(GenericComponentType(ComponentType::I16));

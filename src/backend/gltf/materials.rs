@@ -11,7 +11,7 @@ use gltf::json::extensions::material::{
 use gltf::json::extensions::texture::Texture as TextureExtensions;
 use gltf::json::image::MimeType;
 use gltf::json::material::{
-    AlphaMode, NormalTexture, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor,
+    AlphaMode, EmissiveFactor, NormalTexture, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor,
 };
 use gltf::json::texture::{Info, MagFilter, MinFilter, Sampler, WrappingMode};
 use gltf::json::validation::Checked::Valid;
@@ -54,6 +54,8 @@ pub(super) struct Look {
     pub(super) metres: Option<f32>,
     /// Whether it has normals, which need tangents.
     pub(super) relief: bool,
+    /// Whether it shows what it mirrors, by texture coordinates of its own.
+    pub(super) mirrors: bool,
 }
 
 /// How everything looks.
@@ -77,14 +79,20 @@ impl<'a> Looks<'a> {
             let number = Index::new(root.materials.len() as u32);
             let image = &material.image;
             let drawn = used.then(|| looks.drawn(image, images, root)).flatten();
+            let mirrored = material.mirrored.filter(|_| used);
+            let mirrored = mirrored.and_then(|index| {
+                let picture = images.mirrored(index)?;
+                looks.texture(picture, WrappingMode::ClampToEdge, root)
+            });
             let drawn = drawn.map(|d| &looks.drawn[d]);
             looks.looks.push(Look {
                 number,
                 metres: drawn.map(|d| d.metres),
                 relief: drawn.is_some_and(|d| d.normal.is_some()),
+                mirrors: mirrored.is_some(),
             });
             if used {
-                root.push(made(material, drawn));
+                root.push(made(material, drawn, mirrored));
             }
         }
         if root.materials.iter().any(|m| m.extensions.is_some()) {
@@ -263,7 +271,11 @@ impl Picture<'_> {
     }
 }
 
-fn made(m: &scene::Material, drawn: Option<&Drawn<'_>>) -> Material {
+fn made(
+    m: &scene::Material,
+    drawn: Option<&Drawn<'_>>,
+    mirrored: Option<Index<Texture>>,
+) -> Material {
     let factor = |x: f32| {
         if x.is_finite() {
             x.clamp(0.0, 1.0)
@@ -272,10 +284,14 @@ fn made(m: &scene::Material, drawn: Option<&Drawn<'_>>) -> Material {
         }
     };
     let reflection = m.reflection.map(factor);
+    let (tint, light) = match mirrored {
+        Some(_) => m.under_mirror(),
+        None => (m.tint, 0.0),
+    };
     Material {
         name: Some(m.name.clone()),
         pbr_metallic_roughness: PbrMetallicRoughness {
-            base_color_factor: PbrBaseColorFactor(m.tint.map(factor)),
+            base_color_factor: PbrBaseColorFactor(tint.map(factor)),
             base_color_texture: drawn.map(|d| info(d.color)),
             metallic_factor: StrengthFactor(factor(m.metallic)),
             roughness_factor: StrengthFactor(factor(m.roughness)),
@@ -289,9 +305,14 @@ fn made(m: &scene::Material, drawn: Option<&Drawn<'_>>) -> Material {
             extensions: None,
             extras: None,
         }),
+        emissive_texture: mirrored.map(|index| Info {
+            tex_coord: 1,
+            ..info(index)
+        }),
+        emissive_factor: EmissiveFactor([factor(light); 3]),
         alpha_mode: Valid(if m.cutout {
             AlphaMode::Mask
-        } else if factor(m.tint[3]) < 1.0 {
+        } else if factor(tint[3]) < 1.0 {
             AlphaMode::Blend
         } else {
             AlphaMode::Opaque

@@ -18,8 +18,14 @@ pub(super) fn mtl<'a>(
     let mut out = format!("# hsd {}\n", env!("CARGO_PKG_VERSION"));
     let mut files = vec![];
     for (material, _) in scene.materials.iter().zip(used).filter(|(_, used)| **used) {
-        plain(&mut out, material);
+        let mirrored = mirrored(material, images);
+        plain(&mut out, material, mirrored.is_some());
+        if let Some(picture) = &mirrored {
+            let name = file(&mut files, picture, folder);
+            let _ = writeln!(out, "map_Ke {name}");
+        }
         let picture = match &material.image {
+            _ if mirrored.is_some() => None,
             Image::None => None,
             Image::Surface(name) => images.files(name).map(|f| f.color),
             Image::Picture(index) => images.picture(*index),
@@ -36,8 +42,18 @@ pub(super) fn mtl<'a>(
     (out, files)
 }
 
-fn plain(out: &mut String, m: &Material) {
-    let [r, g, b, opacity] = m.tint.map(|x| f64::from(x).clamp(0.0, 1.0));
+/// What a material mirrors. There is one set of texture coordinates, so that what has a picture of its own keeps that.
+pub(super) fn mirrored<'a>(m: &Material, images: &'a dyn Images) -> Option<PictureBytes<'a>> {
+    let own = matches!(m.image, Image::Picture(_));
+    images.mirrored(m.mirrored.filter(|_| !own)?)
+}
+
+fn plain(out: &mut String, m: &Material, mirrors: bool) {
+    let (tint, light) = match mirrors {
+        true => m.under_mirror(),
+        false => (m.tint, 0.0),
+    };
+    let [r, g, b, opacity] = tint.map(|x| f64::from(x).clamp(0.0, 1.0));
     let color = [r, g, b].map(display);
     let shine = 0.5 * (1.0 - f64::from(m.roughness).clamp(0.0, 1.0));
     let _ = writeln!(out, "\nnewmtl {}", one_word(&m.name));
@@ -51,6 +67,10 @@ fn plain(out: &mut String, m: &Material) {
         let _ = writeln!(out, "{key} {r} {g} {b}");
     }
     let _ = writeln!(out, "d {}", Number(opacity));
+    if mirrors {
+        let light = Number((f64::from(light) * 1000.0).round() / 1000.0);
+        let _ = writeln!(out, "Ke {light} {light} {light}");
+    }
 }
 
 /// A linear share as screens encode it (sRGB): MTL is older than linear light.

@@ -52,6 +52,10 @@ impl<'a> Ktx2<'a> {
             }
         };
         for material in used(scene) {
+            let mirrored = material.mirrored.and_then(|index| plain.mirrored(index));
+            if let Some(picture) = mirrored {
+                add(picture.bytes, Content::Color);
+            }
             let files = match &material.image {
                 scene::Image::None => None,
                 scene::Image::Surface(name) => plain.files(name),
@@ -107,6 +111,11 @@ impl Images for Ktx2<'_> {
 
     fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
         let picture = self.plain.picture(index)?;
+        Some(self.put(picture, Content::Color))
+    }
+
+    fn mirrored(&self, index: u32) -> Option<PictureBytes<'_>> {
+        let picture = self.plain.mirrored(index)?;
         Some(self.put(picture, Content::Color))
     }
 
