@@ -20,6 +20,7 @@ mod output;
 mod params;
 mod parts;
 mod reason;
+mod render;
 mod terminal;
 mod textures;
 mod view;
@@ -137,6 +138,7 @@ enum Command {
     Fmt(fmt::Fmt),
     Textures(textures::Textures),
     View(view::View),
+    Render(render::Render),
     Lsp(lsp::Lsp),
     Completions(completions::Completions),
 }
@@ -161,6 +163,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Fmt(c) => c.run(language),
         Command::Textures(c) => c.run(language),
         Command::View(c) => c.run(language),
+        Command::Render(c) => c.run(language),
         Command::Lsp(c) => c.run(language),
         Command::Completions(c) => c.run(language),
     };

@@ -11,6 +11,7 @@
 //! | `watch` | notices what is saved |
 //! | `routes`, `guard` | what the page asks for; who may ask |
 //! | `strokes` | what was drawn in the page, so that it can be taken back |
+//! | `studio` | takes the pictures that the page draws for documents |
 //! | `page` | the files of the page |
 
 mod desk;
@@ -20,11 +21,13 @@ mod made;
 mod page;
 mod routes;
 mod strokes;
+mod studio;
 mod watch;
 
 pub use desk::Desk;
 pub use notify_debouncer_full::notify::RecursiveMode;
 pub use page::{how_to_get_it, there};
+pub use studio::Still;
 
 use crate::diagnostic::Language;
 use hall::Hall;
@@ -32,6 +35,7 @@ use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::mpsc::Sender;
 use std::thread::{self, JoinHandle};
 use watch::Watch;
 
@@ -65,6 +69,18 @@ impl Preview {
     /// # Errors
     /// Where the root is not there, the port is taken, or folders cannot be watched.
     pub fn start(show: Show) -> io::Result<Preview> {
+        Preview::begin(show, None)
+    }
+
+    /// Begins to show to a page that draws pictures for documents; `taker` gets them.
+    ///
+    /// # Errors
+    /// As [`Preview::start`].
+    pub fn with_stills(show: Show, taker: Sender<Still>) -> io::Result<Preview> {
+        Preview::begin(show, Some(taker))
+    }
+
+    fn begin(show: Show, stills: Option<Sender<Still>>) -> io::Result<Preview> {
         let root = show.root.canonicalize()?;
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, show.port))?;
         listener.set_nonblocking(true)?;
@@ -74,7 +90,7 @@ impl Preview {
             [] => None,
             folders => Some(watch::watch(&hall, folders).map_err(io::Error::other)?),
         };
-        let routes = routes::routes(hall.clone(), address.port());
+        let routes = routes::routes(hall.clone(), address.port(), stills);
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_io()
             .enable_time()

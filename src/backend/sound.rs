@@ -49,10 +49,16 @@ pub fn primitive(p: &Primitive, scene: &Scene) -> bool {
         && !p.indices.is_empty()
         && p.indices.len().is_multiple_of(3)
         && p.indices.iter().all(|&i| (i as usize) < count)
-        && scene.materials.get(p.material.0 as usize).is_some_and(|m| m.mirrored.is_none() || !p.mirror_uvs.is_empty())
+        && scene
+            .materials
+            .get(p.material.0 as usize)
+            .is_some_and(|m| m.mirrored.is_none() || !p.mirror_uvs.is_empty())
         && p.positions
             .iter()
             .all(|v| v.iter().all(|x| x.abs() < LARGEST as f32))
         && p.normals.iter().all(|v| v.iter().all(|x| x.is_finite()))
-        && p.uvs.iter().chain(&p.mirror_uvs).all(|v| v.iter().all(|x| x.is_finite()))
+        && p.uvs
+            .iter()
+            .chain(&p.mirror_uvs)
+            .all(|v| v.iter().all(|x| x.is_finite()))
 }

@@ -8,7 +8,7 @@ use crate::diagnostic::Language;
 use crate::text;
 use crate::view::{self, Preview, RecursiveMode, Show};
 use clap::Args;
-use disk::Disk;
+pub(super) use disk::Disk;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 

@@ -174,9 +174,19 @@ mod tests {
 
     #[test]
     fn the_nearer_one_is_seen_at_its_weights() {
-        let wall = |z: f64| [dvec3(-20.0, -20.0, z), dvec3(20.0, -20.0, z), dvec3(0.0, 30.0, z)];
+        let wall = |z: f64| {
+            [
+                dvec3(-20.0, -20.0, z),
+                dvec3(20.0, -20.0, z),
+                dvec3(0.0, 30.0, z),
+            ]
+        };
         // One that leans through the plane stands before the others on the left.
-        let leaning = [dvec3(-9.0, -30.0, -1.0), dvec3(-9.0, 30.0, -1.0), dvec3(0.0, 0.0, 8.0)];
+        let leaning = [
+            dvec3(-9.0, -30.0, -1.0),
+            dvec3(-9.0, 30.0, -1.0),
+            dvec3(0.0, 0.0, 8.0),
+        ];
         let corners = [wall(9.0), wall(6.0), leaning];
         let triangles = corners.map(Triangle::ground);
         let grid = Grid {

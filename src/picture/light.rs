@@ -47,7 +47,10 @@ impl<'a> Looks<'a> {
     pub(super) fn new(scene: &'a Scene, pictures: &dyn Fn(u32) -> Option<RgbImage>) -> Looks<'a> {
         let drawn = scene.materials.iter().map(|m| match m.image {
             Image::Surface(name) => samples::samples(name).map(Drawn::Surface),
-            Image::Baked(page) => scene.baked.get(page as usize).map(|b| Drawn::Page(&b.color)),
+            Image::Baked(page) => scene
+                .baked
+                .get(page as usize)
+                .map(|b| Drawn::Page(&b.color)),
             Image::Picture(number) => pictures(number).map(Drawn::Own),
             Image::None => None,
         });

@@ -11,11 +11,11 @@
 mod scenery;
 mod walls;
 
+use super::SUN;
 use super::beam::Beam;
 use super::light::{self, Looks};
 use super::raster::Grid;
 use super::view::{Frame, View};
-use super::SUN;
 use crate::scene::Scene;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use image::{RgbImage, imageops};
@@ -40,15 +40,16 @@ const NEAREST: f64 = 2.0;
 /// Of the way to what stands opposite, how far the eye goes.
 const FREE: f64 = 0.9;
 
-/// Half of the tangent's inverse of half of 60 degrees: how far to go for a metre of wall.
+/// How far to go for each metre of wall, to see it within 60 degrees.
 const AWAY: f64 = 0.866;
 
 /// Lines of the sun in each direction, and how far from the wall shadows fall, metres.
 const SUNBEAMS: u32 = 1024;
 const SHADOWS: f64 = 60.0;
 
-/// Linear light of the sky overhead.
-const ZENITH: DVec3 = dvec3(0.28, 0.44, 0.72);
+/// Linear light of the sky at the horizon and overhead: darker than sunlit plaster, as in a photograph of both.
+const HORIZON: DVec3 = dvec3(0.56, 0.66, 0.78);
+const ZENITH: DVec3 = dvec3(0.16, 0.30, 0.58);
 
 /// What is wished for of the pictures.
 #[derive(Clone, Copy, Debug)]
@@ -101,7 +102,11 @@ impl Sheet {
         let longest = (longest & !3).max(4);
         let span = (wall.high - wall.low).max(DVec2::splat(1e-3));
         let density = DENSITY.min(f64::from(longest) / span.max_element());
-        let side = |metres: f64| ((metres * density).ceil() as u32).next_multiple_of(4).min(longest);
+        let side = |metres: f64| {
+            ((metres * density).ceil() as u32)
+                .next_multiple_of(4)
+                .min(longest)
+        };
         let pixels = (side(span.x), side(span.y));
         Sheet {
             low: wall.low,
@@ -143,7 +148,7 @@ fn draw(
     let lit = Grid::around(lit, (SUNBEAMS, SUNBEAMS), 0.01);
     let shade = View::of(&town.under(&sun, &lit), sun, lit, open);
     let step = sheet.pixel() / f64::from(FINE);
-    let sky = |q: DVec2| light::SKY.lerp(ZENITH, beam.way(q).y.clamp(0.0, 1.0));
+    let sky = |q: DVec2| HORIZON.lerp(ZENITH, beam.way(q).y.clamp(0.0, 1.0));
     let (width, height) = sheet.pixels;
     let band = |first: u32| {
         let rows = BAND.min(height - first);
@@ -166,7 +171,10 @@ fn draw(
     };
     let bands: Vec<u32> = (0..height).step_by(BAND as usize).collect();
     let mut picture = RgbImage::new(width, height);
-    for (first, part) in bands.iter().zip(super::on_all_processors(&bands, |f| band(*f))) {
+    for (first, part) in bands
+        .iter()
+        .zip(super::on_all_processors(&bands, |f| band(*f)))
+    {
         imageops::replace(&mut picture, &part, 0, i64::from(*first));
     }
     picture

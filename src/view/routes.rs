@@ -2,6 +2,7 @@
 
 use super::hall::{Eye, Hall, Listed, News, Room};
 use super::made::Made;
+use super::studio::{self, Still};
 use super::{guard, page};
 use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
@@ -19,6 +20,7 @@ use serde_json::{Value, json};
 use std::convert::Infallible;
 use std::io;
 use std::sync::Arc;
+use std::sync::mpsc::Sender;
 use tokio_stream::wrappers::BroadcastStream;
 use tokio_stream::wrappers::errors::BroadcastStreamRecvError;
 use tokio_stream::{Stream, StreamExt};
@@ -29,7 +31,7 @@ const PICTURE: usize = 256 << 20;
 type Shared = State<Arc<Hall>>;
 
 /// All that is answered, on a port of this machine.
-pub(super) fn routes(hall: Arc<Hall>, port: u16) -> Router {
+pub(super) fn routes(hall: Arc<Hall>, port: u16, stills: Option<Sender<Still>>) -> Router {
     let page = |name: &'static str| get(move || async move { asset(name) });
     Router::new()
         .route("/", page("index.html"))
@@ -46,6 +48,7 @@ pub(super) fn routes(hall: Arc<Hall>, port: u16) -> Router {
         .route("/api/stroke", post(stroke))
         .route("/api/undo", post(undo))
         .route("/api/redo", post(redo))
+        .merge(studio::routes(stills))
         .layer(DefaultBodyLimit::max(PICTURE))
         .layer(middleware::from_fn_with_state(port, guard::guard))
         .with_state(hall)

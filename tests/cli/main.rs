@@ -5,6 +5,7 @@
 mod fmt;
 mod folders;
 mod languages;
+mod render;
 
 use hsd::disk::FolderWorld;
 use hsd::source::World;

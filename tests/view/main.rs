@@ -2,6 +2,7 @@
 
 #![expect(unreachable_pub)] // modules of one program
 
+mod stills;
 mod web;
 
 use hsd::diagnostic::Language;

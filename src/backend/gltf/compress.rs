@@ -220,7 +220,9 @@ fn empty(array: Array, component: ComponentType) -> Stream {
     match array {
         Array::Normals | Array::Tangents => Stream::directions(),
         Array::Indices => Stream::indices(component.size()),
-        Array::Positions | Array::Uvs | Array::MirrorUvs => Stream::floats(array.elements().multiplicity()),
+        Array::Positions | Array::Uvs | Array::MirrorUvs => {
+            Stream::floats(array.elements().multiplicity())
+        }
     }
 }
 

@@ -11,7 +11,8 @@ use gltf::json::extensions::material::{
 use gltf::json::extensions::texture::Texture as TextureExtensions;
 use gltf::json::image::MimeType;
 use gltf::json::material::{
-    AlphaMode, EmissiveFactor, NormalTexture, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor,
+    AlphaMode, EmissiveFactor, NormalTexture, PbrBaseColorFactor, PbrMetallicRoughness,
+    StrengthFactor,
 };
 use gltf::json::texture::{Info, MagFilter, MinFilter, Sampler, WrappingMode};
 use gltf::json::validation::Checked::Valid;

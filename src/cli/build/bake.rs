@@ -45,5 +45,7 @@ fn point(text: &str) -> Result<DVec3, &'static str> {
     let number = |t: &str| t.trim().parse().ok().filter(|x: &f64| x.abs() < 1e6);
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     let numbers = numbers.and_then(|n| <[f64; 3]>::try_from(n).ok());
-    numbers.map(DVec3::from_array).ok_or("three numbers, as in 0,-8,1.6")
+    numbers
+        .map(DVec3::from_array)
+        .ok_or("three numbers, as in 0,-8,1.6")
 }

@@ -350,6 +350,41 @@ pub(super) static COMMANDS: &[Words] = &[
         values: &[],
     },
     Words {
+        path: "render",
+        about: "文書に載せる家の写真を撮る",
+        more: "`hsd view` の画面が午後の光で描きます。このマシンの Chromium、Chrome、Edge のどれかを見えないところで使います。\
+               HSD_CHROMIUM で別のものを指定できます。一枚なら OUT に、何枚かなら OUT フォルダーに NAME-VIEW.png と書きます。\
+               誤りのあるテキストの写真は撮りません。",
+        examples: "\
+例:
+  hsd render shop.hsd -o shop.png                              通りから
+  hsd render street/*.hsd -o pictures/ --view front,above      二枚ずつ",
+        arguments: &[
+            ("inputs", "テキスト、またはモデル (.glb)", ""),
+            (
+                "output",
+                "画像 (.png か .jpg)、またはフォルダー (`pictures/`)",
+                "",
+            ),
+            ("views", "どこから見るか。コンマで区切っていくつでも", ""),
+            ("size", "幅と高さの画素数", ""),
+            ("samples", "平均する光の位置の数。多いほど滑らか", ""),
+            ("format", "フォルダーに書く画像の形式", ""),
+            ("quiet", "問題がなければ何も言わない", ""),
+        ],
+        values: &[
+            ("front", "通りの左手から"),
+            ("eaves", "front と同じ向き、軒の高さから"),
+            ("above", "正面右の上から"),
+            ("back", "背面の上から"),
+            ("left", "左側面"),
+            ("right", "右側面"),
+            ("top", "真上から"),
+            ("png", "描いたままの画素"),
+            ("jpg", "数分の一の大きさ"),
+        ],
+    },
+    Words {
         path: "lsp",
         about: "エディターに応える: 診断、補完、説明などを Language Server Protocol で",
         more: "エディターが自分で起動します。標準入力を読み、標準出力に書きます。エディターの設定は README にあります。",

@@ -5,9 +5,7 @@
 use super::super::beam::Plane;
 use super::super::view::{self, Place};
 use super::Sheet;
-use crate::scene::{
-    Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene,
-};
+use crate::scene::{Kind, Material, MaterialId, Mesh, MeshId, Node, NodeId, Primitive, Scene};
 use glam::{DVec2, DVec3};
 use image::RgbImage;
 use std::collections::BTreeMap;
@@ -145,7 +143,9 @@ fn facades(scene: &Scene) -> Vec<Facade> {
             panes: vec![],
             taken: vec![],
         });
-        panes.into_iter().for_each(|pane| add(&mut facade.panes, pane));
+        panes
+            .into_iter()
+            .for_each(|pane| add(&mut facade.panes, pane));
         facade.taken.push(n);
     }
     found.into_values().collect()
@@ -176,17 +176,14 @@ fn triangles(p: &Primitive) -> impl Iterator<Item = [DVec3; 3]> {
 }
 
 /// The triangles of a primitive that look out of the facade, in the facade's frame, and the others as they were.
-fn divided(
-    p: &Primitive,
-    place: Place,
-    facade: Place,
-) -> (Option<Primitive>, Option<Primitive>) {
+fn divided(p: &Primitive, place: Place, facade: Place) -> (Option<Primitive>, Option<Primitive>) {
     let out = facade.way(DVec3::NEG_Y);
     let looks_out = |t: &&[u32]| {
         let straight = |i: &u32| place.way(view::point(p.normals[*i as usize])).dot(out) > STRAIGHT;
         t.iter().all(straight)
     };
-    let (panes, others): (Vec<&[u32]>, Vec<&[u32]>) = p.indices.chunks_exact(3).partition(looks_out);
+    let (panes, others): (Vec<&[u32]>, Vec<&[u32]>) =
+        p.indices.chunks_exact(3).partition(looks_out);
     let back = DVec2::new(facade.turn.x, -facade.turn.y);
     let turned = |v: DVec3| back.rotate(v.truncate()).extend(v.z).as_vec3().to_array();
     let panes = picked(p, &panes).map(|mut panes| {

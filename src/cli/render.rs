@@ -1,0 +1,349 @@
+//! `hsd render`: pictures for documents, drawn by the page of the preview in a browser that nobody sees.
+
+mod browser;
+
+use super::input::Inputs;
+use super::options::{Manner, exit, report};
+use super::output::{self, Files};
+use super::view::{Disk, page_is_there};
+use super::{Outcome, Stop};
+use crate::diagnostic::{Diagnostics, Language};
+use crate::driver;
+use crate::report::{Format, Report};
+use crate::text;
+use crate::texture;
+use crate::view::{Preview, Show, Still};
+use browser::Browser;
+use clap::{Args, ValueEnum};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::time::{Duration, Instant};
+
+/// Quality of pictures in JPEG.
+const QUALITY: u8 = 88;
+
+/// How long nothing may come from the browser.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// How often is asked whether the browser still runs.
+const PULSE: Duration = Duration::from_millis(250);
+
+/// Take pictures of houses for documents.
+///
+/// The page of `hsd view` draws them in afternoon light, in a Chromium, Chrome or Edge of this machine that is not seen;
+/// HSD_CHROMIUM names another one. One picture goes to OUT; several go into the folder OUT as NAME-VIEW.png. Where a text
+/// has errors, there is no picture of it.
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Examples:
+  hsd render shop.hsd -o shop.png                              from the street
+  hsd render street/*.hsd -o pictures/ --view front,above      two pictures of each")]
+pub(super) struct Render {
+    /// Texts, or models (.glb).
+    #[arg(value_name = "FILE", required = true)]
+    inputs: Vec<PathBuf>,
+
+    #[command(flatten)]
+    manner: Manner,
+
+    /// The picture, .png or .jpg, or a folder (`pictures/`).
+    #[arg(short, long, value_name = "OUT")]
+    output: PathBuf,
+
+    /// Where to look from, one or more with commas.
+    #[arg(
+        long = "view",
+        value_enum,
+        value_delimiter = ',',
+        default_value = "front",
+        value_name = "VIEW"
+    )]
+    views: Vec<View>,
+
+    /// Pixels.
+    #[arg(long, value_name = "WxH", default_value = "960x640", value_parser = size)]
+    size: (u32, u32),
+
+    /// Places of the light that are averaged; more is smoother.
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1024))]
+    samples: u32,
+
+    /// The format of pictures in a folder.
+    #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
+    format: Kind,
+
+    /// Say nothing unless something is wrong.
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// Where to look from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum View {
+    /// From the left in the street.
+    Front,
+    /// As front, from the height of the eaves.
+    Eaves,
+    /// From the right before the house and above.
+    Above,
+    /// From behind and above.
+    Back,
+    /// The left side.
+    Left,
+    /// The right side.
+    Right,
+    /// Straight down.
+    Top,
+}
+
+impl View {
+    /// As the page calls it.
+    fn word(self) -> &'static str {
+        match self {
+            View::Front => "front",
+            View::Eaves => "eaves",
+            View::Above => "above",
+            View::Back => "back",
+            View::Left => "left",
+            View::Right => "right",
+            View::Top => "top",
+        }
+    }
+}
+
+/// Formats of pictures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    /// Every pixel as it was drawn.
+    #[default]
+    Png,
+    /// Several times smaller.
+    Jpg,
+}
+
+impl Kind {
+    fn of(path: &Path) -> Option<Kind> {
+        match &*path.extension()?.to_string_lossy().to_lowercase() {
+            "png" => Some(Kind::Png),
+            "jpg" | "jpeg" => Some(Kind::Jpg),
+            _ => None,
+        }
+    }
+
+    fn ending(self) -> &'static str {
+        match self {
+            Kind::Png => "png",
+            Kind::Jpg => "jpg",
+        }
+    }
+}
+
+/// Where pictures go.
+enum Target<'a> {
+    File(&'a Path, Kind),
+    Folder(&'a Path, Kind),
+}
+
+impl Render {
+    pub(super) fn run(&self, language: Language) -> Outcome {
+        self.manner.check_folders()?;
+        let target = self.target()?;
+        page_is_there()?;
+        let browser = Browser::find()?;
+        if let Target::Folder(folder, _) = target {
+            std::fs::create_dir_all(folder).map_err(|e| Stop::at(folder.display(), e))?;
+        }
+        let mut spoiled = false;
+        for input in &self.inputs {
+            match self.complaints(input, language)? {
+                true => spoiled = true,
+                false => self.one(input, &target, &browser, language)?,
+            }
+        }
+        Ok(exit(spoiled))
+    }
+
+    /// Where the pictures go; several cannot go into one file, nor two into the same.
+    fn target(&self) -> Result<Target<'_>, Stop> {
+        let output = &self.output;
+        let named = output.to_string_lossy();
+        let folder = output.is_dir() || named.ends_with(['/', std::path::MAIN_SEPARATOR]);
+        let several = self.inputs.len() * self.views.len() > 1;
+        let shown = output.display();
+        if !folder && !several {
+            return match Kind::of(output) {
+                Some(kind) => Ok(Target::File(output, kind)),
+                None => Err(Stop::Usage(text!(
+                    "{shown}: a picture ends with .png or .jpg",
+                    "{shown}: 画像の拡張子は .png か .jpg です"
+                ))),
+            };
+        }
+        if !folder && Kind::of(output).is_some() {
+            return Err(Stop::Usage(text!(
+                "several pictures do not fit into {shown}; name a folder, as in `-o pictures/`",
+                "{shown} には画像がひとつしか入りません。`-o pictures/` のようにフォルダーを指定してください"
+            )));
+        }
+        for (n, input) in self.inputs.iter().enumerate() {
+            let stem = input
+                .file_stem()
+                .map(|s| s.to_string_lossy().to_lowercase());
+            let same = |other: &&PathBuf| {
+                other
+                    .file_stem()
+                    .map(|s| s.to_string_lossy().to_lowercase())
+                    == stem
+            };
+            if let Some(other) = self.inputs[..n].iter().find(same) {
+                return Err(Stop::one_output(other, input, output));
+            }
+        }
+        Ok(Target::Folder(output, self.format))
+    }
+
+    /// Says what is wrong with a text; whether that spoils it.
+    fn complaints(&self, input: &PathBuf, language: Language) -> Result<bool, Stop> {
+        if input
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("glb"))
+        {
+            return Ok(false);
+        }
+        let mut out = Diagnostics::new();
+        let own = std::slice::from_ref(input);
+        let inputs = Inputs::read(own, self.manner.limits().bytes, &mut out)?;
+        let options = self.manner.options(&inputs, &mut out)?;
+        let world = self.manner.world(own);
+        let checked = driver::check(&inputs.accepted(), &world, &options, &mut out);
+        let list = out.into_sorted();
+        if !list.is_empty() {
+            let sources = inputs.and(checked.included);
+            let written = Report::new(&sources, &list).in_language(language);
+            report(&written, Format::Human, &mut io::stderr())?;
+        }
+        Ok(list.iter().any(|d| self.manner.spoils(d.severity)))
+    }
+
+    /// Takes the pictures of one file.
+    fn one(
+        &self,
+        input: &Path,
+        target: &Target<'_>,
+        browser: &Browser,
+        language: Language,
+    ) -> Result<(), Stop> {
+        let begun = Instant::now();
+        let failed = |e| Stop::at(input.display(), e);
+        let real = input.canonicalize().map_err(failed)?;
+        let name = real
+            .file_name()
+            .unwrap_or_default()
+            .to_string_lossy()
+            .into_owned();
+        let (taker, stills) = mpsc::channel();
+        let show = Show {
+            root: real.parent().unwrap_or(Path::new("/")).to_owned(),
+            only: Some(name.clone()),
+            language,
+            desk: Box::new(Disk {
+                manner: self.manner.clone(),
+                editor: None,
+                writes: false,
+            }),
+            port: 0,
+            watched: vec![],
+        };
+        let preview = Preview::with_stills(show, taker).map_err(failed)?;
+        let views: Vec<&str> = self.views.iter().map(|v| v.word()).collect();
+        let (views, (width, height)) = (views.join(","), self.size);
+        let file = browser::escaped(&name);
+        let url = format!(
+            "{}?file={file}&render={views}&size={width}x{height}&samples={}",
+            preview.url(),
+            self.samples
+        );
+        let running = browser.open(&url)?;
+        self.take(input, target, &stills, running, language, begun)
+    }
+
+    /// Writes what comes from the page, until it says that it is done.
+    fn take(
+        &self,
+        input: &Path,
+        target: &Target<'_>,
+        stills: &Receiver<Still>,
+        mut running: browser::Running,
+        language: Language,
+        begun: Instant,
+    ) -> Result<(), Stop> {
+        let shown = input.display();
+        let mut heard = Instant::now();
+        loop {
+            match stills.recv_timeout(PULSE) {
+                Ok(Still::Picture { view, png }) => {
+                    heard = Instant::now();
+                    // The page says which view it is; only what was asked for becomes a name.
+                    let Some(view) = self.views.iter().find(|v| v.word() == view) else {
+                        continue;
+                    };
+                    let path = write(input, target, *view, png)?;
+                    if !self.quiet {
+                        let (path, ms) = (path.display(), begun.elapsed().as_millis());
+                        let told =
+                            text!("wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
+                        writeln!(io::stderr(), "{}", told.in_language(language))?;
+                    }
+                }
+                Ok(Still::Done(errors)) if errors.is_empty() => return Ok(()),
+                Ok(Still::Done(errors)) => {
+                    let why = errors.join("; ");
+                    return Err(Stop::Io(text!("{shown}: {why}", "{shown}: {why}")));
+                }
+                Err(RecvTimeoutError::Timeout) if running.ended() => {
+                    return Err(Stop::Io(text!(
+                        "{shown}: the browser ended before the picture was drawn",
+                        "{shown}: 画像ができる前にブラウザーが終了しました"
+                    )));
+                }
+                Err(RecvTimeoutError::Timeout) if heard.elapsed() < PATIENCE => {}
+                Err(_) => {
+                    return Err(Stop::Io(text!(
+                        "{shown}: nothing came from the browser",
+                        "{shown}: ブラウザーから何も届きませんでした"
+                    )));
+                }
+            }
+        }
+    }
+}
+
+/// Puts a picture in its place.
+fn write(input: &Path, target: &Target<'_>, view: View, png: Vec<u8>) -> Result<PathBuf, Stop> {
+    let (path, kind) = match target {
+        Target::File(path, kind) => (path.to_path_buf(), *kind),
+        Target::Folder(folder, kind) => {
+            let stem = input.file_stem().unwrap_or_default().to_string_lossy();
+            let name = format!("{stem}-{}.{}", view.word(), kind.ending());
+            (folder.join(name), *kind)
+        }
+    };
+    let drawn = image::load_from_memory_with_format(&png, image::ImageFormat::Png);
+    let drawn = drawn.map_err(|e| Stop::at(path.display(), io::Error::other(e.to_string())))?;
+    let bytes = match kind {
+        Kind::Png => png,
+        Kind::Jpg => texture::jpeg(&drawn.into_rgb8(), QUALITY),
+    };
+    output::write(&path, Files::bytes(bytes))?;
+    Ok(path)
+}
+
+/// `960x640`.
+fn size(text: &str) -> Result<(u32, u32), &'static str> {
+    let side = |t: &str| t.parse().ok().filter(|n: &u32| (16..=8192).contains(n));
+    let sides = text
+        .split_once('x')
+        .and_then(|(w, h)| Some((side(w)?, side(h)?)));
+    sides.ok_or("width and height in pixels, 16 to 8192, as in 960x640")
+}

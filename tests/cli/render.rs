@@ -1,0 +1,125 @@
+//! `hsd render`: pictures by the page, in a browser that nobody sees.
+
+use super::*;
+
+/// What comes of a run; `None` where there is no page, or no browser to draw in.
+fn rendered(folder: &Path, arguments: &[&str]) -> Option<Output> {
+    let output = hsd(folder, &[&["render"], arguments].concat());
+    let said = stderr(&output);
+    let lacking = ["without its page", "none is found"];
+    if lacking.iter().any(|why| said.contains(why)) {
+        eprintln!("left out: {said}");
+        return None;
+    }
+    Some(output)
+}
+
+/// How many colours there are in a picture of this size.
+fn colors(path: &Path, size: (u32, u32)) -> usize {
+    let picture = image::open(path).unwrap().into_rgb8();
+    assert_eq!(picture.dimensions(), size, "{}", path.display());
+    let pixels = picture.pixels().map(|p| p.0);
+    pixels.collect::<std::collections::BTreeSet<_>>().len()
+}
+
+#[test]
+fn pictures_have_their_size_and_show_something() {
+    let folder = folder();
+    let small = ["--size", "160x96", "--samples", "1"];
+    let one = [&["sound.hsd", "-o", "one.png"][..], &small].concat();
+    let Some(output) = rendered(folder.path(), &one) else {
+        return;
+    };
+    assert_eq!(code(&output), 0, "{}", stderr(&output));
+    assert!(colors(&folder.path().join("one.png"), (160, 96)) > 50);
+    let views = [
+        "sound.hsd",
+        "-o",
+        "all/",
+        "--view",
+        "above,left",
+        "--format",
+        "jpg",
+        "--quiet",
+    ];
+    let output = hsd(folder.path(), &[&["render"], &views[..], &small].concat());
+    assert_eq!((code(&output), stderr(&output).as_str()), (0, ""));
+    assert_eq!(
+        names(&folder.path().join("all")),
+        ["sound-above.jpg", "sound-left.jpg"]
+    );
+    assert!(colors(&folder.path().join("all/sound-above.jpg"), (160, 96)) > 50);
+    assert_ne!(
+        fs::read(folder.path().join("all/sound-above.jpg")).unwrap(),
+        fs::read(folder.path().join("all/sound-left.jpg")).unwrap()
+    );
+}
+
+#[test]
+fn texts_with_errors_have_no_picture() {
+    let folder = folder();
+    let Some(output) = rendered(folder.path(), &["broken.hsd", "-o", "one.png"]) else {
+        return;
+    };
+    assert_eq!(code(&output), 1);
+    assert!(stderr(&output).contains("HSD"), "{}", stderr(&output));
+    assert_eq!(names(folder.path()), ["broken.hsd", "sound.hsd"]);
+}
+
+#[test]
+fn wishes_that_cannot_be_are_refused() {
+    let folder = folder();
+    for (arguments, why) in [
+        (&["sound.hsd", "-o", "one.gif"][..], ".png or .jpg"),
+        (
+            &["sound.hsd", "broken.hsd", "-o", "one.png"],
+            "name a folder",
+        ),
+        (
+            &["sound.hsd", "-o", "one.png", "--view", "front,back"],
+            "name a folder",
+        ),
+        (
+            &["sound.hsd", "./sound.hsd", "-o", "all/"],
+            "would both become",
+        ),
+        (&["sound.hsd", "-o", "one.png", "--size", "0x9"], "960x640"),
+        (&["sound.hsd", "-o", "one.png", "--view", "inside"], "front"),
+    ] {
+        let output = hsd(folder.path(), &[&["render"], arguments].concat());
+        assert_eq!(code(&output), 2, "{arguments:?}: {}", stderr(&output));
+        assert!(
+            stderr(&output).contains(why),
+            "{arguments:?}: {}",
+            stderr(&output)
+        );
+    }
+    assert_eq!(names(folder.path()), ["broken.hsd", "sound.hsd"]);
+}
+
+#[test]
+fn browsers_that_fail_are_told_of() {
+    let folder = folder();
+    let with = |browser: &str| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_hsd"));
+        let arguments = ["render", "sound.hsd", "-o", "one.png"];
+        command.current_dir(folder.path()).args(arguments);
+        command.env("LC_ALL", "C").env("HSD_CHROMIUM", browser);
+        command.output().unwrap()
+    };
+    let output = with("no-such-browser");
+    if stderr(&output).contains("without its page") {
+        return eprintln!("left out: {}", stderr(&output));
+    }
+    assert_eq!(code(&output), 3);
+    assert!(stderr(&output).contains("no-such-browser"));
+    // A program that ends at once draws nothing.
+    let output = with(env!("CARGO_BIN_EXE_hsd"));
+    assert_eq!(code(&output), 3);
+    assert!(
+        stderr(&output).contains("the browser ended"),
+        "{}",
+        stderr(&output)
+    );
+    assert_eq!(names(folder.path()), ["broken.hsd", "sound.hsd"]);
+}
