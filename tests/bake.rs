@@ -22,7 +22,7 @@ const GLASS: &str = r#"<Structure size="60">
 </Structure>"#;
 
 /// A house of charred boards across it.
-const DARK: &str = "-5 -9 0\n7.0\nKYI  KYI  KYI\nKYI  KYI  KYI\nKYI  KYI  KYI\nKYI  KYI  KYI\n";
+const DARK: &str = "-6 -9 0\n7.0\n\nKYI  KYI  KYI  KYI  KYI  KYI\nKYI  KYI  KYI\nKYI  KYI  KYI  KYI  KYI  KYI\nKYI  KYI  KYI\n";
 
 const EYE: DVec3 = dvec3(-4.0, -5.0, 1.6);
 
@@ -175,7 +175,8 @@ fn a_picture_shows_what_followed_lines_meet() {
     let charred = checked
         .iter()
         .filter(|(name, _)| name.starts_with("charred"));
-    assert!(charred.map(|(_, n)| n).sum::<usize>() > 100, "{checked:?}");
+    let charred: usize = charred.map(|(_, n)| n).sum();
+    assert!(charred > 40, "{checked:?}");
 }
 
 #[test]

@@ -160,6 +160,8 @@ function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
   const position = new Float32Array(vertices * 3), normal = new Float32Array(vertices * 3);
   const tangent = of('tangent') ? new Float32Array(vertices * 4) : null;
   const uv = of('uv') ? new Float32Array(vertices * 2) : null;
+  // Places in the picture of what is mirrored, in models that were baked.
+  const uv1 = of('uv1') ? new Float32Array(vertices * 2) : null;
   const index = new Uint32Array(indices);
   const ranges: Range[] = [], box = new THREE.Box3();
   const at = new THREE.Vector3(), turn = new THREE.Matrix3();
@@ -182,11 +184,12 @@ function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
         tangent[(vertex + i) * 4 + 3] = tangents.getW(i);
       }
     }
-    if (uv) {
-      const uvs = from.getAttribute('uv');
+    for (const [name, places] of [['uv', uv], ['uv1', uv1]] as const) {
+      if (!places) continue;
+      const uvs = from.getAttribute(name);
       for (let i = 0; i < count; i++) {
-        uv[(vertex + i) * 2] = uvs.getX(i);
-        uv[(vertex + i) * 2 + 1] = uvs.getY(i);
+        places[(vertex + i) * 2] = uvs.getX(i);
+        places[(vertex + i) * 2 + 1] = uvs.getY(i);
       }
     }
     const length = count_of(from);
@@ -203,6 +206,7 @@ function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
   geometry.setAttribute('normal', new THREE.BufferAttribute(normal, 3));
   if (tangent) geometry.setAttribute('tangent', new THREE.BufferAttribute(tangent, 4));
   if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
+  if (uv1) geometry.setAttribute('uv1', new THREE.BufferAttribute(uv1, 2));
   geometry.boundingBox = box.clone();
   geometry.boundingSphere = box.getBoundingSphere(new THREE.Sphere());
   const mesh = new THREE.Mesh(geometry, material);
@@ -210,7 +214,9 @@ function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
   mesh.matrixAutoUpdate = false;
   const { reflection } = material.userData as { reflection?: number };
   const { house, storey, owner } = heap;
-  return { mesh, house, storey, owner, ranges, box, reflection: reflection ?? 0 };
+  // What was baked is not mirrored once more.
+  const baked = material instanceof THREE.MeshStandardMaterial && material.emissiveMap !== null;
+  return { mesh, house, storey, owner, ranges, box, reflection: baked ? 0 : reflection ?? 0 };
 }
 
 const count_of = (geometry: THREE.BufferGeometry) => (geometry.index ?? geometry.getAttribute('position')).count;

@@ -47,7 +47,8 @@ interface Piece {
 }
 
 /** Whether a chunk is glass, mirroring or not. */
-export const is_glass = ({ mesh: { material } }: Chunk) => (material.userData as { reflection?: number }).reflection !== undefined;
+export const is_glass = ({ mesh: { material } }: Chunk) =>
+  (material.userData as { reflection?: number }).reflection !== undefined && !(material as THREE.MeshStandardMaterial).emissiveMap; // not what was baked
 
 /** The walls of a model; gives its glass the attribute. */
 export function walls_of(model: Model): Wall[] {
