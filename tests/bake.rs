@@ -1,5 +1,7 @@
 //! `hsd build --bake`: what glass mirrors, against lines that are followed here one by one.
 
+#![allow(clippy::unwrap_used, missing_docs)]
+
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use hsd::backend::pictures::Library;
 use hsd::backend::{flat, gltf as write, obj};
@@ -35,7 +37,7 @@ fn scene(texts: &[&str]) -> Scene {
     let sources: Vec<Source> = texts
         .iter()
         .enumerate()
-        .map(|(n, text)| Source::new(FileId(n as u16), &format!("{n}.hsd"), text.as_bytes()))
+        .map(|(n, text)| Source::new(FileId(n as u16), format!("{n}.hsd"), text.as_bytes()))
         .collect();
     let mut out = Diagnostics::new();
     let sources: Vec<&Source> = sources.iter().collect();

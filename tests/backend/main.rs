@@ -152,6 +152,7 @@ fn scene() -> Scene {
         ],
         pictures: vec!["textures/看板 1.png".into()],
         baked: vec![],
+        mirrored: vec![],
     }
 }
 

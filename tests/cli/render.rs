@@ -1,5 +1,7 @@
 //! `hsd render`: pictures by the page, in a browser that nobody sees.
 
+#![allow(clippy::print_stderr)] // says what was left out
+
 use super::*;
 
 /// What comes of a run; `None` where there is no page, or no browser to draw in.
