@@ -55,7 +55,7 @@ pub fn edits(old: &str, new: &str) -> Vec<Edit> {
 }
 
 /// The edit of a line: what lies between the same start and the same end.
-fn within(at: usize, old: &str, new: &str) -> Option<Edit> {
+pub(super) fn within(at: usize, old: &str, new: &str) -> Option<Edit> {
     let same = |(a, b): &(char, char)| a == b;
     let length = |(c, _): (char, char)| c.len_utf8();
     let head: usize = old

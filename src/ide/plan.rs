@@ -24,6 +24,8 @@
 //! points, null where that is a point, a surface or broken.
 
 use super::Analysis;
+use super::sheet::{Reason, Row, Sheet};
+use super::stroke::{house_fixed, storey_fixed};
 use crate::ast::StoreyKind;
 use crate::backend::dump::{Region, region};
 use crate::backend::number::Number;
@@ -35,7 +37,7 @@ use crate::program::{self, Content};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The plan of a text.
 #[derive(Debug, Serialize)]
@@ -177,24 +179,34 @@ pub struct Roof {
 impl Plan {
     /// The plan of a text; reasons are in this language.
     pub fn of(a: &Analysis, language: Language) -> Plan {
-        let _ = language;
+        let sheet = Sheet::of(a);
         let (building, catalog) = (&a.checked.building, a.catalog());
         let none = HouseRoofs::default();
         let roofs = building.roofs.iter().chain(std::iter::repeat(&none));
         let pictures = &building.shell.pictures;
         let houses = building.shell.houses.iter().zip(roofs);
-        let writer = Writer { catalog, pictures };
+        let mut writer = Writer {
+            sheet: &sheet,
+            catalog,
+            pictures,
+            used: BTreeSet::new(),
+        };
+        let houses = houses.map(|(h, r)| writer.house(h, r)).collect();
+        let words = |r: &Reason| (r.key(), r.text().in_language(language).to_owned());
         Plan {
-            reasons: BTreeMap::new(),
-            houses: houses.map(|(h, r)| writer.house(h, r)).collect(),
+            reasons: writer.used.iter().map(words).collect(),
+            houses,
         }
     }
 }
 
 /// What units are called by.
 struct Writer<'a> {
+    sheet: &'a Sheet<'a>,
     catalog: &'a Catalog,
     pictures: &'a [program::Picture],
+    /// The reasons that were given.
+    used: BTreeSet<Reason>,
 }
 
 fn place(span: Span) -> Place {
@@ -209,8 +221,16 @@ fn point(p: DVec2) -> [Number; 2] {
 }
 
 impl Writer<'_> {
-    fn house(&self, house: &building::House, roofs: &HouseRoofs) -> House {
-        let storeys = house.storeys.iter().map(|s| self.storey(s, roofs));
+    /// Notes a reason.
+    fn told(&mut self, reason: Option<Reason>) -> Option<&'static str> {
+        self.used.extend(reason);
+        reason.map(Reason::key)
+    }
+
+    fn house(&mut self, house: &building::House, roofs: &HouseRoofs) -> House {
+        let storeys = house.storeys.iter();
+        let storeys = storeys.map(|s| self.storey(s, roofs)).collect();
+        let fixed = house_fixed(self.sheet, house);
         House {
             name: house.name.clone(),
             place: place(house.span),
@@ -218,13 +238,13 @@ impl Writer<'_> {
             azimuth: Number(house.azimuth),
             unit_m: Number(house.unit),
             street: house.street,
-            fixed: None,
-            storeys: storeys.collect(),
+            fixed: self.told(fixed),
+            storeys,
             roofs: roofs.roofs.iter().map(|r| roof(r, house.unit)).collect(),
         }
     }
 
-    fn storey(&self, storey: &building::Storey, roofs: &HouseRoofs) -> Storey {
+    fn storey(&mut self, storey: &building::Storey, roofs: &HouseRoofs) -> Storey {
         let is_storey = storey.kind == StoreyKind::Storey;
         let own = |p: &&building::StoreyPlan| is_storey && p.storey == storey.number;
         let plan = roofs.plans.iter().find(own);
@@ -235,24 +255,28 @@ impl Writer<'_> {
             z1: Number(storey.z1),
             height: Number((storey.z1 - storey.z0) / SHAKU),
             place: place(storey.span),
-            fixed: None,
+            fixed: self.told(storey_fixed(self.sheet, storey)),
             rings: storey.rings.iter().map(|r| self.ring(r)).collect(),
             regions: plan.map_or(vec![], |p| p.regions.iter().map(region).collect()),
         }
     }
 
-    fn ring(&self, ring: &building::Ring) -> Ring {
+    fn ring(&mut self, ring: &building::Ring) -> Ring {
+        let rows = self.sheet.rows(ring);
+        let walls = 0..ring.walls.len();
         Ring {
             hole: ring.hole,
             inner: ring.inner,
             closed: ring.closed,
-            walls: ring.walls.iter().map(|w| self.wall(w)).collect(),
+            walls: walls.map(|w| self.wall(ring, &rows, w)).collect(),
         }
     }
 
-    fn wall(&self, wall: &building::Wall) -> Wall {
+    fn wall(&mut self, ring: &building::Ring, rows: &[Row], number: usize) -> Wall {
+        let (wall, row) = (&ring.walls[number], &rows[number]);
+        let reasons = row.units_fixed(wall.units.len());
         let mut at = wall.from;
-        let mut unit = |unit: &program::Unit| {
+        let mut unit = |(unit, reason): (&program::Unit, Option<Reason>)| {
             let from = at;
             at += wall.direction * unit.width;
             Unit {
@@ -261,17 +285,19 @@ impl Writer<'_> {
                 from: point(from),
                 to: point(at),
                 place: place(unit.span),
-                fixed: None,
+                fixed: self.told(reason),
             }
         };
+        let units = wall.units.iter().zip(reasons).map(&mut unit).collect();
+        let fixed = self.sheet.ring_fixed(ring, rows, number);
         Wall {
             facade: wall.facade,
             from: point(wall.from),
             to: point(wall.to),
             place: place(wall.span),
             reflection: wall.reflection,
-            fixed: None,
-            units: wall.units.iter().map(&mut unit).collect(),
+            fixed: self.told(fixed),
+            units,
         }
     }
 

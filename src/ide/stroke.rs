@@ -21,7 +21,7 @@
 //!
 //! | stroke | does |
 //! |---|---|
-//! | `set-part` | Another part in the place of a unit, which is named by its place in the plan, or by its span (bytes of the text itself). The wall keeps its length: a wider part takes the place of neighbours to its left (behind it in the walk), a narrower one is filled up with plain wall. |
+//! | `set-part` | Another part in the place of a unit, which is named by its place in the plan, or by its span (bytes of the text itself). The wall keeps its length: a wider part takes the place of neighbours to its left (behind it in the walk) that are plain or go as a whole, and to its right where there are none; a narrower one is filled up with plain wall. An empty part is a void. |
 //! | `move-wall` | A wall slides along its normal; the walls beside it grow or shrink. `storeys` is `"one"` (where it is left out) or `"all"`: walls of other storeys that stand right above or below move along. Walls that come to lie in one line become one. |
 //! | `break-wall` | The part of a wall between `from` and `to`, units from its `from` end, is pushed out or in. |
 //! | `draw-house` | A house with this outline, walked either way round. `house` names the house in whose frame the outline lies; without it, or where there is none, that of the world: a to the west and b to the north from its origin, 1 U = 10/11 m. `height` may be left out. |
@@ -29,14 +29,37 @@
 //! | `remove-storey`, `remove-house` | What they say. |
 //! | `set-height` | The height of a storey. |
 //!
+//! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, pent roofs along a whole side
+//! of it, and those whose height was the top of a storey that rises or falls: they follow. Where the first corner of a
+//! storey moves, `start` says so in the XML form, and lines of voids that lead there in the legacy form; the origin of
+//! the house stays where it is. Facades take parts and heights, but their walls do not move yet.
+//!
 //! What a stroke comes to are [`Edit`]s of [`Source::text`](crate::source::Source::text), sorted, none of which touches
 //! another. A stroke that cannot be made is refused in a sentence that says why and what to do instead, and changes
-//! nothing.
+//! nothing. [`apply`] makes the edits in the bytes of the file, in its encoding, and tells what takes them back.
 
+mod apply;
+mod draft;
+mod find;
+mod houses;
+mod legacy;
+mod outline;
+mod part;
 mod refuse;
+mod roofs;
+mod slide;
+mod storeys;
+mod walls;
+mod write;
+mod xml;
+
+pub(super) use storeys::{house_fixed, storey_fixed};
+
+pub use apply::{Applied, Patch, apply, take_back};
 
 use super::Analysis;
 use super::format::Edit;
+use super::sheet::Sheet;
 use crate::diagnostic::Text;
 use serde::Deserialize;
 
@@ -167,7 +190,46 @@ pub enum Storeys {
 ///
 /// # Errors
 /// Why it cannot be made, and what to do instead; the text is left alone then.
-pub fn edits(_: &Analysis, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
-    let _ = stroke;
-    Err(refuse::not_yet())
+pub fn edits(a: &Analysis, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
+    let sheet = &Sheet::of(a);
+    let mut edits = worked_out(sheet, stroke)?;
+    // A text that ended without a line end still does.
+    if let Some(last) = edits.last_mut()
+        && last.text.is_empty()
+        && last.range.end == sheet.text.len()
+        && !sheet.text.ends_with(['\n', '\r'])
+    {
+        let before = &sheet.text[..last.range.start];
+        let line = before.strip_suffix('\n').unwrap_or(before);
+        last.range.start = line.strip_suffix('\r').unwrap_or(line).len();
+        edits = write::tidy(edits);
+    }
+    Ok(edits)
+}
+
+fn worked_out(sheet: &Sheet<'_>, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
+    match stroke {
+        Stroke::SetPart { unit, part } => part::set(sheet, *unit, part),
+        Stroke::MoveWall { wall, by, storeys } => slide::slide(sheet, *wall, *by, *storeys),
+        Stroke::BreakWall { wall, from, to, by } => {
+            slide::break_out(sheet, *wall, (*from, *to), *by)
+        }
+        Stroke::DrawHouse {
+            outline,
+            height,
+            house,
+        } => houses::draw(sheet, outline, *height, *house),
+        Stroke::AddStorey {
+            house,
+            height,
+            outline,
+        } => storeys::add(sheet, *house, *height, outline.as_deref()),
+        Stroke::RemoveStorey { house, storey } => storeys::remove(sheet, *house, *storey),
+        Stroke::SetHeight {
+            house,
+            storey,
+            height,
+        } => storeys::set_height(sheet, *house, *storey, *height),
+        Stroke::RemoveHouse { house } => houses::remove(sheet, *house),
+    }
 }

@@ -1,5 +1,11 @@
 //! Strokes of the drawing tool.
 
+mod bench;
+mod odd;
+mod parts;
+mod storeys;
+mod walls;
+
 use crate::analysis;
 use hsd::diagnostic::Language;
 use hsd::ide::plan::Plan;

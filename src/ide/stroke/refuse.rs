@@ -3,10 +3,181 @@
 use crate::diagnostic::Text;
 use crate::text;
 
-/// A stroke that the tool does not know how to make.
-pub(super) fn not_yet() -> Text {
+/// A place that the plan does not have.
+pub(super) fn no_such_place() -> Text {
     text!(
-        "this cannot be drawn; change the text instead",
-        "これは図面では変えられません。テキストを書き換えてください"
+        "the text has changed meanwhile: draw that again",
+        "テキストがその間に変わりました。もう一度描いてください"
+    )
+}
+
+/// Nothing would change.
+pub(super) fn nothing() -> Text {
+    text!("this changes nothing", "何も変わりません")
+}
+
+/// Farther than anybody draws.
+pub(super) fn too_far() -> Text {
+    text!(
+        "this is farther than a wall can be moved at once",
+        "一度に動かせる距離を超えています"
+    )
+}
+
+/// A part of a unit.
+pub(super) fn half_units() -> Text {
+    text!(
+        "walls are made longer and shorter by whole units: put a part of half a unit there first",
+        "壁は一単位ごとに伸び縮みします。先に半単位の部材を置いてください"
+    )
+}
+
+/// A wall would have less than no length.
+pub(super) fn walls_cross() -> Text {
+    text!(
+        "walls would cross or touch: move the others out of the way first",
+        "壁が交わるか触れてしまいます。先に他の壁を動かしてください"
+    )
+}
+
+/// Nothing would be left.
+pub(super) fn vanishes() -> Text {
+    text!(
+        "nothing would be left between two walls: remove the storey or the house instead",
+        "二枚の壁の間に何も残りません。代わりに階か家を消してください"
+    )
+}
+
+/// The walk begins with this wall.
+pub(super) fn first_wall() -> Text {
+    text!(
+        "the first wall of the text would vanish, and with it the front: change the text instead",
+        "テキストの最初の壁（正面）がなくなります。テキストを書き換えてください"
+    )
+}
+
+/// Nothing is left that may be taken away.
+pub(super) fn no_room() -> Text {
+    text!(
+        "the wall beside it is computed and cannot become shorter here: change the text instead",
+        "隣の壁は計算で決まり、ここでは縮められません。テキストを書き換えてください"
+    )
+}
+
+/// A wall breaks within a part.
+pub(super) fn through_a_part(code: &str) -> Text {
+    if code.is_empty() {
+        return text!(
+            "the wall would break inside of what is computed: change the text instead",
+            "計算で決まる部分の途中で壁が折れます。テキストを書き換えてください"
+        );
+    }
+    text!(
+        "the wall would break inside of `{code}`: break it beside that, or put plain wall there first",
+        "「{code}」の途中で壁が折れます。その脇で折るか、先に壁に替えてください"
+    )
+}
+
+/// A part of a wall that it does not have.
+pub(super) fn no_such_part(length: f64) -> Text {
+    text!(
+        "the wall is {length} units long: choose a part of it",
+        "この壁の長さは{length}単位です。その中で選んでください"
+    )
+}
+
+/// A code that means nothing.
+pub(super) fn unknown_part(part: &str) -> Text {
+    text!(
+        "there is no part `{part}`: choose one of the palette",
+        "「{part}」という部材はありません。一覧から選んでください"
+    )
+}
+
+/// A name in a legacy text.
+pub(super) fn long_name(part: &str) -> Text {
+    text!(
+        "`{part}` has no code of five columns, and this form knows no others: convert the text to XML first (`hsd fmt --to xml`)",
+        "「{part}」には五桁の記号がなく、この形式では書けません。先に XML へ変換してください（hsd fmt --to xml）"
+    )
+}
+
+/// A part that is too wide.
+pub(super) fn too_wide(part: &str) -> Text {
+    text!(
+        "`{part}` is too wide for this place: put plain wall beside it first",
+        "「{part}」はここには広すぎます。先に隣を壁に替えてください"
+    )
+}
+
+/// A void where the walk begins.
+pub(super) fn leading_void() -> Text {
+    text!(
+        "a void cannot stand first in the first wall: the walk would begin behind it",
+        "最初の壁の先頭は空にできません。壁の始点がずれてしまいます"
+    )
+}
+
+/// A start that is no whole unit away.
+pub(super) fn odd_start() -> Text {
+    text!(
+        "the walk would begin between two lines of the grid: change the text instead",
+        "壁の始点が格子から外れます。テキストを書き換えてください"
+    )
+}
+
+/// A height that nobody builds.
+pub(super) fn odd_height() -> Text {
+    text!(
+        "a storey is between 0.1 and 1000 shaku high",
+        "階高は 0.1 尺から 1000 尺までです"
+    )
+}
+
+/// An outline that is none.
+pub(super) fn bad_outline() -> Text {
+    text!(
+        "an outline goes round along the lines of the grid, in whole units, and neither crosses nor touches itself",
+        "外形は格子に沿って整数単位で一周し、交わったり触れたりしてはいけません"
+    )
+}
+
+/// An outline beyond that of the storey below.
+pub(super) fn outside() -> Text {
+    text!(
+        "the outline lies beyond the storey below: draw it inside of that",
+        "外形が下の階からはみ出しています。その内側に描いてください"
+    )
+}
+
+/// The only storey.
+pub(super) fn last_storey() -> Text {
+    text!(
+        "this is the only storey: remove the house instead",
+        "階はこれだけです。代わりに家を消してください"
+    )
+}
+
+/// The only house.
+pub(super) fn last_house() -> Text {
+    text!(
+        "this is the only house of the text, and a text has one at least",
+        "家はこれだけです。テキストには少なくとも一軒必要です"
+    )
+}
+
+/// Comments would go.
+pub(super) fn comments() -> Text {
+    text!(
+        "comments stand in it: remove it in the text",
+        "中にコメントがあります。テキストで消してください"
+    )
+}
+
+/// Another form of the text.
+pub(super) fn structure() -> Text {
+    text!(
+        "facades are not drawn this way: change the text instead",
+        "立面の形式ではこのようには描けません。テキストを書き換えてください"
     )
 }

@@ -1,0 +1,93 @@
+//! Edits on the bytes of a file: in its encoding, and so that they can be taken back to the very bytes.
+
+use super::Edit;
+use crate::print;
+use crate::source::Source;
+use std::ops::Range;
+
+/// Bytes in the place of others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Patch {
+    /// What goes, of the bytes that are there.
+    pub range: Range<usize>,
+    /// What comes.
+    pub bytes: Vec<u8>,
+}
+
+/// A file after a stroke.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Applied {
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+    /// What makes of them those that were there before: see [`take_back`].
+    pub undo: Patch,
+}
+
+/// Makes edits of the text of a source in its bytes. Where the encoding of the file cannot hold what comes, all of it
+/// becomes UTF-8.
+pub fn apply(source: &Source, bytes: &[u8], edits: &[Edit]) -> Applied {
+    let text = source.text();
+    let (mut new, mut at) = (String::with_capacity(text.len() + 64), 0);
+    for edit in edits {
+        let end = edit.range.end.min(text.len());
+        let start = edit.range.start.clamp(at, end.max(at));
+        new += text.get(at..start).unwrap_or_default();
+        new += &edit.text;
+        at = end.max(at);
+    }
+    new += text.get(at..).unwrap_or_default();
+    let new = spliced(source, bytes, edits).unwrap_or_else(|| print::encode(&new, source));
+    let undo = difference(&new, bytes);
+    Applied { bytes: new, undo }
+}
+
+/// The bytes with only those changed that belong to edits, if what comes is ASCII in an encoding that knows it.
+fn spliced(source: &Source, bytes: &[u8], edits: &[Edit]) -> Option<Vec<u8>> {
+    let wide = source.encoding().starts_with("UTF-16");
+    let utf8 = source.encoding() == "UTF-8";
+    if wide || bytes.len() != source.size() || source.malformed() {
+        return None;
+    }
+    let (mut new, mut at) = (Vec::with_capacity(bytes.len() + 64), 0);
+    for edit in edits {
+        let span = source.span(edit.range.clone());
+        let (start, end) = (span.start as usize, span.end as usize);
+        let plain = utf8 || edit.text.is_ascii();
+        new.extend_from_slice(bytes.get(at..start).filter(|_| plain)?);
+        new.extend_from_slice(edit.text.as_bytes());
+        at = end;
+    }
+    new.extend_from_slice(bytes.get(at..)?);
+    // Nobody could tell its encoding by fewer letters that are not ASCII.
+    let again = Source::new(source.id(), source.name(), &new);
+    (again.encoding() == source.encoding() || new.is_ascii()).then_some(new)
+}
+
+/// What has to be changed in some bytes to make others of them.
+fn difference(from: &[u8], to: &[u8]) -> Patch {
+    let head = from.iter().zip(to).take_while(|(a, b)| a == b).count();
+    let (rest, other) = (&from[head..], &to[head..]);
+    let ends = rest.iter().rev().zip(other.iter().rev());
+    let tail = ends.take_while(|(a, b)| a == b).count();
+    Patch {
+        range: head..from.len() - tail,
+        bytes: other[..other.len() - tail].to_vec(),
+    }
+}
+
+/// The bytes as they were before, and what brings those of now back.
+pub fn take_back(bytes: &[u8], undo: &Patch) -> Option<Applied> {
+    let gone = bytes.get(undo.range.clone())?;
+    let old = [
+        &bytes[..undo.range.start],
+        &undo.bytes,
+        &bytes[undo.range.end..],
+    ]
+    .concat();
+    let range = undo.range.start..undo.range.start + undo.bytes.len();
+    let bytes = gone.to_vec();
+    Some(Applied {
+        bytes: old,
+        undo: Patch { range, bytes },
+    })
+}

@@ -1,0 +1,352 @@
+//! The walls of a ring while they are drawn: lists of pieces and directions. What becomes of the text is settled when
+//! all is drawn.
+
+use super::refuse;
+use crate::building::Ring;
+use crate::diagnostic::Text;
+use crate::geometry::SAME;
+use crate::ide::sheet::{Cell, Form, Inner, Row, What};
+use glam::DVec2;
+use std::collections::BTreeMap;
+
+/// What stands in a wall under way.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    /// Which cell of which wall it is; `None` = it is new.
+    pub(super) old: Option<(usize, usize)>,
+    /// How often a `repeat` makes it; 1 for all else.
+    pub(super) count: u32,
+    /// Its code.
+    pub(super) code: String,
+    /// What it makes.
+    pub(super) what: What,
+    /// The width of all of it, U.
+    pub(super) width: f64,
+    /// Whether it takes over what was said of the part that stood there.
+    pub(super) instead: bool,
+    /// What a `repeat` of several parts makes each time.
+    pub(super) inner: Vec<Piece>,
+}
+
+impl Piece {
+    /// A part of so many units.
+    pub(super) fn new(code: &str, what: What, width: f64) -> Piece {
+        Piece {
+            old: None,
+            count: 1,
+            code: code.to_owned(),
+            what,
+            width,
+            instead: false,
+            inner: vec![],
+        }
+    }
+
+    fn of(wall: usize, index: usize, cell: &Cell) -> Piece {
+        Piece {
+            old: Some((wall, index)),
+            count: if let Form::Run(_, count) = cell.form {
+                count
+            } else {
+                1
+            },
+            code: cell.code.clone(),
+            what: cell.what,
+            width: cell.width,
+            instead: false,
+            inner: cell.inner.iter().map(inner).collect(),
+        }
+    }
+
+    /// The width of one of its parts.
+    fn one(&self) -> f64 {
+        self.width / f64::from(self.count.max(1))
+    }
+
+    /// It with one of its rounds written out, and where the parts of that begin; what makes one part at a time is left
+    /// with one of them for itself.
+    pub(super) fn unrolled(&self, round: u32) -> (Vec<Piece>, usize) {
+        let round = round.min(self.count.saturating_sub(1));
+        let middle = match self.inner.is_empty() {
+            true => vec![self.times(1)],
+            false => self.inner.clone(),
+        };
+        let ends = [
+            self.times(round),
+            self.times(self.count.saturating_sub(round + 1)),
+        ];
+        let [before, after] = ends.map(|p| Some(p).filter(|p| p.count > 0));
+        let at = usize::from(before.is_some());
+        (before.into_iter().chain(middle).chain(after).collect(), at)
+    }
+
+    /// Whether it is a `repeat` of several parts.
+    pub(super) fn is_pattern(&self) -> bool {
+        !self.inner.is_empty()
+    }
+
+    /// So many of its parts.
+    pub(super) fn times(&self, count: u32) -> Piece {
+        Piece {
+            count,
+            width: self.one() * f64::from(count),
+            ..self.clone()
+        }
+    }
+}
+
+fn inner(part: &Inner) -> Piece {
+    Piece::new(&part.code, part.what, part.width)
+}
+
+/// A wall under way.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    /// Whose line of the text it keeps.
+    pub(super) base: Option<usize>,
+    /// Where it runs.
+    pub(super) direction: DVec2,
+    /// From its right end.
+    pub(super) pieces: Vec<Piece>,
+}
+
+impl Line {
+    /// Its length, U.
+    pub(super) fn length(&self) -> f64 {
+        self.pieces.iter().map(|p| p.width).sum()
+    }
+}
+
+/// A ring under way.
+#[derive(Clone, Debug)]
+pub(super) struct Draft {
+    /// Where its walk begins.
+    pub(super) start: DVec2,
+    /// Its walls.
+    pub(super) lines: Vec<Line>,
+    /// The plain wall of each wall that was there.
+    plain: Vec<String>,
+}
+
+/// The end of a wall.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    /// Where the walk comes to it.
+    Start,
+    /// Where it leaves it.
+    Finish,
+}
+
+/// What a wall is of where nobody says it.
+pub(super) const PLAIN: &str = "KSK";
+
+impl Draft {
+    /// A ring as it is.
+    pub(super) fn of(ring: &Ring, rows: &[Row]) -> Draft {
+        let line = |(index, (wall, row)): (usize, (&crate::building::Wall, &Row))| Line {
+            base: Some(index),
+            direction: wall.direction,
+            pieces: pieces(index, row),
+        };
+        let lines: Vec<Line> = ring.walls.iter().zip(rows).enumerate().map(line).collect();
+        let all = lines.iter().flat_map(|l| &l.pieces);
+        let usual = most(all).unwrap_or_else(|| PLAIN.to_owned());
+        let plain = |l: &Line| most(l.pieces.iter()).unwrap_or_else(|| usual.clone());
+        Draft {
+            start: ring.walls.first().map_or(DVec2::ZERO, |w| w.from),
+            plain: lines.iter().map(plain).collect(),
+            lines,
+        }
+    }
+
+    /// The corners, the first at the start.
+    pub(super) fn corners(&self) -> Vec<DVec2> {
+        let mut at = self.start;
+        let step = |line: &Line| {
+            let from = at;
+            at += line.direction * line.length();
+            from
+        };
+        self.lines.iter().map(step).collect()
+    }
+
+    /// Plain wall as it stands in a wall, so many units of it.
+    pub(super) fn plain(&self, line: usize, width: f64) -> Result<Vec<Piece>, Text> {
+        let own = self.lines[line].base.and_then(|b| self.plain.get(b));
+        let code = own.map_or(PLAIN, |c| c.as_str());
+        plain(code, width)
+    }
+
+    /// Makes a wall longer at one end.
+    pub(super) fn grow(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
+        let own = &self.lines[line].pieces;
+        // Posts stay at the corner.
+        let posts = |p: &&Piece| p.what == What::Post && p.old.is_some();
+        let at = match end {
+            End::Start => own.iter().take_while(posts).count(),
+            End::Finish => own.len() - own.iter().rev().take_while(posts).count(),
+        };
+        let beside = match end {
+            End::Start => own.get(at),
+            End::Finish => at.checked_sub(1).and_then(|i| own.get(i)),
+        };
+        // A repetition of plain wall is counted up.
+        let whole = (by - by.round()).abs() < SAME;
+        if let Some(run) = beside.filter(|p| whole && is_run(p)) {
+            let more = run.times(run.count + by.round() as u32);
+            let index = if end == End::Start { at } else { at - 1 };
+            self.lines[line].pieces[index] = more;
+            return Ok(());
+        }
+        let new = self.plain(line, by)?;
+        self.lines[line].pieces.splice(at..at, new);
+        Ok(())
+    }
+
+    /// Makes a wall shorter at one end: plain wall goes first, the nearest to the corner before the rest.
+    pub(super) fn shrink(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
+        let mut left = self.take(line, end, by);
+        // The last round of a repetition is written out, so that its parts may go.
+        while left > SAME && self.unroll(line, end) {
+            left = self.take(line, end, left);
+        }
+        if left > SAME {
+            return Err(refuse::no_room());
+        }
+        // A wide part went: what it was wider is filled up again.
+        if left < -SAME {
+            self.grow(line, end, -left)?;
+        }
+        Ok(())
+    }
+
+    /// Writes the round of a repetition out that is nearest to one end, if there is any.
+    fn unroll(&mut self, line: usize, end: End) -> bool {
+        let pieces = &mut self.lines[line].pieces;
+        let found = match end {
+            End::Start => pieces.iter().position(Piece::is_pattern),
+            End::Finish => pieces.iter().rposition(Piece::is_pattern),
+        };
+        let Some(index) = found else { return false };
+        let round = if end == End::Start { 0 } else { u32::MAX };
+        let (parts, _) = pieces[index].unrolled(round);
+        pieces.splice(index..=index, parts);
+        true
+    }
+
+    /// Takes so many units away at one end, plain wall first; answers what is left to take.
+    fn take(&mut self, line: usize, end: End, by: f64) -> f64 {
+        let mut left = by;
+        for what in [What::Plain, What::Void, What::Other] {
+            while left > SAME {
+                let pieces = &mut self.lines[line].pieces;
+                let fits = |p: &Piece| p.what == what && p.width > 0.0 && is_free(p);
+                let found = match end {
+                    End::Start => pieces.iter().position(fits),
+                    End::Finish => pieces.iter().rposition(fits),
+                };
+                let Some(index) = found else { break };
+                let piece = pieces[index].clone();
+                let gone = ((left + SAME) / piece.one()).floor().max(1.0);
+                let gone = (gone as u32).min(piece.count);
+                left -= piece.one() * f64::from(gone);
+                match piece.count - gone {
+                    0 => drop(pieces.remove(index)),
+                    rest => pieces[index] = piece.times(rest),
+                }
+            }
+        }
+        left
+    }
+
+    /// Divides a wall at a distance from its start; the second half is returned.
+    pub(super) fn cut(&mut self, line: usize, at: f64) -> Result<Vec<Piece>, Text> {
+        let pieces = std::mem::take(&mut self.lines[line].pieces);
+        let (first, second) = parted(pieces, at)?;
+        self.lines[line].pieces = first;
+        Ok(second)
+    }
+}
+
+/// Pieces before and behind a place.
+fn parted(pieces: Vec<Piece>, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
+    let (mut first, mut second, mut place) = (vec![], vec![], 0.0);
+    for piece in pieces {
+        let (from, to) = (place, place + piece.width);
+        place = to;
+        if to < at + SAME {
+            first.push(piece);
+        } else if from > at - SAME {
+            second.push(piece);
+        } else {
+            let (before, after) = divide(&piece, at - from)?;
+            first.extend(before);
+            second.extend(after);
+        }
+    }
+    Ok((first, second))
+}
+
+/// Plain wall of whole units, or of a half.
+pub(super) fn plain(code: &str, width: f64) -> Result<Vec<Piece>, Text> {
+    let whole = width.round();
+    if (width - whole).abs() > SAME {
+        return Err(refuse::half_units());
+    }
+    if whole > 10_000.0 {
+        return Err(refuse::too_far());
+    }
+    let one = Piece::new(code, What::Plain, 1.0);
+    Ok(vec![one; whole.max(0.0) as usize])
+}
+
+/// A piece of plain wall, or a repetition, in two.
+fn divide(piece: &Piece, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
+    let one = piece.one();
+    let times = at / one;
+    if piece.count > 1 && (times - times.round()).abs() < SAME {
+        let times = times.round() as u32;
+        let rest = piece.times(piece.count - times);
+        return Ok((vec![piece.times(times)], vec![rest]));
+    }
+    if piece.is_pattern() {
+        let (parts, _) = piece.unrolled(times.floor().max(0.0) as u32);
+        return parted(parts, at);
+    }
+    let code = |width: f64| plain(if one == 1.0 { &piece.code } else { PLAIN }, width);
+    if piece.what == What::Plain && piece.count == 1 {
+        return Ok((code(at)?, code(piece.width - at)?));
+    }
+    Err(refuse::through_a_part(&piece.code))
+}
+
+/// The pieces of a line, without the voids that lead to its start.
+fn pieces(wall: usize, row: &Row) -> Vec<Piece> {
+    let leads = row.leads();
+    let cells = row.cells.iter().enumerate().skip(leads);
+    cells.map(|(i, cell)| Piece::of(wall, i, cell)).collect()
+}
+
+/// Whether a piece may be taken away.
+fn is_free(piece: &Piece) -> bool {
+    piece.old.is_none() || !piece.code.is_empty()
+}
+
+fn is_run(piece: &Piece) -> bool {
+    let one = (piece.one() - 1.0).abs() < SAME;
+    piece.what == What::Plain && piece.count > 1 && one
+}
+
+/// The plain wall of one unit that stands most often among some pieces; of two the first.
+fn most<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<String> {
+    let mut counts: BTreeMap<&str, (u32, usize)> = BTreeMap::new();
+    let plain = |p: &&Piece| p.what == What::Plain && (p.one() - 1.0).abs() < SAME;
+    for (index, piece) in pieces.filter(plain).enumerate() {
+        let entry = counts.entry(&piece.code).or_insert((0, index));
+        entry.0 += piece.count;
+    }
+    let best = counts
+        .iter()
+        .max_by_key(|(_, (n, at))| (*n, std::cmp::Reverse(*at)));
+    best.map(|(code, _)| (*code).to_owned())
+}

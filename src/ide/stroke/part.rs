@@ -1,0 +1,254 @@
+//! Another part in the place of a unit.
+
+use super::draft::{Draft, PLAIN, Piece, plain};
+use super::write::{CELL, Change, tidy};
+use super::{UnitAt, WallAt, find, refuse};
+use crate::ast::CodeText;
+use crate::building::Wall;
+use crate::diagnostic::Text;
+use crate::geometry::SAME;
+use crate::ide::format::Edit;
+use crate::ide::sheet::{Form, Home, Reason, Row, Sheet, What, name};
+use crate::program::Content;
+
+/// The code of a void that can be seen.
+const VOID: &str = ".....";
+
+/// The edits that put a part in the place of a unit.
+pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>, Text> {
+    let (at, unit) = place(sheet, at)?;
+    let (_, storey) = find::storey(sheet, at.house, at.storey)?;
+    let ring = storey
+        .rings
+        .get(at.ring)
+        .ok_or_else(refuse::no_such_place)?;
+    let wall = ring.walls.get(at.wall).ok_or_else(refuse::no_such_place)?;
+    if unit >= wall.units.len() {
+        return Err(refuse::no_such_place());
+    }
+    let rows = sheet.rows(ring);
+    let row = &rows[at.wall];
+    if let Some(reason) = row.unit_fixed(unit) {
+        return Err(reason.text());
+    }
+    let new = meant(sheet, at.house, part)?;
+    if matches!(row.home, Home::Line(_)) && !(new.code.len() <= CELL && new.code.is_ascii()) {
+        return Err(refuse::long_name(&new.code));
+    }
+    let cell = row.cell_of(unit).ok_or_else(refuse::no_such_place)?;
+    let mut draft = Draft::of(ring, &rows);
+    let usual = draft.plain(at.wall, 1.0)?;
+    let usual = usual.first().map_or(PLAIN, |p| &p.code).to_owned();
+    let pieces = &mut draft.lines[at.wall].pieces;
+    let index = single(pieces, row, cell, unit, sheet.is_rightwards(row));
+    let old = pieces[index].clone();
+    if old.code == new.code {
+        return Err(refuse::nothing());
+    }
+    let mut new = Piece {
+        instead: true,
+        ..new
+    };
+    if scales(sheet, row, wall) {
+        new.width = old.width;
+    } else if let Some(width) = own_width(sheet, &row.cells[cell].form) {
+        new.width = width;
+    }
+    put(pieces, index, new, &usual)?;
+    if at.wall == 0 && leads_away(&draft.lines[0].pieces) {
+        return Err(refuse::leading_void());
+    }
+    let change = Change {
+        sheet,
+        ring,
+        rows: &rows,
+        draft: &draft,
+    };
+    Ok(tidy(change.edits()?))
+}
+
+/// The place of a unit in the plan.
+fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
+    let [start, end] = match at {
+        UnitAt::Place { wall, unit } => return Ok((wall, unit)),
+        UnitAt::Span { span } => span,
+    };
+    let mut found = vec![];
+    for (house, own) in sheet.a.checked.building.shell.houses.iter().enumerate() {
+        for (storey, own) in own.storeys.iter().enumerate() {
+            for (ring, own) in own.rings.iter().enumerate() {
+                for (wall, own) in own.walls.iter().enumerate() {
+                    let here =
+                        |s: crate::source::Span| s.file.0 == 0 && (s.start, s.end) == (start, end);
+                    let units = own.units.iter().enumerate().filter(|(_, u)| here(u.span));
+                    let wall = WallAt {
+                        house,
+                        storey,
+                        ring,
+                        wall,
+                    };
+                    found.extend(units.map(|(unit, _)| (wall, unit)));
+                }
+            }
+        }
+    }
+    match found[..] {
+        [one] => Ok(one),
+        [] => Err(refuse::no_such_place()),
+        _ => Err(Reason::Repeat.text()),
+    }
+}
+
+/// The part that a name means in a house.
+fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
+    let catalog = sheet.a.catalog();
+    let code = part.trim_end();
+    if code.is_empty() || code == VOID {
+        return Ok(Piece::new(VOID, What::Void, 1.0));
+    }
+    let scope = catalog.known_in(0, house);
+    let known = |code: &str| catalog.find_in(scope, &CodeText::new(code));
+    let found = known(code).or_else(|| known(&code.replace('_', " ")));
+    let called = || {
+        catalog
+            .called(code.trim())
+            .and_then(|p| known(p.code().trim_end()))
+    };
+    if let Some(id) = found.or_else(called) {
+        let part = catalog.part(id);
+        let unit = crate::program::Unit {
+            span: crate::source::Span::default(),
+            width: part.width(),
+            content: Content::Part(id),
+            height: None,
+            reflection: None,
+            picture: None,
+        };
+        let what = sheet.what(&unit);
+        return Ok(Piece::new(part.code().trim_end(), what, part.width()));
+    }
+    let pictures = &sheet.a.checked.building.shell.pictures;
+    let named =
+        |e: &crate::parse::outline::Element| name(e) == "Texture" && e.value("code") == Some(code);
+    let picture =
+        pictures.iter().any(|p| p.name == code) || sheet.outline.elements.iter().any(named);
+    match picture {
+        true => Ok(Piece::new(code, What::Other, 1.0)),
+        false => Err(refuse::unknown_part(part)),
+    }
+}
+
+/// The width that a `Part` says of itself, which stays.
+fn own_width(sheet: &Sheet<'_>, form: &Form) -> Option<f64> {
+    let Form::Part(element) = form else {
+        return None;
+    };
+    let width = sheet.outline.elements[*element].value("width")?;
+    width.trim().parse().ok().filter(|w: &f64| w.is_finite())
+}
+
+/// Whether the parts of a line are not as wide as they are: a facade has a width of its own.
+fn scales(sheet: &Sheet<'_>, row: &Row, wall: &Wall) -> bool {
+    let Home::Element(element) = row.home else {
+        return false;
+    };
+    let floor = name(&sheet.outline.elements[element]) == "Floor";
+    let natural = |u: &crate::program::Unit| match &u.content {
+        Content::Void => u.width == 1.0,
+        Content::Part(id) => (u.width - sheet.a.catalog().part(*id).width()).abs() < SAME,
+        Content::Picture(_) | Content::Split(_) => false,
+    };
+    floor && !wall.units.iter().all(natural)
+}
+
+/// Makes a piece of its own of a unit; answers where it is.
+fn single(pieces: &mut Vec<Piece>, row: &Row, cell: usize, unit: usize, rightwards: bool) -> usize {
+    let index = cell - row.leads();
+    let piece = pieces[index].clone();
+    if piece.count <= 1 && !piece.is_pattern() {
+        return index;
+    }
+    let units = &row.cells[cell].units;
+    let before = if rightwards {
+        units.end - 1 - unit
+    } else {
+        unit - units.start
+    };
+    let each = (units.len() / piece.count as usize).max(1);
+    let (parts, at) = piece.unrolled((before / each) as u32);
+    let inner = if piece.is_pattern() { before % each } else { 0 };
+    pieces.splice(index..=index, parts);
+    index + at + inner
+}
+
+/// Puts a piece in the place of another one; the line keeps its length.
+fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result<(), Text> {
+    let missing = new.width - pieces[index].width;
+    let code = new.code.clone();
+    pieces[index] = new;
+    if missing < -SAME {
+        let twin = pieces[index].clone();
+        let fill = match plain(usual, -missing) {
+            Ok(fill) => fill,
+            Err(_) if (twin.width + missing).abs() < SAME => vec![Piece {
+                instead: false,
+                ..twin
+            }],
+            Err(why) => return Err(why),
+        };
+        pieces.splice(index + 1..index + 1, fill);
+        return Ok(());
+    }
+    let left = cover(pieces, index, missing, usual, true)?;
+    let left = cover(pieces, index, left, usual, false)?;
+    if left > SAME {
+        Err(refuse::too_wide(&code))
+    } else {
+        Ok(())
+    }
+}
+
+/// Takes so many units away behind or before a piece, as far as those are plain or go as a whole; answers what is left.
+fn cover(
+    pieces: &mut Vec<Piece>,
+    index: usize,
+    width: f64,
+    usual: &str,
+    behind: bool,
+) -> Result<f64, Text> {
+    let (mut left, mut index) = (width, index);
+    while left > SAME {
+        let beside = match behind {
+            true => (index + 1..pieces.len()).find(|i| pieces[*i].what != What::Post),
+            false => (0..index).rev().find(|i| pieces[*i].what != What::Post),
+        };
+        let Some(at) = beside else { break };
+        let piece = pieces[at].clone();
+        let one = piece.times(1).width;
+        let computed = piece.code.is_empty() && piece.old.is_some(); // of patterns each part stands for itself
+        if computed || one > left + SAME && piece.what != What::Plain {
+            break;
+        }
+        left -= one;
+        let mut rest = vec![];
+        if piece.count > 1 {
+            rest.push(piece.times(piece.count - 1));
+        }
+        if left < -SAME {
+            let fill = plain(usual, -left)?;
+            let place = if behind { 0 } else { rest.len() };
+            rest.splice(place..place, fill);
+        }
+        let more = rest.len();
+        pieces.splice(at..=at, rest);
+        if !behind {
+            index = index + more - 1;
+        }
+    }
+    Ok(left.max(0.0))
+}
+
+/// Whether a line begins with a void, which would only lead to the start of the walk.
+fn leads_away(pieces: &[Piece]) -> bool {
+    pieces.first().is_some_and(|p| p.what == What::Void)
+}

@@ -1,0 +1,121 @@
+//! Strokes that move walls: which rings they change, and which roofs follow.
+
+use super::draft::Draft;
+use super::walls::{FARTHEST, outward};
+use super::write::{Change, tidy};
+use super::{Storeys, WallAt, find, refuse, roofs};
+use crate::building::House;
+use crate::diagnostic::Text;
+use crate::geometry::SAME;
+use crate::ide::format::Edit;
+use crate::ide::sheet::Sheet;
+
+/// How a ring is drawn anew.
+type Draw<'a> = &'a dyn Fn(&mut Draft, usize) -> Result<(), Text>;
+
+/// A wall slides.
+pub(super) fn slide(
+    sheet: &Sheet<'_>,
+    at: WallAt,
+    by: i32,
+    storeys: Storeys,
+) -> Result<Vec<Edit>, Text> {
+    check_way(by)?;
+    let (house, ..) = find::ring(sheet, at)?;
+    let mut walls = vec![at];
+    if storeys == Storeys::All {
+        walls.extend(aligned(house, at));
+    }
+    drawn(sheet, house, &walls, &|draft, wall| draft.slide(wall, by))
+}
+
+/// A part of a wall is pushed out or in.
+pub(super) fn break_out(
+    sheet: &Sheet<'_>,
+    at: WallAt,
+    part: (u32, u32),
+    by: i32,
+) -> Result<Vec<Edit>, Text> {
+    check_way(by)?;
+    let (house, ..) = find::ring(sheet, at)?;
+    let (from, to) = (f64::from(part.0), f64::from(part.1));
+    drawn(sheet, house, &[at], &|draft, wall| {
+        draft.break_out(wall, from, to, by)
+    })
+}
+
+fn check_way(by: i32) -> Result<(), Text> {
+    match by.unsigned_abs() {
+        0 => Err(refuse::nothing()),
+        n if n > FARTHEST.unsigned_abs() => Err(refuse::too_far()),
+        _ => Ok(()),
+    }
+}
+
+/// The walls of other storeys that stand right above or below a wall.
+fn aligned(house: &House, at: WallAt) -> Vec<WallAt> {
+    let own = &house.storeys[at.storey].rings[at.ring].walls[at.wall];
+    let normal = outward(own.direction);
+    let mut found = vec![];
+    for (storey, other) in house
+        .storeys
+        .iter()
+        .enumerate()
+        .filter(|(s, _)| *s != at.storey)
+    {
+        for (ring, other) in other.rings.iter().enumerate() {
+            let beside = |w: &crate::building::Wall| {
+                let level = (w.from - own.from).dot(normal).abs() < SAME;
+                let (from, to) = (
+                    (w.from - own.from).dot(own.direction),
+                    (w.to - own.from).dot(own.direction),
+                );
+                let overlaps = to > SAME && from < own.from.distance(own.to) - SAME;
+                level && overlaps && w.direction.distance(own.direction) < SAME
+            };
+            // One wall a ring: a second one moves with the next stroke.
+            if let Some(wall) = other.walls.iter().position(beside) {
+                let house = at.house;
+                found.push(WallAt {
+                    house,
+                    storey,
+                    ring,
+                    wall,
+                });
+            }
+        }
+    }
+    found
+}
+
+/// The edits of some walls, each of a ring of its own.
+fn drawn(
+    sheet: &Sheet<'_>,
+    house: &House,
+    walls: &[WallAt],
+    draw: Draw<'_>,
+) -> Result<Vec<Edit>, Text> {
+    let mut edits = vec![];
+    let mut moved = vec![];
+    for at in walls {
+        let storey = &house.storeys[at.storey];
+        let ring = &storey.rings[at.ring];
+        let rows = sheet.rows(ring);
+        if let Some(reason) = sheet.ring_fixed(ring, &rows, at.wall) {
+            return Err(reason.text());
+        }
+        let mut draft = Draft::of(ring, &rows);
+        draw(&mut draft, at.wall)?;
+        draft.check(at.ring, storey)?;
+        let change = Change {
+            sheet,
+            ring,
+            rows: &rows,
+            draft: &draft,
+        };
+        edits.extend(change.edits()?);
+        moved.push((*at, draft.corners()));
+    }
+    edits.extend(roofs::follow(sheet, house, &moved));
+    Ok(tidy(edits))
+}

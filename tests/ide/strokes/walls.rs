@@ -1,0 +1,207 @@
+//! Walls that slide and break, over every text of the repository.
+
+#![allow(clippy::print_stdout)] // for those who look at what was refused
+
+use super::bench::{At, Board, bare, corners, moved, outline, walls};
+use crate::support;
+use serde_json::{Value, json};
+
+fn all() -> Vec<Board> {
+    let folders = ["examples", "library"].into_iter();
+    let texts = folders.flat_map(support::texts);
+    texts.map(|path| Board::open(&path)).collect()
+}
+
+/// What stands in storeys and rings other than one.
+fn others(plan: &Value, at: &At) -> Value {
+    let mut plan = bare(plan.clone());
+    let house = &mut plan["houses"][at.house];
+    house["roofs"] = Value::Null;
+    for storey in house["storeys"].as_array_mut().unwrap() {
+        storey["regions"] = Value::Null;
+    }
+    house["storeys"][at.storey]["rings"][at.ring] = Value::Null;
+    plan
+}
+
+/// What stands in a ring besides walls.
+fn openings(ring: &Value) -> usize {
+    let walls = ring["walls"].as_array().unwrap().iter();
+    let units = walls.flat_map(|w| w["units"].as_array().unwrap());
+    units.filter(|u| u["part"] != "wall").count()
+}
+
+#[test]
+fn walls_move_out_and_back() {
+    let (mut moves, mut back, mut fixed) = (0, 0, 0);
+    for mut board in all() {
+        let (plan, bytes) = (board.plan(), board.bytes.clone());
+        for at in walls(&plan) {
+            let wall = &at.ring(&plan)["walls"][at.wall];
+            let there = board.draw(&at.stroke("move-wall", 1));
+            if !wall["fixed"].is_null() {
+                assert!(there.is_err(), "{} {at:?}", board.name);
+                assert!(plan["reasons"][wall["fixed"].as_str().unwrap()].is_string());
+                fixed += 1;
+                continue;
+            }
+            if let Err(why) = there {
+                panic!("{} {at:?}: {why}", board.name);
+            }
+            let after = board.plan();
+            let expected = moved(at.ring(&plan), at.wall, 1.0);
+            assert_eq!(
+                outline(&corners(at.ring(&after))),
+                expected,
+                "{} {at:?}",
+                board.name
+            );
+            assert_eq!(
+                others(&after, &at),
+                others(&plan, &at),
+                "{} {at:?}",
+                board.name
+            );
+            assert!(
+                others(&after, &at) == others(&plan, &at),
+                "{} {at:?}",
+                board.name
+            );
+            let count = |plan: &Value| at.ring(plan)["walls"].as_array().unwrap().len();
+            if count(&after) == count(&plan) {
+                board.draw(&at.stroke("move-wall", -1)).unwrap();
+                let (again, name) = (board.plan(), &board.name);
+                assert!(
+                    corners(at.ring(&again)) == corners(at.ring(&plan)),
+                    "{name} {at:?}"
+                );
+                // Doors and windows that found no place are gone.
+                let whole = openings(at.ring(&after)) == openings(at.ring(&plan));
+                assert!(
+                    !whole || bare(again) == bare(plan.clone()),
+                    "{name} {at:?}\n{}",
+                    board.text()
+                );
+                back += usize::from(whole);
+            }
+            moves += 1;
+            board.bytes = bytes.clone();
+        }
+    }
+    println!("{moves} walls moved, {back} back with every door; {fixed} fixed");
+    assert!(back > 100, "{moves} walls moved, {back} back");
+}
+
+#[test]
+fn walls_move_in() {
+    let (mut moves, mut refused) = (0, vec![]);
+    for mut board in all() {
+        let (plan, bytes) = (board.plan(), board.bytes.clone());
+        for at in walls(&plan) {
+            if !at.ring(&plan)["walls"][at.wall]["fixed"].is_null() {
+                continue;
+            }
+            match board.draw(&at.stroke("move-wall", -1)) {
+                Ok(_) => {
+                    let after = board.plan();
+                    let expected = moved(at.ring(&plan), at.wall, -1.0);
+                    assert_eq!(
+                        outline(&corners(at.ring(&after))),
+                        expected,
+                        "{} {at:?}",
+                        board.name
+                    );
+                    assert!(
+                        others(&after, &at) == others(&plan, &at),
+                        "{} {at:?}",
+                        board.name
+                    );
+                    moves += 1;
+                }
+                Err(why) => refused.push(format!("{} {at:?}: {why}", board.name)),
+            }
+            board.bytes = bytes.clone();
+        }
+    }
+    println!("{moves} walls moved; refused:\n{}", refused.join("\n"));
+    assert!(moves > 100);
+}
+
+/// The corners of a ring with a part of one wall pushed out.
+fn broken(ring: &Value, wall: usize, part: (f64, f64), by: f64) -> Vec<(f64, f64)> {
+    let all = corners(ring);
+    let (from, to) = (all[wall], all[(wall + 1) % all.len()]);
+    let length = ((to.0 - from.0).powi(2) + (to.1 - from.1).powi(2)).sqrt();
+    let along = ((to.0 - from.0) / length, (to.1 - from.1) / length);
+    let out = (along.1 * by, -along.0 * by);
+    let at = |s: f64, t: f64| {
+        (
+            from.0 + along.0 * s + out.0 * t,
+            from.1 + along.1 * s + out.1 * t,
+        )
+    };
+    let mut new = vec![];
+    for (i, corner) in all.iter().enumerate() {
+        new.push(*corner);
+        if i == wall {
+            new.extend([
+                at(part.0, 0.0),
+                at(part.0, 1.0),
+                at(part.1, 1.0),
+                at(part.1, 0.0),
+            ]);
+        }
+    }
+    new.dedup();
+    if new.first() == new.last() {
+        new.pop();
+    }
+    outline(&new)
+}
+
+#[test]
+fn walls_break() {
+    let (mut breaks, mut refused) = (0, vec![]);
+    for mut board in all() {
+        let (plan, bytes) = (board.plan(), board.bytes.clone());
+        for (number, at) in walls(&plan).into_iter().enumerate() {
+            let wall = &at.ring(&plan)["walls"][at.wall];
+            let (from, to) = (
+                super::bench::point(&wall["from"]),
+                super::bench::point(&wall["to"]),
+            );
+            let length = ((to.0 - from.0).abs() + (to.1 - from.1).abs()).round() as i64;
+            let parts = [(0, 1), (1, length - 1), (length - 1, length), (1, 2)];
+            let (part, by) = (parts[number % 4], if number % 3 == 0 { -1 } else { 1 });
+            if !wall["fixed"].is_null() || part.0 >= part.1 || length < 2 {
+                continue;
+            }
+            let mut stroke = at.stroke("break-wall", by);
+            (stroke["from"], stroke["to"]) = (json!(part.0), json!(part.1));
+            match board.draw(&stroke) {
+                Ok(_) => {
+                    let after = board.plan();
+                    let part = (part.0 as f64, part.1 as f64);
+                    let expected = broken(at.ring(&plan), at.wall, part, by as f64);
+                    assert_eq!(
+                        outline(&corners(at.ring(&after))),
+                        expected,
+                        "{} {stroke}\n{}",
+                        board.name,
+                        board.text()
+                    );
+                    assert!(
+                        others(&after, &at) == others(&plan, &at),
+                        "{} {at:?}",
+                        board.name
+                    );
+                    breaks += 1;
+                }
+                Err(why) => refused.push(format!("{} {at:?} {part:?} {by}: {why}", board.name)),
+            }
+            board.bytes = bytes.clone();
+        }
+    }
+    println!("{breaks} walls broken; refused:\n{}", refused.join("\n"));
+    assert!(breaks > 60);
+}
