@@ -1,0 +1,217 @@
+// The drawing tool: each stroke changes the text, and the model stands at once; by pointer and by keys.
+
+import assert from 'node:assert/strict';
+import { after, before, beforeEach, test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { does, Preview, until } from './preview.ts';
+
+const HOUSE = `# A plain house; the front is to the south.
+# Its back is closed.
+0 0 180
+9.0
+name plain
+
+KSK  KSK  TKD 2KSK  KSK
+KTU  KTU  MRE  KTU
+KTU  KTU  KTU  KTU  KTU  KTU
+KTU  KTU  KTU  KTU
+`;
+
+let preview: Preview, page: Page;
+
+before(async () => {
+  preview = await Preview.of([['plain.hsd', HOUSE]]);
+  page = await preview.open('?file=plain.hsd');
+  await does(page, 'plan').click();
+  await does(page, 'draw').click();
+  await page.locator('.toolbar [data-do=model]').click(); // more room for the plan
+  await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
+});
+after(async () => { await preview?.close(); });
+beforeEach(async () => {
+  if (preview.read('plain.hsd') !== HOUSE) await preview.save(page, 'plain.hsd', HOUSE);
+  await drawn();
+  await page.locator('.tools input[value=part]').check();
+});
+
+/** Waits until the plan shows what the model shows. */
+const drawn = () => until(() => page.evaluate(() => hsd.plan.drawn.walls.size > 0 && document.documentElement.dataset.revision === `${hsd.revision}`), 'the plan is drawn');
+const said = () => page.locator('.said').textContent();
+const tool = (name: string) => page.locator(`.tools input[value=${name}]`).check();
+const text = () => preview.read('plain.hsd');
+
+/** Waits for what a stroke makes of the text. */
+async function becomes(holds: (text: string) => boolean, what: string) {
+  await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await said()}`); });
+  const now = text();
+  await until(() => page.evaluate(now => hsd.app.state?.sources[0]?.text === now && hsd.reload?.revision === hsd.revision, now), 'the page shows it');
+  await page.waitForTimeout(60);
+}
+
+/** Corners of the first storey, as the plan has them. */
+const corners = (house = 0, storey = 0) => page.evaluate(([h, s]) => hsd.app.state!.plan.houses[h!]!.storeys[s!]!.rings[0]!.walls.map(w => w.from), [house, storey]);
+
+/** Where a place of the first house is on the screen. */
+const at = (a: number, b: number) => page.evaluate(([a, b]) => {
+  const { sheet } = hsd.plan, m = sheet.svg.getScreenCTM()!, u = hsd.app.state!.plan.houses[0]!.unit_m;
+  const p = new DOMPoint(-a! * u, -b! * u).matrixTransform(m);
+  return { x: p.x, y: p.y };
+}, [a, b]);
+
+async function drag(from: [number, number], to: [number, number]) {
+  const [p, q] = [await at(...from), await at(...to)];
+  await page.mouse.move(p.x, p.y);
+  await page.mouse.down();
+  await page.mouse.move((p.x + q.x) / 2, (p.y + q.y) / 2, { steps: 3 });
+  await page.mouse.move(q.x, q.y, { steps: 3 });
+}
+
+test('the palette shows parts with pictures, and finds them by name', async () => {
+  const buttons = page.locator('.palette button');
+  const all = await buttons.count();
+  const picture = buttons.filter({ hasText: 'KSK' }).first().locator('img');
+  await until(() => picture.evaluate(e => (e as HTMLImageElement).complete && (e as HTMLImageElement).naturalWidth > 0), 'a picture is there');
+  await page.getByLabel('Find a part').fill('格子');
+  const found = await buttons.count();
+  assert.ok(found > 0 && found < all, `${found} of ${all}`);
+  await page.getByLabel('Find a part').fill('no such part');
+  assert.equal(await buttons.count(), 0);
+  await page.getByLabel('Find a part').fill('');
+  assert.equal(await buttons.count(), all);
+});
+
+test('a part is set by two clicks, and taken back and set again', async () => {
+  await page.locator('.palette button[data-code="KTU  "]').click();
+  assert.match(await said() ?? '', /now choose/);
+  await page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
+  await becomes(t => t.includes('KTU  KSK  TKD 2KSK  KSK'), 'the first unit is KTU');
+  assert.equal(text(), HOUSE.replace('KSK  KSK  TKD', 'KTU  KSK  TKD'), 'nothing else has changed');
+  assert.equal(await page.evaluate(() => hsd.find('KSK').length), 3);
+  await does(page, 'undo').click();
+  await becomes(t => t === HOUSE, 'taken back');
+  await does(page, 'redo').click();
+  await becomes(t => t !== HOUSE, 'set again');
+  await page.keyboard.press('Control+z');
+  await becomes(t => t === HOUSE, 'taken back by keys');
+  await page.keyboard.press('Control+Shift+Z');
+  await becomes(t => t !== HOUSE, 'set again by keys');
+});
+
+test('a part is set by keys alone', async () => {
+  await page.locator('.palette button[data-code="KTU  "]').focus();
+  await page.keyboard.press('Enter');
+  await page.locator('.unit[tabindex="0"]').focus();
+  await page.keyboard.press('Home');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  await becomes(t => t.includes('KSK  KTU  TKD 2KSK  KSK'), 'the second unit is KTU');
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-code')), 'KTU', 'the focus stays');
+});
+
+test('a wall is dragged along its normal: a ghost, its units, and the walls beside it follow', async () => {
+  await tool('wall');
+  await drag([2.5, 4], [2.5, 6.2]);
+  assert.equal(await page.locator('.ghost').count(), 1);
+  assert.equal(await page.locator('.ghost-label').textContent(), '+2 units');
+  await page.mouse.up();
+  await becomes(t => t !== HOUSE, 'the text changes');
+  assert.deepEqual(await corners(), [[0, 0], [6, 0], [6, 6], [0, 6]]);
+  assert.ok(text().startsWith(HOUSE.slice(0, HOUSE.indexOf('KSK'))), 'comments stay');
+  assert.equal(await page.locator('.ghost').count(), 0);
+  await does(page, 'undo').click();
+  await becomes(t => t === HOUSE, 'taken back');
+});
+
+test('a wall is moved by keys', async () => {
+  await tool('wall');
+  const back = page.locator('.run').nth(2);
+  await back.focus();
+  await page.keyboard.press('ArrowUp');
+  assert.equal(await page.locator('.ghost-label').textContent(), '+1 unit');
+  await page.keyboard.press('Escape');
+  assert.equal(await page.locator('.ghost').count(), 0);
+  assert.equal(text(), HOUSE);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await becomes(t => t !== HOUSE, 'the text changes');
+  assert.deepEqual(await corners(), [[0, 0], [6, 0], [6, 3], [0, 3]]);
+});
+
+test('a stroke that cannot be made is refused in words, and nothing changes', async () => {
+  await tool('wall');
+  await drag([2.5, 4], [2.5, -3]);
+  await page.mouse.up();
+  await until(async () => /^Not drawn: .{10,}/.test(await said() ?? ''), 'it is refused');
+  assert.ok(await page.locator('.said.refused').isVisible());
+  assert.equal(await page.locator('.ghost').count(), 0, 'it snaps back');
+  assert.equal(text(), HOUSE);
+});
+
+test('a stretch of a wall is chosen and broken out, by pointer and by keys', async () => {
+  await tool('break');
+  await drag([4.2, 4], [2.8, 4]);
+  await page.mouse.up();
+  assert.match(await page.locator('.ghost-label').textContent() ?? '', /^1–4: 0 units/);
+  await drag([3.5, 4], [3.5, 6]);
+  await page.mouse.up();
+  await becomes(t => t !== HOUSE, 'the text changes');
+  assert.deepEqual(await corners(), [[0, 0], [6, 0], [6, 4], [5, 4], [5, 6], [2, 6], [2, 4], [0, 4]]);
+  await preview.save(page, 'plain.hsd', HOUSE);
+  await drawn();
+  await page.locator('.run').nth(2).focus();
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Shift+ArrowRight');
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Enter');
+  await becomes(t => t !== HOUSE, 'the text changes');
+  assert.equal((await corners()).length, 8);
+});
+
+test('a storey is added, made higher, and removed', async () => {
+  await does(page, 'add-storey').click();
+  await becomes(t => t !== HOUSE, 'a storey is added');
+  assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys.length), 2);
+  assert.equal(await page.locator('.pane.plan .bar select').inputValue(), '2', 'it is shown');
+  const height = page.getByLabel('Height (shaku)');
+  await height.fill('7.5');
+  await does(page, 'set-height').click();
+  await becomes(t => /7\.5/.test(t), 'it is 7.5 shaku high');
+  assert.ok(Math.abs(await page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys[1]!.height) - 7.5) < 1e-6);
+  await does(page, 'remove-storey').click();
+  await becomes(() => true, 'it is removed');
+  await until(() => page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys.length === 1), 'one storey is left');
+});
+
+test('a new house is drawn, by pointer and by keys', async () => {
+  for (let i = 0; i < 4; i++) await does(page, 'farther').click();
+  await tool('outline');
+  await drag([-6, 0], [-2, 3]);
+  assert.equal(await page.locator('.ghost-label').textContent(), '4 × 3 units');
+  await page.mouse.up();
+  await becomes(t => t !== HOUSE, 'a house is added');
+  assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 2);
+  const second = await corners(1);
+  assert.equal(second.length, 4);
+  const one = text();
+  await page.locator('svg.sheet').focus();
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('ArrowLeft');
+  assert.match(await page.locator('.ghost-label').textContent() ?? '', /^5 × 4 units/);
+  await page.keyboard.press('Enter');
+  await becomes(t => t !== one, 'another house is added');
+  assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 3);
+});
+
+test('where texts may not be changed, nothing is drawn', async () => {
+  const closed = await Preview.of([['plain.hsd', HOUSE]], '--read-only');
+  try {
+    const there = await closed.open('?file=plain.hsd');
+    await does(there, 'plan').click();
+    assert.ok(await does(there, 'draw').isDisabled());
+    closed.blameless();
+  } finally {
+    await closed.close();
+  }
+});
+
+test('nothing left the machine, nothing failed', () => preview.blameless());
