@@ -131,6 +131,11 @@ impl PartDef {
     pub fn class(&self) -> char {
         self.class
     }
+
+    /// Whether it is open down to the floor. Of class A party walls, aprons, rails and benches are not.
+    pub fn is_open(&self) -> bool {
+        self.below == Below::Open
+    }
 }
 
 impl Serialize for PartDef {

@@ -317,15 +317,18 @@ impl Writer<'_> {
             Content::Void => "void",
             Content::Picture(_) => "picture",
             Content::Split(_) => "split",
-            Content::Part(id) => match self.catalog.part(*id).class() {
-                'T' => "door",
-                'M' => "window",
-                'G' => "lattice",
-                'H' => "post",
-                'A' => "opening",
-                'N' => "modern",
-                _ => "wall",
-            },
+            Content::Part(id) => {
+                let part = self.catalog.part(*id);
+                match part.class() {
+                    'T' => "door",
+                    'M' => "window",
+                    'G' => "lattice",
+                    'H' => "post",
+                    'A' if part.is_open() => "opening",
+                    'N' => "modern",
+                    _ => "wall",
+                }
+            }
         }
     }
 }

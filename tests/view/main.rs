@@ -135,6 +135,11 @@ fn a_page_learns_what_a_text_makes() {
     let walls = &state["plan"]["houses"][0]["storeys"][0]["rings"][0]["walls"];
     assert_eq!(walls.as_array().map(Vec::len), Some(4));
     assert_eq!(walls[0]["units"][1]["code"], "TKD 2");
+    shown.save("c.hsd", &HOUSE.replace("KSK  MRE  KSK", "APW  AKI  AIN"));
+    let open = shown.web.state("c.hsd");
+    let walls = &open["plan"]["houses"][0]["storeys"][0]["rings"][0]["walls"];
+    let kinds = [0, 1, 2].map(|unit| walls[1]["units"][unit]["part"].as_str().unwrap_or_default());
+    assert_eq!(kinds, ["wall", "opening", "wall"]);
     let revision = &state["revision"];
     let model = shown.web.get(&format!(
         "/api/model/{revision}/house.glb?file=%E5%AE%B6.hsd"

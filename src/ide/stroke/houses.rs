@@ -13,6 +13,7 @@ use crate::ide::format::Edit;
 use crate::ide::sections;
 use crate::ide::sheet::{Sheet, name};
 use crate::parse::legacy::LineKind;
+use crate::parse::outline::Element;
 use glam::{DVec2, dvec2};
 
 /// The height of a first storey in shaku.
@@ -114,8 +115,7 @@ fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<V
     let [root] = roots[..] else {
         return Err(refuse::structure());
     };
-    let own = root.range.clone();
-    let end = legacy::line_end(sheet.text, own.start);
+    let end = legacy::line_end(sheet.text, root.range.start);
     let (x, y) = (plain(site.east), plain(site.north));
     let azimuth = match (site.azimuth - 180.0).abs() < 1e-9 {
         true => String::new(),
@@ -131,41 +131,28 @@ fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<V
         "  <House x=\"{x}\" y=\"{y}\"{azimuth}{unit}>{end}    <Storey height=\"{}\">{rows}{end}    </Storey>{end}  </House>{end}",
         plain(height)
     );
+    behind(sheet, root, &house, end)
+}
+
+/// Puts a house behind the last one below a root, which becomes one of several where it is the only one.
+fn behind(sheet: &Sheet<'_>, root: &Element, house: &str, end: &str) -> Result<Vec<Edit>, Text> {
+    let put = |at: usize, text: String| Edit {
+        range: at..at,
+        text,
+    };
     let closing = root.end_name.as_ref().map(|n| n.start - 2);
     match (name(root), closing) {
         ("Houses", Some(at)) => {
-            let before = &sheet.text[..at];
-            let fresh = before.trim_end_matches([' ', '\t']).ends_with(['\n', '\r']);
-            let text = if fresh {
-                house
-            } else {
-                format!("{end}{house}")
-            };
-            let at = if fresh {
-                before.trim_end_matches([' ', '\t']).len()
-            } else {
-                at
-            };
-            Ok(vec![Edit {
-                range: at..at,
-                text,
+            let before = sheet.text[..at].trim_end_matches([' ', '\t']);
+            Ok(vec![match before.ends_with(['\n', '\r']) {
+                true => put(before.len(), house.to_owned()),
+                false => put(at, format!("{end}{house}")),
             }])
         }
-        ("House", Some(_)) => {
-            let (from, to) = (own.start, own.end);
-            let head = format!("<Houses>{end}");
-            let tail = format!("{end}{house}</Houses>");
-            Ok(vec![
-                Edit {
-                    range: from..from,
-                    text: head,
-                },
-                Edit {
-                    range: to..to,
-                    text: tail,
-                },
-            ])
-        }
+        ("House", Some(_)) => Ok(vec![
+            put(root.range.start, format!("<Houses>{end}")),
+            put(root.range.end, format!("{end}{house}</Houses>")),
+        ]),
         _ => Err(refuse::structure()),
     }
 }

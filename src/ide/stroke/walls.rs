@@ -146,27 +146,34 @@ impl Draft {
         if !whole_end {
             new.extend([down, bare(rest)]);
         }
-        let added = new.len();
+        let last = wall + new.len();
         self.lines.splice(wall + 1..wall + 1, new);
+        match (whole_start, whole_end) {
+            (true, _) => self.lengthen_before(wall, shift),
+            (_, true) => self.lengthen_after(last, shift),
+            _ => Ok(()),
+        }
+    }
+
+    /// The wall before one that goes out at its very start reaches as far.
+    fn lengthen_before(&mut self, wall: usize, shift: DVec2) -> Result<(), Text> {
         let count = self.lines.len();
-        if whole_start {
-            let before = (wall + count - 1) % count;
-            if wall == 0 {
-                self.start += shift;
-            }
-            self.stretch(before, End::Finish, shift)?;
-            return self.join(before, before);
+        let before = (wall + count - 1) % count;
+        if wall == 0 {
+            self.start += shift;
         }
-        if whole_end {
-            let last = wall + added;
-            let after = (last + 1) % count;
-            self.stretch(after, End::Start, -shift)?;
-            if after == 0 {
-                self.start += shift;
-            }
-            return self.join(after, after);
+        self.stretch(before, End::Finish, shift)?;
+        self.join(before, before)
+    }
+
+    /// The wall behind one that goes out to its very end begins there.
+    fn lengthen_after(&mut self, wall: usize, shift: DVec2) -> Result<(), Text> {
+        let after = (wall + 1) % self.lines.len();
+        self.stretch(after, End::Start, -shift)?;
+        if after == 0 {
+            self.start += shift;
         }
-        Ok(())
+        self.join(after, after)
     }
 
     /// Refuses walls that cross or touch others of the storey, or leave another side of a court.

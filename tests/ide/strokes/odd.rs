@@ -50,7 +50,7 @@ fn bytes_stay_as_they_were() {
                     .replace('\r', "\n")
                     .lines()
                     .count(),
-                23,
+                29,
                 "{made}"
             );
             for line in [

@@ -111,7 +111,7 @@ function wall_shape(house: House, wall: Wall, at: WallAt, drawn: Drawn): SVGGEle
   for (const [i, unit] of wall.units.entries()) {
     const [x1, y1] = to_plan(house, unit.from), [x2, y2] = to_plan(house, unit.to);
     const line = (name: string) => s('line', { class: name, x1, y1, x2, y2 });
-    const shape = s('g', { class: `unit ${look_of(unit)}`, 'data-code': unit.code }, line('hit'), line('base'), line('inner'),
+    const shape = s('g', { class: `unit ${unit.part}`, 'data-code': unit.code }, line('hit'), line('base'), line('inner'),
       s('title', {}, unit.code || words.legend_void));
     drawn.units.set(shape, { at: { ...at, unit: i }, unit });
     group.append(shape, tick(ends, [x1, y1]));
@@ -121,9 +121,6 @@ function wall_shape(house: House, wall: Wall, at: WallAt, drawn: Drawn): SVGGEle
   if (long > MEASURED * house.unit_m) group.append(measure(ends, long));
   return group;
 }
-
-/** What a unit looks like. Party walls, benches, aprons and rails (class A) have a wall behind them. */
-const look_of = ({ part, code }: Unit) => part === 'opening' && /^A(PW|SH|IN|KO)/.test(code) ? 'wall' : part;
 
 /** The length of a wall in shaku, outside of it: the interior lies on the right of the walk. */
 function measure([[x1, y1], [x2, y2]]: readonly [XY, XY], long: number): SVGTextElement {
