@@ -124,8 +124,3 @@ impl Analysis {
         self.sources().find(|s| s.id() == id)
     }
 }
-
-/// Whether a text is of the XML form.
-fn is_xml(text: &str) -> bool {
-    text.trim_start().starts_with(['<', '＜'])
-}

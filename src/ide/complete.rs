@@ -15,6 +15,7 @@ mod xml;
 use super::{Analysis, card};
 use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
+use crate::print::Form;
 use std::ops::Range;
 
 /// What a proposal is.
@@ -89,9 +90,9 @@ pub fn complete(a: &Analysis, at: usize, files: &dyn Fn(&str) -> Vec<String>) ->
         return vec![];
     }
     let ask = Ask { a, text, at, files };
-    let mut found = match super::is_xml(text) {
-        true => xml::complete(&ask),
-        false => legacy::complete(&ask),
+    let mut found = match Form::of(&a.source) {
+        Form::Xml => xml::complete(&ask),
+        Form::Legacy => legacy::complete(&ask),
     };
     found.retain(|c| {
         let typed = text.get(c.replace.start..at).unwrap_or_default();

@@ -9,6 +9,7 @@ mod xml;
 use super::complete::parts;
 use super::{Analysis, card};
 use crate::diagnostic::{Language, Text};
+use crate::print::Form;
 use std::ops::Range;
 
 /// What is told of a place.
@@ -31,9 +32,9 @@ pub fn hover(a: &Analysis, at: usize, language: Language, pictures: bool) -> Opt
         language,
         pictures,
     };
-    let found = match super::is_xml(a.text()) {
-        true => xml::hover(&ask),
-        false => legacy::hover(&ask),
+    let found = match Form::of(&a.source) {
+        Form::Xml => xml::hover(&ask),
+        Form::Legacy => legacy::hover(&ask),
     };
     found.filter(|h| !h.markdown.is_empty())
 }

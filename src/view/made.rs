@@ -226,7 +226,7 @@ fn millis(time: Duration) -> f64 {
 }
 
 /// What is the same for the same content.
-fn print(content: impl FnOnce(&mut DefaultHasher)) -> u64 {
+pub(super) fn print(content: impl FnOnce(&mut DefaultHasher)) -> u64 {
     let mut hasher = DefaultHasher::new();
     content(&mut hasher);
     hasher.finish()

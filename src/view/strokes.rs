@@ -1,14 +1,13 @@
-//! What was drawn in the page, so that it can be taken back: whole texts before and after each stroke. A stroke is taken
-//! back only where the text still reads as it did after it; what somebody else has written since is never lost.
+//! What was drawn in the page, so that it can be taken back. A stroke is taken back only where the text still reads as it
+//! did after it; what somebody else has written since is never lost.
 
 use super::hall::{Hall, Room, lock};
+use super::made::print;
 use crate::diagnostic::Text;
 use crate::ide::Analysis;
-use crate::ide::format::Edit;
-use crate::ide::stroke::{self, Stroke};
-use crate::print;
-use crate::source::Source;
+use crate::ide::stroke::{self, Applied, Patch, Stroke, apply, take_back};
 use crate::text;
+use std::hash::Hash;
 use std::io;
 
 impl Hall {
@@ -39,16 +38,16 @@ impl Hall {
             if made.revision == revision && shown {
                 let read = Analysis::new(source, world, options);
                 let edits = stroke::edits(&read, stroke);
-                drawn = Some(edits.map(|edits| edited(&read.source, &edits)));
+                drawn = Some(edits.map(|edits| apply(&read.source, &before, &edits)));
             }
         })?;
-        let after = match drawn {
-            Some(Ok(after)) => after,
+        let applied = match drawn {
+            Some(Ok(applied)) => applied,
             Some(Err(why)) => return Ok(Err(why)),
             None => return Ok(Err(changed_meanwhile())),
         };
-        self.desk.write(&path, &before, &after)?;
-        history.note(Change { before, after });
+        self.desk.write(&path, &before, &applied.bytes)?;
+        history.note(Step::of(applied));
         drop(history);
         self.changed();
         Ok(Ok(self.made(room)?.revision))
@@ -65,11 +64,11 @@ impl Hall {
         let path = self.root.join(&*room.file);
         let mut history = lock(&room.history);
         let now = self.desk.bytes(&path)?;
-        let Some(Change { before, after }) = history.step(redo, &now) else {
+        let Some(applied) = history.step(redo, &now) else {
             return Ok(Err(history.nothing(redo)));
         };
-        self.desk.write(&path, &before, &after)?;
-        history.stepped(redo);
+        self.desk.write(&path, &now, &applied.bytes)?;
+        history.stepped(redo, Step::of(applied));
         drop(history);
         self.changed();
         Ok(Ok(self.made(room)?.revision))
@@ -86,16 +85,6 @@ impl Hall {
     }
 }
 
-/// A text with edits made, in the encoding that it has.
-fn edited(source: &Source, edits: &[Edit]) -> Vec<u8> {
-    let mut text = source.text().to_owned();
-    // They are sorted, and none touches another: from the last on, those before keep their places.
-    for edit in edits.iter().rev() {
-        text.replace_range(edit.range.clone(), &edit.text);
-    }
-    print::encode(&text, source)
-}
-
 fn changed_meanwhile() -> Text {
     text!(
         "the text was changed meanwhile; look at it and draw again",
@@ -103,18 +92,20 @@ fn changed_meanwhile() -> Text {
     )
 }
 
-/// A text before and after.
-#[derive(Clone, Debug)]
-struct Change {
-    before: Vec<u8>,
-    after: Vec<u8>,
+/// A way back from a text, or forth again.
+#[derive(Debug)]
+struct Step {
+    /// What is the same for the same text.
+    print: u64,
+    patch: Patch,
 }
 
-impl Change {
-    fn back(self) -> Change {
-        Change {
-            before: self.after,
-            after: self.before,
+impl Step {
+    /// The way back from a text that was just changed.
+    fn of(Applied { bytes, undo }: Applied) -> Step {
+        Step {
+            print: print(|p| bytes.hash(p)),
+            patch: undo,
         }
     }
 }
@@ -125,37 +116,40 @@ const KEPT: usize = 500;
 /// The strokes of one file.
 #[derive(Debug, Default)]
 pub(super) struct History {
-    done: Vec<Change>,
-    undone: Vec<Change>,
+    done: Vec<Step>,
+    undone: Vec<Step>,
 }
 
 impl History {
     /// Notes a stroke; what was undone before is gone.
-    fn note(&mut self, change: Change) {
+    fn note(&mut self, step: Step) {
         if self.done.len() == KEPT {
             self.done.remove(0);
         }
-        self.done.push(change);
+        self.done.push(step);
         self.undone.clear();
     }
 
-    /// The change that takes back the last stroke, or does it again; `None` where there is none, or the text is not as
-    /// it was left.
-    fn step(&self, redo: bool, now: &[u8]) -> Option<Change> {
-        match redo {
-            true => self.undone.last().cloned(),
-            false => self.done.last().cloned().map(Change::back),
-        }
-        .filter(|change| change.before == now)
+    /// The text before the last stroke, or behind the one that was taken back last; `None` where there is none, or the text
+    /// is not as it was left.
+    fn step(&self, redo: bool, now: &[u8]) -> Option<Applied> {
+        let last = match redo {
+            true => self.undone.last(),
+            false => self.done.last(),
+        };
+        let print = print(|p| now.hash(p));
+        let step = last.filter(|step| step.print == print)?;
+        take_back(now, &step.patch)
     }
 
-    /// Notes that a step was made.
-    fn stepped(&mut self, redo: bool) {
+    /// Notes that a step was made, and the way back from it.
+    fn stepped(&mut self, redo: bool, back: Step) {
         let (from, to) = match redo {
             true => (&mut self.undone, &mut self.done),
             false => (&mut self.done, &mut self.undone),
         };
-        to.extend(from.pop());
+        from.pop();
+        to.push(back);
     }
 
     /// Why there is no step.

@@ -1,7 +1,7 @@
 //! What stands round a place of a text in the XML form, by its characters alone: the text is under way, and tags that
 //! are not closed yet would lead a reader of the whole astray.
 
-use crate::parse::xml::schema::{self, Holds, Schema};
+use crate::parse::xml::schema::{self, Schema};
 use std::ops::Range;
 
 /// Where a place is.
@@ -102,8 +102,7 @@ pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
 /// Opens an element, unless it is whole or none.
 fn enter<'t>(open: &mut Open<'t>, text: &'t str, start: usize, tag: &Tag) {
     let name = &text[tag.name.clone()];
-    let leaf = |s: &Schema| matches!(s.holds, Holds::Only(content) if content.name == "nothing");
-    if tag.empty || name.is_empty() || schema::named(name).is_some_and(leaf) {
+    if tag.empty || name.is_empty() || schema::named(name).is_some_and(Schema::is_leaf) {
         return;
     }
     // An element that holds none of its kind ends where the next begins.

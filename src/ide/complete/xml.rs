@@ -196,7 +196,7 @@ fn allowed(held: &Held) -> Vec<(u32, &'static Schema)> {
 
 /// The elements that are worked out before all else, where they may stand behind this text.
 fn language(held: &Held, open: &Open<'_>, follows: &str) -> Vec<(u32, &'static Schema)> {
-    let nothing = matches!(held, Held::Known(content) if content.name == "nothing");
+    let nothing = matches!(held, Held::Known(content) if content.is_nothing());
     if open.is_empty() || nothing || matches!(held, Held::Choices | Held::Shapes) {
         return vec![];
     }
@@ -230,8 +230,7 @@ impl Form {
             .filter(|a| a.required && !(schema.name == "random" && a.name == "weights"))
             .map(|a| (a.name, first(a)))
             .collect();
-        let holds = !matches!(schema.holds, Holds::Only(content) if content.name == "nothing");
-        let holds = holds && schema.name != "random";
+        let holds = !schema.is_leaf() && schema.name != "random";
         Form::new(schema.name, &required, holds)
     }
 

@@ -99,6 +99,13 @@ pub struct Content {
     again: Option<&'static Content>,
 }
 
+impl Content {
+    /// Whether it is neither elements nor text.
+    pub fn is_nothing(&self) -> bool {
+        self.name == NOTHING.name
+    }
+}
+
 impl Schema {
     /// The attribute of a name.
     pub fn attribute(&self, name: &str) -> Option<&'static Bears> {
@@ -117,6 +124,11 @@ impl Schema {
             Only(content) => content,
             Repeated | Same | Anything | Choices | Shapes => &NOTHING,
         }
+    }
+
+    /// Whether it has neither elements nor text in it, whatever stands round it.
+    pub fn is_leaf(&self) -> bool {
+        matches!(self.holds, Holds::Only(content) if content.is_nothing())
     }
 
     /// Whether `Param` may stand right in it.
@@ -398,7 +410,7 @@ pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
 pub(super) static HABITS: Habits = Habits {
     leaf: |name| {
         let leaf = |e: &Schema| match e.holds {
-            Only(content) => content.name == NOTHING.name,
+            Only(content) => content.is_nothing(),
             Choices => true,
             Repeated | Same | Anything | Shapes => false,
         };
