@@ -45,8 +45,9 @@ pub fn serve(
 ) -> bool {
     let (server, client) = Connection::memory();
     let (written, writer) = transport::start(client, input, output);
-    let polite = server::Server::new(server, Some(written), language).run();
+    let polite = server::Server::new(server, Some(written.clone()), language).run();
     // What was said last is to be written before the program ends.
+    let _ = written.send(transport::END.to_vec());
     let _ = writer.join();
     polite
 }

@@ -9,7 +9,8 @@ use std::thread::{self, JoinHandle};
 /// The longest message that is read, bytes; of a longer one nothing is kept.
 const LONGEST: u64 = 1 << 28;
 
-/// Reads and writes in the background. The writer takes messages as [`bytes`] has them, and ends when the server is gone.
+/// Reads and writes in the background. The writer takes messages as [`bytes`] has them, and ends with [`END`]: others than
+/// the server may hold on to its channel, as previews do.
 pub(super) fn start(
     client: Connection,
     mut input: impl BufRead + Send + 'static,
@@ -37,6 +38,9 @@ pub(super) fn start(
     let (written, messages) = mpsc::channel::<Vec<u8>>();
     let writer = thread::spawn(move || {
         for message in messages {
+            if message == END {
+                return;
+            }
             let done = output.write_all(&message).and_then(|()| output.flush());
             if done.is_err() {
                 return;
@@ -45,6 +49,9 @@ pub(super) fn start(
     });
     (written, writer)
 }
+
+/// The last message, which is none.
+pub(super) const END: &[u8] = &[];
 
 /// A message as it goes over a stream.
 pub(super) fn bytes(message: &impl Serialize) -> Vec<u8> {
