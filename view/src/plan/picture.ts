@@ -118,8 +118,8 @@ function wall_shape(house: House, wall: Wall, at: WallAt, drawn: Drawn): SVGGEle
   }
   group.append(tick(ends, ends[1]));
   const long = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
-  if (long > MEASURED * house.unit_m) group.append(measure(ends, long));
-  return group;
+  // Beside it, not in it: the length is no part of what a wall is called.
+  return s('g', {}, group, ...long > MEASURED * house.unit_m ? [measure(ends, long)] : []);
 }
 
 /** The length of a wall in shaku, outside of it: the interior lies on the right of the walk. */
