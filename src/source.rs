@@ -5,8 +5,10 @@
 //! order mark) and make spans with [`Source::span`]; only a report needs the way back,
 //! [`Source::text_range`].
 
+mod reference;
 mod shelf;
 
+pub(crate) use reference::reference;
 pub use shelf::Shelf;
 
 use std::ops::Range;

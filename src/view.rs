@@ -30,6 +30,7 @@ pub use page::{how_to_get_it, there};
 pub use studio::Still;
 
 use crate::diagnostic::Language;
+use crate::source::reference;
 use hall::Hall;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
@@ -114,6 +115,11 @@ impl Preview {
     /// Where the page is.
     pub fn url(&self) -> String {
         format!("http://{}/", self.address)
+    }
+
+    /// The page of a file, by its path below the root with `/`.
+    pub fn page(&self, file: &str) -> String {
+        format!("{}?file={}", self.url(), reference(file))
     }
 
     /// Something has changed that is not noticed by itself.

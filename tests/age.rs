@@ -1,12 +1,8 @@
 //! Houses in their years: what has weathered, where and how much, and that it costs little.
 
-#![allow(clippy::unwrap_used)]
-
-mod support;
-
+use crate::support::{Run, compile};
 use hsd::scene::{Kind, Scene};
 use std::collections::BTreeSet;
-use support::{Run, compile};
 
 fn clean(text: &str) -> Run {
     let run = compile("a.hsd", text.as_bytes());

@@ -1,7 +1,5 @@
 //! `hsd build --bake`: what glass mirrors, against lines that are followed here one by one.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use hsd::backend::pictures::Library;
 use hsd::backend::{flat, gltf as write, obj};

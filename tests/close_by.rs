@@ -1,11 +1,7 @@
 //! What makes a house believable close by: gables of their walls' finish, passages that stay inside, boards
 //! under what stands out, roofs over rings of facades that close with a small error.
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod support;
-
+use crate::support::{Run, assert_none, compile, flaws};
 use hsd::scene::{Mesh, Node};
-use support::{Run, assert_none, compile, flaws};
 
 fn house(text: &str) -> Run {
     let run = compile("house.hsd", text.as_bytes());

@@ -1,9 +1,6 @@
 //! Houses written in the other form of the language are the same houses, and what cannot be written is said.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
-mod support;
-
+use crate::support::{assert_none, expect, stem, texts};
 use hsd::Options;
 use hsd::diagnostic::{Code, Diagnostics, pages};
 use hsd::driver::{building, convert, documents, program};
@@ -11,7 +8,6 @@ use hsd::print::{Form, essence};
 use hsd::program::Roofs;
 use hsd::source::{FileId, PictureFile, Source, World};
 use std::fs;
-use support::{assert_none, expect, stem, texts};
 
 /// A world with the pictures that the fixtures call by name.
 struct Pictures;

@@ -1,9 +1,7 @@
 //! The corpus of the fuzz targets, replayed: whatever once made a reader stumble stays mended.
 
-mod support;
-
+use crate::support::root;
 use std::fs;
-use support::root;
 
 #[test]
 fn the_corpus_passes() {

@@ -1,20 +1,18 @@
 //! Levels of detail: the same house with less and less shape, never another outline.
 
-mod support;
-
+use crate::support::{compile, compile_file, stem, texts};
 use glam::{DVec3, dvec3};
 use hsd::backend::{flat, sound};
 use hsd::driver;
 use hsd::scene::{Detail, Image, Kind, Scene};
 use std::fmt::Write as _;
-use support::{compile, compile_file, stem, texts};
 
 /// How far the outlines of two details may lie apart, metres: flat parts lie in the plane of their wall, and
 /// gutters, studs and the like vanish.
 const OUTLINE: f64 = 0.35;
 
 /// The scenes of an example at all details.
-fn scenes(run: &support::Run) -> [Scene; 4] {
+fn scenes(run: &crate::support::Run) -> [Scene; 4] {
     Detail::ALL.map(|detail| driver::scene(&run.building, &run.catalog, detail))
 }
 
@@ -195,7 +193,7 @@ fn walls_of_a_body_meet_at_their_corners() {
 
 #[test]
 fn nothing_is_seen_through_glass_where_there_are_no_rooms() {
-    let run = compile_file(&support::root().join("examples/office.hsd"));
+    let run = compile_file(&crate::support::root().join("examples/office.hsd"));
     for (detail, scene) in Detail::ALL.into_iter().zip(scenes(&run)).take(2) {
         let glass = scene.materials.iter().filter(|m| m.reflection.is_some());
         assert!(glass.clone().count() > 0, "{detail:?}");

@@ -1,9 +1,7 @@
 //! The same text becomes the same bytes, again and again and on several threads at a time.
 
-mod support;
-
+use crate::support::{compile_file, texts};
 use hsd::building::Building;
-use support::{compile_file, texts};
 
 /// Everything a run shows, as text: every number of it is written out.
 fn all_of(path: &std::path::Path) -> String {

@@ -1,16 +1,14 @@
 //! Every message has a fixture that triggers it, with its output beside it, and a page for `hsd explain`.
-//! The first example of a page triggers its code too. `HSD_UPDATE=1 cargo test --test diagnostics` writes the outputs
+//! The first example of a page triggers its code too. `HSD_UPDATE=1 cargo test --release diagnostics` writes the outputs
 //! anew.
 
-mod support;
-
+use crate::support::{
+    assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts,
+};
 use hsd::diagnostic::{Code, Diagnostic, Text, pages};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
-use support::{
-    assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts,
-};
 
 const FIXTURES: &str = "tests/suite/diagnostics";
 const PAGES: &str = "grammar/diagnostics";

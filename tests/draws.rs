@@ -1,7 +1,5 @@
 //! Draws while a file is read: pieces of text and parameters. Only what stands beside a draw moves it.
 
-mod support;
-
 use hsd::diagnostic::Diagnostics;
 use hsd::program::{Content, Program};
 use hsd::source::{FileId, NoPictures, Source};

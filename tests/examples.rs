@@ -1,13 +1,11 @@
 //! Every example compiles without a word, and what it becomes is sound and stays what it is.
-//! `HSD_UPDATE=1 cargo test --test examples` writes the descriptions in `tests/suite/examples/` anew.
+//! `HSD_UPDATE=1 cargo test --release examples` writes the descriptions in `tests/suite/examples/` anew.
 
-mod support;
-
+use crate::support::{Run, assert_none, compile_file, expect, flaws, root, stem, texts, volume};
 use glam::DVec3;
 use hsd::building::{Building, StoreyPlan};
 use hsd::scene::{Kind, Scene};
 use std::fmt::Write;
-use support::{Run, assert_none, compile_file, expect, flaws, root, stem, texts, volume};
 
 /// A number to three places, without a negative zero.
 fn number(x: f64) -> String {

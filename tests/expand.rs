@@ -1,6 +1,4 @@
 //! Tests of `expand`: documents built by hand, so that no reader takes part.
-#![allow(clippy::unwrap_used, missing_docs)]
-
 mod build {
     //! Small builders of documents. Every construct gets a span of its own.
 
@@ -231,15 +229,9 @@ mod build {
     }
 }
 
-#[path = "expand/codes.rs"]
 mod codes;
-#[path = "expand/facades.rs"]
 mod facades;
-#[path = "expand/limits.rs"]
 mod limits;
-#[path = "expand/operations.rs"]
 mod operations;
-#[path = "expand/pages.rs"]
 mod pages;
-#[path = "expand/storeys.rs"]
 mod storeys;

@@ -1,7 +1,5 @@
 //! The part pictures of `examples/figure4.hsd` are drawn here, as cut-outs of a facade of the 1970s would
-//! look after rectification (003-01). `HSD_UPDATE=1 cargo test --test figure4_pictures` writes them.
-#![allow(clippy::unwrap_used, missing_docs)]
-
+//! look after rectification (003-01). `HSD_UPDATE=1 cargo test --release figure4_pictures` writes them.
 use image::{Rgb, RgbImage};
 use std::{fs, io::Cursor, path::Path};
 

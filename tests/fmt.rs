@@ -1,7 +1,5 @@
 //! Texts laid out anew say the same, look as they should, and are laid out once and for all.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use hsd::diagnostic::{Code, Diagnostics};
 use hsd::print::{encode, essence, format};
 use hsd::source::{FileId, Limits, Source};

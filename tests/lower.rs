@@ -1,6 +1,4 @@
 //! Walks to outlines: closing, turns, crossings, courtyards, set-back storeys, rings of facades.
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use glam::dvec2;
 use hsd::ast::StoreyKind;
 use hsd::building::{Ring, Shell};

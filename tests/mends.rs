@@ -1,20 +1,16 @@
 //! What the messages offer to do at a click: every mend of every fixture is done, the text compiled again, and nobody
 //! may complain of the same again or find a new kind of error. A code that offers none has a reason.
 
-mod support;
-
-#[path = "mends/legacy_half.rs"]
 mod legacy_half;
-#[path = "mends/xml_half.rs"]
 mod xml_half;
 
+use crate::support::{Run, assert_none, compile_changed, compile_file, stem, texts};
 use hsd::diagnostic::{Code, Diagnostic, Mend, Severity};
 use hsd::print::encode;
 use hsd::source::{FileId, Source};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::Path;
-use support::{Run, assert_none, compile_changed, compile_file, stem, texts};
 
 const FIXTURES: &str = "tests/suite/diagnostics";
 

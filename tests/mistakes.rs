@@ -1,10 +1,8 @@
 //! A file with two hundred mistakes shows two hundred messages: each mistake its own, at its own place, with help, and
 //! nothing else. Files are put together of houses with one mistake each, `«` and `»` round it.
 
-mod support;
-
+use crate::support::{assert_none, compile};
 use std::collections::BTreeMap;
-use support::{assert_none, compile};
 
 /// Mistakes in a file.
 const MANY: usize = 200;

@@ -1,13 +1,11 @@
 //! Houses written short, and what stands at any house: the documented measures of Suzakumon and of two pagodas come
 //! out of the elements, other measures work as well, all bodies are closed, and nothing absurd makes them fail.
 
-mod support;
-
+use crate::support::{Run, assert_none, compile, flaws, open_edges, root};
 use glam::DVec3;
 use hsd::building::fittings::{Fitting, Thing};
 use hsd::geometry::SHAKU;
 use hsd::scene::{Kind, Scene};
-use support::{Run, assert_none, compile, flaws, open_edges, root};
 
 fn house(content: &str) -> Run {
     compile(

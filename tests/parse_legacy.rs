@@ -5,7 +5,6 @@ use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::source::{FileId, Limits, Source};
 use std::path::Path;
 
-#[path = "parse_legacy/mends.rs"]
 mod mends;
 
 /// The example of domain.md 2.6.

@@ -1,7 +1,5 @@
 //! The XML form: the paper's figure, every element, and what is wrong in every way.
 
-#![allow(clippy::unwrap_used, clippy::print_stdout)]
-
 use hsd::ast::*;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::parse::xml;
@@ -247,11 +245,8 @@ fn faults_owned(text: &str) -> Vec<(u16, String)> {
     found.into_iter().map(|(c, s)| (c, s.to_owned())).collect()
 }
 
-#[path = "parse_xml/hostile.rs"]
 mod hostile;
-#[path = "parse_xml/mends.rs"]
 mod mends;
-#[path = "parse_xml/tree.rs"]
 mod tree;
 
 /// The token streams of this reader and of quick-xml agree on what is well-formed.

@@ -1,14 +1,10 @@
 //! Every part in its bay: sound, within its lines, counted as the sheet of parts says, no two faces at one depth.
 
-mod support;
-#[path = "support/depths.rs"]
-mod depths;
-
-use depths::{Skin, bodies, bounds, fights, sizes, skins_below, triangles};
+use crate::support::depths::{Skin, bodies, bounds, fights, sizes, skins_below, triangles};
+use crate::support::{assert_none, compile, flaws_of_mesh, on_all_processors, open_edges};
 use hsd::catalog::PartDef;
 use hsd::geometry::SHAKU;
 use hsd::scene::{Kind, Mesh, NodeId, Scene};
-use support::{assert_none, compile, flaws_of_mesh, on_all_processors, open_edges};
 
 /// A closed house of one storey whose front holds these codes, left to right.
 fn house(front: &[&str], height: f64, unit: f64) -> Scene {

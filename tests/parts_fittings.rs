@@ -1,9 +1,7 @@
 //! Openings with what hangs or stands in them, and modern parts, against the sheet of parts: heights and projections to
 //! the millimetre, counts, sound shapes.
 
-mod support;
-
-use support::shapes::{
+use crate::support::shapes::{
     Body, STOREY, bars, bodies, bounds, flaws, flaws_of_classes, part_mesh, rails, scaled_mesh,
     triangles, written,
 };
@@ -16,7 +14,7 @@ fn near(a: f64, b: f64) -> bool {
 
 /// The bodies of a part in one surface, by the name of its material.
 fn of(code: &str, material: &str, height: f64) -> Vec<Body> {
-    let run = support::compile(
+    let run = crate::support::compile(
         "part.hsd",
         format!("0 0 180\n{height}\n\n{code:5}\n").as_bytes(),
     );
@@ -207,15 +205,15 @@ fn shutters_curtain_walls_and_balconies() {
 
 #[test]
 fn every_fitting_and_modern_part_is_sound() {
-    support::assert_none(&flaws_of_classes("AN", 2000));
+    crate::support::assert_none(&flaws_of_classes("AN", 2000));
 }
 
 /// A dressed street house at full detail: under 60,000 triangles seen, under 400 KB of meshes.
 #[test]
 fn houses_stay_light() {
     for name in ["machiya", "omotedana", "kanban", "buke-nagaya"] {
-        let path = support::root().join(format!("examples/{name}.hsd"));
-        let scene = support::compile_file(&path).scene;
+        let path = crate::support::root().join(format!("examples/{name}.hsd"));
+        let scene = crate::support::compile_file(&path).scene;
         let parts = scene.meshes.iter().flat_map(|m| &m.primitives);
         // Positions, normals and texture coordinates are 32 bytes a vertex, indices 2.
         let bytes: usize = parts
@@ -245,7 +243,7 @@ fn parts_of_any_width_are_sound() {
             );
         }
     }
-    support::assert_none(&found);
+    crate::support::assert_none(&found);
 }
 
 /// A mortar front rises 3 to 4 shaku above the eaves, along all its modern units, on the highest storey alone.
@@ -253,7 +251,7 @@ fn parts_of_any_width_are_sound() {
 fn mortar_fronts_have_a_parapet() {
     let text = "0 0 180\n9 9\n\nNMO  NAS 2NMO  KSK  \nKSK  \nKSK  KSK  KSK  KSK  KSK  \nKSK  ^\n\
                 NMO  NAS 2NMO  KSK  \nKSK  \nKSK  KSK  KSK  KSK  KSK  \nKSK  \n";
-    let scene = support::compile("front.hsd", text.as_bytes()).scene;
+    let scene = crate::support::compile("front.hsd", text.as_bytes()).scene;
     let heads: Vec<_> = scene.nodes.iter().filter(|n| n.name == "parapet").collect();
     assert_eq!(heads.len(), 1);
     assert_eq!(heads[0].storey, Some(2));

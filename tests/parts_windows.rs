@@ -1,9 +1,7 @@
 //! Windows and lattices against the sheet of parts: counted bars, rails and panes, in the catalogue and in the mesh;
 //! heights and projections to the millimetre; sound shapes.
 
-mod support;
-
-use support::shapes::{
+use crate::support::shapes::{
     Body, STOREY, bars, bodies, bounds, flaws, flaws_of_classes, part_mesh, rails, scaled_mesh,
     sheet_row, triangles, written,
 };
@@ -336,7 +334,7 @@ fn slits_end_round() {
 
 #[test]
 fn every_window_and_lattice_is_sound() {
-    support::assert_none(&flaws_of_classes("MG", 1600));
+    crate::support::assert_none(&flaws_of_classes("MG", 1600));
 }
 
 /// Facades of a given size draw parts out or press them together.
@@ -359,5 +357,5 @@ fn parts_of_any_width_are_sound() {
             );
         }
     }
-    support::assert_none(&found);
+    crate::support::assert_none(&found);
 }

@@ -1,12 +1,10 @@
 //! Messages about part pictures and shapes that no text alone can trigger: they need a file that is broken.
 
-mod support;
-
+use crate::support::png;
 use hsd::Options;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::{self, Compiled};
 use hsd::source::{FileId, Limits, PictureFile, Source, World};
-use support::png;
 
 /// A world where every name is a picture with the same content, and none has variants.
 struct Everywhere(Option<Vec<u8>>);

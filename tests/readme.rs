@@ -1,12 +1,10 @@
 //! The README and the pages of `grammar/` in their two languages: the same commands, texts, words and pictures, and a
 //! first house that does what it says.
 
-mod support;
-
+use crate::support::{assert_none, compile, root};
 use hsd::diagnostic::Code;
 use std::collections::BTreeSet;
 use std::fs;
-use support::{assert_none, compile, root};
 
 fn readme(name: &str) -> String {
     fs::read_to_string(root().join(name)).expect("the README is there")

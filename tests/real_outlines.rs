@@ -1,12 +1,8 @@
 //! Outlines of real houses: the orthogonal buildings of a museum village, as a map has them. The map lies beside
 //! the repository, not in it; without it the test says so and passes.
-#![allow(clippy::print_stderr)] // whoever runs it should know what was skipped
-
-mod support;
-
+use crate::support::{assert_none, compile, flaws, root};
 use serde_json::Value;
 use std::path::PathBuf;
-use support::{assert_none, compile, flaws, root};
 
 /// Half a unit in metres: the finest length that parts can make.
 const HALF: f64 = 5.0 / 11.0;

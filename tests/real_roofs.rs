@@ -1,9 +1,6 @@
 //! Hipped roofs over every outline of the real maps: houses, roofs as measured, lots, blocks and roads. The maps lie
 //! beside the repository, not in it; without them the test says so and passes.
-#![allow(clippy::print_stderr)] // whoever runs it should see the counts
-
-mod support;
-
+use crate::support::{assert_none, root};
 use glam::{DVec2, dvec2};
 use hsd::building::{Finish, Roof};
 use hsd::check::solid_flaws;
@@ -11,7 +8,6 @@ use hsd::roof::hipped::over;
 use hsd::roof::look::Look;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use support::{assert_none, root};
 
 const METRES_PER_DEGREE: f64 = 111_320.0;
 

@@ -1,7 +1,5 @@
 //! Reports on small Japanese texts, and on large ones.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use hsd::diagnostic::{Diagnostic, Diagnostics, Edit, Language};
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source, Span};

@@ -1,10 +1,8 @@
 //! The gallery of roofs: each text builds without a word, says the form it shows, and stands on the page.
 
-mod support;
-
+use crate::support::{assert_none, compile_file, flaws, root, stem, texts};
 use hsd::ast::{RoofKind, RoofShape};
 use std::collections::BTreeSet;
-use support::{assert_none, compile_file, flaws, root, stem, texts};
 
 #[test]
 fn every_text_builds_without_a_word() {

@@ -1,13 +1,11 @@
 //! What is seen of models from outside: no face from behind (a gap, or a face inside out) and no two faces that fight
 //! for one place.
 
-mod support;
-
+use crate::support::view::View;
+use crate::support::{assert_none, compile_file, on_all_processors, stem, texts};
 use glam::{DVec3, dvec3};
 use hsd::scene::{Detail, Kind, Scene};
 use std::collections::BTreeMap;
-use support::view::View;
-use support::{assert_none, compile_file, stem, texts};
 
 /// Faces nearer to each other than this along the line of sight take turns in a viewer, metres.
 const SAME_DEPTH: f64 = 2e-4;
@@ -67,15 +65,20 @@ fn findings(scene: &Scene, only_roofs: bool) -> Vec<String> {
 
 #[test]
 fn nothing_of_a_roof_is_seen_from_behind_and_nothing_fights() {
-    let mut all = vec![];
-    for path in texts("examples").into_iter().chain(texts("grammar/roofs")) {
-        let run = compile_file(&path);
-        for detail in Detail::ALL {
+    let paths: Vec<_> = ["examples", "grammar/roofs"]
+        .into_iter()
+        .flat_map(texts)
+        .collect();
+    let mut all = on_all_processors(paths.len(), |index| {
+        let path = &paths[index];
+        let run = compile_file(path);
+        let all = Detail::ALL.into_iter().flat_map(|detail| {
             let scene = hsd::driver::scene(&run.building, &run.catalog, detail);
-            let of = |f: String| format!("{} at detail {detail:?}: {f}", stem(&path));
-            all.extend(findings(&scene, true).into_iter().map(of));
-        }
-    }
+            let of = move |f: String| format!("{} at detail {detail:?}: {f}", stem(path));
+            findings(&scene, true).into_iter().map(of)
+        });
+        all.collect()
+    });
     // Known: a plastered band of the gate lies in the plane of its painted beam where bays are pictures.
     all.retain(|f| !f.starts_with("suzakumon at detail Flat: fight: roof 1 (plaster)"));
     assert_none(&all);

@@ -1,7 +1,5 @@
-//! The boards of `examples/tea-shop.hsd` are painted here: three variants of one picture. `HSD_UPDATE=1 cargo test --test
+//! The boards of `examples/tea-shop.hsd` are painted here: three variants of one picture. `HSD_UPDATE=1 cargo test --release
 //! tea_shop_pictures` writes them.
-#![allow(clippy::unwrap_used, missing_docs)]
-
 use image::{Rgb, RgbImage};
 use std::{fs, io::Cursor, path::Path};
 

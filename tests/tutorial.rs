@@ -1,11 +1,9 @@
 //! The tutorial in its two languages: the same texts, commands and pictures, and every text builds what is said of it.
 
-mod support;
-
+use crate::support::{assert_none, compile, flaws, root};
 use hsd::diagnostic::Code;
 use serde_json::Value;
 use std::fs;
-use support::{assert_none, compile, flaws, root};
 
 const FOLDER: &str = "grammar";
 

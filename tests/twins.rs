@@ -1,11 +1,9 @@
 //! Houses of one plan share the work of roofing: what is built and said is as if each stood alone.
 
-mod support;
-
+use crate::support::{Run, assert_none, compile, texts};
 use hsd::building::HouseRoofs;
 use hsd::diagnostic::Diagnostic;
 use hsd::source::Span;
-use support::{Run, assert_none, compile, texts};
 
 /// A legacy text of one house, twice in one file, with the offset of the second.
 fn twice(text: &str) -> (String, u32) {
@@ -48,7 +46,7 @@ fn twins_are_built_and_told_as_if_each_stood_alone() {
     let mut files = texts("examples");
     files.extend(texts("tests/suite/diagnostics"));
     for path in files {
-        let name = support::stem(&path);
+        let name = crate::support::stem(&path);
         let Ok(text) = std::fs::read_to_string(&path) else {
             continue; // Shift_JIS
         };

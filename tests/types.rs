@@ -1,7 +1,6 @@
 //! The types of houses: every one builds for every value of its parameters, and is what the historians say of it.
 
-mod support;
-
+use crate::support::{Numbers, Run, assert_none, flaws, on_all_processors, root};
 use hsd::ast::{Parameter, Value};
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::scene::Detail;
@@ -9,7 +8,6 @@ use hsd::source::{FileId, NoPictures, Source};
 use hsd::types::{HouseType, TYPES};
 use hsd::{Options, driver};
 use std::collections::BTreeSet;
-use support::{Numbers, Run, assert_none, flaws, on_all_processors, root};
 
 /// Random combinations of parameters a type.
 const SAMPLES: usize = 60;
@@ -178,8 +176,8 @@ fn every_parameter_says_what_it_is_and_may_be() {
 
 #[test]
 fn every_text_of_the_folder_is_a_type_with_its_names() {
-    for path in support::texts("library") {
-        let word = support::stem(&path);
+    for path in crate::support::texts("library") {
+        let word = crate::support::stem(&path);
         let text = std::fs::read_to_string(&path).expect("can be read");
         if word == "fronts" {
             continue;

@@ -1,7 +1,7 @@
 //! Many houses of one text: alike where nothing is drawn, each what its seed makes of it, in rows apart.
 
-mod support;
-
+use crate::support::assert_none;
+use crate::support::clock::{slowness, worked};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::Compiled;
 use hsd::picture::sheet::sheet;
@@ -12,12 +12,6 @@ use hsd::{Options, backend};
 use std::collections::BTreeSet;
 use std::num::NonZeroU32;
 use std::time::{Duration, Instant};
-use support::assert_none;
-use support::clock::{slowness, worked};
-
-// As the program does.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// Processor time of a thousand variants of one town house, from text to scene with all joinery.
 const BOUND: Duration = Duration::from_secs(1);

@@ -1,16 +1,12 @@
 //! The W3C's conformance suite for XML, where `../shared/data` has it: every document is taken or refused as a reader
 //! must that does not validate and reads no document types. `grammar/xml.md` lists the deliberate differences.
-#![allow(clippy::print_stderr)] // whoever runs it should know what was skipped
-
-mod support;
-
+use crate::support::root;
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::source::{FileId, Limits, Source};
 use quick_xml::events::{BytesStart, Event};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::File;
 use std::io::Read;
-use support::root;
 use zip::ZipArchive;
 
 const ARCHIVE: &str = "../shared/data/xml_w3c_xmlconf/xmlts20130923.zip";

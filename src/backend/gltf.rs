@@ -24,6 +24,7 @@ pub use container::Glb;
 
 use super::{Images, OutFile};
 use crate::scene::Scene;
+use crate::source::reference;
 use geometry::{Geometry, Shown};
 use gltf::json::{Asset, Buffer, Root};
 use materials::Looks;
@@ -51,7 +52,7 @@ pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<Out
     let mut model = Model::new(scene, images);
     let mut files = model.files(stem);
     let name = format!("{stem}.bin");
-    model.add_buffer(Some(escaped(&name)));
+    model.add_buffer(Some(reference(&name)));
     let (mut json, mut bin) = (vec![], Vec::with_capacity(model.length));
     let written = model.json(&mut json).and_then(|()| model.buffer(&mut bin));
     written.expect("memory takes every byte");
@@ -192,18 +193,4 @@ impl<'a> Model<'a> {
         }
         Ok(())
     }
-}
-
-/// A path as a relative reference: everything but unreserved characters and slashes is escaped (RFC 3986).
-fn escaped(path: &str) -> String {
-    let mut out = String::with_capacity(path.len());
-    for byte in path.bytes() {
-        match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => {
-                out.push(byte.into());
-            }
-            _ => out.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    out
 }

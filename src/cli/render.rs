@@ -258,10 +258,9 @@ impl Render {
         let preview = Preview::with_stills(show, taker).map_err(failed)?;
         let views: Vec<&str> = self.views.iter().map(|v| v.word()).collect();
         let (views, (width, height)) = (views.join(","), self.size);
-        let file = browser::escaped(&name);
         let url = format!(
-            "{}?file={file}&render={views}&size={width}x{height}&samples={}",
-            preview.url(),
+            "{}&render={views}&size={width}x{height}&samples={}",
+            preview.page(&name),
             self.samples
         );
         let running = browser.open(&url)?;

@@ -89,8 +89,10 @@ pub(super) struct Inner {
 pub(super) struct Row {
     /// Where it stands.
     pub(super) home: Home,
-    /// What it is made of.
+    /// What it is made of, in the order of the text.
     pub(super) cells: Vec<Cell>,
+    /// Whether that runs against the walk.
+    pub(super) rightwards: bool,
     /// Why none of it may be changed.
     pub(super) fixed: Option<Reason>,
 }
@@ -173,6 +175,7 @@ impl<'a> Sheet<'a> {
         let fixed = |reason| Row {
             home: Home::Line(usize::MAX),
             cells: vec![],
+            rightwards: false,
             fixed: Some(reason),
         };
         if wall.span.file != FileId(0) {
@@ -236,21 +239,24 @@ impl<'a> Sheet<'a> {
             })
     }
 
-    /// Why walls of facades cannot be moved: those with a width of their own, and those at the start of the walk.
+    /// Why a wall of facades cannot be moved: it has a width of its own, or stands at the start of the walk.
     fn structure_fixed(&self, row: &Row, reset: bool) -> Option<Reason> {
-        let Home::Element(element) = row.home else {
-            return None;
-        };
+        let element = self.floor(row)?;
         let elements = &self.outline.elements;
-        if name(&elements[element]) != "Floor" {
-            return None;
-        }
         let mut around = self.outline.around(element).map(|e| &elements[e]);
         let says = |e: &Element| e.value("ratio").is_some() || e.value("size").is_some();
         if around.any(says) {
             return Some(Reason::Scaled);
         }
-        Some(if reset { Reason::First } else { Reason::Shared })
+        reset.then_some(Reason::First)
+    }
+
+    /// The `Floor` of a facade that a line stands in.
+    pub(super) fn floor(&self, row: &Row) -> Option<usize> {
+        match row.home {
+            Home::Element(e) if name(&self.outline.elements[e]) == "Floor" => Some(e),
+            _ => None,
+        }
     }
 
     /// Why a walk cannot begin elsewhere.
@@ -274,10 +280,19 @@ impl<'a> Sheet<'a> {
             }
             (Home::Element(one), Home::Element(other)) => {
                 let elements = &self.outline.elements;
+                // A floor stands in its facade.
+                let line = |e: usize| match name(&elements[e]) {
+                    "Floor" => elements[e].parent.unwrap_or(e),
+                    _ => e,
+                };
+                let (one, other) = (line(one), line(other));
                 let end = elements[one].range.end;
                 let between = elements.get(one + 1..other).unwrap_or_default();
                 let row = |e: &Element| {
-                    let makes = matches!(name(e), "Row" | "use" | "repeat" | "if" | "else" | "");
+                    let makes = matches!(
+                        name(e),
+                        "Row" | "Facade" | "use" | "repeat" | "if" | "else" | ""
+                    );
                     e.range.start >= end && makes
                 };
                 other < one

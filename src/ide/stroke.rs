@@ -32,7 +32,8 @@
 //! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, pent roofs along a whole side
 //! of it, and those whose height was the top of a storey that rises or falls: they follow. Where the first corner of a
 //! storey moves, `start` says so in the XML form, and lines of voids that lead there in the legacy form; the origin of
-//! the house stays where it is. Facades take parts and heights, but their walls do not move yet.
+//! the house stays where it is. Walls of facades move one floor at a time, but for the first and the last one and those with
+//! a width of their own (`size`, `ratio`); they do not break, since every floor of a facade stands in one plane.
 //!
 //! What a stroke comes to are [`Edit`]s of [`Source::text`](crate::source::Source::text), sorted, none of which touches
 //! another. A stroke that cannot be made is refused in a sentence that says why and what to do instead, and changes

@@ -14,9 +14,10 @@ use crate::view::{Desk, Preview, Show};
 use lsp_server::{Request, RequestId};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{self, Sender};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -107,24 +108,25 @@ impl Previews {
             });
             Running::new(shared, documents.edition)
         });
-        let mut folders = lock(&running.folders);
-        if !folders.contains_key(&root) {
-            let preview = Preview::start(Show {
-                root: root.clone(),
-                only: None,
-                language: settings.language,
-                desk: Box::new(EditorDesk(running.shared.clone())),
-                port: 0,
-                // The client tells of what is saved by others.
-                watched: vec![],
-            })?;
-            folders.insert(root.clone(), Arc::new(preview));
-        }
         let below = path.strip_prefix(&root).unwrap_or(&path).to_string_lossy();
-        let url = folders.get(&root).map(|p| p.url()).unwrap_or_default();
-        let file = uri::from_path(Path::new(&*below.replace('\\', "/")));
-        let file = file.trim_start_matches("file:///");
-        Ok(format!("{url}?file={file}"))
+        let file = below.replace(MAIN_SEPARATOR, "/");
+        let mut folders = lock(&running.folders);
+        let preview = match folders.entry(root) {
+            Entry::Occupied(there) => there.into_mut(),
+            Entry::Vacant(free) => {
+                let show = Show {
+                    root: free.key().clone(),
+                    only: None,
+                    language: settings.language,
+                    desk: Box::new(EditorDesk(running.shared.clone())),
+                    port: 0,
+                    // The client tells of what is saved by others.
+                    watched: vec![],
+                };
+                free.insert(Arc::new(Preview::start(show)?))
+            }
+        };
+        Ok(preview.page(&file))
     }
 
     /// Shows the texts as they are now.

@@ -1,18 +1,21 @@
 //! File names as the protocol writes them.
 
+use crate::source::reference;
+use percent_encoding::percent_decode_str;
 use std::path::{Path, PathBuf};
 
 /// The file that a URI names, if it names one of this machine.
 pub(super) fn to_path(uri: &str) -> Option<PathBuf> {
     let rest = uri.strip_prefix("file://")?;
     let rest = rest.strip_prefix("localhost").unwrap_or(rest);
-    let path = decoded(rest.split(['?', '#']).next()?)?;
+    let path = percent_decode_str(rest.split(['?', '#']).next()?);
+    let path = path.decode_utf8().ok()?;
     // `/c:/houses` is a drive of Windows.
     let drive = path.as_bytes().get(1..3);
     let drive = drive.is_some_and(|d| d[0].is_ascii_alphabetic() && d[1] == b':');
     match cfg!(windows) && drive {
         true => Some(PathBuf::from(&path[1..])),
-        false => path.starts_with('/').then(|| PathBuf::from(&path)),
+        false => path.starts_with('/').then(|| PathBuf::from(&*path)),
     }
 }
 
@@ -21,35 +24,8 @@ pub(super) fn from_path(path: &Path) -> String {
     let text = path
         .to_string_lossy()
         .replace(std::path::MAIN_SEPARATOR, "/");
-    let mut uri = String::from("file://");
-    if !text.starts_with('/') {
-        uri.push('/');
-    }
-    for byte in text.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'-' | b'.' | b'_' | b'~' => {
-                uri.push(byte as char);
-            }
-            _ => uri.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    uri
-}
-
-fn decoded(text: &str) -> Option<String> {
-    let (mut bytes, mut rest) = (vec![], text.as_bytes());
-    while let [first, more @ ..] = rest {
-        rest = more;
-        if *first != b'%' {
-            bytes.push(*first);
-            continue;
-        }
-        let (digits, more) = rest.split_at_checked(2)?;
-        let digits = std::str::from_utf8(digits).ok()?;
-        bytes.push(u8::from_str_radix(digits, 16).ok()?);
-        rest = more;
-    }
-    String::from_utf8(bytes).ok()
+    let root = if text.starts_with('/') { "" } else { "/" };
+    format!("file://{root}{}", reference(&text))
 }
 
 #[cfg(test)]
@@ -64,12 +40,9 @@ mod tests {
             assert_eq!(to_path(&uri), Some(PathBuf::from(name)));
         }
         assert_eq!(to_path("file:///a/%E5%AE%B6.hsd"), Some("/a/家.hsd".into()));
-        for other in [
-            "untitled:Untitled-1",
-            "file:///a%ZZ",
-            "file:///a%E5",
-            "http://a/b",
-        ] {
+        // As browsers read it, for clients that escape too little.
+        assert_eq!(to_path("file:///a%b.hsd"), Some("/a%b.hsd".into()));
+        for other in ["untitled:Untitled-1", "file:///a%E5", "http://a/b"] {
             assert_eq!(to_path(other), None);
         }
     }

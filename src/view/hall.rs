@@ -20,6 +20,10 @@ use tokio::sync::broadcast;
 const LISTED: usize = 2000;
 const DEPTH: usize = 6;
 
+/// Kinds of files.
+pub(super) const TEXT: &str = "text";
+pub(super) const MODEL: &str = "model";
+
 /// What pages hear of.
 #[derive(Clone, Debug)]
 pub(super) enum News {
@@ -46,6 +50,7 @@ pub(super) struct Cursor {
 /// A file that may be shown.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub(super) struct Listed {
+    /// Below the root, with `/`.
     pub(super) path: String,
     pub(super) kind: &'static str,
 }
@@ -114,10 +119,22 @@ impl Hall {
     pub(super) fn files(&self) -> Vec<Listed> {
         let mut list = vec![];
         match &self.only {
-            Some(file) => list.extend(listed(file.clone())),
+            Some(file) => list.push(Listed {
+                path: file.clone(),
+                kind: self.kind(file).unwrap_or(TEXT),
+            }),
             None => walk(&self.root, &self.root, DEPTH, &mut list),
         }
         list
+    }
+
+    /// What a file is, if it may be shown. The only one that was asked for is a text whatever its name ends with.
+    fn kind(&self, file: &str) -> Option<&'static str> {
+        match &self.only {
+            Some(only) if only == file => kind_of(file).or(Some(TEXT)),
+            Some(_) => None,
+            None => kind_of(file),
+        }
     }
 
     /// The room of a file.
@@ -130,13 +147,12 @@ impl Hall {
         }
         let path = Path::new(file);
         let plain = path.components().all(|c| matches!(c, Component::Normal(_)));
-        let known = plain && !file.contains('\\') && listed(file.to_owned()).is_some();
-        let wanted = self.only.as_ref().is_none_or(|only| only == file);
+        let known = plain && !file.contains('\\') && self.kind(file).is_some();
         let inside = |p: PathBuf| p.starts_with(&self.root) && p.is_file();
         // A file that an editor has not saved yet is read by the desk.
         let real = self.root.join(path).canonicalize();
         let there = real.map_or_else(|_| self.desk.bytes(&self.root.join(path)).is_ok(), inside);
-        if !known || !wanted || !there {
+        if !known || !there {
             return Err(io::ErrorKind::NotFound.into());
         }
         let room = Arc::new(Room {
@@ -238,8 +254,8 @@ impl Hall {
     fn build_it(&self, file: &str) -> io::Result<Made> {
         let revision = self.revision.fetch_add(1, Ordering::Relaxed);
         let place = (&*self.root, file);
-        match listed(file.to_owned()).map(|l| l.kind) {
-            Some("model") => Made::of_model(place, revision),
+        match self.kind(file) {
+            Some(MODEL) => Made::of_model(place, revision),
             _ => Made::of_text(&*self.desk, place, self.language, revision),
         }
     }
@@ -273,15 +289,14 @@ impl Hall {
     }
 }
 
-/// A file that may be shown, if its ending says so.
-fn listed(path: String) -> Option<Listed> {
-    let ending = Path::new(&path).extension()?.to_str()?.to_ascii_lowercase();
-    let kind = match &*ending {
-        "hsd" | "xml" => "text",
-        "glb" => "model",
-        _ => return None,
-    };
-    Some(Listed { path, kind })
+/// What a file is, if its ending says so.
+fn kind_of(file: &str) -> Option<&'static str> {
+    let ending = Path::new(file).extension()?.to_str()?.to_ascii_lowercase();
+    match &*ending {
+        "hsd" | "xml" => Some(TEXT),
+        "glb" => Some(MODEL),
+        _ => None,
+    }
 }
 
 /// The files below a folder, in the order of their names; hidden folders and those of programs are passed over.
@@ -294,7 +309,10 @@ fn walk(root: &Path, folder: &Path, depth: usize, list: &mut Vec<Listed>) {
     for (path, kind) in &paths {
         if kind.is_file() && list.len() < LISTED {
             let below = path.strip_prefix(root).ok();
-            list.extend(below.and_then(|p| listed(slashed(p))));
+            list.extend(below.and_then(|p| {
+                let path = slashed(p);
+                kind_of(&path).map(|kind| Listed { path, kind })
+            }));
         }
     }
     for (path, kind) in paths {

@@ -1,6 +1,6 @@
 //! What the page asks for. Every answer is worked out on a thread that may take its time.
 
-use super::hall::{Eye, Hall, Listed, News, Room};
+use super::hall::{Eye, Hall, Listed, News, Room, TEXT};
 use super::made::Made;
 use super::studio::{self, Still};
 use super::{guard, page};
@@ -116,7 +116,7 @@ struct Hello {
 async fn hello(State(hall): Shared) -> Answer<Json<Hello>> {
     let said = work(&hall, |hall| {
         let files = hall.files();
-        let first = files.iter().find(|f| f.kind == "text").or(files.first());
+        let first = files.iter().find(|f| f.kind == TEXT).or(files.first());
         let name = hall.root.file_name().unwrap_or_default();
         Ok(Hello {
             version: env!("CARGO_PKG_VERSION"),

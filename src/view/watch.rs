@@ -37,23 +37,25 @@ pub(super) fn watch(
     for (folder, mode) in folders {
         watcher.watch(folder, *mode)?;
     }
+    let only = hall.only.as_ref().map(|only| hall.root.join(only));
     let hall = Arc::downgrade(hall);
     thread::Builder::new()
         .name("hsd watch".to_owned())
-        .spawn(move || tell(&events, &hall))
+        .spawn(move || tell(&events, &hall, only.as_deref()))
         .map_err(notify::Error::io)?;
     Ok(Watch { _watcher: watcher })
 }
 
-/// Tells the hall until either is gone.
-fn tell(events: &Receiver<notify::Result<Event>>, hall: &Weak<Hall>) {
+/// Tells the hall until either is gone. `only` is a file that is read whatever its name ends with.
+fn tell(events: &Receiver<notify::Result<Event>>, hall: &Weak<Hall>, only: Option<&Path>) {
+    let is_read = |path: &Path| only == Some(path) || is_read(path);
     while let Ok(first) = events.recv() {
         let mut batch = Batch::default();
-        batch.take(&first);
+        batch.take(&first, is_read);
         let until = Instant::now() + PATIENCE;
         while !batch.closed && Instant::now() < until {
             match events.recv_timeout(QUIET) {
-                Ok(event) => batch.take(&event),
+                Ok(event) => batch.take(&event, is_read),
                 Err(RecvTimeoutError::Timeout) => break,
                 Err(RecvTimeoutError::Disconnected) => return,
             }
@@ -80,7 +82,7 @@ struct Batch {
 }
 
 impl Batch {
-    fn take(&mut self, event: &notify::Result<Event>) {
+    fn take(&mut self, event: &notify::Result<Event>, is_read: impl Fn(&Path) -> bool) {
         let Ok(event) = event else { return };
         if !event.paths.iter().any(|p| is_read(p)) {
             return;

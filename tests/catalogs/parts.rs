@@ -1,6 +1,6 @@
 //! What own parts are, and what is said about those that cannot be.
 
-use crate::*;
+use crate::catalogs::*;
 
 #[test]
 fn parts_are_found_from_the_house_outwards() {

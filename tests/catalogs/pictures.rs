@@ -1,6 +1,6 @@
 //! Textures of own parts, and variants of pictures.
 
-use crate::*;
+use crate::catalogs::*;
 
 #[test]
 fn a_texture_shows_on_the_part() {

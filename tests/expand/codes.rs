@@ -1,6 +1,6 @@
 //! What codes mean.
 
-use crate::build::*;
+use crate::expand::build::*;
 use hsd::ast::{CodeText, Document, Item, Part, Piece, Random};
 use hsd::diagnostic::Diagnostics;
 use hsd::expand::{Options, expand};

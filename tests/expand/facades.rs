@@ -1,6 +1,6 @@
 //! Walls given facade by facade.
 
-use crate::build::*;
+use crate::expand::build::*;
 use hsd::ast::{Facade, House, Item, StoreyKind, Texture};
 use hsd::expand::Options;
 use hsd::geometry::SHAKU;

@@ -1,6 +1,6 @@
 //! Careless numbers cost no time and no memory.
 
-use crate::build::*;
+use crate::expand::build::*;
 use hsd::ast::{Item, Piece};
 use hsd::expand::Options;
 use hsd::source::{Limits, NoPictures};

@@ -1,6 +1,6 @@
 //! repeat, split, random, replace.
 
-use crate::build::*;
+use crate::expand::build::*;
 use hsd::ast::{Edit, House, Item, Random};
 use hsd::expand::Options;
 use hsd::program::{Content, Program};

@@ -1,6 +1,6 @@
 //! Every message has a page and a fixture, and the fixture triggers this message and no other.
 
-use crate::build::Pictures;
+use crate::expand::build::Pictures;
 use hsd::diagnostic::Diagnostics;
 use hsd::expand::{Options, expand};
 use hsd::parse::parse;

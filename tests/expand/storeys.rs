@@ -1,6 +1,6 @@
 //! Houses written row by row.
 
-use crate::build::*;
+use crate::expand::build::*;
 use hsd::ast::{Item, Loop, RoofMode, Row};
 use hsd::program::Content;
 

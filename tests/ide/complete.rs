@@ -1,6 +1,6 @@
 //! What may stand at the cursor, and what the text is after it was taken.
 
-use crate::{analysis, marked};
+use crate::ide::{analysis, marked};
 use hsd::diagnostic::{Language, Severity};
 use hsd::ide::Analysis;
 use hsd::ide::complete::{Completion, CompletionKind, PartKey, complete, documentation};

@@ -1,6 +1,6 @@
 //! Hints at the ends of lines and behind the tags of storeys.
 
-use crate::analysis;
+use crate::ide::analysis;
 use hsd::diagnostic::Language;
 use hsd::ide::inlay::inlays;
 

@@ -1,6 +1,7 @@
 //! Whatever stands in a text, nothing panics and every range lies in it.
 
-use crate::{analysis, support};
+use crate::ide::analysis;
+use crate::support;
 use hsd::diagnostic::Language;
 use hsd::ide::Analysis;
 use hsd::ide::{folding, format, inlay, names, selection, symbols, tokens};

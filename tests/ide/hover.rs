@@ -1,6 +1,6 @@
 //! What is told of the place at the cursor.
 
-use crate::marked;
+use crate::ide::marked;
 use hsd::diagnostic::Language;
 use hsd::ide::hover::{Hover, hover};
 

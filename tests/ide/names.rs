@@ -1,7 +1,7 @@
 //! Definitions, references, renames.
 
+use crate::ide::{Texts, analysis, marked, shown};
 use crate::support::{root, texts};
-use crate::{Texts, analysis, marked, shown};
 use hsd::diagnostic::Diagnostics;
 use hsd::ide::Analysis;
 use hsd::ide::names::{

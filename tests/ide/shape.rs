@@ -1,6 +1,7 @@
 //! Symbols, folds, selections and layouts.
 
-use crate::{analysis, marked, support};
+use crate::ide::{analysis, marked};
+use crate::support;
 use hsd::diagnostic::Diagnostics;
 use hsd::ide::folding::{FoldKind, folds};
 use hsd::ide::format::{format, format_range};

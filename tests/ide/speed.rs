@@ -1,6 +1,6 @@
 //! How long an editor waits: with `--nocapture` the times are printed.
 
-use crate::analysis;
+use crate::ide::analysis;
 use hsd::diagnostic::Language;
 use hsd::ide::{
     Analysis, complete, folding, format, hover, inlay, names, selection, symbols, tokens,

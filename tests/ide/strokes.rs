@@ -6,7 +6,7 @@ mod parts;
 mod storeys;
 mod walls;
 
-use crate::analysis;
+use crate::ide::analysis;
 use hsd::diagnostic::Language;
 use hsd::ide::plan::Plan;
 use hsd::ide::stroke::{Storeys, Stroke, UnitAt, WallAt};

@@ -1,6 +1,7 @@
 //! Colours that know the language.
 
-use crate::{analysis, support};
+use crate::ide::analysis;
+use crate::support;
 use hsd::ide::Analysis;
 use hsd::ide::tokens::{TokenKind, tokens};
 

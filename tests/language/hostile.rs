@@ -1,7 +1,7 @@
 //! No text whatever disturbs the reader: texts full of expressions with random damage, as many as `HSD_DAMAGED` says.
 
-use super::support::{Numbers, root, texts};
 use super::{Texts, read_in};
+use crate::support::{Numbers, root, texts};
 
 const SPLINTERS: [&str; 32] = [
     "{",

@@ -1,7 +1,7 @@
 //! The parametric machiya builds over its whole range.
 
-use super::support::{Run, assert_none, flaws, on_all_processors, root};
 use super::{Texts, options};
+use crate::support::{Run, assert_none, flaws, on_all_processors, root};
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::source::{FileId, Source};
 

@@ -1,6 +1,6 @@
 //! Rules as pictures, with rails for what may follow what.
 
-use crate::ebnf::Rule;
+use crate::legacy_grammar::ebnf::Rule;
 use railroad::{
     Choice, Diagram, Empty, Node, NonTerminal, Optional, Repeat, Sequence, SimpleEnd, SimpleStart,
     Stylesheet, Terminal,

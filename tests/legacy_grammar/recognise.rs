@@ -1,6 +1,6 @@
 //! Whether a grammar allows a text: every way to read it is followed at once.
 
-use crate::ebnf::{Grammar, Rule};
+use crate::legacy_grammar::ebnf::{Grammar, Rule};
 use std::collections::BTreeSet;
 
 /// Places in a text that were reached.

@@ -1,7 +1,7 @@
 //! Texts that the grammar allows, at random. What it leaves open is filled with what a house may have: codes of the
 //! catalogue, numbers that are sizes, corners that differ.
 
-use crate::ebnf::{Grammar, Rule};
+use crate::legacy_grammar::ebnf::{Grammar, Rule};
 use crate::support::Numbers;
 
 const CODES: &[&str] = &["KSK  ", "APW  ", "TOD  ", "MMU 2", "GDE 2", "....."];

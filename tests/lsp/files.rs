@@ -1,6 +1,6 @@
 //! Texts that include others: what is open and not saved is what counts.
 
-use crate::client::{Client, range};
+use crate::lsp::client::{Client, range};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! From hello to good-bye: requests in any order, cancelled ones, nonsense.
 
-use crate::client::Client;
+use crate::lsp::client::Client;
 use lsp_server::{Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! Mends, as a client does them.
 
-use crate::client::{Client, position};
+use crate::lsp::client::{Client, position};
 use serde_json::{Value, json};
 
 /// Does the edits of an action on a text.

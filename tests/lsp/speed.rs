@@ -1,7 +1,7 @@
 //! How long a key takes and what memory it leaves behind; measured where the program is optimized. `cargo bench --bench
 //! lsp` tells more.
 
-use crate::program::Program;
+use crate::lsp::program::Program;
 use crate::support::clock::slowness;
 use serde_json::{Value, json};
 use std::time::Duration;

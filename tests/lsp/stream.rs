@@ -1,6 +1,6 @@
 //! The program on a stream: whatever comes in, it goes on.
 
-use crate::program::Program;
+use crate::lsp::program::Program;
 use serde_json::{Value, json};
 
 #[test]

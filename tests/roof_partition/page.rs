@@ -1,9 +1,9 @@
 //! What `grammar/partitions.md` and its Japanese twin show: the table of measures and the pictures, made here and compared.
-//! `HSD_UPDATE=1 cargo test --test roof_partition page` writes them anew.
+//! `HSD_UPDATE=1 cargo test --release roof_partition::page` writes them anew.
 
 use super::outlines::{Dice, outlines};
 use super::shapes::{NINOMARU, cell, plan, total_cut};
-use super::support::{compile, expect, root};
+use crate::support::{compile, expect, root};
 use hsd::backend::regions_svg::regions_svg;
 use hsd::roof::partition::{Method, partition};
 use hsd::roof::plan::{Cell, Plan};

@@ -1,7 +1,7 @@
 //! The slabs of gable roofs against the boards of paper 004, as `domain.md` 7.2 corrects them.
 
-use crate::common::*;
-use crate::random::Draws;
+use crate::roof_shapes::common::*;
+use crate::roof_shapes::random::Draws;
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::RoofShape;
 use hsd::building::{Finish, Solid};

@@ -1,6 +1,6 @@
 //! The fixtures of the messages, through the whole chain up to the roofs.
 
-use crate::common::assert_sound;
+use crate::roof_shapes::common::assert_sound;
 use hsd::diagnostic::Diagnostics;
 use hsd::source::{FileId, Limits, NoPictures, Source};
 

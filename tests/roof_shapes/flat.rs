@@ -1,6 +1,6 @@
 //! Flat roofs, their parapets and courts.
 
-use crate::common::*;
+use crate::roof_shapes::common::*;
 use hsd::ast::{RoofShape, StoreyKind};
 use hsd::building::Building;
 

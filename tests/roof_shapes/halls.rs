@@ -1,7 +1,7 @@
 //! Every shape over thin, square, deep, tiny and huge rectangles, gentle and steep, straight and curved: closed,
 //! outward, without slivers, and as high as the closed forms of `domain.md` 7.10 say.
 
-use crate::common::*;
+use crate::roof_shapes::common::*;
 use glam::DVec3;
 use hsd::ast::{RoofDirection, RoofShape};
 use hsd::building::{Building, Finish, House, Roof};
@@ -40,7 +40,8 @@ pub fn under(
     house.roofs.style.pitch = Some(spanned(pitch));
     house.roofs.style.sori = Some(spanned(sori));
     if line {
-        let mut written = crate::common::line(shape, None, None, [0.0, 0.0, width, depth]);
+        let mut written =
+            crate::roof_shapes::common::line(shape, None, None, [0.0, 0.0, width, depth]);
         written.style.pitch = Some(spanned(pitch));
         house.roofs.lines = vec![written];
     }

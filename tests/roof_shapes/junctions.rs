@@ -3,8 +3,8 @@
 //! Upright lines through random places are followed through all solids: where two roofs are both solid over more
 //! than a joint's depth, a gable, an eaves or a verge of one sticks in the other.
 
-use crate::common::*;
-use crate::random::{Draws, rings};
+use crate::roof_shapes::common::*;
+use crate::roof_shapes::random::{Draws, rings};
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::{RoofMethod, RoofShape};
 use hsd::building::{Building, Roof, Solid};

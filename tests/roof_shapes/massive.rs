@@ -1,9 +1,9 @@
 //! Massive roofs: one closed solid for roofs that meet, with nothing hidden inside (domain.md 3.7 to 3.9), and the same
 //! from outside as the sheets and gable walls it is made from.
 
-use crate::common::*;
-use crate::halls::{FOOTPRINTS, PITCHES, under};
-use crate::random::{Draws, rings};
+use crate::roof_shapes::common::*;
+use crate::roof_shapes::halls::{FOOTPRINTS, PITCHES, under};
+use crate::roof_shapes::random::{Draws, rings};
 use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::{RoofMethod, RoofShape};
 use hsd::building::{Building, Finish, HouseRoofs, Roof, Solid};
@@ -24,7 +24,7 @@ fn massive_roofs(roofs: &HouseRoofs) -> Vec<Result<Vec<Solid>, &[Roof]>> {
 
 /// Where an upright line passes a solid.
 fn heights(solid: &Solid, at: DVec2) -> Vec<f64> {
-    let mut found = crate::junctions::crossings(solid, at);
+    let mut found = crate::roof_shapes::junctions::crossings(solid, at);
     found.dedup_by(|p, q| (*p - *q).abs() < 1e-9);
     found
 }
@@ -73,7 +73,7 @@ impl Body<'_> {
             .triangles
             .iter()
             .filter(|(_, lo, hi)| lo.cmple(at).all() && at.cmple(*hi).all());
-        near.filter_map(|(t, _, _)| crate::junctions::through(*t, at))
+        near.filter_map(|(t, _, _)| crate::roof_shapes::junctions::through(*t, at))
             .filter(|z| *z > p.z)
             .count()
             % 2

@@ -1,6 +1,6 @@
 //! Each message on the span it is about.
 
-use crate::common::*;
+use crate::roof_shapes::common::*;
 use hsd::ast::{RoofDirection, RoofShape};
 use hsd::building::{House, Ring};
 use hsd::source::{Span, Spanned};

@@ -1,6 +1,6 @@
 //! Plans of the domain sheet: covered without gaps, nothing sticks out.
 
-use crate::common::*;
+use crate::roof_shapes::common::*;
 use hsd::building::{Building, Ring};
 
 type Corners = Vec<(f64, f64)>;

@@ -1,7 +1,7 @@
 //! Random orthogonal plans: whatever the regions, roofs are closed and leave no gap.
 
-use crate::common::*;
-use crate::plans::{assert_covered, assert_within};
+use crate::roof_shapes::common::*;
+use crate::roof_shapes::plans::{assert_covered, assert_within};
 use hsd::ast::{RoofKind, RoofMethod, RoofShape};
 use hsd::building::Ring;
 use hsd::roof::plan::{Cell, Plan};

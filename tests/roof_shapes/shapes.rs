@@ -1,6 +1,6 @@
 //! Each shape by its dimensions.
 
-use crate::common::*;
+use crate::roof_shapes::common::*;
 use hsd::ast::{RoofDirection, RoofKind, RoofShape};
 use hsd::building::{Building, Finish, Roof};
 use hsd::geometry::SHAKU;

@@ -1,7 +1,7 @@
 //! Skirts: hipped roofs of storeys that carry a smaller one, cut by its walls (domain.md 7.10).
 
-use crate::common::*;
-use crate::halls::{close, covering, extent};
+use crate::roof_shapes::common::*;
+use crate::roof_shapes::halls::{close, covering, extent};
 use hsd::ast::RoofShape;
 use hsd::building::{Building, House};
 

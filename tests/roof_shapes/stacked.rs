@@ -1,7 +1,7 @@
 //! Roofs beside written roofs, below other storeys, and under storeys that stand out.
 
-use crate::common::*;
-use crate::random::{Draws, rings};
+use crate::roof_shapes::common::*;
+use crate::roof_shapes::random::{Draws, rings};
 use hsd::ast::{RoofDirection, RoofShape};
 use hsd::building::{Building, Finish, House, Roof, Solid};
 use hsd::geometry::SHAKU;

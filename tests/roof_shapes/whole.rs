@@ -1,6 +1,6 @@
 //! Storeys roofed as a whole by the straight skeleton.
 
-use crate::common::*;
+use crate::roof_shapes::common::*;
 use hsd::ast::{RoofDirection, RoofMethod, RoofShape};
 use hsd::building::{Building, House, Ring};
 

@@ -125,8 +125,8 @@ fn xmllint_agrees_with_the_reader() {
     let paths: Vec<PathBuf> = expected.iter().map(|(p, _)| p.clone()).collect();
     let mut wrong = vec![];
     let schemas = [
-        ("--relaxng", "hsd.rng", crate::relaxng::make()),
-        ("--schema", "hsd.xsd", crate::xsd::make()),
+        ("--relaxng", "hsd.rng", crate::schema::relaxng::make()),
+        ("--schema", "hsd.xsd", crate::schema::xsd::make()),
     ];
     for (option, schema, text) in &schemas {
         let valid = valid(option, text, &paths);

@@ -1,7 +1,7 @@
 //! What the tables call the default of an attribute is what holds without it: a text that says so builds the same
 //! house as one that does not.
 
-use crate::model;
+use crate::schema::model;
 use hsd::diagnostic::Diagnostics;
 use hsd::source::{FileId, NoPictures, Source};
 use serde_json::Value;

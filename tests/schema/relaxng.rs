@@ -1,6 +1,6 @@
 //! The RELAX NG schema.
 
-use crate::model::{self, Place, escape};
+use crate::schema::model::{self, Place, escape};
 use hsd::parse::xml::schema::{Bears, Schema};
 use std::fmt::Write;
 

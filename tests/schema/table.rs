@@ -1,6 +1,6 @@
 //! The table itself for other programs: the reference is made of it.
 
-use crate::model::{self, Place};
+use crate::schema::model::{self, Place};
 use hsd::parse::xml::schema::{Bears, Kind, Schema};
 use serde_json::{Value, json};
 

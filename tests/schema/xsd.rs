@@ -1,7 +1,7 @@
 //! The schema in the W3C's language. It says a little less than the other: that a `code` is needed is not in it, since
 //! `texturecode` may stand for that, and unknown names in other name spaces are let through.
 
-use crate::model::{self, Place, escape};
+use crate::schema::model::{self, Place, escape};
 use hsd::parse::xml::schema::{Bears, Schema};
 use std::fmt::Write;
 

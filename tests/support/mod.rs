@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 pub mod clock;
+pub mod depths;
 pub mod shapes;
 pub mod view;
 

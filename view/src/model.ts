@@ -22,6 +22,8 @@ export interface Part {
   house: number;
   /** Into the parts. */
   parent: number | null;
+  /** Behind the last part that stands below it: those below a part follow it. */
+  end: number;
   /** The facade that it stands in, into the parts. */
   facade: number | null;
   /** Which way a facade looks: out of the house. */
@@ -82,13 +84,24 @@ interface Heap {
 
 /** The part whose triangle this is. */
 export function part_of(chunk: Chunk, triangle: number): number {
-  const index = triangle * 3;
-  let low = 0, high = chunk.ranges.length - 1;
+  const behind = first_of(chunk.ranges, range => range.start > triangle * 3);
+  return chunk.ranges[behind - 1]!.part;
+}
+
+/** The ranges of a part and of what is below it: parts follow one another in a chunk as they do in the model. */
+export function ranges_of({ ranges }: Chunk, parts: Part[], part: number): Range[] {
+  const { end } = parts[part]!;
+  return ranges.slice(first_of(ranges, range => range.part >= part), first_of(ranges, range => range.part >= end));
+}
+
+/** The first of which this is true; of all behind it, it is true too. */
+function first_of<T>(list: T[], is: (of: T) => boolean): number {
+  let low = 0, high = list.length;
   while (low < high) {
-    const half = (low + high + 1) >> 1;
-    if (chunk.ranges[half]!.start <= index) low = half; else high = half - 1;
+    const half = (low + high) >> 1;
+    if (is(list[half]!)) high = half; else low = half + 1;
   }
-  return chunk.ranges[low]!.part;
+  return low;
 }
 
 /** Joins what a loader made. */
@@ -99,6 +112,7 @@ export function model_of(root: THREE.Object3D): Model {
   let houses = 0;
   const visit = (node: THREE.Object3D, above: number | null, owner: number | null) => {
     const extras = node.userData as Extras;
+    const begin = parts.length;
     let own = above, owned = owner;
     if (extras.kind !== undefined) {
       const up = above === null ? undefined : parts[above];
@@ -115,6 +129,7 @@ export function model_of(root: THREE.Object3D): Model {
         shape: extras.shape ?? null,
         house: Math.max(0, houses - 1),
         parent: above,
+        end: 0,
         facade: extras.kind === 'facade' ? own : up?.facade ?? null,
         front: extras.kind === 'facade' ? new THREE.Vector3(0, 0, 1).transformDirection(node.matrixWorld) : null,
         box: new THREE.Box3(),
@@ -125,7 +140,7 @@ export function model_of(root: THREE.Object3D): Model {
         // A model that is not ours: all of it is one part.
         own = parts.push({
           name: node.name, kind: 'model', code: null, storey: 0, span: null, file: 0, shape: null, house: 0,
-          parent: null, facade: null, front: null, box: new THREE.Box3(),
+          parent: null, end: 0, facade: null, front: null, box: new THREE.Box3(),
         }) - 1;
       }
       const part = parts[own]!, material = node.material as THREE.MeshStandardMaterial;
@@ -135,6 +150,7 @@ export function model_of(root: THREE.Object3D): Model {
       heap.pieces.push({ mesh: node, part: own });
     }
     for (const child of node.children) visit(child, own, owned);
+    if (own !== null && own >= begin) parts[own]!.end = parts.length;
   };
   visit(root, null, null);
 

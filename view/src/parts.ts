@@ -3,15 +3,9 @@
 
 import * as THREE from 'three';
 import { carried } from './carried.ts';
-import { type Chunk, type Model, type Part, part_of } from './model.ts';
+import { type Chunk, type Model, type Part, part_of, ranges_of } from './model.ts';
 import type { Places } from './places.ts';
 import type { Bytes } from './server.ts';
-
-/** Whether a part is another or stands below it. */
-export function is_below(model: Model, part: number, above: number): boolean {
-  for (let at: number | null = part; at !== null; at = model.parts[at]!.parent) if (at === above) return true;
-  return false;
-}
 
 /** Children of each part; those of none under -1. */
 export function children_of(model: Model): Map<number, number[]> {
@@ -39,7 +33,8 @@ export function parts_at(model: Model, file: number, [start, end]: Bytes): numbe
   // A part at whose end the cursor stands, and the next one, are both as small: the one that begins there.
   const begins = around.filter(i => model.parts[i]!.span![0] === start || model.parts[i]!.span![1] > start);
   if (begins.length) around = begins;
-  const outer = within.filter(i => !within.some(j => j !== i && is_below(model, i, j)));
+  const outer: number[] = [];
+  for (const i of within) if (!outer.length || i >= model.parts[outer.at(-1)!]!.end) outer.push(i);
   return outer.length && !around.some(i => model.parts[i]!.kind === 'part') ? outer : around;
 }
 
@@ -131,10 +126,11 @@ export function hit(model: Model, ray: THREE.Raycaster, kept: (point: THREE.Vect
 /** The triangles of a part and of what is below it, as one mesh for marks; null where it has none. */
 export function shape_of(model: Model, part: number): THREE.BufferGeometry | null {
   const positions: number[] = [];
+  const { house } = model.parts[part]!;
   for (const chunk of model.chunks) {
+    if (chunk.house !== house) continue;
     const { index } = chunk.mesh.geometry, position = chunk.mesh.geometry.getAttribute('position');
-    for (const range of chunk.ranges) {
-      if (!is_below(model, range.part, part)) continue;
+    for (const range of ranges_of(chunk, model.parts, part)) {
       for (let i = range.start; i < range.start + range.count; i++) {
         const v = index!.getX(i);
         positions.push(position.getX(v), position.getY(v), position.getZ(v));

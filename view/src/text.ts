@@ -19,7 +19,8 @@ export class TextPane {
   #id = 0;
   #lines = h('div', { class: 'lines', tabindex: 0, role: 'region', 'aria-label': words.source_text });
   #chooser = h('select', { onchange: () => { this.#id = Number(this.#chooser.value); this.#fill(); } });
-  #shown = '';
+  /** How each line looks that is shown. */
+  #looks: string[] = [];
   #codes: { start: number; end: number; span: Bytes }[] = [];
   #spot: Spot | null = null;
 
@@ -28,12 +29,14 @@ export class TextPane {
     this.element = h('section', { class: 'pane text', 'aria-label': words.text, hidden: true },
       h('div', { class: 'bar' }, field(words.source, this.#chooser)), this.#lines);
     this.#lines.addEventListener('click', event => {
-      const line = (event.target as Element).closest<HTMLElement>('[data-start]');
-      if (line) this.#choose(Number(line.dataset.start));
+      const piece = (event.target as Element).closest<HTMLElement>('[data-start]');
+      const line = piece?.closest<HTMLElement>('[data-line]');
+      const from = this.#app.places.get(this.#id)?.lines[Number(line?.dataset.line) - 1];
+      if (from !== undefined) this.#choose(from + Number(piece!.dataset.start));
     });
     this.#lines.addEventListener('keydown', event => this.#key(event));
     app.on('state', () => { this.#spot = null; this.#choosers(); this.update(); });
-    app.on('model', () => { this.#shown = ''; this.update(); });
+    app.on('model', () => this.update());
     app.on('select', () => { this.#spot = null; this.update(); this.#reveal(app.selection === null ? null : app.spot_of(app.selection)); });
     app.on('cursor', () => { this.update(); this.#reveal(app.cursor); });
   }
@@ -61,7 +64,7 @@ export class TextPane {
 
   #fill() {
     const { state, model, selection, pointed, places } = this.#app, here = places.get(this.#id);
-    if (!here || !state) { this.#lines.replaceChildren(); return; }
+    if (!here || !state) { this.#draw([]); return; }
     const marks: Mark[] = [];
     const mark = (span: Bytes, name: string) => {
       const [start, end] = here.range(span);
@@ -89,12 +92,32 @@ export class TextPane {
     lit(selection === null ? [] : [selection], 'selected');
     lit(pointed.parts, 'pointed');
     if (this.#spot?.id === this.#id) mark(this.#spot.span, 'spot');
-    const shown = `${state.revision} ${this.#id} ${marks.map(m => `${m.start}-${m.end}${m.name}`).join()}`;
-    if (shown === this.#shown) return;
-    this.#shown = shown;
-    const { scrollTop } = this.#lines;
-    this.#lines.replaceChildren(...lines(here.text, here.lines, marks));
-    this.#lines.scrollTop = scrollTop;
+    this.#draw(pieces_of(here.text, here.lines, marks));
+  }
+
+  /** Draws the lines that look different from what is shown; those before and behind them stay. */
+  #draw(lines: Piece[][]) {
+    const old = this.#looks, looks = lines.map(look_of), root = this.#lines, { scrollTop } = root;
+    const both = Math.min(old.length, looks.length);
+    let same = 0, behind = 0;
+    while (same < both && old[same] === looks[same]) same++;
+    while (behind < both - same && old[old.length - 1 - behind] === looks[looks.length - 1 - behind]) behind++;
+    if (same === looks.length && same === old.length) return;
+    if (old.length === looks.length) {
+      // Marks of places far from one another come and go together.
+      for (let i = same; i < looks.length - behind; i++) {
+        if (old[i] !== looks[i]) root.children[i]!.replaceChildren(...line_of(lines[i]!).childNodes);
+      }
+    } else {
+      const gone = [...root.children].slice(same, old.length - behind), next = root.children[old.length - behind] ?? null;
+      for (const line of gone) line.remove();
+      const fresh = document.createDocumentFragment();
+      fresh.append(...lines.slice(same, looks.length - behind).map(line_of));
+      root.insertBefore(fresh, next);
+      for (let i = same; i < looks.length; i++) (root.children[i] as HTMLElement).dataset.line = `${i + 1}`;
+    }
+    this.#looks = looks;
+    root.scrollTop = scrollTop;
   }
 
   /** Scrolls to a place. */
@@ -127,8 +150,16 @@ export class TextPane {
   }
 }
 
-/** Lines with their marks. */
-function lines(text: string, starts: number[], marks: Mark[]): HTMLElement[] {
+/** A stretch of a line that looks the same from end to end. */
+interface Piece {
+  /** From the beginning of the line, characters. */
+  start: number;
+  text: string;
+  names: string;
+}
+
+/** The pieces of each line. */
+function pieces_of(text: string, starts: number[], marks: Mark[]): Piece[][] {
   const sorted = [...marks].sort((a, b) => a.start - b.start);
   let first = 0;
   return starts.map((from, i) => {
@@ -136,16 +167,21 @@ function lines(text: string, starts: number[], marks: Mark[]): HTMLElement[] {
     while (first < sorted.length && sorted[first]!.end <= from && sorted[first]!.start < from) first++;
     const here: Mark[] = [];
     for (let k = first; k < sorted.length && sorted[k]!.start <= to; k++) if (sorted[k]!.end > from) here.push(sorted[k]!);
-    const line = h('div', { class: 'source-line', 'data-line': i + 1 });
     const edges = [...new Set([from, to, ...here.flatMap(m => [m.start, m.end])])].filter(c => c >= from && c <= to).sort((a, b) => a - b);
-    for (let k = 0; k + 1 < edges.length; k++) {
-      const [start, end] = [edges[k]!, edges[k + 1]!];
-      const names = here.filter(m => m.start <= start && m.end >= end).map(m => m.name);
-      const piece = text.slice(start, end);
-      line.append(names.length ? h('span', { class: [...new Set(names)].join(' '), 'data-start': start }, piece) : piece);
-    }
+    const names = (of: Mark[]) => [...new Set(of.map(m => m.name))].join(' ');
+    const pieces = edges.slice(1).map((end, k) => {
+      const start = edges[k]!;
+      return { start: start - from, text: text.slice(start, end), names: names(here.filter(m => m.start <= start && m.end >= end)) };
+    });
     // A message about the end of a line still has to be seen.
-    for (const m of here) if (m.start >= to && m.name !== 'code') line.append(h('span', { class: m.name, 'data-start': m.start }, ' '));
-    return line;
+    const behind = here.filter(m => m.start >= to && m.name !== 'code');
+    if (behind.length) pieces.push({ start: to - from, text: ' ', names: names(behind) });
+    return pieces;
   });
 }
+
+const line_of = (pieces: Piece[]) => h('div', { class: 'source-line' },
+  ...pieces.map(({ start, text, names }) => names ? h('span', { class: names, 'data-start': start }, text) : text));
+
+/** What two lines that look the same have in common. */
+const look_of = (pieces: Piece[]) => pieces.map(({ text, names }) => `${names}\t${text}`).join('\n');

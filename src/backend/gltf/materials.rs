@@ -1,10 +1,10 @@
 //! Materials with their textures, pictures and samplers.
 
-use super::escaped;
 use super::geometry::{Shown, view};
 use crate::backend::pictures::{KTX2, mime};
 use crate::backend::{Images, OutFile, PictureBytes, picture_folder};
 use crate::scene::{self, MaterialId, Scene};
+use crate::source::reference;
 use gltf::json::extensions::material::{
     IndexOfRefraction, Ior, Material as Extensions, Specular, SpecularFactor,
 };
@@ -139,7 +139,7 @@ impl<'a> Looks<'a> {
         let file = |picture: &Picture<'a>| {
             let name = format!("{folder}/{}", picture.name);
             root.images.push(Image {
-                uri: Some(escaped(&name)),
+                uri: Some(reference(&name)),
                 ..picture.image()
             });
             let bytes = picture.bytes.into();

@@ -158,28 +158,3 @@ fn is_root() -> bool {
     #[cfg(not(unix))]
     false
 }
-
-/// A name as a part of a query.
-pub(super) fn escaped(name: &str) -> String {
-    let mut out = String::with_capacity(name.len());
-    for byte in name.bytes() {
-        match byte {
-            b'A'..=b'Z' | b'a'..=b'z' | b'0'..=b'9' | b'-' | b'_' | b'.' | b'~' => {
-                out.push(char::from(byte))
-            }
-            _ => out.push_str(&format!("%{byte:02X}")),
-        }
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_survive_a_query() {
-        assert_eq!(escaped("a-b_1.hsd"), "a-b_1.hsd");
-        assert_eq!(escaped("町 &=.hsd"), "%E7%94%BA%20%26%3D.hsd");
-    }
-}

@@ -27,6 +27,7 @@ impl Sheet<'_> {
         Row {
             home: Home::Line(number),
             cells,
+            rightwards: false,
             fixed,
         }
     }
@@ -48,6 +49,7 @@ impl Sheet<'_> {
         Row {
             home: Home::Element(element),
             cells,
+            rightwards: is_floor && self.is_rightwards(element),
             fixed: fixed.or(shared.then_some(Reason::Shared)),
         }
     }
@@ -124,7 +126,7 @@ impl Sheet<'_> {
                 Reason::Borrowed
             });
         }
-        let (count, rightwards) = (places.len(), self.is_rightwards(row));
+        let (count, rightwards) = (places.len(), row.rightwards);
         if rightwards {
             places.reverse();
         }
@@ -161,10 +163,7 @@ impl Sheet<'_> {
     }
 
     /// Whether the parts of a floor run to the right.
-    pub(in crate::ide) fn is_rightwards(&self, row: &Row) -> bool {
-        let Home::Element(element) = row.home else {
-            return false;
-        };
+    fn is_rightwards(&self, element: usize) -> bool {
         let mut around = self.outline.around(element);
         let structure = around.find(|e| name(&self.outline.elements[*e]) == "Structure");
         structure.is_some_and(|s| self.outline.elements[s].value("order") == Some("right"))

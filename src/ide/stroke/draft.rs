@@ -106,7 +106,7 @@ pub(super) struct Line {
     pub(super) base: Option<usize>,
     /// Where it runs.
     pub(super) direction: DVec2,
-    /// From its right end.
+    /// In the order of the text: from its right end, or from its left one where that runs rightwards.
     pub(super) pieces: Vec<Piece>,
 }
 
@@ -124,6 +124,8 @@ pub(super) struct Draft {
     pub(super) start: DVec2,
     /// Its walls.
     pub(super) lines: Vec<Line>,
+    /// Whether the text of its walls runs against the walk.
+    rightwards: bool,
     /// The plain wall of each wall that was there.
     plain: Vec<String>,
 }
@@ -135,6 +137,17 @@ pub(super) enum End {
     Start,
     /// Where it leaves it.
     Finish,
+}
+
+impl End {
+    /// The end of the text of a wall that stands at this one.
+    fn written(self, rightwards: bool) -> End {
+        match (self, rightwards) {
+            (End::Start, true) => End::Finish,
+            (End::Finish, true) => End::Start,
+            (end, false) => end,
+        }
+    }
 }
 
 /// What a wall is of where nobody says it.
@@ -155,6 +168,7 @@ impl Draft {
         Draft {
             start: ring.walls.first().map_or(DVec2::ZERO, |w| w.from),
             plain: lines.iter().map(plain).collect(),
+            rightwards: rows.iter().any(|r| r.rightwards),
             lines,
         }
     }
@@ -179,6 +193,7 @@ impl Draft {
 
     /// Makes a wall longer at one end.
     pub(super) fn grow(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
+        let end = end.written(self.rightwards);
         let own = &self.lines[line].pieces;
         // Posts stay at the corner.
         let posts = |p: &&Piece| p.what == What::Post && p.old.is_some();
@@ -205,10 +220,11 @@ impl Draft {
 
     /// Makes a wall shorter at one end: plain wall goes first, the nearest to the corner before the rest.
     pub(super) fn shrink(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
-        let mut left = self.take(line, end, by);
+        let at = end.written(self.rightwards);
+        let mut left = self.take(line, at, by);
         // The last round of a repetition is written out, so that its parts may go.
-        while left > SAME && self.unroll(line, end) {
-            left = self.take(line, end, left);
+        while left > SAME && self.unroll(line, at) {
+            left = self.take(line, at, left);
         }
         if left > SAME {
             return Err(refuse::no_room());

@@ -40,7 +40,7 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
     let usual = draft.plain(at.wall, 1.0)?;
     let usual = usual.first().map_or(PLAIN, |p| &p.code).to_owned();
     let pieces = &mut draft.lines[at.wall].pieces;
-    let index = single(pieces, row, cell, unit, sheet.is_rightwards(row));
+    let index = single(pieces, row, cell, unit, row.rightwards);
     let old = pieces[index].clone();
     if old.code == new.code {
         return Err(refuse::nothing());
@@ -149,16 +149,12 @@ fn own_width(sheet: &Sheet<'_>, form: &Form) -> Option<f64> {
 
 /// Whether the parts of a line are not as wide as they are: a facade has a width of its own.
 fn scales(sheet: &Sheet<'_>, row: &Row, wall: &Wall) -> bool {
-    let Home::Element(element) = row.home else {
-        return false;
-    };
-    let floor = name(&sheet.outline.elements[element]) == "Floor";
     let natural = |u: &crate::program::Unit| match &u.content {
         Content::Void => u.width == 1.0,
         Content::Part(id) => (u.width - sheet.a.catalog().part(*id).width()).abs() < SAME,
         Content::Picture(_) | Content::Split(_) => false,
     };
-    floor && !wall.units.iter().all(natural)
+    sheet.floor(row).is_some() && !wall.units.iter().all(natural)
 }
 
 /// Makes a piece of its own of a unit; answers where it is.

@@ -48,6 +48,14 @@ pub(super) fn vanishes() -> Text {
     )
 }
 
+/// Facades would come or go.
+pub(super) fn other_facades() -> Text {
+    text!(
+        "every floor of a facade stands in one plane: write the new `Facade` in the text",
+        "立面のすべての階は同じ面にあります。テキストに新しい Facade を書いてください"
+    )
+}
+
 /// The walk begins with this wall.
 pub(super) fn first_wall() -> Text {
     text!(

@@ -36,6 +36,12 @@ impl Change<'_> {
                 return Err(reason.text());
             }
         }
+        // Facades stand for all their floors.
+        let floors = self.rows.iter().any(|r| self.sheet.floor(r).is_some());
+        let bases = self.draft.lines.iter().map(|l| l.base);
+        if floors && !bases.eq((0..self.rows.len()).map(Some)) {
+            return Err(refuse::other_facades());
+        }
         match self.rows.first().map(|r| r.home) {
             Some(Home::Line(_)) => legacy::edits(self),
             Some(Home::Element(_)) => xml::edits(self),

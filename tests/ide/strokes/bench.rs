@@ -1,7 +1,7 @@
 //! What the tests of strokes stand on: texts with the files beside them, plans without places in the text, and outlines
 //! that are worked out without the tool.
 
-use crate::Texts;
+use crate::ide::Texts;
 use hsd::Options;
 use hsd::diagnostic::{Language, Severity};
 use hsd::ide::Analysis;
@@ -68,17 +68,7 @@ impl Board {
             why.en.into_owned()
         })?;
         assert!(!edits.is_empty(), "{}: {stroke} changes nothing", self.name);
-        self.keeps_order(&edits, before.text());
-        let applied = stroke::apply(&before.source, &self.bytes, &edits);
-        let undone = take_back(&applied.bytes, &applied.undo).unwrap();
-        assert_eq!(
-            undone.bytes, self.bytes,
-            "{}: {stroke} cannot be taken back",
-            self.name
-        );
-        let redone = take_back(&undone.bytes, &undone.undo).unwrap();
-        assert_eq!(redone.bytes, applied.bytes);
-        self.bytes = applied.bytes;
+        self.apply(&before, &edits, stroke);
         let after = self.analysis();
         assert_eq!(after.source.encoding(), before.source.encoding());
         assert_eq!(
@@ -105,16 +95,23 @@ impl Board {
         let Ok(edits) = stroke::edits(&before, &read) else {
             return false;
         };
-        self.keeps_order(&edits, before.text());
-        let applied = stroke::apply(&before.source, &self.bytes, &edits);
+        self.apply(&before, &edits, stroke);
+        true
+    }
+
+    /// Makes a change that can be taken back and made again.
+    fn apply(&mut self, before: &Analysis, edits: &[Edit], stroke: &Value) {
+        self.keeps_order(edits, before.text());
+        let applied = stroke::apply(&before.source, &self.bytes, edits);
         let undone = take_back(&applied.bytes, &applied.undo).unwrap();
         assert_eq!(
             undone.bytes, self.bytes,
             "{}: {stroke} cannot be taken back",
             self.name
         );
+        let redone = take_back(&undone.bytes, &undone.undo).unwrap();
+        assert_eq!(redone.bytes, applied.bytes);
         self.bytes = applied.bytes;
-        true
     }
 
     fn keeps_order(&self, edits: &[Edit], text: &str) {

@@ -24,6 +24,20 @@ fn others(plan: &Value, at: &At) -> Value {
     plan
 }
 
+/// Looks that a stroke has made a ring what is expected and nothing else; the plan after it.
+fn only_this(board: &Board, before: &Value, at: &At, expected: &[(f64, f64)]) -> Value {
+    let (after, name) = (board.plan(), &board.name);
+    assert_eq!(
+        outline(&corners(at.ring(&after))),
+        expected,
+        "{name} {at:?}\n{}",
+        board.text()
+    );
+    let same = others(&after, at) == others(before, at);
+    assert!(same, "{name} {at:?}\n{}", board.text());
+    after
+}
+
 /// What stands in a ring besides walls.
 fn openings(ring: &Value) -> usize {
     let walls = ring["walls"].as_array().unwrap().iter();
@@ -48,25 +62,8 @@ fn walls_move_out_and_back() {
             if let Err(why) = there {
                 panic!("{} {at:?}: {why}", board.name);
             }
-            let after = board.plan();
             let expected = moved(at.ring(&plan), at.wall, 1.0);
-            assert_eq!(
-                outline(&corners(at.ring(&after))),
-                expected,
-                "{} {at:?}",
-                board.name
-            );
-            assert_eq!(
-                others(&after, &at),
-                others(&plan, &at),
-                "{} {at:?}",
-                board.name
-            );
-            assert!(
-                others(&after, &at) == others(&plan, &at),
-                "{} {at:?}",
-                board.name
-            );
+            let after = only_this(&board, &plan, &at, &expected);
             let count = |plan: &Value| at.ring(plan)["walls"].as_array().unwrap().len();
             if count(&after) == count(&plan) {
                 board.draw(&at.stroke("move-wall", -1)).unwrap();
@@ -103,19 +100,8 @@ fn walls_move_in() {
             }
             match board.draw(&at.stroke("move-wall", -1)) {
                 Ok(_) => {
-                    let after = board.plan();
                     let expected = moved(at.ring(&plan), at.wall, -1.0);
-                    assert_eq!(
-                        outline(&corners(at.ring(&after))),
-                        expected,
-                        "{} {at:?}",
-                        board.name
-                    );
-                    assert!(
-                        others(&after, &at) == others(&plan, &at),
-                        "{} {at:?}",
-                        board.name
-                    );
+                    only_this(&board, &plan, &at, &expected);
                     moves += 1;
                 }
                 Err(why) => refused.push(format!("{} {at:?}: {why}", board.name)),
@@ -180,21 +166,9 @@ fn walls_break() {
             (stroke["from"], stroke["to"]) = (json!(part.0), json!(part.1));
             match board.draw(&stroke) {
                 Ok(_) => {
-                    let after = board.plan();
                     let part = (part.0 as f64, part.1 as f64);
                     let expected = broken(at.ring(&plan), at.wall, part, by as f64);
-                    assert_eq!(
-                        outline(&corners(at.ring(&after))),
-                        expected,
-                        "{} {stroke}\n{}",
-                        board.name,
-                        board.text()
-                    );
-                    assert!(
-                        others(&after, &at) == others(&plan, &at),
-                        "{} {at:?}",
-                        board.name
-                    );
+                    only_this(&board, &plan, &at, &expected);
                     breaks += 1;
                 }
                 Err(why) => refused.push(format!("{} {at:?} {part:?} {by}: {why}", board.name)),
@@ -204,4 +178,69 @@ fn walls_break() {
     }
     println!("{breaks} walls broken; refused:\n{}", refused.join("\n"));
     assert!(breaks > 60);
+}
+
+#[test]
+fn walls_of_facades_move() {
+    let floors = |ground: &str, upper: &str| {
+        format!("<Facade><Floor id=\"g\">{ground}</Floor><Floor id=\"u\">{upper}</Floor></Facade>")
+    };
+    for order in ["left", "right"] {
+        let text = format!(
+            "<Structure order=\"{order}\"><Facades>\n{}\n{}\n{}\n{}\n</Facades></Structure>\n",
+            floors("NTI  NAD 2KSK  KSK", "NTI  NTI  NTI  NTI  NTI"),
+            floors(
+                "NTI  KSK  KSK",
+                "<Part code=\"NTI\"/><!-- corner --><Part code=\"KSK\"/><Part code=\"NTI\"/>"
+            ),
+            floors(
+                "KSK  KSK  KSK  KSK  NTI",
+                "<repeat num=\"5\"><Part code=\"KSK\"/></repeat>"
+            ),
+            floors("KSK  NTI  KSK", "NTI  KSK  KSK"),
+        );
+        for (storey, wall) in [(0, 1), (0, 2), (1, 1), (1, 2)] {
+            let mut board = Board::new(&text);
+            let plan = board.plan();
+            let at = At {
+                house: 0,
+                storey,
+                ring: 0,
+                wall,
+            };
+            assert_eq!(
+                at.ring(&plan)["walls"][wall]["fixed"],
+                Value::Null,
+                "{order}"
+            );
+            for by in [2, -1] {
+                let (plan, before) = (board.plan(), board.text());
+                board.draw(&at.stroke("move-wall", by)).unwrap();
+                let expected = moved(at.ring(&plan), wall, by as f64);
+                let after = only_this(&board, &plan, &at, &expected);
+                // What stood at the far end of the neighbours stays there.
+                for (beside, far) in [((wall + 3) % 4, 0), ((wall + 1) % 4, 1)] {
+                    let end = |plan: &Value| {
+                        let units = at.ring(plan)["walls"][beside]["units"].clone();
+                        let units = units.as_array().unwrap().clone();
+                        units[if far == 0 { 0 } else { units.len() - 1 }]["code"].clone()
+                    };
+                    assert_eq!(
+                        end(&plan),
+                        end(&after),
+                        "{order} {storey} {wall} {by}\n{before}"
+                    );
+                }
+            }
+            let broken = json!({"do": "break-wall", "house": 0, "storey": storey, "ring": 0, "wall": wall,
+                "from": 1, "to": 2, "by": 1});
+            assert!(board.draw(&broken).unwrap_err().contains("Facade"));
+        }
+        // The walk of all floors begins at one corner.
+        let plan = Board::new(&text).plan();
+        for wall in [0, 3] {
+            let walls = &plan["houses"][0]["storeys"][0]["rings"][0]["walls"];
+            assert_eq!(walls[wall]["fixed"], "first");
+        }
+    }
 }

@@ -30,7 +30,6 @@ export function tree(app: App): HTMLElement {
   };
   const fill = () => {
     if (!app.model) { root.replaceChildren(); return; }
-    below = children_of(app.model);
     const roots = below.get(-1) ?? [];
     if (current === null || !app.model.parts[current]) current = roots[0] ?? null;
     if (element.open) root.replaceChildren(...roots.map((part, i) => item(part, 1, i, roots.length)));
@@ -77,7 +76,11 @@ export function tree(app: App): HTMLElement {
     if (li.getAttribute('aria-expanded') === 'false') open.add(place(part));
     app.select(part);
   });
-  app.on('model', () => { current = null; fill(); });
+  app.on('model', () => {
+    current = null;
+    below = app.model ? children_of(app.model) : new Map();
+    fill();
+  });
   app.on('select', () => {
     if (app.selection !== null && app.model) {
       for (let at = app.model.parts[app.selection]!.parent; at !== null; at = app.model.parts[at]!.parent) open.add(place(at));

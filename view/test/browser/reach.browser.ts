@@ -34,34 +34,34 @@ async function open_all(page: Page) {
   }
 }
 
-for (const [layout, viewport] of [['wide', WIDE], ['phone', PHONE]] as const) {
-  for (const language of ['en', 'ja'] as const) {
-    for (const colorScheme of ['light', 'dark'] as const) {
-      test(`axe finds nothing: ${layout}, ${language}, ${colorScheme}`, async () => {
-        const page = await preview.open(`?file=wrong.hsd&lang=${language}`, { viewport, colorScheme });
-        assert.equal(await page.locator('html').getAttribute('lang'), language);
-        if (layout === 'phone') await does(page, 'panel').click();
-        await open_all(page);
-        assert.deepEqual(await violations(page), [], 'panel');
-        if (layout === 'phone') await does(page, 'panel').click();
-        await does(page, 'text').click();
-        assert.deepEqual(await violations(page), [], 'text');
-        await does(page, 'plan').click();
-        await page.locator('.legend summary').click();
-        assert.deepEqual(await violations(page), [], 'plan');
-        await does(page, 'draw').click();
-        await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
-        for (const tool of ['part', 'wall', 'break', 'outline']) {
-          await page.locator(`.tools input[value=${tool}]`).check();
-          assert.deepEqual(await violations(page), [], `drawing, ${tool}`);
-        }
-        await page.evaluate(() => hsd.select(hsd.find('KSK')[0]!));
-        if (layout === 'phone') await does(page, 'panel').click();
-        assert.deepEqual(await violations(page), [], 'card');
-        await page.context().close();
-      });
+// Each pair of a layout, a language and a scheme of colours.
+const LOOKS = [['wide', 'en', 'light'], ['wide', 'ja', 'dark'], ['phone', 'en', 'dark'], ['phone', 'ja', 'light']] as const;
+
+for (const [layout, language, colorScheme] of LOOKS) {
+  const viewport = layout === 'wide' ? WIDE : PHONE;
+  test(`axe finds nothing: ${layout}, ${language}, ${colorScheme}`, async () => {
+    const page = await preview.open(`?file=wrong.hsd&lang=${language}`, { viewport, colorScheme });
+    assert.equal(await page.locator('html').getAttribute('lang'), language);
+    if (layout === 'phone') await does(page, 'panel').click();
+    await open_all(page);
+    assert.deepEqual(await violations(page), [], 'panel');
+    if (layout === 'phone') await does(page, 'panel').click();
+    await does(page, 'text').click();
+    assert.deepEqual(await violations(page), [], 'text');
+    await does(page, 'plan').click();
+    await page.locator('.legend summary').click();
+    assert.deepEqual(await violations(page), [], 'plan');
+    await does(page, 'draw').click();
+    await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
+    for (const tool of ['part', 'wall', 'break', 'outline']) {
+      await page.locator(`.tools input[value=${tool}]`).check();
+      assert.deepEqual(await violations(page), [], `drawing, ${tool}`);
     }
-  }
+    await page.evaluate(() => hsd.select(hsd.find('KSK')[0]!));
+    if (layout === 'phone') await does(page, 'panel').click();
+    assert.deepEqual(await violations(page), [], 'card');
+    await page.context().close();
+  });
 }
 
 test('every word is Japanese in Japanese', async () => {

@@ -1,10 +1,5 @@
 //! What an editor asks: names, symbols, folds, colours, hints, selections, layouts, completion, hover.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../support/mod.rs"]
-mod support;
-
 mod complete;
 mod hints;
 mod hostile;

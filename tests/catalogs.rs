@@ -1,7 +1,5 @@
 //! Own parts: where they are found, what they take over, which pictures they show, and that no text makes too much of them.
 
-#![allow(clippy::unwrap_used)]
-
 mod parts;
 mod pictures;
 

@@ -1,7 +1,5 @@
 //! Back ends on a scene made by hand: what they write is read back.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 mod plain;
 
 use glam::{dvec2, dvec3};

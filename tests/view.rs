@@ -1,7 +1,5 @@
 //! The server of the live preview: what it tells, when, and whom.
 
-#![expect(unreachable_pub)] // modules of one program
-
 mod stills;
 mod web;
 
@@ -200,6 +198,21 @@ fn what_is_saved_is_told_at_once_and_once() {
     fs::write(&new, HOUSE).expect("can be written");
     fs::rename(new, shown.folder.path().join("a.hsd")).expect("can be renamed");
     assert!(revision(ear.hear()) > second);
+}
+
+#[test]
+fn a_text_that_was_asked_for_may_end_with_anything() {
+    let shown = show(&[("house.txt", HOUSE)], Some("house.txt"), Files::default());
+    let hello = shown.web.get("/api/hello").json();
+    assert_eq!(
+        hello["files"],
+        json!([{ "path": "house.txt", "kind": "text" }])
+    );
+    assert_eq!(hello["file"], "house.txt");
+    let ear = shown.web.listen("house.txt");
+    let first = revision(ear.hear());
+    shown.save("house.txt", &HOUSE.replace("MRE", "MGA"));
+    assert!(revision(ear.hear()) > first);
 }
 
 #[test]

@@ -1,10 +1,5 @@
 //! Roofs as solids: closed, complete, where they belong.
 
-#![allow(clippy::unwrap_used, missing_docs, unreachable_pub)]
-
-#[path = "../support/mod.rs"]
-mod support;
-
 mod boards;
 mod common;
 mod fixtures;

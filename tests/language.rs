@@ -1,10 +1,5 @@
 //! Expressions, parameters, conditions, named pieces and included files of the XML form.
 
-#![allow(clippy::unwrap_used)]
-
-#[path = "../support/mod.rs"]
-mod support;
-
 mod commands;
 mod draws;
 mod files;

@@ -1,11 +1,12 @@
 //! Bad input: nothing panics, every error has its place, nothing takes long. Language.md 7.
 
-#[path = "../support/mod.rs"]
-mod support;
-
 mod heaps;
 mod mutations;
 
+use crate::support::clock::{slowness, worked};
+use crate::support::{
+    Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts,
+};
 use heaps::{comb, mebibyte, pile_of_roofs, stair, text_of, unlike_stairs};
 use hsd::diagnostic::{Code, Diagnostics, Severity};
 use hsd::source::{FileId, NoPictures, Source};
@@ -15,18 +16,17 @@ use std::fs;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
-use support::clock::{slowness, worked};
-use support::{Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts};
-
-// As the program does.
-#[global_allocator]
-static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 /// Language.md 7: any input of 1 MiB is done within a second.
 const BOUND: Duration = Duration::from_secs(1);
 
 /// After so long a test goes on with the next input.
 const PATIENCE: Duration = Duration::from_secs(30);
+
+/// How many of so many inputs are tried: all in release, a share in a debugging build, which is slow.
+const fn share(all: usize) -> usize {
+    if cfg!(debug_assertions) { all / 8 } else { all }
+}
 
 /// Compiles and says what is wrong with how it went.
 fn findings_of(name: &str, bytes: &[u8]) -> (Run, Vec<String>) {
@@ -70,7 +70,7 @@ fn examples_cut_anywhere() {
     let cuts: Vec<(&str, &[u8])> = examples
         .iter()
         .flat_map(|(name, bytes)| {
-            let step = 1 + bytes.len() / 1000; // the long ones in steps
+            let step = 1 + bytes.len() / share(500); // the long ones in steps
             let ends = (0..bytes.len()).step_by(step);
             ends.map(|end| (name.as_str(), &bytes[..end]))
         })
@@ -86,7 +86,7 @@ fn examples_cut_anywhere() {
 #[test]
 fn examples_changed_at_random() {
     let examples = examples();
-    assert_none(&on_all_processors(10_000, |index| {
+    assert_none(&on_all_processors(share(4_000), |index| {
         let (name, bytes) = mutation(&examples, index);
         let (_, findings) = findings_of(&name, &bytes);
         findings

@@ -1,7 +1,5 @@
 //! The language server, as its clients see it.
 
-#![expect(unreachable_pub)] // modules of one program
-
 mod client;
 mod conformance;
 mod files;
@@ -10,5 +8,3 @@ mod mends;
 mod program;
 mod speed;
 mod stream;
-#[path = "../support/mod.rs"]
-mod support;

@@ -1,18 +1,13 @@
 //! The grammar of the legacy text, `grammar/legacy.ebnf`, held against the reader: what the grammar allows is read
 //! without a mistake of syntax, what it does not allow has one. Its pictures in `grammar/pictures/legacy` are drawn
-//! from it; `HSD_UPDATE=1 cargo test --test legacy_grammar` draws them anew.
-#![allow(unreachable_pub)]
-
+//! from it; `HSD_UPDATE=1 cargo test --release legacy_grammar` draws them anew.
 mod draw;
 mod ebnf;
 mod recognise;
 mod sentences;
-#[path = "../support/mod.rs"]
-mod support;
-
+use crate::support::{Numbers, assert_none, compile, root, stem, texts};
 use ebnf::Grammar;
 use std::fs;
-use support::{Numbers, assert_none, compile, root, stem, texts};
 
 const FILE: &str = "grammar/legacy.ebnf";
 const PICTURES: &str = "grammar/pictures/legacy";
@@ -118,7 +113,7 @@ fn the_pictures_are_those_of_the_grammar() {
         }
         if fs::read_to_string(&path).unwrap_or_default() != svg {
             wrong.push(format!(
-                "{} is stale: HSD_UPDATE=1 cargo test --test legacy_grammar",
+                "{} is stale: HSD_UPDATE=1 cargo test --release legacy_grammar",
                 path.display()
             ));
         }

@@ -1,6 +1,4 @@
 //! Partition into roof rectangles and the ridge rules, against naive second opinions.
-#![allow(clippy::unwrap_used)]
-
 mod branch_cut_check;
 mod kd_check;
 mod least_cut_check;
@@ -8,5 +6,3 @@ mod outlines;
 mod page;
 mod properties;
 mod shapes;
-#[path = "../support/mod.rs"]
-mod support;

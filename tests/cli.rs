@@ -1,7 +1,5 @@
 //! The program as its users run it.
 
-#![allow(clippy::unwrap_used, missing_docs)]
-
 mod fmt;
 mod folders;
 mod languages;

@@ -1,7 +1,5 @@
 //! The schemas of the XML form in `grammar/schema`: made of the tables that the reader itself goes by, and held against
-//! every text of the repository by xmllint where that is there. `HSD_UPDATE=1 cargo test --test schema` writes them anew.
-
-#![allow(unreachable_pub)]
+//! every text of the repository by xmllint where that is there. `HSD_UPDATE=1 cargo test --release schema` writes them anew.
 
 mod agree;
 mod defaults;
@@ -32,7 +30,7 @@ fn the_schemas_are_those_of_the_reader() {
         let there = fs::read_to_string(&path).unwrap_or_default();
         assert!(
             there == text,
-            "{FOLDER}/{name} is stale: HSD_UPDATE=1 cargo test --test schema"
+            "{FOLDER}/{name} is stale: HSD_UPDATE=1 cargo test --release schema"
         );
     }
 }

@@ -1,0 +1,65 @@
+//! All tests of the program as one, which is compiled and linked once: `cargo test --release roof_shapes` runs those of a file.
+
+#![allow(missing_docs, unreachable_pub)] // modules of one program
+#![allow(clippy::unwrap_used)] // a test that panics has failed
+#![allow(clippy::print_stdout, clippy::print_stderr)] // whoever runs them should know what was skipped
+
+mod support;
+
+mod age;
+mod backend;
+mod bake;
+mod catalog;
+mod catalogs;
+mod cli;
+mod close_by;
+mod convert;
+mod corpus;
+mod detail;
+mod determinism;
+mod diagnostics;
+mod draws;
+mod examples;
+mod expand;
+mod figure4_pictures;
+mod fmt;
+mod ide;
+mod language;
+mod legacy_grammar;
+mod lower;
+mod lsp;
+mod mends;
+mod mistakes;
+mod monuments;
+mod order;
+mod parse_legacy;
+mod parse_legacy_robust;
+mod parse_xml;
+mod parts;
+mod parts_fittings;
+mod parts_windows;
+mod pictures;
+mod readme;
+mod real_outlines;
+mod real_roofs;
+mod report;
+mod robust;
+mod roof_gallery;
+mod roof_partition;
+mod roof_shapes;
+mod schema;
+mod seen;
+mod sheet;
+mod tea_shop_pictures;
+mod tessellate;
+mod textures;
+mod tutorial;
+mod twins;
+mod types;
+mod variants;
+mod view;
+mod w3c;
+
+// As the program does.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
