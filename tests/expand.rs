@@ -1,4 +1,5 @@
 //! Tests of `expand`: documents built by hand, so that no reader takes part.
+
 mod build {
     //! Small builders of documents. Every construct gets a span of its own.
 

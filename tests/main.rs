@@ -1,4 +1,5 @@
 //! All tests of the program as one, which is compiled and linked once: `cargo test --release roof_shapes` runs those of a file.
+//! What measures time is left out until it is asked for: `cargo test --release -- --ignored --test-threads=1`.
 
 #![allow(missing_docs, unreachable_pub)] // modules of one program
 #![allow(clippy::unwrap_used)] // a test that panics has failed

@@ -86,7 +86,7 @@ fn examples_cut_anywhere() {
 #[test]
 fn examples_changed_at_random() {
     let examples = examples();
-    assert_none(&on_all_processors(share(4_000), |index| {
+    assert_none(&on_all_processors(share(2_500), |index| {
         let (name, bytes) = mutation(&examples, index);
         let (_, findings) = findings_of(&name, &bytes);
         findings
@@ -245,6 +245,7 @@ fn more_than_can_be_roofed_is_told() {
 /// 1 MiB of houses of thirty roofs each, no two of them alike, cannot all be searched for their best cuts. Only the
 /// roofs are timed: how long a scene of them takes goes with its size, which is some hundred times that of the text.
 #[test]
+#[ignore = "measures time, which needs the machine for itself"]
 fn more_than_can_be_searched_is_told() {
     let bytes = unlike_stairs(30);
     let source = Source::new(FileId(0), "stairs.hsd", &bytes);
@@ -273,6 +274,7 @@ fn more_than_can_be_searched_is_told() {
 }
 
 #[test]
+#[ignore = "measures time, which needs the machine for itself"]
 fn a_mebibyte_of_anything_is_done_in_a_second() {
     let house = "<House><Storey><Row>";
     let inputs = [

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Edits in all; a test that is not optimized is content with fewer.
-const EDITS: usize = if cfg!(debug_assertions) { 800 } else { 5_000 };
+const EDITS: usize = if cfg!(debug_assertions) { 800 } else { 3_000 };
 
 /// Edits after which a text is taken anew, since it has gone to pieces.
 const ROUND: usize = 40;

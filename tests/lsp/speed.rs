@@ -36,6 +36,7 @@ fn close(mut program: Program) {
 }
 
 #[test]
+#[ignore = "measures time, which needs the machine for itself"]
 fn a_key_takes_milliseconds() {
     if cfg!(debug_assertions) {
         return;
