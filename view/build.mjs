@@ -1,6 +1,6 @@
 // Bundles the page into dist/, each file packed with gzip as the server hands it out. `cargo build` embeds what lies there.
 import { build } from 'esbuild';
-import { readdir, readFile, rm, writeFile } from 'node:fs/promises';
+import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { gzipSync } from 'node:zlib';
 
 const made = await build({
@@ -17,6 +17,7 @@ const files = [
   ...made.outputFiles.map(file => [file.path.split(/[\\/]/).pop(), file.contents]),
   ...await Promise.all(['index.html', 'view.css'].map(async name => [name, await readFile(name)])),
 ];
+await mkdir('dist', { recursive: true });
 for (const name of await readdir('dist')) if (name.endsWith('.gz')) await rm(`dist/${name}`);
 for (const [name, bytes] of files) {
   const packed = gzipSync(bytes, { level: 9 });
