@@ -1,4 +1,5 @@
-//! Embeds the page of `hsd view` where it was built: `view/dist/NAME.gz`, made by `npm run build` in `view/`.
+//! Embeds the page of `hsd view` where it was built: `view/dist/NAME.gz`, made by `npm run build` in `view/`. Tells the
+//! tests how far the program is optimised.
 
 use std::path::Path;
 use std::{env, fs};
@@ -20,6 +21,9 @@ fn main() {
         println!("cargo::rerun-if-changed={}", path.display());
     }
     table += "]\n";
+    // How far the program is optimised, which only cargo knows; tests are content with fewer inputs where it is not.
+    let level = env::var("OPT_LEVEL").unwrap_or_default();
+    println!("cargo::rustc-env=HSD_OPT_LEVEL={level}");
     let out = env::var_os("OUT_DIR").expect("cargo names a folder for what is made");
     fs::write(Path::new(&out).join("page.rs"), table).expect("the folder takes a file");
 }

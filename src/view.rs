@@ -1,8 +1,8 @@
 //! The live preview: a page on loopback that shows what texts make, and keeps up with them.
 //!
-//! It answers to its own page on this machine and to nobody else, reads no file outside of the folder that is shown, and
-//! asks nothing of any network. The page itself is written in TypeScript in `view/` and embedded by `build.rs`; what both
-//! say to one another stands in `view/src/server.ts`.
+//! It answers on loopback, to no foreign page, reads no file outside of the folder that is shown, and asks nothing of any
+//! network. The page itself is written in TypeScript in `view/` and embedded by `build.rs`; what both say to one another
+//! stands in `view/src/server.ts`.
 //!
 //! | file | does |
 //! |---|---|
@@ -12,8 +12,10 @@
 //! | `routes`, `guard` | what the page asks for; who may ask |
 //! | `strokes` | what was drawn in the page, so that it can be taken back |
 //! | `studio` | takes the pictures that the page draws for documents |
+//! | `beside` | models that were made before, and the pictures beside them |
 //! | `page` | the files of the page |
 
+mod beside;
 mod desk;
 mod guard;
 mod hall;
@@ -29,9 +31,10 @@ pub use notify_debouncer_full::notify::RecursiveMode;
 pub use page::{how_to_get_it, there};
 pub use studio::Still;
 
-use crate::diagnostic::Language;
-use crate::source::reference;
+use crate::diagnostic::{Diagnostic, Language};
+use crate::source::{Source, reference};
 use hall::Hall;
+use std::collections::BTreeSet;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::path::{Path, PathBuf};
@@ -54,6 +57,24 @@ pub struct Show {
     pub port: u16,
     /// Folders in which files may be saved that matter.
     pub watched: Vec<(PathBuf, RecursiveMode)>,
+}
+
+/// What is wrong with the pictures beside a model that was made before, and the model as a file that messages speak of.
+///
+/// # Errors
+/// Where the model cannot be read.
+pub fn complaints(model: &Path) -> io::Result<(Source, Vec<Diagnostic>)> {
+    let path = model.canonicalize()?;
+    let root = path.parent().unwrap_or(Path::new("/"));
+    let read = beside::Model::read(root, &path)?;
+    // As the author named it.
+    let source = Source::new(read.source.id(), model.to_string_lossy(), b"");
+    Ok((source, read.said))
+}
+
+/// The folders below that of a model in which its pictures lie: whoever shows it watches them. `model` = a real path.
+pub fn picture_folders(model: &Path) -> BTreeSet<PathBuf> {
+    beside::folders(model)
 }
 
 /// A preview that runs, on threads of its own, until the program ends.

@@ -126,6 +126,8 @@ fn long_lines_of_anything_take_no_time() {
 }
 
 proptest::proptest! {
+    #![proptest_config(crate::support::sampled(256))]
+
     #[test]
     fn any_bytes_are_read(bytes in proptest::collection::vec(proptest::num::u8::ANY, 0..400)) {
         let told = read_bytes(&bytes);

@@ -3,9 +3,9 @@
 mod heaps;
 mod mutations;
 
-use crate::support::clock::{slowness, worked};
+use crate::support::clock::{OPTIMISED, slowness, worked};
 use crate::support::{
-    Run, assert_none, compile, flaws_of_diagnostics, on_all_processors, stem, texts,
+    Run, assert_none, compile, flaws_of_diagnostics, number, on_all_processors, stem, texts,
 };
 use heaps::{comb, mebibyte, pile_of_roofs, stair, text_of, unlike_stairs};
 use hsd::diagnostic::{Code, Diagnostics, Severity};
@@ -23,9 +23,10 @@ const BOUND: Duration = Duration::from_secs(1);
 /// After so long a test goes on with the next input.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// How many of so many inputs are tried: all in release, a share in a debugging build, which is slow.
-const fn share(all: usize) -> usize {
-    if cfg!(debug_assertions) { all / 8 } else { all }
+/// How many of so many inputs are tried: `HSD_INPUTS` times as many, for longer runs by hand; a share where it is slow.
+fn share(all: usize) -> usize {
+    let all = all * number("HSD_INPUTS", 1);
+    if OPTIMISED { all } else { all / 8 }
 }
 
 /// Compiles and says what is wrong with how it went.
@@ -41,8 +42,7 @@ fn findings_of(name: &str, bytes: &[u8]) -> (Run, Vec<String>) {
 
 /// What is wrong with the processor time that something took.
 fn late(took: Duration, bound: Duration) -> Option<String> {
-    // How long a debugging build takes says nothing about the program.
-    if cfg!(debug_assertions) || took <= bound {
+    if !OPTIMISED || took <= bound {
         return None;
     }
     let slowness = slowness();
@@ -70,7 +70,7 @@ fn examples_cut_anywhere() {
     let cuts: Vec<(&str, &[u8])> = examples
         .iter()
         .flat_map(|(name, bytes)| {
-            let step = 1 + bytes.len() / share(500); // the long ones in steps
+            let step = 1 + bytes.len() / share(300); // the long ones in steps
             let ends = (0..bytes.len()).step_by(step);
             ends.map(|end| (name.as_str(), &bytes[..end]))
         })
@@ -86,7 +86,7 @@ fn examples_cut_anywhere() {
 #[test]
 fn examples_changed_at_random() {
     let examples = examples();
-    assert_none(&on_all_processors(share(2_500), |index| {
+    assert_none(&on_all_processors(share(1_500), |index| {
         let (name, bytes) = mutation(&examples, index);
         let (_, findings) = findings_of(&name, &bytes);
         findings

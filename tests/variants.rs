@@ -1,7 +1,7 @@
 //! Many houses of one text: alike where nothing is drawn, each what its seed makes of it, in rows apart.
 
 use crate::support::assert_none;
-use crate::support::clock::{slowness, worked};
+use crate::support::clock::{OPTIMISED, slowness, worked};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::Compiled;
 use hsd::picture::sheet::sheet;
@@ -194,8 +194,7 @@ fn a_contact_sheet_shows_every_variant() {
 fn a_thousand_variants_take_less_than_a_second() {
     let text = HouseType::named("chu-nikai").expect("is a type").text();
     let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
-    // How long a debugging build takes says nothing about the program.
-    let count = if cfg!(debug_assertions) { 10 } else { 1000 };
+    let count = if OPTIMISED { 1000 } else { 10 };
     let options = Options {
         variants: NonZeroU32::new(count),
         ..Options::default()
@@ -206,7 +205,7 @@ fn a_thousand_variants_take_less_than_a_second() {
     let took = worked(begun).saturating_sub(before);
     assert_eq!(made.building.shell.houses.len(), count as usize);
     let steps = made.times;
-    if cfg!(not(debug_assertions)) && took > BOUND {
+    if OPTIMISED && took > BOUND {
         let slowness = slowness();
         let bound = BOUND.mul_f64(slowness);
         assert!(

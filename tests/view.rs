@@ -1,5 +1,6 @@
 //! The server of the live preview: what it tells, when, and whom.
 
+mod models;
 mod stills;
 mod web;
 
@@ -147,14 +148,9 @@ fn a_page_learns_what_a_text_makes() {
     let pictures = state["pictures"].as_object().expect("are named");
     assert!(!pictures.is_empty());
     for image in document["images"].as_array().expect("has pictures") {
-        let name = image["uri"]
-            .as_str()
-            .and_then(|u| u.strip_prefix("house_textures/"));
-        let name = name.expect("lies beside the model");
+        let name = image["uri"].as_str().expect("lies beside the model");
         assert!(pictures.contains_key(name), "{name}");
-        let picture = shown
-            .web
-            .get(&format!("/api/model/{revision}/house_textures/{name}"));
+        let picture = shown.web.get(&format!("/api/model/{revision}/{name}"));
         assert!(
             picture.headers.contains("content-type: image/"),
             "{}",
@@ -325,6 +321,50 @@ fn only_the_page_is_answered_and_only_files_of_the_folder() {
     }
 }
 
+#[test]
+fn files_of_the_page_may_do_what_they_need_and_no_more() {
+    let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
+    for other in [
+        "/Cargo.toml",
+        "/..%2FCargo.toml",
+        "/sub/view.js",
+        "/view.js.gz",
+    ] {
+        assert_eq!(shown.web.get(other).status, 404, "{other}");
+    }
+    if !hsd::view::there() {
+        return;
+    }
+    let policy = |path: &str| {
+        let answer = shown.web.get(path);
+        assert_eq!(answer.status, 200, "{path}");
+        let told = answer.headers.to_lowercase();
+        let policies: Vec<String> = told
+            .lines()
+            .filter_map(|line| line.strip_prefix("content-security-policy:"))
+            .map(|policy| policy.replace("'wasm-unsafe-eval'", ""))
+            .collect();
+        assert_eq!(policies.len(), 1, "{path}: {told}");
+        policies.concat()
+    };
+    for path in [
+        "/",
+        "/view.js",
+        "/view.css",
+        "/api/hello",
+        "/basis_transcoder.wasm",
+    ] {
+        let policy = policy(path);
+        assert!(policy.contains("default-src 'self'"), "{path}: {policy}");
+        assert!(!policy.contains("unsafe"), "{path}: {policy}");
+        assert!(policy.contains("worker-src 'self';"), "{path}: {policy}");
+    }
+    assert_eq!(
+        policy("/unpack.js").trim(),
+        "default-src 'none'; script-src 'unsafe-eval'"
+    );
+}
+
 #[cfg(unix)]
 #[test]
 fn links_lead_nowhere_else() {
@@ -427,21 +467,4 @@ fn the_palette_has_all_parts_and_pictures_of_them() {
     let picture = shown.web.get("/api/part?file=a.hsd&code=TKD%202");
     assert!(picture.body.starts_with(b"\xff\xd8"), "{}", picture.status);
     assert_eq!(shown.web.get("/api/part?file=a.hsd&code=nope").status, 404);
-}
-
-#[test]
-fn models_are_shown_as_they_are() {
-    let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
-    let revision = shown.web.state("a.hsd")["revision"].clone();
-    let model = shown
-        .web
-        .get(&format!("/api/model/{revision}/house.glb?file=a.hsd"))
-        .body;
-    fs::write(shown.folder.path().join("b.glb"), &model).expect("can be written");
-    let state = shown.web.state("b.glb");
-    let again = shown.web.get(&format!(
-        "/api/model/{}/house.glb?file=b.glb",
-        state["revision"]
-    ));
-    assert!(again.body == model);
 }

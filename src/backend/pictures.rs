@@ -10,8 +10,10 @@ use crate::texture;
 use std::borrow::Cow;
 use std::io::Cursor;
 
-const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
-const JPEG: &[u8] = b"\xff\xd8\xff";
+/// How a PNG begins.
+pub(crate) const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+/// How a JPEG begins.
+pub(crate) const JPEG: &[u8] = b"\xff\xd8\xff";
 
 /// The media type of pictures for graphics cards.
 pub const KTX2: &str = "image/ktx2";

@@ -7,12 +7,13 @@ use super::options::{Manner, exit, report};
 use super::output::{self, Files};
 use super::view::{Disk, page_is_there};
 use super::{Outcome, Stop};
-use crate::diagnostic::{Diagnostics, Language};
+use crate::diagnostic::{Diagnostic, Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};
+use crate::source::Source;
 use crate::text;
 use crate::texture;
-use crate::view::{Preview, Show, Still};
+use crate::view::{self, Preview, Show, Still};
 use browser::Browser;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
@@ -203,27 +204,34 @@ impl Render {
         Ok(Target::Folder(output, self.format))
     }
 
-    /// Says what is wrong with a text; whether that spoils it.
+    /// Says what is wrong with a text or a model; whether that spoils it.
     fn complaints(&self, input: &PathBuf, language: Language) -> Result<bool, Stop> {
-        if input
+        let model = input
             .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("glb"))
-        {
-            return Ok(false);
+            .is_some_and(|e| e.eq_ignore_ascii_case("glb"));
+        let (sources, list) = if model {
+            let told = view::complaints(input);
+            let (source, list) = told.map_err(|e| Stop::at(input.display(), e))?;
+            (vec![source], list)
+        } else {
+            self.checked(input)?
+        };
+        if !list.is_empty() {
+            let written = Report::new(&sources, &list).in_language(language);
+            report(&written, Format::Human, &mut io::stderr())?;
         }
+        Ok(list.iter().any(|d| self.manner.spoils(d.severity)))
+    }
+
+    /// What there is to say of a text, and the files that it is about.
+    fn checked(&self, input: &PathBuf) -> Result<(Vec<Source>, Vec<Diagnostic>), Stop> {
         let mut out = Diagnostics::new();
         let own = std::slice::from_ref(input);
         let inputs = Inputs::read(own, self.manner.limits().bytes, &mut out)?;
         let options = self.manner.options(&inputs, &mut out)?;
         let world = self.manner.world(own);
         let checked = driver::check(&inputs.accepted(), &world, &options, &mut out);
-        let list = out.into_sorted();
-        if !list.is_empty() {
-            let sources = inputs.and(checked.included);
-            let written = Report::new(&sources, &list).in_language(language);
-            report(&written, Format::Human, &mut io::stderr())?;
-        }
-        Ok(list.iter().any(|d| self.manner.spoils(d.severity)))
+        Ok((inputs.and(checked.included), out.into_sorted()))
     }
 
     /// Takes the pictures of one file.

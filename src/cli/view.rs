@@ -103,6 +103,7 @@ pub(super) fn start(
     let inputs: Vec<PathBuf> = inputs.collect();
     let beside = manner.folders(&inputs).into_iter();
     let beside = beside.chain(manner.catalog_folders());
+    let beside = beside.chain(inputs.iter().flat_map(|path| view::picture_folders(path)));
     for folder in beside.filter_map(|f| f.canonicalize().ok()) {
         let known = |(f, mode): &(PathBuf, RecursiveMode)| {
             *f == folder || *mode == RecursiveMode::Recursive && folder.starts_with(f)

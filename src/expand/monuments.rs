@@ -38,6 +38,11 @@ impl Pass<'_, '_> {
             self.out.push(told);
         }
         let mut draft = Draft::new(span, unit);
+        if self.written_short > self.most_storeys() {
+            // Said of the first of them. What is left out is not worked out.
+            self.over = true;
+            return Some(draft);
+        }
         match monument {
             Monument::Pagoda(it) => self.pagoda(it, &mut draft),
             Monument::Gate(it) => self.gate(it, &mut draft),
@@ -60,17 +65,19 @@ impl Pass<'_, '_> {
         storeys
     }
 
+    /// Storeys that all houses of a run that are written short may have together.
+    fn most_storeys(&self) -> u64 {
+        self.limit / PARTS_A_STOREY
+    }
+
     /// Takes room for storeys that a few letters make: a storey with its roof, posts and brackets is
     /// far more work than a line of codes, and all houses of a run share what there is.
     fn charge_storeys(&mut self, storeys: u64, span: Span) {
-        let most = self.limit / PARTS_A_STOREY;
-        let before = self.written_short;
-        self.written_short = before.saturating_add(storeys);
+        let most = self.most_storeys();
+        self.written_short = self.written_short.saturating_add(storeys);
         if self.written_short > most && !self.over {
             self.over = true;
-            if before <= most {
-                self.out.push(parts::too_many_storeys(span, most));
-            }
+            self.out.push(parts::too_many_storeys(span, most));
         }
     }
 

@@ -1,19 +1,26 @@
 //! Who may ask: the page itself, on this machine. A foreign page in the same browser can send requests here too, and a
-//! name of its own can be made to lead to loopback (DNS rebinding): both are told by their headers and refused.
+//! name of its own can be made to lead to loopback (DNS rebinding): both are told by their headers and refused. Programs of
+//! this machine can write any header: they are not kept out.
 
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
+/// What a page may do: show and run what comes from here, and nothing made of text but the machine code that unpacks models.
+const PAGE: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' blob: data:; \
+    connect-src 'self' blob:; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+/// What the workers may do that unpack pictures: make functions from text, and nothing else. They see numbers only.
+const WORKER: &str = "default-src 'none'; script-src 'unsafe-eval'";
+
+/// What a file of the page may do.
+pub(super) fn allowed(name: &str) -> &'static str {
+    if name == "unpack.js" { WORKER } else { PAGE }
+}
+
 /// What browsers are told of every answer.
-const TOLD: [(HeaderName, &str); 6] = [
-    (
-        header::CONTENT_SECURITY_POLICY,
-        "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:; \
-         worker-src 'self' blob:; base-uri 'none'; form-action 'none'; \
-         frame-ancestors 'none'",
-    ),
+const TOLD: [(HeaderName, &str); 5] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::X_FRAME_OPTIONS, "DENY"),
     (header::REFERRER_POLICY, "no-referrer"),
@@ -37,6 +44,9 @@ pub(super) async fn guard(State(port): State<u16>, request: Request, next: Next)
     for (name, value) in TOLD {
         headers.insert(name, HeaderValue::from_static(value));
     }
+    headers
+        .entry(header::CONTENT_SECURITY_POLICY)
+        .or_insert(HeaderValue::from_static(PAGE));
     headers
         .entry(header::CACHE_CONTROL)
         .or_insert(HeaderValue::from_static("no-store"));

@@ -1,6 +1,7 @@
 //! What is shown: the files below a folder, each built when it is first asked for, and again when something that it is
 //! made of has changed while a page looks at it.
 
+use super::beside;
 use super::desk::Desk;
 use super::made::{Made, slashed};
 use super::strokes::History;
@@ -72,6 +73,8 @@ pub(super) struct Hall {
 pub(super) struct Room {
     pub(super) file: Arc<str>,
     made: Mutex<Option<Arc<Made>>>,
+    /// What it was before: a page may still be fetching pictures of it.
+    before: Mutex<Option<Arc<Made>>>,
     /// Whether something has changed since.
     stale: AtomicBool,
     /// Held while it is built, so that nobody builds it twice and whoever looks at what there is need not wait.
@@ -80,6 +83,13 @@ pub(super) struct Room {
     eyes: AtomicUsize,
     /// What was drawn in it.
     pub(super) history: Mutex<History>,
+}
+
+impl Room {
+    /// What was made of it last, as far as is known.
+    pub(super) fn last(&self) -> Option<Arc<Made>> {
+        lock(&self.made).clone()
+    }
 }
 
 /// Somebody who looks at a file.
@@ -158,6 +168,7 @@ impl Hall {
         let room = Arc::new(Room {
             file: file.into(),
             made: Mutex::default(),
+            before: Mutex::default(),
             stale: AtomicBool::new(false),
             building: Mutex::default(),
             eyes: AtomicUsize::new(0),
@@ -172,8 +183,11 @@ impl Hall {
     /// # Errors
     /// Where it cannot be read.
     pub(super) fn made(&self, room: &Room) -> io::Result<Arc<Made>> {
-        let known = || lock(&room.made).clone();
-        let fresh = || known().filter(|_| !room.stale.load(Ordering::Acquire));
+        // What is missing may be there now: whoever looks again is shown that.
+        let fresh = || {
+            let last = room.last().filter(|made| !made.lacks);
+            last.filter(|_| !room.stale.load(Ordering::Acquire))
+        };
         if let Some(made) = fresh() {
             return Ok(made);
         }
@@ -197,17 +211,20 @@ impl Hall {
             return Ok((old.clone(), false));
         }
         let new = Arc::new(new);
-        *made = Some(new.clone());
+        *lock(&room.before) = made.replace(new.clone());
         Ok((new, true))
     }
 
     /// A picture beside the model of a revision.
     pub(super) fn picture(&self, revision: u64, name: &str) -> Option<Vec<u8>> {
         let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
-        rooms.iter().find_map(|room| {
-            let made = lock(&room.made).clone()?;
-            (made.revision == revision).then(|| made.pictures.get(name).cloned())?
-        })
+        let mades = rooms
+            .iter()
+            .flat_map(|room| [room.last(), lock(&room.before).clone()]);
+        let made = mades.flatten().find(|made| made.revision == revision)?;
+        let mut pictures = made.pictures.iter();
+        let found = pictures.find(|(own, _)| *own == name || beside::asked(own) == name);
+        found.map(|(_, bytes)| bytes.clone())
     }
 
     /// Sends the editor to a place of a text that was read for a file.
@@ -226,7 +243,7 @@ impl Hall {
     pub(super) fn cursor(&self, path: &Path, at: usize) {
         let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
         for room in rooms {
-            let made = lock(&room.made).clone();
+            let made = room.last();
             let sources = made.iter().flat_map(|made| &made.sources);
             let mut read = sources.filter(|s| {
                 let name = Path::new(s.name());
@@ -255,7 +272,7 @@ impl Hall {
         let revision = self.revision.fetch_add(1, Ordering::Relaxed);
         let place = (&*self.root, file);
         match self.kind(file) {
-            Some(MODEL) => Made::of_model(place, revision),
+            Some(MODEL) => Made::of_model(place, self.language, revision),
             _ => Made::of_text(&*self.desk, place, self.language, revision),
         }
     }

@@ -1,5 +1,6 @@
 //! What one text makes, ready to be handed out: what the page is told of it, its model, the pictures beside that.
 
+use super::beside::Model;
 use super::desk::Desk;
 use crate::backend::gltf::Glb;
 use crate::catalog::Catalog;
@@ -14,7 +15,6 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::Path;
@@ -31,12 +31,14 @@ pub(super) struct Made {
     pub(super) state: Vec<u8>,
     /// The model, `.glb`.
     pub(super) model: Vec<u8>,
-    /// The files beside it by their names.
+    /// The files beside it by their names in it.
     pub(super) pictures: BTreeMap<String, Vec<u8>>,
     /// The text and those that were read for it.
     pub(super) sources: Vec<Source>,
     /// The parts that its houses may be made of.
     pub(super) catalog: Cow<'static, Catalog>,
+    /// Whether something lies no longer beside a model.
+    pub(super) lacks: bool,
     /// What is the same for the same content.
     print: u64,
 }
@@ -85,11 +87,7 @@ impl Made {
         })?;
         let (read, files, times) = made.ok_or(io::ErrorKind::NotFound)?;
         let (model, pictures) = files;
-        let keys = pictures.iter().map(|(name, bytes)| {
-            let key = format!("{:016x}", print(|p| bytes.hash(p)));
-            (name.clone(), key)
-        });
-        let keys: BTreeMap<String, String> = keys.collect();
+        let keys = keys(&pictures);
         let sources: Vec<Source> = read.sources().cloned().collect();
         let report = Report::new(&sources, &read.diagnostics).in_language(language);
         let diagnostics = raw(&report)?;
@@ -115,6 +113,7 @@ impl Made {
             pictures,
             sources,
             catalog: read.checked.catalog,
+            lacks: false,
             print: same,
         })
     }
@@ -123,14 +122,22 @@ impl Made {
     ///
     /// # Errors
     /// Where the file cannot be read.
-    pub(super) fn of_model((root, file): (&Path, &str), revision: u64) -> io::Result<Made> {
-        let model = fs::read(root.join(file))?;
+    pub(super) fn of_model(
+        (root, file): (&Path, &str),
+        language: Language,
+        revision: u64,
+    ) -> io::Result<Made> {
+        let model = Model::read(root, &root.join(file))?;
+        let keys = keys(&model.pictures);
+        let source = std::slice::from_ref(&model.source);
+        let report = Report::new(source, &model.said).in_language(language);
+        let diagnostics = raw(&report)?;
         let state = State {
             revision,
             file,
             sources: vec![],
-            diagnostics: &RawValue::from_string("[]".to_owned())?,
-            pictures: &BTreeMap::new(),
+            diagnostics: &diagnostics,
+            pictures: &keys,
             plan: Plan {
                 reasons: BTreeMap::new(),
                 houses: vec![],
@@ -140,11 +147,16 @@ impl Made {
         Ok(Made {
             revision,
             state: serde_json::to_vec(&state)?,
-            print: print(|p| model.hash(p)),
-            model,
-            pictures: BTreeMap::new(),
+            print: print(|p| {
+                model.bytes.hash(p);
+                keys.hash(p);
+                diagnostics.get().hash(p);
+            }),
+            model: model.bytes,
+            pictures: model.pictures,
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
+            lacks: !model.said.is_empty(),
         })
     }
 
@@ -152,6 +164,13 @@ impl Made {
     pub(super) fn same(&self, other: &Made) -> bool {
         self.print == other.print
     }
+}
+
+/// What is the same for the same picture, by the names of pictures.
+fn keys(pictures: &BTreeMap<String, Vec<u8>>) -> BTreeMap<String, String> {
+    let key = |bytes: &Vec<u8>| format!("{:016x}", print(|p| bytes.hash(p)));
+    let keys = pictures.iter().map(|(name, b)| (name.clone(), key(b)));
+    keys.collect()
 }
 
 type Times = Vec<(&'static str, Duration)>;
@@ -172,9 +191,8 @@ fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Fil
         let mut library = driver::pictures(paths, &building.shell, world, limits, &mut said);
         library.bake(&scene.baked);
         let (model, files) = Glb::beside(&scene, &library, STEM);
-        let name = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
         let files = files.into_iter();
-        let pictures = files.map(|f| (name(&f.name), f.bytes.into_owned()));
+        let pictures = files.map(|f| (f.name, f.bytes.into_owned()));
         (model.bytes(), pictures.collect())
     });
     (read, files, times)

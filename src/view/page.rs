@@ -28,7 +28,7 @@ pub(super) fn file(name: &str) -> Option<(&'static str, &'static [u8])> {
         Some("html") => "text/html; charset=utf-8",
         Some("js") => "text/javascript; charset=utf-8",
         Some("css") => "text/css; charset=utf-8",
-        Some("svg") => "image/svg+xml",
+        Some("wasm") => "application/wasm",
         _ => "application/octet-stream",
     };
     Some((kind, bytes))

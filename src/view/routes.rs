@@ -3,7 +3,7 @@
 use super::hall::{Eye, Hall, Listed, News, Room, TEXT};
 use super::made::Made;
 use super::studio::{self, Still};
-use super::{guard, page};
+use super::{beside, guard, page};
 use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
 use crate::ide::card::part_picture;
@@ -32,15 +32,16 @@ type Shared = State<Arc<Hall>>;
 
 /// All that is answered, on a port of this machine.
 pub(super) fn routes(hall: Arc<Hall>, port: u16, stills: Option<Sender<Still>>) -> Router {
-    let page = |name: &'static str| get(move || async move { asset(name) });
     Router::new()
-        .route("/", page("index.html"))
-        .route("/view.js", page("view.js"))
-        .route("/view.css", page("view.css"))
+        .route("/", get(async || asset("index.html")))
+        .route(
+            "/{name}",
+            get(async |Path(name): Path<String>| asset(&name)),
+        )
         .route("/api/hello", get(hello))
         .route("/api/state", get(state))
         .route("/api/model/{revision}/house.glb", get(model))
-        .route("/api/model/{revision}/house_textures/{name}", get(picture))
+        .route("/api/model/{revision}/{*name}", get(picture))
         .route("/api/events", get(events))
         .route("/api/parts", get(parts))
         .route("/api/part", get(part))
@@ -89,16 +90,15 @@ async fn work<T: Send + 'static>(
 }
 
 fn asset(name: &str) -> Response {
-    match page::file(name) {
-        Some((kind, bytes)) => {
-            let headers = [
-                (header::CONTENT_TYPE, kind),
-                (header::CONTENT_ENCODING, "gzip"),
-            ];
-            (headers, bytes).into_response()
-        }
-        None => StatusCode::NOT_FOUND.into_response(),
-    }
+    let Some((kind, bytes)) = page::file(name) else {
+        return StatusCode::NOT_FOUND.into_response();
+    };
+    let headers = [
+        (header::CONTENT_TYPE, kind),
+        (header::CONTENT_ENCODING, "gzip"),
+        (header::CONTENT_SECURITY_POLICY, guard::allowed(name)),
+    ];
+    (headers, bytes).into_response()
 }
 
 /// `Hello` in `view/src/server.ts`.
@@ -179,10 +179,7 @@ async fn picture(
     let Some(bytes) = found.await? else {
         return Err(Refused(StatusCode::NOT_FOUND, "no such picture".to_owned()));
     };
-    let kind = match bytes.starts_with(b"\x89PNG") {
-        true => "image/png",
-        false => "image/jpeg",
-    };
+    let kind = beside::kind(&bytes).unwrap_or("application/octet-stream");
     Ok(([(header::CONTENT_TYPE, kind)], bytes).into_response())
 }
 
@@ -228,9 +225,7 @@ async fn events(State(hall): Shared, Query(Of { file }): Query<Of>) -> Answer<Re
     let (room, eye, news, now) = looks.await?;
     let news = BroadcastStream::new(news);
     let first = tokio_stream::iter(now.map(state_event));
-    let told = first
-        .chain(told(hall, room, eye, news))
-        .map(Ok::<_, Infallible>);
+    let told = first.chain(told(room, eye, news)).map(Ok::<_, Infallible>);
     Ok(Sse::new(told)
         .keep_alive(KeepAlive::default())
         .into_response())
@@ -238,7 +233,6 @@ async fn events(State(hall): Shared, Query(Of { file }): Query<Of>) -> Answer<Re
 
 /// What a page that looks at a room hears.
 fn told(
-    hall: Arc<Hall>,
     room: Arc<Room>,
     eye: Eye,
     news: impl Stream<Item = Result<News, BroadcastStreamRecvError>>,
@@ -256,7 +250,7 @@ fn told(
             Ok(News::Files) => Some(Event::default().event("files").data("{}")),
             // The page was too slow to hear all; the newest is what counts.
             Err(BroadcastStreamRecvError::Lagged(_)) => {
-                hall.made(&room).ok().map(|made| state_event(made.revision))
+                room.last().map(|made| state_event(made.revision))
             }
         }
     })

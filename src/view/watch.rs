@@ -99,9 +99,12 @@ impl Batch {
     }
 }
 
-/// Whether a file may be read for a text, or shown.
+/// Whether a file may be read for a text, or shown. A folder that comes or goes may hold some.
 fn is_read(path: &Path) -> bool {
-    let ending = path.extension().and_then(|e| e.to_str());
-    let read = ["hsd", "xml", "png", "jpg", "jpeg", "glb"];
+    let Some(ending) = path.extension() else {
+        return !path.is_file();
+    };
+    let ending = ending.to_str();
+    let read = ["hsd", "xml", "png", "jpg", "jpeg", "ktx2", "glb"];
     ending.is_some_and(|e| read.iter().any(|r| e.eq_ignore_ascii_case(r)))
 }

@@ -69,6 +69,29 @@ fn texts_with_errors_have_no_picture() {
 }
 
 #[test]
+fn pictures_that_a_model_lacks_are_told() {
+    let folder = folder();
+    let built = hsd(
+        folder.path(),
+        &["build", "sound.hsd", "-o", "m.glb", "--textures-beside"],
+    );
+    assert_eq!(code(&built), 0, "{}", stderr(&built));
+    let small = ["m.glb", "-o", "m.png", "--size", "96x64", "--samples", "1"];
+    let lost = names(&folder.path().join("m_textures")).swap_remove(0);
+    fs::remove_file(folder.path().join("m_textures").join(&lost)).unwrap();
+    let Some(lacking) = rendered(folder.path(), &small) else {
+        return;
+    };
+    assert_eq!(code(&lacking), 0, "{}", stderr(&lacking));
+    let said = stderr(&lacking);
+    assert!(said.contains("HSD0605") && said.contains(&lost), "{said}");
+    fs::remove_file(folder.path().join("m.png")).unwrap();
+    let strict = [&["render"], &small[..], &["-D", "warnings"]].concat();
+    assert_eq!(code(&hsd(folder.path(), &strict)), 1);
+    assert!(!folder.path().join("m.png").exists());
+}
+
+#[test]
 fn wishes_that_cannot_be_are_refused() {
     let folder = folder();
     for (arguments, why) in [

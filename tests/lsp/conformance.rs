@@ -1,7 +1,8 @@
 //! After each of many random edits the server says of a text what `hsd check` says of it.
 
 use crate::lsp::client::{Client, position, range};
-use crate::support::{Numbers, root, texts};
+use crate::support::clock::OPTIMISED;
+use crate::support::{Numbers, number, root, texts};
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::disk::FolderWorld;
 use hsd::driver::{self, Options};
@@ -10,7 +11,7 @@ use serde_json::{Value, json};
 use std::path::Path;
 
 /// Edits in all; a test that is not optimized is content with fewer.
-const EDITS: usize = if cfg!(debug_assertions) { 800 } else { 3_000 };
+const EDITS: usize = if OPTIMISED { 3_000 } else { 800 };
 
 /// Edits after which a text is taken anew, since it has gone to pieces.
 const ROUND: usize = 40;
@@ -142,12 +143,6 @@ fn ask_everything(client: &mut Client, uri: &str, text: &str, random: &mut Numbe
         chains.expect("is answered").as_array().map(Vec::len),
         Some(1)
     );
-}
-
-/// A number of the environment, for longer runs by hand.
-fn number(name: &str, otherwise: usize) -> usize {
-    let given = std::env::var(name).ok().and_then(|n| n.parse().ok());
-    given.unwrap_or(otherwise)
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! lsp` tells more.
 
 use crate::lsp::program::Program;
-use crate::support::clock::slowness;
+use crate::support::clock::{OPTIMISED, slowness};
 use serde_json::{Value, json};
 use std::time::Duration;
 
@@ -38,7 +38,7 @@ fn close(mut program: Program) {
 #[test]
 #[ignore = "measures time, which needs the machine for itself"]
 fn a_key_takes_milliseconds() {
-    if cfg!(debug_assertions) {
+    if !OPTIMISED {
         return;
     }
     for (lines, bound) in [(2_000, 10), (20_000, 50)] {
@@ -61,7 +61,7 @@ fn a_key_takes_milliseconds() {
 
 #[test]
 fn ten_thousand_keys_leave_no_memory_behind() {
-    if cfg!(debug_assertions) {
+    if !OPTIMISED {
         return;
     }
     let lines = 210;

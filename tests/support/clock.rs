@@ -7,6 +7,10 @@ use std::time::{Duration, Instant};
 /// What [`drill`] takes on the machine that the bound was set on, when nothing else runs there.
 const DRILL: Duration = Duration::from_millis(150);
 
+/// Whether the program is optimised as far as it goes. If not, the time it takes says nothing about the program, and tests
+/// are content with fewer inputs. Another question than whether it asserts, which `.ci/run` lets an optimised one do.
+pub const OPTIMISED: bool = matches!(env!("HSD_OPT_LEVEL").as_bytes(), b"3");
+
 /// How much slower than that machine this one is now: processor time too grows where others share caches and
 /// memory. Never less than 1. `HSD_SLACK` is a factor for programs that are optimised less than those for users.
 pub fn slowness() -> f64 {

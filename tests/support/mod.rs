@@ -9,6 +9,7 @@ use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::scene::{Kind, Mesh, Scene};
 use hsd::source::{FileId, NoPictures, NoText, PictureFile, Source, Span, World};
+use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,6 +18,23 @@ pub mod clock;
 pub mod depths;
 pub mod shapes;
 pub mod view;
+
+/// So many samples for a property, the same ones in every run, that a change which broke nothing is not stopped by
+/// chance; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` look elsewhere and longer.
+pub fn sampled(cases: u32) -> ProptestConfig {
+    let asked = ProptestConfig::default();
+    let rng_seed = match asked.rng_seed {
+        RngSeed::Random => RngSeed::Fixed(1),
+        fixed => fixed,
+    };
+    let more = std::env::var_os("PROPTEST_CASES").is_some();
+    ProptestConfig {
+        cases: if more { asked.cases } else { cases },
+        failure_persistence: None,
+        rng_seed,
+        ..asked
+    }
+}
 
 /// Everything the chain makes of one file.
 pub struct Run {
@@ -377,6 +395,12 @@ impl Numbers {
     pub fn of<'a, T>(&mut self, list: &'a [T]) -> &'a T {
         &list[self.below(list.len())]
     }
+}
+
+/// A number of the environment, for longer runs by hand.
+pub fn number(name: &str, otherwise: usize) -> usize {
+    let given = std::env::var(name).ok().and_then(|n| n.parse().ok());
+    given.unwrap_or(otherwise)
 }
 
 /// Calls `work` for 0, 1, ... `count - 1` on all processors and joins what it finds, in that order.

@@ -1,16 +1,17 @@
 // What the page knows: the file that is shown, its state, its model, what is selected. Whoever shows some of it listens.
 
+import * as THREE from 'three';
 import { Places } from './places.ts';
 import { Highlight } from './highlight.ts';
-import { Loader } from './load.ts';
+import { Loader, Unreadable } from './load.ts';
 import { Measure } from './measure.ts';
 import { Mirrors } from './mirror/mirrors.ts';
-import type { Chunk, Model } from './model.ts';
+import { type Chunk, type Model, model_of } from './model.ts';
 import { Turntable } from './orbit.ts';
 import { found_again, parts_at, trace_of } from './parts.ts';
 import { Section } from './section.ts';
 import type { Bytes, Cursor, Diagnostic, Hello, State } from './server.ts';
-import { hello, listen, open, palette, state } from './server.ts';
+import { hello, listen, open, palette, source_of, state } from './server.ts';
 import { Stage } from './stage.ts';
 import { look_from, type View } from './views.ts';
 import { both, words } from './words.ts';
@@ -98,9 +99,10 @@ export class App {
     this.file = file;
     this.state = this.model = null;
     this.hidden.clear();
+    this.stage.show(model_of(new THREE.Group())); // what stood there is no longer what is named
     this.measure.clear();
     this.select(null);
-    this.cursor = null;
+    this.#point(null);
     this.tell('files');
     void this.#learn(file);
     this.#heard = 0;
@@ -122,8 +124,9 @@ export class App {
 
   /** Reads the state of the file and its model; `revision` = the one that was heard of. */
   async reload(revision?: number) {
-    const { file } = this, turn = ++this.#turn, heard = performance.now();
+    const { file } = this, heard = performance.now();
     if (file === null || revision !== undefined && revision === this.state?.revision) return;
+    const turn = ++this.#turn;
     try {
       // The model is asked for at once where its number is known.
       const early = revision === undefined ? null : this.loader.fetch(file, revision);
@@ -132,7 +135,11 @@ export class App {
       const bytes = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision));
       const fetched = performance.now() - heard;
       if (turn !== this.#turn || file !== this.file) return;
-      const model = bytes && await this.loader.load(bytes, file, now.revision, now.pictures);
+      const load = bytes && this.loader.load(bytes, file, now.revision, now.pictures);
+      const model = await load?.catch((error: Error) => {
+        if (!(error instanceof Unreadable)) throw error;
+        now.diagnostics.push(unreadable(file, error));
+      }) ?? null;
       if (turn !== this.#turn || file !== this.file) return;
       this.#take(now, model, { revision: now.revision, fetched, parsed: performance.now() - heard, painted: 0 }, heard);
     } catch (error) {
@@ -172,7 +179,7 @@ export class App {
       if (first) setTimeout(() => { this.stage.frame(); this.stage.settle(); }, 100); // to know how quick the machine is
       const count = (severity: string) => now.diagnostics.filter(d => d.severity === severity).length;
       const messages = now.diagnostics.length ? ` ${words.messages(count('error'), count('warning'))}` : '';
-      this.announce((keep ? words.kept : words.reloaded(now.revision)) + messages);
+      this.announce((keep ? words.kept : this.model ? words.reloaded(now.revision) : words.nothing_stands) + messages);
     });
   }
 
@@ -271,12 +278,9 @@ export class App {
   look(view: View, part: number | null = null) {
     const box = part === null ? this.model?.box : this.model?.parts[part]?.box;
     if (!box || box.isEmpty()) return;
-    const { camera, controls } = this.stage;
     this.looking = true;
-    controls.target.copy(look_from(camera, box.clone(), view, this.azimuth()));
-    controls.update();
+    this.stage.look_at(look_from(this.stage.camera, box.clone(), view, this.azimuth()));
     this.looking = false;
-    this.stage.draw();
   }
 
   /** Everything as it was when the page was opened. */
@@ -315,10 +319,16 @@ export class App {
   }
 }
 
-/** The place of a message in the sources of a state. */
+/** The place of a message in the sources of a state; none where it is of a model. */
 export function spot_of_message(message: Diagnostic, { sources }: State): Spot | null {
-  const id = message.id ?? sources.find(source => source.name === message.file)?.id;
-  return id === undefined ? null : { id, span: [message.span.start, message.span.end] };
+  const source = source_of(message, sources);
+  return source ? { id: source.id, span: [message.span.start, message.span.end] } : null;
+}
+
+/** A model that cannot be read, told as what the compiler says is. */
+function unreadable(file: string, { message }: Error): Diagnostic {
+  const nowhere = { line: 0, column: 0, span: { start: 0, end: 0 }, labels: [] };
+  return { code: '', severity: 'error', message: words.unreadable(file, message), help: words.unreadable_help, file, ...nowhere };
 }
 
 /** Lets the glass of a stage mirror what stands on it. */
@@ -328,6 +338,8 @@ function mirrors_on(stage: Stage): Mirrors {
   mirrors.probes.wake = () => stage.draw();
   stage.marks.userData['mirrored'] = false;
   stage.on_model.push(model => mirrors.show(model));
-  stage.paint = () => mirrors.paint(stage.camera);
+  stage.on_restored.push(() => mirrors.probes.clear());
+  // A pane that a quick frame is too coarse for is not hidden.
+  stage.paint = () => mirrors.paint(stage.camera, !stage.coarse);
   return mirrors;
 }

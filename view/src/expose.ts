@@ -1,5 +1,6 @@
 // What the page shows to tests and to those who drive it by script, as `globalThis.hsd`.
 
+import * as THREE from 'three';
 import type { Page } from './page.ts';
 import { hit_at } from './canvas.ts';
 
@@ -22,9 +23,7 @@ export function exposed({ app, plan, draw }: Page) {
     get camera() { return camera(); },
     set camera(at: number[]) {
       stage.camera.position.fromArray(at);
-      stage.controls.target.fromArray(at, 3);
-      stage.controls.update();
-      stage.draw();
+      stage.look_at(new THREE.Vector3().fromArray(at, 3));
     },
     /** What is selected: its kind, code, storey, span. */
     get selection() {
@@ -46,8 +45,8 @@ export function exposed({ app, plan, draw }: Page) {
       return [(x + 1) / 2 * stage.canvas.clientWidth, (1 - y) / 2 * stage.canvas.clientHeight];
     },
     /** Colours at places of the canvas, CSS pixels, of a frame drawn now. */
-    pixels(places: [number, number][]) {
-      stage.frame();
+    pixels(places: [number, number][], quick = false) {
+      stage.frame(quick);
       const gl = stage.renderer.getContext(), ratio = stage.renderer.getPixelRatio();
       const { drawingBufferWidth: width, drawingBufferHeight: height } = gl, all = new Uint8Array(width * height * 4);
       gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, all);

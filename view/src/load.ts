@@ -5,6 +5,24 @@ import * as THREE from 'three';
 import { GLTFLoader, type GLTF, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { type Model, model_of } from './model.ts';
 import { model_url } from './server.ts';
+import { words } from './words.ts';
+
+/** Extensions that the loader leaves to others. */
+const PACKED = new Set(['EXT_meshopt_compression', 'KHR_meshopt_compression', 'KHR_texture_basisu']);
+
+/** How each binary glTF begins: `glTF`. */
+const MAGIC = 0x676c5446;
+
+/** Fetched once, where they are asked for. */
+let waiting: ReturnType<typeof import('./packed.ts')['unpackers']> | null = null;
+const unpackers = () => waiting ??= import('./packed.ts').then(made => made.unpackers())
+  .catch((error: unknown) => { waiting = null; throw error; });
+
+/** What unpacks a model cannot be had. */
+class Unpacking extends Error {}
+
+/** A model is damaged, or is none. */
+export class Unreadable extends Error {}
 
 /** Loads models; keeps what they share. */
 export class Loader {
@@ -18,6 +36,7 @@ export class Loader {
     // The pictures beside a model are asked for with the same words as the model.
     this.#manager.setURLModifier(url => url.startsWith('/api/') && !url.includes('?') ? url + this.#query : url);
     this.#loader.register(parser => ({ name: 'kept-pictures', loadTexture: index => this.#texture(parser, index) }));
+    this.#loader.register(parser => ({ name: 'unpacked', beforeRoot: () => unpack(parser) }));
   }
 
   /** The bytes of a model; null where a text leaves none. */
@@ -28,10 +47,15 @@ export class Loader {
 
   /** Reads a model; `pictures` = the keys of the pictures beside it. */
   async load(bytes: ArrayBuffer, file: string, revision: number, pictures: Record<string, string>): Promise<Model> {
+    const head = new DataView(bytes), whole = bytes.byteLength < 12 ? Infinity : head.getUint32(8, true);
+    if (bytes.byteLength < 4 || head.getUint32(0) !== MAGIC) throw new Unreadable(words.no_glb);
+    if (bytes.byteLength < whole) throw new Unreadable(words.cut_off);
     this.#keys = pictures;
     const url = model_url(file, revision), [path, query] = url.split('?');
     this.#query = `?${query}`;
-    const gltf: GLTF = await this.#loader.parseAsync(bytes, path!.slice(0, path!.lastIndexOf('/') + 1));
+    const gltf: GLTF = await this.#loader.parseAsync(bytes, path!.slice(0, path!.lastIndexOf('/') + 1)).catch((error: Error) => {
+      throw error instanceof Unpacking ? error : new Unreadable(error.message);
+    });
     return model_of(gltf.scene);
   }
 
@@ -45,16 +69,35 @@ export class Loader {
     const { json } = parser as unknown as { json: { textures: { source?: number; sampler?: number }[]; images: { uri?: string }[] } };
     const { source, sampler } = json.textures[index]!;
     const uri = source === undefined ? undefined : json.images[source]?.uri;
-    const name = uri?.split('?')[0]!.split('/').pop() ?? '';
-    const key = this.#keys[decodeURIComponent(name)];
-    if (source === undefined || !key) return null;
+    if (source === undefined || uri === undefined || uri.startsWith('data:')) return null; // lies in the model
+    const key = this.#keys[plain(uri)];
+    if (!key) return Promise.resolve(null as unknown as THREE.Texture); // the server has told that it is missing
     const whole = `${key} ${sampler ?? ''}`;
     let texture = this.#textures.get(whole);
     if (!texture) {
       const loader = (parser as unknown as { textureLoader: THREE.Loader<THREE.Texture> }).textureLoader;
-      texture = parser.loadTextureImage(index, source, loader);
+      texture = parser.loadTextureImage(index, source, loader).then(found => {
+        // What could not be had now may be had next time.
+        if (found as THREE.Texture | null) found.userData['kept'] = true; else this.#textures.delete(whole);
+        return found;
+      });
       this.#textures.set(whole, texture);
     }
     return texture;
   }
+}
+
+/** The name that an address stands for, as the server reads it (src/view/beside.rs). */
+function plain(uri: string): string {
+  return uri.replace(/(%[0-9a-f]{2})+/gi, bytes => {
+    try { return decodeURIComponent(bytes); } catch { return bytes; }
+  });
+}
+
+/** Lets a model that is packed be read. */
+async function unpack(parser: GLTFParser) {
+  const { json, options } = parser as unknown as { json: { extensionsUsed?: string[] }; options: object };
+  if (!json.extensionsUsed?.some(name => PACKED.has(name))) return;
+  const { arrays, pictures } = await unpackers().catch((error: Error) => { throw new Unpacking(error.message); });
+  Object.assign(options, { meshoptDecoder: arrays, ktx2Loader: pictures });
 }

@@ -64,6 +64,9 @@ export interface Model {
 /** Kinds that a chunk does not reach beyond. */
 const OWNERS = new Set(['facade', 'roof', 'platform', 'veranda', 'bracket', 'finial']);
 
+/** Corners of triangles after which a chunk is full: towns without houses as nodes are drawn only where they are seen, too. */
+const MOST = 600_000;
+
 interface Extras {
   kind?: string;
   code?: string;
@@ -73,13 +76,23 @@ interface Extras {
   shape?: string;
 }
 
+/** A mesh at one of its places. */
+interface Piece {
+  geometry: THREE.BufferGeometry;
+  /** To the frame of the file. */
+  place: THREE.Matrix4;
+  part: number;
+}
+
 /** What goes to one chunk. */
 interface Heap {
   material: THREE.MeshStandardMaterial;
   house: number;
   storey: number;
   owner: number;
-  pieces: { mesh: THREE.Mesh; part: number }[];
+  pieces: Piece[];
+  /** Corners of triangles in them. */
+  indices: number;
 }
 
 /** The part whose triangle this is. */
@@ -108,7 +121,7 @@ function first_of<T>(list: T[], is: (of: T) => boolean): number {
 export function model_of(root: THREE.Object3D): Model {
   root.updateMatrixWorld(true);
   const parts: Part[] = [];
-  const heaps = new Map<string, Heap>();
+  const heaps = new Map<string, Heap[]>();
   let houses = 0;
   const visit = (node: THREE.Object3D, above: number | null, owner: number | null) => {
     const extras = node.userData as Extras;
@@ -145,9 +158,17 @@ export function model_of(root: THREE.Object3D): Model {
       }
       const part = parts[own]!, material = node.material as THREE.MeshStandardMaterial;
       const key = `${part.house} ${part.storey} ${owned ?? -1} ${material.uuid}`;
-      let heap = heaps.get(key);
-      if (!heap) heaps.set(key, heap = { material, house: part.house, storey: part.storey, owner: owned ?? own, pieces: [] });
-      heap.pieces.push({ mesh: node, part: own });
+      const list = heaps.get(key) ?? [];
+      heaps.set(key, list);
+      for (const place of places_of(node)) {
+        let heap = list.at(-1);
+        if (!heap || heap.indices > MOST) {
+          heap = { material, house: part.house, storey: part.storey, owner: owned ?? own, pieces: [], indices: 0 };
+          list.push(heap);
+        }
+        heap.pieces.push({ geometry: node.geometry, place, part: own });
+        heap.indices += count_of(node.geometry);
+      }
     }
     for (const child of node.children) visit(child, own, owned);
     if (own !== null && own >= begin) parts[own]!.end = parts.length;
@@ -158,7 +179,7 @@ export function model_of(root: THREE.Object3D): Model {
   if (all.isEmpty()) all.set(new THREE.Vector3(-1, 0, -1), new THREE.Vector3(1, 1, 1));
   const middle = all.getCenter(new THREE.Vector3());
   middle.y = 0;
-  const chunks = [...heaps.values()].map(heap => joined(heap, parts, middle));
+  const chunks = [...heaps.values()].flat().map(heap => joined(heap, parts, middle));
   for (let i = parts.length - 1; i >= 0; i--) {
     const { parent, box } = parts[i]!;
     if (parent !== null) parts[parent]!.box.union(box);
@@ -167,49 +188,54 @@ export function model_of(root: THREE.Object3D): Model {
   return { parts, chunks, box: all.translate(middle.clone().negate()), houses: Math.max(1, houses), triangles, middle };
 }
 
+/** Where a mesh stands: once, or as often as it has instances. */
+function places_of(node: THREE.Mesh): THREE.Matrix4[] {
+  if (!(node instanceof THREE.InstancedMesh)) return [node.matrixWorld];
+  const place = (i: number) => new THREE.Matrix4().fromArray(node.instanceMatrix.array, i * 16).premultiply(node.matrixWorld);
+  return Array.from({ length: node.count }, (_, i) => place(i));
+}
+
 /** One chunk: everything of a heap in one geometry, in the frame of the page. */
 function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
   const { pieces, material } = heap;
-  const of = (name: string) => pieces.every(p => p.mesh.geometry.hasAttribute(name));
-  const vertices = pieces.reduce((sum, p) => sum + p.mesh.geometry.getAttribute('position').count, 0);
-  const indices = pieces.reduce((sum, p) => sum + count_of(p.mesh.geometry), 0);
+  const of = (name: string) => pieces.every(p => p.geometry.hasAttribute(name));
+  const vertices = pieces.reduce((sum, p) => sum + p.geometry.getAttribute('position').count, 0);
+  const indices = pieces.reduce((sum, p) => sum + count_of(p.geometry), 0);
   const position = new Float32Array(vertices * 3), normal = new Float32Array(vertices * 3);
   const tangent = of('tangent') ? new Float32Array(vertices * 4) : null;
   const uv = of('uv') ? new Float32Array(vertices * 2) : null;
   // Places in the picture of what is mirrored, in models that were baked.
   const uv1 = of('uv1') ? new Float32Array(vertices * 2) : null;
+  const color = of('color') ? new Float32Array(vertices * 4) : null;
   const index = new Uint32Array(indices);
   const ranges: Range[] = [], box = new THREE.Box3();
-  const at = new THREE.Vector3(), turn = new THREE.Matrix3();
+  const turn = new THREE.Matrix3();
   let vertex = 0, next = 0;
-  for (const { mesh, part } of pieces) {
-    const from = mesh.geometry, count = from.getAttribute('position').count;
-    const positions = from.getAttribute('position'), normals = from.getAttribute('normal');
-    turn.getNormalMatrix(mesh.matrixWorld);
-    const own = parts[part]!.box;
-    for (let i = 0; i < count; i++) {
-      at.fromBufferAttribute(positions, i).applyMatrix4(mesh.matrixWorld).sub(middle);
-      own.expandByPoint(at);
-      at.toArray(position, (vertex + i) * 3);
-      if (normals) at.fromBufferAttribute(normals, i).applyMatrix3(turn).normalize().toArray(normal, (vertex + i) * 3);
-    }
+  for (const { geometry: from, place, part } of pieces) {
+    const { count } = from.getAttribute('position'), own = parts[part]!.box, mirrored = place.determinant() < 0;
+    placed(numbers(from, 'position'), place, middle, position.subarray(vertex * 3), own);
+    if (from.hasAttribute('normal')) turned(numbers(from, 'normal'), turn.getNormalMatrix(place), 3, normal.subarray(vertex * 3));
     if (tangent) {
-      const tangents = from.getAttribute('tangent');
-      for (let i = 0; i < count; i++) {
-        at.fromBufferAttribute(tangents, i).transformDirection(mesh.matrixWorld).toArray(tangent, (vertex + i) * 4);
-        tangent[(vertex + i) * 4 + 3] = tangents.getW(i);
-      }
+      const to = tangent.subarray(vertex * 4), given = numbers(from, 'tangent');
+      turned(given, turn.setFromMatrix4(place), 4, to);
+      for (let i = 3; i < count * 4; i += 4) to[i] = mirrored ? -given[i]! : given[i]!;
     }
-    for (const [name, places] of [['uv', uv], ['uv1', uv1]] as const) {
-      if (!places) continue;
-      const uvs = from.getAttribute(name);
+    uv?.set(numbers(from, 'uv'), vertex * 2);
+    uv1?.set(numbers(from, 'uv1'), vertex * 2);
+    if (color) {
+      const colors = from.getAttribute('color');
       for (let i = 0; i < count; i++) {
-        places[(vertex + i) * 2] = uvs.getX(i);
-        places[(vertex + i) * 2 + 1] = uvs.getY(i);
+        const opaque = colors.itemSize < 4 ? 1 : colors.getW(i);
+        color.set([colors.getX(i), colors.getY(i), colors.getZ(i), opaque], (vertex + i) * 4);
       }
     }
     const length = count_of(from);
-    for (let i = 0; i < length; i++) index[next + i] = vertex + (from.index ? from.index.getX(i) : i);
+    // What stands mirrored keeps its outside if its triangles go the other way around.
+    const order = mirrored ? [0, 2, 1] : [0, 1, 2];
+    for (let i = 0; i < length; i++) {
+      const corner = i - i % 3 + order[i % 3]!;
+      index[next + i] = vertex + (from.index ? from.index.getX(corner) : corner);
+    }
     const last = ranges.at(-1);
     if (last?.part === part) last.count += length; else ranges.push({ start: next, count: length, part });
     vertex += count;
@@ -223,6 +249,8 @@ function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
   if (tangent) geometry.setAttribute('tangent', new THREE.BufferAttribute(tangent, 4));
   if (uv) geometry.setAttribute('uv', new THREE.BufferAttribute(uv, 2));
   if (uv1) geometry.setAttribute('uv1', new THREE.BufferAttribute(uv1, 2));
+  if (color) geometry.setAttribute('color', new THREE.BufferAttribute(color, 4));
+  else material.vertexColors = false;
   geometry.boundingBox = box.clone();
   geometry.boundingSphere = box.getBoundingSphere(new THREE.Sphere());
   const mesh = new THREE.Mesh(geometry, material);
@@ -233,6 +261,43 @@ function joined(heap: Heap, parts: Part[], middle: THREE.Vector3): Chunk {
   // What was baked is not mirrored once more.
   const baked = material instanceof THREE.MeshStandardMaterial && material.emissiveMap !== null;
   return { mesh, house, storey, owner, ranges, box, reflection: baked ? 0 : reflection ?? 0 };
+}
+
+/** The numbers of an attribute, however they are packed: those of the file itself where it has plain ones. */
+function numbers(geometry: THREE.BufferGeometry, name: string): ArrayLike<number> {
+  const attribute = geometry.getAttribute(name), { count, itemSize } = attribute;
+  if (attribute instanceof THREE.BufferAttribute && attribute.array instanceof Float32Array) return attribute.array;
+  const all = new Float32Array(count * itemSize);
+  for (let i = 0; i < all.length; i++) all[i] = attribute.getComponent(Math.floor(i / itemSize), i % itemSize);
+  return all;
+}
+
+/** Moves points to their place, seen from the middle of the model; widens a box by them. */
+function placed(from: ArrayLike<number>, place: THREE.Matrix4, middle: THREE.Vector3, to: Float32Array, box: THREE.Box3) {
+  const m = place.elements, least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
+  const shift = [m[12]! - middle.x, m[13]! - middle.y, m[14]! - middle.z];
+  for (let i = 0; i < from.length; i += 3) {
+    const x = from[i]!, y = from[i + 1]!, z = from[i + 2]!;
+    for (let axis = 0; axis < 3; axis++) {
+      const at = m[axis]! * x + m[axis + 4]! * y + m[axis + 8]! * z + shift[axis]!;
+      to[i + axis] = at;
+      if (at < least[axis]!) least[axis] = at;
+      if (at > most[axis]!) most[axis] = at;
+    }
+  }
+  box.union(new THREE.Box3(new THREE.Vector3().fromArray(least), new THREE.Vector3().fromArray(most)));
+}
+
+/** Turns directions, of which `step` numbers follow one another, and makes them one long. */
+function turned(from: ArrayLike<number>, { elements: m }: THREE.Matrix3, step: number, to: Float32Array) {
+  for (let i = 0; i < from.length; i += step) {
+    const x = from[i]!, y = from[i + 1]!, z = from[i + 2]!;
+    const a = m[0]! * x + m[3]! * y + m[6]! * z, b = m[1]! * x + m[4]! * y + m[7]! * z, c = m[2]! * x + m[5]! * y + m[8]! * z;
+    const length = Math.sqrt(a * a + b * b + c * c) || 1;
+    to[i] = a / length;
+    to[i + 1] = b / length;
+    to[i + 2] = c / length;
+  }
 }
 
 const count_of = (geometry: THREE.BufferGeometry) => (geometry.index ?? geometry.getAttribute('position')).count;

@@ -39,14 +39,20 @@ export interface Source {
 /** What a source is called: its path below the folder, else the end of its name. */
 export const called = ({ path, name }: Source) => path ?? name.split(/[\\/]/).pop()!;
 
+/** The source that a message is of; none where it is of a model. */
+export const source_of = ({ id, file }: Diagnostic, sources: Source[]) =>
+  sources.find(source => id === undefined ? source.name === file : source.id === id);
+
 export interface Diagnostic {
   /** Which source it is in. */
   id?: number;
+  /** Empty where the page says it. */
   code: string;
   severity: 'error' | 'warning' | 'note';
   message: string;
   help: string | null;
   file: string;
+  /** Counted from 1; says nothing where the message is of a model. */
   line: number;
   column: number;
   span: { start: number; end: number };

@@ -3,6 +3,7 @@
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Draft } from './draft.ts';
 import type { Chunk, Model } from './model.ts';
 import { Surroundings } from './surroundings.ts';
 
@@ -17,6 +18,9 @@ export interface FrameStats {
 
 /** Degrees from the foot of the picture to its top. */
 const FOV = 36;
+
+/** How far above the ground the eye stays, metres. */
+const LOW = 0.3;
 
 /** A machine that takes longer for a frame is slow, milliseconds. */
 const SLOW = 40;
@@ -36,6 +40,8 @@ export class Stage {
   shown: (chunk: Chunk) => boolean = () => true;
   /** Called with each new model before it is drawn. */
   readonly on_model: ((model: Model) => void)[] = [];
+  /** Called when the graphics card was lost and is there again. */
+  readonly on_restored: (() => void)[] = [];
   /** Called after each frame. */
   readonly on_frame: (() => void)[] = [];
   /** Draws a frame; those who add to it put their own in its place. */
@@ -44,14 +50,17 @@ export class Stage {
   pace = 0;
   /** Whether the last frame was drawn with few pixels. */
   coarse = false;
+  /** Whether all of the last frame was waited for. */
+  #waited = false;
   #wanted = false;
+  #draft: Draft;
   #sharpen = 0;
   #shade_later = false;
   #after: (() => void)[] = [];
   #spent: THREE.Material[] = [];
 
   constructor(canvas: HTMLCanvasElement) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, stencil: true });
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
     this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
     this.renderer.localClippingEnabled = true;
     this.renderer.info.autoReset = false;
@@ -59,12 +68,16 @@ export class Stage {
     shadowMap.enabled = true;
     shadowMap.type = THREE.PCFShadowMap;
     shadowMap.autoUpdate = false;
+    this.#draft = new Draft(this.renderer);
     this.surroundings = new Surroundings();
     this.scene.add(this.surroundings.group, this.marks);
     this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.maxPolarAngle = Math.PI * 0.53; // hardly below the ground
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => this.draw());
+    this.controls.addEventListener('change', () => { this.#stay_above(); this.draw(); });
+    canvas.addEventListener('webglcontextrestored', () => {
+      for (const then of this.on_restored) then();
+      this.shade();
+    });
     new ResizeObserver(() => this.#fit()).observe(canvas);
     this.#fit();
   }
@@ -87,6 +100,23 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     for (const then of this.on_model) then(model);
     this.refresh();
+  }
+
+  /** Lifts the eye above the ground with what it looks at, and lets the controls turn it down as far and no further. */
+  #stay_above() {
+    const { controls, camera: { position }, model } = this, { target } = controls;
+    const low = Math.min(0, model?.box.min.y ?? 0) + LOW, rise = Math.max(0, low - position.y);
+    position.y += rise;
+    target.y += rise;
+    controls.maxPolarAngle = Math.acos(THREE.MathUtils.clamp((low - target.y) / position.distanceTo(target), -1, 1));
+  }
+
+  /** Turns the camera to a place, from where it stands. */
+  look_at(target: THREE.Vector3) {
+    this.controls.target.copy(target);
+    this.#stay_above();
+    this.controls.update();
+    this.draw();
   }
 
   /** Hides and shows chunks anew. */
@@ -123,23 +153,24 @@ export class Stage {
     const { shadowMap } = this.renderer;
     clearTimeout(this.#sharpen);
     this.#shade_later ||= shadowMap.needsUpdate;
-    const coarse = quick && this.pace > SLOW;
+    const coarse = this.coarse = quick && this.pace > SLOW;
     if (coarse) this.#sharpen = window.setTimeout(() => this.frame(), 140);
     shadowMap.needsUpdate = this.#shade_later && !coarse;
     this.#shade_later &&= coarse;
-    if (coarse !== this.coarse) {
-      this.coarse = coarse;
-      this.#resize();
-    }
-    const begun = performance.now(), { info } = this.renderer;
+    const begun = performance.now(), { info } = this.renderer, { stats } = this;
+    this.#waited = false;
     info.reset();
-    this.paint();
-    const { stats } = this;
+    if (coarse) this.#draft.begin(SLOW / this.pace);
+    try {
+      this.paint();
+      stats.calls = info.render.calls;
+      stats.triangles = info.render.triangles;
+    } finally {
+      if (coarse) this.#draft.end();
+    }
     stats.ms = performance.now() - begun;
-    stats.calls = info.render.calls;
-    stats.triangles = info.render.triangles;
     stats.frames++;
-    for (const material of this.#spent.splice(0)) material.dispose();
+    for (const material of this.#spent.splice(0)) release(material);
     for (const then of this.#after.splice(0)) then();
     for (const then of this.on_frame) then();
   }
@@ -149,22 +180,15 @@ export class Stage {
     const begun = performance.now() - this.stats.ms;
     const gl = this.renderer.getContext();
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-    if (!this.coarse) this.pace = performance.now() - begun;
-  }
-
-  #resize() {
-    const { clientWidth: width, clientHeight: height } = this.canvas;
-    // As many pixels as there is time for.
-    const share = this.coarse ? Math.min(0.7, Math.max(0.25, Math.sqrt(SLOW / this.pace))) : 1;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2) * share);
-    this.renderer.setSize(width, height, false);
+    if (!this.coarse && !this.#waited) this.pace = performance.now() - begun;
+    this.#waited = true;
   }
 
   #fit() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    this.coarse = false;
-    this.#resize();
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     // A narrow window sees as far to the sides as one of 4 to 3.
     const half = Math.tan(FOV / 2 * Math.PI / 180) * Math.max(1, 4 / 3 / this.camera.aspect);
@@ -172,4 +196,14 @@ export class Stage {
     this.camera.updateProjectionMatrix();
     this.frame(); // at once, since the canvas has just been cleared
   }
+}
+
+/** Gives back what a material takes of the graphics card, but for pictures that the loader keeps for the next model. */
+function release(material: THREE.Material) {
+  for (const value of Object.values(material)) {
+    if (!(value instanceof THREE.Texture) || value.userData['kept']) continue;
+    value.dispose();
+    if (value.source.data instanceof ImageBitmap) value.source.data.close();
+  }
+  material.dispose();
 }

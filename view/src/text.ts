@@ -3,7 +3,7 @@
 
 import type { App, Spot } from './app.ts';
 import { field, h } from './dom.ts';
-import { type Bytes, called } from './server.ts';
+import { type Bytes, called, source_of } from './server.ts';
 import { words } from './words.ts';
 
 /** A stretch of the text, in characters, that looks different. */
@@ -70,9 +70,8 @@ export class TextPane {
       const [start, end] = here.range(span);
       marks.push({ start, end: Math.max(end, start + 1), name });
     };
-    for (const { id, file, span, severity } of state.diagnostics) {
-      const source = id ?? state.sources.find(s => s.name === file)?.id;
-      if (source === this.#id) mark([span.start, span.end], severity);
+    for (const message of state.diagnostics) {
+      if (source_of(message, state.sources)?.id === this.#id) mark([message.span.start, message.span.end], message.severity);
     }
     const seen = new Set<string>();
     this.#codes = [];

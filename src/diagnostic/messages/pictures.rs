@@ -1,6 +1,6 @@
 //! Messages about pictures and textures (HSD06xx), and about the output as a whole.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Noun};
 use crate::source::Span;
 use crate::text;
 
@@ -40,6 +40,19 @@ pub fn no_texture(span: Span, name: &str) -> Diagnostic {
     Diagnostic::error(604, span, message).help(text!(
         "put `{name}.png`, or `{name}.1.png`, `{name}.2.png` and so on, into the folder of the house or its `textures` folder, or name another folder by --textures",
         "`{name}.png`、または `{name}.1.png`、`{name}.2.png` … を家のテキストのフォルダーかその中の `textures` フォルダーに置くか、--textures で別のフォルダーを指定してください"
+    ))
+}
+
+/// A picture that a model made before names, and that cannot be shown.
+#[cold]
+pub fn not_beside(span: Span, file: &str, why: Noun) -> Diagnostic {
+    let message = text!(
+        [why] "the picture {file:?} of this model cannot be shown: {why}",
+        "このモデルの画像 {file:?} を表示できません: {why}"
+    );
+    Diagnostic::warning(605, span, message).help(text!(
+        "put the picture where the model names it, below the folder that is shown, or build the model again without `--textures-beside`: then its pictures are in it",
+        "モデルが指す場所 (表示しているフォルダーの中) に画像を置くか、`--textures-beside` を付けずに作り直して画像をモデルに含めてください"
     ))
 }
 

@@ -181,7 +181,7 @@ fn texts() -> impl Strategy<Value = (String, Vec<u8>)> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(support::sampled(200))]
 
     #[test]
     fn any_strokes_are_borne((name, bytes) in texts(), list in prop::collection::vec(strokes(), 1..5)) {

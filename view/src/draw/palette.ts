@@ -26,8 +26,11 @@ export class Palette {
   async fill() {
     const { file } = this.#app;
     if (file === null || file === this.#file) return;
-    this.#file = file;
-    this.#entries = await palette(file).catch(() => []);
+    const entries = await palette(file).catch(() => null);
+    if (file !== this.#app.file) return;
+    this.#file = entries && file; // asked for again if it failed
+    this.#entries = entries ?? [];
+    this.chosen = null;
     this.#fill();
   }
 

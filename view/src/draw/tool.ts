@@ -63,6 +63,7 @@ export class DrawTool {
       this.#switch.disabled = !app.hello.writes;
       this.#switch.title = app.hello.writes ? '' : words.draw_off_why;
       if (!app.hello.writes) this.set(false);
+      if (this.on) void this.#palette.fill();
     });
     this.#attend();
     this.choose(this.tool);

@@ -67,7 +67,7 @@ export class Glass {
     const share = { value: reflection ?? 0 }, before = material.onBeforeCompile;
     // Or it would mirror twice: the sky round the scene, or what was baked for viewers that know no mirrors.
     if ('envMapIntensity' in material) material.envMapIntensity = 0;
-    if ('emissiveMap' in material && material.emissiveMap) Object.assign(material, { emissiveIntensity: 0 });
+    if ('emissiveIntensity' in material) material.emissiveIntensity = 0;
     material.onBeforeCompile = (shader, renderer) => {
       before.call(material, shader, renderer);
       Object.assign(shader.uniforms, this.uniforms, { mirrorShare: share });

@@ -103,8 +103,8 @@ export class Mirrors {
     for (const chunk of model.chunks) if (is_glass(chunk)) this.#glass.dress(chunk.mesh.material);
   }
 
-  /** Draws the scene with what its glass mirrors. */
-  paint(camera: Camera) {
+  /** Draws the scene with what its glass mirrors; `ask` = walls that are hidden now may be left out next time. */
+  paint(camera: Camera, ask = true) {
     const begun = performance.now();
     const renderer = this.#renderer, scene = this.#scene;
     this.stats = { ...NO_STATS };
@@ -116,7 +116,7 @@ export class Mirrors {
     this.#glass.view(eye.children.length > 0 ? 0 : -1, this.#atlases[1]?.texture ?? null);
     this.stats.ms = performance.now() - begun;
     renderer.render(scene, camera);
-    if (this.options.probe) this.probes.ask(before, camera);
+    if (this.options.probe && ask) this.probes.ask(before, camera);
   }
 
   dispose() {

@@ -2,7 +2,7 @@
 
 import type { App } from '../app.ts';
 import { h } from '../dom.ts';
-import { called, type Diagnostic } from '../server.ts';
+import { called, type Diagnostic, source_of } from '../server.ts';
 import { words } from '../words.ts';
 import { fold } from './fold.ts';
 
@@ -21,11 +21,10 @@ export function messages(app: App): HTMLElement {
 }
 
 function row(app: App, message: Diagnostic): HTMLElement {
-  const { severity, code, line, column, help, file } = message;
-  const { sources } = app.state!, source = sources.find(s => message.id === undefined ? s.name === file : s.id === message.id);
+  const { severity, code, line, column, help } = message, source = source_of(message, app.state!.sources);
   const elsewhere = source && source.id !== 0 ? `${called(source)}: ` : '';
   return h('button', { type: 'button', class: `row message ${severity}`, onclick: () => app.go_to(message) },
     h('span', { class: 'severity' }, `${words[severity]} `), h('span', { class: 'code' }, `${code} `),
-    h('span', { class: 'place' }, elsewhere + words.at_line(line, column)),
+    h('span', { class: 'place' }, source && elsewhere + words.at_line(line, column)),
     h('span', { class: 'words' }, message.message), help && h('span', { class: 'help' }, `${words.help}: ${help}`));
 }

@@ -2,12 +2,12 @@
 
 import { build } from 'esbuild';
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
-import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { type Browser, chromium } from 'playwright-core';
+import { scratch } from './scratch.ts';
 
 const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
@@ -20,11 +20,16 @@ export function browser(): Promise<Browser> {
 
 /** Builds a text with the program under test; the GLB. */
 export function built(text: string, ...options: string[]): Uint8Array {
+  const out = join(scratch(), 'house.glb');
+  build_to(out, text, ...options);
+  return new Uint8Array(readFileSync(out));
+}
+
+/** The same into a file. */
+export function build_to(out: string, text: string, ...options: string[]) {
   const hsd = process.env['HSD'];
   if (!hsd) throw new Error('HSD names no program: use test/browser/run.mjs');
-  const out = join(mkdtempSync(join(tmpdir(), 'hsd-view-')), 'house.glb');
   execFileSync(hsd, ['build', '--quiet', text, ...options, '-o', out], { stdio: ['ignore', 'ignore', 'inherit'] });
-  return new Uint8Array(readFileSync(out));
 }
 
 /** Serves a page with one script and these files on loopback; its address and how to end it. */

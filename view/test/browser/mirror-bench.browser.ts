@@ -3,26 +3,27 @@
 // towns are smaller, as far as the comparisons allow.
 
 import assert from 'node:assert/strict';
-import { mkdtempSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import type { Browser } from 'playwright-core';
 import { browser, built, served } from './chromium.ts';
 import type { Drawn, Shot } from './mirror-page.ts';
+import { scratch } from './scratch.ts';
 import { town } from './town.ts';
 
-const here = dirname(fileURLToPath(import.meta.url)), folder = mkdtempSync(join(tmpdir(), 'hsd-town-'));
+const here = dirname(fileURLToPath(import.meta.url)), folder = scratch();
 const BENCH = process.env['BENCH'], FRAMES = BENCH ? 6 : 1;
 const SHOT: Shot = { eye: [-25, 12, 26], target: [60, 0, -10], fov: 50, width: BENCH ? 640 : 320, height: BENCH ? 400 : 200, options: { pixels: 4, shift: 0.5 } };
-const MANY = BENCH ? 50 : 25, ROWS = BENCH ? 6 : 2;
+/** Houses on each side of the street; glass facades among them: all, and some. */
+const LONG = BENCH ? 50 : 10, MANY = LONG, SOME = LONG / 5, ROWS = BENCH ? 6 : 2;
 /** [glass facades, rows of houses behind, whether each lies in a plane of its own] */
 const TOWNS: [glass: number, rows: number, apart: boolean][] = [
-  [1, 0, true], [10, 0, true], [MANY, 0, true], [MANY, 0, false], [10, ROWS, true], [MANY, ROWS, true], [MANY, ROWS, false],
+  [1, 0, true], [SOME, 0, true], [MANY, 0, true], [MANY, 0, false], [SOME, ROWS, true], [MANY, ROWS, true], [MANY, ROWS, false],
 ];
 /** Without `BENCH` only what the comparisons need. */
-const RUN = TOWNS.filter(([glass, rows]) => BENCH || glass > 1 && (rows === 0 || glass === 10));
+const RUN = TOWNS.filter(([glass, rows]) => BENCH || glass > 1 && (rows === 0 || glass === SOME));
 
 interface Measured extends Drawn {
   houses: number;
@@ -32,13 +33,14 @@ interface Measured extends Drawn {
 }
 
 const models: Record<string, Uint8Array> = {}, measured = new Map<string, Measured>();
+const houses = (rows: number) => LONG * (2 + rows);
 const name = (glass: number, rows: number, apart: boolean) => `${glass}-${rows}-${apart}.glb`;
 let chromium: Browser, url: string, close: () => void;
 
 before(async () => {
   for (const of of RUN) {
     const text = join(folder, 'town.hsd');
-    writeFileSync(text, town(...of));
+    writeFileSync(text, town(LONG, ...of));
     models[name(...of)] = built(text);
   }
   ({ url, close } = await served(join(here, 'mirror-page.ts'), models));
@@ -53,7 +55,7 @@ after(async () => {
 
 for (const of of RUN) {
   const [glass, rows, apart] = of;
-  test(`${glass} glass facades${apart ? ', each in a plane of its own,' : ' in one plane'} in a town of ${100 + rows * 50} houses`, async t => {
+  test(`${glass} glass facades${apart ? ', each in a plane of its own,' : ' in one plane'} in a town of ${houses(rows)} houses`, async t => {
     const page = await chromium.newPage();
     await page.goto(url);
     const result = await page.evaluate(async ([file, shot, frames]) => {
@@ -62,7 +64,7 @@ for (const of of RUN) {
       return { ...await it.measure(shot, frames), all: triangles, without: without.ms };
     }, [name(...of), SHOT, FRAMES] as const);
     await page.close();
-    measured.set(name(...of), { ...result, houses: 100 + rows * 50 });
+    measured.set(name(...of), { ...result, houses: houses(rows) });
     const { stats } = result;
     t.diagnostic(`${stats.drawn} mirrors, ${stats.calls} calls, ${stats.triangles} triangles, ${stats.tested} boxes; found in ${stats.find.toFixed(1)} ms; frame ${result.ms.toFixed(0)} ms, ${result.without.toFixed(0)} ms without`);
     assert(stats.drawn > 0 && stats.calls > 0);
@@ -70,7 +72,7 @@ for (const of of RUN) {
 }
 
 test('mirrors cost what their beams see, not what the town has', () => {
-  for (const [glass, apart] of [[10, true], [MANY, true], [MANY, false]] as const) {
+  for (const [glass, apart] of [[SOME, true], [MANY, true], [MANY, false]] as const) {
     const small = measured.get(name(glass, 0, apart))!, large = measured.get(name(glass, ROWS, apart));
     if (!large) continue;
     assert(large.all > small.all * (1 + ROWS / 3));

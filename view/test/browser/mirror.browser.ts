@@ -3,8 +3,7 @@
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
@@ -12,6 +11,7 @@ import { of_bytes } from '../colours.ts';
 import { type Camera, Scene } from '../raycast.ts';
 import { browser, built, served } from './chromium.ts';
 import type { Drawn, Shot } from './mirror-page.ts';
+import { scratch } from './scratch.ts';
 
 const here = dirname(fileURLToPath(import.meta.url)), SIZE = { width: 240, height: 150 }, SKY = of_bytes(150, 180, 210);
 /** Nothing is left out, nothing shared. */
@@ -25,7 +25,7 @@ let chromium: Browser, page: Page, url: string, close: () => void, cast: Scene, 
 before(async () => {
   const model = built(join(here, '../scenes/two.hsd'));
   cast = new Scene(model);
-  const text = readFileSync(join(here, '../scenes/two.hsd'), 'utf8'), other = join(mkdtempSync(join(tmpdir(), 'hsd-mirror-')), 'whole.hsd');
+  const text = readFileSync(join(here, '../scenes/two.hsd'), 'utf8'), other = join(scratch(), 'whole.hsd');
   writeFileSync(other, text.replaceAll(/reflection="0\.\d+"/g, 'reflection="1"'));
   const mirror = built(other);
   whole = new Scene(mirror);

@@ -32,7 +32,7 @@ test('the file picker lists the folder, keeps up with it, and changes the file',
 });
 
 test('storeys and roofs are hidden and shown', async () => {
-  const triangles = () => page.evaluate(() => { hsd.stage.frame(); hsd.stage.frame(); return hsd.stats.triangles; });
+  const triangles = () => page.evaluate(() => { hsd.stage.frame(true); hsd.stage.frame(true); return hsd.stats.triangles; });
   const all = await triangles(), seen = await brightness(page);
   const boxes = (await unfold(page, 'shown')).locator('label.tick');
   assert.deepEqual(await boxes.allTextContents(), ['Storey 1', 'Storey 2', 'Roofs of storey 1', 'Roofs of storey 2']);
@@ -223,6 +223,13 @@ test('views: from where they say, and all of the house in sight', async () => {
   await page.locator('canvas.stage').focus();
   await page.keyboard.press('ArrowLeft');
   assert.equal(await does(page, 'view').inputValue(), '', 'the view is left when the eye moves');
+  const eye = await page.evaluate(() => { hsd.camera = [2, -6, 30, 0, 12, 0]; return hsd.camera[1]!; });
+  assert.ok(eye > 0 && eye < 1, `it stays above the ground: ${eye}`);
+  // Downwards with what it looks at, and then nearer to a place below the ground.
+  for (let i = 0; i < 50; i++) await page.keyboard.press('Shift+ArrowDown');
+  await page.evaluate(() => { hsd.camera = [0, 2, 8, 0, -3, 0]; });
+  for (let i = 0; i < 20; i++) await page.keyboard.press('+');
+  assert.ok(await page.evaluate(() => hsd.camera.every(Number.isFinite) && hsd.camera[1]! > 0));
 });
 
 test('the turntable turns, stops, and goes by steps where motion is not wanted', async () => {

@@ -2,20 +2,19 @@
 
 import assert from 'node:assert/strict';
 import { type ChildProcess, spawn } from 'node:child_process';
-import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
 import type {} from '../../src/expose.ts';
 import { browser } from './chromium.ts';
-
+import { scratch } from './scratch.ts';
 
 const here = dirname(fileURLToPath(import.meta.url));
 export const EXAMPLES = join(here, '../../../examples');
 
 export class Preview {
-  readonly folder = mkdtempSync(join(tmpdir(), 'hsd-view-'));
+  readonly folder = scratch();
   url = '';
   /** Requests that left the preview, and what consoles complained of. */
   readonly strays: string[] = [];
@@ -34,7 +33,7 @@ export class Preview {
       else cpSync(join(EXAMPLES, file), join(preview.folder, file));
     }
     // An editor that writes down where it was sent.
-    const tools = mkdtempSync(join(tmpdir(), 'hsd-editor-'));
+    const tools = scratch();
     preview.#log = join(tools, 'log');
     const editor = join(tools, 'editor.mjs');
     writeFileSync(editor, `import { appendFileSync } from 'node:fs'; appendFileSync(${JSON.stringify(preview.#log)}, process.argv.slice(2).join(' ') + '\\n');`);
@@ -74,13 +73,12 @@ export class Preview {
   async close() {
     await this.#browser?.close();
     await this.stop();
-    rmSync(this.folder, { recursive: true, force: true });
   }
 
   /** A page, `query` behind its address; waits for its first model. */
   async open(query = '', options: BrowserContextOptions = {}, wait = true): Promise<Page> {
     this.#browser ??= await browser();
-    const context = await this.#browser.newContext({ viewport: { width: 1200, height: 760 }, acceptDownloads: true, ...options });
+    const context = await this.#browser.newContext({ viewport: { width: 960, height: 640 }, acceptDownloads: true, ...options });
     const page = await context.newPage(), own = new URL(this.url).origin;
     page.setDefaultTimeout(20_000);
     page.on('request', request => {
@@ -101,7 +99,7 @@ export class Preview {
     return page;
   }
 
-  write(name: string, text: string) {
+  write(name: string, text: string | Uint8Array) {
     const path = join(this.folder, name);
     mkdirSync(dirname(path), { recursive: true });
     writeFileSync(path, text);
@@ -110,7 +108,7 @@ export class Preview {
   read(name: string): string { return readFileSync(join(this.folder, name), 'utf8'); }
 
   /** Saves a text and waits until a page shows it; milliseconds from the save to the painted frame. */
-  async save(page: Page, name: string, text: string): Promise<number> {
+  async save(page: Page, name: string, text: string | Uint8Array): Promise<number> {
     const shown = page.evaluate(before => new Promise<number>(done => {
       const look = () => hsd.revision > before && hsd.reload?.revision === hsd.revision ? done(Date.now()) : setTimeout(look, 1);
       look();
@@ -138,13 +136,12 @@ export class Preview {
 /** The page as it lies in dist/, for those who work on it and do not want to build the program each time. */
 async function from_dist(page: Page, own: string) {
   const { gunzipSync } = await import('node:zlib');
-  const types: Record<string, string> = { html: 'text/html', js: 'text/javascript', css: 'text/css' };
   await page.route(url => url.origin === own && !url.pathname.startsWith('/api/'), async route => {
     const name = new URL(route.request().url()).pathname.slice(1) || 'index.html';
     const body = gunzipSync(new Uint8Array(readFileSync(join(here, `../../dist/${name}.gz`))));
-    await route.fulfill({ body: Buffer.from(new Uint8Array(body)), contentType: types[name.split('.').pop()!]!, headers: {
-      'content-security-policy': "default-src 'self'; img-src 'self' blob: data:; connect-src 'self' blob:; worker-src 'self' blob:; style-src 'self'",
-    } });
+    const { 'content-type': type, 'content-security-policy': policy } = (await route.fetch()).headers();
+    if (!type || !policy) throw new Error(`${name} is new: build hsd with it`);
+    await route.fulfill({ body: Buffer.from(new Uint8Array(body)), headers: { 'content-type': type, 'content-security-policy': policy } });
   });
 }
 
@@ -170,11 +167,11 @@ export async function unfold(page: Page, name: string) {
 export const does = (page: Page, name: string) => page.locator(`[data-do="${name}"]:visible`).first();
 
 /** The picture of the canvas: brightness from 0 to 1 on a grid of places. */
-export const brightness = (page: Page) => page.evaluate(() => {
+export const brightness = (page: Page, quick = false) => page.evaluate(quick => {
   const { clientWidth: w, clientHeight: h } = hsd.stage.canvas, places: [number, number][] = [];
   for (let y = 0.05; y < 1; y += 0.05) for (let x = 0.05; x < 1; x += 0.04) places.push([x * w, y * h]);
-  return hsd.pixels(places).map(([r, g, b]) => (r! * 0.3 + g! * 0.59 + b! * 0.11) / 255);
-});
+  return hsd.pixels(places, quick).map(([r, g, b]) => (r! * 0.3 + g! * 0.59 + b! * 0.11) / 255);
+}, quick);
 
 /** Share of places where two pictures differ. */
 export const differ = (a: number[], b: number[], by = 0.03) => a.filter((value, i) => Math.abs(value - b[i]!) > by).length / a.length;

@@ -1,17 +1,17 @@
-// Towns for measuring mirrors: a street with fifty houses on each side, some of those on the north side with a glass front;
+// Towns for measuring mirrors: a street with houses on each side, some of those on the north side with a glass front;
 // and rows of houses north of it, which no glass looks at.
 
 const WIDE = 6; // units of a house's front
 const STEP = 7; // metres from house to house
 const STREET = 9;
 
-/** A text: `glass` of the houses along the street have glass fronts; `rows` more rows of houses stand behind them. Each front
- * stands back by its own length where `apart`; else all lie in one plane. */
-export function town(glass: number, rows: number, apart: boolean): string {
+/** A text: `long` houses on each side, `glass` of them with glass fronts; `rows` more rows of houses stand behind them. Each
+ * front stands back by its own length where `apart`; else all lie in one plane. */
+export function town(long: number, glass: number, rows: number, apart: boolean): string {
   const houses: string[] = [];
-  for (let i = 0; i < 50; i++) {
-    const x = i * STEP, front = i % (50 / glass) === 0;
-    houses.push(front ? glazed(x, apart ? (i * 7 % 50) / 25 : 0) : plain(`n${i}`, x, 0, 180), plain(`s${i}`, x - WIDE * 10 / 11, -STREET, 0));
+  for (let i = 0; i < long; i++) {
+    const x = i * STEP, front = i % (long / glass) === 0;
+    houses.push(front ? glazed(x, apart ? (i * 7 % long) / (long / 2) : 0) : plain(`n${i}`, x, 0, 180), plain(`s${i}`, x - WIDE * 10 / 11, -STREET, 0));
     for (let row = 1; row <= rows; row++) houses.push(plain(`b${i}-${row}`, x, row * 12, 180));
   }
   return `<Houses>\n${houses.join('\n')}\n</Houses>\n`;
