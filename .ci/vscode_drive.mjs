@@ -90,8 +90,7 @@ async function completion(window, picture) {
   // By its Japanese name too.
   await window.go(5, 1);
   await window.keys.insertText('大戸');
-  await window.keys.press('Control+Space');
-  await window.suggestions('TOD');
+  await window.propose('TOD');
   await window.choose('TOD');
   await window.saved(name, text => line(text, 5) === 'TOD  ', 'a part by its name');
 }

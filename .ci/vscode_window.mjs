@@ -30,6 +30,19 @@ export async function until(what, ask, patience = PATIENCE) {
   }
 }
 
+/** Does something again, as a person would, until what it is for is seen: a busy editor lets a key or a move of the mouse go by. */
+async function insist(what, act, seen, once = PATIENCE / 6) {
+  const end = Date.now() + 2 * PATIENCE;
+  for (;;) {
+    await act();
+    try {
+      return await seen(once);
+    } catch (error) {
+      if (Date.now() > end) throw new Error(`in vain: ${what}`, { cause: error });
+    }
+  }
+}
+
 class Window {
   constructor(page, folder) {
     this.page = page;
@@ -51,11 +64,18 @@ class Window {
     }));
   }
 
+  /** Opens the line at the top that asks for something, by a key. */
+  async ask_for(key) {
+    const input = this.page.locator('.quick-input-widget input').first();
+    await insist(`the line of ${key}`, async () => {
+      if (!await input.isVisible()) await this.keys.press(key);
+    }, timeout => input.waitFor({ timeout }));
+    return input;
+  }
+
   /** Puts the caret at a place, counted from 1. */
   async go(line, column) {
-    await this.keys.press('Control+g');
-    const input = this.page.locator('.quick-input-widget input').first();
-    await input.waitFor();
+    const input = await this.ask_for('Control+g');
     await input.fill(`:${line}:${column}`);
     await this.keys.press('Enter');
     await input.waitFor({ state: 'hidden' });
@@ -81,9 +101,7 @@ class Window {
 
   /** Runs a command by its name in the palette. */
   async command(name) {
-    await this.keys.press('F1');
-    const input = this.page.locator('.quick-input-widget input').first();
-    await input.waitFor();
+    const input = await this.ask_for('F1');
     await input.fill(`>${name}`);
     const row = this.page.locator('.quick-input-list .monaco-list-row').filter({ hasText: name }).first();
     await row.click();
@@ -145,8 +163,12 @@ class Window {
   /** Takes the mend that says `title` for what stands at a place, and waits until it is done and nothing is underlined. */
   async mend(name, line, column, title, wanted, look = () => undefined) {
     await this.go(line, column);
-    await this.keys.press('Control+.');
-    await this.page.locator('.action-widget .monaco-list-row.action').filter({ hasText: title }).first().waitFor();
+    const row = this.page.locator('.action-widget .monaco-list-row.action').filter({ hasText: title }).first();
+    await insist(`the mend ${title}`, async () => {
+      // What asked too early says that there are no mends, or shows others.
+      await this.keys.press('Escape');
+      await this.keys.press('Control+.');
+    }, timeout => row.waitFor({ timeout }));
     await look();
     const focused = this.page.locator('.action-widget .monaco-list-row.focused');
     for (let steps = 0; !(await focused.textContent()).includes(title); steps += 1) {
@@ -165,7 +187,10 @@ class Window {
 
   /** The rows of the panel of problems, once one of them holds a text. */
   async problem(text) {
-    if (!await this.page.locator('.markers-panel').isVisible()) await this.keys.press('Control+Shift+m');
+    const panel = this.page.locator('.markers-panel');
+    await insist('the panel of problems', async () => {
+      if (!await panel.isVisible()) await this.keys.press('Control+Shift+m');
+    }, timeout => panel.waitFor({ timeout }));
     const rows = () => this.page.$$eval('.markers-panel .monaco-list-row', all => all.map(row => row.textContent));
     return until(`a problem that says ${text}`, async () => {
       const all = await rows();
@@ -180,10 +205,20 @@ class Window {
       return await until(`suggestions with ${texts.join(', ')}`, async () => {
         rows = await this.page.$$eval('.suggest-widget.visible .monaco-list-row', all => all.map(row => row.ariaLabel || row.textContent));
         return texts.every(text => rows.some(row => row.includes(text))) && rows.length && rows;
-      }, 10000);
+      });
     } catch (error) {
       throw new Error(`${error.message}; there are ${JSON.stringify(rows)}`);
     }
+  }
+
+  /** Asks for suggestions by key until there is one that holds a text. */
+  propose(text) {
+    const row = this.page.locator('.suggest-widget.visible .monaco-list-row').filter({ hasText: text }).first();
+    return insist(`the suggestion ${text}`, async () => {
+      // A list that came too early stays as it is.
+      if (await this.page.locator('.suggest-widget.visible').count()) await this.keys.press('Escape');
+      await this.keys.press('Control+Space');
+    }, timeout => row.waitFor({ timeout }));
   }
 
   /** Takes the first suggestion that holds a text. */
@@ -194,11 +229,14 @@ class Window {
 
   /** The text of the hint at a place, and how wide its pictures are. */
   async hint(line, column, text) {
-    const { x, y, width, height } = await this.place(line, column);
-    await this.page.mouse.move(x + width / 2, y + height / 2 + 1);
-    await this.page.mouse.move(x + width / 2, y + height / 2);
     const hint = this.page.locator('.monaco-hover:visible').filter({ hasText: text }).first();
-    await hint.waitFor();
+    await insist(`the hint that says ${text}`, async () => {
+      // From outside, since a mouse that stays where it is asks for nothing.
+      await this.page.mouse.move(2, 2);
+      const { x, y, width, height } = await this.place(line, column);
+      await this.page.mouse.move(x + width / 2, y + height / 2 + 1);
+      await this.page.mouse.move(x + width / 2, y + height / 2);
+    }, timeout => hint.waitFor({ timeout }));
     const pictures = await until('the pictures of the hint', () => hint.evaluate(element => {
       const all = [...element.querySelectorAll('img')];
       return all.every(image => image.complete) && [all.map(image => image.naturalWidth)];
