@@ -253,4 +253,12 @@ impl Node {
             shape: None,
         }
     }
+
+    /// Its name; where it has none, what it is.
+    pub fn called(&self) -> &str {
+        match self.name.as_str() {
+            "" => self.kind.word(),
+            name => name,
+        }
+    }
 }

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `desk` | where texts lie as they are written, and where the editor is |
 //! | `hall`, `made` | which files are shown; what each makes |
+//! | `houses` | its model house by house, so that a page reads again only what has changed |
 //! | `watch` | notices what is saved |
 //! | `routes`, `guard` | what the page asks for; who may ask |
 //! | `strokes` | what was drawn in the page, so that it can be taken back |
@@ -19,6 +20,7 @@ mod beside;
 mod desk;
 mod guard;
 mod hall;
+mod houses;
 mod made;
 mod page;
 mod routes;

@@ -1,5 +1,6 @@
 //! The server of the live preview: what it tells, when, and whom.
 
+mod houses;
 mod models;
 mod stills;
 mod web;

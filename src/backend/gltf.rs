@@ -30,6 +30,7 @@ use gltf::json::{Asset, Buffer, Root};
 use materials::Looks;
 use nodes::Tree;
 use std::io::{self, Write};
+use std::ops::Range;
 
 /// A `.glb` with everything inside.
 pub fn glb(scene: &Scene, images: &dyn Images) -> Vec<u8> {
@@ -92,9 +93,41 @@ enum Places<'a> {
 
 impl<'a> Model<'a> {
     fn new(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
-        let (mut root, looks, mut geometry) = Model::shapes(scene, images);
+        let shown = Shown::new(scene, &scene.nodes);
+        let (root, looks) = Model::looks(scene, &shown, images);
+        let geometry = Geometry::new(scene, shown, &looks);
+        Model::placed(scene, 0..scene.nodes.len(), root, geometry, looks)
+    }
+
+    /// Some houses of a scene, each by its nodes, as models of their own. All name the pictures in the folder of the
+    /// whole, and as the whole does.
+    fn houses(
+        scene: &'a Scene,
+        images: &'a dyn Images,
+        stem: &str,
+        houses: impl Iterator<Item = Range<usize>>,
+    ) -> Vec<Model<'a>> {
+        let shown = Shown::new(scene, &scene.nodes);
+        let (mut root, looks) = Model::looks(scene, &shown, images);
+        looks.files(&mut root, stem);
+        let house = |nodes: Range<usize>| {
+            let shown = Shown::new(scene, &scene.nodes[nodes.clone()]);
+            let geometry = Geometry::new(scene, shown, &looks);
+            Model::placed(scene, nodes, root.clone(), geometry, Looks::default())
+        };
+        houses.map(house).collect()
+    }
+
+    /// With the shapes of some nodes in their places.
+    fn placed(
+        scene: &'a Scene,
+        nodes: Range<usize>,
+        mut root: Root,
+        mut geometry: Geometry<'a>,
+        looks: Looks<'a>,
+    ) -> Model<'a> {
         geometry.add_views(&mut root);
-        let tree = Tree::new(scene, &geometry, &mut root);
+        let tree = Tree::new(scene, nodes, &geometry, &mut root);
         Model {
             length: geometry.length(),
             root,
@@ -107,7 +140,9 @@ impl<'a> Model<'a> {
 
     #[cfg(feature = "compress")]
     fn packed(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
-        let (mut root, looks, geometry) = Model::shapes(scene, images);
+        let shown = Shown::new(scene, &scene.nodes);
+        let (mut root, looks) = Model::looks(scene, &shown, images);
+        let geometry = Geometry::new(scene, shown, &looks);
         let packed = compress::Packed::new(scene, &geometry, &mut root);
         Model {
             length: packed.bytes.len(),
@@ -119,7 +154,8 @@ impl<'a> Model<'a> {
         }
     }
 
-    fn shapes(scene: &'a Scene, images: &'a dyn Images) -> (Root, Looks<'a>, Geometry<'a>) {
+    /// A model of nothing but materials.
+    fn looks(scene: &'a Scene, shown: &Shown<'_>, images: &'a dyn Images) -> (Root, Looks<'a>) {
         let mut root = Root {
             asset: Asset {
                 generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
@@ -127,10 +163,8 @@ impl<'a> Model<'a> {
             },
             ..Root::default()
         };
-        let shown = Shown::new(scene);
-        let looks = Looks::new(scene, &shown, images, &mut root);
-        let geometry = Geometry::new(scene, shown, &looks);
-        (root, looks, geometry)
+        let looks = Looks::new(scene, shown, images, &mut root);
+        (root, looks)
     }
 
     /// About how many nodes there are.

@@ -2,7 +2,7 @@
 
 use super::beside::Model;
 use super::desk::Desk;
-use crate::backend::gltf::Glb;
+use super::houses::Houses;
 use crate::catalog::Catalog;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::{self, Options};
@@ -29,8 +29,7 @@ pub(super) struct Made {
     pub(super) revision: u64,
     /// What the page is told, as JSON.
     pub(super) state: Vec<u8>,
-    /// The model, `.glb`.
-    pub(super) model: Vec<u8>,
+    model: Shape,
     /// The files beside it by their names in it.
     pub(super) pictures: BTreeMap<String, Vec<u8>>,
     /// The text and those that were read for it.
@@ -43,6 +42,14 @@ pub(super) struct Made {
     print: u64,
 }
 
+/// A model.
+enum Shape {
+    /// What a text makes.
+    Houses(Houses),
+    /// What was made before: the bytes of a `.glb`.
+    File(Vec<u8>),
+}
+
 /// What the page is told of a text: `State` in `view/src/server.ts`.
 #[derive(Serialize)]
 struct State<'a> {
@@ -50,6 +57,8 @@ struct State<'a> {
     file: &'a str,
     sources: Vec<Told<'a>>,
     diagnostics: &'a RawValue,
+    /// Keys and names of the houses, in the order of the model.
+    houses: Vec<(&'a str, &'a str)>,
     pictures: &'a BTreeMap<String, String>,
     plan: Plan,
     times: Vec<(&'static str, f64)>,
@@ -85,14 +94,14 @@ impl Made {
         desk.read(&path, &mut |source, world, options| {
             made = Some(built(source, world, options));
         })?;
-        let (read, files, times) = made.ok_or(io::ErrorKind::NotFound)?;
-        let (model, pictures) = files;
+        let (read, (houses, pictures), times) = made.ok_or(io::ErrorKind::NotFound)?;
         let keys = keys(&pictures);
         let sources: Vec<Source> = read.sources().cloned().collect();
         let report = Report::new(&sources, &read.diagnostics).in_language(language);
         let diagnostics = raw(&report)?;
         let same = print(|p| {
-            model.hash(p);
+            houses.known().for_each(|house| house.hash(p));
+            houses.places().hash(p);
             keys.hash(p);
             diagnostics.get().hash(p);
             sources.iter().for_each(|s| s.text().hash(p));
@@ -102,6 +111,7 @@ impl Made {
             file,
             sources: sources.iter().map(|s| told(s, root)).collect(),
             diagnostics: &diagnostics,
+            houses: houses.known().collect(),
             pictures: &keys,
             plan: Plan::of(&read, language),
             times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
@@ -109,7 +119,7 @@ impl Made {
         Ok(Made {
             revision,
             state: serde_json::to_vec(&state)?,
-            model,
+            model: Shape::Houses(houses),
             pictures,
             sources,
             catalog: read.checked.catalog,
@@ -137,6 +147,7 @@ impl Made {
             file,
             sources: vec![],
             diagnostics: &diagnostics,
+            houses: vec![],
             pictures: &keys,
             plan: Plan {
                 reasons: BTreeMap::new(),
@@ -152,12 +163,28 @@ impl Made {
                 keys.hash(p);
                 diagnostics.get().hash(p);
             }),
-            model: model.bytes,
+            model: Shape::File(model.bytes),
             pictures: model.pictures,
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
             lacks: !model.said.is_empty(),
         })
+    }
+
+    /// The whole model, `.glb`.
+    pub(super) fn whole(&self) -> Vec<u8> {
+        match &self.model {
+            Shape::Houses(houses) => houses.whole(),
+            Shape::File(bytes) => bytes.clone(),
+        }
+    }
+
+    /// What somebody lacks who has these houses of a model, as [`Houses::others`]; `None` = the whole.
+    pub(super) fn others(&self, had: &[String]) -> Option<Vec<u8>> {
+        match &self.model {
+            Shape::Houses(houses) => houses.others(had),
+            Shape::File(_) => None,
+        }
     }
 
     /// Whether the page would show the same.
@@ -174,7 +201,7 @@ fn keys(pictures: &BTreeMap<String, Vec<u8>>) -> BTreeMap<String, String> {
 }
 
 type Times = Vec<(&'static str, Duration)>;
-type Files = (Vec<u8>, BTreeMap<String, Vec<u8>>);
+type Files = (Houses, BTreeMap<String, Vec<u8>>);
 
 /// Runs the chain; the model and the files beside it by their names.
 fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Files, Times) {
@@ -184,16 +211,13 @@ fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Fil
     let scene = driver::timed(&mut times, "shape", || {
         driver::scene(building, &read.checked.catalog, options.detail)
     });
-    let files = driver::timed(&mut times, "write", || {
+    let files = driver::timed(&mut times, "compare", || {
         // What is wrong with pictures was said by the reading.
         let (mut said, limits) = (Diagnostics::new(), &options.expand.limits);
         let paths = &scene.pictures;
         let mut library = driver::pictures(paths, &building.shell, world, limits, &mut said);
         library.bake(&scene.baked);
-        let (model, files) = Glb::beside(&scene, &library, STEM);
-        let files = files.into_iter();
-        let pictures = files.map(|f| (f.name, f.bytes.into_owned()));
-        (model.bytes(), pictures.collect())
+        Houses::new(scene, library)
     });
     (read, files, times)
 }

@@ -28,6 +28,9 @@ use tokio_stream::{Stream, StreamExt};
 /// The largest picture that `hsd render` takes from the page, bytes.
 const PICTURE: usize = 256 << 20;
 
+/// The kind of a `.glb`.
+const GLB: &str = "model/gltf-binary";
+
 type Shared = State<Arc<Hall>>;
 
 /// All that is answered, on a port of this machine.
@@ -42,6 +45,7 @@ pub(super) fn routes(hall: Arc<Hall>, port: u16, stills: Option<Sender<Still>>) 
         .route("/api/state", get(state))
         .route("/api/model/{revision}/house.glb", get(model))
         .route("/api/model/{revision}/{*name}", get(picture))
+        .route("/api/houses", post(houses))
         .route("/api/events", get(events))
         .route("/api/parts", get(parts))
         .route("/api/part", get(part))
@@ -165,8 +169,34 @@ async fn model(
     Query(of): Query<Of>,
 ) -> Answer<Response> {
     let made = made_at(&hall, of, revision).await?;
-    let kind = [(header::CONTENT_TYPE, "model/gltf-binary")];
-    Ok((kind, made.model.clone()).into_response())
+    let bytes = work(&hall, move |_| Ok(made.whole())).await?;
+    Ok(([(header::CONTENT_TYPE, GLB)], bytes).into_response())
+}
+
+/// A page that has houses of a revision before.
+#[derive(Deserialize)]
+struct Had {
+    file: String,
+    revision: u64,
+    had: Vec<String>,
+}
+
+/// The houses that a page lacks, or the whole model where that is read sooner: the kind of the answer says which.
+async fn houses(State(hall): Shared, Json(asks): Json<Had>) -> Answer<Response> {
+    let Had {
+        file,
+        revision,
+        had,
+    } = asks;
+    let made = made_at(&hall, Of { file }, revision).await?;
+    let answer = work(&hall, move |_| {
+        Ok(match made.others(&had) {
+            Some(others) => ("application/octet-stream", others),
+            None => (GLB, made.whole()),
+        })
+    });
+    let (kind, bytes) = answer.await?;
+    Ok(([(header::CONTENT_TYPE, kind)], bytes).into_response())
 }
 
 /// A picture beside a model. The model names it without the query that it was fetched with, so any file of this revision

@@ -124,18 +124,18 @@ export class App {
 
   /** Reads the state of the file and its model; `revision` = the one that was heard of. */
   async reload(revision?: number) {
-    const { file } = this, heard = performance.now();
+    const { file, model: before } = this, heard = performance.now();
     if (file === null || revision !== undefined && revision === this.state?.revision) return;
     const turn = ++this.#turn;
     try {
       // The model is asked for at once where its number is known.
-      const early = revision === undefined ? null : this.loader.fetch(file, revision);
+      const early = revision === undefined ? null : this.loader.fetch(file, revision, before);
       early?.catch(() => {});
       const now = await state(file);
-      const bytes = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision));
+      const answer = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
       const fetched = performance.now() - heard;
       if (turn !== this.#turn || file !== this.file) return;
-      const load = bytes && this.loader.load(bytes, file, now.revision, now.pictures);
+      const load = answer && this.loader.load(answer, file, now);
       const model = await load?.catch((error: Error) => {
         if (!(error instanceof Unreadable)) throw error;
         now.diagnostics.push(unreadable(file, error));

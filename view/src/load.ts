@@ -1,10 +1,11 @@
-// Reads a model from the server. Its pictures are kept from one revision to the next, so that a save costs only what
-// has changed: the shapes.
+// Reads a model from the server. Pictures are kept from one revision to the next, and so are houses that have not
+// changed: a save costs only what has.
 
 import * as THREE from 'three';
 import { GLTFLoader, type GLTF, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import { type Model, model_of } from './model.ts';
-import { model_url } from './server.ts';
+import { renewed } from './houses.ts';
+import { kept_middle, type Model, model_of } from './model.ts';
+import { model_url, others, type State, WHOLE } from './server.ts';
 import { words } from './words.ts';
 
 /** Extensions that the loader leaves to others. */
@@ -24,6 +25,14 @@ class Unpacking extends Error {}
 /** A model is damaged, or is none. */
 export class Unreadable extends Error {}
 
+/** What the server has answered. */
+export interface Fetched {
+  bytes: ArrayBuffer;
+  /** Whether it is a whole model, or what differs from the one before. */
+  whole: boolean;
+  before: Model | null;
+}
+
 /** Loads models; keeps what they share. */
 export class Loader {
   #textures = new Map<string, Promise<THREE.Texture>>();
@@ -39,24 +48,40 @@ export class Loader {
     this.#loader.register(parser => ({ name: 'unpacked', beforeRoot: () => unpack(parser) }));
   }
 
-  /** The bytes of a model; null where a text leaves none. */
-  async fetch(file: string, revision: number): Promise<ArrayBuffer | null> {
-    const response = await fetch(model_url(file, revision));
-    return response.ok ? await response.arrayBuffer() : null;
+  /** What a page lacks that shows an earlier revision, or nothing yet; null where a text leaves no model. */
+  async fetch(file: string, revision: number, before: Model | null = null): Promise<Fetched | null> {
+    const had = before?.keys ?? [];
+    const response = await (had.length ? others(file, revision, had) : fetch(model_url(file, revision)));
+    if (!response.ok) return null;
+    return { bytes: await response.arrayBuffer(), whole: response.headers.get('content-type') === WHOLE, before };
   }
 
-  /** Reads a model; `pictures` = the keys of the pictures beside it. */
-  async load(bytes: ArrayBuffer, file: string, revision: number, pictures: Record<string, string>): Promise<Model> {
-    const head = new DataView(bytes), whole = bytes.byteLength < 12 ? Infinity : head.getUint32(8, true);
-    if (bytes.byteLength < 4 || head.getUint32(0) !== MAGIC) throw new Unreadable(words.no_glb);
-    if (bytes.byteLength < whole) throw new Unreadable(words.cut_off);
+  /** Reads what was fetched for a state of a file; null where there is a newer one. */
+  async load({ bytes, whole, before }: Fetched, file: string, now: State): Promise<Model | null> {
+    const { revision, pictures, houses } = now;
     this.#keys = pictures;
     const url = model_url(file, revision), [path, query] = url.split('?');
     this.#query = `?${query}`;
-    const gltf: GLTF = await this.#loader.parseAsync(bytes, path!.slice(0, path!.lastIndexOf('/') + 1)).catch((error: Error) => {
+    const read = (glb: ArrayBuffer) => this.#read(glb, path!.slice(0, path!.lastIndexOf('/') + 1));
+    if (whole || !before) {
+      const model = model_of(await read(bytes), before ? kept_middle(before) : undefined);
+      return { ...model, keys: model.houses === houses.length ? houses.map(([key]) => key) : [] };
+    }
+    const model = await renewed(before, houses, bytes, read);
+    if (model && kept_middle(before)(model.box.clone().translate(before.middle)) === before.middle) return model;
+    const anew = await this.fetch(file, revision);
+    return anew && this.load(anew, file, now);
+  }
+
+  /** Reads a `.glb`; pictures lie below `folder`. */
+  async #read(bytes: ArrayBuffer, folder: string): Promise<THREE.Object3D> {
+    const head = new DataView(bytes), whole = bytes.byteLength < 12 ? Infinity : head.getUint32(8, true);
+    if (bytes.byteLength < 4 || head.getUint32(0) !== MAGIC) throw new Unreadable(words.no_glb);
+    if (bytes.byteLength < whole) throw new Unreadable(words.cut_off);
+    const gltf: GLTF = await this.#loader.parseAsync(bytes, folder).catch((error: Error) => {
       throw error instanceof Unpacking ? error : new Unreadable(error.message);
     });
-    return model_of(gltf.scene);
+    return gltf.scene;
   }
 
   /** Waits for all pictures. */

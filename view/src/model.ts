@@ -2,7 +2,8 @@
 // the like in one material. So a house is some dozens of draws instead of hundreds, parts are found again by their
 // triangles, and whatever sees only a part of a town (a mirror) picks chunks by their boxes.
 //
-// Frame: that of glTF, metres, x east, y up, -z north, moved so that the model's middle on the ground is the origin.
+// Frame: that of glTF, metres, x east, y up, -z north, moved so that a place on the ground in the model's midst is the
+// origin: its middle when it was first read.
 
 import * as THREE from 'three';
 import type { Bytes } from './server.ts';
@@ -56,6 +57,8 @@ export interface Model {
   chunks: Chunk[];
   box: THREE.Box3;
   houses: number;
+  /** What is the same for the same house, house by house; none where the server does not say. */
+  keys: string[];
   triangles: number;
   /** What the origin of the page is in the frame of the file. */
   middle: THREE.Vector3;
@@ -117,8 +120,15 @@ function first_of<T>(list: T[], is: (of: T) => boolean): number {
   return low;
 }
 
-/** Joins what a loader made. */
-export function model_of(root: THREE.Object3D): Model {
+/** The middle of a model on the ground, in the frame of the file. */
+const middle_of = (box: THREE.Box3) => box.getCenter(new THREE.Vector3()).setY(0);
+
+/** The middle that a model keeps while it grows and shrinks round it, so that nothing moves which has not changed. */
+export const kept_middle = ({ middle }: Model) => (box: THREE.Box3) =>
+  box.containsPoint(middle.clone().setY(box.min.y)) ? middle : middle_of(box);
+
+/** Joins what a loader made; `stands` = the middle of a model with this box. */
+export function model_of(root: THREE.Object3D, stands: (box: THREE.Box3) => THREE.Vector3 = middle_of): Model {
   root.updateMatrixWorld(true);
   const parts: Part[] = [];
   const heaps = new Map<string, Heap[]>();
@@ -177,15 +187,14 @@ export function model_of(root: THREE.Object3D): Model {
 
   const all = new THREE.Box3().setFromObject(root);
   if (all.isEmpty()) all.set(new THREE.Vector3(-1, 0, -1), new THREE.Vector3(1, 1, 1));
-  const middle = all.getCenter(new THREE.Vector3());
-  middle.y = 0;
+  const middle = stands(all);
   const chunks = [...heaps.values()].flat().map(heap => joined(heap, parts, middle));
   for (let i = parts.length - 1; i >= 0; i--) {
     const { parent, box } = parts[i]!;
     if (parent !== null) parts[parent]!.box.union(box);
   }
   const triangles = chunks.reduce((sum, chunk) => sum + chunk.mesh.geometry.index!.count / 3, 0);
-  return { parts, chunks, box: all.translate(middle.clone().negate()), houses: Math.max(1, houses), triangles, middle };
+  return { parts, chunks, box: all.translate(middle.clone().negate()), houses: Math.max(1, houses), keys: [], triangles, middle };
 }
 
 /** Where a mesh stands: once, or as often as it has instances. */

@@ -150,6 +150,8 @@ export interface State {
   file: string;
   sources: Source[];
   diagnostics: Diagnostic[];
+  /** Of each house what is the same for the same one, and its name; none of a model that was made before. */
+  houses: [key: string, name: string][];
   /** The pictures beside the model, by name: what is the same under the same key is the same picture. */
   pictures: Record<string, string>;
   /** `reasons`: what the keys in `fixed` mean. */
@@ -174,10 +176,16 @@ export const hello = async () => answer<Hello>(await fetch('/api/hello'));
 export const state = async (file: string) => answer<State>(await fetch(`/api/state?${of(file)}`));
 export const model_url = (file: string, revision: number) => `/api/model/${revision}/house.glb?${of(file)}`;
 
-async function post<T>(path: string, body: unknown): Promise<T> {
-  const headers = { 'content-type': 'application/json' };
-  return answer<T>(await fetch(path, { method: 'POST', headers, body: JSON.stringify(body) }));
-}
+/** The kind of an answer that is a whole model. */
+export const WHOLE = 'model/gltf-binary';
+
+const send = (path: string, body: unknown) =>
+  fetch(path, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) });
+
+/** The houses that are lacked by who had these of an earlier revision, or the whole model. */
+export const others = (file: string, revision: number, had: string[]) => send('/api/houses', { file, revision, had });
+
+const post = async <T>(path: string, body: unknown) => answer<T>(await send(path, body));
 
 /** Sends the author's editor to a place. */
 export const open = (file: string, id: number, span: Bytes) => post<{}>('/api/open', { file, id, span });

@@ -84,15 +84,19 @@ export class Stage {
 
   get canvas() { return this.renderer.domElement; }
 
-  /** Puts a model in the place of the one before; the camera stays. */
+  /** Puts a model in the place of the one before; the camera stays, and so do meshes that both have. */
   show(model: Model) {
-    for (const { mesh } of this.model?.chunks ?? []) {
+    const before = new Set(this.model?.chunks.map(chunk => chunk.mesh)), now = new Set(model.chunks.map(chunk => chunk.mesh));
+    const used = new Set(model.chunks.map(chunk => chunk.mesh.material)), spent = new Set<THREE.Material>();
+    for (const mesh of before) {
+      if (now.has(mesh)) continue;
       this.scene.remove(mesh);
       mesh.geometry.dispose();
-      this.#spent.push(mesh.material); // until the next ones are drawn: their programs are the same
+      if (!used.has(mesh.material)) spent.add(mesh.material);
     }
+    this.#spent.push(...spent); // until the next ones are drawn: their programs are the same
     this.model = model;
-    for (const { mesh } of model.chunks) this.scene.add(mesh);
+    for (const mesh of now) if (!before.has(mesh)) this.scene.add(mesh);
     this.surroundings.fit(model.box);
     const size = this.size();
     this.camera.near = Math.max(0.02, size / 2000);

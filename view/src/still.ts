@@ -22,8 +22,8 @@ export async function stills(asked: URLSearchParams) {
     const wrong = views.filter(view => !(VIEWS as readonly string[]).includes(view));
     if (wrong.length) throw new Error(`no view is called ${wrong.join(', ')}; there are ${VIEWS.join(', ')}`);
     const now = await state(file);
-    const loader = new Loader(), bytes = await loader.fetch(file, now.revision);
-    const model = bytes && await loader.load(bytes, file, now.revision, now.pictures);
+    const loader = new Loader(), fetched = await loader.fetch(file, now.revision);
+    const model = fetched && await loader.load(fetched, file, now);
     if (!model || model.chunks.length === 0) throw new Error('the text leaves no house');
     await loader.pictures();
     const studio = new Studio(model, width, height, now.plan.houses[0]?.azimuth ?? 180);

@@ -1,10 +1,11 @@
 //! The container `.glb`: a header, the JSON, the buffer. What is written goes straight to its place; the lengths
 //! in front are filled in at the end, so that no model is in memory a second time.
 
-use super::Model;
+use super::{Model, Places};
 use crate::backend::{Images, OutFile};
-use crate::scene::Scene;
+use crate::scene::{Node, Scene};
 use std::io::{self, BufWriter, Cursor, Seek, SeekFrom, Write};
+use std::ops::Range;
 
 /// The header of the file, and that of the JSON: what it is, and how long.
 const HEADERS: u64 = 12 + 8;
@@ -31,6 +32,33 @@ impl<'a> Glb<'a> {
         let files = model.files(stem);
         model.add_buffer(None);
         (Glb(model), files)
+    }
+
+    /// Some houses of a scene, each by its nodes, as models of their own that show what they show in
+    /// [`beside`](Glb::beside), with the pictures of that.
+    pub fn houses(
+        scene: &'a Scene,
+        images: &'a dyn Images,
+        stem: &str,
+        houses: impl Iterator<Item = Range<usize>>,
+    ) -> Vec<Glb<'a>> {
+        let closed = |mut model: Model<'a>| {
+            model.add_buffer(None);
+            Glb(model)
+        };
+        let models = Model::houses(scene, images, stem, houses);
+        models.into_iter().map(closed).collect()
+    }
+
+    /// The nodes that are written, each with its number in the scene, in the order of those in the file; none of a
+    /// packed model, whose nodes are others.
+    pub fn nodes(&self) -> impl Iterator<Item = (usize, &'a Node)> {
+        let tree = match &self.0.places {
+            Places::Tree(tree) => Some(tree),
+            #[cfg(feature = "compress")]
+            Places::Packed(_) => None,
+        };
+        tree.into_iter().flat_map(|tree| tree.written())
     }
 
     /// For the web, with its pictures inside: instances and packed arrays. The pictures of

@@ -10,6 +10,7 @@ use glam::DVec2;
 use gltf::json::{self, Index, Mesh, Root};
 use serde::{Serialize, Serializer};
 use std::iter;
+use std::ops::Range;
 
 /// A node of glTF. Its translation is f64, unlike that of the `gltf` crate: f32 would lose millimetres of a
 /// house with map coordinates.
@@ -56,13 +57,16 @@ impl Serialize for Children<'_> {
 
 /// The nodes that are written.
 pub(super) struct Tree<'a> {
+    /// Those of whole houses.
     nodes: &'a [scene::Node],
-    /// By the scene's number.
+    /// How many nodes of the scene stand before them.
+    before: usize,
+    /// By the place among the nodes.
     links: Vec<Link>,
     first_root: Option<u32>,
 }
 
-/// A node among its relatives, which go by the numbers of the scene.
+/// A node among its relatives, which go by their places among the nodes.
 #[derive(Clone, Copy, Default)]
 struct Link {
     /// Its glTF number, if it is written.
@@ -72,11 +76,19 @@ struct Link {
 }
 
 impl<'a> Tree<'a> {
-    /// Numbers the nodes in preorder, and adds the scene of the roots if there are any.
-    pub(super) fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Tree<'a> {
-        let kept = kept(scene, geometry);
+    /// Numbers some nodes of a scene in preorder, and adds the scene of the roots if there are any.
+    pub(super) fn new(
+        scene: &'a Scene,
+        nodes: Range<usize>,
+        geometry: &Geometry<'_>,
+        root: &mut Root,
+    ) -> Tree<'a> {
+        let before = nodes.start;
+        let nodes = &scene.nodes[nodes];
+        let kept = kept(nodes, before, geometry);
         let mut tree = Tree {
-            nodes: &scene.nodes,
+            nodes,
+            before,
             links: vec![Link::default(); kept.len()],
             first_root: None,
         };
@@ -86,7 +98,7 @@ impl<'a> Tree<'a> {
         }
         // From the last to the first, so that each is put before its younger siblings.
         for i in written.rev() {
-            let first = match parent(scene, i).filter(|p| kept[*p]) {
+            let first = match parent(nodes, before, i).filter(|p| kept[*p]) {
                 Some(p) => &mut tree.links[p].first_child,
                 None => &mut tree.first_root,
             };
@@ -114,6 +126,12 @@ impl<'a> Tree<'a> {
     /// About how many there are: those that are left out count too.
     pub(super) fn len(&self) -> usize {
         self.links.len()
+    }
+
+    /// Those that are written, each with its number in the scene.
+    pub(super) fn written(&self) -> impl Iterator<Item = (usize, &'a scene::Node)> + use<'a, '_> {
+        let all = (self.before..).zip(self.nodes).zip(&self.links);
+        all.filter_map(|(both, link)| link.number.map(|_| both))
     }
 
     /// In the order of their numbers.
@@ -155,32 +173,31 @@ fn made<'a>(
             shape: node.shape.as_deref(),
         },
         mesh,
-        name: match node.name.as_str() {
-            "" => node.kind.word(),
-            name => name,
-        },
+        name: node.called(),
         rotation: rotation(node.turn),
         translation: (!stays).then_some(at),
     }
 }
 
-fn parent(scene: &Scene, i: usize) -> Option<usize> {
-    let parent = scene.nodes[i].parent.map(|p| p.0 as usize);
-    parent.filter(|&p| p < i)
+/// The place of the node above one.
+fn parent(nodes: &[scene::Node], before: usize, i: usize) -> Option<usize> {
+    let parent = nodes[i].parent.map(|p| p.0 as usize);
+    let place = parent.and_then(|p| p.checked_sub(before));
+    place.filter(|&p| p < i)
 }
 
 /// Which nodes show something, or stand above one that does, or are houses.
-fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
-    let count = scene.nodes.len();
-    let mut sound = vec![true; count];
-    for (i, node) in scene.nodes.iter().enumerate() {
-        sound[i] = sound::node(node) && parent(scene, i).is_none_or(|p| sound[p]);
+fn kept(nodes: &[scene::Node], before: usize, geometry: &Geometry<'_>) -> Vec<bool> {
+    let above = |i| parent(nodes, before, i);
+    let mut sound = vec![true; nodes.len()];
+    for (i, node) in nodes.iter().enumerate() {
+        sound[i] = sound::node(node) && above(i).is_none_or(|p| sound[p]);
     }
-    let mut keep = vec![false; count];
-    for (i, node) in scene.nodes.iter().enumerate().rev() {
-        keep[i] |= parent(scene, i).is_none() || geometry.mesh(node).is_some();
+    let mut keep = vec![false; nodes.len()];
+    for (i, node) in nodes.iter().enumerate().rev() {
+        keep[i] |= above(i).is_none() || geometry.mesh(node).is_some();
         keep[i] &= sound[i];
-        if let Some(p) = parent(scene, i).filter(|_| keep[i]) {
+        if let Some(p) = above(i).filter(|_| keep[i]) {
             keep[p] = true;
         }
     }

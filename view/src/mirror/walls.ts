@@ -56,8 +56,10 @@ export function walls_of(model: Model): Wall[] {
   for (const chunk of model.chunks) {
     if (!is_glass(chunk)) continue;
     const { geometry } = chunk.mesh;
-    const layers = new Float32Array(geometry.getAttribute('position').count).fill(NONE);
-    geometry.setAttribute(ATTRIBUTE, new THREE.BufferAttribute(layers, 1));
+    const layers = geometry.getAttribute(ATTRIBUTE) as THREE.BufferAttribute | undefined;
+    if (layers) layers.array.fill(NONE); // of a house that stood before, too
+    else geometry.setAttribute(ATTRIBUTE, new THREE.BufferAttribute(new Float32Array(geometry.getAttribute('position').count).fill(NONE), 1));
+    geometry.getAttribute(ATTRIBUTE).needsUpdate = true;
     const front = chunk.reflection > 0 ? model.parts[chunk.owner]?.front : null;
     if (front) pieces.push(...pieces_of(chunk, front));
   }

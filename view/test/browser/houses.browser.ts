@@ -1,0 +1,164 @@
+// A save reads only the houses that have changed, and what stands then is what a page shows that is opened anew.
+
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import type { Page } from 'playwright-core';
+import { brightness, differ, does, Preview } from './preview.ts';
+import { town } from './town.ts';
+
+const FILE = 'town.hsd', text = town(4, 2, 1, true);
+const houses = text.trim().split('\n').slice(1, -1);
+
+/** Houses of a text, changed. */
+const changed = (change: (list: string[]) => string[]) => `<Houses>\n${change([...houses]).join('\n')}\n</Houses>\n`;
+
+/** Moves a house, metres. */
+const moved = (x: number, y: number) => (house: string) =>
+  house.replace(/ x="([^"]*)" y="([^"]*)"/, (_, from_x, from_y) => ` x="${Number(from_x) + x}" y="${Number(from_y) + y}"`);
+
+let preview: Preview, page: Page;
+
+before(async () => {
+  preview = await Preview.of([[FILE, text]]);
+  page = await preview.open(`?file=${FILE}`);
+});
+after(async () => { await preview?.close(); });
+
+/** All of the model that is shown, lengths in the frame of the file; and how many of its meshes `globalThis.held` has. */
+const model = (page: Page) => page.evaluate(() => {
+  const { parts, chunks, box, triangles, houses, keys, middle } = hsd.app.model!;
+  const ends = ({ min, max }: typeof box) => [min.clone().add(middle).toArray(), max.clone().add(middle).toArray()];
+  const sums = (name: string, { geometry }: (typeof chunks)[0]['mesh']) => {
+    const list = geometry.getAttribute(name), sums = [0, 0, 0, 0];
+    for (let i = 0; i < (list?.count ?? 0); i++) for (let k = 0; k < list!.itemSize; k++) sums[k]! += list!.getComponent(i, k) / list!.count;
+    return name === 'position' ? sums.slice(0, 3).map((sum, k) => sum + middle.toArray()[k]!) : sums;
+  };
+  const held = (globalThis as { held?: Set<unknown> }).held;
+  return {
+    kept: chunks.filter(chunk => held?.has(chunk.mesh)).length,
+    all: {
+      triangles, houses, keys, box: ends(box),
+      parts: parts.map(({ box, front, ...part }) => ({ ...part, front: front?.toArray() ?? null, box: box.isEmpty() ? null : ends(box) })),
+      chunks: chunks.map(({ mesh, box, ...chunk }) => ({
+        ...chunk, box: ends(box), material: mesh.material.name, shown: mesh.visible,
+        arrays: ['position', 'normal', 'tangent', 'uv', 'mirrorLayer'].map(name => sums(name, mesh)), order: [...mesh.geometry.index!.array.slice(0, 12)],
+      })),
+    },
+  };
+});
+
+/** Both are the same but for what f32 loses. */
+function alike(a: unknown, b: unknown, at = 'model') {
+  if (typeof a === 'number' && typeof b === 'number') assert.ok(Math.abs(a - b) < 2e-3, `${at}: ${a} and ${b}`);
+  else if (a && b && typeof a === 'object' && typeof b === 'object') {
+    assert.deepEqual(Object.keys(a), Object.keys(b), at);
+    for (const [key, value] of Object.entries(a)) alike(value, (b as Record<string, unknown>)[key], `${at}.${key}`);
+  } else assert.equal(a, b, at);
+}
+
+/** Saves a text; what is shown must be what a new page shows. How many meshes are those that there were before. */
+async function saved(text: string): Promise<{ kept: number; of: number }> {
+  await page.evaluate(() => { (globalThis as { held?: Set<unknown> }).held = new Set(hsd.app.model!.chunks.map(chunk => chunk.mesh)); });
+  await preview.save(page, FILE, text);
+  await page.evaluate(() => hsd.settled());
+  const now = await model(page), fresh = await preview.open(`?file=${FILE}`);
+  alike(now.all, (await model(fresh)).all);
+  await fresh.context().close();
+  return { kept: now.kept, of: now.all.chunks.length };
+}
+
+test('a comment moves everything in the text, and no shape is read', async () => {
+  await page.evaluate(() => hsd.select(hsd.find('TKD 2').at(-1)!));
+  const before = await page.evaluate(() => hsd.selection!);
+  const { kept, of } = await saved(`<!-- 通り -->\n${text}`);
+  assert.equal(kept, of);
+  const { number, span } = await page.evaluate(() => hsd.selection!);
+  assert.equal(number, before.number);
+  assert.equal(span![0], before.span![0] + new TextEncoder().encode('<!-- 通り -->\n').length);
+  await page.evaluate(() => hsd.select(null));
+});
+
+test('of a house that changes nothing is kept, of the others all', async t => {
+  const reading = () => page.evaluate(() => hsd.reload!.parsed - hsd.reload!.fetched);
+  const took: number[] = [];
+  const most = async (change: (list: string[]) => string[], others: number) => {
+    const { kept, of } = await saved(changed(change));
+    assert.ok(kept > of * others && kept < of, `${kept} of ${of} are kept`);
+    took.push(await reading());
+  };
+  const front = houses.findIndex(house => house.includes('NGC'));
+  await most(list => list.with(1, list[1]!.replace('KTU  KTU  TKD 2', 'KTU  MRE  TKD 2')), 0.8);
+  await most(list => list.with(4, list[4]!.replace('</Storey>', '</Storey><Storey height="8"><Row>KTU  KTU</Row><Row>KTU</Row><Row>KTU  KTU</Row><Row>KTU</Row></Storey>')), 0.7);
+  await most(list => list.with(front, list[front]!.replace('reflection="0.7"', 'reflection="0.3"')), 0.7);
+  const nothing = await saved(changed(list => list.map(moved(0, 1))));
+  assert.equal(nothing.kept, 0);
+  const all = await reading();
+  t.diagnostic(`read in ${took.map(ms => ms.toFixed(0)).join(', ')} ms; all of them in ${all.toFixed(0)} ms`);
+  assert.ok(Math.min(...took) < all);
+});
+
+test('houses come, go, change places and stand twice', async () => {
+  await saved(text);
+  const gone = await saved(changed(list => list.toSpliced(2, 3)));
+  assert.equal(gone.kept, gone.of);
+  await saved(text);
+  const turned = await saved(changed(list => list.reverse()));
+  assert.equal(turned.kept, turned.of);
+  const twice = await saved(changed(list => [...list, list[0]!, list[0]!]));
+  assert.ok(twice.kept < twice.of);
+  await saved(changed(list => list.map(moved(0, 12))));
+  await saved(text);
+});
+
+test('what is hidden stays hidden, and what is hit is what is seen', async () => {
+  await page.evaluate(() => hsd.app.hide('roof 1', true));
+  await preview.save(page, FILE, changed(list => list.with(1, list[1]!.replace('TKD 2', 'TIT 2'))));
+  const wrong = await page.evaluate(() => hsd.app.model!.chunks.filter(c => c.mesh.visible !== (hsd.app.layer_of(c) !== 'roof 1')).length);
+  assert.equal(wrong, 0);
+  await does(page, 'reset').click();
+  const door = await page.evaluate(async () => {
+    const part = hsd.find('TIT 2').find(part => hsd.app.model!.parts[part]!.house === 1)!, { max, min } = hsd.app.model!.parts[part]!.box;
+    const middle = max.clone().add(min).divideScalar(2), out = hsd.app.model!.parts[hsd.app.model!.parts[part]!.facade!]!.front!;
+    hsd.camera = [...middle.clone().addScaledVector(out, 3).toArray(), ...middle.toArray()];
+    await hsd.settled();
+    const [x, y] = hsd.place_of(part);
+    return { part, picked: hsd.pick(x!, y!) };
+  });
+  const below = await page.evaluate(({ part, picked }) => picked !== null && picked >= part && picked < hsd.app.model!.parts[part]!.end, door);
+  assert.ok(below, JSON.stringify(door));
+});
+
+test('a town that moves away stands where it is seen', async () => {
+  const before = await page.evaluate(() => hsd.app.model!.middle.toArray());
+  await saved(changed(list => list.map(moved(9000, 0))));
+  const now = await page.evaluate(() => ({ middle: hsd.app.model!.middle.toArray(), min: hsd.app.model!.box.min.x, max: hsd.app.model!.box.max.x }));
+  assert.notDeepEqual(now.middle, before);
+  assert.ok(now.min < 0 && now.max > 0, `from ${now.min} to ${now.max}`);
+});
+
+test('many changes leave nothing behind, and look as if they had been there at first', async () => {
+  const held = () => page.evaluate(() => {
+    hsd.stage.shade();
+    hsd.stage.frame(); // shadows of all of it
+    return { ...hsd.stage.renderer.info.memory, programs: hsd.stage.renderer.info.programs!.length };
+  });
+  const other = changed(list => list.with(5, list[5]!.replace('KTU  KTU  TKD 2', 'KTU  MRE  TKD 2')));
+  for (const text_now of [text, other, text, other]) await preview.save(page, FILE, text_now);
+  const first = await held();
+  for (let i = 0; i < 3; i++) for (const now of [text, other]) await preview.save(page, FILE, now);
+  const last = await held();
+  assert.ok(last.geometries <= first.geometries + 2 && last.textures <= first.textures + 2 && last.programs <= first.programs + 1,
+    `${JSON.stringify(first)} became ${JSON.stringify(last)}`);
+  // Glass and all: the same picture, from the same place.
+  const fresh = await preview.open(`?file=${FILE}`), looks: number[][] = [];
+  for (const one of [page, fresh]) {
+    await one.evaluate(() => {
+      const { middle } = hsd.app.model!;
+      hsd.camera = [10 - middle.x, 2, 6 - middle.z, 8 - middle.x, 2, 0 - middle.z];
+    });
+    await one.evaluate(() => hsd.settled());
+    looks.push(await brightness(one));
+  }
+  assert.ok(differ(looks[0]!, looks[1]!, 0.06) < 0.02, `${differ(looks[0]!, looks[1]!, 0.06)} of the places differ`);
+  preview.blameless();
+});
