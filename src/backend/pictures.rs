@@ -193,6 +193,11 @@ fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trou
     Ok((format!("{stem}.png"), encoded.into_inner()))
 }
 
+/// Whether the end of a PNG or JPEG is missing.
+pub(crate) fn is_cut(bytes: &[u8]) -> bool {
+    bytes.starts_with(PNG) && !whole_png(bytes) || bytes.starts_with(JPEG) && !ends(bytes)
+}
+
 /// Whether every chunk of a PNG is there.
 fn whole_png(bytes: &[u8]) -> bool {
     let Some(mut rest) = bytes.strip_prefix(PNG) else {
@@ -214,19 +219,24 @@ fn whole_png(bytes: &[u8]) -> bool {
     }
 }
 
+/// Whether a JPEG has an end, which other things may follow.
+fn ends(jpeg: &[u8]) -> bool {
+    let mut pairs = jpeg.windows(2).rev().take(4096);
+    pairs.any(|pair| pair == b"\xff\xd9")
+}
+
 /// Whether a JPEG has one or three channels of eight bits and an end.
 fn whole_jpeg(bytes: &[u8]) -> bool {
     let Some(mut rest) = bytes.strip_prefix(b"\xff\xd8") else {
         return false;
     };
-    let ends = bytes.windows(2).rev().take(4096).any(|w| w == b"\xff\xd9");
     while let [0xff, marker, high, low, after @ ..] = rest {
         let length = usize::from(u16::from_be_bytes([*high, *low]));
         match marker {
             0xff => rest = &rest[1..], // padding before a marker
             0xc0..=0xc2 => {
                 let (depth, channels) = (after.first(), after.get(5));
-                return ends && depth == Some(&8) && matches!(channels, Some(1 | 3));
+                return ends(bytes) && depth == Some(&8) && matches!(channels, Some(1 | 3));
             }
             _ if length < 2 || rest.len() < length + 2 => return false,
             _ => rest = &rest[length + 2..],

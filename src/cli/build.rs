@@ -4,7 +4,7 @@ mod bake;
 mod variants;
 
 use super::input::{Inputs, STDIN};
-use super::options::{Reading, exit, report};
+use super::options::{Fineness, Reading, exit, report};
 use super::output::{self, Model};
 use super::terminal::{HOUSE, bytes, counted};
 use super::{Outcome, Stop, watch};
@@ -14,7 +14,7 @@ use crate::backend::pictures::Library;
 use crate::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};
-use crate::scene::{Detail, Scene};
+use crate::scene::Scene;
 use crate::source::Source;
 use crate::text;
 use clap::Args;
@@ -69,10 +69,8 @@ pub(super) struct Build {
     #[arg(long, value_name = "FILE", requires = "variants")]
     sheet: Option<PathBuf>,
 
-    /// How much of the joinery is shape: 0 walls and roofs, 1 a picture for each part, 2 openings and heavy
-    /// bars as shapes, 3 everything.
-    #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
-    detail: u8,
+    #[command(flatten)]
+    fineness: Fineness,
 
     #[command(flatten)]
     baking: bake::Baking,
@@ -225,7 +223,7 @@ impl Build {
         out: &mut Diagnostics,
     ) -> Result<driver::Options, Stop> {
         let mut options = driver::Options {
-            detail: Detail::ALL[usize::from(self.detail)],
+            detail: self.fineness.detail(),
             ..self.reading.options(inputs, out)?
         };
         match seed {

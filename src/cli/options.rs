@@ -7,6 +7,7 @@ use crate::disk::FolderWorld;
 use crate::driver;
 use crate::expand;
 use crate::report::{Format, Report};
+use crate::scene::Detail;
 use crate::source::Limits;
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -83,6 +84,21 @@ pub(super) struct Manner {
     /// Refuse pictures with more pixels.
     #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
     max_pixels: u64,
+}
+
+/// How fine what is built is.
+#[derive(Clone, Copy, Debug, Args)]
+pub(super) struct Fineness {
+    /// How much of the joinery is shape: 0 walls and roofs, 1 a picture for each part, 2 openings and heavy
+    /// bars as shapes, 3 everything.
+    #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
+    detail: u8,
+}
+
+impl Fineness {
+    pub(super) fn detail(self) -> Detail {
+        Detail::ALL[usize::from(self.detail)]
+    }
 }
 
 impl Manner {

@@ -3,7 +3,7 @@
 mod browser;
 
 use super::input::Inputs;
-use super::options::{Manner, exit, report};
+use super::options::{Fineness, Manner, exit, report};
 use super::output::{self, Files};
 use super::view::{Disk, page_is_there};
 use super::{Outcome, Stop};
@@ -47,6 +47,9 @@ pub(super) struct Render {
 
     #[command(flatten)]
     manner: Manner,
+
+    #[command(flatten)]
+    fineness: Fineness,
 
     /// The picture, .png or .jpg, or a folder (`pictures/`).
     #[arg(short, long, value_name = "OUT")]
@@ -257,6 +260,7 @@ impl Render {
             language,
             desk: Box::new(Disk {
                 manner: self.manner.clone(),
+                detail: self.fineness.detail(),
                 editor: None,
                 writes: false,
             }),

@@ -2,7 +2,7 @@
 
 mod disk;
 
-use super::options::Manner;
+use super::options::{Fineness, Manner};
 use super::{Exit, Outcome, Stop};
 use crate::diagnostic::Language;
 use crate::text;
@@ -21,6 +21,7 @@ use std::path::{Path, PathBuf};
 Examples:
   hsd view house.hsd                                   the house beside your editor
   hsd view street/                                     all texts of a folder
+  hsd view town.hsd --detail 1                         hundreds of houses, with pictures for their parts
   hsd view house.hsd --editor 'code -g {file}:{line}'  a click on a part goes to its line")]
 pub(super) struct View {
     /// A text, a folder of texts, or a model (.glb).
@@ -29,6 +30,9 @@ pub(super) struct View {
 
     #[command(flatten)]
     manner: Manner,
+
+    #[command(flatten)]
+    fineness: Fineness,
 
     /// What sends your editor to a place; {file}, {line} and {column} stand for it.
     #[arg(long, value_name = "COMMAND", env = "HSD_EDITOR")]
@@ -54,6 +58,7 @@ impl View {
         let editor = self.editor.as_deref().map(disk::editor).transpose()?;
         let disk = Disk {
             manner: self.manner.clone(),
+            detail: self.fineness.detail(),
             editor,
             writes: !self.read_only,
         };

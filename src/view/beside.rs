@@ -1,6 +1,6 @@
 //! A model that was made before, and the pictures beside it, as its glTF names them.
 
-use crate::backend::pictures::{JPEG, KTX2, PNG};
+use crate::backend::pictures::{JPEG, KTX2, PNG, is_cut};
 use crate::diagnostic::messages::pictures as say;
 use crate::diagnostic::{Diagnostic, Diagnostics, Noun, noun};
 use crate::source::{FileId, Source};
@@ -99,6 +99,7 @@ fn picture(root: &Path, path: &Path) -> Result<Vec<u8>, Noun> {
         "it is not a PNG, JPEG or KTX2 picture",
         "PNG、JPEG、KTX2 のどれでもありません",
     );
+    const CUT: Noun = noun("its end is missing", "終わりが欠けています");
     let path = path.canonicalize().map_err(|_| GONE)?;
     if !path.starts_with(root) {
         return Err(OUTSIDE);
@@ -106,7 +107,11 @@ fn picture(root: &Path, path: &Path) -> Result<Vec<u8>, Noun> {
     // Nothing is waited for that is no file.
     let bytes = path.is_file().then(|| fs::read(path).ok()).flatten();
     let bytes = bytes.ok_or(CLOSED)?;
-    kind(&bytes).map(|_| bytes).ok_or(OTHER)
+    match kind(&bytes) {
+        None => Err(OTHER),
+        Some(_) if is_cut(&bytes) => Err(CUT),
+        Some(_) => Ok(bytes),
+    }
 }
 
 /// The folders below that of a model in which its pictures lie. `model` = a real path.

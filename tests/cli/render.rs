@@ -58,6 +58,25 @@ fn pictures_have_their_size_and_show_something() {
 }
 
 #[test]
+fn what_is_less_fine_has_fewer_colours() {
+    let folder = folder();
+    let draw = |detail: &str| {
+        let out = format!("{detail}.png");
+        let wishes = ["--size", "160x96", "--samples", "1", "--detail", detail];
+        let output = rendered(
+            folder.path(),
+            &[&["sound.hsd", "-o", &out], &wishes[..]].concat(),
+        )?;
+        assert_eq!(code(&output), 0, "{}", stderr(&output));
+        Some(colors(&folder.path().join(out), (160, 96)))
+    };
+    let (Some(walls), Some(all)) = (draw("0"), draw("3")) else {
+        return;
+    };
+    assert!(walls < all, "{walls} colours, and {all} with everything");
+}
+
+#[test]
 fn texts_with_errors_have_no_picture() {
     let folder = folder();
     let Some(output) = rendered(folder.path(), &["broken.hsd", "-o", "one.png"]) else {

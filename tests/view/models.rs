@@ -33,9 +33,12 @@ fn pictures_beside_a_model_are_found_and_nothing_else_is() {
         "家 1.png",
         "a.txt",
         "none.png",
+        "cut.png",
         above.to_str().expect("is text"),
     ];
     fs::write(folder.join(names[0]), png(3, 3)).expect("can be written");
+    let half = &png(3, 3)[..50];
+    fs::write(folder.join(names[3]), half).expect("can be written");
     let uris = [&["%E5%AE%B6%201.png"], &names[1..]].concat();
     let images: Vec<Value> = uris.iter().map(|uri| json!({ "uri": uri })).collect();
     let document = json!({ "asset": { "version": "2.0" }, "images": images });
@@ -60,14 +63,15 @@ fn pictures_beside_a_model_are_found_and_nothing_else_is() {
     for (name, why) in [
         (names[1], "it is not a PNG, JPEG or KTX2 picture"),
         (names[2], "it is not there"),
-        (names[3], "it lies outside of the folder that is shown"),
+        (names[3], "its end is missing"),
+        (names[4], "it lies outside of the folder that is shown"),
     ] {
         let expected = |(code, m): &&(&Value, &str)| {
             *code == "HSD0605" && m.contains(name) && m.ends_with(why)
         };
         assert!(told.iter().any(|t| expected(&t)), "{name}: {told:?}");
     }
-    assert_eq!(told.len(), 3, "{told:?}");
+    assert_eq!(told.len(), 4, "{told:?}");
     let revision = &state["revision"];
     let get = |name: &str| shown.web.get(&format!("/api/model/{revision}/{name}"));
     assert_eq!(get("%E5%AE%B6%201.png").body, png(3, 3));
@@ -79,5 +83,5 @@ fn pictures_beside_a_model_are_found_and_nothing_else_is() {
     let state = shown.web.state("made/b.glb");
     let later = format!("/api/model/{}/none.png", state["revision"]);
     assert_eq!(shown.web.get(&later).body, png(4, 4));
-    assert_eq!(state["diagnostics"].as_array().map(Vec::len), Some(2));
+    assert_eq!(state["diagnostics"].as_array().map(Vec::len), Some(3));
 }

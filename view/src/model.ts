@@ -1,6 +1,6 @@
-// A model as the page needs it. What was one node each in the file is joined to chunks: all triangles of one facade, roof or
-// the like in one material. So a house is some dozens of draws instead of hundreds, parts are found again by their
-// triangles, and whatever sees only a part of a town (a mirror) picks chunks by their boxes.
+// A model as the page needs it. What was one node each in the file is joined to chunks: all triangles of one storey, roof or
+// the like in one material, and glass of one facade. So a house is some dozens of draws instead of hundreds, parts are found
+// again by their triangles, and whatever sees only a part of a town (a mirror) picks chunks by their boxes.
 //
 // Frame: that of glTF, metres, x east, y up, -z north, moved so that a place on the ground in the model's midst is the
 // origin: its middle when it was first read.
@@ -43,7 +43,7 @@ export interface Chunk {
   mesh: THREE.Mesh<THREE.BufferGeometry, THREE.MeshStandardMaterial>;
   house: number;
   storey: number;
-  /** The part whose node all of it stands under: a facade, a roof, or what else stands below a storey or a house. */
+  /** The part whose node all of it stands under: a roof, a storey or the like; of glass its facade, if it has one. */
   owner: number;
   /** In the order of their starts. */
   ranges: Range[];
@@ -64,8 +64,8 @@ export interface Model {
   middle: THREE.Vector3;
 }
 
-/** Kinds that a chunk does not reach beyond. */
-const OWNERS = new Set(['facade', 'roof', 'platform', 'veranda', 'bracket', 'finial']);
+/** Kinds that a chunk does not reach beyond: what is shown and hidden as a whole. */
+const OWNERS = new Set(['house', 'storey', 'roof', 'finial']);
 
 /** Corners of triangles after which a chunk is full: towns without houses as nodes are drawn only where they are seen, too. */
 const MOST = 600_000;
@@ -167,13 +167,14 @@ export function model_of(root: THREE.Object3D, stands: (box: THREE.Box3) => THRE
         }) - 1;
       }
       const part = parts[own]!, material = node.material as THREE.MeshStandardMaterial;
-      const key = `${part.house} ${part.storey} ${owned ?? -1} ${material.uuid}`;
+      const pane = material.userData['reflection'] !== undefined ? part.facade : null, chief = pane ?? owned;
+      const key = `${part.house} ${part.storey} ${chief ?? -1} ${material.uuid}`;
       const list = heaps.get(key) ?? [];
       heaps.set(key, list);
       for (const place of places_of(node)) {
         let heap = list.at(-1);
         if (!heap || heap.indices > MOST) {
-          heap = { material, house: part.house, storey: part.storey, owner: owned ?? own, pieces: [], indices: 0 };
+          heap = { material, house: part.house, storey: part.storey, owner: chief ?? own, pieces: [], indices: 0 };
           list.push(heap);
         }
         heap.pieces.push({ geometry: node.geometry, place, part: own });

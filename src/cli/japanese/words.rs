@@ -29,6 +29,11 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
         "省くと、各テキストのフォルダーとその中の `textures` フォルダーから探します。",
     ),
     (
+        "detail",
+        "建具の細かさ: 0 壁と屋根、1 部材ごとの画像、2 開口と太い桟まで、3 すべて立体",
+        "",
+    ),
+    (
         "parameters",
         "家の変数に値を与える。何度でも指定できる。変数は `hsd params IN` で分かる",
         "",
@@ -127,11 +132,6 @@ pub(super) static COMMANDS: &[Words] = &[
                 "sheet",
                 "変種の一覧画像 (.png か .jpg) を描く。それぞれに種の番号が付く",
                 "-o を省くとモデルは書きません。",
-            ),
-            (
-                "detail",
-                "建具の細かさ: 0 壁と屋根、1 部材ごとの画像、2 開口と太い桟まで、3 すべて立体",
-                "",
             ),
             (
                 "bake",
@@ -331,6 +331,7 @@ pub(super) static COMMANDS: &[Words] = &[
 例:
   hsd view house.hsd                                   エディターの隣に家を
   hsd view street/                                     フォルダーのすべてのテキスト
+  hsd view town.hsd --detail 1                         数百軒の町を、部材を画像にして軽く
   hsd view house.hsd --editor 'code -g {file}:{line}'  部材をクリックするとその行へ",
         arguments: &[
             (

@@ -5,6 +5,7 @@ use crate::cli::input::Inputs;
 use crate::cli::options::Manner;
 use crate::diagnostic::Diagnostics;
 use crate::driver::Options;
+use crate::scene::Detail;
 use crate::source::{Source, Span, World};
 use crate::text;
 use crate::view::Desk;
@@ -16,6 +17,8 @@ use std::process::{Command, Stdio};
 /// Files, read in the manner that the command line says.
 pub(in crate::cli) struct Disk {
     pub(in crate::cli) manner: Manner,
+    /// How much of the joinery is shape.
+    pub(in crate::cli) detail: Detail,
     /// The words of the command that starts an editor.
     pub(in crate::cli) editor: Option<Vec<String>>,
     /// Whether texts may be changed.
@@ -41,7 +44,10 @@ impl Desk for Disk {
                 "the file is larger than --max-bytes allows",
             ));
         }
-        let options = self.manner.options(&read, &mut out).map_err(stopped)?;
+        let options = Options {
+            detail: self.detail,
+            ..self.manner.options(&read, &mut out).map_err(stopped)?
+        };
         let world = self.manner.world(&inputs);
         if let Some(source) = read.sources.into_iter().next() {
             work(source, &world, &options);
