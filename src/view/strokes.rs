@@ -22,6 +22,10 @@ impl Hall {
         revision: u64,
         stroke: &Stroke,
     ) -> io::Result<Result<u64, Text>> {
+        self.drawn(room, revision, stroke).or_else(in_words)
+    }
+
+    fn drawn(&self, room: &Room, revision: u64, stroke: &Stroke) -> io::Result<Result<u64, Text>> {
         if let Err(why) = self.may_write() {
             return Ok(Err(why));
         }
@@ -58,6 +62,10 @@ impl Hall {
     /// # Errors
     /// Where the text cannot be read or written.
     pub(super) fn step(&self, room: &Room, redo: bool) -> io::Result<Result<u64, Text>> {
+        self.stepped(room, redo).or_else(in_words)
+    }
+
+    fn stepped(&self, room: &Room, redo: bool) -> io::Result<Result<u64, Text>> {
         if let Err(why) = self.may_write() {
             return Ok(Err(why));
         }
@@ -82,6 +90,21 @@ impl Hall {
                 "ここからテキストを変えることはできません。--read-only なしで `hsd view` を起動してください"
             )),
         }
+    }
+}
+
+/// What keeps a file from being changed, where an author can do something about it.
+fn in_words(error: io::Error) -> io::Result<Result<u64, Text>> {
+    match error.kind() {
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Ok(Err(text!(
+            "the file, or its folder, may not be written to",
+            "ファイルかそのフォルダーに書き込めません"
+        ))),
+        io::ErrorKind::NotFound => Ok(Err(text!(
+            "the file is no longer there",
+            "ファイルがなくなっています"
+        ))),
+        _ => Err(error),
     }
 }
 

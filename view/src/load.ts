@@ -81,7 +81,7 @@ export class Loader {
     const gltf: GLTF = await this.#loader.parseAsync(bytes, folder).catch((error: Error) => {
       throw error instanceof Unpacking ? error : new Unreadable(error.message);
     });
-    return gltf.scene;
+    return gltf.scene as THREE.Group | undefined ?? new THREE.Group(); // a text without houses has no scene
   }
 
   /** Waits for all pictures. */

@@ -75,10 +75,15 @@ impl Desk for Disk {
         }
         // A link stays a link: its target is what is written.
         let path = path.canonicalize()?;
+        let permissions = fs::metadata(&path)?.permissions();
+        // A new file could take its place all the same, but that is not what its owner wants.
+        if permissions.readonly() {
+            return Err(io::ErrorKind::PermissionDenied.into());
+        }
         let folder = path.parent().unwrap_or(Path::new("."));
         let mut file = tempfile::NamedTempFile::new_in(folder)?;
         file.write_all(after)?;
-        fs::set_permissions(file.path(), fs::metadata(&path)?.permissions())?;
+        fs::set_permissions(file.path(), permissions)?;
         file.persist(&path).map_err(|e| e.error)?;
         Ok(())
     }

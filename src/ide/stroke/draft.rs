@@ -221,11 +221,14 @@ impl Draft {
     /// Makes a wall shorter at one end: plain wall goes first, the nearest to the corner before the rest.
     pub(super) fn shrink(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
         let at = end.written(self.rightwards);
-        let mut left = self.take(line, at, by);
-        // The last round of a repetition is written out, so that its parts may go.
+        let spare = [What::Plain, What::Void];
+        let all = [What::Plain, What::Void, What::Other];
+        let mut left = self.take(line, at, by, &spare);
+        // The last round of a repetition is written out, so that its parts may go rather than what stands but once.
         while left > SAME && self.unroll(line, at) {
-            left = self.take(line, at, left);
+            left = self.take(line, at, left, &all);
         }
+        left = self.take(line, at, left, &all);
         if left > SAME {
             return Err(refuse::no_room());
         }
@@ -250,10 +253,10 @@ impl Draft {
         true
     }
 
-    /// Takes so many units away at one end, plain wall first; answers what is left to take.
-    fn take(&mut self, line: usize, end: End, by: f64) -> f64 {
+    /// Takes so many units away at one end, of the first kind as long as there is some; answers what is left to take.
+    fn take(&mut self, line: usize, end: End, by: f64, kinds: &[What]) -> f64 {
         let mut left = by;
-        for what in [What::Plain, What::Void, What::Other] {
+        for &what in kinds {
             while left > SAME {
                 let pieces = &mut self.lines[line].pieces;
                 let fits = |p: &Piece| p.what == what && p.width > 0.0 && is_free(p);

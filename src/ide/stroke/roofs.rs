@@ -5,9 +5,10 @@ use super::WallAt;
 use super::xml::plain;
 use crate::ast::{RoofLine, RoofShape, StoreyKind};
 use crate::building::{House, Storey};
+use crate::diagnostic::Text;
 use crate::geometry::{SAME, SHAKU};
 use crate::ide::format::Edit;
-use crate::ide::sheet::Sheet;
+use crate::ide::sheet::{Reason, Sheet};
 use crate::source::FileId;
 use glam::DVec2;
 use std::ops::Range;
@@ -48,12 +49,13 @@ pub(super) fn follow(
     edits
 }
 
-/// The edits of roof lines whose height was the top of a storey; `top` tells the new one in shaku.
+/// The edits of roof lines whose height was the top of a storey; `top` tells the new one in shaku. A height that is computed
+/// cannot follow, and a roof that stayed behind would hang in the air.
 pub(super) fn raise(
     sheet: &Sheet<'_>,
     house: &House,
     top: &dyn Fn(usize) -> Option<f64>,
-) -> Vec<Edit> {
+) -> Result<Vec<Edit>, Text> {
     let mut edits = vec![];
     for line in &house.roofs.lines {
         let Some(height) = line.height.as_ref().filter(|h| h.span.file == FileId(0)) else {
@@ -67,11 +69,12 @@ pub(super) fn raise(
         };
         let range = sheet.a.source.text_range(height.span);
         let old = sheet.text.get(range.clone()).unwrap_or_default();
-        if old.trim().parse::<f64>().is_ok() {
-            edits.push(aligned(sheet.text, range.clone(), &like(old, new)));
+        if old.contains('{') {
+            return Err(Reason::Computed.text());
         }
+        edits.push(aligned(sheet.text, range.clone(), &like(old, new)));
     }
-    edits
+    Ok(edits)
 }
 
 /// A number with a decimal where the one before had one.

@@ -9,6 +9,7 @@ use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
 use crate::ide::sheet::Sheet;
+use glam::DVec2;
 
 /// How a ring is drawn anew.
 type Draw<'a> = &'a dyn Fn(&mut Draft, usize) -> Result<(), Text>;
@@ -26,10 +27,12 @@ pub(super) fn slide(
     if storeys == Storeys::All {
         walls.extend(aligned(house, at));
     }
-    drawn(sheet, house, &walls, &|draft, wall| draft.slide(wall, by))
+    let (mut edits, moved) = drawn(sheet, house, &walls, &|draft, wall| draft.slide(wall, by))?;
+    edits.extend(roofs::follow(sheet, house, &moved));
+    Ok(tidy(edits))
 }
 
-/// A part of a wall is pushed out or in.
+/// A part of a wall is pushed out or in. Roofs stay: a bay is roofed by itself or stands under the eaves.
 pub(super) fn break_out(
     sheet: &Sheet<'_>,
     at: WallAt,
@@ -37,11 +40,18 @@ pub(super) fn break_out(
     by: i32,
 ) -> Result<Vec<Edit>, Text> {
     check_way(by)?;
-    let (house, ..) = find::ring(sheet, at)?;
+    let (house, _, ring) = find::ring(sheet, at)?;
     let (from, to) = (f64::from(part.0), f64::from(part.1));
-    drawn(sheet, house, &[at], &|draft, wall| {
-        draft.break_out(wall, from, to, by)
-    })
+    let whole = ring.walls.get(at.wall).is_some_and(|wall| {
+        let length = wall.from.distance(wall.to);
+        from < SAME && to > length - SAME
+    });
+    if whole {
+        return slide(sheet, at, by, Storeys::One);
+    }
+    let draw = |draft: &mut Draft, wall| draft.break_out(wall, from, to, by);
+    let (edits, _) = drawn(sheet, house, &[at], &draw)?;
+    Ok(tidy(edits))
 }
 
 fn check_way(by: i32) -> Result<(), Text> {
@@ -88,13 +98,16 @@ fn aligned(house: &House, at: WallAt) -> Vec<WallAt> {
     found
 }
 
-/// The edits of some walls, each of a ring of its own.
+/// Rings with other corners.
+type Moved = Vec<(WallAt, Vec<DVec2>)>;
+
+/// The edits of some walls, each of a ring of its own, and the rings as they are then.
 fn drawn(
     sheet: &Sheet<'_>,
     house: &House,
     walls: &[WallAt],
     draw: Draw<'_>,
-) -> Result<Vec<Edit>, Text> {
+) -> Result<(Vec<Edit>, Moved), Text> {
     let mut edits = vec![];
     let mut moved = vec![];
     for at in walls {
@@ -116,6 +129,5 @@ fn drawn(
         edits.extend(change.edits()?);
         moved.push((*at, draft.corners()));
     }
-    edits.extend(roofs::follow(sheet, house, &moved));
-    Ok(tidy(edits))
+    Ok((edits, moved))
 }

@@ -50,7 +50,7 @@ pub(super) fn set_height(
         Written::Element(_) => element_heights(sheet, level, height)?,
     };
     let moved = |s: usize| (s >= storey).then(|| own.storeys[s].z1 / SHAKU + by);
-    edits.extend(roofs::raise(sheet, own, &moved));
+    edits.extend(roofs::raise(sheet, own, &moved)?);
     Ok(tidy(edits))
 }
 
@@ -209,7 +209,7 @@ pub(super) fn add(
     let new_top = storey.z1 / SHAKU + height;
     let whole = drawn.is_none();
     let moved = |s: usize| (whole && s == below).then_some(new_top);
-    edits.extend(roofs::raise(sheet, own, &moved));
+    edits.extend(roofs::raise(sheet, own, &moved)?);
     Ok(tidy(edits))
 }
 
@@ -363,7 +363,7 @@ pub(super) fn remove(sheet: &Sheet<'_>, house: usize, storey: usize) -> Result<V
         std::cmp::Ordering::Equal if is_top => Some(level.z0 / SHAKU),
         _ => None,
     };
-    edits.extend(roofs::raise(sheet, own, &moved));
+    edits.extend(roofs::raise(sheet, own, &moved)?);
     Ok(tidy(edits))
 }
 

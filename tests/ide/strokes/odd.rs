@@ -58,7 +58,7 @@ fn bytes_stay_as_they_were() {
                 "# 側",
                 "# 屋根",
                 "name 家",
-                "K X * KIR 0 -1 5 6 P4.0",
+                "K X * KIR 0 -1 5 5 P4.0",
             ] {
                 assert!(
                     made.contains(&[line, end].concat()),

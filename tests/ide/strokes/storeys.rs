@@ -48,7 +48,7 @@ fn storeys_come_and_go() {
         }
     }
     println!("{added} storeys added; refused:\n{}", refused.join("\n"));
-    assert!(added > 15, "{added}");
+    assert!(added > 12, "{added}");
 }
 
 #[test]

@@ -6,47 +6,67 @@ import { path, to_plan } from '../plan/frame.ts';
 import type { PlanView } from '../plan/view.ts';
 import { type Answer, type House, type Point, redo, stroke, undo } from '../server.ts';
 import { words } from '../words.ts';
-import type { Stroke } from './strokes.ts';
+import { same_place, type Stroke } from './strokes.ts';
+
+/** How long a stroke waits until the page shows the one before, milliseconds. */
+const PATIENCE = 10_000;
 
 export class Desk {
   /** What was refused and why; what a stroke would come to. */
   readonly said = h('p', { class: 'said', role: 'status' });
   readonly #app: App;
   readonly #plan: PlanView;
-  #busy = false;
+  /** Ends when all strokes so far are drawn and shown. */
+  #turn: Promise<unknown> = Promise.resolve();
 
   constructor(app: App, plan: PlanView) {
     this.#app = app;
     this.#plan = plan;
   }
 
-  /** Draws a stroke into the text; the ghost stays until the answer. */
-  async send(what: Stroke): Promise<boolean> {
-    const { file, revision } = this.#app;
-    if (file === null) return false;
-    return this.#ask(() => stroke(file, revision, what), words.drawn);
+  /** Draws a stroke into the text, after those before; the ghost stays until the answer. */
+  send(what: Stroke): Promise<boolean> {
+    const meant = this.#plan.state;
+    return this.#ask(file => {
+      const { state, revision } = this.#app;
+      // It was meant for the plan that was seen; what was drawn before it may have moved its place.
+      if (!meant || !state || !same_place(what, meant, state)) return Promise.resolve({ refused: words.changed_meanwhile });
+      return stroke(file, revision, what);
+    }, words.drawn);
   }
 
-  undo() { return this.#ask(() => undo(this.#app.file!), words.undone); }
-  redo() { return this.#ask(() => redo(this.#app.file!), words.redone); }
+  undo() { return this.#ask(undo, words.undone); }
+  redo() { return this.#ask(redo, words.redone); }
 
-  async #ask(send: () => Promise<Answer>, done: string): Promise<boolean> {
-    if (this.#busy || this.#app.file === null) return false;
-    this.#busy = true;
+  #ask(send: (file: string) => Promise<Answer>, done: string): Promise<boolean> {
+    const { file } = this.#app;
+    const asked = this.#turn.then(() => file !== null && file === this.#app.file && this.#asked(() => send(file), done));
+    this.#turn = asked;
+    return asked;
+  }
+
+  async #asked(send: () => Promise<Answer>, done: string): Promise<boolean> {
     try {
       const { refused, revision } = await send();
       if (refused !== undefined) this.refuse(refused);
       else {
         this.say(done);
-        void this.#app.reload(revision);
+        await this.#shown(revision!);
       }
       return refused === undefined;
     } catch (error) {
       this.refuse((error as Error).message);
       return false;
     } finally {
-      this.#busy = false;
       this.clear();
+    }
+  }
+
+  /** Waits until the page shows a revision. */
+  async #shown(revision: number) {
+    await this.#app.reload(revision);
+    for (const end = performance.now() + PATIENCE; this.#app.revision < revision && performance.now() < end;) {
+      await new Promise(done => setTimeout(done, 10)); // it was heard of before, and is on its way
     }
   }
 

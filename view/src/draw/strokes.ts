@@ -1,7 +1,7 @@
 // Strokes in numbers, without any drawing: how far a wall was dragged, which stretch of it, what a rectangle comes to.
 // Places are those of the house, in U; src/ide/stroke.rs says what strokes are.
 
-import type { House, Point, Wall } from '../server.ts';
+import type { House, Point, State, Wall } from '../server.ts';
 import type { UnitAt, WallAt } from '../plan/picture.ts';
 
 export type Stroke =
@@ -11,6 +11,7 @@ export type Stroke =
   | { do: 'draw-house'; outline: Point[]; house?: number }
   | { do: 'add-storey'; house: number; height?: number }
   | { do: 'remove-storey'; house: number; storey: number }
+  | { do: 'remove-house'; house: number }
   | { do: 'set-height'; house: number; storey: number; height: number };
 
 /** A stretch of a wall: units from its `from` end. */
@@ -64,6 +65,20 @@ export function rectangle(from: Point, to: Point): Point[] | null {
   const [a1, b1] = [Math.round(Math.max(from[0], to[0])), Math.round(Math.max(from[1], to[1]))];
   if (a1 - a0 < 1 || b1 - b0 < 1) return null;
   return [[a0, b0], [a1, b0], [a1, b1], [a0, b1]].map(([a, b]) => [a! + 0, b! + 0]); // no -0
+}
+
+/** Whether a stroke means the same place in the plans of two states. */
+export function same_place(stroke: Stroke, meant: State, now: State): boolean {
+  if (meant === now) return true;
+  const [before, after] = [meant, now].map(({ plan }) => {
+    const house = 'house' in stroke && stroke.house !== undefined ? plan.houses[stroke.house] : undefined;
+    const storey = 'storey' in stroke ? house?.storeys[stroke.storey] : undefined;
+    const wall = 'wall' in stroke ? storey?.rings[stroke.ring]?.walls[stroke.wall] : undefined;
+    const unit = 'unit' in stroke ? wall?.units[stroke.unit] : undefined;
+    const ends = (of?: Pick<Wall, 'from' | 'to'>) => of && [...of.from, ...of.to];
+    return JSON.stringify([house?.name, storey?.storey, ends(wall), unit?.code, ends(unit)]);
+  });
+  return before === after;
 }
 
 /** Which way an arrow key points in the house: as [a, b], rounded to an axis. `to_house` turns places of the plan. */

@@ -31,6 +31,8 @@ export class DrawTool {
   #houses = field(words.plan_house, this.#house);
   #height = h('input', { type: 'number', min: 1, max: 100, step: 0.1, onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') this.#set_height(); } });
   #all = tick(words.all_storeys, false, on => { this.#walls.all = on; });
+  /** What draws now: a mouse, a pen or a finger. */
+  #finger: number | null = null;
   #bar: HTMLElement;
 
   constructor(app: App, plan: PlanView) {
@@ -46,18 +48,25 @@ export class DrawTool {
     this.#bar = h('div', { class: 'draw', hidden: true },
       h('fieldset', { class: 'tools' }, h('legend', { class: 'hidden' }, words.tool), ...TOOLS.map(tool => h('label', { class: 'tick' },
         h('input', { type: 'radio', name, value: tool, checked: tool === this.tool, onchange: () => this.choose(tool) }), words[`tool_${tool}`]))),
+      h('div', { class: 'buttons' },
+        button(words.undo, () => void this.desk.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
+        button(words.redo, () => void this.desk.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
       this.#all, this.#how, this.#palette.element, this.#houses,
       h('div', { class: 'buttons' },
         button(words.add_storey, () => void this.#add(), { 'data-do': 'add-storey' }),
         button(words.remove_storey, () => void this.#remove(), { 'data-do': 'remove-storey' }),
-        field(words.height, this.#height, button(words.set_height, () => this.#set_height(), { 'data-do': 'set-height' })),
-        button(words.undo, () => void this.desk.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
-        button(words.redo, () => void this.desk.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
+        button(words.remove_house, () => void this.desk.send({ do: 'remove-house', house: this.#at() }), { 'data-do': 'remove-house' }),
+        field(words.height, this.#height, button(words.set_height, () => this.#set_height(), { 'data-do': 'set-height' }))),
       this.desk.said);
     plan.element.querySelector('.bar')!.append(this.#switch);
     plan.tools.append(this.#bar);
     plan.on_unit = shape => this.on && this.tool === 'part' && this.#units.choose(shape);
-    plan.on_drawn = () => { this.#fill(); this.#enable(); };
+    plan.on_drawn = () => {
+      this.desk.clear(); // what lay on a plan that is no longer there
+      this.#fill();
+      this.#enable();
+    };
+    plan.held = () => this.#finger !== null;
     plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && !target.closest('.run');
     app.on('files', () => {
       this.#switch.disabled = !app.hello.writes;
@@ -92,19 +101,46 @@ export class DrawTool {
     this.#enable();
   }
 
+  /** Ends a drag without a stroke. */
+  #let_go() {
+    this.#finger = null;
+    this.#walls.release();
+    this.#outline.release();
+    this.desk.say('');
+    this.#plan.update();
+  }
+
   #enable() {
     this.#walls.enable(this.on && (this.tool === 'wall' || this.tool === 'break'));
     this.#units.enable(this.on && this.tool === 'part');
   }
 
   #attend() {
-    const { svg } = this.#plan.sheet;
+    const plan = this.#plan, { svg } = plan.sheet;
     const held = () => this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
     svg.addEventListener('pointerdown', event => {
-      if (this.on && event.button === 0 && held()?.down(event)) event.preventDefault();
+      if (!this.on || event.button !== 0) return;
+      // A second finger means to zoom.
+      if (this.#finger !== null) { this.#let_go(); return; }
+      if (!held()?.down(event)) return;
+      this.#finger = event.pointerId;
+      event.preventDefault();
     });
-    window.addEventListener('pointermove', event => { if (this.on) held()?.move(event); });
-    window.addEventListener('pointerup', () => { if (this.on) void held()?.up(); });
+    const own = ({ pointerId }: PointerEvent) => this.on && pointerId === this.#finger;
+    window.addEventListener('pointermove', event => { if (own(event)) held()?.move(event); });
+    window.addEventListener('pointerup', event => {
+      if (!own(event)) return;
+      this.#finger = null;
+      void held()?.up();
+      plan.update();
+    });
+    window.addEventListener('pointercancel', event => { if (own(event)) this.#let_go(); });
+    window.addEventListener('keydown', event => {
+      if (event.key !== 'Escape' || this.#finger === null) return;
+      this.#let_go();
+      event.preventDefault();
+      event.stopPropagation();
+    }, { capture: true });
     // Before the sheet moves by the same keys.
     svg.addEventListener('keydown', event => {
       if (!this.on || event.ctrlKey || event.metaKey) return;
@@ -150,7 +186,8 @@ export class DrawTool {
   }
 
   #set_height() {
-    const height = this.#height.valueAsNumber;
-    if (height > 0) void this.desk.send({ do: 'set-height', house: this.#at(), storey: this.#storey(), height });
+    const height = this.#height.valueAsNumber, { min, max } = this.#height;
+    if (!(height >= Number(min) && height <= Number(max))) this.desk.refuse(words.height_bounds(min, max));
+    else void this.desk.send({ do: 'set-height', house: this.#at(), storey: this.#storey(), height });
   }
 }

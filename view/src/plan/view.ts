@@ -21,6 +21,10 @@ export class PlanView {
   on_unit: (shape: SVGGElement) => boolean = () => false;
   /** The plan was drawn anew. */
   on_drawn: () => void = () => {};
+  /** Whether somebody draws on it just now, so that it stays as it is. */
+  held: () => boolean = () => false;
+  /** What it was drawn from. */
+  state: State | null = null;
   #app: App;
   #file: string | null = null;
   #chooser = h('select', { onchange: () => this.choose(Number(this.#chooser.value)) });
@@ -93,8 +97,9 @@ export class PlanView {
   /** Draws anew what has changed, if the plan is shown. */
   update() {
     const { state } = this.#app;
-    if (this.element.hidden || !this.#stale || !state) return;
+    if (this.element.hidden || !this.#stale || !state || this.held()) return;
     this.#stale = false;
+    this.state = state;
     this.#matched = null;
     const storeys = storeys_of(state);
     if (this.#wanted !== null && storeys.includes(this.#wanted)) [this.storey, this.#wanted] = [this.#wanted, null];

@@ -200,6 +200,96 @@ test('a new house is drawn, by pointer and by keys', async () => {
   await page.keyboard.press('Enter');
   await becomes(t => t !== one, 'another house is added');
   assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 3);
+  const two = text();
+  await page.locator('.draw select').selectOption('1');
+  await does(page, 'remove-house').click();
+  await becomes(t => t !== two, 'one is removed');
+  assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 2);
+});
+
+test('Escape lets go of what is dragged, and so does a second finger', async () => {
+  await tool('wall');
+  await drag([2.5, 4], [2.5, 6]);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.locator('.ghost').count(), 0);
+  await page.mouse.up();
+  await tool('outline');
+  await drag([8, 1], [11, 4]);
+  await page.keyboard.press('Escape');
+  await page.mouse.up();
+  await tool('wall');
+  await drag([2.5, 4], [2.5, 6]);
+  const { x, y } = await at(3.5, 4);
+  await page.evaluate(([x, y]) => document.elementFromPoint(x!, y!)!.dispatchEvent(
+    new PointerEvent('pointerdown', { bubbles: true, pointerId: 77, pointerType: 'touch', clientX: x!, clientY: y! })), [x, y]);
+  await page.mouse.up();
+  assert.equal(await page.locator('.ghost').count(), 0);
+  await page.waitForTimeout(200);
+  assert.equal(text(), HOUSE);
+});
+
+test('quick strokes are all made, in their order', async () => {
+  await page.locator('.palette button[data-code="KTU  "]').click();
+  const units = page.locator('.unit[data-code=KSK] .hit'), count = await units.count();
+  await page.evaluate(() => {
+    for (const unit of document.querySelectorAll('.unit[data-code=KSK] .hit')) unit.dispatchEvent(new MouseEvent('click', { bubbles: true }));
+  });
+  await becomes(t => !t.includes('KSK'), `${count} units are set`);
+  for (let i = 0; i < count; i++) await page.keyboard.press('Control+z');
+  await becomes(t => t === HOUSE, 'all are taken back');
+});
+
+test('what is written while a wall is dragged is kept, and the stroke made where its place is still there', async () => {
+  await tool('wall');
+  await drag([2.5, 4], [2.5, 6.2]);
+  await preview.save(page, 'plain.hsd', `# Written meanwhile.\n${HOUSE}`);
+  assert.equal(await page.locator('.ghost').count(), 1, 'it is still held');
+  await page.mouse.up();
+  await becomes(t => t.startsWith('# Written meanwhile.') && t.length > HOUSE.length + 25, 'both are there');
+  assert.deepEqual(await corners(), [[0, 0], [6, 0], [6, 6], [0, 6]]);
+  await preview.save(page, 'plain.hsd', HOUSE);
+  await drawn();
+  await drag([2.5, 4], [2.5, 6.2]);
+  const deeper = HOUSE.replaceAll('KTU  KTU  MRE  KTU', 'KTU  KTU  MRE  KTU  KTU').replace('\nKTU  KTU  KTU  KTU\n', '\nKTU  KTU  KTU  KTU  KTU\n');
+  await preview.save(page, 'plain.hsd', deeper);
+  await page.mouse.up();
+  await until(async () => (await said() ?? '').includes('changed meanwhile'), 'it is refused');
+  assert.equal(text(), deeper);
+  assert.equal(await page.locator('.ghost').count(), 0);
+});
+
+test('heights are numbers within bounds', async () => {
+  const height = page.getByLabel('Height (shaku)');
+  for (const wrong of ['-3', '', '500', '0.2']) {
+    await height.fill(wrong);
+    await does(page, 'set-height').click();
+    assert.match(await said() ?? '', /Not drawn: a height is a number from 1 to 100/);
+  }
+  assert.equal(text(), HOUSE);
+});
+
+test('a first house is drawn where a text has none, and stays', async () => {
+  preview.write('empty.hsd', '');
+  preview.write('remark.hsd', '# 私の家\n');
+  for (const file of ['empty.hsd', 'remark.hsd']) {
+    await page.locator('.files button').filter({ hasText: file.split('.')[0]! }).click();
+    await until(() => page.evaluate(file => hsd.app.state?.file === file && hsd.reload !== null, file), 'it is shown');
+    const said = await page.evaluate(() => hsd.app.state!.diagnostics.map(d => d.code));
+    await until(async () => await page.locator('.messages .message').count() === said.length, 'messages are shown');
+    await page.waitForTimeout(150);
+    await tool('outline');
+    const { x, y, width, height } = (await page.locator('.sheet').boundingBox())!;
+    await page.mouse.move(x + width * 0.35, y + height * 0.35);
+    await page.mouse.down();
+    await page.mouse.move(x + width * 0.65, y + height * 0.65, { steps: 4 });
+    await page.mouse.up();
+    await until(() => page.evaluate(() => hsd.app.state!.plan.houses.length === 1 && hsd.app.model!.triangles > 0), 'the house stands');
+    await does(page, 'remove-house').click();
+    await until(async () => (await page.locator('.said').textContent() ?? '').includes('the only house'), 'it is refused');
+    assert.equal(await page.evaluate(() => hsd.app.state!.diagnostics.length), 0, preview.read(file));
+  }
+  await page.locator('.files button').filter({ hasText: 'plain' }).click();
+  await until(() => page.evaluate(() => hsd.app.state?.file === 'plain.hsd'), 'the other is back');
 });
 
 test('where texts may not be changed, nothing is drawn', async () => {
