@@ -96,38 +96,30 @@ impl<'a> Model<'a> {
         let shown = Shown::new(scene, &scene.nodes);
         let (root, looks) = Model::looks(scene, &shown, images);
         let geometry = Geometry::new(scene, shown, &looks);
-        Model::placed(scene, 0..scene.nodes.len(), root, geometry, looks)
+        let tree = |geometry: &Geometry<'_>, root: &mut Root| Tree::new(scene, geometry, root);
+        Model::placed(root, looks, geometry, tree)
     }
 
-    /// Some houses of a scene, each by its nodes, as models of their own. All name the pictures in the folder of the
-    /// whole, and as the whole does.
-    fn houses(
-        scene: &'a Scene,
-        images: &'a dyn Images,
-        stem: &str,
-        houses: impl Iterator<Item = Range<usize>>,
-    ) -> Vec<Model<'a>> {
+    /// Some houses of a scene, each by its nodes, with the materials of all of them.
+    fn houses(scene: &'a Scene, images: &'a dyn Images, houses: &[Range<usize>]) -> Model<'a> {
         let shown = Shown::new(scene, &scene.nodes);
-        let (mut root, looks) = Model::looks(scene, &shown, images);
-        looks.files(&mut root, stem);
-        let house = |nodes: Range<usize>| {
-            let shown = Shown::new(scene, &scene.nodes[nodes.clone()]);
-            let geometry = Geometry::new(scene, shown, &looks);
-            Model::placed(scene, nodes, root.clone(), geometry, Looks::default())
-        };
-        houses.map(house).collect()
+        let (root, looks) = Model::looks(scene, &shown, images);
+        let nodes = houses.iter().flat_map(|h| &scene.nodes[h.clone()]);
+        let geometry = Geometry::new(scene, Shown::new(scene, nodes), &looks);
+        let tree =
+            |geometry: &Geometry<'_>, root: &mut Root| Tree::some(scene, houses, geometry, root);
+        Model::placed(root, looks, geometry, tree)
     }
 
-    /// With the shapes of some nodes in their places.
+    /// With the shapes in their places.
     fn placed(
-        scene: &'a Scene,
-        nodes: Range<usize>,
         mut root: Root,
-        mut geometry: Geometry<'a>,
         looks: Looks<'a>,
+        mut geometry: Geometry<'a>,
+        tree: impl FnOnce(&Geometry<'_>, &mut Root) -> Tree<'a>,
     ) -> Model<'a> {
         geometry.add_views(&mut root);
-        let tree = Tree::new(scene, nodes, &geometry, &mut root);
+        let tree = tree(&geometry, &mut root);
         Model {
             length: geometry.length(),
             root,

@@ -69,12 +69,15 @@ pub(super) struct Hall {
     revision: AtomicU64,
 }
 
+/// Pictures beside a model, by their names in it.
+type Pictures = Arc<BTreeMap<String, Vec<u8>>>;
+
 /// A file that was asked for.
 pub(super) struct Room {
     pub(super) file: Arc<str>,
     made: Mutex<Option<Arc<Made>>>,
-    /// What it was before: a page may still be fetching pictures of it.
-    before: Mutex<Option<Arc<Made>>>,
+    /// Its pictures of the revision before: a page may still be fetching them.
+    before: Mutex<Option<(u64, Pictures)>>,
     /// Whether something has changed since.
     stale: AtomicBool,
     /// Held while it is built, so that nobody builds it twice and whoever looks at what there is need not wait.
@@ -211,18 +214,23 @@ impl Hall {
             return Ok((old.clone(), false));
         }
         let new = Arc::new(new);
-        *lock(&room.before) = made.replace(new.clone());
+        let old = made.replace(new.clone());
+        *lock(&room.before) = old.map(|old| (old.revision, old.pictures.clone()));
         Ok((new, true))
     }
 
     /// A picture beside the model of a revision.
     pub(super) fn picture(&self, revision: u64, name: &str) -> Option<Vec<u8>> {
         let rooms: Vec<Arc<Room>> = lock(&self.rooms).values().cloned().collect();
-        let mades = rooms
-            .iter()
-            .flat_map(|room| [room.last(), lock(&room.before).clone()]);
-        let made = mades.flatten().find(|made| made.revision == revision)?;
-        let mut pictures = made.pictures.iter();
+        let both = |room: &Arc<Room>| {
+            let now = room
+                .last()
+                .map(|made| (made.revision, made.pictures.clone()));
+            [now, lock(&room.before).clone()]
+        };
+        let mut known = rooms.iter().flat_map(both).flatten();
+        let (_, pictures) = known.find(|(own, _)| *own == revision)?;
+        let mut pictures = pictures.iter();
         let found = pictures.find(|(own, _)| *own == name || beside::asked(own) == name);
         found.map(|(_, bytes)| bytes.clone())
     }

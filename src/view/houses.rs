@@ -66,27 +66,29 @@ impl Houses {
         &self.places
     }
 
-    /// Where all parts are written, and the houses that are not among those which somebody has; `None` where that is most
-    /// of them, and the whole is read sooner.
+    /// Where all parts are written, and the houses that are not among those which somebody has; `None` where that is all of
+    /// them.
     ///
-    /// Numbers are u32, little-endian: how many nodes there are; for each, in the order of the whole, the number of its
-    /// source, and its first byte there and the one behind its last (`u32::MAX`, 0, 0 = it is not written); then for each
-    /// house its number, the length of its `.glb`, and that.
+    /// Numbers are u32, little-endian: how many nodes the whole has; for each, in its order, the number of its source, and
+    /// its first byte there and the one behind its last (`u32::MAX`, 0, 0 = it is not written); how many houses follow, and
+    /// the number of each; then a `.glb` of them, if there are any.
     pub(super) fn others(&self, had: &[String]) -> Option<Vec<u8>> {
         let had: HashSet<&str> = had.iter().map(|key| &**key).collect();
-        let all = self.houses.iter().enumerate();
-        let lacks: Vec<_> = all.filter(|(_, h)| !had.contains(&*h.key)).collect();
-        if lacks.len() * 2 > self.houses.len() {
+        let lacks = |number: &usize| !had.contains(&*self.houses[*number].key);
+        let lacks: Vec<usize> = (0..self.houses.len()).filter(lacks).collect();
+        if lacks.len() == self.houses.len() {
             return None;
         }
-        let nodes = lacks.iter().map(|(_, house)| house.nodes.clone());
-        let models = Glb::houses(&self.scene, &self.library, STEM, nodes);
         let mut out = self.places.clone();
-        for ((number, _), glb) in lacks.iter().zip(models) {
-            let bytes = glb.bytes();
+        for number in [lacks.len()].iter().chain(&lacks) {
             out.extend((*number as u32).to_le_bytes());
-            out.extend((bytes.len() as u32).to_le_bytes());
-            out.extend(bytes);
+        }
+        if !lacks.is_empty() {
+            let nodes = lacks
+                .iter()
+                .map(|number| self.houses[*number].nodes.clone());
+            let nodes: Vec<_> = nodes.collect();
+            out.extend(Glb::houses(&self.scene, &self.library, STEM, &nodes).bytes());
         }
         Some(out)
     }

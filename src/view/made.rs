@@ -18,6 +18,7 @@ use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::io;
 use std::path::Path;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// The name of the model; its pictures lie in a folder named after it.
@@ -29,9 +30,9 @@ pub(super) struct Made {
     pub(super) revision: u64,
     /// What the page is told, as JSON.
     pub(super) state: Vec<u8>,
-    model: Shape,
+    model: Content,
     /// The files beside it by their names in it.
-    pub(super) pictures: BTreeMap<String, Vec<u8>>,
+    pub(super) pictures: Arc<BTreeMap<String, Vec<u8>>>,
     /// The text and those that were read for it.
     pub(super) sources: Vec<Source>,
     /// The parts that its houses may be made of.
@@ -42,8 +43,8 @@ pub(super) struct Made {
     print: u64,
 }
 
-/// A model.
-enum Shape {
+/// What a model is.
+enum Content {
     /// What a text makes.
     Houses(Houses),
     /// What was made before: the bytes of a `.glb`.
@@ -119,8 +120,8 @@ impl Made {
         Ok(Made {
             revision,
             state: serde_json::to_vec(&state)?,
-            model: Shape::Houses(houses),
-            pictures,
+            model: Content::Houses(houses),
+            pictures: pictures.into(),
             sources,
             catalog: read.checked.catalog,
             lacks: false,
@@ -163,8 +164,8 @@ impl Made {
                 keys.hash(p);
                 diagnostics.get().hash(p);
             }),
-            model: Shape::File(model.bytes),
-            pictures: model.pictures,
+            model: Content::File(model.bytes),
+            pictures: model.pictures.into(),
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
             lacks: !model.said.is_empty(),
@@ -174,16 +175,16 @@ impl Made {
     /// The whole model, `.glb`.
     pub(super) fn whole(&self) -> Vec<u8> {
         match &self.model {
-            Shape::Houses(houses) => houses.whole(),
-            Shape::File(bytes) => bytes.clone(),
+            Content::Houses(houses) => houses.whole(),
+            Content::File(bytes) => bytes.clone(),
         }
     }
 
     /// What somebody lacks who has these houses of a model, as [`Houses::others`]; `None` = the whole.
     pub(super) fn others(&self, had: &[String]) -> Option<Vec<u8>> {
         match &self.model {
-            Shape::Houses(houses) => houses.others(had),
-            Shape::File(_) => None,
+            Content::Houses(houses) => houses.others(had),
+            Content::File(_) => None,
         }
     }
 
@@ -201,17 +202,17 @@ fn keys(pictures: &BTreeMap<String, Vec<u8>>) -> BTreeMap<String, String> {
 }
 
 type Times = Vec<(&'static str, Duration)>;
-type Files = (Houses, BTreeMap<String, Vec<u8>>);
+type Built = (Houses, BTreeMap<String, Vec<u8>>);
 
-/// Runs the chain; the model and the files beside it by their names.
-fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Files, Times) {
+/// Runs the chain; the houses and the pictures beside them by their names.
+fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Built, Times) {
     let mut times = vec![];
     let read = driver::timed(&mut times, "read", || Analysis::new(source, world, options));
     let building = &read.checked.building;
     let scene = driver::timed(&mut times, "shape", || {
         driver::scene(building, &read.checked.catalog, options.detail)
     });
-    let files = driver::timed(&mut times, "compare", || {
+    let built = driver::timed(&mut times, "pictures", || {
         // What is wrong with pictures was said by the reading.
         let (mut said, limits) = (Diagnostics::new(), &options.expand.limits);
         let paths = &scene.pictures;
@@ -219,7 +220,7 @@ fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Fil
         library.bake(&scene.baked);
         Houses::new(scene, library)
     });
-    (read, files, times)
+    (read, built, times)
 }
 
 /// What is said of a text, as `hsd check --format json` writes it.

@@ -46,8 +46,8 @@ fn known(shown: &Shown) -> Known {
 /// What somebody is handed who had these houses.
 enum Handed {
     Whole,
-    /// Where everything is written, and the numbers and documents of the houses.
-    Others(Vec<[u32; 3]>, Vec<(u32, Value)>),
+    /// Where everything is written, and the numbers of the houses and the document of them.
+    Others(Vec<[u32; 3]>, Vec<u32>, Value),
 }
 
 fn handed(shown: &Shown, now: &Known, had: &[String]) -> Handed {
@@ -66,13 +66,15 @@ fn handed(shown: &Shown, now: &Known, had: &[String]) -> Handed {
     let count = number(0) as usize;
     let place = |n: usize| [0, 4, 8].map(|offset| number(4 + 12 * n + offset));
     let places = (0..count).map(place).collect();
-    let (mut at, mut houses) = (4 + 12 * count, vec![]);
-    while at < body.len() {
-        let end = at + 8 + number(at + 4) as usize;
-        houses.push((number(at), document(&body[at + 8..end])));
-        at = end;
-    }
-    Handed::Others(places, houses)
+    let lacks = 4 + 12 * count;
+    let end = lacks + 4 + 4 * number(lacks) as usize;
+    let houses: Vec<u32> = (lacks + 4..end).step_by(4).map(number).collect();
+    let document = match houses.is_empty() {
+        true => Value::Null,
+        false => document(&body[end..]),
+    };
+    assert_eq!(houses.is_empty(), end == body.len());
+    Handed::Others(places, houses, document)
 }
 
 fn document(glb: &[u8]) -> Value {
@@ -96,9 +98,9 @@ fn places_in(document: &Value) -> Vec<[u32; 3]> {
     nodes.map(place).collect()
 }
 
-fn others(handed: Handed) -> (Vec<[u32; 3]>, Vec<(u32, Value)>) {
+fn others(handed: Handed) -> (Vec<[u32; 3]>, Vec<u32>, Value) {
     match handed {
-        Handed::Others(places, houses) => (places, houses),
+        Handed::Others(places, houses, document) => (places, houses, document),
         Handed::Whole => panic!("the whole model is handed out"),
     }
 }
@@ -120,17 +122,14 @@ fn only_the_house_that_has_changed_is_handed_out() {
     let now = known(&shown);
     let same: Vec<bool> = (0..4).map(|i| now.keys[i] == before.keys[i]).collect();
     assert_eq!(same, [true, true, false, true]);
-    let (places, houses) = others(handed(&shown, &now, &before.keys));
+    let (places, houses, house) = others(handed(&shown, &now, &before.keys));
     let whole = shown.web.get(&format!(
         "/api/model/{}/house.glb?file=a.hsd",
         now.state["revision"]
     ));
     let whole = document(&whole.body);
     assert_eq!(places, places_in(&whole));
-    let [(number, house)] = &houses[..] else {
-        panic!("{} houses are handed out", houses.len());
-    };
-    assert_eq!(*number, 2);
+    assert_eq!(houses, [2]);
     let names = |document: &Value, list: &str| -> Vec<Value> {
         let all = document[list].as_array().expect("are there").iter();
         all.map(|one| one["name"].clone()).collect()
@@ -138,12 +137,12 @@ fn only_the_house_that_has_changed_is_handed_out() {
     // Its nodes are those of the whole, under the same names of pictures and materials.
     let roots = whole["scenes"][0]["nodes"].as_array().expect("are there");
     let first = roots[2].as_u64().expect("is a number") as usize;
-    let nodes = names(house, "nodes");
+    let nodes = names(&house, "nodes");
     assert_eq!(nodes, names(&whole, "nodes")[first..first + nodes.len()]);
     assert_eq!(house["images"], whole["images"]);
-    assert_eq!(names(house, "materials"), names(&whole, "materials"));
+    assert_eq!(names(&house, "materials"), names(&whole, "materials"));
     let bytes = |document: &Value| document["buffers"][0]["byteLength"].as_u64();
-    assert!(bytes(house) <= bytes(&whole));
+    assert!(bytes(&house) <= bytes(&whole));
 }
 
 #[test]
@@ -151,7 +150,7 @@ fn what_only_moves_in_the_text_is_not_read_again() {
     let text = street(&[WALLS[0]; 3]);
     let shown = show(&[("a.hsd", &text)], None, Files::default());
     let before = known(&shown);
-    let (places, none) = others(handed(&shown, &before, &before.keys));
+    let (places, none, _) = others(handed(&shown, &before, &before.keys));
     assert!(none.is_empty());
     let ear = shown.web.listen("a.hsd");
     ear.hear();
@@ -160,7 +159,7 @@ fn what_only_moves_in_the_text_is_not_read_again() {
     ear.hear();
     let now = known(&shown);
     assert_eq!(now.keys, before.keys);
-    let (moved, none) = others(handed(&shown, &now, &before.keys));
+    let (moved, none, _) = others(handed(&shown, &now, &before.keys));
     assert!(none.is_empty());
     let by = comment.len() as u32;
     let shifted: Vec<[u32; 3]> = places
@@ -174,18 +173,22 @@ fn what_only_moves_in_the_text_is_not_read_again() {
 }
 
 #[test]
-fn who_has_less_than_half_is_handed_the_whole() {
-    let shown = show(
-        &[("a.hsd", &street(&[WALLS[0]; 4]))],
-        None,
-        Files::default(),
-    );
+fn who_has_none_of_the_houses_is_handed_the_whole() {
+    let fronts = [WALLS[0], "MRE  TKD 2KSK", WALLS[0], "KKS  KKS  KKS"];
+    let shown = show(&[("a.hsd", &street(&fronts))], None, Files::default());
     let now = known(&shown);
-    for had in [vec![], vec!["other".to_owned()], now.keys[..1].to_vec()] {
+    for had in [vec![], vec!["other".to_owned()]] {
         assert!(matches!(handed(&shown, &now, &had), Handed::Whole));
     }
-    let (_, two) = others(handed(&shown, &now, &now.keys[1..3]));
-    assert_eq!(two.iter().map(|(n, _)| *n).collect::<Vec<_>>(), [0, 3]);
+    let (places, two, document) = others(handed(&shown, &now, &now.keys[1..3]));
+    assert_eq!(two, [0, 3]);
+    // Both in one model, each with its own nodes, and what they share once.
+    let roots = document["scenes"][0]["nodes"].as_array();
+    assert_eq!(roots.map(Vec::len), Some(2));
+    let written: Vec<[u32; 3]> = places_in(&document);
+    assert!(written.len() < places.len());
+    assert_eq!(places[..3], written[..3]);
+    assert_eq!(places[places.len() - 3..], written[written.len() - 3..]);
     let asks = json!({ "file": "a.hsd", "revision": 0, "had": [] });
     assert_eq!(shown.web.post("/api/houses", &asks).status, 410);
 }

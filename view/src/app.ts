@@ -123,7 +123,7 @@ export class App {
   get revision(): number { return this.state?.revision ?? 0; }
 
   /** Reads the state of the file and its model; `revision` = the one that was heard of. */
-  async reload(revision?: number) {
+  async reload(revision?: number): Promise<void> {
     const { file, model: before } = this, heard = performance.now();
     if (file === null || revision !== undefined && revision === this.state?.revision) return;
     const turn = ++this.#turn;
@@ -135,11 +135,14 @@ export class App {
       const answer = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
       const fetched = performance.now() - heard;
       if (turn !== this.#turn || file !== this.file) return;
-      const load = answer && this.loader.load(answer, file, now);
-      const model = await load?.catch((error: Error) => {
+      let model: Model | null = null;
+      try {
+        model = answer && await this.loader.load(answer, file, now);
+        if (!model && turn === this.#turn && file === this.file) return await this.reload(); // there is a newer one
+      } catch (error) {
         if (!(error instanceof Unreadable)) throw error;
         now.diagnostics.push(unreadable(file, error));
-      }) ?? null;
+      }
       if (turn !== this.#turn || file !== this.file) return;
       this.#take(now, model, { revision: now.revision, fetched, parsed: performance.now() - heard, painted: 0 }, heard);
     } catch (error) {
@@ -148,7 +151,7 @@ export class App {
   }
 
   #take(now: State, model: Model | null, times: Reload, heard: number) {
-    const first = this.model === null, before = this.places;
+    const first = !this.model?.chunks.length, before = this.places;
     const trace = this.model && this.selection !== null ? trace_of(this.model, this.selection) : null;
     now.plan ??= { reasons: {}, houses: [] }; // a model has none
     this.state = now;
@@ -179,7 +182,7 @@ export class App {
       if (first) setTimeout(() => { this.stage.frame(); this.stage.settle(); }, 100); // to know how quick the machine is
       const count = (severity: string) => now.diagnostics.filter(d => d.severity === severity).length;
       const messages = now.diagnostics.length ? ` ${words.messages(count('error'), count('warning'))}` : '';
-      this.announce((keep ? words.kept : this.model ? words.reloaded(now.revision) : words.nothing_stands) + messages);
+      this.announce((keep ? words.kept : this.model?.chunks.length ? words.reloaded(now.revision) : words.nothing_stands) + messages);
     });
   }
 

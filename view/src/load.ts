@@ -4,12 +4,15 @@
 import * as THREE from 'three';
 import { GLTFLoader, type GLTF, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { renewed } from './houses.ts';
-import { kept_middle, type Model, model_of } from './model.ts';
+import { kept_middle, type Model, model_of, stands_round } from './model.ts';
 import { model_url, others, type State, WHOLE } from './server.ts';
 import { words } from './words.ts';
 
 /** Extensions that the loader leaves to others. */
 const PACKED = new Set(['EXT_meshopt_compression', 'KHR_meshopt_compression', 'KHR_texture_basisu']);
+
+/** The status of an answer where there is a newer revision. */
+const GONE = 410;
 
 /** How each binary glTF begins: `glTF`. */
 const MAGIC = 0x676c5446;
@@ -33,44 +36,66 @@ export interface Fetched {
   before: Model | null;
 }
 
+/** What a model says of its looks. */
+interface Looks {
+  materials: object[];
+  textures: { source?: number; sampler?: number }[];
+  images: { uri?: string }[];
+}
+
 /** Loads models; keeps what they share. */
 export class Loader {
   #textures = new Map<string, Promise<THREE.Texture>>();
-  #keys: Record<string, string> = {};
-  #query = '';
-  #manager = new THREE.LoadingManager();
-  #loader = new GLTFLoader(this.#manager);
+  /** The keys of pictures, by the folder that they lie in: one of each revision. */
+  #keys = new Map<string, Record<string, string>>();
+  /** Folders of which a picture could not be had. */
+  #lacking = new Set<string>();
+  #loader = new GLTFLoader();
 
   constructor() {
-    // The pictures beside a model are asked for with the same words as the model.
-    this.#manager.setURLModifier(url => url.startsWith('/api/') && !url.includes('?') ? url + this.#query : url);
     this.#loader.register(parser => ({ name: 'kept-pictures', loadTexture: index => this.#texture(parser, index) }));
+    this.#loader.register(parser => ({ name: 'looks', afterRoot: ({ scene }) => this.#name_looks(parser, scene as THREE.Group | undefined) }));
     this.#loader.register(parser => ({ name: 'unpacked', beforeRoot: () => unpack(parser) }));
   }
 
-  /** What a page lacks that shows an earlier revision, or nothing yet; null where a text leaves no model. */
+  /** What a page lacks that shows an earlier revision, or nothing yet; null where there is a newer revision. */
   async fetch(file: string, revision: number, before: Model | null = null): Promise<Fetched | null> {
     const had = before?.keys ?? [];
     const response = await (had.length ? others(file, revision, had) : fetch(model_url(file, revision)));
-    if (!response.ok) return null;
+    if (response.status === GONE) return null;
+    if (!response.ok) throw new Error(await response.text() || `${response.status}`);
     return { bytes: await response.arrayBuffer(), whole: response.headers.get('content-type') === WHOLE, before };
   }
 
   /** Reads what was fetched for a state of a file; null where there is a newer one. */
-  async load({ bytes, whole, before }: Fetched, file: string, now: State): Promise<Model | null> {
-    const { revision, pictures, houses } = now;
-    this.#keys = pictures;
-    const url = model_url(file, revision), [path, query] = url.split('?');
-    this.#query = `?${query}`;
-    const read = (glb: ArrayBuffer) => this.#read(glb, path!.slice(0, path!.lastIndexOf('/') + 1));
-    if (whole || !before) {
-      const model = model_of(await read(bytes), before ? kept_middle(before) : undefined);
-      return { ...model, keys: model.houses === houses.length ? houses.map(([key]) => key) : [] };
+  async load(fetched: Fetched, file: string, now: State): Promise<Model | null> {
+    const url = model_url(file, now.revision), folder = url.slice(0, url.lastIndexOf('/') + 1), { before } = fetched;
+    this.#keys.set(folder, now.pictures);
+    try {
+      let model = await this.#made(fetched, now.houses, folder);
+      if (!model) {
+        const whole = await this.fetch(file, now.revision);
+        model = whole && await this.#made({ ...whole, before }, now.houses, folder);
+      }
+      // A picture that could not be had may be had with the next save, if all is read again.
+      if (model && this.#lacking.has(folder)) model.keys = [];
+      return model;
+    } finally {
+      this.#keys.delete(folder);
+      this.#lacking.delete(folder);
     }
-    const model = await renewed(before, houses, bytes, read);
-    if (model && kept_middle(before)(model.box.clone().translate(before.middle)) === before.middle) return model;
-    const anew = await this.fetch(file, revision);
-    return anew && this.load(anew, file, now);
+  }
+
+  /** The model of these houses; null where it has to be read as a whole. */
+  async #made({ bytes, whole, before }: Fetched, houses: State['houses'], folder: string): Promise<Model | null> {
+    const read = (glb: ArrayBuffer) => this.#read(glb, folder);
+    if (!whole && before) {
+      const model = await renewed(before, houses, bytes, read);
+      return model && stands_round(before.middle, model.box.clone().translate(before.middle)) ? model : null;
+    }
+    const model = model_of(await read(bytes), before ? kept_middle(before) : undefined);
+    if (model.houses === houses.length) model.keys = houses.map(([key]) => key);
+    return model;
   }
 
   /** Reads a `.glb`; pictures lie below `folder`. */
@@ -89,26 +114,53 @@ export class Loader {
     await Promise.all(this.#textures.values());
   }
 
-  /** A texture by what its picture is and how it is read, not by where it lies. */
+  /** What the picture of a texture is, and how it is read, not where it lies; null where it lies in the model. */
+  #key({ json, options }: GLTFParser, index: number): { uri: string; source: number; key: string | undefined; sampler: string } | null {
+    const { textures, images } = json as Looks, { source, sampler } = textures[index]!;
+    const uri = source === undefined ? undefined : images[source]?.uri;
+    if (source === undefined || uri === undefined || uri.startsWith('data:')) return null;
+    const key = this.#keys.get((options as { path: string }).path)?.[plain(uri)];
+    return { uri, source, key, sampler: `${sampler ?? ''}` };
+  }
+
   #texture(parser: GLTFParser, index: number): Promise<THREE.Texture> | null {
-    const { json } = parser as unknown as { json: { textures: { source?: number; sampler?: number }[]; images: { uri?: string }[] } };
-    const { source, sampler } = json.textures[index]!;
-    const uri = source === undefined ? undefined : json.images[source]?.uri;
-    if (source === undefined || uri === undefined || uri.startsWith('data:')) return null; // lies in the model
-    const key = this.#keys[plain(uri)];
+    const picture = this.#key(parser, index);
+    if (!picture) return null;
+    const { key, source, sampler } = picture;
     if (!key) return Promise.resolve(null as unknown as THREE.Texture); // the server has told that it is missing
-    const whole = `${key} ${sampler ?? ''}`;
+    const whole = `${key} ${sampler}`;
     let texture = this.#textures.get(whole);
     if (!texture) {
       const loader = (parser as unknown as { textureLoader: THREE.Loader<THREE.Texture> }).textureLoader;
       texture = parser.loadTextureImage(index, source, loader).then(found => {
-        // What could not be had now may be had next time.
-        if (found as THREE.Texture | null) found.userData['kept'] = true; else this.#textures.delete(whole);
+        if (found as THREE.Texture | null) found.userData['kept'] = true;
+        else {
+          // What could not be had now may be had next time.
+          this.#textures.delete(whole);
+          this.#lacking.add((parser.options as { path: string }).path);
+        }
         return found;
       });
       this.#textures.set(whole, texture);
     }
     return texture;
+  }
+
+  /** Notes what is the same for materials that look the same, in models whose pictures lie beside them. */
+  async #name_looks(parser: GLTFParser, scene: THREE.Group | undefined) {
+    const { materials } = parser.json as Looks, named = new Map<THREE.Material, string | undefined>();
+    const texture = (index: number) => {
+      const picture = this.#key(parser, index);
+      return picture?.key ? `${picture.key} ${picture.sampler}` : `none like ${THREE.MathUtils.generateUUID()}`;
+    };
+    scene?.traverse(node => {
+      const material = (node as Partial<THREE.Mesh>).material as THREE.MeshStandardMaterial | undefined;
+      const index = material && (parser.associations.get(material) as { materials?: number } | undefined)?.materials;
+      if (index === undefined || named.has(material!)) return;
+      const told = JSON.stringify(materials[index], (name, value) => name === 'index' && typeof value === 'number' ? texture(value) : value as unknown);
+      const { vertexColors, flatShading, normalScale } = material!;
+      named.set(material!, material!.userData['look'] = `${told} ${vertexColors} ${flatShading} ${normalScale?.y}`);
+    });
   }
 }
 

@@ -3,7 +3,7 @@
 // again by their triangles, and whatever sees only a part of a town (a mirror) picks chunks by their boxes.
 //
 // Frame: that of glTF, metres, x east, y up, -z north, moved so that a place on the ground in the model's midst is the
-// origin: its middle when it was first read.
+// origin: its middle when it was first read, or when it last moved away from there.
 
 import * as THREE from 'three';
 import type { Bytes } from './server.ts';
@@ -121,11 +121,14 @@ function first_of<T>(list: T[], is: (of: T) => boolean): number {
 }
 
 /** The middle of a model on the ground, in the frame of the file. */
-const middle_of = (box: THREE.Box3) => box.getCenter(new THREE.Vector3()).setY(0);
+const middle_of = (box: THREE.Box3) => box.getCenter(new THREE.Vector3()).setY(0); // 0, 0, 0 of an empty one
 
-/** The middle that a model keeps while it grows and shrinks round it, so that nothing moves which has not changed. */
-export const kept_middle = ({ middle }: Model) => (box: THREE.Box3) =>
-  box.containsPoint(middle.clone().setY(box.min.y)) ? middle : middle_of(box);
+/** Whether a model with this box in the frame of the file stands round a place: then it keeps it as its middle, so that
+ * nothing moves which has not changed. */
+export const stands_round = (middle: THREE.Vector3, box: THREE.Box3) => box.isEmpty() || box.containsPoint(middle.clone().setY(box.min.y));
+
+/** The middle of what takes the place of a model. */
+export const kept_middle = ({ middle }: Model) => (box: THREE.Box3) => stands_round(middle, box) ? middle : middle_of(box);
 
 /** Joins what a loader made; `stands` = the middle of a model with this box. */
 export function model_of(root: THREE.Object3D, stands: (box: THREE.Box3) => THREE.Vector3 = middle_of): Model {
@@ -187,8 +190,8 @@ export function model_of(root: THREE.Object3D, stands: (box: THREE.Box3) => THRE
   visit(root, null, null);
 
   const all = new THREE.Box3().setFromObject(root);
-  if (all.isEmpty()) all.set(new THREE.Vector3(-1, 0, -1), new THREE.Vector3(1, 1, 1));
   const middle = stands(all);
+  if (all.isEmpty()) all.set(new THREE.Vector3(-1, 0, -1), new THREE.Vector3(1, 1, 1)).translate(middle);
   const chunks = [...heaps.values()].flat().map(heap => joined(heap, parts, middle));
   for (let i = parts.length - 1; i >= 0; i--) {
     const { parent, box } = parts[i]!;

@@ -34,25 +34,22 @@ impl<'a> Glb<'a> {
         (Glb(model), files)
     }
 
-    /// Some houses of a scene, each by its nodes, as models of their own that show what they show in
-    /// [`beside`](Glb::beside), with the pictures of that.
-    pub fn houses(
+    /// Some houses of a scene, each by its nodes: what [`beside`](Glb::beside) shows of them, with the pictures of that.
+    pub(crate) fn houses(
         scene: &'a Scene,
         images: &'a dyn Images,
         stem: &str,
-        houses: impl Iterator<Item = Range<usize>>,
-    ) -> Vec<Glb<'a>> {
-        let closed = |mut model: Model<'a>| {
-            model.add_buffer(None);
-            Glb(model)
-        };
-        let models = Model::houses(scene, images, stem, houses);
-        models.into_iter().map(closed).collect()
+        houses: &[Range<usize>],
+    ) -> Glb<'a> {
+        let mut model = Model::houses(scene, images, houses);
+        model.files(stem);
+        model.add_buffer(None);
+        Glb(model)
     }
 
     /// The nodes that are written, each with its number in the scene, in the order of those in the file; none of a
     /// packed model, whose nodes are others.
-    pub fn nodes(&self) -> impl Iterator<Item = (usize, &'a Node)> {
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = (usize, &'a Node)> {
         let tree = match &self.0.places {
             Places::Tree(tree) => Some(tree),
             #[cfg(feature = "compress")]

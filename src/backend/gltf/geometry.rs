@@ -21,9 +21,12 @@ pub(super) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    pub(super) fn new(scene: &'a Scene, nodes: &[scene::Node]) -> Shown<'a> {
+    pub(super) fn new<'n>(
+        scene: &'a Scene,
+        nodes: impl IntoIterator<Item = &'n scene::Node>,
+    ) -> Shown<'a> {
         let mut used = vec![false; scene.meshes.len()];
-        for mesh in nodes.iter().filter_map(|n| n.mesh) {
+        for mesh in nodes.into_iter().filter_map(|n| n.mesh) {
             if let Some(u) = used.get_mut(mesh.0 as usize) {
                 *u = true;
             }

@@ -57,16 +57,13 @@ impl Serialize for Children<'_> {
 
 /// The nodes that are written.
 pub(super) struct Tree<'a> {
-    /// Those of whole houses.
     nodes: &'a [scene::Node],
-    /// How many nodes of the scene stand before them.
-    before: usize,
-    /// By the place among the nodes.
+    /// By the scene's number.
     links: Vec<Link>,
     first_root: Option<u32>,
 }
 
-/// A node among its relatives, which go by their places among the nodes.
+/// A node among its relatives, which go by the numbers of the scene.
 #[derive(Clone, Copy, Default)]
 struct Link {
     /// Its glTF number, if it is written.
@@ -76,19 +73,29 @@ struct Link {
 }
 
 impl<'a> Tree<'a> {
-    /// Numbers some nodes of a scene in preorder, and adds the scene of the roots if there are any.
-    pub(super) fn new(
+    /// Numbers the nodes in preorder, and adds the scene of the roots if there are any.
+    pub(super) fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Tree<'a> {
+        Tree::of(scene, kept(scene, geometry), root)
+    }
+
+    /// The nodes of some houses and no others.
+    pub(super) fn some(
         scene: &'a Scene,
-        nodes: Range<usize>,
+        houses: &[Range<usize>],
         geometry: &Geometry<'_>,
         root: &mut Root,
     ) -> Tree<'a> {
-        let before = nodes.start;
-        let nodes = &scene.nodes[nodes];
-        let kept = kept(nodes, before, geometry);
+        let mut own = vec![false; scene.nodes.len()];
+        for house in houses {
+            own[house.clone()].fill(true);
+        }
+        let kept = kept(scene, geometry).into_iter().zip(own);
+        Tree::of(scene, kept.map(|(kept, own)| kept && own).collect(), root)
+    }
+
+    fn of(scene: &'a Scene, kept: Vec<bool>, root: &mut Root) -> Tree<'a> {
         let mut tree = Tree {
-            nodes,
-            before,
+            nodes: &scene.nodes,
             links: vec![Link::default(); kept.len()],
             first_root: None,
         };
@@ -98,7 +105,7 @@ impl<'a> Tree<'a> {
         }
         // From the last to the first, so that each is put before its younger siblings.
         for i in written.rev() {
-            let first = match parent(nodes, before, i).filter(|p| kept[*p]) {
+            let first = match parent(scene, i).filter(|p| kept[*p]) {
                 Some(p) => &mut tree.links[p].first_child,
                 None => &mut tree.first_root,
             };
@@ -130,7 +137,7 @@ impl<'a> Tree<'a> {
 
     /// Those that are written, each with its number in the scene.
     pub(super) fn written(&self) -> impl Iterator<Item = (usize, &'a scene::Node)> + use<'a, '_> {
-        let all = (self.before..).zip(self.nodes).zip(&self.links);
+        let all = self.nodes.iter().enumerate().zip(&self.links);
         all.filter_map(|(both, link)| link.number.map(|_| both))
     }
 
@@ -179,25 +186,23 @@ fn made<'a>(
     }
 }
 
-/// The place of the node above one.
-fn parent(nodes: &[scene::Node], before: usize, i: usize) -> Option<usize> {
-    let parent = nodes[i].parent.map(|p| p.0 as usize);
-    let place = parent.and_then(|p| p.checked_sub(before));
-    place.filter(|&p| p < i)
+fn parent(scene: &Scene, i: usize) -> Option<usize> {
+    let parent = scene.nodes[i].parent.map(|p| p.0 as usize);
+    parent.filter(|&p| p < i)
 }
 
 /// Which nodes show something, or stand above one that does, or are houses.
-fn kept(nodes: &[scene::Node], before: usize, geometry: &Geometry<'_>) -> Vec<bool> {
-    let above = |i| parent(nodes, before, i);
-    let mut sound = vec![true; nodes.len()];
-    for (i, node) in nodes.iter().enumerate() {
-        sound[i] = sound::node(node) && above(i).is_none_or(|p| sound[p]);
+fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
+    let count = scene.nodes.len();
+    let mut sound = vec![true; count];
+    for (i, node) in scene.nodes.iter().enumerate() {
+        sound[i] = sound::node(node) && parent(scene, i).is_none_or(|p| sound[p]);
     }
-    let mut keep = vec![false; nodes.len()];
-    for (i, node) in nodes.iter().enumerate().rev() {
-        keep[i] |= above(i).is_none() || geometry.mesh(node).is_some();
+    let mut keep = vec![false; count];
+    for (i, node) in scene.nodes.iter().enumerate().rev() {
+        keep[i] |= parent(scene, i).is_none() || geometry.mesh(node).is_some();
         keep[i] &= sound[i];
-        if let Some(p) = above(i).filter(|_| keep[i]) {
+        if let Some(p) = parent(scene, i).filter(|_| keep[i]) {
             keep[p] = true;
         }
     }

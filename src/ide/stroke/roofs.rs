@@ -1,5 +1,5 @@
-//! Roof lines that follow the walls: those that lay over a whole storey lie over all of it again, pent roofs stay at
-//! their wall, and those as high as a storey stay as high. All others are left alone.
+//! Roof lines that follow the walls: those that lay over a whole storey lie over all of it again, edges over a wall that
+//! slides and pent roofs stay with it, and roofs as high as a storey stay as high. All others are left alone.
 
 use super::WallAt;
 use super::xml::plain;
@@ -42,7 +42,9 @@ pub(super) fn follow(
             .shape
             .as_ref()
             .is_some_and(|s| s.value == RoofShape::Pent);
-        if let Some(corners) = moved_corners(line.corners.value, old, new, pent) {
+        let corners = line.corners.value;
+        let moved = moved_corners(corners, old, new, pent);
+        if let Some(corners) = moved.or_else(|| along_walls(corners, storey, &rings, pent)) {
             edits.extend(rewritten(sheet, line, corners));
         }
     }
@@ -154,6 +156,46 @@ fn moved_corners(old: [f64; 4], was: Bounds, now: Bounds, pent: bool) -> Option<
     };
     let ((a0, a1), (b0, b1)) = (a?, b?);
     Some([a0, b0, a1, b1])
+}
+
+/// Where the corners of a roof come to lie some of whose edges lie over walls that slide.
+fn along_walls(
+    old: [f64; 4],
+    storey: &Storey,
+    moved: &[&(WallAt, Vec<DVec2>)],
+    pent: bool,
+) -> Option<[f64; 4]> {
+    let mut new = old;
+    for (at, corners) in moved {
+        let walls = &storey.rings[at.ring].walls;
+        if walls.len() != corners.len() {
+            continue; // walls became one
+        }
+        let wall = &walls[at.wall];
+        let shift = corners[at.wall] - wall.from;
+        // The axis across the wall, and the one along it; edges lie across at `across` and `across + 2`.
+        let across = usize::from(wall.direction.y.abs() < SAME);
+        let along = 1 - across;
+        let by = shift.to_array()[across];
+        let (from, to) = (wall.from.to_array(), wall.to.to_array());
+        let ends = |p: f64, q: f64| (p.min(q), p.max(q));
+        let (own, edge) = (
+            ends(from[along], to[along]),
+            ends(old[along], old[along + 2]),
+        );
+        let overlap = own.1.min(edge.1) - own.0.max(edge.0);
+        if overlap < (own.1 - own.0).min(edge.1 - edge.0) / 2.0 {
+            continue;
+        }
+        let edges = [across, across + 2];
+        let lies_on = |k: &usize| (old[*k] - from[across]).abs() < SAME;
+        let on = edges.into_iter().filter(lies_on).count();
+        for k in edges.into_iter().filter(|k| on > 0 && (pent || lies_on(k))) {
+            new[k] += by;
+        }
+    }
+    let turned = |k: usize| (old[k + 2] - old[k]) * (new[k + 2] - new[k]) <= 0.0;
+    (new != old && !turned(0) && !turned(1)).then_some(new)
 }
 
 /// The corners of a roof line for others.

@@ -274,3 +274,18 @@ fn upper_storeys_are_drawn_within_the_lower() {
         json!({"do": "add-storey", "house": 0, "outline": [[2, 2], [12, 2], [12, 10], [2, 10]]});
     assert!(board.draw(&over).is_err());
 }
+
+/// A roof whose height is computed would stay behind.
+#[test]
+fn storeys_under_computed_roofs_are_refused() {
+    for stroke in [
+        json!({"do": "add-storey", "house": 0, "height": 8.5}),
+        json!({"do": "remove-storey", "house": 0, "storey": 1}),
+    ] {
+        let mut board = Board::open("examples/param-machiya.hsd".as_ref());
+        let before = board.text();
+        let why = board.draw(&stroke).unwrap_err();
+        assert!(why.contains("computed"), "{why}");
+        assert_eq!(board.text(), before);
+    }
+}

@@ -244,3 +244,43 @@ fn walls_of_facades_move() {
         }
     }
 }
+
+/// A bay does not widen the roof, and a wall that is moved after it takes the roof's edge along.
+#[test]
+fn roofs_stay_over_bays_and_follow_walls() {
+    let mut board = Board::open("examples/machiya.hsd".as_ref());
+    let roof = "K X  14.0 KIR   0   0   6   8  P4.0";
+    board
+        .draw(&json!({"do": "break-wall", "house": 0, "storey": 1, "ring": 0, "wall": 1, "from": 3, "to": 4, "by": 1}))
+        .unwrap();
+    assert!(board.text().contains(roof), "{}", board.text());
+    // The front of both storeys; the bay is at the side.
+    board
+        .draw(&json!({"do": "move-wall", "house": 0, "storey": 1, "ring": 0, "wall": 0, "by": 1, "storeys": "all"}))
+        .unwrap();
+    let text = board.text();
+    assert!(
+        text.contains("K X  14.0 KIR   0  -1   6   8  P4.0"),
+        "{text}"
+    );
+    assert!(
+        text.contains("K F   8.1 HIS   0  -1   6  -2  P3.0"),
+        "{text}"
+    );
+}
+
+/// What stands but once is not taken for what is repeated.
+#[test]
+fn doors_stay_where_a_repetition_can_be_shorter() {
+    for (wall, by) in [(1, -1), (3, -1)] {
+        let mut board = Board::open("examples/court-house.hsd".as_ref());
+        board
+            .draw(&json!({"do": "move-wall", "house": 0, "storey": 0, "ring": 0, "wall": wall, "by": by}))
+            .unwrap();
+        assert!(
+            board.text().contains("<Part code=\"TKD 2\"/>"),
+            "{}",
+            board.text()
+        );
+    }
+}

@@ -1,6 +1,8 @@
 // The drawing tool: each stroke changes the text, and the model stands at once; by pointer and by keys.
 
 import assert from 'node:assert/strict';
+import { chmodSync, rmSync } from 'node:fs';
+import { join } from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
 import type { Page } from 'playwright-core';
 import { does, Preview, until } from './preview.ts';
@@ -290,6 +292,21 @@ test('a first house is drawn where a text has none, and stays', async () => {
   }
   await page.locator('.files button').filter({ hasText: 'plain' }).click();
   await until(() => page.evaluate(() => hsd.app.state?.file === 'plain.hsd'), 'the other is back');
+});
+
+test('a file that may not be written to, or is gone, is told in words', async () => {
+  const path = join(preview.folder, 'plain.hsd');
+  await page.locator('.palette button[data-code="KTU  "]').click();
+  const set = () => page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
+  chmodSync(path, 0o444);
+  await set();
+  await until(async () => (await said() ?? '').includes('Not drawn: the file, or its folder, may not be written to'), 'it is protected');
+  chmodSync(path, 0o644);
+  assert.equal(text(), HOUSE);
+  rmSync(path);
+  await set();
+  await until(async () => (await said() ?? '').includes('Not drawn: the file is no longer there'), 'it is gone');
+  preview.write('plain.hsd', HOUSE);
 });
 
 test('where texts may not be changed, nothing is drawn', async () => {
