@@ -29,8 +29,9 @@
 //! | `remove-storey`, `remove-house` | What they say. |
 //! | `set-height` | The height of a storey. |
 //!
-//! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, pent roofs along a whole side
-//! of it, and those whose height was the top of a storey that rises or falls: they follow. Where the first corner of a
+//! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, edges over such a wall and pent
+//! roofs along it, and those whose height was the top of a storey that rises or falls: they follow; where such a height is
+//! computed, the stroke is refused. Over a bay that is broken out roofs stay as they are. Where the first corner of a
 //! storey moves, `start` says so in the XML form, and lines of voids that lead there in the legacy form; the origin of
 //! the house stays where it is. Walls of facades move one floor at a time, but for the first and the last one and those with
 //! a width of their own (`size`, `ratio`); they do not break, since every floor of a facade stands in one plane.

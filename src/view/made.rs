@@ -46,7 +46,7 @@ pub(super) struct Made {
 /// What a model is.
 enum Content {
     /// What a text makes.
-    Houses(Houses),
+    Houses(Box<Houses>),
     /// What was made before: the bytes of a `.glb`.
     File(Vec<u8>),
 }
@@ -120,7 +120,7 @@ impl Made {
         Ok(Made {
             revision,
             state: serde_json::to_vec(&state)?,
-            model: Content::Houses(houses),
+            model: Content::Houses(houses.into()),
             pictures: pictures.into(),
             sources,
             catalog: read.checked.catalog,

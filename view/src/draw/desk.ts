@@ -35,20 +35,20 @@ export class Desk {
     }, words.drawn);
   }
 
-  undo() { return this.#ask(undo, words.undone); }
-  redo() { return this.#ask(redo, words.redone); }
+  undo() { return this.#ask(undo, words.undone, why => this.say(why)); }
+  redo() { return this.#ask(redo, words.redone, why => this.say(why)); }
 
-  #ask(send: (file: string) => Promise<Answer>, done: string): Promise<boolean> {
+  #ask(send: (file: string) => Promise<Answer>, done: string, refuse = (why: string) => this.refuse(why)): Promise<boolean> {
     const { file } = this.#app;
-    const asked = this.#turn.then(() => file !== null && file === this.#app.file && this.#asked(() => send(file), done));
+    const asked = this.#turn.then(() => file !== null && file === this.#app.file && this.#asked(() => send(file), done, refuse));
     this.#turn = asked;
     return asked;
   }
 
-  async #asked(send: () => Promise<Answer>, done: string): Promise<boolean> {
+  async #asked(send: () => Promise<Answer>, done: string, refuse: (why: string) => void): Promise<boolean> {
     try {
       const { refused, revision } = await send();
-      if (refused !== undefined) this.refuse(refused);
+      if (refused !== undefined) refuse(refused);
       else {
         this.say(done);
         await this.#shown(revision!);

@@ -33,6 +33,8 @@ export class DrawTool {
   #all = tick(words.all_storeys, false, on => { this.#walls.all = on; });
   /** What draws now: a mouse, a pen or a finger. */
   #finger: number | null = null;
+  /** Whether it has moved since it came down. */
+  #dragged = false;
   #bar: HTMLElement;
 
   constructor(app: App, plan: PlanView) {
@@ -60,7 +62,8 @@ export class DrawTool {
       this.desk.said);
     plan.element.querySelector('.bar')!.append(this.#switch);
     plan.tools.append(this.#bar);
-    plan.on_unit = shape => this.on && this.tool === 'part' && this.#units.choose(shape);
+    // The click at the end of a drag means nothing.
+    plan.on_unit = shape => this.#dragged || this.on && this.tool === 'part' && this.#units.choose(shape);
     plan.on_drawn = () => {
       this.desk.clear(); // what lay on a plan that is no longer there
       this.#fill();
@@ -119,6 +122,7 @@ export class DrawTool {
     const plan = this.#plan, { svg } = plan.sheet;
     const held = () => this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
     svg.addEventListener('pointerdown', event => {
+      this.#dragged = false;
       if (!this.on || event.button !== 0) return;
       // A second finger means to zoom.
       if (this.#finger !== null) { this.#let_go(); return; }
@@ -127,7 +131,11 @@ export class DrawTool {
       event.preventDefault();
     });
     const own = ({ pointerId }: PointerEvent) => this.on && pointerId === this.#finger;
-    window.addEventListener('pointermove', event => { if (own(event)) held()?.move(event); });
+    window.addEventListener('pointermove', event => {
+      if (!own(event)) return;
+      this.#dragged = true;
+      held()?.move(event);
+    });
     window.addEventListener('pointerup', event => {
       if (!own(event)) return;
       this.#finger = null;

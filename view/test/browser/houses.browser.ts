@@ -139,6 +139,20 @@ test('a town that moves away stands where it is seen', async () => {
   assert.ok(now.min < 0 && now.max > 0, `from ${now.min} to ${now.max}`);
 });
 
+test('a picture that could not be fetched is there after the next save', async () => {
+  const own = await Preview.of([[FILE, text]]), other = await own.open('?file=none.hsd', SMALL, false);
+  let lost = 0;
+  await other.route('**/house_textures/**', route => lost++ === 0 ? route.abort() : route.continue());
+  await other.goto(`${own.url}?file=${FILE}`);
+  await other.waitForSelector('html[data-revision]', { state: 'attached' });
+  const bare = () => other.evaluate(() => hsd.app.model!.chunks.reduce((sum, { mesh: { material } }) =>
+    sum + [material.map, material.normalMap, material.roughnessMap].filter(Boolean).length, 0) / hsd.app.model!.chunks.length);
+  const before = await bare();
+  await own.save(other, FILE, `${text}\n`);
+  assert.ok(lost > 1 && await bare() > before, `${before} pictures a chunk became ${await bare()}`);
+  await own.close();
+});
+
 test('towns are shown less finely where that is asked for', async () => {
   const coarse = await Preview.of([[FILE, text]], '--detail', '1');
   try {
@@ -166,8 +180,13 @@ test('many changes leave nothing behind, and look as if they had been there at f
   const first = await held();
   for (let i = 0; i < 3; i++) for (const now of [text, other]) await preview.save(page, FILE, now);
   const last = await held();
+  const looks_of = (page: Page) => page.evaluate(() => new Set(hsd.app.model!.chunks.map(chunk => chunk.mesh.material)).size);
   assert.ok(last.geometries <= first.geometries + 2 && last.textures <= first.textures + 2 && last.programs <= first.programs + 1,
     `${JSON.stringify(first)} became ${JSON.stringify(last)}`);
+  // Materials are shared by houses that were read at different times.
+  const anew = await preview.open(`?file=${FILE}`, SMALL);
+  assert.equal(await looks_of(page), await looks_of(anew));
+  await anew.context().close();
   // Glass and all: the same picture, from the same place.
   const fresh = await preview.open(`?file=${FILE}`, SMALL), looks: number[][] = [];
   for (const one of [page, fresh]) {
