@@ -316,8 +316,10 @@ export class App {
 
   async #list() {
     try {
+      const { file } = this, there = (hello: Hello) => hello.files.some(({ path }) => path === file), before = there(this.hello);
       this.hello = { ...await hello(), file: this.hello.file };
       this.tell('files');
+      if (file !== null && file === this.file && before && !there(this.hello)) this.announce(words.gone(file));
     } catch { /* The events say when the server is lost. */ }
   }
 }

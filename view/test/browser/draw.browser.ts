@@ -304,6 +304,7 @@ test('a file that may not be written to, or is gone, is told in words', async ()
   chmodSync(path, 0o644);
   assert.equal(text(), HOUSE);
   rmSync(path);
+  await until(async () => /plain\.hsd is no longer there/.test(await page.locator('.live').textContent() ?? ''), 'it is told');
   await set();
   await until(async () => (await said() ?? '').includes('Not drawn: the file is no longer there'), 'it is gone');
   preview.write('plain.hsd', HOUSE);
