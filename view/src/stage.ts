@@ -22,6 +22,9 @@ const FOV = 36;
 /** How far above the ground the eye stays, metres. */
 const LOW = 0.3;
 
+/** Metal has nothing but the sun to mirror on this stage, and would be black: so much of it stays metal. */
+const METAL = 0.3;
+
 /** A machine that takes longer for a frame is slow, milliseconds. */
 const SLOW = 40;
 
@@ -58,6 +61,7 @@ export class Stage {
   #shade_later = false;
   #after: (() => void)[] = [];
   #spent: THREE.Material[] = [];
+  #dulled = new WeakSet<THREE.Material>();
 
   constructor(canvas: HTMLCanvasElement) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
@@ -93,6 +97,11 @@ export class Stage {
       this.scene.remove(mesh);
       mesh.geometry.dispose();
       if (!used.has(mesh.material)) spent.add(mesh.material);
+    }
+    for (const material of used) {
+      if (this.#dulled.has(material) || !('metalness' in material)) continue; // kept from the model before, or of another kind
+      this.#dulled.add(material);
+      material.metalness *= METAL;
     }
     this.#spent.push(...spent); // until the next ones are drawn: their programs are the same
     this.model = model;
