@@ -50,7 +50,7 @@ pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> V
 /// A `.gltf` named `stem.gltf`, its `stem.bin`, and its pictures in the folder `stem_textures`. The file that
 /// refers to the others comes last.
 pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
-    let mut model = Model::new(scene, images);
+    let mut model = Model::new(scene, images, None);
     let mut files = model.files(stem);
     let name = format!("{stem}.bin");
     model.add_buffer(Some(reference(&name)));
@@ -92,34 +92,11 @@ enum Places<'a> {
 }
 
 impl<'a> Model<'a> {
-    fn new(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
-        let shown = Shown::new(scene, &scene.nodes);
-        let (root, looks) = Model::looks(scene, &shown, images);
-        let geometry = Geometry::new(scene, shown, &looks);
-        let tree = |geometry: &Geometry<'_>, root: &mut Root| Tree::new(scene, geometry, root);
-        Model::placed(root, looks, geometry, tree)
-    }
-
-    /// Some houses of a scene, each by its nodes, with the materials of all of them.
-    fn houses(scene: &'a Scene, images: &'a dyn Images, houses: &[Range<usize>]) -> Model<'a> {
-        let shown = Shown::new(scene, &scene.nodes);
-        let (root, looks) = Model::looks(scene, &shown, images);
-        let nodes = houses.iter().flat_map(|h| &scene.nodes[h.clone()]);
-        let geometry = Geometry::new(scene, Shown::new(scene, nodes), &looks);
-        let tree =
-            |geometry: &Geometry<'_>, root: &mut Root| Tree::some(scene, houses, geometry, root);
-        Model::placed(root, looks, geometry, tree)
-    }
-
-    /// With the shapes in their places.
-    fn placed(
-        mut root: Root,
-        looks: Looks<'a>,
-        mut geometry: Geometry<'a>,
-        tree: impl FnOnce(&Geometry<'_>, &mut Root) -> Tree<'a>,
-    ) -> Model<'a> {
+    /// All of a scene, or some houses of it, each by its nodes, with the materials of all.
+    fn new(scene: &'a Scene, images: &'a dyn Images, houses: Option<&[Range<usize>]>) -> Model<'a> {
+        let (mut root, looks, mut geometry) = Model::shapes(scene, images, houses);
         geometry.add_views(&mut root);
-        let tree = tree(&geometry, &mut root);
+        let tree = Tree::new(scene, houses, &geometry, &mut root);
         Model {
             length: geometry.length(),
             root,
@@ -132,9 +109,7 @@ impl<'a> Model<'a> {
 
     #[cfg(feature = "compress")]
     fn packed(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
-        let shown = Shown::new(scene, &scene.nodes);
-        let (mut root, looks) = Model::looks(scene, &shown, images);
-        let geometry = Geometry::new(scene, shown, &looks);
+        let (mut root, looks, geometry) = Model::shapes(scene, images, None);
         let packed = compress::Packed::new(scene, &geometry, &mut root);
         Model {
             length: packed.bytes.len(),
@@ -146,8 +121,11 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// A model of nothing but materials.
-    fn looks(scene: &'a Scene, shown: &Shown<'_>, images: &'a dyn Images) -> (Root, Looks<'a>) {
+    fn shapes(
+        scene: &'a Scene,
+        images: &'a dyn Images,
+        houses: Option<&[Range<usize>]>,
+    ) -> (Root, Looks<'a>, Geometry<'a>) {
         let mut root = Root {
             asset: Asset {
                 generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
@@ -155,8 +133,14 @@ impl<'a> Model<'a> {
             },
             ..Root::default()
         };
-        let looks = Looks::new(scene, shown, images, &mut root);
-        (root, looks)
+        let all = Shown::new(scene, &scene.nodes);
+        let looks = Looks::new(scene, &all, images, &mut root);
+        let shown = match houses {
+            None => all,
+            Some(some) => Shown::new(scene, some.iter().flat_map(|h| &scene.nodes[h.clone()])),
+        };
+        let geometry = Geometry::new(scene, shown, &looks);
+        (root, looks, geometry)
     }
 
     /// About how many nodes there are.

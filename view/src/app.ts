@@ -153,7 +153,6 @@ export class App {
   #take(now: State, model: Model | null, times: Reload, heard: number) {
     const first = !this.model?.chunks.length, before = this.places;
     const trace = this.model && this.selection !== null ? trace_of(this.model, this.selection) : null;
-    now.plan ??= { reasons: {}, houses: [] }; // a model has none
     this.state = now;
     this.places = new Map(now.sources.map(source => [source.id, new Places(source)]));
     const nothing = !model || model.chunks.length === 0;

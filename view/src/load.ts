@@ -33,6 +33,7 @@ export interface Fetched {
   bytes: ArrayBuffer;
   /** Whether it is a whole model, or what differs from the one before. */
   whole: boolean;
+  /** What the page showed when it asked. */
   before: Model | null;
 }
 
@@ -115,12 +116,12 @@ export class Loader {
   }
 
   /** What the picture of a texture is, and how it is read, not where it lies; null where it lies in the model. */
-  #key({ json, options }: GLTFParser, index: number): { uri: string; source: number; key: string | undefined; sampler: string } | null {
+  #key({ json, options }: GLTFParser, index: number): { source: number; key: string | undefined; sampler: string } | null {
     const { textures, images } = json as Looks, { source, sampler } = textures[index]!;
     const uri = source === undefined ? undefined : images[source]?.uri;
     if (source === undefined || uri === undefined || uri.startsWith('data:')) return null;
     const key = this.#keys.get((options as { path: string }).path)?.[plain(uri)];
-    return { uri, source, key, sampler: `${sampler ?? ''}` };
+    return { source, key, sampler: `${sampler ?? ''}` };
   }
 
   #texture(parser: GLTFParser, index: number): Promise<THREE.Texture> | null {
@@ -148,7 +149,7 @@ export class Loader {
 
   /** Notes what is the same for materials that look the same, in models whose pictures lie beside them. */
   async #name_looks(parser: GLTFParser, scene: THREE.Group | undefined) {
-    const { materials } = parser.json as Looks, named = new Map<THREE.Material, string | undefined>();
+    const { materials } = parser.json as Looks, named = new Set<THREE.Material>();
     const texture = (index: number) => {
       const picture = this.#key(parser, index);
       return picture?.key ? `${picture.key} ${picture.sampler}` : `none like ${THREE.MathUtils.generateUUID()}`;
@@ -159,7 +160,8 @@ export class Loader {
       if (index === undefined || named.has(material!)) return;
       const told = JSON.stringify(materials[index], (name, value) => name === 'index' && typeof value === 'number' ? texture(value) : value as unknown);
       const { vertexColors, flatShading, normalScale } = material!;
-      named.set(material!, material!.userData['look'] = `${told} ${vertexColors} ${flatShading} ${normalScale?.y}`);
+      material!.userData['look'] = `${told} ${vertexColors} ${flatShading} ${normalScale?.y}`; // the loader makes kinds of one material
+      named.add(material!);
     });
   }
 }

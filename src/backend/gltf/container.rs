@@ -16,7 +16,7 @@ pub struct Glb<'a>(Model<'a>);
 impl<'a> Glb<'a> {
     /// With its pictures inside.
     pub fn inside(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
-        let mut model = Model::new(scene, images);
+        let mut model = Model::new(scene, images, None);
         model.embed();
         model.add_buffer(None);
         Glb(model)
@@ -28,7 +28,7 @@ impl<'a> Glb<'a> {
         images: &'a dyn Images,
         stem: &str,
     ) -> (Glb<'a>, Vec<OutFile<'a>>) {
-        let mut model = Model::new(scene, images);
+        let mut model = Model::new(scene, images, None);
         let files = model.files(stem);
         model.add_buffer(None);
         (Glb(model), files)
@@ -41,7 +41,7 @@ impl<'a> Glb<'a> {
         stem: &str,
         houses: &[Range<usize>],
     ) -> Glb<'a> {
-        let mut model = Model::houses(scene, images, houses);
+        let mut model = Model::new(scene, images, Some(houses));
         model.files(stem);
         model.add_buffer(None);
         Glb(model)

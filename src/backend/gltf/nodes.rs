@@ -73,27 +73,20 @@ struct Link {
 }
 
 impl<'a> Tree<'a> {
-    /// Numbers the nodes in preorder, and adds the scene of the roots if there are any.
-    pub(super) fn new(scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> Tree<'a> {
-        Tree::of(scene, kept(scene, geometry), root)
-    }
-
-    /// The nodes of some houses and no others.
-    pub(super) fn some(
+    /// Numbers the nodes in preorder, all of them or those of some houses, and adds the scene of the roots if there are any.
+    pub(super) fn new(
         scene: &'a Scene,
-        houses: &[Range<usize>],
+        houses: Option<&[Range<usize>]>,
         geometry: &Geometry<'_>,
         root: &mut Root,
     ) -> Tree<'a> {
-        let mut own = vec![false; scene.nodes.len()];
-        for house in houses {
-            own[house.clone()].fill(true);
+        let mut kept = kept(scene, geometry);
+        if let Some(houses) = houses {
+            let all = std::mem::replace(&mut kept, vec![false; scene.nodes.len()]);
+            for house in houses {
+                kept[house.clone()].copy_from_slice(&all[house.clone()]);
+            }
         }
-        let kept = kept(scene, geometry).into_iter().zip(own);
-        Tree::of(scene, kept.map(|(kept, own)| kept && own).collect(), root)
-    }
-
-    fn of(scene: &'a Scene, kept: Vec<bool>, root: &mut Root) -> Tree<'a> {
         let mut tree = Tree {
             nodes: &scene.nodes,
             links: vec![Link::default(); kept.len()],
