@@ -30,6 +30,7 @@ pub(super) struct Made {
     pub(super) revision: u64,
     /// What the page is told, as JSON.
     pub(super) state: Vec<u8>,
+    /// Written when it is asked for.
     model: Content,
     /// The files beside it by their names in it.
     pub(super) pictures: Arc<BTreeMap<String, Vec<u8>>>,

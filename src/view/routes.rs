@@ -181,7 +181,7 @@ struct Had {
     had: Vec<String>,
 }
 
-/// The houses that a page lacks, or the whole model where that is read sooner: the kind of the answer says which.
+/// The houses that a page lacks, or the whole model where it has none of them: the kind of the answer says which.
 async fn houses(State(hall): Shared, Json(asks): Json<Had>) -> Answer<Response> {
     let Had {
         file,

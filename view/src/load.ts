@@ -1,5 +1,5 @@
-// Reads a model from the server. Pictures are kept from one revision to the next, and so are houses that have not
-// changed: a save costs only what has.
+// Reads a model from the server. Pictures are kept from one revision to the next, and so are the shapes of houses that have
+// not changed.
 
 import * as THREE from 'three';
 import { GLTFLoader, type GLTF, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
