@@ -2,7 +2,7 @@
 //!
 //! It answers on loopback, to no foreign page, reads no file outside of the folder that is shown, and asks nothing of any
 //! network. The page itself is written in TypeScript in `view/` and embedded by `build.rs`; what both say to one another
-//! stands in `view/src/server.ts`.
+//! stands in `view/src/server/api.ts`.
 //!
 //! | file | does |
 //! |---|---|

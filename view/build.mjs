@@ -1,4 +1,4 @@
-// Bundles the page into dist/, each file packed with gzip as the server hands it out. `cargo build` embeds what lies there.
+// Bundles the page into dist/, each file gzipped as the server sends it. `cargo build` embeds the files of dist/.
 import { build, transform } from 'esbuild';
 import { mkdir, readdir, readFile, rm, writeFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
@@ -8,11 +8,11 @@ import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
 const made = await build({
   entryPoints: { view: 'src/main.ts' },
   bundle: true,
-  splitting: true, // what only some models need is fetched when one comes
+  splitting: true, // decoders are loaded only for the models that need them
   minify: true,
   format: 'esm',
   target: 'es2022',
-  legalComments: 'eof', // licences of what is bundled
+  legalComments: 'eof', // licences of the bundled packages
   write: false,
   outdir: 'dist',
 });
@@ -24,8 +24,10 @@ const files = [
   ['basis_transcoder.wasm', await basis('wasm')],
 ];
 
-/** The script of the workers that unpack pictures, as three.js puts it together at run time. Here, so that it is a file that
- * may do what the page itself may not. */
+/**
+ * The script of the texture workers, which three.js otherwise assembles at run time. As a separate file it can have a content
+ * security policy of its own.
+ */
 async function worker() {
   const { EngineFormat, EngineType, TranscoderFormat, BasisFormat } = KTX2Loader;
   const names = Object.entries({ EngineFormat, EngineType, TranscoderFormat, BasisFormat });
@@ -43,8 +45,8 @@ const names = new Set(files.map(([name]) => `${name}.gz`));
 for (const name of await readdir('dist')) if (name.endsWith('.gz') && !names.has(name)) await rm(`dist/${name}`);
 for (const [name, bytes] of files) {
   const packed = gzipSync(bytes, { level: 9 });
-  packed[9] = 255; // The system that packed it: same input, same bytes.
-  // What is the same stays as it is, so that cargo compiles nothing again.
+  packed[9] = 255; // the gzip header's operating system: unknown, so that the bytes are the same everywhere
+  // Unchanged files are not rewritten, so that cargo does not recompile.
   const old = await readFile(`dist/${name}.gz`).catch(() => null);
   if (!old?.equals(packed)) await writeFile(`dist/${name}.gz`, packed);
   console.log(`dist/${name}.gz ${(packed.length / 1024).toFixed(0)} kB`);

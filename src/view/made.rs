@@ -52,7 +52,7 @@ enum Content {
     File(Vec<u8>),
 }
 
-/// What the page is told of a text: `State` in `view/src/server.ts`.
+/// What the page is told of a text: `State` in `view/src/server/api.ts`.
 #[derive(Serialize)]
 struct State<'a> {
     revision: u64,

@@ -105,7 +105,7 @@ fn asset(name: &str) -> Response {
     (headers, bytes).into_response()
 }
 
-/// `Hello` in `view/src/server.ts`.
+/// `Hello` in `view/src/server/api.ts`.
 #[derive(Serialize)]
 struct Hello {
     version: &'static str,

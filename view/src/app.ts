@@ -1,32 +1,36 @@
-// What the page knows: the file that is shown, its state, its model, what is selected. Whoever shows some of it listens.
+// State of the page: the open file, its compiled state, its model and the selection. Panels and panes subscribe to its
+// events.
 
 import * as THREE from 'three';
-import { Places } from './places.ts';
-import { Highlight } from './highlight.ts';
-import { Loader, Unreadable } from './load.ts';
-import { Measure } from './measure.ts';
+import { OffsetMap } from './server/offsets.ts';
+import { Highlight } from './scene/highlight.ts';
+import { Loader, InvalidModelError } from './model/loader.ts';
+import { Measure } from './scene/measure.ts';
 import { Mirrors } from './mirror/mirrors.ts';
-import { type Chunk, type Model, model_of } from './model.ts';
-import { Turntable } from './orbit.ts';
-import { found_again, parts_at, trace_of } from './parts.ts';
-import { Section } from './section.ts';
-import type { Bytes, Cursor, Diagnostic, Hello, State } from './server.ts';
-import { hello, listen, open, palette, source_of, state } from './server.ts';
-import { Stage } from './stage.ts';
-import { look_from, type View } from './views.ts';
-import { both, words } from './words.ts';
+import { type Chunk, type Model, buildModel } from './model/model.ts';
+import { Turntable } from './scene/orbit.ts';
+import { findAgain, partsAt, traceOf } from './model/parts.ts';
+import { Section } from './scene/section.ts';
+import type { ByteRange, Cursor, Diagnostic, ServerInfo, State } from './server/api.ts';
+import { fetchPalette, fetchServerInfo, fetchState, listen, openInEditor, sourceOf } from './server/api.ts';
+import { Viewport } from './scene/viewport.ts';
+import { frameBox, type View } from './scene/views.ts';
+import { translations, strings } from './ui/strings.ts';
 
-/** files: the folder; state: a text was read; model: another one stands; select, cursor: what is lit; shown: what is hidden. */
-export type Happening = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'connection' | 'reload';
+/**
+ * `files`: the file list changed. `state`: a file was compiled. `model`: the model was replaced. `select`, `cursor`: the
+ * highlighted parts changed. `shown`: visibility changed.
+ */
+export type AppEvent = 'files' | 'state' | 'model' | 'select' | 'cursor' | 'shown' | 'connection' | 'reload';
 
-/** A place in a source that the text is asked to show. */
-export interface Spot {
+/** A byte range in a source file. */
+export interface SourceLocation {
   id: number;
-  span: Bytes;
+  span: ByteRange;
 }
 
-/** Where a reload spent its time, milliseconds since it was heard of. */
-export interface Reload {
+/** Timings of a reload, milliseconds since the server announced the revision. */
+export interface ReloadTimes {
   revision: number;
   fetched: number;
   parsed: number;
@@ -34,24 +38,24 @@ export interface Reload {
 }
 
 export class App {
-  hello!: Hello;
+  serverInfo!: ServerInfo;
   file: string | null = null;
   state: State | null = null;
   model: Model | null = null;
   selection: number | null = null;
   lost = false;
-  /** Whether the eye is on its way to a view. */
-  looking = false;
-  /** Whether all controls go back to where they began. */
+  /** True while the camera moves to a preset view. */
+  movingToView = false;
+  /** True while `reset` restores the initial settings. */
   resetting = false;
-  /** What parts are called, by code. */
+  /** Display names of parts, by code. */
   names = new Map<string, string>();
-  reload_times: Reload | null = null;
-  /** By the number of the source. */
-  places = new Map<number, Places>();
-  /** What is not shown: `storey 1`, `roof 2`, `other`. */
+  reloadTimes: ReloadTimes | null = null;
+  /** Offset maps of the sources, by source id. */
+  offsets = new Map<number, OffsetMap>();
+  /** Hidden layers: `storey 1`, `roof 2`, `other`. */
   readonly hidden = new Set<string>();
-  readonly stage: Stage;
+  readonly viewport: Viewport;
   readonly loader = new Loader();
   readonly section: Section;
   readonly measure: Measure;
@@ -59,57 +63,57 @@ export class App {
   readonly mirrors: Mirrors;
   readonly selected: Highlight;
   readonly pointed: Highlight;
-  /** Says something to those who cannot see it. */
+  /** Announces a text in the live region. */
   announce: (text: string) => void = () => {};
-  /** Shows a place in the text pane. */
-  show_text: (spot: Spot) => void = () => {};
-  #listeners = new Map<Happening, (() => void)[]>();
+  /** Shows a location in the source pane. */
+  showSource: (location: SourceLocation) => void = () => {};
+  #listeners = new Map<AppEvent, (() => void)[]>();
   #turn = 0;
-  /** The newest revision that the server has told of. */
-  #heard = 0;
+  /** The newest revision that the server has announced. */
+  #latestRevision = 0;
   #stop: () => void = () => {};
 
   constructor(canvas: HTMLCanvasElement) {
-    this.stage = new Stage(canvas);
-    this.section = new Section(this.stage);
-    this.measure = new Measure(this.stage);
-    this.turntable = new Turntable(this.stage);
-    this.mirrors = mirrors_on(this.stage);
-    this.pointed = new Highlight(this.stage, 'cursor', 0x2f6f9f);
-    this.selected = new Highlight(this.stage, 'selection', 0xc8431f);
-    this.stage.shown = chunk => !this.hidden.has(this.layer_of(chunk));
+    this.viewport = new Viewport(canvas);
+    this.section = new Section(this.viewport);
+    this.measure = new Measure(this.viewport);
+    this.turntable = new Turntable(this.viewport);
+    this.mirrors = createMirrors(this.viewport);
+    this.pointed = new Highlight(this.viewport, 'cursor', 0x2f6f9f);
+    this.selected = new Highlight(this.viewport, 'selection', 0xc8431f);
+    this.viewport.isVisible = chunk => !this.hidden.has(this.layerOf(chunk));
   }
 
-  on(what: Happening, then: () => void) {
-    this.#listeners.set(what, [...this.#listeners.get(what) ?? [], then]);
+  on(event: AppEvent, then: () => void) {
+    this.#listeners.set(event, [...this.#listeners.get(event) ?? [], then]);
   }
 
-  tell(what: Happening) {
-    for (const then of this.#listeners.get(what) ?? []) then();
+  emit(event: AppEvent) {
+    for (const then of this.#listeners.get(event) ?? []) then();
   }
 
-  async begin() {
-    this.hello = await hello();
-    this.tell('files');
+  async start() {
+    this.serverInfo = await fetchServerInfo();
+    this.emit('files');
   }
 
-  /** Shows a file of the folder. */
-  async choose(file: string) {
+  /** Opens a file of the workspace. */
+  async openFile(file: string) {
     this.#stop();
     this.file = file;
     this.state = this.model = null;
     this.hidden.clear();
-    this.stage.show(model_of(new THREE.Group())); // what stood there is no longer what is named
+    this.viewport.show(buildModel(new THREE.Group())); // The previous file's model must not stay under the new file's name.
     this.measure.clear();
     this.select(null);
     this.#point(null);
-    this.tell('files');
-    void this.#learn(file);
-    this.#heard = 0;
+    this.emit('files');
+    void this.#loadPartNames(file);
+    this.#latestRevision = 0;
     this.#stop = listen(file, {
       state: revision => {
-        this.#heard = revision;
-        if (this.state) void this.reload(revision); // the first one is on its way
+        this.#latestRevision = revision;
+        if (this.state) void this.reload(revision); // The first load is already under way.
       },
       cursor: cursor => this.#point(cursor),
       files: () => void this.#list(),
@@ -117,117 +121,117 @@ export class App {
       found: () => { if (this.lost) { this.#connection(false); void this.reload(); void this.#list(); } },
     });
     await this.reload();
-    if (this.file === file && this.#heard > this.revision) await this.reload(this.#heard);
+    if (this.file === file && this.#latestRevision > this.revision) await this.reload(this.#latestRevision);
   }
 
   get revision(): number { return this.state?.revision ?? 0; }
 
-  /** Reads the state of the file and its model; `revision` = the one that was heard of. */
+  /** Fetches the state and the model of the open file; `revision` is the one that the server announced, if any. */
   async reload(revision?: number): Promise<void> {
-    const { file, model: before } = this, heard = performance.now();
+    const { file, model: before } = this, begun = performance.now();
     if (file === null || revision !== undefined && revision === this.state?.revision) return;
     const turn = ++this.#turn;
     try {
-      // The model is asked for at once where its number is known.
+      // With a known revision, the model is requested in parallel with the state.
       const early = revision === undefined ? null : this.loader.fetch(file, revision, before);
       early?.catch(() => {});
-      const now = await state(file);
+      const now = await fetchState(file);
       const answer = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
-      const fetched = performance.now() - heard;
+      const fetched = performance.now() - begun;
       if (turn !== this.#turn || file !== this.file) return;
       let model: Model | null = null;
       try {
         model = answer && await this.loader.load(answer, file, now);
-        if (!model && turn === this.#turn && file === this.file) return await this.reload(); // there is a newer one
+        if (!model && turn === this.#turn && file === this.file) return await this.reload(); // A newer revision exists.
       } catch (error) {
-        if (!(error instanceof Unreadable)) throw error;
-        now.diagnostics.push(unreadable(file, error));
+        if (!(error instanceof InvalidModelError)) throw error;
+        now.diagnostics.push(invalidModel(file, error));
       }
       if (turn !== this.#turn || file !== this.file) return;
-      this.#take(now, model, { revision: now.revision, fetched, parsed: performance.now() - heard, painted: 0 }, heard);
+      this.#apply(now, model, { revision: now.revision, fetched, parsed: performance.now() - begun, painted: 0 }, begun);
     } catch (error) {
-      this.announce(words.failed + (error as Error).message);
+      this.announce(strings.failed + (error as Error).message);
     }
   }
 
-  #take(now: State, model: Model | null, times: Reload, heard: number) {
-    const first = !this.model?.chunks.length, before = this.places;
-    const trace = this.model && this.selection !== null ? trace_of(this.model, this.selection) : null;
+  #apply(now: State, model: Model | null, times: ReloadTimes, begun: number) {
+    const first = !this.model?.chunks.length, before = this.offsets;
+    const trace = this.model && this.selection !== null ? traceOf(this.model, this.selection) : null;
     this.state = now;
-    this.places = new Map(now.sources.map(source => [source.id, new Places(source)]));
+    this.offsets = new Map(now.sources.map(source => [source.id, new OffsetMap(source)]));
     const nothing = !model || model.chunks.length === 0;
     const keep = nothing && !first && now.diagnostics.some(d => d.severity === 'error');
     if (model && !keep) {
       this.model = model;
-      const again = trace && found_again(trace, model, before.get(trace.file), this.places.get(trace.file));
+      const again = trace && findAgain(trace, model, before.get(trace.file), this.offsets.get(trace.file));
       this.selection = again;
       this.selected.set(model, again === null ? [] : [again]);
-      this.pointed.set(model, this.cursor ? parts_at(model, this.cursor.id, this.cursor.span) : []);
-      this.stage.show(model);
+      this.pointed.set(model, this.cursor ? partsAt(model, this.cursor.id, this.cursor.span) : []);
+      this.viewport.show(model);
       if (first) this.look('front');
     }
-    this.stage.frame(!first);
-    this.stage.settle();
-    times.painted = performance.now() - heard;
-    this.reload_times = times;
+    this.viewport.frame(!first);
+    this.viewport.settle();
+    times.painted = performance.now() - begun;
+    this.reloadTimes = times;
     document.documentElement.dataset.revision = `${now.revision}`;
-    // What stands beside the model comes after it.
+    // The panels are updated after the model has been painted.
     setTimeout(() => {
       if (this.state !== now) return;
-      this.tell('state');
-      if (!keep) this.tell('model');
-      this.tell('select');
-      this.tell('reload');
-      if (first) setTimeout(() => { this.stage.frame(); this.stage.settle(); }, 100); // to know how quick the machine is
+      this.emit('state');
+      if (!keep) this.emit('model');
+      this.emit('select');
+      this.emit('reload');
+      if (first) setTimeout(() => { this.viewport.frame(); this.viewport.settle(); }, 100); // Measures how long a full frame takes on this machine.
       const count = (severity: string) => now.diagnostics.filter(d => d.severity === severity).length;
-      const messages = now.diagnostics.length ? ` ${words.messages(count('error'), count('warning'))}` : '';
-      this.announce((keep ? words.kept : this.model?.chunks.length ? words.reloaded(now.revision) : words.nothing_stands) + messages);
+      const messages = now.diagnostics.length ? ` ${strings.messages(count('error'), count('warning'))}` : '';
+      this.announce((keep ? strings.kept : this.model?.chunks.length ? strings.reloaded(now.revision) : strings.noModel) + messages);
     });
   }
 
-  /** Selects a part, or none. */
+  /** Selects a part; null clears the selection. */
   select(part: number | null) {
     this.selection = part;
     this.selected.set(this.model, part === null ? [] : [part]);
-    this.tell('select');
-    if (part !== null) this.announce(words.selected + this.describe(part));
+    this.emit('select');
+    if (part !== null) this.announce(strings.selected + this.describe(part));
   }
 
-  /** A part in a few words. */
+  /** A short description of a part. */
   describe(part: number): string {
     const { kind, code, name, storey } = this.model!.parts[part]!;
-    const what = words.kind[kind] ?? kind;
-    return [what, code?.trim() || name, storey > 0 && kind !== 'storey' ? words.storey(storey) : ''].filter(Boolean).join(words.comma);
+    const what = strings.kind[kind] ?? kind;
+    return [what, code?.trim() || name, storey > 0 && kind !== 'storey' ? strings.storey(storey) : ''].filter(Boolean).join(strings.comma);
   }
 
-  /** Lights up what is written at a place. */
-  light(spot: Spot | null) {
-    const parts = this.model && spot ? parts_at(this.model, spot.id, spot.span) : [];
+  /** Highlights the parts written at a location. */
+  highlight(location: SourceLocation | null) {
+    const parts = this.model && location ? partsAt(this.model, location.id, location.span) : [];
     this.pointed.set(this.model, parts);
-    this.tell('cursor');
+    this.emit('cursor');
   }
 
-  /** Selects what is written at a place. */
-  select_at({ id, span }: Spot) {
-    const found = this.model ? parts_at(this.model, id, span) : [];
+  /** Selects the part written at a location. */
+  selectAt({ id, span }: SourceLocation) {
+    const found = this.model ? partsAt(this.model, id, span) : [];
     if (found.length) this.select(found[0]!);
   }
 
   cursor: Cursor | null = null;
   #point(cursor: Cursor | null) {
     this.cursor = cursor;
-    this.light(cursor);
+    this.highlight(cursor);
   }
 
-  /** The line that a place begins on, from 1, and the text of the line. */
-  line_of({ id, span }: Spot): { line: number; text: string } | null {
-    const places = this.places.get(id);
-    if (!places) return null;
-    const line = places.line(places.unit(span[0]));
-    return { line: line + 1, text: places.text.slice(places.lines[line], places.lines[line + 1] ?? undefined).trimEnd() };
+  /** The 1-based line number on which a location begins, and the text of that line. */
+  lineAt({ id, span }: SourceLocation): { line: number; text: string } | null {
+    const offsets = this.offsets.get(id);
+    if (!offsets) return null;
+    const line = offsets.line(offsets.unit(span[0]));
+    return { line: line + 1, text: offsets.text.slice(offsets.lines[line], offsets.lines[line + 1] ?? undefined).trimEnd() };
   }
 
-  spot_of(part: number): Spot | null {
+  locationOf(part: number): SourceLocation | null {
     for (let at: number | null = part; at !== null; at = this.model!.parts[at]!.parent) {
       const { span, file } = this.model!.parts[at]!;
       if (span) return { id: file, span };
@@ -235,34 +239,34 @@ export class App {
     return null;
   }
 
-  /** Sends the author's editor to a place. */
-  async open({ id, span }: Spot) {
-    if (!this.file || !this.hello.opens) return;
+  /** Opens a location in the user's editor. */
+  async open({ id, span }: SourceLocation) {
+    if (!this.file || !this.serverInfo.opens) return;
     try {
-      await open(this.file, id, span);
-      this.announce(words.opened);
+      await openInEditor(this.file, id, span);
+      this.announce(strings.opened);
     } catch (error) {
-      this.announce(words.failed + (error as Error).message);
+      this.announce(strings.failed + (error as Error).message);
     }
   }
 
-  /** Shows where a message points to: in the text, and in the editor where there is one. */
-  go_to(message: Diagnostic) {
-    const spot = spot_of_message(message, this.state!);
-    if (!spot) return;
-    this.show_text(spot);
-    void this.open(spot);
+  /** Shows the location of a diagnostic in the source pane, and in the editor where there is one. */
+  showDiagnostic(message: Diagnostic) {
+    const location = locationOfDiagnostic(message, this.state!);
+    if (!location) return;
+    this.showSource(location);
+    void this.open(location);
   }
 
-  /** What is switched with a chunk. */
-  layer_of({ owner, storey }: Chunk): string {
+  /** The visibility layer of a chunk. */
+  layerOf({ owner, storey }: Chunk): string {
     const kind = this.model?.parts[owner]?.kind;
     if (kind === 'roof' || kind === 'finial') return `roof ${storey}`;
     return storey > 0 ? `storey ${storey}` : 'other';
   }
 
   layers(): string[] {
-    const layers = new Set(this.model?.chunks.map(chunk => this.layer_of(chunk)));
+    const layers = new Set(this.model?.chunks.map(chunk => this.layerOf(chunk)));
     const order = ['storey', 'roof', 'other'];
     const rank = (layer: string) => order.indexOf(layer.split(' ')[0]!) * 1e6 + Number(layer.split(' ')[1] ?? 0);
     return [...layers].sort((a, b) => rank(a) - rank(b));
@@ -270,80 +274,80 @@ export class App {
 
   hide(layer: string, hidden: boolean) {
     if (hidden) this.hidden.add(layer); else this.hidden.delete(layer);
-    this.stage.refresh();
-    this.tell('shown');
+    this.viewport.refresh();
+    this.emit('shown');
   }
 
-  /** Where the front of the first house looks. */
+  /** Azimuth of the front of the first house, degrees. */
   azimuth(): number { return this.state?.plan.houses[0]?.azimuth ?? 180; }
 
   look(view: View, part: number | null = null) {
     const box = part === null ? this.model?.box : this.model?.parts[part]?.box;
     if (!box || box.isEmpty()) return;
-    this.looking = true;
-    this.stage.look_at(look_from(this.stage.camera, box.clone(), view, this.azimuth()));
-    this.looking = false;
+    this.movingToView = true;
+    this.viewport.lookAt(frameBox(this.viewport.camera, box.clone(), view, this.azimuth()));
+    this.movingToView = false;
   }
 
-  /** Everything as it was when the page was opened. */
+  /** Restores the settings that the page opened with. */
   reset() {
     this.resetting = true;
     this.hidden.clear();
     this.turntable.set(false);
     this.section.set({ on: false, axis: 'z', at: 0.5, flip: false });
     this.select(null);
-    this.tell('shown');
+    this.emit('shown');
     this.resetting = false;
-    this.stage.refresh();
+    this.viewport.refresh();
     this.look('front');
   }
 
   #connection(lost: boolean) {
     if (this.lost === lost) return;
     this.lost = lost;
-    this.announce(lost ? words.lost : words.found);
-    this.tell('connection');
+    this.announce(lost ? strings.lost : strings.found);
+    this.emit('connection');
   }
 
-  /** What parts are called. */
-  async #learn(file: string) {
-    const parts = await palette(file).catch(() => []);
+  /** Loads the names of the parts. */
+  async #loadPartNames(file: string) {
+    const parts = await fetchPalette(file).catch(() => []);
     if (file !== this.file) return;
-    this.names = new Map(parts.map(({ code, ja, romaji, en }) => [code.trim(), `${words === both.ja ? ja : en} · ${words === both.ja ? romaji : `${ja} ${romaji}`}`]));
-    this.tell('select');
+    this.names = new Map(parts.map(({ code, ja, romaji, en }) => [code.trim(), `${strings === translations.ja ? ja : en} · ${strings === translations.ja ? romaji : `${ja} ${romaji}`}`]));
+    this.emit('select');
   }
 
   async #list() {
     try {
-      const { file } = this, there = (hello: Hello) => hello.files.some(({ path }) => path === file), before = there(this.hello);
-      this.hello = { ...await hello(), file: this.hello.file };
-      this.tell('files');
-      if (file !== null && file === this.file && before && !there(this.hello)) this.announce(words.gone(file));
+      const { file } = this, there = (info: ServerInfo) => info.files.some(({ path }) => path === file), before = there(this.serverInfo);
+      this.serverInfo = { ...await fetchServerInfo(), file: this.serverInfo.file };
+      this.emit('files');
+      if (file !== null && file === this.file && before && !there(this.serverInfo)) this.announce(strings.gone(file));
     } catch { /* The events say when the server is lost. */ }
   }
 }
 
-/** The place of a message in the sources of a state; none where it is of a model. */
-export function spot_of_message(message: Diagnostic, { sources }: State): Spot | null {
-  const source = source_of(message, sources);
+/** The location of a diagnostic; null for diagnostics of a model file. */
+export function locationOfDiagnostic(message: Diagnostic, { sources }: State): SourceLocation | null {
+  const source = sourceOf(message, sources);
   return source ? { id: source.id, span: [message.span.start, message.span.end] } : null;
 }
 
-/** A model that cannot be read, told as what the compiler says is. */
-function unreadable(file: string, { message }: Error): Diagnostic {
+/** A diagnostic for a model that cannot be read, in the compiler's format. */
+function invalidModel(file: string, { message }: Error): Diagnostic {
   const nowhere = { line: 0, column: 0, span: { start: 0, end: 0 }, labels: [] };
-  return { code: '', severity: 'error', message: words.unreadable(file, message), help: words.unreadable_help, file, ...nowhere };
+  return { code: '', severity: 'error', message: strings.unreadable(file, message), help: strings.unreadableHelp, file, ...nowhere };
 }
 
-/** Lets the glass of a stage mirror what stands on it. */
-function mirrors_on(stage: Stage): Mirrors {
-  const mirrors = new Mirrors(stage.renderer, stage.scene);
-  mirrors.options.sky = stage.surroundings.colours;
-  mirrors.probes.wake = () => stage.draw();
-  stage.marks.userData['mirrored'] = false;
-  stage.on_model.push(model => mirrors.show(model));
-  stage.on_restored.push(() => mirrors.probes.clear());
-  // A pane that a quick frame is too coarse for is not hidden.
-  stage.paint = () => mirrors.paint(stage.camera, !stage.coarse);
+/** Connects reflective glass to a viewport. */
+function createMirrors(viewport: Viewport): Mirrors {
+  const mirrors = new Mirrors(viewport.renderer, viewport.scene);
+  mirrors.options.sky = viewport.environment.colours;
+  mirrors.occlusion.requestFrame = () => viewport.draw();
+  viewport.marks.userData['mirrored'] = false;
+  viewport.onModel.push(model => mirrors.show(model));
+  viewport.onRestored.push(() => mirrors.occlusion.clear());
+  // A coarse frame must not mark small panes as occluded.
+  viewport.paint = () => mirrors.paint(viewport.camera, !viewport.coarse);
   return mirrors;
 }

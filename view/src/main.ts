@@ -1,22 +1,22 @@
-// The page: the model of a text, kept up with what is saved. With `?render=` it draws pictures and nothing else.
+// Entry point: the live preview of a source file. With `?render=` it takes screenshots instead.
 
-import { exposed } from './expose.ts';
+import { scriptInterface } from './scripting.ts';
 import { page } from './page.ts';
-import { hello } from './server.ts';
-import { stills } from './still.ts';
-import { words, speak } from './words.ts';
+import { fetchServerInfo } from './server/api.ts';
+import { renderScreenshots } from './screenshots/screenshots.ts';
+import { strings, setLanguage } from './ui/strings.ts';
 
 const asked = new URLSearchParams(location.search);
-const known = await hello();
+const known = await fetchServerInfo();
 const language = asked.get('lang');
-speak(language === 'ja' || language === 'en' ? language : known.language);
+setLanguage(language === 'ja' || language === 'en' ? language : known.language);
 
-if (asked.has('render')) await stills(asked);
-else if (!document.createElement('canvas').getContext('webgl2')) document.body.append(words.no_webgl);
+if (asked.has('render')) await renderScreenshots(asked);
+else if (!document.createElement('canvas').getContext('webgl2')) document.body.append(strings.noWebgl);
 else {
   const made = page();
-  globalThis.hsd = exposed(made);
-  await made.app.begin();
+  globalThis.hsd = scriptInterface(made);
+  await made.app.start();
   const file = asked.get('file') ?? known.file ?? (known.files.length === 1 ? known.files[0]!.path : null);
-  if (file) await made.app.choose(file);
+  if (file) await made.app.openFile(file);
 }

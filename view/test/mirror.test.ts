@@ -1,19 +1,19 @@
-// What mirrors are made of: reflections, clipping, beams, trees of boxes, places in atlases, walls of glass.
+// Components of reflections: reflection matrices, clipping, beams, bounding volumes, atlas packing, walls of glass.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import * as THREE from 'three';
-import { pack, type Place, shelves } from '../src/mirror/atlas.ts';
-import { area_of, axes, before, clip, hull, type Point, rect_of, reflection, sides } from '../src/mirror/geometry.ts';
-import { Tree } from '../src/mirror/tree.ts';
-import { eye_view, type Limits, mirrored_views, stand } from '../src/mirror/views.ts';
-import { ATTRIBUTE, type Wall, walls_of } from '../src/mirror/walls.ts';
-import { type Model, model_of } from '../src/model.ts';
+import { pack, type AtlasPlace, packShelves } from '../src/mirror/atlas.ts';
+import { areaOf, axes, before, clip, hull, type Point, rectOf, reflection, sides } from '../src/mirror/geometry.ts';
+import { BoxTree } from '../src/mirror/box-tree.ts';
+import { cameraView, type Limits, mirroredViews, placeCamera } from '../src/mirror/views.ts';
+import { ATTRIBUTE, type Wall, findWalls } from '../src/mirror/walls.ts';
+import { type Model, buildModel } from '../src/model/model.ts';
 
 const near = (a: THREE.Vector3, b: THREE.Vector3, by = 1e-9) => assert(a.distanceTo(b) < by, `${a.toArray()} is not ${b.toArray()}`);
 const v = (x: number, y: number, z: number) => new THREE.Vector3(x, y, z);
 
-/** Numbers between 0 and 1, the same in each run. */
+/** A seeded generator of numbers in [0, 1). */
 function dice(seed: number): () => number {
   return () => {
     seed = Math.imul(seed ^ (seed >>> 15), 0x2c1b3c6d) + 0x9e3779b9 | 0;
@@ -21,7 +21,7 @@ function dice(seed: number): () => number {
   };
 }
 
-test('a point and its mirror image stand straight before the plane, equally far', () => {
+test('a point and its mirror image lie on one normal of the plane, equally far from it', () => {
   const roll = dice(1);
   for (let i = 0; i < 50; i++) {
     const plane = new THREE.Plane(v(roll() - 0.5, roll() - 0.5, roll() - 0.5).normalize(), roll() * 10 - 5);
@@ -33,14 +33,14 @@ test('a point and its mirror image stand straight before the plane, equally far'
   }
 });
 
-test('an eye at infinity stands before a plane that faces it', () => {
+test('an eye at infinity is in front of a plane that faces it', () => {
   const plane = new THREE.Plane(v(0, 0, 1), -3);
   assert.equal(before(plane, new THREE.Vector4(0, 0, 5, 1)), 2);
   assert.equal(before(plane, new THREE.Vector4(0, 0, 1, 0)), 1);
   assert(before(plane, new THREE.Vector4(0, 0, -1, 0)) < 0);
 });
 
-test('clipping keeps what lies before the plane', () => {
+test('clipping keeps the part in front of the plane', () => {
   const square = [v(0, 0, 0), v(2, 0, 0), v(2, 2, 0), v(0, 2, 0)];
   const half = clip(square, new THREE.Plane(v(1, 0, 0), -1));
   assert.equal(half.length, 4);
@@ -52,7 +52,7 @@ test('clipping keeps what lies before the plane', () => {
   assert.deepEqual(clip([], new THREE.Plane(v(1, 0, 0), 0)), []);
 });
 
-test('the hull runs counter-clockwise round all points, without those along its sides', () => {
+test('the convex hull is counter-clockwise and has no collinear points', () => {
   assert.deepEqual(hull([[0, 0], [1, 0], [2, 0], [2, 2], [1, 1], [0, 2], [0, 1]]), [[0, 0], [2, 0], [2, 2], [0, 2]]);
   const roll = dice(2), points = Array.from({ length: 100 }, (): Point => [roll(), roll()]), round = hull(points);
   round.forEach(([x0, y0], i) => {
@@ -61,9 +61,9 @@ test('the hull runs counter-clockwise round all points, without those along its 
   });
 });
 
-test('a rectangle holds whole pixels', () => {
-  assert.deepEqual(rect_of([[0.2, 3.9], [2, 5.1]], 1), { x0: -1, y0: 2, x1: 3, y1: 7 });
-  assert.equal(area_of({ x0: 3, y0: 0, x1: 1, y1: 5 }), 0);
+test('rectangles are grown to whole pixels', () => {
+  assert.deepEqual(rectOf([[0.2, 3.9], [2, 5.1]], 1), { x0: -1, y0: 2, x1: 3, y1: 7 });
+  assert.equal(areaOf({ x0: 3, y0: 0, x1: 1, y1: 5 }), 0);
 });
 
 test('the axes of a plane are right-handed with its normal', () => {
@@ -73,12 +73,12 @@ test('the axes of a plane are right-handed with its normal', () => {
   }
 });
 
-test('the sides of a view are those of what it shows', () => {
+test('the side planes of a view bound what it shows', () => {
   const camera = new THREE.PerspectiveCamera(60, 1.5, 0.1, 100);
   camera.position.set(3, 2, 5);
   camera.lookAt(0, 0, 0);
   camera.updateMatrixWorld();
-  const { screen } = eye_view(camera), triangle: Point[] = [[-0.5, -0.4], [0.6, -0.2], [0.1, 0.7]], planes = sides(screen, triangle, [0, 0]);
+  const { screen } = cameraView(camera), triangle: Point[] = [[-0.5, -0.4], [0.6, -0.2], [0.1, 0.7]], planes = sides(screen, triangle, [0, 0]);
   const roll = dice(3), inside = ([x, y]: Point) => triangle.every(([x0, y0], i) => {
     const [x1, y1] = triangle[(i + 1) % 3]!;
     return (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0) >= 0;
@@ -92,28 +92,28 @@ test('the sides of a view are those of what it shows', () => {
   assert(both > 20 && both < 280);
 });
 
-test('the tree finds what the beam touches, all of it, without looking at all', () => {
+test('the box tree finds exactly the boxes in a beam without testing all of them', () => {
   const roll = dice(4);
   const boxes = Array.from({ length: 2000 }, (_, id) => {
     const low = v(roll() * 500, roll() * 10, roll() * 500);
     return { id, box: new THREE.Box3(low, low.clone().add(v(roll() * 5, roll() * 5, roll() * 5))) };
   });
-  const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 60), tree = new Tree(boxes);
+  const camera = new THREE.PerspectiveCamera(30, 1, 0.1, 60), tree = new BoxTree(boxes);
   camera.position.set(200, 5, 200);
   camera.updateMatrixWorld();
-  const { beam } = eye_view(camera), found = tree.within(beam).map(({ id }) => id).sort((a, b) => a - b);
+  const { beam } = cameraView(camera), found = tree.within(beam).map(({ id }) => id).sort((a, b) => a - b);
   const touches = (box: THREE.Box3) => beam.every(({ normal: n, constant }) =>
     Math.max(n.x * box.min.x, n.x * box.max.x) + Math.max(n.y * box.min.y, n.y * box.max.y) + Math.max(n.z * box.min.z, n.z * box.max.z) + constant >= 0);
   assert.deepEqual(found, boxes.filter(({ box }) => touches(box)).map(({ id }) => id));
   assert(found.length > 3 && tree.tested < 300, `${found.length} found, ${tree.tested} tested`);
-  assert.deepEqual(new Tree([]).within(beam), []);
+  assert.deepEqual(new BoxTree([]).within(beam), []);
 });
 
-const apart = (a: Place, b: Place) => a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
+const apart = (a: AtlasPlace, b: AtlasPlace) => a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
 
-test('pictures lie beside each other in the atlas, all at one scale', () => {
+test('images in the atlas do not overlap and share one scale', () => {
   const roll = dice(5), sizes = Array.from({ length: 60 }, () => ({ width: 5 + Math.floor(roll() * 300), height: 5 + Math.floor(roll() * 200) }));
-  const whole = shelves(sizes, 2048)!;
+  const whole = packShelves(sizes, 2048)!;
   for (const side of [2048, 512]) {
     const { scale, groups } = pack([sizes, sizes.slice(0, 3)], side)!, places = groups[0]!;
     assert.equal(scale === 1, side === 2048);
@@ -122,11 +122,11 @@ test('pictures lie beside each other in the atlas, all at one scale', () => {
     assert(places.every(({ width }, i) => width === Math.ceil(sizes[i]!.width * scale)));
   }
   assert.deepEqual(whole.map(({ width, height }) => ({ width, height })), sizes);
-  assert.equal(shelves([{ width: 300, height: 5 }], 256), null);
+  assert.equal(packShelves([{ width: 300, height: 5 }], 256), null);
   assert.equal(pack([[{ width: 9e6, height: 5 }]], 256), null, 'too much at any scale');
 });
 
-/** A model of glass and walls: [facade, share, corner, width, height, depth of the pane]. */
+/** A model with panes of glass: [facade, share, x, y, depth]. */
 function model(panes: [facade: number, share: number, x: number, y: number, z: number][]): Model {
   const root = new THREE.Group(), materials = new Map<number, THREE.Material>();
   root.userData = { kind: 'house' };
@@ -146,12 +146,12 @@ function model(panes: [facade: number, share: number, x: number, y: number, z: n
     pane.userData = { kind: 'part' };
     group.add(pane);
   }
-  return model_of(root);
+  return buildModel(root);
 }
 
-test('panes are found by wall and depth, whatever facades they stand in', () => {
+test('panes are grouped by wall and depth, across facades', () => {
   const town = model([[1, 0.7, 0, 0, 0.05], [1, 0.3, 1, 0, 0.03], [2, 0.7, 0, 1, 0.05], [3, 0.7, 30, 0, 0.05], [4, 0, 3, 0, 0.05]]);
-  const walls = walls_of(town);
+  const walls = findWalls(town);
   assert.deepEqual(walls.map(wall => wall.layers.length).sort(), [1, 2], 'storeys of a wall join, far walls do not, and what mirrors nothing is left out');
   const [high] = walls.filter(wall => wall.layers.length === 2);
   const [outer, inner] = high!.layers;
@@ -168,18 +168,18 @@ test('panes are found by wall and depth, whatever facades they stand in', () => 
 
 const LIMITS: Limits = { depth: 1, shift: 0, pixels: 1, views: 64 }, SIZE = new THREE.Vector2(400, 300);
 
-function views_of(walls: Wall[], town: Model, camera: THREE.Camera, limits: Limits = LIMITS) {
+function viewsOf(walls: Wall[], town: Model, camera: THREE.Camera, limits: Limits = LIMITS) {
   camera.updateMatrixWorld();
-  return mirrored_views(eye_view(camera), SIZE, { walls: new Tree(walls), chunks: new Tree(town.chunks), visible: () => true }, limits);
+  return mirroredViews(cameraView(camera), SIZE, { walls: new BoxTree(walls), chunks: new BoxTree(town.chunks), visible: () => true }, limits);
 }
 
-test('a pane is mirrored for an eye before it and in sight of it, and for no other', () => {
-  const town = model([[1, 0.7, 0, 0, 0]]), walls = walls_of(town);
+test('a pane is mirrored only for an eye in front of it that sees it', () => {
+  const town = model([[1, 0.7, 0, 0, 0]]), walls = findWalls(town);
   const at = (x: number, z: number, tx: number, tz: number) => {
     const camera = new THREE.PerspectiveCamera(50, 4 / 3, 0.1, 100);
     camera.position.set(x, 0, z);
     camera.lookAt(tx, 0, tz);
-    return views_of(walls, town, camera).views.length;
+    return viewsOf(walls, town, camera).views.length;
   };
   assert.equal(at(0, 5, 0, 0), 1);
   assert.equal(at(0, -5, 0, 0), 0, 'behind');
@@ -187,26 +187,26 @@ test('a pane is mirrored for an eye before it and in sight of it, and for no oth
   assert.equal(at(0, 5, 9, 4), 0, 'looking past it');
   const parallel = new THREE.OrthographicCamera(-4, 4, 3, -3, 0.1, 100);
   parallel.position.set(0, 0, 5);
-  assert.equal(views_of(walls, town, parallel).views.length, 1);
+  assert.equal(viewsOf(walls, town, parallel).views.length, 1);
 });
 
-test('panes of one wall share a picture where that shifts little', () => {
-  const town = model([[1, 0.7, 0, 0, 0.05], [1, 0.3, 1, 0, 0.03]]), walls = walls_of(town), camera = new THREE.PerspectiveCamera(50, 4 / 3, 0.1, 100);
+test('panes of one wall share an image where that shifts it little', () => {
+  const town = model([[1, 0.7, 0, 0, 0.05], [1, 0.3, 1, 0, 0.03]]), walls = findWalls(town), camera = new THREE.PerspectiveCamera(50, 4 / 3, 0.1, 100);
   camera.position.set(0, 0, 10);
-  const layers = (shift: number) => views_of(walls, town, camera, { ...LIMITS, shift }).views.map(view => view.layers.length);
+  const layers = (shift: number) => viewsOf(walls, town, camera, { ...LIMITS, shift }).views.map(view => view.layers.length);
   assert.deepEqual(layers(0), [1, 1]);
   assert.deepEqual(layers(5), [2]);
 });
 
-test('what the glass shows lies at its place on the screen, cropped and cut off at the pane', () => {
-  const town = model([[1, 0.7, 0.3, 0.2, 0]]), walls = walls_of(town);
+test('a reflection is aligned with its pane on the screen, cropped and clipped at the pane', () => {
+  const town = model([[1, 0.7, 0.3, 0.2, 0]]), walls = findWalls(town);
   const eyes = [new THREE.PerspectiveCamera(50, 4 / 3, 0.1, 100), new THREE.OrthographicCamera(-4, 4, 3, -3, 0.1, 100)];
   for (const camera of eyes) {
     camera.position.set(2, 1.5, 4);
     camera.lookAt(0, 0, 0);
-    const [view] = views_of(walls, town, camera).views, { rect } = view!;
+    const [view] = viewsOf(walls, town, camera).views, { rect } = view!;
     const own = new THREE.Camera();
-    stand(own, view!, camera.projectionMatrix, SIZE, 300);
+    placeCamera(own, view!, camera.projectionMatrix, SIZE, 300);
     assert(own.matrixWorld.determinant() > 0, 'no triangle turns its back');
     const screen = new THREE.Matrix4().multiplyMatrices(own.projectionMatrix, own.matrixWorldInverse), roll = dice(6);
     for (let i = 0; i < 40; i++) {
@@ -222,10 +222,10 @@ test('what the glass shows lies at its place on the screen, cropped and cut off 
   }
 });
 
-test('two panes face to face mirror each other as often as asked for, each within the other', () => {
-  const town = model([[1, 0.7, 0, 0, 0]]), back = model([[1, 0.7, 0, 0, 0]]), walls = walls_of(town);
+test('two facing panes mirror each other up to the recursion depth', () => {
+  const town = model([[1, 0.7, 0, 0, 0]]), back = model([[1, 0.7, 0, 0, 0]]), walls = findWalls(town);
   // The same pane, turned round and moved across the street.
-  const far: Wall = { ...walls_of(back)[0]!, id: 1 };
+  const far: Wall = { ...findWalls(back)[0]!, id: 1 };
   const turn = new THREE.Matrix4().makeRotationY(Math.PI).setPosition(0, 0, 4);
   far.normal = far.normal.clone().transformDirection(turn);
   far.layers = far.layers.map(layer => ({ id: 1, plane: layer.plane.clone().applyMatrix4(turn), polygon: layer.polygon.map(p => p.clone().applyMatrix4(turn)) }));
@@ -233,11 +233,11 @@ test('two panes face to face mirror each other as often as asked for, each withi
   const camera = new THREE.PerspectiveCamera(70, 4 / 3, 0.05, 100);
   camera.position.set(0.1, 0.1, 3);
   for (const depth of [0, 1, 2, 3, 4]) {
-    const { views } = views_of([walls[0]!, far], town, camera, { ...LIMITS, depth });
+    const { views } = viewsOf([walls[0]!, far], town, camera, { ...LIMITS, depth });
     assert.deepEqual(views.map(view => view.level), [1, 2, 3, 4].slice(0, depth));
     for (const { parent, rect } of views.filter(view => view.level > 1)) {
       const outer = (parent as typeof views[number]).rect;
-      assert(rect.x0 >= outer.x0 - 1 && rect.x1 <= outer.x1 + 1 && area_of(rect) < area_of(outer));
+      assert(rect.x0 >= outer.x0 - 1 && rect.x1 <= outer.x1 + 1 && areaOf(rect) < areaOf(outer));
     }
   }
 });

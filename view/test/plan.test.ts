@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { bounds, path, to_house, to_plan } from '../src/plan/frame.ts';
-import { fall_arrow, ridge_lines } from '../src/plan/ridges.ts';
-import type { House, Region } from '../src/server.ts';
+import { bounds, path, toHouse, toPlan } from '../src/plan/coordinates.ts';
+import { fallArrow, ridgeLines } from '../src/plan/ridges.ts';
+import type { House, Region } from '../src/server/api.ts';
 
 const house = (azimuth: number): House => ({
   name: '', azimuth, origin: [10, 20, 0], unit_m: 1, storeys: [], roofs: [], street: false, fixed: null, file: 0, span: [0, 0],
@@ -11,36 +11,36 @@ const region = (more: Partial<Region>): Region => ({
   a0: 0, b0: 0, a1: 12, b1: 5, ridge: 'a', fall: null, role: 'main', shape: 'KIR', over: null, ...more,
 });
 
-test('a map: left of a south front is west, its back is north, which is up', () => {
-  assert.deepEqual(to_plan(house(180), [3, 2]), [7, -22]);
+test('the plan is a map: left of a south front is west, its back is north, north is up', () => {
+  assert.deepEqual(toPlan(house(180), [3, 2]), [7, -22]);
   // A front to the east: left is south, back is west.
-  assert.deepEqual(to_plan(house(90), [3, 2]), [8, -17]);
+  assert.deepEqual(toPlan(house(90), [3, 2]), [8, -17]);
   // To the north: left is east, back is south.
-  assert.deepEqual(to_plan(house(0), [3, 2]), [13, -18]);
-  assert.deepEqual(to_plan(house(270), [3, 2]), [12, -23]);
+  assert.deepEqual(toPlan(house(0), [3, 2]), [13, -18]);
+  assert.deepEqual(toPlan(house(270), [3, 2]), [12, -23]);
 });
 
-test('the way back', () => {
+test('the inverse transform', () => {
   for (const azimuth of [0, 45, 90, 123.4, 180, 270]) {
-    const [a, b] = to_house(house(azimuth), to_plan(house(azimuth), [3.5, -2]));
+    const [a, b] = toHouse(house(azimuth), toPlan(house(azimuth), [3.5, -2]));
     assert.ok(Math.abs(a - 3.5) < 1e-9 && Math.abs(b + 2) < 1e-9, `${azimuth}: ${a} ${b}`);
   }
 });
 
-test('a branch runs its ridge to that of its trunk; hips rise from the corners', () => {
+test('the ridge of a branch meets that of its trunk; hips rise from the corners', () => {
   const trunk = region({}), branch = region({ a0: 4, b0: 5, a1: 8, b1: 10, ridge: 'b', role: 'branch', over: 0 });
-  assert.deepEqual(ridge_lines(trunk, [trunk, branch]), [[[0, 2.5], [12, 2.5]]]);
-  assert.deepEqual(ridge_lines(branch, [trunk, branch]), [[[6, 2.5], [6, 10]]]);
+  assert.deepEqual(ridgeLines(trunk, [trunk, branch]), [[[0, 2.5], [12, 2.5]]]);
+  assert.deepEqual(ridgeLines(branch, [trunk, branch]), [[[6, 2.5], [6, 10]]]);
   const hip = region({ a1: 10, b1: 4, shape: 'YOS' });
-  assert.deepEqual(ridge_lines(hip, [hip]).at(-1), [[2, 2], [8, 2]]);
-  assert.equal(ridge_lines(hip, [hip]).length, 5);
+  assert.deepEqual(ridgeLines(hip, [hip]).at(-1), [[2, 2], [8, 2]]);
+  assert.equal(ridgeLines(hip, [hip]).length, 5);
 });
 
 test('an arrow down a lean-to', () => {
-  const [shaft] = fall_arrow(region({ a1: 4, b1: 2, ridge: null, fall: 'B' }));
+  const [shaft] = fallArrow(region({ a1: 4, b1: 2, ridge: null, fall: 'B' }));
   assert.ok(shaft![0][1] < shaft![1][1], 'to the back');
   assert.deepEqual(shaft!.map(([a]) => a), [2, 2]);
-  assert.deepEqual(fall_arrow(region({})), []);
+  assert.deepEqual(fallArrow(region({})), []);
 });
 
 test('bounds and paths', () => {

@@ -1,7 +1,7 @@
-// A ray caster that knows nothing of the page: it reads the triangles of a GLB by itself and follows each pixel's ray, which
-// turns back at glass. The pictures of the page's mirrors are compared with what it says.
+// An independent ray caster: reads the triangles of a GLB itself and follows the ray of each pixel, reflecting it at glass.
+// The page's reflections are compared with its images.
 
-import { bytes_of, type Colour, colour_of, encoded, linear } from './colours.ts';
+import { bytesOf, type Colour, colourOf, encoded, linear } from './colours.ts';
 
 type Vec = [x: number, y: number, z: number];
 
@@ -24,7 +24,7 @@ interface Json {
   bufferViews: { byteOffset?: number; byteStride?: number }[];
 }
 
-/** A turn, a stretch and a shift. */
+/** A rotation and scale with an offset. */
 interface Frame {
   x: Vec;
   y: Vec;
@@ -39,7 +39,7 @@ interface Triangle {
   normal: Vec;
   both: boolean;
   colour: Colour;
-  /** Share at normal incidence; null = no glass. */
+  /** Share at normal incidence; null if it is not glass. */
   share: number | null;
   mirrors: boolean;
 }
@@ -54,18 +54,18 @@ interface Branch {
 export interface Camera {
   eye: Vec;
   target: Vec;
-  /** Degrees, from the lower edge to the upper. */
+  /** Vertical field of view, degrees. */
   fov: number;
   width: number;
   height: number;
 }
 
-/** Glass that mirrors only the sky. */
+/** Share of glass that reflects only the sky. */
 const PLAIN = 0.04;
 
 export class Scene {
   triangles: Triangle[];
-  /** How much of what is behind glass its own colour covers. */
+  /** Opacity of glass. */
   cover = 1;
   #root: Branch;
 
@@ -74,7 +74,7 @@ export class Scene {
     this.#root = branch(this.triangles);
   }
 
-  /** What a camera sees: bytes from the lower left corner on, three a pixel. `depth` = how often a ray turns back. */
+  /** The image of a camera: RGB bytes from the lower left corner. `depth` is the number of reflections. */
   picture(camera: Camera, depth: number, sky: Colour): Uint8Array {
     const { width, height } = camera, picture = new Uint8Array(width * height * 3);
     for (let y = 0; y < height; y++) {
@@ -83,19 +83,21 @@ export class Scene {
     return picture;
   }
 
-  /** What a camera sees at a place of its picture, in pixels from the lower left corner. */
+  /** The colour at a position of the image, pixels from the lower left corner. */
   seen(camera: Camera, x: number, y: number, depth: number, sky: Colour): Colour {
-    return bytes_of(this.#light(camera.eye, way_of(camera, x, y), depth, sky, true));
+    return bytesOf(this.#light(camera.eye, directionOf(camera, x, y), depth, sky, true));
   }
 
-  /** The share that the glass there mirrors, and where it is; null where there is none. */
+  /** The reflecting share of the glass at a position and its point in space; null if there is none. */
   glass(camera: Camera, x: number, y: number): { share: number; at: Vec } | null {
-    const way = way_of(camera, x, y), hit = this.#first(camera.eye, way);
+    const way = directionOf(camera, x, y), hit = this.#first(camera.eye, way);
     return hit?.triangle.mirrors ? { share: hit.triangle.share!, at: add(camera.eye, way, hit.far) } : null;
   }
 
-  /** The light that comes from a way; `screen` = straight, so that the screen mixes what is seen through clear glass, which
-   * it does with its own numbers instead of with light. */
+  /**
+   * The light from a direction; `screen` for direct rays, since the screen blends what is seen through glass in sRGB rather
+   * than in linear light.
+   */
   #light(from: Vec, way: Vec, depth: number, sky: Colour, screen: boolean): Colour {
     const hit = this.#first(from, way);
     if (!hit) return sky;
@@ -138,14 +140,14 @@ export class Scene {
   }
 }
 
-function way_of({ eye, target, fov, width, height }: Camera, x: number, y: number): Vec {
+function directionOf({ eye, target, fov, width, height }: Camera, x: number, y: number): Vec {
   const back = unit(sub(eye, target)), right = unit(cross([0, 1, 0], back)), up = cross(back, right);
   const half = Math.tan(fov * Math.PI / 360);
   const across = (2 * x / width - 1) * half * width / height, high = (2 * y / height - 1) * half;
   return unit(add(add([-back[0], -back[1], -back[2]], right, across), up, high));
 }
 
-/** How far a ray goes to a triangle, its back left out unless both sides show; NaN where it passes by. */
+/** The distance along a ray to a triangle, culling back faces unless it is double-sided; NaN for a miss. */
 function met({ a, ab, ac, both }: Triangle, from: Vec, way: Vec): number {
   const p = cross(way, ac), det = dot(ab, p);
   if (both ? det === 0 : det <= 0) return NaN;
@@ -199,7 +201,7 @@ function read(glb: Uint8Array): Triangle[] {
         const a = corner(i), ab = sub(corner(i + 1), a), ac = sub(corner(i + 2), a), normal = unit(cross(ab, ac));
         const share = extras?.reflection ?? null;
         const mirrors = share !== null && share > 0 && front !== null && dot(normal, front) > 0.2;
-        triangles.push({ a, ab, ac, normal, both: doubleSided ?? false, colour: colour_of(part), share, mirrors });
+        triangles.push({ a, ab, ac, normal, both: doubleSided ?? false, colour: colourOf(part), share, mirrors });
       }
     }
     for (const child of node.children ?? []) visit(child, frame, part, front);

@@ -1,16 +1,16 @@
-// The parts that can be set, with their pictures. Those are drawn when they are asked for, which takes a while: they come
-// a few at a time, as they come into sight, so that no stroke has to wait behind them.
+// The palette of parts with their images. The server renders each image on request, which takes time, so they are fetched a
+// few at a time as they scroll into view and never hold up an edit.
 
 import type { App } from '../app.ts';
-import { field, h } from '../dom.ts';
-import { type Palette as Entry, palette, picture_of } from '../server.ts';
-import { words } from '../words.ts';
+import { field, h } from '../ui/dom.ts';
+import { fetchPalette, type PaletteEntry, partImageUrl } from '../server/api.ts';
+import { strings } from '../ui/strings.ts';
 
-/** Pictures that are on their way at once. */
-const AT_ONCE = 2;
+/** Number of concurrent image requests. */
+const MAX_REQUESTS = 2;
 
-/** Fetches pictures as they come into sight. */
-class Pictures {
+/** Fetches images as they scroll into view. */
+class ImageQueue {
   #waiting: HTMLImageElement[] = [];
   #coming = 0;
   #sight = new IntersectionObserver(seen => {
@@ -22,20 +22,20 @@ class Pictures {
     this.#next();
   });
 
-  /** An image of this address. */
+  /** Creates an image that loads its URL later. */
   of(address: string): HTMLImageElement {
     const image = h('img', { alt: '', width: 40, height: 40, 'data-from': address });
     const come = () => { this.#coming--; this.#next(); };
     image.addEventListener('load', come);
-    image.addEventListener('error', () => { image.classList.add('none'); come(); }); // of a void there is nothing to see
+    image.addEventListener('error', () => { image.classList.add('none'); come(); }); // Voids have no image.
     this.#sight.observe(image);
     return image;
   }
 
   #next() {
-    while (this.#coming < AT_ONCE && this.#waiting.length) {
+    while (this.#coming < MAX_REQUESTS && this.#waiting.length) {
       const image = this.#waiting.shift()!;
-      if (!image.isConnected) continue; // of a list that is no longer shown
+      if (!image.isConnected) continue; // Its list is no longer shown.
       this.#coming++;
       image.src = image.dataset.from!;
     }
@@ -44,29 +44,29 @@ class Pictures {
 
 export class Palette {
   readonly element: HTMLElement;
-  /** What is to be set. */
-  chosen: Entry | null = null;
-  /** Told when another part is chosen. */
+  /** The part to place. */
+  chosen: PaletteEntry | null = null;
+  /** Called when another part is chosen. */
   changed: () => void = () => {};
   #app: App;
-  #list = h('ul', { class: 'palette', 'aria-label': words.palette });
+  #list = h('ul', { class: 'palette', 'aria-label': strings.palette });
   #filter = h('input', { type: 'search', oninput: () => this.#fill() });
-  #pictures = new Pictures();
-  #entries: Entry[] = [];
+  #images = new ImageQueue();
+  #entries: PaletteEntry[] = [];
   #file: string | null = null;
 
   constructor(app: App) {
     this.#app = app;
-    this.element = h('div', { class: 'parts' }, field(words.filter_parts, this.#filter), this.#list);
+    this.element = h('div', { class: 'parts' }, field(strings.filterParts, this.#filter), this.#list);
   }
 
-  /** Reads the parts of the file once. */
+  /** Loads the parts of the open file, once per file. */
   async fill() {
     const { file } = this.#app;
     if (file === null || file === this.#file) return;
-    const entries = await palette(file).catch(() => null);
+    const entries = await fetchPalette(file).catch(() => null);
     if (file !== this.#app.file) return;
-    this.#file = entries && file; // asked for again if it failed
+    this.#file = entries && file; // Retried if it failed.
     this.#entries = entries ?? [];
     this.chosen = null;
     this.#fill();
@@ -75,20 +75,20 @@ export class Palette {
   #fill() {
     const wanted = this.#filter.value.toLowerCase();
     const found = this.#entries.filter(entry => [entry.code, entry.en, entry.ja, entry.romaji].some(name => name?.toLowerCase().includes(wanted)));
-    this.#list.replaceChildren(...found.map(entry => this.#row(entry)), ...(found.length ? [] : [h('li', { class: 'quiet' }, words.no_parts)]));
+    this.#list.replaceChildren(...found.map(entry => this.#row(entry)), ...(found.length ? [] : [h('li', { class: 'quiet' }, strings.noParts)]));
   }
 
-  #row(entry: Entry): HTMLElement {
-    const { code } = entry, picture = this.#pictures.of(picture_of(this.#app.file!, code));
+  #row(entry: PaletteEntry): HTMLElement {
+    const { code } = entry, image = this.#images.of(partImageUrl(this.#app.file!, code));
     const choose = () => {
       this.chosen = entry;
       for (const button of this.#list.querySelectorAll('button')) button.setAttribute('aria-pressed', `${button.dataset.code === code}`);
       this.changed();
     };
     return h('li', {}, h('button', { type: 'button', onclick: choose, 'data-code': code, 'aria-pressed': `${this.chosen?.code === code}` },
-      picture, h('span', { class: 'part-code' }, code.trim() || '—'), h('span', { class: 'part-name' }, name_of(entry))));
+      image, h('span', { class: 'part-code' }, code.trim() || '—'), h('span', { class: 'part-name' }, partName(entry))));
   }
 }
 
-/** Its name in the language of the page. */
-export const name_of = ({ en, ja, code }: Entry) => (document.documentElement.lang === 'ja' ? ja : en) || code;
+/** The part's name in the page's language. */
+export const partName = ({ en, ja, code }: PaletteEntry) => (document.documentElement.lang === 'ja' ? ja : en) || code;

@@ -1,21 +1,21 @@
-// Where pictures of mirrors lie in one texture: on shelves, the highest first.
+// Packs the images of mirrors into one texture: shelf packing, highest first.
 
-/** The width and height of a picture, in pixels. */
+/** Width and height of an image, pixels. */
 export interface Size {
   width: number;
   height: number;
 }
 
-/** Where its lower left corner lies, and its size there. */
-export interface Place extends Size {
+/** Lower left corner and size of an image in the atlas. */
+export interface AtlasPlace extends Size {
   x: number;
   y: number;
 }
 
-/** Places for pictures in a square, or null where they are too many. */
-export function shelves(sizes: Size[], side: number): Place[] | null {
+/** Packs images into a square; null if they do not fit. */
+export function packShelves(sizes: Size[], side: number): AtlasPlace[] | null {
   const order = sizes.map((_, i) => i).sort((a, b) => sizes[b]!.height - sizes[a]!.height || a - b);
-  const places = new Array<Place>(sizes.length);
+  const places = new Array<AtlasPlace>(sizes.length);
   let x = 0, y = 0, high = 0;
   for (const i of order) {
     const { width, height } = sizes[i]!;
@@ -31,20 +31,20 @@ export function shelves(sizes: Size[], side: number): Place[] | null {
   return places;
 }
 
-/** Sizes at a scale, whole pixels. */
+/** Scales sizes, rounded up to whole pixels. */
 export const scaled = (sizes: Size[], scale: number): Size[] =>
   sizes.map(({ width, height }) => ({ width: Math.ceil(width * scale), height: Math.ceil(height * scale) }));
 
-/** The least scale that mirrors are drawn at. */
-const LEAST = 1 / 16;
+/** The smallest scale at which mirrors are drawn. */
+const MIN_SCALE = 1 / 16;
 
-/** Places for all groups, each in a square of its own, at one scale for all: 1 where there is room, less where there is not. */
-export function pack(groups: Size[][], side: number, wanted = 1): { scale: number; groups: Place[][] } | null {
+/** Packs each group into a square of its own at one common scale, at most `wanted`; null if they do not fit at any scale. */
+export function pack(groups: Size[][], side: number, wanted = 1): { scale: number; groups: AtlasPlace[][] } | null {
   const filled = Math.max(...groups.map(sizes => sizes.reduce((sum, s) => sum + s.width * s.height, 0)), 0);
   const widest = Math.max(...groups.flat().map(s => Math.max(s.width, s.height)), 1);
   let scale = Math.min(wanted, side / widest, side / Math.sqrt(Math.max(1, filled)));
-  for (; scale >= LEAST; scale *= 0.94) {
-    const placed = groups.map(sizes => shelves(scaled(sizes, scale), side));
+  for (; scale >= MIN_SCALE; scale *= 0.94) {
+    const placed = groups.map(sizes => packShelves(scaled(sizes, scale), side));
     if (placed.every(places => places !== null)) return { scale, groups: placed };
   }
   return null;

@@ -1,11 +1,11 @@
-// Geometry that mirrors need: planes as they lie in space, polygons in them and on the screen. No drawing.
+// Geometry for mirrors: planes, polygons in them and their projections. No drawing.
 
 import * as THREE from 'three';
 
-/** A point of the screen, or of a plane in axes of its own. */
+/** A point on the screen, or in the axes of a plane. */
 export type Point = [x: number, y: number];
 
-/** A rectangle of whole pixels: from its lower left corner to beyond its upper right one. */
+/** A half-open rectangle of whole pixels, origin at the lower left. */
 export interface Rect {
   x0: number;
   y0: number;
@@ -13,7 +13,7 @@ export interface Rect {
   y1: number;
 }
 
-/** Mirrors points in a plane. */
+/** The reflection matrix of a plane. */
 export function reflection({ normal: { x, y, z }, constant: d }: THREE.Plane): THREE.Matrix4 {
   return new THREE.Matrix4(
     1 - 2 * x * x, -2 * x * y, -2 * x * z, -2 * x * d,
@@ -23,13 +23,13 @@ export function reflection({ normal: { x, y, z }, constant: d }: THREE.Plane): T
   );
 }
 
-/** How far before a plane an eye stands; an eye at infinity has w = 0. */
+/** Signed distance of an eye to a plane; an eye at infinity has w = 0. */
 export function before(plane: THREE.Plane, eye: THREE.Vector4): number {
   const { x, y, z } = plane.normal;
   return x * eye.x + y * eye.y + z * eye.z + plane.constant * eye.w;
 }
 
-/** What of a polygon lies before a plane. */
+/** The part of a polygon in front of a plane. */
 export function clip(polygon: THREE.Vector3[], plane: THREE.Plane): THREE.Vector3[] {
   const kept: THREE.Vector3[] = [];
   let last = polygon.at(-1);
@@ -45,7 +45,7 @@ export function clip(polygon: THREE.Vector3[], plane: THREE.Plane): THREE.Vector
   return kept;
 }
 
-/** The convex hull, counter-clockwise, without points along its sides. */
+/** The convex hull, counter-clockwise, without collinear points. */
 export function hull(points: Point[]): Point[] {
   const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
   if (sorted.length < 3) return sorted;
@@ -61,11 +61,11 @@ export function hull(points: Point[]): Point[] {
   return [...half(sorted), ...half(sorted.reverse())];
 }
 
-/** Positive where c lies to the left of the way from a to b. */
+/** Positive where c lies to the left of the line from a to b. */
 const turn = (a: Point, b: Point, c: Point) => (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 
-/** The whole pixels that points lie in, and `pad` more on all sides. */
-export function rect_of(points: Point[], pad: number): Rect {
+/** The bounding rectangle of points in whole pixels, grown by `pad`. */
+export function rectOf(points: Point[], pad: number): Rect {
   const rect = { x0: Infinity, y0: Infinity, x1: -Infinity, y1: -Infinity };
   for (const [x, y] of points) {
     rect.x0 = Math.min(rect.x0, x);
@@ -76,14 +76,17 @@ export function rect_of(points: Point[], pad: number): Rect {
   return { x0: Math.floor(rect.x0) - pad, y0: Math.floor(rect.y0) - pad, x1: Math.ceil(rect.x1) + pad, y1: Math.ceil(rect.y1) + pad };
 }
 
-export const area_of = ({ x0, y0, x1, y1 }: Rect) => Math.max(0, x1 - x0) * Math.max(0, y1 - y0);
+export const areaOf = ({ x0, y0, x1, y1 }: Rect) => Math.max(0, x1 - x0) * Math.max(0, y1 - y0);
 
-/** A plane whose points have `row · point = 0`, its front where that is positive. */
-export function plane_of(a: number, b: number, c: number, d: number): THREE.Plane {
+/** The plane a x + b y + c z + d = 0, with its front where the sum is positive. */
+export function planeOf(a: number, b: number, c: number, d: number): THREE.Plane {
   return new THREE.Plane(new THREE.Vector3(a, b, c), d).normalize();
 }
 
-/** The sides of what a view sees through a convex polygon of its screen (counter-clockwise, -1 to 1), moved out by `pad`. */
+/**
+ * The side planes of the pyramid that a view sees through a convex polygon of its screen (counter-clockwise, -1 to 1), moved
+ * outward by `pad`.
+ */
 export function sides(view: THREE.Matrix4, polygon: Point[], pad: Point): THREE.Plane[] {
   const m = view.elements;
   return polygon.flatMap(([x0, y0], i) => {
@@ -92,7 +95,7 @@ export function sides(view: THREE.Matrix4, polygon: Point[], pad: Point): THREE.
     if (a === 0 && b === 0) return [];
     const c = -(a * x0 + b * y0) + Math.abs(a) * pad[0] + Math.abs(b) * pad[1];
     const row = (j: number) => a * m[4 * j]! + b * m[4 * j + 1]! + c * m[4 * j + 3]!;
-    return [plane_of(row(0), row(1), row(2), row(3))];
+    return [planeOf(row(0), row(1), row(2), row(3))];
   });
 }
 

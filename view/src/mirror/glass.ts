@@ -1,31 +1,31 @@
-// Glass that shows what is mirrored: materials of glass, flat or physically shaded, get a few lines more in their shaders.
+// Shader of reflective glass, added to flat and physically based materials.
 //
-// What a pane mirrors lies in an atlas, at a place that follows from where the pane is on the screen. A table says for
-// each view and layer of panes where: u = x * scale + shift, the same for v. It mirrors
+// The image that a pane reflects lies in an atlas, at a place that follows from the pane's position on the screen. A table
+// gives it for each view and layer of panes: u = x * scale + shift, v alike. The pane reflects
 //
 //     weight = share + (1 - share) * (1 - cos)^5
 //
-// of the light, cos being that of the angle between the view and the pane's normal (Schlick's approximation with the
-// texture's share at normal incidence); the rest is the pane's own colour and what is seen through it. Glass which has no
-// mirror of its own shows the plain sky or ground instead: with its share where its facade mirrors, else faintly.
+// of the light, where cos is the cosine of the angle between the view and the pane's normal (Schlick's approximation, with
+// the texture's share at normal incidence); the rest is the pane's own colour and what is seen through it. Glass without a
+// mirror image reflects the plain sky or ground: with its own share where its facade reflects, faintly elsewhere.
 
 import * as THREE from 'three';
 import { ATTRIBUTE } from './walls.ts';
 
-/** Share of glass that is to mirror nothing but the sky: that of plain glass (index of refraction 1.5). */
+/** Share of glass that reflects only the sky: that of plain glass (refractive index 1.5). */
 export const FAINT = 0.04;
-/** Entries in a row of the table's texture. */
+/** Entries per row of the table's texture. */
 const WIDTH = 256;
 
-/** Where a layer's picture lies: u = x * scale + shift; v alike. A scale of 0 = nowhere. */
-export type Entry = [u_scale: number, u_shift: number, v_scale: number, v_shift: number];
+/** Transform from screen to atlas: u = x * scale + shift, v alike. A scale of 0 means no image. */
+export type Entry = [uScale: number, uShift: number, vScale: number, vShift: number];
 
-/** What all glass of a scene knows. */
+/** The uniforms and the table shared by all glass of a scene. */
 export class Glass {
   readonly uniforms = {
     mirrorAtlas: { value: null as THREE.Texture | null },
     mirrorTable: { value: null as THREE.DataTexture | null },
-    /** Where the view that is drawn begins in the table; -1 = it sees no mirrors. */
+    /** Offset of the current view in the table; -1 if it sees no mirrors. */
     mirrorFirst: { value: -1 },
     mirrorZenith: { value: new THREE.Color(0xcfdde6) },
     mirrorHorizon: { value: new THREE.Color(0xcfdde6) },
@@ -37,8 +37,8 @@ export class Glass {
 
   constructor() { this.#make(1); }
 
-  /** Makes room for a table of so many views that see layers. */
-  begin(views: number, layers: number) {
+  /** Allocates the table for a number of views and layers. */
+  beginTable(views: number, layers: number) {
     this.#layers = layers;
     this.#make(Math.max(1, views * layers));
     this.#entries.fill(0);
@@ -48,24 +48,24 @@ export class Glass {
     this.#entries.set(entry, (view * this.#layers + layer) * 4);
   }
 
-  /** Hands the table over to the card. */
-  end() {
+  /** Uploads the table. */
+  endTable() {
     this.uniforms.mirrorTable.value!.needsUpdate = true;
   }
 
-  /** What the next view sees: its number in the table, -1 = no mirrors; and the atlas that they lie in. */
-  view(number: number, atlas: THREE.Texture | null) {
+  /** Selects the view to draw next: its row in the table, -1 for no mirrors, and the atlas with their images. */
+  selectView(number: number, atlas: THREE.Texture | null) {
     this.uniforms.mirrorFirst.value = number < 0 ? -1 : number * this.#layers;
     this.uniforms.mirrorAtlas.value = atlas;
   }
 
-  /** Lets a material mirror. */
-  dress(material: THREE.Material) {
+  /** Adds the reflection shader to a material. */
+  attach(material: THREE.Material) {
     if (this.#known.has(material)) return;
     this.#known.add(material);
     const { reflection } = material.userData as { reflection?: number };
     const share = { value: reflection ?? 0 }, before = material.onBeforeCompile;
-    // Or it would mirror twice: the sky round the scene, or what was baked for viewers that know no mirrors.
+    // Environment maps and baked reflections (for viewers without this shader) would reflect twice.
     if ('envMapIntensity' in material) material.envMapIntensity = 0;
     if ('emissiveIntensity' in material) material.emissiveIntensity = 0;
     material.onBeforeCompile = (shader, renderer) => {
@@ -90,7 +90,7 @@ export class Glass {
     this.uniforms.mirrorTable.value?.dispose();
     this.#entries = new Float32Array(rows * WIDTH * 4);
     this.uniforms.mirrorTable.value = new THREE.DataTexture(this.#entries, WIDTH, rows, THREE.RGBAFormat, THREE.FloatType);
-    this.end();
+    this.endTable();
   }
 }
 
@@ -145,7 +145,7 @@ const AT_FRAGMENT = `
   #else
   float mirrorCover = diffuseColor.a;
   #endif
-  // What is behind is seen through the rest of the rest.
+  // What lies behind is seen through the remaining share.
   float mirrorAll = 1.0 - (1.0 - mirrorWeight) * (1.0 - mirrorCover);
   outgoingLight = ((1.0 - mirrorWeight) * mirrorCover * outgoingLight + mirrorWeight * mirrored) / max(mirrorAll, 1e-4);
   diffuseColor.a = mirrorAll;

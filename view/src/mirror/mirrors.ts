@@ -1,29 +1,29 @@
-// Glass that mirrors its neighbours in real time (paper 003: beam tracing). Each frame the views which panes show are
-// worked out (views.ts), their pictures are drawn into an atlas, the deepest first, and the glass takes them from there
-// (glass.ts). What lies in no beam is not drawn.
+// Real-time reflections in glass by beam tracing (paper 003). Each frame finds the mirrored views that visible panes show
+// (views.ts), draws them into an atlas, deepest first, and the glass samples them from there (glass.ts). Geometry outside
+// all beams is not drawn.
 //
-// Pictures keep linear light in half floats: tones are mapped once, when the canvas is drawn. Levels take turns in two
-// atlases, since a picture cannot be read while its texture is drawn into.
+// Images hold linear light in half floats; tone mapping happens once, on the canvas. Odd and even levels use separate
+// atlases, since a texture cannot be read while it is drawn into.
 
 import * as THREE from 'three';
-import type { Chunk, Model } from '../model.ts';
+import type { Chunk, Model } from '../model/model.ts';
 import { pack, type Size } from './atlas.ts';
-import { area_of } from './geometry.ts';
+import { areaOf } from './geometry.ts';
 import { type Entry, Glass } from './glass.ts';
-import { Probes } from './probes.ts';
-import { Tree } from './tree.ts';
-import { eye_view, type Limits, type Mirrored, mirrored_views, stand, type View } from './views.ts';
-import { is_glass, type Wall, walls_of } from './walls.ts';
+import { OcclusionQueries } from './occlusion.ts';
+import { BoxTree } from './box-tree.ts';
+import { cameraView, type Limits, type Mirrored, mirroredViews, placeCamera, type View } from './views.ts';
+import { isGlass, type Wall, findWalls } from './walls.ts';
 
 export interface Options extends Limits {
   on: boolean;
-  /** Whether walls are left out that are hidden behind other things. */
-  probe: boolean;
-  /** Size of pictures to that of their panes on the screen; 2 = two pixels each way, so smoother edges. */
+  /** Skips walls that are occluded. */
+  cullOccluded: boolean;
+  /** Resolution of the images relative to the screen; 2 gives smoother edges. */
   scale: number;
-  /** Side of an atlas at most. */
+  /** Largest side of an atlas, pixels. */
   side: number;
-  /** Colours of what no picture shows; null = the scene's background. */
+  /** Colours of what no image shows; null for the scene's background. */
   sky: Readonly<Sky> | null;
 }
 
@@ -33,29 +33,29 @@ export interface Sky {
   ground: THREE.Color;
 }
 
-/** What a frame's mirrors were and cost. */
+/** Statistics of a frame's reflections. */
 export interface Stats {
-  /** Views that panes in sight would show. */
+  /** Views that the visible panes would show. */
   seen: number;
-  /** Walls that are hidden behind other things. */
+  /** Occluded walls. */
   hidden: number;
-  /** Those that were drawn. */
+  /** Views drawn. */
   drawn: number;
-  /** The deepest level that was drawn. */
+  /** Deepest level drawn. */
   depth: number;
   calls: number;
   triangles: number;
-  /** Boxes of the trees that were looked at. */
+  /** Boxes tested in the trees. */
   tested: number;
-  /** Chunks handed to the card, in all views together. */
+  /** Chunks submitted, over all views. */
   chunks: number;
-  /** Pixels of all pictures. */
+  /** Pixels of all images. */
   pixels: number;
-  /** The scale they were drawn at. */
+  /** Scale of the images. */
   scale: number;
-  /** The processor's time to find the beams and what lies in them, milliseconds. */
+  /** CPU time to find the beams and what they contain, milliseconds. */
   find: number;
-  /** Its time for all of the mirrors; some of it may be the card's that it waits for. */
+  /** CPU time of all reflections, milliseconds; may include waiting for the GPU. */
   ms: number;
 }
 
@@ -65,20 +65,20 @@ type Camera = THREE.PerspectiveCamera | THREE.OrthographicCamera;
 
 export class Mirrors {
   readonly options: Options = {
-    on: true, probe: true, depth: 1, shift: 3, pixels: 24, views: 64, scale: 1, side: 2048, sky: null,
+    on: true, cullOccluded: true, depth: 1, shift: 3, pixels: 24, views: 64, scale: 1, side: 2048, sky: null,
   };
   stats: Stats = { ...NO_STATS };
   /** The mirrored views of the last frame. */
   views: Mirrored[] = [];
   walls: Wall[] = [];
-  readonly probes: Probes;
+  readonly occlusion: OcclusionQueries;
   #glass = new Glass();
-  #chunks = new Tree<Chunk>([]);
-  #tree = new Tree<Wall>([]);
+  #chunks = new BoxTree<Chunk>([]);
+  #tree = new BoxTree<Wall>([]);
   #meshes = new Set<THREE.Object3D>();
   #atlases: THREE.WebGLRenderTarget[] = [];
-  #eye = new THREE.PerspectiveCamera();
-  #parallel = new THREE.OrthographicCamera();
+  #perspective = new THREE.PerspectiveCamera();
+  #orthographic = new THREE.OrthographicCamera();
   #reach = 1;
   #layers = 0;
   #renderer: THREE.WebGLRenderer;
@@ -87,65 +87,68 @@ export class Mirrors {
   constructor(renderer: THREE.WebGLRenderer, scene: THREE.Scene) {
     this.#renderer = renderer;
     this.#scene = scene;
-    this.probes = new Probes(renderer);
-    for (const camera of [this.#eye, this.#parallel]) camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
+    this.occlusion = new OcclusionQueries(renderer);
+    for (const camera of [this.#perspective, this.#orthographic]) camera.matrixAutoUpdate = camera.matrixWorldAutoUpdate = false;
   }
 
-  /** Takes the place of what was shown before. */
+  /** Replaces the model. */
   show(model: Model) {
-    this.probes.clear();
-    this.walls = walls_of(model);
+    this.occlusion.clear();
+    this.walls = findWalls(model);
     this.#layers = this.walls.reduce((sum, wall) => sum + wall.layers.length, 0);
-    this.#tree = new Tree(this.walls);
-    this.#chunks = new Tree(model.chunks);
+    this.#tree = new BoxTree(this.walls);
+    this.#chunks = new BoxTree(model.chunks);
     this.#meshes = new Set(model.chunks.map(chunk => chunk.mesh));
     this.#reach = model.box.getSize(new THREE.Vector3()).length() * 2 + 10;
-    for (const chunk of model.chunks) if (is_glass(chunk)) this.#glass.dress(chunk.mesh.material);
+    for (const chunk of model.chunks) if (isGlass(chunk)) this.#glass.attach(chunk.mesh.material);
   }
 
-  /** Draws the scene with what its glass mirrors; `ask` = walls that are hidden now may be left out next time. */
+  /** Draws the scene with its reflections; `ask` updates the occlusion queries for the next frame. */
   paint(camera: Camera, ask = true) {
     const begun = performance.now();
     const renderer = this.#renderer, scene = this.#scene;
     this.stats = { ...NO_STATS };
     this.views = [];
-    this.#colours();
-    const before: Wall[] = [], eye = this.#look(camera, before);
+    this.#setColours();
+    const before: Wall[] = [], eye = this.#findViews(camera, before);
     this.stats.find = performance.now() - begun;
-    if (this.views.length > 0) this.#pictures(camera, eye);
-    this.#glass.view(eye.children.length > 0 ? 0 : -1, this.#atlases[1]?.texture ?? null);
+    if (this.views.length > 0) this.#drawImages(camera, eye);
+    this.#glass.selectView(eye.children.length > 0 ? 0 : -1, this.#atlases[1]?.texture ?? null);
     this.stats.ms = performance.now() - begun;
     renderer.render(scene, camera);
-    if (this.options.probe && ask) this.probes.ask(before, camera);
+    if (this.options.cullOccluded && ask) this.occlusion.query(before, camera);
   }
 
   dispose() {
-    this.probes.clear();
+    this.occlusion.clear();
     for (const atlas of this.#atlases) atlas.dispose();
     this.#atlases = [];
     this.#glass.dispose();
   }
 
-  /** Works out what is mirrored, and where it is drawn; adds the walls that would be seen if nothing stood before them. */
-  #look(camera: THREE.Camera, before: Wall[]): View {
+  /**
+   * Finds the mirrored views and their places in the atlases; adds the walls in front of the camera to `before`, occluded or
+   * not.
+   */
+  #findViews(camera: THREE.Camera, before: Wall[]): View {
     const { options, stats } = this;
     if (camera.parent === null) camera.updateMatrixWorld();
-    const eye = eye_view(camera);
+    const eye = cameraView(camera);
     if (!options.on || this.walls.length === 0) return eye;
-    const size = this.#size();
+    const size = this.#targetSize();
     this.#tree.tested = this.#chunks.tested = 0;
     const visible = (wall: Wall, from: View) => {
-      if (!options.probe || from !== eye) return true;
+      if (!options.cullOccluded || from !== eye) return true;
       before.push(wall);
-      const hidden = this.probes.hidden(wall);
+      const hidden = this.occlusion.hidden(wall);
       if (hidden) stats.hidden++;
       return !hidden;
     };
-    const town = { walls: this.#tree, chunks: this.#chunks, visible };
-    const { views, seen } = mirrored_views(eye, size, town, options);
+    const mirrorScene = { walls: this.#tree, chunks: this.#chunks, visible };
+    const { views, seen } = mirroredViews(eye, size, mirrorScene, options);
     stats.seen = seen;
     stats.tested = this.#tree.tested + this.#chunks.tested;
-    const placed = this.#place(views);
+    const placed = this.#placeViews(views);
     if (!placed) {
       eye.children = [];
       return eye;
@@ -158,21 +161,21 @@ export class Mirrors {
     return eye;
   }
 
-  /** Gives views their places in the atlases, and the glass the table of them; the scale, or null where there is no room. */
-  #place(views: Mirrored[]): number | null {
+  /** Places the views in the atlases; returns the scale, or null if they do not fit. */
+  #placeViews(views: Mirrored[]): number | null {
     const groups = [0, 1].map(turn => views.filter(view => view.level % 2 === turn));
     const sizes = groups.map(group => group.map(({ rect }): Size => ({ width: rect.x1 - rect.x0, height: rect.y1 - rect.y0 })));
     const { options } = this;
     const packed = pack(sizes, options.side, options.scale);
     if (!packed) return null;
     groups.forEach((group, turn) => group.forEach((view, i) => { view.place = packed.groups[turn]![i]!; }));
-    const most = Math.max(...groups.map(group => group.reduce((sum, { rect }) => sum + area_of(rect), 0))) * packed.scale ** 2;
-    this.#atlas_side(packed.groups.flat().reduce((side, p) => Math.max(side, p.x + p.width, p.y + p.height), Math.sqrt(most)));
+    const most = Math.max(...groups.map(group => group.reduce((sum, { rect }) => sum + areaOf(rect), 0))) * packed.scale ** 2;
+    this.#growAtlases(packed.groups.flat().reduce((side, p) => Math.max(side, p.x + p.width, p.y + p.height), Math.sqrt(most)));
     return packed.scale;
   }
 
-  /** Makes the atlases at least so large; they do not shrink. */
-  #atlas_side(least: number) {
+  /** Grows the atlases to at least this side; they never shrink. */
+  #growAtlases(least: number) {
     const is = this.#atlases[0]?.width ?? 0;
     if (is >= least) return;
     const side = Math.min(this.options.side, 2 ** Math.ceil(Math.log2(Math.max(256, least))));
@@ -184,11 +187,11 @@ export class Mirrors {
     });
   }
 
-  /** Draws the pictures of all views, the deepest first. */
-  #pictures(camera: Camera, eye: View) {
-    const size = this.#size(), renderer = this.#renderer, scene = this.#scene, { shadowMap, info } = renderer;
+  /** Draws the images of all views, deepest first. */
+  #drawImages(camera: Camera, eye: View) {
+    const size = this.#targetSize(), renderer = this.#renderer, scene = this.#scene, { shadowMap, info } = renderer;
     const seeing = [eye, ...this.views].filter(view => view.children.length > 0);
-    this.#table(seeing);
+    this.#fillTable(seeing);
     const all = scene.children, others = all.filter(child => !this.#meshes.has(child) && child.userData['mirrored'] !== false);
     const before = {
       target: renderer.getRenderTarget(), reset: info.autoReset, clear: renderer.autoClear, shadows: shadowMap.autoUpdate,
@@ -196,7 +199,7 @@ export class Mirrors {
     info.autoReset = false;
     renderer.autoClear = true;
     try {
-      if (shadowMap.enabled && (shadowMap.autoUpdate || shadowMap.needsUpdate)) this.#shadows(camera);
+      if (shadowMap.enabled && (shadowMap.autoUpdate || shadowMap.needsUpdate)) this.#updateShadows(camera);
       shadowMap.autoUpdate = false;
       const { calls, triangles } = info.render;
       for (const view of this.views.toReversed()) {
@@ -205,8 +208,8 @@ export class Mirrors {
         atlas.scissor.set(x, y, width, height);
         renderer.setRenderTarget(atlas);
         scene.children = [...others, ...view.chunks.map(chunk => chunk.mesh)];
-        this.#glass.view(seeing.indexOf(view), view.children.length > 0 ? this.#atlases[(view.level + 1) % 2]!.texture : null);
-        renderer.render(scene, this.#stood(camera, view, size));
+        this.#glass.selectView(seeing.indexOf(view), view.children.length > 0 ? this.#atlases[(view.level + 1) % 2]!.texture : null);
+        renderer.render(scene, this.#mirroredCamera(camera, view, size));
         this.stats.chunks += view.chunks.length;
       }
       this.stats.calls = info.render.calls - calls;
@@ -220,21 +223,24 @@ export class Mirrors {
     }
   }
 
-  /** Pixels of what is drawn into. */
-  #size(): THREE.Vector2 {
+  /** Size of the render target, pixels. */
+  #targetSize(): THREE.Vector2 {
     const target = this.#renderer.getRenderTarget();
     return target ? new THREE.Vector2(target.width, target.height) : this.#renderer.getDrawingBufferSize(new THREE.Vector2());
   }
 
-  #stood(camera: Camera, view: Mirrored, size: THREE.Vector2): THREE.Camera {
-    const own = camera instanceof THREE.OrthographicCamera ? this.#parallel : this.#eye;
+  #mirroredCamera(camera: Camera, view: Mirrored, size: THREE.Vector2): THREE.Camera {
+    const own = camera instanceof THREE.OrthographicCamera ? this.#orthographic : this.#perspective;
     own.layers.mask = camera.layers.mask;
-    stand(own, view, camera.projectionMatrix, size, this.#reach);
+    placeCamera(own, view, camera.projectionMatrix, size, this.#reach);
     return own;
   }
 
-  /** Shadows of the whole scene, before parts of it are drawn: into a pixel, seen by an eye that sees nothing else. */
-  #shadows(camera: THREE.Camera) {
+  /**
+   * Updates the shadow map with the whole scene, before subsets of it are drawn: one pixel with a camera that sees nothing
+   * else.
+   */
+  #updateShadows(camera: THREE.Camera) {
     const blind = new THREE.OrthographicCamera(0, 1e-6, 1e-6, 0, 0, 1e-6);
     blind.position.set(0, -1e6, 0);
     blind.layers.mask = camera.layers.mask;
@@ -242,25 +248,25 @@ export class Mirrors {
     atlas.viewport.set(0, 0, 1, 1);
     atlas.scissor.set(0, 0, 1, 1);
     this.#renderer.setRenderTarget(atlas);
-    this.#glass.view(-1, null);
+    this.#glass.selectView(-1, null);
     this.#renderer.render(this.#scene, blind);
   }
 
-  /** Where each view that sees mirrors finds them. */
-  #table(seeing: View[]) {
+  /** Fills the table of the images that each view sees. */
+  #fillTable(seeing: View[]) {
     const side = this.#atlases[0]!.width;
-    this.#glass.begin(seeing.length, this.#layers);
+    this.#glass.beginTable(seeing.length, this.#layers);
     seeing.forEach((view, row) => {
       for (const child of view.children as Mirrored[]) {
-        const entry = place_on(view, child, side);
+        const entry = atlasTransform(view, child, side);
         for (const { id } of child.layers) this.#glass.set(row, id, entry);
       }
     });
-    this.#glass.end();
+    this.#glass.endTable();
   }
 
-  /** What glass without a picture mirrors. */
-  #colours() {
+  /** Sets the colours that glass without an image reflects. */
+  #setColours() {
     const { background } = this.#scene, { mirrorZenith, mirrorHorizon, mirrorGround } = this.#glass.uniforms;
     const plain = background instanceof THREE.Color ? background : mirrorHorizon.value;
     const { zenith, horizon, ground } = this.options.sky ?? { zenith: plain, horizon: plain, ground: plain };
@@ -270,9 +276,9 @@ export class Mirrors {
   }
 }
 
-/** How a pixel that a view is drawn at becomes a place in the atlas. */
-function place_on(view: View, child: Mirrored, side: number): Entry {
-  // The screen's x from the pixel's, then the texture's from the screen's; y alike, but never flipped.
+/** Transform from a pixel of a view's image to a place in the atlas. */
+function atlasTransform(view: View, child: Mirrored, side: number): Entry {
+  // From the pixel to the screen, then to the texture; y is never flipped.
   const drawn = view.level > 0 ? view as Mirrored : null;
   const x = drawn ? line(drawn.rect.x0, drawn.rect.x1, drawn.place.x, drawn.place.width, drawn.level) : IDENTITY;
   const y = drawn ? line(drawn.rect.y0, drawn.rect.y1, drawn.place.y, drawn.place.height, 0) : IDENTITY;
@@ -282,14 +288,14 @@ function place_on(view: View, child: Mirrored, side: number): Entry {
   return [u.scale / side, u.shift / side, v.scale / side, v.shift / side];
 }
 
-interface Line { scale: number; shift: number }
-const IDENTITY: Line = { scale: 1, shift: 0 };
+interface AxisTransform { scale: number; shift: number }
+const IDENTITY: AxisTransform = { scale: 1, shift: 0 };
 
-/** From the screen between two places to pixels of an atlas; flipped at odd levels. */
-function line(from: number, to: number, place: number, length: number, level: number): Line {
+/** Transform from a range of the screen to pixels of an atlas; flipped at odd levels. */
+function line(from: number, to: number, place: number, length: number, level: number): AxisTransform {
   const scale = length / (to - from);
   return level % 2 === 1 ? { scale: -scale, shift: place + to * scale } : { scale, shift: place - from * scale };
 }
 
-const inverse = ({ scale, shift }: Line): Line => ({ scale: 1 / scale, shift: -shift / scale });
-const after = (first: Line, then: Line): Line => ({ scale: then.scale * first.scale, shift: then.scale * first.shift + then.shift });
+const inverse = ({ scale, shift }: AxisTransform): AxisTransform => ({ scale: 1 / scale, shift: -shift / scale });
+const after = (first: AxisTransform, then: AxisTransform): AxisTransform => ({ scale: then.scale * first.scale, shift: then.scale * first.shift + then.shift });

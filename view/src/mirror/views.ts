@@ -1,152 +1,154 @@
-// What a frame mirrors: for each pane in sight the beam of the view mirrored in its plane, and so on for panes that the
-// beam meets. Only planes and rectangles are worked out here; nothing is drawn.
+// The mirrored views of a frame: for each visible pane the view's beam mirrored in its plane, and recursively for the panes
+// in that beam. Computes planes and rectangles only; nothing is drawn.
 //
-// Screens: a mirrored view is laid out so that what a pane shows lies at the pane's own place on the screen of the view that
-// sees it. All views of a frame therefore share one screen, counted in its pixels from the lower left corner.
+// A mirrored view is laid out so that what a pane shows lies at the pane's own place on the screen of the view that sees it.
+// All views of a frame therefore share one screen, in pixels from the lower left corner.
 
 import * as THREE from 'three';
-import type { Chunk } from '../model.ts';
-import { area_of, before, clip, hull, type Point, type Rect, rect_of, reflection, sides } from './geometry.ts';
-import type { Place } from './atlas.ts';
-import type { Tree } from './tree.ts';
+import type { Chunk } from '../model/model.ts';
+import { areaOf, before, clip, hull, type Point, type Rect, rectOf, reflection, sides } from './geometry.ts';
+import type { AtlasPlace } from './atlas.ts';
+import type { BoxTree } from './box-tree.ts';
 import type { Layer, Wall } from './walls.ts';
 
-/** What looks into the scene: the eye, or the eye mirrored once or more. */
+/** A viewpoint: the camera, or the camera mirrored once or more. */
 export interface View {
-  /** How often it is mirrored. */
+  /** Number of reflections. */
   level: number;
   parent: View | null;
-  /** The point that it looks from; w = 0 where that is at infinity. */
+  /** The eye point; w = 0 for an eye at infinity. */
   eye: THREE.Vector4;
-  /** From the frame of the page to the screen (-1 to 1), as if looking through the mirrors. */
+  /** From the page's frame to the screen (-1 to 1), through the mirrors. */
   screen: THREE.Matrix4;
-  /** Where the camera stands: that of the eye mirrored. */
+  /** World matrix of the mirrored camera. */
   world: THREE.Matrix4;
-  /** What it sees lies before all of these. */
+  /** The visible space lies in front of all these planes. */
   beam: THREE.Plane[];
   children: View[];
 }
 
-/** A view that is mirrored. */
+/** A mirrored view. */
 export interface Mirrored extends View {
   parent: View;
-  /** Whose panes show it. */
+  /** The panes that show it. */
   layers: Layer[];
   plane: THREE.Plane;
-  /** What it needs of the screen. */
+  /** The part of the screen that it needs. */
   rect: Rect;
-  /** What of that glass can cover: convex, counter-clockwise, pixels. */
+  /** The area covered by those panes: convex, counter-clockwise, pixels. */
   outline: Point[];
-  /** Where it is drawn. */
-  place: Place;
+  /** Its place in the atlas. */
+  place: AtlasPlace;
   chunks: Chunk[];
 }
 
 export interface Limits {
-  /** How often a view may be mirrored. */
+  /** Largest number of reflections. */
   depth: number;
-  /** Panes of one wall share a picture where that shifts nothing by more pixels. */
+  /** Panes of one wall share an image if that shifts it by at most this many pixels. */
   shift: number;
-  /** Mirrors with fewer pixels are left out. */
+  /** Mirrors with fewer pixels are skipped. */
   pixels: number;
-  /** Views at most; the largest are kept. */
+  /** Largest number of views; the largest are kept. */
   views: number;
 }
 
-export interface Town {
-  walls: Tree<Wall>;
-  chunks: Tree<Chunk>;
-  /** Whether a wall that lies before a view may be seen from it. */
+export interface MirrorScene {
+  walls: BoxTree<Wall>;
+  chunks: BoxTree<Chunk>;
+  /** True if a wall in front of a view may be visible from it. */
   visible: (wall: Wall, from: View) => boolean;
 }
 
-/** Eyes nearer to a pane see nothing mirrored in it, metres. */
+/** Eyes closer to a pane than this see no reflection in it, metres. */
 const NEAR = 1e-3;
 
-/** What a camera sees on a screen of so many pixels. */
-export function eye_view(camera: THREE.Camera): View {
+/** The view of a camera. */
+export function cameraView(camera: THREE.Camera): View {
   const screen = new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
   const m = camera.matrixWorld.elements;
-  const flat = camera.projectionMatrix.elements[15] === 1; // parallel: the eye is infinitely far behind
+  const flat = camera.projectionMatrix.elements[15] === 1; // Orthographic: the eye is infinitely far away.
   const eye = flat ? new THREE.Vector4(m[8], m[9], m[10], 0) : new THREE.Vector4(m[12], m[13], m[14], 1);
   const frustum = new THREE.Frustum().setFromProjectionMatrix(screen);
   return { level: 0, parent: null, eye, screen, world: camera.matrixWorld.clone(), beam: frustum.planes, children: [] };
 }
 
-/** All mirrored views of a frame, each after those that see it; `seen` = those there would be without limits to their number. */
-export function mirrored_views(eye: View, size: THREE.Vector2, town: Town, limits: Limits): { views: Mirrored[]; seen: number } {
+/** All mirrored views of a frame, parents first; `seen` counts them without the limit on their number. */
+export function mirroredViews(eye: View, size: THREE.Vector2, scene: MirrorScene, limits: Limits): { views: Mirrored[]; seen: number } {
   const views: Mirrored[] = [];
   let level: View[] = [eye], seen = 0;
   for (let depth = 1; depth <= limits.depth && level.length > 0; depth++) {
     const found = level.flatMap(view => {
-      const panes = town.walls.within(view.beam)
-        .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && faces(wall, view) && town.visible(wall, view))
-        .flatMap(wall => in_wall(view, wall, size, limits));
-      return together(panes, limits.shift).map(some => ({ view, ...some }));
+      const panes = scene.walls.within(view.beam)
+        .filter(wall => wall.chunks.some(chunk => chunk.mesh.visible) && faces(wall, view) && scene.visible(wall, view))
+        .flatMap(wall => panesIn(view, wall, size, limits));
+      return mergePanes(panes, limits.shift).map(some => ({ view, ...some }));
     });
     seen += found.length;
-    const kept = found.sort((a, b) => area_of(b.rect) - area_of(a.rect)).slice(0, Math.max(0, limits.views - views.length))
+    const kept = found.sort((a, b) => areaOf(b.rect) - areaOf(a.rect)).slice(0, Math.max(0, limits.views - views.length))
       .map(({ view, ...some }) => mirrored(view, some, size));
     for (const view of kept) view.parent.children.push(view);
     views.push(...kept);
     level = kept;
   }
-  for (const view of views) view.chunks = town.chunks.within(view.beam).filter(chunk => chunk.mesh.visible);
+  for (const view of views) view.chunks = scene.chunks.within(view.beam).filter(chunk => chunk.mesh.visible);
   return { views, seen };
 }
 
-/** Whether a view looks at the front of some of a wall's panes. */
+/** True if a view is in front of at least one of a wall's panes. */
 const faces = ({ layers }: Wall, { eye }: View) => before(layers.at(-1)!.plane, eye) > NEAR;
 
-/** Panes that show one picture. */
+/** Panes that share an image. */
 interface Panes {
   layers: Layer[];
-  /** The outermost. */
+  /** The outermost plane. */
   plane: THREE.Plane;
   rect: Rect;
   outline: Point[];
-  /** How large a metre is where they are nearest, pixels. */
+  /** Pixels per metre at the nearest point. */
   near: number;
-  /** What pictures of their own would have taken, pixels. */
+  /** Pixels that separate images would have needed. */
   area: number;
 }
 
-/** What a view sees of one wall's panes. */
-function in_wall(view: View, wall: Wall, size: THREE.Vector2, limits: Limits): Panes[] {
+/** The panes of a wall that a view sees. */
+function panesIn(view: View, wall: Wall, size: THREE.Vector2, limits: Limits): Panes[] {
   const seen = wall.layers.flatMap(layer => {
     if (before(layer.plane, view.eye) <= NEAR) return [];
     let polygon = layer.polygon;
     for (const plane of view.beam) polygon = clip(polygon, plane);
-    return polygon.length < 3 ? [] : [{ layer, polygon, near: pixels_per_metre(view, polygon, size) }];
+    return polygon.length < 3 ? [] : [{ layer, polygon, near: pixelsPerMetre(view, polygon, size) }];
   });
   const all: Panes[] = [];
   for (let from = 0, to = 0; from < seen.length; from = to) {
     const { layer: { plane }, near } = seen[from]!;
     for (to = from + 1; to < seen.length && shifted(plane, seen[to]!.layer.plane, near) <= limits.shift;) to++;
     const group = seen.slice(from, to);
-    const outline = hull(group.flatMap(({ polygon }) => polygon.map(point => on_screen(view, point, size))));
-    if (outline.length < 3 || !(area_of(rect_of(outline, 0)) >= limits.pixels)) continue;
-    const rect = rect_of(outline, 1);
-    all.push({ layers: group.map(({ layer }) => layer), plane, rect, outline, near, area: area_of(rect) });
+    const outline = hull(group.flatMap(({ polygon }) => polygon.map(point => onScreen(view, point, size))));
+    if (outline.length < 3 || !(areaOf(rectOf(outline, 0)) >= limits.pixels)) continue;
+    const rect = rectOf(outline, 1);
+    all.push({ layers: group.map(({ layer }) => layer), plane, rect, outline, near, area: areaOf(rect) });
   }
   return all;
 }
 
-/** By how many pixels at most a picture is shifted if panes of one plane show that of a parallel one. */
+/** Largest shift of the image, pixels, if panes in one plane show that of a parallel plane. */
 const shifted = (a: THREE.Plane, b: THREE.Plane, near: number) => 2 * Math.abs(a.constant - b.constant) * near;
 
-/** How much larger a picture of several may be than theirs together, and pixels that do not matter. */
+/** A shared image may be this much larger than separate ones, and this many pixels are always allowed. */
 const LARGER = 2, LITTLE = 400;
 
-/** Panes of neighbours in one line show one picture where it is not much larger than theirs together: what they mirror is
- * mostly the same, and drawn once. */
-function together(all: Panes[], shift: number): Panes[] {
+/**
+ * Merges neighbouring panes in one plane into one image where that is not much larger than separate ones: they reflect
+ * mostly the same things.
+ */
+function mergePanes(all: Panes[], shift: number): Panes[] {
   const groups: Panes[] = [];
   for (const panes of all) {
     const group = groups.find(group => {
       if (group.plane.normal.dot(panes.plane.normal) < 1 - 1e-7) return false;
       if (shifted(group.plane, panes.plane, Math.max(group.near, panes.near)) > shift + 1e-3) return false;
-      return area_of(rect_of([...group.outline, ...panes.outline], 1)) <= LARGER * (group.area + panes.area) + LITTLE;
+      return areaOf(rectOf([...group.outline, ...panes.outline], 1)) <= LARGER * (group.area + panes.area) + LITTLE;
     });
     if (!group) {
       groups.push(panes);
@@ -155,7 +157,7 @@ function together(all: Panes[], shift: number): Panes[] {
     group.layers = [...group.layers, ...panes.layers];
     if (panes.plane.constant < group.plane.constant) group.plane = panes.plane;
     group.outline = hull([...group.outline, ...panes.outline]);
-    group.rect = rect_of(group.outline, 1);
+    group.rect = rectOf(group.outline, 1);
     group.near = Math.max(group.near, panes.near);
     group.area += panes.area;
   }
@@ -172,7 +174,7 @@ function mirrored(parent: View, { layers, plane, rect, outline }: Panes, size: T
     eye: parent.eye.clone().applyMatrix4(through),
     screen,
     world: through.clone().multiply(parent.world),
-    // A pixel more on all sides: texels round the outline are read where pictures are smaller than what they fill.
+    // One pixel of margin: filtering reads texels around the outline.
     beam: [plane, ...sides(screen, polygon, [2 / size.x, 2 / size.y])],
     children: [],
     layers, plane, rect, outline,
@@ -181,22 +183,24 @@ function mirrored(parent: View, { layers, plane, rect, outline }: Panes, size: T
   };
 }
 
-function on_screen(view: View, point: THREE.Vector3, size: THREE.Vector2): Point {
+function onScreen(view: View, point: THREE.Vector3, size: THREE.Vector2): Point {
   const at = new THREE.Vector4(point.x, point.y, point.z, 1).applyMatrix4(view.screen);
   return [(at.x / at.w + 1) / 2 * size.x, (at.y / at.w + 1) / 2 * size.y];
 }
 
-/** How large a metre is where a polygon is nearest. */
-function pixels_per_metre(view: View, polygon: THREE.Vector3[], size: THREE.Vector2): number {
+/** Pixels per metre at the nearest point of a polygon. */
+function pixelsPerMetre(view: View, polygon: THREE.Vector3[], size: THREE.Vector2): number {
   const m = view.screen.elements;
-  const scale = Math.hypot(m[1]!, m[5]!, m[9]!) * size.y / 2; // the row that makes the screen's y
+  const scale = Math.hypot(m[1]!, m[5]!, m[9]!) * size.y / 2; // The row that yields the screen's y.
   const near = Math.min(...polygon.map(({ x, y, z }) => m[3]! * x + m[7]! * y + m[11]! * z + m[15]!));
   return scale / Math.max(near, 1e-6);
 }
 
-/** A camera for a mirrored view, cropped to its rectangle, cut off at its plane. Pictures at odd levels are flipped sideways,
- * so that no triangle turns its back. */
-export function stand(camera: THREE.Camera, view: Mirrored, projection: THREE.Matrix4, size: THREE.Vector2, reach: number) {
+/**
+ * Sets up a camera for a mirrored view, cropped to its rectangle and clipped at its plane. Images at odd levels are flipped
+ * horizontally to keep the winding of triangles.
+ */
+export function placeCamera(camera: THREE.Camera, view: Mirrored, projection: THREE.Matrix4, size: THREE.Vector2, reach: number) {
   const flipped = view.level % 2 === 1, flip = new THREE.Matrix4().makeScale(-1, 1, 1);
   camera.matrixWorld.copy(view.world);
   camera.projectionMatrix.copy(projection);
@@ -218,11 +222,15 @@ export function stand(camera: THREE.Camera, view: Mirrored, projection: THREE.Ma
   camera.projectionMatrixInverse.copy(camera.projectionMatrix).invert();
 }
 
-/** Lays a camera's near plane into a mirror's plane: only the row of depths changes. Perspective reaches to infinity. */
+/**
+ * Replaces the near plane by the mirror's plane (oblique clipping): only the depth row changes. Perspective reaches to
+ * infinity.
+ */
 function cut(camera: THREE.Camera, plane: THREE.Plane, reach: number) {
   const { normal, constant } = plane.clone().applyMatrix4(camera.matrixWorldInverse);
   const p = camera.projectionMatrix.elements, parallel = p[15] === 1;
-  // Depth = grown * distance to the plane / w - 1. The largest growth which keeps all in front of the far end, at the corners.
+  // Depth = grown * distance to the plane / w - 1: the largest factor that keeps everything before the far plane, at the
+  // corners.
   let most = parallel ? reach : 1e-9;
   if (!parallel) {
     for (const x of [-1, 1]) {

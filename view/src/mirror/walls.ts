@@ -1,71 +1,71 @@
-// Where a model's glass lies: the panes of facades that mirror, by wall and by depth. Panes of one plane have one layer,
-// whatever facades of a wall (one a storey) they stand in. Each vertex of glass is told its layer.
+// Finds a model's reflective glass: the panes of facades, grouped by wall and depth. Panes in one plane form a layer, even
+// across the facades of a wall (one per storey). Each glass vertex stores its layer.
 
 import * as THREE from 'three';
-import type { Chunk, Model } from '../model.ts';
+import type { Chunk, Model } from '../model/model.ts';
 import { axes, hull, type Point } from './geometry.ts';
 
-/** Panes that lie in one plane. */
+/** Panes in one plane. */
 export interface Layer {
-  /** Its number in the model: what `mirrorLayer` of a vertex says. */
+  /** Index in the model, as stored in the vertices. */
   id: number;
-  /** Its front is outside. */
+  /** Faces outside. */
   plane: THREE.Plane;
-  /** What they lie within: convex, counter-clockwise seen from outside. */
+  /** Convex outline of the panes, counter-clockwise seen from outside. */
   polygon: THREE.Vector3[];
 }
 
-/** Glass of one wall. */
+/** The glass of one wall. */
 export interface Wall {
   id: number;
   normal: THREE.Vector3;
-  /** The outermost first. */
+  /** Outermost first. */
   layers: Layer[];
   chunks: Chunk[];
   box: THREE.Box3;
 }
 
-/** Which layer a vertex belongs to; `NONE` = none, so it mirrors nothing but the sky. */
+/** Vertex attribute with the layer; `NONE` reflects only the sky. */
 export const ATTRIBUTE = 'mirrorLayer';
 export const NONE = -1;
 
-/** Panes less apart in depth lie in one plane: far above what f32 loses, far below a real step. Metres. */
-const SAME = 5e-4;
-/** How far facades of one wall may be apart, along it and across it. Metres. */
-const JOIN = 0.75, STEP = 0.3;
-/** Least cosine to the way that the facade looks: panes of doors that stand open and of slanting windows count. */
+/** Panes closer in depth than this lie in one plane: well above f32 rounding, well below a real step. Metres. */
+const PLANE_TOLERANCE = 5e-4;
+/** Largest gap between facades of one wall, along and across it. Metres. */
+const GAP_ALONG = 0.75, GAP_ACROSS = 0.3;
+/** Smallest cosine to the facade's direction: includes panes of open doors and slanting windows. */
 const OUTWARD = 0.2;
 
-/** Glass triangles of one chunk that look one way. */
+/** Glass triangles of one chunk with one normal. */
 interface Piece {
   chunk: Chunk;
   normal: THREE.Vector3;
   box: THREE.Box3;
-  /** Corners (positions in the index) by their depth along the normal. */
+  /** First corners (positions in the index) with their depth along the normal. */
   triangles: { at: number; depth: number }[];
   depth: number;
 }
 
-/** Whether a chunk is glass, mirroring or not. */
-export const is_glass = ({ mesh: { material } }: Chunk) =>
-  (material.userData as { reflection?: number }).reflection !== undefined && !(material as THREE.MeshStandardMaterial).emissiveMap; // not what was baked
+/** True for glass, reflective or not. */
+export const isGlass = ({ mesh: { material } }: Chunk) =>
+  (material.userData as { reflection?: number }).reflection !== undefined && !(material as THREE.MeshStandardMaterial).emissiveMap; // Baked reflections are left alone.
 
-/** The walls of a model; gives its glass the attribute. */
-export function walls_of(model: Model): Wall[] {
+/** Finds the walls of a model and sets the layer attribute of its glass. */
+export function findWalls(model: Model): Wall[] {
   const pieces: Piece[] = [];
   for (const chunk of model.chunks) {
-    if (!is_glass(chunk)) continue;
+    if (!isGlass(chunk)) continue;
     const { geometry } = chunk.mesh;
     const layers = geometry.getAttribute(ATTRIBUTE) as THREE.BufferAttribute | undefined;
-    if (layers) layers.array.fill(NONE); // of a house that stood before, too
+    if (layers) layers.array.fill(NONE); // Also clears the layers of a previous model.
     else geometry.setAttribute(ATTRIBUTE, new THREE.BufferAttribute(new Float32Array(geometry.getAttribute('position').count).fill(NONE), 1));
     geometry.getAttribute(ATTRIBUTE).needsUpdate = true;
     const front = chunk.reflection > 0 ? model.parts[chunk.owner]?.front : null;
-    if (front) pieces.push(...pieces_of(chunk, front));
+    if (front) pieces.push(...piecesOf(chunk, front));
   }
   let count = 0;
-  return joined(pieces).map((group, id) => {
-    const wall: Wall = { id, normal: group[0]!.normal, layers: layers_of(group, count), chunks: [], box: new THREE.Box3() };
+  return groupWalls(pieces).map((group, id) => {
+    const wall: Wall = { id, normal: group[0]!.normal, layers: layersOf(group, count), chunks: [], box: new THREE.Box3() };
     count += wall.layers.length;
     for (const { chunk } of group) if (!wall.chunks.includes(chunk)) wall.chunks.push(chunk);
     for (const { polygon } of wall.layers) for (const point of polygon) wall.box.expandByPoint(point);
@@ -73,7 +73,7 @@ export function walls_of(model: Model): Wall[] {
   });
 }
 
-function pieces_of(chunk: Chunk, front: THREE.Vector3): Piece[] {
+function piecesOf(chunk: Chunk, front: THREE.Vector3): Piece[] {
   const pieces = new Map<string, Piece>();
   const position = chunk.mesh.geometry.getAttribute('position'), index = chunk.mesh.geometry.index!;
   const [a, b, c] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
@@ -97,8 +97,8 @@ function pieces_of(chunk: Chunk, front: THREE.Vector3): Piece[] {
   return all;
 }
 
-/** Pieces that make one wall: of one house, looking one way, nearly in one plane and near each other. */
-function joined(pieces: Piece[]): Piece[][] {
+/** Groups pieces into walls: of one house, facing one way, nearly coplanar and near each other. */
+function groupWalls(pieces: Piece[]): Piece[][] {
   const families = new Map<string, Piece[]>();
   for (const piece of pieces) {
     const key = [piece.chunk.house, ...piece.normal.toArray().map(n => Math.round(n * 1000))].join(' ');
@@ -112,9 +112,9 @@ function joined(pieces: Piece[]): Piece[][] {
       if (!left.delete(first)) continue;
       const group = [first];
       for (const piece of group) {
-        const reach = piece.box.clone().expandByScalar(JOIN);
+        const reach = piece.box.clone().expandByScalar(GAP_ALONG);
         for (const other of left) {
-          if (Math.abs(other.depth - piece.depth) > STEP || !reach.intersectsBox(other.box)) continue;
+          if (Math.abs(other.depth - piece.depth) > GAP_ACROSS || !reach.intersectsBox(other.box)) continue;
           left.delete(other);
           group.push(other);
         }
@@ -125,13 +125,13 @@ function joined(pieces: Piece[]): Piece[][] {
   return groups;
 }
 
-/** The planes of a wall's panes, the outermost first; numbers from `first`. */
-function layers_of(group: Piece[], first: number): Layer[] {
+/** The layers of a wall, outermost first, numbered from `first`. */
+function layersOf(group: Piece[], first: number): Layer[] {
   const normal = group[0]!.normal, [u, v] = axes(normal);
   const all = group.flatMap(({ chunk, triangles }) => triangles.map(t => ({ chunk, ...t }))).sort((a, b) => b.depth - a.depth);
   const layers: Layer[] = [], point = new THREE.Vector3();
   for (let from = 0, to = 0; from < all.length; from = to) {
-    while (to < all.length && all[Math.max(from, to - 1)]!.depth - all[to]!.depth < SAME) to++;
+    while (to < all.length && all[Math.max(from, to - 1)]!.depth - all[to]!.depth < PLANE_TOLERANCE) to++;
     const depth = all[(from + to - 1) >> 1]!.depth, id = first + layers.length;
     const points: Point[] = [];
     for (const { chunk, at } of all.slice(from, to)) {

@@ -1,18 +1,18 @@
-// Ridges, hips and falls of the regions that automatic roofs are divided into, as `hsd dump --stage regions --format svg`
-// draws them. Places are those of the house.
+// Ridges, hips and slopes of the regions of automatic roofs, as drawn by `hsd dump --stage regions --format svg`, in the
+// house's frame.
 
-import type { Point, Region } from '../server.ts';
+import type { Point, Region } from '../server/api.ts';
 
 export type Line = [Point, Point];
 type Rect = [a0: number, b0: number, a1: number, b1: number];
 
 const HIPS: Record<string, number> = { YOS: 1, HOG: 1, IRI: 0.5, TER: 0.5, HAK: 0.5 };
 
-/** The ridge of a region and its hips. A branch runs on to its trunk's ridge. */
-export function ridge_lines(region: Region, all: Region[]): Line[] {
+/** The ridge and hips of a region. The ridge of a branch extends to that of its trunk. */
+export function ridgeLines(region: Region, all: Region[]): Line[] {
   const { ridge } = region;
   if (ridge === null) return [];
-  // As if it ran along a; turned back at the end.
+  // Computed along a, then turned back.
   const turned = ({ a0, b0, a1, b1 }: Region): Rect => ridge === 'a' ? [a0, b0, a1, b1] : [b0, a0, b1, a1];
   const back = ([p, q]: Point): Point => ridge === 'a' ? [p, q] : [q, p];
   const [a0, b0, a1, b1] = turned(region);
@@ -20,7 +20,7 @@ export function ridge_lines(region: Region, all: Region[]): Line[] {
   const trunk = region.over === null ? undefined : all[region.over];
   const hip = Math.min((HIPS[region.shape] ?? 0) * half, (a1 - a0) / 2);
   const lines: Line[] = [];
-  // From an end wall to where the ridge ends: out over the trunk, or in behind a hip.
+  // The end of the ridge at an end wall: extended over the trunk, or shortened by a hip.
   const end = (wall: number, out: number): number => {
     if (trunk) {
       const [t0, , t1] = turned(trunk);
@@ -37,8 +37,8 @@ export function ridge_lines(region: Region, all: Region[]): Line[] {
   return lines.map(([p, q]) => [back(p), back(q)]);
 }
 
-/** An arrow down the slope of a lean-to: its shaft and two barbs. */
-export function fall_arrow({ a0, b0, a1, b1, fall }: Region): Line[] {
+/** An arrow down the slope of a lean-to: the shaft and two barbs. */
+export function fallArrow({ a0, b0, a1, b1, fall }: Region): Line[] {
   const ways: Record<string, Point> = { F: [0, -1], B: [0, 1], L: [1, 0], R: [-1, 0] };
   const way = fall === null ? undefined : ways[fall];
   if (!way) return [];

@@ -1,16 +1,16 @@
-// The sheet that plans are drawn on: it moves and grows under fingers, mouse and keys.
+// The drawing sheet of the plan: pan and zoom by touch, mouse and keyboard.
 
-import { is_field, s } from '../dom.ts';
-import type { XY } from './frame.ts';
+import { isField, s } from '../ui/dom.ts';
+import type { XY } from './coordinates.ts';
 
 export interface Frame { x: number; y: number; width: number; height: number }
 
 export class Sheet {
   readonly svg = s('svg', { class: 'sheet', tabindex: 0, role: 'group' });
   frame: Frame = { x: -5, y: -5, width: 10, height: 10 };
-  /** Whether a drag that begins here moves the sheet. */
+  /** True if a drag that begins on an element pans the sheet. */
   moves: (target: Element) => boolean = () => true;
-  /** Told when the sheet has moved. */
+  /** Called after a pan or zoom. */
   moved: () => void = () => {};
   #pointers = new Map<number, [x: number, y: number]>();
 
@@ -27,13 +27,13 @@ export class Sheet {
     window.addEventListener('pointermove', event => this.#drag(event));
     for (const end of ['pointerup', 'pointercancel'] as const) window.addEventListener(end, ({ pointerId }) => this.#pointers.delete(pointerId));
     svg.addEventListener('keydown', event => {
-      if (event.defaultPrevented || is_field(event.target) || !this.key(event)) return;
+      if (event.defaultPrevented || isField(event.target) || !this.key(event)) return;
       event.preventDefault();
     });
     new ResizeObserver(() => this.apply()).observe(svg);
   }
 
-  /** Shows all of this. */
+  /** Fits a rectangle into view. */
   fit(all: Frame | null) {
     const { x, y, width, height } = all ?? { x: -5, y: -5, width: 10, height: 10 };
     const edge = Math.max(width, height, 2) * 0.14;
@@ -41,7 +41,7 @@ export class Sheet {
     this.apply();
   }
 
-  /** By less than 1: nearer. */
+  /** Zooms by a factor; below 1 moves closer. */
   zoom(by: number, [x, y]: XY = this.#middle()) {
     const { frame } = this, factor = Math.min(Math.max(by * frame.width, 0.5), 1e5) / frame.width;
     this.frame = {
@@ -55,7 +55,7 @@ export class Sheet {
     this.apply();
   }
 
-  /** Where a pointer is in the plan. */
+  /** Plan coordinates of a pointer. */
   place({ clientX, clientY }: { clientX: number; clientY: number }): XY {
     const matrix = this.svg.getScreenCTM();
     if (!matrix) return [0, 0];
@@ -63,7 +63,7 @@ export class Sheet {
     return [x, y];
   }
 
-  /** Metres of a pixel. */
+  /** Metres per pixel. */
   get pixel(): number {
     const { width, height } = this.svg.getBoundingClientRect();
     return width ? Math.max(this.frame.width / width, this.frame.height / height) : 0.01;

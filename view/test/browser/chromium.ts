@@ -1,4 +1,4 @@
-// A Chromium for tests, and a small server of pages that are bundled for one test.
+// Chromium for the tests, and a small server for pages bundled for one test.
 
 import { build } from 'esbuild';
 import { execFileSync } from 'node:child_process';
@@ -7,32 +7,32 @@ import { createServer, type Server } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { join } from 'node:path';
 import { type Browser, chromium } from 'playwright-core';
-import { scratch } from './scratch.ts';
+import { temporaryFolder } from './temporary.ts';
 
 const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 
-/** Draws without a graphics card, so the same on each machine. */
+/** Renders in software, so that results are the same on every machine. */
 export function browser(): Promise<Browser> {
   const executablePath = process.env['CHROMIUM'] ?? PLACES.find(existsSync);
   if (!executablePath) throw new Error('no Chromium: set CHROMIUM');
   return chromium.launch({ executablePath, args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader'] });
 }
 
-/** Builds a text with the program under test; the GLB. */
+/** Builds a source file with the program under test; returns the GLB. */
 export function built(text: string, ...options: string[]): Uint8Array {
-  const out = join(scratch(), 'house.glb');
-  build_to(out, text, ...options);
+  const out = join(temporaryFolder(), 'house.glb');
+  buildTo(out, text, ...options);
   return new Uint8Array(readFileSync(out));
 }
 
-/** The same into a file. */
-export function build_to(out: string, text: string, ...options: string[]) {
+/** Builds a source file into another file. */
+export function buildTo(out: string, text: string, ...options: string[]) {
   const hsd = process.env['HSD'];
   if (!hsd) throw new Error('HSD names no program: use test/browser/run.mjs');
   execFileSync(hsd, ['build', '--quiet', text, ...options, '-o', out], { stdio: ['ignore', 'ignore', 'inherit'] });
 }
 
-/** Serves a page with one script and these files on loopback; its address and how to end it. */
+/** Serves a page with one script and some files on localhost; returns its URL and a function that stops it. */
 export async function served(script: string, files: Record<string, Uint8Array>): Promise<{ url: string; close: () => void }> {
   const bundle = await build({ entryPoints: [script], bundle: true, format: 'esm', target: 'es2022', write: false, sourcemap: 'inline' });
   const body = '<!doctype html><meta charset="utf-8"><title>test</title><link rel="icon" href="data:,"><style>body{margin:0}canvas{display:block}</style><script type="module" src="/page.js"></script>';

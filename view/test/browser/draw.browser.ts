@@ -1,4 +1,4 @@
-// The drawing tool: each stroke changes the text, and the model stands at once; by pointer and by keys.
+// The drawing tools: each edit changes the source file and the model follows; by pointer and by keyboard.
 
 import assert from 'node:assert/strict';
 import { chmodSync, rmSync } from 'node:fs';
@@ -26,7 +26,7 @@ before(async () => {
   page = await preview.open('?file=plain.hsd');
   await does(page, 'plan').click();
   await does(page, 'draw').click();
-  await page.locator('.toolbar [data-do=model]').click(); // more room for the plan
+  await page.locator('.toolbar [data-do=model]').click(); // Makes room for the plan.
   await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
 });
 after(async () => { await preview?.close(); });
@@ -36,13 +36,13 @@ beforeEach(async () => {
   await page.locator('.tools input[value=part]').check();
 });
 
-/** Waits until the plan shows what the model shows. */
+/** Waits until the plan is up to date with the model. */
 const drawn = () => until(() => page.evaluate(() => hsd.plan.drawn.walls.size > 0 && document.documentElement.dataset.revision === `${hsd.revision}`), 'the plan is drawn');
-const said = () => page.locator('.said').textContent();
+const said = () => page.locator('.status').textContent();
 const tool = (name: string) => page.locator(`.tools input[value=${name}]`).check();
 const text = () => preview.read('plain.hsd');
 
-/** Waits for what a stroke makes of the text. */
+/** Waits for the effect of an edit on the source file. */
 async function becomes(holds: (text: string) => boolean, what: string) {
   await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await said()}`); });
   const now = text();
@@ -50,10 +50,10 @@ async function becomes(holds: (text: string) => boolean, what: string) {
   await page.waitForTimeout(60);
 }
 
-/** Corners of the first storey, as the plan has them. */
+/** Corners of a storey in the plan. */
 const corners = (house = 0, storey = 0) => page.evaluate(([h, s]) => hsd.app.state!.plan.houses[h!]!.storeys[s!]!.rings[0]!.walls.map(w => w.from), [house, storey]);
 
-/** Where a place of the first house is on the screen. */
+/** Screen position of a point of the first house. */
 const at = (a: number, b: number) => page.evaluate(([a, b]) => {
   const { sheet } = hsd.plan, m = sheet.svg.getScreenCTM()!, u = hsd.app.state!.plan.houses[0]!.unit_m;
   const p = new DOMPoint(-a! * u, -b! * u).matrixTransform(m);
@@ -68,7 +68,7 @@ async function drag(from: [number, number], to: [number, number]) {
   await page.mouse.move(q.x, q.y, { steps: 3 });
 }
 
-test('the palette shows parts with pictures, and finds them by name', async () => {
+test('the palette shows parts with images and finds them by name', async () => {
   const buttons = page.locator('.palette button');
   const all = await buttons.count();
   const picture = buttons.filter({ hasText: 'KSK' }).first().locator('img');
@@ -82,7 +82,7 @@ test('the palette shows parts with pictures, and finds them by name', async () =
   assert.equal(await buttons.count(), all);
 });
 
-test('a part is set by two clicks, and taken back and set again', async () => {
+test('a part is placed with two clicks, undone and redone', async () => {
   await page.locator('.palette button[data-code="KTU  "]').click();
   assert.match(await said() ?? '', /now choose/);
   await page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
@@ -99,7 +99,7 @@ test('a part is set by two clicks, and taken back and set again', async () => {
   await becomes(t => t !== HOUSE, 'set again by keys');
 });
 
-test('a part is set by keys alone', async () => {
+test('a part is placed by keyboard', async () => {
   await page.locator('.palette button[data-code="KTU  "]').focus();
   await page.keyboard.press('Enter');
   await page.locator('.unit[tabindex="0"]').focus();
@@ -110,7 +110,7 @@ test('a part is set by keys alone', async () => {
   assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-code')), 'KTU', 'the focus stays');
 });
 
-test('a wall is dragged along its normal: a ghost, its units, and the walls beside it follow', async () => {
+test('a wall is dragged along its normal with a ghost and its units, and the adjoining walls follow', async () => {
   await tool('wall');
   await drag([2.5, 4], [2.5, 6.2]);
   assert.equal(await page.locator('.ghost').count(), 1);
@@ -124,7 +124,7 @@ test('a wall is dragged along its normal: a ghost, its units, and the walls besi
   await becomes(t => t === HOUSE, 'taken back');
 });
 
-test('a wall is moved by keys', async () => {
+test('a wall is moved by keyboard', async () => {
   await tool('wall');
   const back = page.locator('.run').nth(2);
   await back.focus();
@@ -139,17 +139,17 @@ test('a wall is moved by keys', async () => {
   assert.deepEqual(await corners(), [[0, 0], [6, 0], [6, 3], [0, 3]]);
 });
 
-test('a stroke that cannot be made is refused in words, and nothing changes', async () => {
+test('an impossible edit is refused with a reason, and nothing changes', async () => {
   await tool('wall');
   await drag([2.5, 4], [2.5, -3]);
   await page.mouse.up();
-  await until(async () => /^Not drawn: .{10,}/.test(await said() ?? ''), 'it is refused');
-  assert.ok(await page.locator('.said.refused').isVisible());
+  await until(async () => /^Not applied: .{10,}/.test(await said() ?? ''), 'it is refused');
+  assert.ok(await page.locator('.status.refused').isVisible());
   assert.equal(await page.locator('.ghost').count(), 0, 'it snaps back');
   assert.equal(text(), HOUSE);
 });
 
-test('a stretch of a wall is chosen and broken out, by pointer and by keys', async () => {
+test('a stretch of a wall is chosen and broken out, by pointer and keyboard', async () => {
   await tool('break');
   await drag([4.2, 4], [2.8, 4]);
   await page.mouse.up();
@@ -169,7 +169,7 @@ test('a stretch of a wall is chosen and broken out, by pointer and by keys', asy
   assert.equal((await corners()).length, 8);
 });
 
-test('a storey is added, made higher, and removed', async () => {
+test('a storey is added, given a height, and removed', async () => {
   await does(page, 'add-storey').click();
   await becomes(t => t !== HOUSE, 'a storey is added');
   assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys.length), 2);
@@ -184,7 +184,7 @@ test('a storey is added, made higher, and removed', async () => {
   await until(() => page.evaluate(() => hsd.app.state!.plan.houses[0]!.storeys.length === 1), 'one storey is left');
 });
 
-test('a new house is drawn, by pointer and by keys', async () => {
+test('a new house is drawn, by pointer and keyboard', async () => {
   for (let i = 0; i < 4; i++) await does(page, 'farther').click();
   await tool('outline');
   await drag([-6, 0], [-2, 3]);
@@ -209,7 +209,7 @@ test('a new house is drawn, by pointer and by keys', async () => {
   assert.equal(await page.evaluate(() => hsd.app.state!.plan.houses.length), 2);
 });
 
-test('Escape lets go of what is dragged, and so does a second finger', async () => {
+test('Escape and a second finger cancel a drag', async () => {
   await tool('wall');
   await drag([2.5, 4], [2.5, 6]);
   await page.keyboard.press('Escape');
@@ -230,7 +230,7 @@ test('Escape lets go of what is dragged, and so does a second finger', async () 
   assert.equal(text(), HOUSE);
 });
 
-test('quick strokes are all made, in their order', async () => {
+test('edits in quick succession are all applied in order', async () => {
   await page.locator('.palette button[data-code="KTU  "]').click();
   const units = page.locator('.unit[data-code=KSK] .hit'), count = await units.count();
   await page.evaluate(() => {
@@ -241,7 +241,7 @@ test('quick strokes are all made, in their order', async () => {
   await becomes(t => t === HOUSE, 'all are taken back');
 });
 
-test('what is written while a wall is dragged is kept, and the stroke made where its place is still there', async () => {
+test('a change saved during a drag is kept, and the edit is applied if its target still exists', async () => {
   await tool('wall');
   await drag([2.5, 4], [2.5, 6.2]);
   await preview.save(page, 'plain.hsd', `# Written meanwhile.\n${HOUSE}`);
@@ -255,22 +255,22 @@ test('what is written while a wall is dragged is kept, and the stroke made where
   const deeper = HOUSE.replaceAll('KTU  KTU  MRE  KTU', 'KTU  KTU  MRE  KTU  KTU').replace('\nKTU  KTU  KTU  KTU\n', '\nKTU  KTU  KTU  KTU  KTU\n');
   await preview.save(page, 'plain.hsd', deeper);
   await page.mouse.up();
-  await until(async () => (await said() ?? '').includes('changed meanwhile'), 'it is refused');
+  await until(async () => (await said() ?? '').includes('changed in the meantime'), 'it is refused');
   assert.equal(text(), deeper);
   assert.equal(await page.locator('.ghost').count(), 0);
 });
 
-test('heights are numbers within bounds', async () => {
+test('heights are limited to numbers within bounds', async () => {
   const height = page.getByLabel('Height (shaku)');
   for (const wrong of ['-3', '', '500', '0.2']) {
     await height.fill(wrong);
     await does(page, 'set-height').click();
-    assert.match(await said() ?? '', /Not drawn: a height is a number from 1 to 100/);
+    assert.match(await said() ?? '', /Not applied: the height must be a number from 1 to 100/);
   }
   assert.equal(text(), HOUSE);
 });
 
-test('a first house is drawn where a text has none, and stays', async () => {
+test('a first house can be drawn in an empty file', async () => {
   preview.write('empty.hsd', '');
   preview.write('remark.hsd', '# 私の家\n');
   for (const file of ['empty.hsd', 'remark.hsd']) {
@@ -287,30 +287,30 @@ test('a first house is drawn where a text has none, and stays', async () => {
     await page.mouse.up();
     await until(() => page.evaluate(() => hsd.app.state!.plan.houses.length === 1 && hsd.app.model!.triangles > 0), 'the house stands');
     await does(page, 'remove-house').click();
-    await until(async () => (await page.locator('.said').textContent() ?? '').includes('the only house'), 'it is refused');
+    await until(async () => (await page.locator('.status').textContent() ?? '').includes('the only house'), 'it is refused');
     assert.equal(await page.evaluate(() => hsd.app.state!.diagnostics.length), 0, preview.read(file));
   }
   await page.locator('.files button').filter({ hasText: 'plain' }).click();
   await until(() => page.evaluate(() => hsd.app.state?.file === 'plain.hsd'), 'the other is back');
 });
 
-test('a file that may not be written to, or is gone, is told in words', async () => {
+test('a read-only or missing file is reported', async () => {
   const path = join(preview.folder, 'plain.hsd');
   await page.locator('.palette button[data-code="KTU  "]').click();
   const set = () => page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
   chmodSync(path, 0o444);
   await set();
-  await until(async () => (await said() ?? '').includes('Not drawn: the file, or its folder, may not be written to'), 'it is protected');
+  await until(async () => (await said() ?? '').includes('Not applied: the file, or its folder, may not be written to'), 'it is protected');
   chmodSync(path, 0o644);
   assert.equal(text(), HOUSE);
   rmSync(path);
-  await until(async () => /plain\.hsd is no longer there/.test(await page.locator('.live').textContent() ?? ''), 'it is told');
+  await until(async () => /plain\.hsd has been removed/.test(await page.locator('.live').textContent() ?? ''), 'it is told');
   await set();
-  await until(async () => (await said() ?? '').includes('Not drawn: the file is no longer there'), 'it is gone');
+  await until(async () => (await said() ?? '').includes('Not applied: the file is no longer there'), 'it is gone');
   preview.write('plain.hsd', HOUSE);
 });
 
-test('where texts may not be changed, nothing is drawn', async () => {
+test('drawing is disabled where files may not be edited', async () => {
   const closed = await Preview.of([['plain.hsd', HOUSE]], '--read-only');
   try {
     const there = await closed.open('?file=plain.hsd');
@@ -322,4 +322,4 @@ test('where texts may not be changed, nothing is drawn', async () => {
   }
 });
 
-test('nothing left the machine, nothing failed', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.blameless());

@@ -1,11 +1,11 @@
-// The page that tests of mirrors draw in: a model, an eye, and nothing else of `hsd view`. Flat, each part has one colour,
-// no light falls and no edge is smoothed; lit, it has sun, shadows, sky and ground.
+// The page used by the tests of reflections: a model and a camera, nothing else of `hsd view`. Flat: one colour per part, no
+// lighting, no antialiasing; otherwise with sun, shadows, sky and ground.
 
 import * as THREE from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { Mirrors, type Options, type Stats } from '../../src/mirror/mirrors.ts';
-import { type Model, model_of } from '../../src/model.ts';
-import { colour_of } from '../colours.ts';
+import { type Model, buildModel } from '../../src/model/model.ts';
+import { colourOf } from '../colours.ts';
 
 export interface Shot {
   eye: [number, number, number];
@@ -13,7 +13,7 @@ export interface Shot {
   fov?: number;
   width: number;
   height: number;
-  /** Half the height of what is seen, for a parallel view. */
+  /** Half the visible height, for an orthographic view. */
   parallel?: number;
   options?: Partial<Options>;
 }
@@ -27,7 +27,7 @@ export interface Shown {
 
 export interface Drawn {
   stats: Stats;
-  /** Milliseconds until the card had drawn all. */
+  /** Milliseconds until the GPU has finished. */
   ms: number;
   /** Of the whole frame. */
   calls: number;
@@ -52,10 +52,10 @@ class Page {
     this.#renderer.info.autoReset = false;
   }
 
-  /** Shows a model; `cover` = how much of what is behind flat glass its own colour covers. */
+  /** Loads a model; `cover` is the opacity of flat glass. */
   async load(file: string, flat: boolean, cover = 1): Promise<Shown> {
     for (const { mesh } of this.#model?.chunks ?? []) this.#scene.remove(mesh);
-    const model = model_of((await new GLTFLoader().loadAsync(file)).scene);
+    const model = buildModel((await new GLTFLoader().loadAsync(file)).scene);
     this.#model = model;
     if (flat) for (const chunk of model.chunks) flatten(chunk, cover);
     else this.#light(model);
@@ -68,45 +68,48 @@ class Page {
     };
   }
 
-  /** Draws; places are those of the file. */
+  /** Draws a frame; coordinates are in the file's frame. */
   draw(shot: Shot): Drawn {
-    const { eye, target, fov = 50, width, height, parallel } = shot, { middle } = this.#model!;
+    const { eye, target, fov = 50, width, height, parallel } = shot, { origin } = this.#model!;
     Object.assign(this.#mirrors.options, this.#defaults, shot.options);
     this.#renderer.setSize(width, height);
     const camera = parallel === undefined ? new THREE.PerspectiveCamera(fov, width / height, 0.05, 500)
       : new THREE.OrthographicCamera(-parallel * width / height, parallel * width / height, parallel, -parallel, 0.05, 500);
-    camera.position.set(...eye).sub(middle);
-    camera.lookAt(new THREE.Vector3(...target).sub(middle));
+    camera.position.set(...eye).sub(origin);
+    camera.lookAt(new THREE.Vector3(...target).sub(origin));
     const begun = performance.now(), gl = this.#renderer.getContext(), { info } = this.#renderer;
     info.reset();
     this.#mirrors.paint(camera);
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // waits for the card
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4)); // Waits for the GPU.
     return { stats: this.#mirrors.stats, ms: performance.now() - begun, calls: info.render.calls, triangles: info.render.triangles };
   }
 
-  /** Draws what an eye sees from behind a mirror that faces south, which is not drawn: no glass mirrors. `z` as in the file. */
+  /**
+   * Draws the view of an eye behind a south-facing mirror that is itself not drawn, without reflections; `z` in the file's
+   * frame.
+   */
   behind(shot: Shot, z: number) {
     const turned = (p: [number, number, number]): [number, number, number] => [p[0], p[1], 2 * z - p[2]];
-    this.#renderer.clippingPlanes = [new THREE.Plane(new THREE.Vector3(0, 0, 1), this.#model!.middle.z - z)];
+    this.#renderer.clippingPlanes = [new THREE.Plane(new THREE.Vector3(0, 0, 1), this.#model!.origin.z - z)];
     this.draw({ ...shot, eye: turned(shot.eye), target: turned(shot.target), options: { ...shot.options, on: false } });
     this.#renderer.clippingPlanes = [];
   }
 
-  /** Draws until nothing asks for another frame; how many frames that took. */
+  /** Draws until no further frame is requested; returns the number of frames. */
   async settle(shot: Shot): Promise<Drawn & { frames: number }> {
-    const { probes } = this.#mirrors;
+    const { occlusion } = this.#mirrors;
     let again = true, frames = 0;
-    probes.wake = () => { again = true; };
+    occlusion.requestFrame = () => { again = true; };
     while (again && frames < 20) {
       again = false;
       this.draw(shot);
       frames++;
-      while (probes.asking) await new Promise(done => setTimeout(done, 5));
+      while (occlusion.pending) await new Promise(done => setTimeout(done, 5));
     }
     return { ...this.draw(shot), frames: frames + 1 };
   }
 
-  /** Draws so many frames; the least of their times, which other programs disturb least. */
+  /** Draws a number of frames; returns the shortest time, which other programs disturb least. */
   async measure(shot: Shot, frames: number): Promise<Drawn> {
     await this.settle(shot);
     const all: Drawn[] = [];
@@ -115,7 +118,7 @@ class Page {
     return { ...last, ms: Math.min(...all.map(({ ms }) => ms)), stats: { ...last.stats, find: Math.min(...all.map(({ stats }) => stats.find)) } };
   }
 
-  /** What is drawn: bytes from the lower left corner on, four a pixel, in base 64. */
+  /** The drawn pixels from the lower left corner, RGBA, base64. */
   pixels(): string {
     const { width, height } = this.#renderer.domElement, gl = this.#renderer.getContext();
     const bytes = new Uint8Array(width * height * 4);
@@ -125,7 +128,7 @@ class Page {
     return btoa(text);
   }
 
-  /** What went wrong on the card since the last call. */
+  /** WebGL errors since the last call. */
   errors(): number[] {
     const gl = this.#renderer.getContext(), errors: number[] = [];
     for (let error = gl.getError(); error !== gl.NO_ERROR; error = gl.getError()) errors.push(error);
@@ -149,11 +152,11 @@ class Page {
   }
 }
 
-/** One colour for each part. */
+/** Assigns one colour to each part. */
 function flatten({ mesh, ranges }: Model['chunks'][number], cover: number) {
   const { geometry } = mesh, colours = new Float32Array(geometry.getAttribute('position').count * 3);
   for (const { start, count, part } of ranges) {
-    for (let i = start; i < start + count; i++) colours.set(colour_of(part), geometry.index!.getX(i) * 3);
+    for (let i = start; i < start + count; i++) colours.set(colourOf(part), geometry.index!.getX(i) * 3);
   }
   geometry.setAttribute('color', new THREE.BufferAttribute(colours, 3));
   const { side, userData } = mesh.material;
@@ -165,7 +168,7 @@ function flatten({ mesh, ranges }: Model['chunks'][number], cover: number) {
 
 declare global {
   interface Window {
-    /** `smooth` = edges are. */
+    /** `smooth` enables antialiasing. */
     page: (smooth: boolean) => Page;
   }
 }

@@ -1,5 +1,4 @@
-// The mirrors of the page against a ray caster: what glass shows has to be what rays that turn back at it meet, pixel for
-// pixel, wherever the eye stands and however often light is mirrored.
+// The page's reflections compared pixel by pixel with a ray caster, for various cameras and recursion depths.
 
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -7,17 +6,17 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, Page } from 'playwright-core';
-import { of_bytes } from '../colours.ts';
+import { ofBytes } from '../colours.ts';
 import { type Camera, Scene } from '../raycast.ts';
 import { browser, built, served } from './chromium.ts';
 import type { Drawn, Shot } from './mirror-page.ts';
-import { scratch } from './scratch.ts';
+import { temporaryFolder } from './temporary.ts';
 
-const here = dirname(fileURLToPath(import.meta.url)), SIZE = { width: 240, height: 150 }, SKY = of_bytes(150, 180, 210);
-/** Nothing is left out, nothing shared. */
-const EXACT = { probe: false, shift: 0, pixels: 0, views: 64, side: 4096 };
+const here = dirname(fileURLToPath(import.meta.url)), SIZE = { width: 240, height: 150 }, SKY = ofBytes(150, 180, 210);
+/** Nothing is skipped or shared. */
+const EXACT = { cullOccluded: false, shift: 0, pixels: 0, views: 64, side: 4096 };
 
-/** Pixels of a picture where one of both looks through a crack between parts that is as wide as numbers are rounded: no edge. */
+/** Pixels in which one of the two images looks through a crack between parts as narrow as rounding errors. */
 const CRACKS = 10;
 
 let chromium: Browser, page: Page, url: string, close: () => void, cast: Scene, whole: Scene;
@@ -25,7 +24,7 @@ let chromium: Browser, page: Page, url: string, close: () => void, cast: Scene, 
 before(async () => {
   const model = built(join(here, '../scenes/two.hsd'));
   cast = new Scene(model);
-  const text = readFileSync(join(here, '../scenes/two.hsd'), 'utf8'), other = join(scratch(), 'whole.hsd');
+  const text = readFileSync(join(here, '../scenes/two.hsd'), 'utf8'), other = join(temporaryFolder(), 'whole.hsd');
   writeFileSync(other, text.replaceAll(/reflection="0\.\d+"/g, 'reflection="1"'));
   const mirror = built(other);
   whole = new Scene(mirror);
@@ -56,7 +55,7 @@ async function drawn(shot: Shot, settled = false): Promise<{ drawn: Drawn; pixel
 
 type Eye = Pick<Camera, 'eye' | 'target' | 'fov'>;
 
-/** Share of pixels that agree within 3 of 255, and how many of the others stand at no edge. */
+/** Fraction of pixels that agree within 3 of 255, and the number of the others that are not at an edge. */
 function compared(pixels: Uint8Array, eye: Eye, depth: number): { same: number; loose: number; right: Uint8Array } {
   const { width, height } = SIZE, camera = { ...eye, ...SIZE }, right = cast.picture(camera, depth, SKY);
   let wrong = 0, loose = 0;
@@ -71,7 +70,7 @@ function compared(pixels: Uint8Array, eye: Eye, depth: number): { same: number; 
 
 const apart = (a: ArrayLike<number>, b: ArrayLike<number>) => [0, 1, 2].some(i => Math.abs(a[i]! - b[i]!) > 3);
 
-/** Whether rays through one pixel, or less than half a pixel beside it, do not all see the same. */
+/** True if rays through a pixel or within half a pixel of it do not all have the same colour. */
 function edge(camera: Camera, x: number, y: number, depth: number): boolean {
   const middle = cast.seen(camera, x + 0.5, y + 0.5, depth, SKY), steps = [-0.8, -0.4, 0, 0.4, 0.8];
   return steps.some(u => steps.some(v => apart(middle, cast.seen(camera, x + 0.5 + u, y + 0.5 + v, depth, SKY))));
@@ -101,7 +100,7 @@ for (const depth of [0, 1, 2, 3, 4]) {
   }
 }
 
-test('the comparison tells mirrors from none, and an eye from one 20 cm beside it', async () => {
+test('the comparison detects missing reflections and a camera shifted by 20 cm', async () => {
   const [, eye] = EYES[0]!;
   const good = compared((await drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 1 } })).pixels, eye, 1);
   const without = compared((await drawn({ ...eye, ...SIZE, options: { ...EXACT, on: false } })).pixels, eye, 1);
@@ -112,9 +111,9 @@ test('the comparison tells mirrors from none, and an eye from one 20 cm beside i
   assert(good.same > 0.99);
 });
 
-test('glass behind a house is not mirrored, and comes back when the eye rises above it', async () => {
+test('occluded glass is not mirrored until the camera rises above the house', async () => {
   const behind: Eye = { eye: [-5, 1.5, 12], target: [-5, 1.5, 0], fov: 50 }, above: Eye = { ...behind, eye: [-5, 7, 13] };
-  const options = { ...EXACT, probe: true, depth: 1 };
+  const options = { ...EXACT, cullOccluded: true, depth: 1 };
   const first = await drawn({ ...behind, ...SIZE, options });
   assert(first.drawn.stats.drawn > 0, 'nothing is known yet');
   const hidden = await drawn({ ...behind, ...SIZE, options }, true);
@@ -127,7 +126,7 @@ test('glass behind a house is not mirrored, and comes back when the eye rises ab
   assert(compared(pixels, above, 1).same >= 0.985);
 });
 
-test('panes of several depths share a picture that is hardly shifted', async t => {
+test('panes of several depths share an image with little shift', async t => {
   const [, eye] = EYES[0]!, shots = await Promise.all([0, 100].map(shift => drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 1, shift } })));
   const [exact, shared] = shots.map(shot => shot.drawn.stats.drawn);
   assert(shared! < exact!);
@@ -136,7 +135,7 @@ test('panes of several depths share a picture that is hardly shifted', async t =
   assert(same > 0.96);
 });
 
-test('a smaller atlas gives coarser pictures, no wrong ones', async t => {
+test('a smaller atlas gives coarser images, not wrong ones', async t => {
   const [, eye] = EYES[0]!, { drawn: { stats }, pixels } = await drawn({ ...eye, ...SIZE, options: { ...EXACT, depth: 2, side: 128 } });
   assert(stats.scale < 0.8 && stats.drawn > 3);
   const { same } = compared(pixels, eye, 2);
@@ -144,7 +143,7 @@ test('a smaller atlas gives coarser pictures, no wrong ones', async t => {
   assert(same > 0.9);
 });
 
-test('what is behind clear glass is seen through the rest of the light', async t => {
+test('objects behind clear glass are visible through it', async t => {
   const load = (cover: number) => page.evaluate(async cover => {
     await (window as unknown as { it: ReturnType<Window['page']> }).it.load('two.glb', true, cover);
   }, cover);
@@ -163,7 +162,7 @@ test('what is behind clear glass is seen through the rest of the light', async t
   }
 });
 
-test('light and shadows in a whole mirror are those that an eye behind it would see', async t => {
+test('a perfect mirror shows the light and shadows that an eye behind it would see', async t => {
   const [, eye] = EYES[0]!, lit = await chromium.newPage();
   await lit.goto(url);
   const [mirrored, direct] = await lit.evaluate(async shot => {
@@ -171,12 +170,12 @@ test('light and shadows in a whole mirror are those that an eye behind it would 
     await it.load('whole.glb', false);
     it.draw(shot);
     const mirrored = it.pixels();
-    it.behind(shot, 0.055); // where the panes of the curtain wall lie
+    it.behind(shot, 0.055); // The plane of the curtain wall's panes.
     return [mirrored, it.pixels()];
   }, { ...eye, ...SIZE, options: { ...EXACT, depth: 1 } } as Shot).then(all => all.map(text => new Uint8Array(Buffer.from(text, 'base64'))));
   await lit.close();
   let all = 0, same = 0;
-  const sky = direct!.subarray(direct!.length - 4); // seen straight, the tones of a background are not mapped
+  const sky = direct!.subarray(direct!.length - 4); // The background is not tone-mapped where it is seen directly.
   for (let y = 0; y < SIZE.height; y++) {
     for (let x = 0; x < SIZE.width; x++) {
       const glass = whole.glass({ ...eye, ...SIZE }, x + 0.5, y + 0.5);
@@ -193,7 +192,7 @@ test('light and shadows in a whole mirror are those that an eye behind it would 
   assert(same / all >= 0.985, `${same / all}`);
 });
 
-/** For looking at: both pictures beside each other. */
+/** Keeps both images side by side for inspection. */
 async function keep(name: string, pixels: Uint8Array, right: Uint8Array) {
   const { writeFile } = await import('node:fs/promises');
   const { width, height } = SIZE, rows: string[] = [`P3 ${width * 2} ${height} 255`];

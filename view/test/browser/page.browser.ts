@@ -1,10 +1,10 @@
-// Every control of the page, in a real Chromium against the real server: each does what it says.
+// Every control of the page, in Chromium with the real server.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
-import { KYOTO, sun_at } from '../../src/sun.ts';
+import { KYOTO, sunPosition } from '../../src/scene/sun.ts';
 import { brightness, differ, does, fold, mean, Preview, unfold, until } from './preview.ts';
 
 let preview: Preview, page: Page;
@@ -18,7 +18,7 @@ after(async () => { await preview?.close(); });
 const live = () => page.locator('.live').textContent();
 const reset = async () => { await does(page, 'reset').click(); await page.evaluate(() => hsd.settled()); };
 
-test('the file picker lists the folder, keeps up with it, and changes the file', async () => {
+test('the file list follows the folder and switches files', async () => {
   const files = page.locator('.files button');
   assert.deepEqual(await files.allTextContents(), ['kura.hsd', 'machiya.hsd', 't-house.hsd']);
   assert.equal(await page.locator('.files [aria-current]').textContent(), 'machiya.hsd');
@@ -31,8 +31,8 @@ test('the file picker lists the folder, keeps up with it, and changes the file',
   await until(() => page.evaluate(() => hsd.find('GDE 2').length === 1), 'machiya is shown');
 });
 
-test('storeys and roofs are hidden and shown', async () => {
-  const triangles = () => page.evaluate(() => { hsd.stage.frame(true); hsd.stage.frame(true); return hsd.stats.triangles; });
+test('storeys and roofs can be hidden and shown', async () => {
+  const triangles = () => page.evaluate(() => { hsd.viewport.frame(true); hsd.viewport.frame(true); return hsd.stats.triangles; });
   const all = await triangles(), seen = await brightness(page);
   const boxes = (await unfold(page, 'shown')).locator('label.tick');
   assert.deepEqual(await boxes.allTextContents(), ['Storey 1', 'Storey 2', 'Roofs of storey 1', 'Roofs of storey 2']);
@@ -40,8 +40,8 @@ test('storeys and roofs are hidden and shown', async () => {
     await boxes.nth(i).locator('input').uncheck();
     const less = await triangles();
     assert.ok(less < all, `${layer}: ${less} of ${all}`);
-    const hidden = await page.evaluate(layer => hsd.app.model!.chunks.filter(c => hsd.app.layer_of(c) === layer).every(c => !c.mesh.visible)
-      && hsd.app.model!.chunks.filter(c => hsd.app.layer_of(c) !== layer).every(c => c.mesh.visible), layer);
+    const hidden = await page.evaluate(layer => hsd.app.model!.chunks.filter(c => hsd.app.layerOf(c) === layer).every(c => !c.mesh.visible)
+      && hsd.app.model!.chunks.filter(c => hsd.app.layerOf(c) !== layer).every(c => c.mesh.visible), layer);
     assert.ok(hidden, layer);
     assert.ok(differ(seen, await brightness(page)) > 0.005, `${layer} is seen to go`);
     await boxes.nth(i).locator('input').check();
@@ -52,7 +52,7 @@ test('storeys and roofs are hidden and shown', async () => {
   assert.equal(await triangles(), all);
 });
 
-test('the section plane cuts on each axis, to either side, and the cut looks solid', async () => {
+test('the section plane cuts on each axis, on either side, and bodies look solid', async () => {
   const section = await unfold(page, 'section');
   await does(page, 'view').selectOption('above');
   const whole = await brightness(page);
@@ -62,29 +62,29 @@ test('the section plane cuts on each axis, to either side, and the cut looks sol
     at.set(min.x + (max.x - min.x) * x!, min.y + (max.y - min.y) * y!, min.z + (max.z - min.z) * z!);
     return hsd.app.section.keeps(at);
   }, [x, y, z]);
-  await section.getByLabel('Across').selectOption('y');
+  await section.getByLabel('Axis').selectOption('y');
   await section.getByLabel('Position').fill('0.3');
   assert.ok(await kept(0.5, 0.2, 0.5));
   assert.ok(!await kept(0.5, 0.4, 0.5));
   assert.ok(differ(whole, await brightness(page)) > 0.1, 'the upper part is gone');
-  // The flat colour of cut bodies is seen.
+  // The flat colour of cut bodies is visible.
   const caps = () => page.evaluate(() => {
-    const { clientWidth: w, clientHeight: h } = hsd.stage.canvas, places: [number, number][] = [];
+    const { clientWidth: w, clientHeight: h } = hsd.viewport.canvas, places: [number, number][] = [];
     for (let y = 0; y < h; y += 2) for (let x = 0; x < w; x += 2) places.push([x, y]);
     return hsd.pixels(places).filter(([r, g, b]) => Math.abs(r! - 0x8c) < 3 && Math.abs(g! - 0x3b) < 3 && Math.abs(b! - 0x2a) < 3).length;
   });
   assert.ok(await caps() > 20, `${await caps()} places of cut bodies`);
   const metres = await page.evaluate(() => hsd.app.section.position());
   assert.equal(await section.locator('output').textContent(), `${metres.toFixed(2)} m`);
-  // What is cut away is not picked.
-  const roof = await page.evaluate(() => hsd.pick(hsd.stage.canvas.clientWidth / 2, hsd.stage.canvas.clientHeight / 3));
+  // Parts that are cut away cannot be picked.
+  const roof = await page.evaluate(() => hsd.pick(hsd.viewport.canvas.clientWidth / 2, hsd.viewport.canvas.clientHeight / 3));
   assert.notEqual(await page.evaluate(part => part === null ? '' : hsd.app.model!.parts[part]!.kind, roof), 'roof');
   await section.getByLabel('Other side').check();
   assert.ok(!await kept(0.5, 0.2, 0.5));
   assert.ok(await kept(0.5, 0.4, 0.5));
-  await section.getByLabel('Across').selectOption('x');
+  await section.getByLabel('Axis').selectOption('x');
   assert.ok(await kept(0.4, 0.5, 0.5) && !await kept(0.2, 0.5, 0.5));
-  await section.getByLabel('Across').selectOption('z');
+  await section.getByLabel('Axis').selectOption('z');
   assert.ok(await kept(0.5, 0.5, 0.4) && !await kept(0.5, 0.5, 0.2));
   await section.getByLabel('Cut the model').uncheck();
   assert.ok(await kept(0.5, 0.5, 0.2));
@@ -92,18 +92,18 @@ test('the section plane cuts on each axis, to either side, and the cut looks sol
   assert.equal(differ(whole, await brightness(page)), 0);
 });
 
-test('the sun goes by date and hour in Kyoto; shadows follow; nights are dim', async () => {
+test('the sun follows date and hour in Kyoto, with its shadows; nights are dim', async () => {
   await reset();
   const sky = await unfold(page, 'sun');
   const set = async (date: string, hour: number) => {
     await sky.getByLabel('Date').fill(date);
     await sky.getByLabel('Hour in Kyoto').fill(`${hour}`);
     const [year, month, day] = date.split('-').map(Number) as [number, number, number];
-    const { azimuth, altitude } = sun_at({ year, month, day }, hour, KYOTO);
+    const { azimuth, altitude } = sunPosition({ year, month, day }, hour, KYOTO);
     const said = await sky.locator('p[role=status]').textContent();
     assert.ok(said!.includes(`${azimuth.toFixed(1)}°`) && said!.includes(`${altitude.toFixed(1)}°`), `${said}`);
-    // The light comes from there: x east, y up, z south.
-    const way = await page.evaluate(() => { const { sun } = hsd.stage; return sun.position.clone().sub(sun.target.position).normalize().toArray(); });
+    // The direction of the light: x east, y up, z south.
+    const way = await page.evaluate(() => { const { sun } = hsd.viewport; return sun.position.clone().sub(sun.target.position).normalize().toArray(); });
     if (altitude > 0) {
       assert.ok(Math.abs(Math.asin(way[1]) * 180 / Math.PI - altitude) < 0.01);
       assert.ok(Math.abs((Math.atan2(way[0], -way[2]) * 180 / Math.PI + 360) % 360 - azimuth) < 0.01);
@@ -120,14 +120,14 @@ test('the sun goes by date and hour in Kyoto; shadows follow; nights are dim', a
   assert.equal(await sky.getByLabel('Hour in Kyoto').inputValue(), '14');
 });
 
-test('measuring: clicks snap to vertices; metres, shaku and ken', async () => {
+test('measuring snaps to vertices and shows metres, shaku and ken', async () => {
   await reset();
   const section = await unfold(page, 'measure');
   await section.getByLabel('Measure', { exact: true }).check();
-  const canvas = page.locator('canvas.stage');
-  // Corners of the great door that are seen.
+  const canvas = page.locator('canvas.viewport');
+  // Visible points on the model.
   const places = await page.evaluate(() => {
-    const found: [number, number][] = [], { clientWidth: w, clientHeight: h } = hsd.stage.canvas;
+    const found: [number, number][] = [], { clientWidth: w, clientHeight: h } = hsd.viewport.canvas;
     for (let y = h * 0.35; y < h * 0.75 && found.length < 3; y += h * 0.13) {
       const x = w * (0.35 + 0.1 * found.length);
       if (hsd.pick(x, y) !== null) found.push([x, y]);
@@ -146,7 +146,7 @@ test('measuring: clicks snap to vertices; metres, shaku and ken', async () => {
     return { points: points.map(p => p.toArray()), vertices: points.filter(p => seen.has(key(p))).length };
   });
   assert.equal(points.length, 3);
-  // A point near a corner snaps to it: take one that is a vertex, and look from where its pixel is.
+  // A point near a corner snaps to it: choose a visible vertex and click on its pixel.
   const rows = section.locator('tbody tr');
   assert.equal(await rows.count(), 3, 'two stretches and their sum');
   const lengths = [0, 1].map(i => Math.hypot(...[0, 1, 2].map(k => points[i + 1]![k]! - points[i]![k]!)));
@@ -154,14 +154,14 @@ test('measuring: clicks snap to vertices; metres, shaku and ken', async () => {
   assert.deepEqual(cells, [lengths[0]!.toFixed(3), (lengths[0]! / (10 / 33)).toFixed(2), (lengths[0]! / (60 / 33)).toFixed(2)]);
   assert.equal(await rows.nth(2).locator('td').first().textContent(), (lengths[0]! + lengths[1]!).toFixed(3));
   assert.equal(await page.locator('.labels span').count(), 2, 'labels beside the stretches');
-  // Right on the pixel of a vertex, the vertex itself is taken.
+  // At the pixel of a vertex, the vertex itself is chosen.
   await section.getByRole('button', { name: 'Clear' }).click();
   const corner = await page.evaluate(() => {
-    const { model, stage } = hsd.app, { clientWidth: w, clientHeight: h } = stage.canvas;
+    const { model, viewport } = hsd.app, { clientWidth: w, clientHeight: h } = viewport.canvas;
     for (const { mesh } of model!.chunks) {
       const at = mesh.geometry.getAttribute('position');
       for (let i = 0; i < at.count; i += 7) {
-        const p = stage.camera.position.clone().set(at.getX(i), at.getY(i), at.getZ(i)), q = p.clone().project(stage.camera);
+        const p = viewport.camera.position.clone().set(at.getX(i), at.getY(i), at.getZ(i)), q = p.clone().project(viewport.camera);
         const x = Math.round((q.x + 1) / 2 * w), y = Math.round((1 - q.y) / 2 * h);
         const hit = x > 40 && y > 40 && x < w - 40 && y < h - 40 && hsd.hit(x, y);
         if (hit && Math.hypot(...hit.map((n, k) => n - p.toArray()[k]!)) < 0.02) return { x, y };
@@ -181,30 +181,30 @@ test('measuring: clicks snap to vertices; metres, shaku and ken', async () => {
     return least;
   });
   assert.ok(far < 1e-6, `snapped to a vertex, ${far} m off; ${vertices} before`);
-  // By keyboard: the cross in the middle.
+  // With the keyboard: the crosshair in the middle.
   await section.getByRole('button', { name: 'Clear' }).click();
   await canvas.focus();
   await page.keyboard.press('Enter');
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('Enter');
   assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 2);
-  await section.getByRole('button', { name: 'Take back a point' }).click();
+  await section.getByRole('button', { name: 'Undo last point' }).click();
   assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 1);
   await reset();
   assert.equal(await page.evaluate(() => hsd.app.measure.points.length), 0);
   assert.ok(!await section.getByLabel('Measure', { exact: true }).isChecked());
 });
 
-test('views: from where they say, and all of the house in sight', async () => {
+test('preset views have their direction and show the whole house', async () => {
   const from = async (view: string) => {
     await does(page, 'view').selectOption(view);
     return page.evaluate(() => {
       const [x, y, z, tx, ty, tz] = hsd.camera as [number, number, number, number, number, number];
-      const inside = hsd.stage.model!.parts.filter(p => p.kind === 'part').every(p => {
-        const q = p.box.getCenter(hsd.stage.camera.position.clone()).project(hsd.stage.camera);
+      const inside = hsd.viewport.model!.parts.filter(p => p.kind === 'part').every(p => {
+        const q = p.box.getCenter(hsd.viewport.camera.position.clone()).project(hsd.viewport.camera);
         return Math.abs(q.x) < 1 && Math.abs(q.y) < 1;
       });
-      return { x: x - tx, y: y - ty, z: z - tz, eye: y - Math.min(0, hsd.stage.model!.box.min.y), inside };
+      return { x: x - tx, y: y - ty, z: z - tz, eye: y - Math.min(0, hsd.viewport.model!.box.min.y), inside };
     });
   };
   const front = await from('front');
@@ -220,19 +220,19 @@ test('views: from where they say, and all of the house in sight', async () => {
   assert.equal(await does(page, 'view').inputValue(), 'right');
   const top = await from('top');
   assert.ok(top.y > 5 && Math.hypot(top.x, top.z) < 0.2 && top.inside);
-  await page.locator('canvas.stage').focus();
+  await page.locator('canvas.viewport').focus();
   await page.keyboard.press('ArrowLeft');
   assert.equal(await does(page, 'view').inputValue(), '', 'the view is left when the eye moves');
   const eye = await page.evaluate(() => { hsd.camera = [2, -6, 30, 0, 12, 0]; return hsd.camera[1]!; });
   assert.ok(eye > 0 && eye < 1, `it stays above the ground: ${eye}`);
-  // Downwards with what it looks at, and then nearer to a place below the ground.
+  // Pan down, then zoom towards a point below the ground.
   for (let i = 0; i < 50; i++) await page.keyboard.press('Shift+ArrowDown');
   await page.evaluate(() => { hsd.camera = [0, 2, 8, 0, -3, 0]; });
   for (let i = 0; i < 20; i++) await page.keyboard.press('+');
   assert.ok(await page.evaluate(() => hsd.camera.every(Number.isFinite) && hsd.camera[1]! > 0));
 });
 
-test('the turntable turns, stops, and goes by steps where motion is not wanted', async () => {
+test('automatic rotation starts, stops, and moves in steps with reduced motion', async () => {
   await reset();
   const angle = (on: Page) => on.evaluate(() => Math.atan2(hsd.camera[0]! - hsd.camera[3]!, hsd.camera[2]! - hsd.camera[5]!));
   const begun = await angle(page), button = does(page, 'turntable');
@@ -253,14 +253,14 @@ test('the turntable turns, stops, and goes by steps where motion is not wanted',
   await still.context().close();
 });
 
-test('a picture is downloaded: a PNG of what is seen', async () => {
+test('a screenshot is downloaded as a PNG of the current view', async () => {
   await reset();
   const waiting = page.waitForEvent('download');
   await does(page, 'screenshot').click();
   const download = await waiting, bytes = readFileSync((await download.path())!);
   assert.equal(download.suggestedFilename(), 'machiya.png');
   assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
-  const size = await page.evaluate(() => [hsd.stage.canvas.width, hsd.stage.canvas.height]);
+  const size = await page.evaluate(() => [hsd.viewport.canvas.width, hsd.viewport.canvas.height]);
   assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], size);
   const colours = await page.evaluate(async data => {
     const picture = await createImageBitmap(new Blob([Uint8Array.from(atob(data), c => c.charCodeAt(0))], { type: 'image/png' }));
@@ -271,17 +271,17 @@ test('a picture is downloaded: a PNG of what is seen', async () => {
     return seen.size;
   }, bytes.toString('base64'));
   assert.ok(colours > 30, `${colours} colours`);
-  assert.equal(await live(), 'Picture saved.');
+  assert.equal(await live(), 'Image saved.');
 });
 
-test('statistics say what a frame costs', async () => {
+test('statistics show the cost of a frame', async () => {
   const stats = await unfold(page, 'stats');
   await page.evaluate(() => hsd.settled());
   await until(async () => {
     const { calls, triangles } = await page.evaluate(() => hsd.stats), text = await stats.textContent() ?? '';
     return text.includes(`Draw calls${calls}`) && text.includes(triangles.toLocaleString('en'));
   }, 'the numbers are those of the last frame');
-  assert.match(await stats.textContent() ?? '', /Frame[\d.]+ ms.*Reload\d+ ms.*Compiling: read[\d.]+ ms/);
+  assert.match(await stats.textContent() ?? '', /Frame[\d.]+ ms.*Reload\d+ ms.*Compile: read[\d.]+ ms/);
 });
 
-test('nothing left the machine, nothing failed', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.blameless());

@@ -1,4 +1,4 @@
-// `hsd view` over a folder of its own, and pages of a real Chromium that look at it.
+// `hsd view` over a temporary folder, with pages of a real Chromium.
 
 import assert from 'node:assert/strict';
 import { type ChildProcess, spawn } from 'node:child_process';
@@ -6,25 +6,25 @@ import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } fr
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Browser, BrowserContextOptions, Page } from 'playwright-core';
-import type {} from '../../src/expose.ts';
+import type {} from '../../src/scripting.ts';
 import { browser } from './chromium.ts';
-import { scratch } from './scratch.ts';
+import { temporaryFolder } from './temporary.ts';
 
 const here = dirname(fileURLToPath(import.meta.url));
 export const EXAMPLES = join(here, '../../../examples');
 
 export class Preview {
-  readonly folder = scratch();
+  readonly folder = temporaryFolder();
   url = '';
-  /** Requests that left the preview, and what consoles complained of. */
+  /** Requests to other hosts, and console messages. */
   readonly strays: string[] = [];
   readonly complaints: string[] = [];
-  /** Run in each page before its own scripts. */
+  /** Runs in each page before its own scripts. */
   script = '';
   #server: ChildProcess | null = null;
   #browser: Browser | null = null;
 
-  /** Begins to show these examples, or texts by their names. */
+  /** Starts a preview of example files, or of files given by name and text. */
   static async of(files: (string | [name: string, text: string])[], ...options: string[]): Promise<Preview> {
     const preview = new Preview();
     for (const file of files) {
@@ -32,8 +32,8 @@ export class Preview {
       else if (existsSync(file)) cpSync(file, join(preview.folder, file.split('/').pop()!));
       else cpSync(join(EXAMPLES, file), join(preview.folder, file));
     }
-    // An editor that writes down where it was sent.
-    const tools = scratch();
+    // An editor that logs the locations it is sent to.
+    const tools = temporaryFolder();
     preview.#log = join(tools, 'log');
     const editor = join(tools, 'editor.mjs');
     writeFileSync(editor, `import { appendFileSync } from 'node:fs'; appendFileSync(${JSON.stringify(preview.#log)}, process.argv.slice(2).join(' ') + '\\n');`);
@@ -44,7 +44,7 @@ export class Preview {
   #log = '';
   #options: string[] = [];
 
-  /** Starts the server; on the port it had before if none is named. */
+  /** Starts the server, on the previous port if none is given. */
   async serve(port = new URL(this.url).port, ...options: string[]) {
     const hsd = process.env['HSD'];
     if (!hsd) throw new Error('HSD names no program: use test/browser/run.mjs');
@@ -61,7 +61,7 @@ export class Preview {
     });
   }
 
-  /** Ends the server, not the browser. */
+  /** Stops the server but not the browser. */
   async stop() {
     const server = this.#server;
     if (!server || server.exitCode !== null) return;
@@ -75,7 +75,7 @@ export class Preview {
     await this.stop();
   }
 
-  /** A page, `query` behind its address; waits for its first model. */
+  /** Opens a page with a query string and waits for its first model. */
   async open(query = '', options: BrowserContextOptions = {}, wait = true): Promise<Page> {
     this.#browser ??= await browser();
     const context = await this.#browser.newContext({ viewport: { width: 960, height: 640 }, acceptDownloads: true, ...options });
@@ -90,7 +90,7 @@ export class Preview {
       if (message.type() === 'error' && !/Failed to load resource|net::ERR/.test(text)) this.complaints.push(text);
     });
     page.on('pageerror', error => this.complaints.push(error.stack ?? error.message));
-    await page.addInitScript('globalThis.__name = f => f'); // what tsx writes into functions that are sent there
+    await page.addInitScript('globalThis.__name = f => f'); // A helper that tsx inserts into functions sent to the page.
     if (this.script) await page.addInitScript(this.script);
     if (process.env['HSD_DIST']) await from_dist(page, own);
     await page.goto(this.url + query);
@@ -107,7 +107,7 @@ export class Preview {
 
   read(name: string): string { return readFileSync(join(this.folder, name), 'utf8'); }
 
-  /** Saves a text and waits until a page shows it; milliseconds from the save to the painted frame. */
+  /** Saves a source file and waits until a page shows it; returns the milliseconds from the save to the painted frame. */
   async save(page: Page, name: string, text: string | Uint8Array): Promise<number> {
     const shown = page.evaluate(before => new Promise<number>(done => {
       const look = () => hsd.revision > before && hsd.reload?.revision === hsd.revision ? done(Date.now()) : setTimeout(look, 1);
@@ -118,7 +118,7 @@ export class Preview {
     return await shown - begun;
   }
 
-  /** Where the editor was last sent: file, line, column. */
+  /** The location that the editor was last sent to: file, line, column. */
   async sent(): Promise<[file: string, line: number, column: number]> {
     await until(() => existsSync(this.#log) && readFileSync(this.#log, 'utf8').endsWith('\n'), 'the editor is called');
     const [file, line, column] = readFileSync(this.#log, 'utf8').trim().split('\n').pop()!.split(' ');
@@ -126,14 +126,14 @@ export class Preview {
     return [file!.split('/').pop()!, Number(line), Number(column)];
   }
 
-  /** Nothing left the machine, nothing failed. */
+  /** Asserts that no request left the machine and nothing failed. */
   blameless() {
     assert.deepEqual(this.strays, [], 'requests that leave the preview');
     assert.deepEqual(this.complaints, [], 'what consoles complain of');
   }
 }
 
-/** The page as it lies in dist/, for those who work on it and do not want to build the program each time. */
+/** Serves the page from dist/, so that the program need not be rebuilt while working on the page. */
 async function from_dist(page: Page, own: string) {
   const { gunzipSync } = await import('node:zlib');
   await page.route(url => url.origin === own && !url.pathname.startsWith('/api/'), async route => {
@@ -145,7 +145,7 @@ async function from_dist(page: Page, own: string) {
   });
 }
 
-/** Waits until this holds. */
+/** Waits until a condition holds. */
 export async function until(holds: () => boolean | Promise<boolean>, what: string, ms = 10_000) {
   const end = Date.now() + ms;
   while (!await holds()) {
@@ -156,24 +156,24 @@ export async function until(holds: () => boolean | Promise<boolean>, what: strin
 
 export const fold = (page: Page, name: string) => page.locator(`[data-fold=${name}]`);
 
-/** Opens a part of the panel. */
+/** Opens a section of the panel. */
 export async function unfold(page: Page, name: string) {
   const element = fold(page, name);
   if (!await element.evaluate(e => (e as HTMLDetailsElement).open)) await element.locator('summary').first().click();
   return element;
 }
 
-/** A button by what it does. */
+/** A button by its action. */
 export const does = (page: Page, name: string) => page.locator(`[data-do="${name}"]:visible`).first();
 
-/** The picture of the canvas: brightness from 0 to 1 on a grid of places. */
+/** The image of the canvas: brightness from 0 to 1 on a grid of positions. */
 export const brightness = (page: Page, quick = false) => page.evaluate(quick => {
-  const { clientWidth: w, clientHeight: h } = hsd.stage.canvas, places: [number, number][] = [];
+  const { clientWidth: w, clientHeight: h } = hsd.viewport.canvas, places: [number, number][] = [];
   for (let y = 0.05; y < 1; y += 0.05) for (let x = 0.05; x < 1; x += 0.04) places.push([x * w, y * h]);
   return hsd.pixels(places, quick).map(([r, g, b]) => (r! * 0.3 + g! * 0.59 + b! * 0.11) / 255);
 }, quick);
 
-/** Share of places where two pictures differ. */
+/** Fraction of positions in which two images differ. */
 export const differ = (a: number[], b: number[], by = 0.03) => a.filter((value, i) => Math.abs(value - b[i]!) > by).length / a.length;
 
 export const mean = (values: number[]) => values.reduce((sum, value) => sum + value, 0) / values.length;

@@ -1,14 +1,14 @@
-// The page keeps up with what is saved: quickly, and without losing what the reader has set.
+// Live reload: the page follows the saved file quickly and keeps the reader's settings.
 
 import assert from 'node:assert/strict';
 import { readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import type { Page } from 'playwright-core';
-import { build_to, built } from './chromium.ts';
+import { buildTo, built } from './chromium.ts';
 import { brightness, differ, does, EXAMPLES, mean, Preview, unfold, until } from './preview.ts';
 
-/** Milliseconds from a save to the painted frame; machines without a graphics card under other work need more. */
+/** Milliseconds from a save to the painted frame; machines without a GPU under other load need more. */
 const BAR = Number(process.env['HSD_BAR'] ?? 400);
 
 let preview: Preview, page: Page, text: string;
@@ -20,16 +20,16 @@ before(async () => {
 });
 after(async () => { await preview?.close(); });
 
-test('a save is shown, and camera, toggles, section and selection stay', async () => {
+test('after a save, camera, toggles, section and selection stay', async () => {
   await does(page, 'text').click();
   const section = await unfold(page, 'section');
-  await section.getByLabel('Across').selectOption('x');
+  await section.getByLabel('Axis').selectOption('x');
   await section.getByLabel('Position').fill('0.8');
   await (await unfold(page, 'shown')).getByLabel('Roofs of storey 2').uncheck();
   const camera = [3, 5, 14, 0.5, 2, 1];
   await page.evaluate(camera => { hsd.camera = camera; hsd.select(hsd.find('TOD')[0]!); }, camera);
-  const before = await page.evaluate(() => hsd.selection), pictures = await page.evaluate(() => hsd.stage.renderer.info.memory.textures);
-  // A comment before it moves the part's place; another part beside it changes.
+  const before = await page.evaluate(() => hsd.selection), pictures = await page.evaluate(() => hsd.viewport.renderer.info.memory.textures);
+  // A comment before it moves the part's span; another part beside it changes.
   await preview.save(page, 'machiya.hsd', `# 町家\n${text.replace('KKS', 'KSK')}`);
   await page.evaluate(() => hsd.settled());
   assert.equal((await page.evaluate(() => hsd.find('KKS'))).length, 0);
@@ -38,15 +38,15 @@ test('a save is shown, and camera, toggles, section and selection stay', async (
   assert.equal(now!.span![0], before!.span![0] + new TextEncoder().encode('# 町家\n').length);
   assert.ok((await page.evaluate(() => hsd.camera)).every((n, i) => Math.abs(n - camera[i]!) < 1e-9), 'the camera stays');
   assert.ok(await page.evaluate(() => hsd.app.section.cut.on && hsd.app.section.cut.at === 0.8 && hsd.app.section.caps > 0));
-  assert.ok(await page.evaluate(() => hsd.app.model!.chunks.every(c => c.mesh.visible !== (hsd.app.layer_of(c) === 'roof 2'))));
+  assert.ok(await page.evaluate(() => hsd.app.model!.chunks.every(c => c.mesh.visible !== (hsd.app.layerOf(c) === 'roof 2'))));
   assert.equal((await page.locator('.source-line .selected').textContent())?.trim(), 'TOD');
-  assert.ok(await page.evaluate(() => hsd.stage.renderer.info.memory.textures) <= pictures + 3, 'pictures are kept');
+  assert.ok(await page.evaluate(() => hsd.viewport.renderer.info.memory.textures) <= pictures + 3, 'pictures are kept');
   assert.match(await page.locator('.live').textContent() ?? '', /reloaded, revision/);
   await does(page, 'reset').click();
 });
 
-test('many saves leave nothing behind', async () => {
-  const held = () => page.evaluate(() => ({ ...hsd.stage.renderer.info.memory, programs: hsd.stage.renderer.info.programs!.length }));
+test('repeated saves do not leak GPU resources', async () => {
+  const held = () => page.evaluate(() => ({ ...hsd.viewport.renderer.info.memory, programs: hsd.viewport.renderer.info.programs!.length }));
   for (const change of ['\n', '\n\n']) await preview.save(page, 'machiya.hsd', text + change);
   await page.evaluate(() => hsd.settled());
   const first = await held();
@@ -57,11 +57,11 @@ test('many saves leave nothing behind', async () => {
     `${JSON.stringify(first)} became ${JSON.stringify(last)}`);
 });
 
-test('nor do models that were made before', async () => {
+test('repeated saves of a model file do not leak GPU resources', async () => {
   const models = ['machiya.hsd', 'kura.hsd'].map(name => built(join(EXAMPLES, name)));
   preview.write('made.glb', models[0]!);
   const page = await preview.open('?file=made.glb');
-  const held = () => page.evaluate(() => hsd.stage.renderer.info.memory);
+  const held = () => page.evaluate(() => hsd.viewport.renderer.info.memory);
   await preview.save(page, 'made.glb', models[1]!);
   await preview.save(page, 'made.glb', models[0]!);
   await page.evaluate(() => hsd.settled());
@@ -73,60 +73,60 @@ test('nor do models that were made before', async () => {
   await page.close();
 });
 
-test('a damaged model is told, and nothing of another file stays in its place', async () => {
+test('a damaged model is reported, and no other file stays in its place', async () => {
   preview.write('broken.glb', built(join(EXAMPLES, 'kura.hsd')).slice(0, 5000));
   const page = await preview.open('?file=machiya.hsd');
   await page.locator('.files button').filter({ hasText: 'broken' }).click();
-  await page.locator('.messages .error').filter({ hasText: 'broken.glb cannot be read as a model: its end is missing' }).waitFor();
+  await page.locator('.messages .error').filter({ hasText: 'broken.glb cannot be read as a model: the file is truncated' }).waitFor();
   assert.match(await page.locator('.live').textContent() ?? '', /no model to show.* 1 error/);
   const { triangles, hit } = await page.evaluate(() => {
-    const { clientWidth, clientHeight } = hsd.stage.canvas;
-    return { triangles: hsd.stage.model!.triangles, hit: hsd.stage.canvas.dispatchEvent(new MouseEvent('click', { clientX: clientWidth / 2, clientY: clientHeight / 2 })) };
+    const { clientWidth, clientHeight } = hsd.viewport.canvas;
+    return { triangles: hsd.viewport.model!.triangles, hit: hsd.viewport.canvas.dispatchEvent(new MouseEvent('click', { clientX: clientWidth / 2, clientY: clientHeight / 2 })) };
   });
   assert.ok(hit && triangles === 0, `${triangles} triangles are shown`);
   assert.equal(await page.evaluate(() => hsd.selection), null);
   await page.close();
 });
 
-test('pictures that no longer lie beside a model are told, and the model stands without them', async () => {
-  build_to(join(preview.folder, 'apart.glb'), join(EXAMPLES, 'kura.hsd'), '--textures-beside');
+test('missing textures are reported, and the model is shown without them', async () => {
+  buildTo(join(preview.folder, 'apart.glb'), join(EXAMPLES, 'kura.hsd'), '--textures-beside');
   const pictures = join(preview.folder, 'apart_textures'), lost = readdirSync(pictures)[0]!, kept = new Uint8Array(readFileSync(join(pictures, lost)));
   rmSync(join(pictures, lost));
   const page = await preview.open('?file=apart.glb'), message = page.locator('.messages .warning');
   assert.match(await message.textContent() ?? '', new RegExp(`HSD0605 .*${lost}.*it is not there`));
-  await message.click(); // leads nowhere, and complains of nothing
-  assert.ok(await page.evaluate(() => hsd.stage.model!.triangles) > 100);
+  await message.click(); // It has no location and causes no error.
+  assert.ok(await page.evaluate(() => hsd.viewport.model!.triangles) > 100);
   assert.match(await page.locator('.live').textContent() ?? '', /reloaded.* 1 warning/);
   writeFileSync(join(pictures, lost), kept);
   await until(async () => await message.count() === 0, 'it is there again');
   await page.close();
 });
 
-test('a frame drawn in a hurry shows the same, coarser', async () => {
-  const whole = await brightness(page), pace = await page.evaluate(() => hsd.stage.pace);
-  await page.evaluate(() => { hsd.stage.pace = 300; });
+test('a low-resolution frame shows the same image', async () => {
+  const whole = await brightness(page), frameTime = await page.evaluate(() => hsd.viewport.frameTime);
+  await page.evaluate(() => { hsd.viewport.frameTime = 300; });
   const quick = await brightness(page, true);
   assert.ok(differ(whole, quick) > 0, 'it is another one');
   assert.ok(differ(whole, quick, 0.1) < 0.1, `${differ(whole, quick, 0.1)} of the places differ`);
   assert.ok(Math.abs(mean(whole) - mean(quick)) < 0.01, `${mean(whole)} and ${mean(quick)}`);
-  await until(() => page.evaluate(() => !hsd.stage.coarse), 'it is drawn in full');
+  await until(() => page.evaluate(() => !hsd.viewport.coarse), 'it is drawn in full');
   assert.equal(differ(whole, await brightness(page)), 0);
-  await page.evaluate(pace => { hsd.stage.pace = pace; }, pace);
+  await page.evaluate(frameTime => { hsd.viewport.frameTime = frameTime; }, frameTime);
 });
 
 test(`a save is painted within ${BAR} ms`, async t => {
-  const took: number[] = [], in_page: number[] = [];
+  const took: number[] = [], inPage: number[] = [];
   for (let i = 0; i < 7; i++) {
     await page.waitForTimeout(700);
     took.push(await preview.save(page, 'machiya.hsd', text.replace('GSI  GSI', i % 2 ? 'KSK  GSI' : 'GSI  KSK')));
-    in_page.push((await page.evaluate(() => hsd.reload))!.painted);
+    inPage.push((await page.evaluate(() => hsd.reload))!.painted);
   }
   const median = (of: number[]) => [...of].sort((a, b) => a - b)[of.length >> 1]!;
-  t.diagnostic(`median ${median(took)} ms from the save, ${median(in_page).toFixed(0)} ms from the event; all: ${took.join(' ')}`);
+  t.diagnostic(`median ${median(took)} ms from the save, ${median(inPage).toFixed(0)} ms from the event; all: ${took.join(' ')}`);
   assert.ok(median(took) <= BAR);
 });
 
-test('errors that leave no house: the last model stays, messages say why and lead to their place', async () => {
+test('with errors that leave no house the last model stays, and messages link to their locations', async () => {
   await preview.save(page, 'machiya.hsd', text);
   await page.evaluate(() => hsd.settled());
   const seen = await brightness(page), parts = await page.evaluate(() => hsd.app.model!.parts.length);
@@ -151,13 +151,13 @@ test('errors that leave no house: the last model stays, messages say why and lea
   await until(async () => await messages.count() === 0, 'messages go');
 });
 
-test('a lost server is said; it is found again, with what was saved meanwhile', async () => {
+test('a lost connection is reported and restored, with files saved in the meantime', async () => {
   const alert = page.locator('.lost');
-  // The second time its revisions have the numbers that the page knows already.
+  // The second time, its revisions have numbers that the page has seen before.
   for (const code of ['KSK', 'KTU']) {
     await preview.stop();
     await alert.waitFor({ state: 'visible' });
-    assert.match(await alert.textContent() ?? '', /does not answer/);
+    assert.match(await alert.textContent() ?? '', /is not responding/);
     preview.write('machiya.hsd', text.replace('KKS', code).replace('GSI  GSI', `${code}  GSI`));
     await preview.serve();
     await until(() => alert.isHidden(), 'it answers again');
@@ -165,4 +165,4 @@ test('a lost server is said; it is found again, with what was saved meanwhile', 
   }
 });
 
-test('nothing left the machine, nothing failed', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.blameless());

@@ -1,5 +1,5 @@
-// Runs the tests in a real Chromium: `node test/browser/run.mjs HSD [NAME...]`, HSD = the program to test with, NAME = parts
-// of the names of the files to run. Each *.browser.ts is a test file of node; CHROMIUM says where the browser is.
+// Runs the browser tests in Chromium: `node test/browser/run.mjs HSD [NAME...]`. HSD is the program under test, NAME a part of
+// the names of the test files to run (*.browser.ts); CHROMIUM sets the path of the browser.
 import { spawnSync } from 'node:child_process';
 import { readdirSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';

@@ -1,12 +1,14 @@
-// Towns for measuring mirrors: a street with houses on each side, some of those on the north side with a glass front;
-// and rows of houses north of it, which no glass looks at.
+// Towns for measuring reflections: a street with houses on both sides, some on the north side with a glass front, and rows
+// of houses to the north that no glass faces.
 
 const WIDE = 6; // units of a house's front
-const STEP = 7; // metres from house to house
+const STEP = 7; // metres between houses
 const STREET = 9;
 
-/** A text: `long` houses on each side, `glass` of them with glass fronts; `rows` more rows of houses stand behind them. Each
- * front stands back by its own length where `apart`; else all lie in one plane. */
+/**
+ * The source of a town: `long` houses on each side, `glass` of them with glass fronts, and `rows` rows of houses behind
+ * them. With `apart`, each front is set back by a different distance; else all are coplanar.
+ */
 export function town(long: number, glass: number, rows: number, apart: boolean): string {
   const houses: string[] = [];
   for (let i = 0; i < long; i++) {

@@ -1,0 +1,201 @@
+// Drawing mode: tools over the plan, each of which edits the source file. The page always shows what was read back from the
+// file.
+
+import type { App } from '../app.ts';
+import { button, field, h, isField, newId, checkbox } from '../ui/dom.ts';
+import type { PlanView } from '../plan/plan-view.ts';
+import { toggleButton } from '../ui/toolbar.ts';
+import { strings } from '../ui/strings.ts';
+import { EditSession } from './session.ts';
+import { OutlineTool } from './outline-tool.ts';
+import { partName, Palette } from './palette.ts';
+import { PartTool } from './part-tool.ts';
+import { WallTool } from './wall-tool.ts';
+
+const TOOLS = ['part', 'wall', 'break', 'outline'] as const;
+type Tool = (typeof TOOLS)[number];
+
+export class DrawTool {
+  on = false;
+  tool: Tool = 'part';
+  readonly session: EditSession;
+  readonly #app: App;
+  readonly #plan: PlanView;
+  #switch = toggleButton(strings.drawOn, on => this.set(on), 'draw');
+  #palette: Palette;
+  #walls: WallTool;
+  #outline: OutlineTool;
+  #units: PartTool;
+  #how = h('p', { class: 'quiet' });
+  #house = h('select', { onchange: () => this.#fill() });
+  #houses = field(strings.planHouse, this.#house);
+  #height = h('input', { type: 'number', min: 1, max: 100, step: 0.1, onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') this.#setHeight(); } });
+  #all = checkbox(strings.allStoreys, false, on => { this.#walls.all = on; });
+  /** Id of the pointer that is drawing. */
+  #finger: number | null = null;
+  /** True if the pointer has moved since it was pressed. */
+  #dragged = false;
+  #bar: HTMLElement;
+
+  constructor(app: App, plan: PlanView) {
+    this.#app = app;
+    this.#plan = plan;
+    this.session = new EditSession(app, plan);
+    this.#palette = new Palette(app);
+    this.#walls = new WallTool(app, plan, this.session);
+    this.#outline = new OutlineTool(app, plan, this.session);
+    this.#units = new PartTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
+    this.#palette.changed = () => this.session.report(strings.partChosen(partName(this.#palette.chosen!)));
+    const name = newId();
+    this.#bar = h('div', { class: 'draw', hidden: true },
+      h('fieldset', { class: 'tools' }, h('legend', { class: 'hidden' }, strings.tool), ...TOOLS.map(tool => h('label', { class: 'tick' },
+        h('input', { type: 'radio', name, value: tool, checked: tool === this.tool, onchange: () => this.choose(tool) }), strings.toolName[tool]))),
+      h('div', { class: 'buttons' },
+        button(strings.undo, () => void this.session.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
+        button(strings.redo, () => void this.session.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
+      this.#all, this.#how, this.#palette.element, this.#houses,
+      h('div', { class: 'buttons' },
+        button(strings.addStorey, () => void this.#add(), { 'data-do': 'add-storey' }),
+        button(strings.removeStorey, () => void this.#remove(), { 'data-do': 'remove-storey' }),
+        button(strings.removeHouse, () => void this.session.send({ do: 'remove-house', house: this.#at() }), { 'data-do': 'remove-house' }),
+        field(strings.height, this.#height, button(strings.setHeight, () => this.#setHeight(), { 'data-do': 'set-height' }))),
+      this.session.status);
+    plan.element.querySelector('.bar')!.append(this.#switch);
+    plan.tools.append(this.#bar);
+    // A click at the end of a drag is ignored.
+    plan.onUnitClick = shape => this.#dragged || this.on && this.tool === 'part' && this.#units.choose(shape);
+    plan.onRedraw = () => {
+      this.session.clear(); // The preview of an edit belongs to the previous drawing.
+      this.#fill();
+      this.#enable();
+    };
+    plan.isDragging = () => this.#finger !== null;
+    plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && !target.closest('.run');
+    app.on('files', () => {
+      this.#switch.disabled = !app.serverInfo.writes;
+      this.#switch.title = app.serverInfo.writes ? '' : strings.drawOffWhy;
+      if (!app.serverInfo.writes) this.set(false);
+      if (this.on) void this.#palette.fill();
+    });
+    this.#attend();
+    this.choose(this.tool);
+  }
+
+  set(on: boolean) {
+    this.on = on;
+    this.#bar.hidden = !on;
+    this.#switch.setAttribute('aria-pressed', `${on}`);
+    this.#plan.element.classList.toggle('drawing', on);
+    this.session.clear();
+    if (on) void this.#palette.fill();
+    this.#fill();
+    this.#enable();
+  }
+
+  choose(tool: Tool) {
+    this.tool = tool;
+    this.#walls.breaks = tool === 'break';
+    this.#palette.element.hidden = tool !== 'part';
+    this.#all.hidden = tool !== 'wall';
+    this.#how.textContent = strings.toolHelp[tool];
+    this.#plan.element.dataset.tool = tool;
+    this.#walls.release();
+    this.#outline.release();
+    this.#enable();
+  }
+
+  /** Cancels a drag. */
+  #letGo() {
+    this.#finger = null;
+    this.#walls.release();
+    this.#outline.release();
+    this.session.report('');
+    this.#plan.update();
+  }
+
+  #enable() {
+    this.#walls.enable(this.on && (this.tool === 'wall' || this.tool === 'break'));
+    this.#units.enable(this.on && this.tool === 'part');
+  }
+
+  #attend() {
+    const plan = this.#plan, { svg } = plan.sheet;
+    const held = () => this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
+    svg.addEventListener('pointerdown', event => {
+      this.#dragged = false;
+      if (!this.on || event.button !== 0) return;
+      // A second finger pinches to zoom.
+      if (this.#finger !== null) { this.#letGo(); return; }
+      if (!held()?.down(event)) return;
+      this.#finger = event.pointerId;
+      event.preventDefault();
+    });
+    const own = ({ pointerId }: PointerEvent) => this.on && pointerId === this.#finger;
+    window.addEventListener('pointermove', event => {
+      if (!own(event)) return;
+      this.#dragged = true;
+      held()?.move(event);
+    });
+    window.addEventListener('pointerup', event => {
+      if (!own(event)) return;
+      this.#finger = null;
+      void held()?.up();
+      plan.update();
+    });
+    window.addEventListener('pointercancel', event => { if (own(event)) this.#letGo(); });
+    window.addEventListener('keydown', event => {
+      if (event.key !== 'Escape' || this.#finger === null) return;
+      this.#letGo();
+      event.preventDefault();
+      event.stopPropagation();
+    }, { capture: true });
+    // Captured before the sheet uses the same keys for panning.
+    svg.addEventListener('keydown', event => {
+      if (!this.on || event.ctrlKey || event.metaKey) return;
+      if ((held() ?? this.#units).key(event)) event.preventDefault();
+    }, { capture: true });
+    window.addEventListener('keydown', event => {
+      const { key, ctrlKey, metaKey, shiftKey } = event;
+      if (!this.on || !(ctrlKey || metaKey) || isField(event.target) && (event.target as HTMLInputElement).type !== 'radio') return;
+      const letter = key.toLowerCase();
+      if (letter === 'z' && !shiftKey) void this.session.undo();
+      else if (letter === 'z' || letter === 'y') void this.session.redo();
+      else return;
+      event.preventDefault();
+    });
+  }
+
+  /** Lists the houses and shows the height of the current storey. */
+  #fill() {
+    const houses = this.#app.state?.plan.houses ?? [];
+    this.#houses.hidden = houses.length < 2;
+    const now = Number(this.#house.value || 0);
+    this.#house.replaceChildren(...houses.map(({ name }, i) => h('option', { value: i, selected: i === now }, name || `${i + 1}`)));
+    const height = houses[this.#at()]?.storeys[this.#storey()]?.height;
+    if (height !== undefined && document.activeElement !== this.#height) this.#height.value = `${Number(height.toFixed(2))}`;
+  }
+
+  #at(): number { return Math.max(0, Number(this.#house.value || 0)); }
+
+  /** Index of the shown storey in the house, as edits count them. */
+  #storey(): number {
+    const storeys = this.#app.state?.plan.houses[this.#at()]?.storeys ?? [];
+    return storeys.findIndex(({ storey, kind }) => storey === this.#plan.storey && kind === 'storey');
+  }
+
+  async #add() {
+    const house = this.#app.state?.plan.houses[this.#at()], why = this.session.reason(house?.fixed);
+    if (why) this.session.refuse(why);
+    else if (house && await this.session.send({ do: 'add-storey', house: this.#at() })) this.#plan.showWhenReady(Math.max(...house.storeys.map(s => s.storey)) + 1);
+  }
+
+  async #remove() {
+    await this.session.send({ do: 'remove-storey', house: this.#at(), storey: this.#storey() });
+  }
+
+  #setHeight() {
+    const height = this.#height.valueAsNumber, { min, max } = this.#height;
+    if (!(height >= Number(min) && height <= Number(max))) this.session.refuse(strings.heightBounds(min, max));
+    else void this.session.send({ do: 'set-height', house: this.#at(), storey: this.#storey(), height });
+  }
+}

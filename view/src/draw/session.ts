@@ -1,0 +1,100 @@
+// Shared by the drawing tools: sending edits to the server, reporting the results, the preview of the edit in progress.
+
+import type { App } from '../app.ts';
+import { h, s } from '../ui/dom.ts';
+import { path, toPlan } from '../plan/coordinates.ts';
+import type { PlanView } from '../plan/plan-view.ts';
+import { type EditResult, type House, type Point, applyEdit, redo, undo } from '../server/api.ts';
+import { strings } from '../ui/strings.ts';
+import { sameTarget, type Edit } from './edits.ts';
+
+/** How long an edit waits for the page to show the previous one, milliseconds. */
+const TIMEOUT = 10_000;
+
+export class EditSession {
+  /** The last result or refusal, or the effect of the edit in progress. */
+  readonly status = h('p', { class: 'status', role: 'status' });
+  readonly #app: App;
+  readonly #plan: PlanView;
+  /** Settles when all edits so far have been applied and shown. */
+  #turn: Promise<unknown> = Promise.resolve();
+
+  constructor(app: App, plan: PlanView) {
+    this.#app = app;
+    this.#plan = plan;
+  }
+
+  /** Applies an edit after those before it; the preview stays until the server answers. */
+  send(what: Edit): Promise<boolean> {
+    const meant = this.#plan.state;
+    return this.#ask(file => {
+      const { state, revision } = this.#app;
+      // An earlier edit may have moved the place that this one was meant for.
+      if (!meant || !state || !sameTarget(what, meant, state)) return Promise.resolve({ refused: strings.changedMeanwhile });
+      return applyEdit(file, revision, what);
+    }, strings.drawn);
+  }
+
+  undo() { return this.#ask(undo, strings.undone, why => this.report(why)); }
+  redo() { return this.#ask(redo, strings.redone, why => this.report(why)); }
+
+  #ask(send: (file: string) => Promise<EditResult>, done: string, refuse = (why: string) => this.refuse(why)): Promise<boolean> {
+    const { file } = this.#app;
+    const asked = this.#turn.then(() => file !== null && file === this.#app.file && this.#asked(() => send(file), done, refuse));
+    this.#turn = asked;
+    return asked;
+  }
+
+  async #asked(send: () => Promise<EditResult>, done: string, refuse: (why: string) => void): Promise<boolean> {
+    try {
+      const { refused, revision } = await send();
+      if (refused !== undefined) refuse(refused);
+      else {
+        this.report(done);
+        await this.#shown(revision!);
+      }
+      return refused === undefined;
+    } catch (error) {
+      this.refuse((error as Error).message);
+      return false;
+    } finally {
+      this.clear();
+    }
+  }
+
+  /** Waits until the page shows a revision. */
+  async #shown(revision: number) {
+    await this.#app.reload(revision);
+    for (const end = performance.now() + TIMEOUT; this.#app.revision < revision && performance.now() < end;) {
+      await new Promise(done => setTimeout(done, 10)); // The revision was announced earlier and is still loading.
+    }
+  }
+
+  report(text: string) {
+    this.status.classList.remove('refused');
+    this.status.textContent = text;
+  }
+
+  refuse(why: string) {
+    this.clear();
+    this.status.classList.add('refused');
+    this.status.textContent = strings.refused + why;
+  }
+
+  /** The reason why something is fixed, for display; null where it can be edited. */
+  reason(fixed: string | null | undefined): string | null {
+    return fixed ? this.#app.state?.plan.reasons[fixed] ?? fixed : null;
+  }
+
+  /** Draws the preview of an edit with its label. */
+  ghost(house: House, points: Point[], label: string, closed = false) {
+    const at = points.map(point => toPlan(house, point));
+    const [x, y] = [0, 1].map(k => at.reduce((sum, p) => sum + p[k]!, 0) / at.length) as [number, number];
+    const size = this.#plan.sheet.pixel * 15;
+    this.#plan.marks.replaceChildren(s('path', { class: `ghost${closed ? ' closed' : ''}`, d: path(at, closed) }),
+      s('text', { class: 'ghost-label', x, y, 'font-size': size }, label));
+    this.report(label);
+  }
+
+  clear() { this.#plan.marks.replaceChildren(); }
+}

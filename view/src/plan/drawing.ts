@@ -1,0 +1,137 @@
+// Draws a storey of all houses as SVG: floors and courtyards, roof regions with their ridges and slopes, walls with their
+// units.
+
+import { s } from '../ui/dom.ts';
+import { SHAKU } from '../ui/lengths.ts';
+import type { House, Point, Ring, State, Storey, Unit, Wall } from '../server/api.ts';
+import { strings } from '../ui/strings.ts';
+import { bounds, path, toPlan, type XY } from './coordinates.ts';
+import { fallArrow, type Line, ridgeLines } from './ridges.ts';
+
+/** Indices from 0, as in edits. */
+export interface WallIndex {
+  house: number;
+  storey: number;
+  ring: number;
+  wall: number;
+}
+
+export interface UnitIndex extends WallIndex { unit: number }
+
+/** The drawn layers, with the units and walls behind their elements. */
+export interface PlanDrawing {
+  layers: SVGGElement[];
+  units: Map<SVGGElement, { at: UnitIndex; unit: Unit }>;
+  walls: Map<SVGGElement, { at: WallIndex; wall: Wall; house: House }>;
+}
+
+const REGIONS = 8; // Number of region colours.
+/** Longer walls are labelled with their length, units. */
+const MEASURED = 1.5;
+
+/** The storey numbers of all houses. */
+export const storeysOf = ({ plan }: State) =>
+  [...new Set(plan.houses.flatMap(house => house.storeys.map(storey => storey.storey)))].sort((a, b) => a - b);
+
+/** The bounding rectangle of all walls. */
+export const extent = ({ plan }: State) => bounds(plan.houses.flatMap(house =>
+  house.storeys.flatMap(storey => storey.rings.flatMap(ring => ring.walls.flatMap(wall =>
+    [toPlan(house, wall.from), toPlan(house, wall.to)])))));
+
+export function drawStorey(state: State, number: number): PlanDrawing {
+  const drawn: PlanDrawing = { layers: [], units: new Map(), walls: new Map() };
+  const layer = (name: string) => {
+    const group = s('g', { class: name });
+    drawn.layers.push(group);
+    return group;
+  };
+  const floors = layer('floors'), regions = layer('regions'), roofs = layer('roofs'), below = layer('below');
+  const walls = layer('walls');
+  for (const [houseIndex, house] of state.plan.houses.entries()) {
+    for (const [storeyIndex, storey] of house.storeys.entries()) {
+      if (storey.storey === number - 1 && storey.kind === 'storey') outlines(house, storey, below);
+      if (storey.storey !== number) continue;
+      for (const ring of storey.rings) floor(house, ring, floors);
+      regionShapes(house, storey, regions, roofs);
+      for (const [ringIndex, ring] of storey.rings.entries()) {
+        for (const [wallIndex, wall] of ring.walls.entries()) {
+          const at = { house: houseIndex, storey: storeyIndex, ring: ringIndex, wall: wallIndex };
+          walls.append(wallShape(house, wall, at, drawn));
+        }
+      }
+    }
+    for (const roof of house.roofs) {
+      if (roof.storey !== number) continue;
+      const [a0, b0, a1, b1] = roof.rect;
+      const corners: Point[] = [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
+      roofs.append(s('path', { class: 'eaves', d: path(corners.map(p => toPlan(house, p))) }));
+    }
+  }
+  return drawn;
+}
+
+function floor(house: House, ring: Ring, into: SVGGElement) {
+  if (ring.inner || ring.walls.length < 3) return;
+  const corners = ring.walls.map(wall => toPlan(house, wall.from));
+  into.append(s('path', { class: ring.hole ? 'court' : 'floor', d: path(corners) }));
+  if (!ring.hole) return;
+  const { x, y, width, height } = bounds(corners)!;
+  into.append(s('text', { class: 'court-name', x: x + width / 2, y: y + height / 2, 'font-size': Math.min(width, height) / 5 }, strings.legendCourt));
+}
+
+function outlines(house: House, storey: Storey, into: SVGGElement) {
+  for (const ring of storey.rings) {
+    if (!ring.inner) into.append(s('path', { d: path(ring.walls.map(wall => toPlan(house, wall.from)), ring.closed) }));
+  }
+}
+
+function regionShapes(house: House, storey: Storey, into: SVGGElement, over: SVGGElement) {
+  const draw = (lines: Line[], name: string) => {
+    for (const [p, q] of lines) {
+      const [[x1, y1], [x2, y2]] = [toPlan(house, p), toPlan(house, q)];
+      over.append(s('line', { class: name, x1, y1, x2, y2 }));
+    }
+  };
+  for (const [i, region] of storey.regions.entries()) {
+    const { a0, b0, a1, b1 } = region;
+    const corners: Point[] = region.polygon ?? [[a0, b0], [a1, b0], [a1, b1], [a0, b1]];
+    into.append(s('path', { class: `region r${i % REGIONS}`, d: path(corners.map(p => toPlan(house, p))) },
+      s('title', {}, `${strings.legendRegion} ${i + 1}: ${strings.role[region.role] ?? region.role}, ${region.shape}`)));
+    draw(ridgeLines(region, storey.regions), 'ridge');
+    draw(fallArrow(region), 'fall');
+  }
+  // Explicit roofs have ridges but no regions.
+  if (storey.regions.length) return;
+  for (const { ridge, storey: of } of house.roofs) if (ridge && of === storey.storey) draw([ridge], 'ridge');
+}
+
+function wallShape(house: House, wall: Wall, at: WallIndex, drawn: PlanDrawing): SVGGElement {
+  const group = s('g', { class: 'run' });
+  const ends = [toPlan(house, wall.from), toPlan(house, wall.to)] as const;
+  drawn.walls.set(group, { at, wall, house });
+  for (const [i, unit] of wall.units.entries()) {
+    const [x1, y1] = toPlan(house, unit.from), [x2, y2] = toPlan(house, unit.to);
+    const line = (name: string) => s('line', { class: name, x1, y1, x2, y2 });
+    const shape = s('g', { class: `unit ${unit.part}`, 'data-code': unit.code }, line('hit'), line('base'), line('inner'),
+      s('title', {}, unit.code || strings.legendVoid));
+    drawn.units.set(shape, { at: { ...at, unit: i }, unit });
+    group.append(shape, tick(ends, [x1, y1]));
+  }
+  group.append(tick(ends, ends[1]));
+  const long = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
+  // A sibling of the wall's element, so that the length is not part of its accessible name.
+  return s('g', {}, group, ...long > MEASURED * house.unit_m ? [measure(ends, long)] : []);
+}
+
+/** The length of a wall in shaku, outside of it: the interior lies to the right of its direction. */
+function measure([[x1, y1], [x2, y2]]: readonly [XY, XY], long: number): SVGTextElement {
+  const [nx, ny] = [(y2 - y1) / long * 0.42, -(x2 - x1) / long * 0.42];
+  return s('text', { class: 'length', x: (x1 + x2) / 2 + nx, y: (y1 + y2) / 2 + ny, 'font-size': 0.34 },
+    `${Number((long / SHAKU).toFixed(2))}`);
+}
+
+/** A short line across a wall between two units. */
+function tick([[x1, y1], [x2, y2]]: readonly [XY, XY], [x, y]: XY): SVGLineElement {
+  const long = Math.hypot(x2 - x1, y2 - y1) || 1, [nx, ny] = [-(y2 - y1) / long * 0.09, (x2 - x1) / long * 0.09];
+  return s('line', { class: 'tick', x1: x - nx, y1: y - ny, x2: x + nx, y2: y + ny });
+}

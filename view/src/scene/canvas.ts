@@ -1,0 +1,61 @@
+// Pointer and keyboard input of the 3D canvas: selecting, measuring, moving the camera.
+
+import * as THREE from 'three';
+import type { App } from '../app.ts';
+import { h } from '../ui/dom.ts';
+import { handleKey } from './orbit.ts';
+import { type Hit, hit } from '../model/parts.ts';
+import { strings } from '../ui/strings.ts';
+
+/** Presses that move less than this are clicks, CSS pixels. */
+const CLICK_DISTANCE = 5;
+
+export function createCanvas(): HTMLCanvasElement {
+  return h('canvas', { class: 'viewport', tabindex: 0, role: 'application', 'aria-label': strings.canvas });
+}
+
+/** The surface drawn at a position of the canvas, CSS pixels. */
+export function hitAt({ viewport, section }: App, x: number, y: number): Hit | null {
+  const { canvas, camera, model } = viewport;
+  if (!model) return null;
+  const ray = new THREE.Raycaster();
+  camera.updateMatrixWorld();
+  ray.setFromCamera(new THREE.Vector2(x / canvas.clientWidth * 2 - 1, 1 - y / canvas.clientHeight * 2), camera);
+  return hit(model, ray, section.keeps);
+}
+
+export function attachInput(app: App, cross: HTMLElement) {
+  const { viewport, measure } = app, { canvas } = viewport;
+  let down: { x: number; y: number } | null = null;
+  const choose = (x: number, y: number) => {
+    const found = hitAt(app, x, y);
+    if (measure.on) {
+      if (found) measure.add(found);
+    } else app.select(found?.part ?? null);
+  };
+  canvas.addEventListener('pointerdown', ({ offsetX: x, offsetY: y, button }) => {
+    app.turntable.on && app.turntable.set(false);
+    app.emit('shown');
+    down = button === 0 ? { x, y } : null;
+  });
+  canvas.addEventListener('pointerup', ({ offsetX: x, offsetY: y }) => {
+    if (down && Math.hypot(x - down.x, y - down.y) < CLICK_DISTANCE) choose(x, y);
+    down = null;
+  });
+  canvas.addEventListener('dblclick', () => {
+    const location = app.selection === null || measure.on ? null : app.locationOf(app.selection);
+    if (location) void app.open(location);
+  });
+  canvas.addEventListener('keydown', event => {
+    cross.hidden = false;
+    if (event.key === 'Enter') choose(canvas.clientWidth / 2, canvas.clientHeight / 2);
+    else if (event.key === 'Escape') app.select(null);
+    else if (event.key === 'Backspace' && measure.on) measure.undo();
+    else if (event.key === 'Home') app.look('front');
+    else if (!handleKey(viewport, event)) return;
+    event.preventDefault();
+  });
+  // The crosshair is visible only while the keyboard is in use.
+  canvas.addEventListener('blur', () => { cross.hidden = true; });
+  canvas.addEventListener('focus', () => { cross.hidden = !canvas.matches(':focus-visible'); });
+}

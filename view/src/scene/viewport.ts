@@ -1,0 +1,222 @@
+// The 3D view: renderer, scene, camera. A frame is drawn only when something has changed; shadows are updated only when the
+// model, its visible parts or the sun have changed.
+
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { LowResolutionPass } from './low-resolution.ts';
+import type { Chunk, Model } from '../model/model.ts';
+import { Environment } from './environment.ts';
+
+/** Statistics of the last frame. */
+export interface FrameStats {
+  calls: number;
+  triangles: number;
+  /** From the first draw call to the last, milliseconds. */
+  ms: number;
+  frames: number;
+}
+
+/** Vertical field of view, degrees. */
+const FOV = 36;
+
+/** Minimum height of the camera above the ground, metres. */
+const MIN_EYE_HEIGHT = 0.3;
+
+/** With only the sun to reflect, metal would be black: this fraction of its metalness is kept. */
+const METALNESS_SCALE = 0.3;
+
+/** Frame time above which the machine counts as slow, milliseconds. */
+const SLOW_FRAME_MS = 40;
+
+export class Viewport {
+  readonly renderer: THREE.WebGLRenderer;
+  readonly scene = new THREE.Scene();
+  readonly camera = new THREE.PerspectiveCamera(FOV, 1, 0.05, 2000);
+  readonly controls: OrbitControls;
+  readonly environment: Environment;
+  get sun() { return this.environment.sun; }
+  /** Overlays on the model, never picked. */
+  readonly marks = new THREE.Group();
+  model: Model | null = null;
+  readonly stats: FrameStats = { calls: 0, triangles: 0, ms: 0, frames: 0 };
+  /** True if a chunk is visible. */
+  isVisible: (chunk: Chunk) => boolean = () => true;
+  /** Called with each new model before it is drawn. */
+  readonly onModel: ((model: Model) => void)[] = [];
+  /** Called when the graphics context has been restored. */
+  readonly onRestored: (() => void)[] = [];
+  /** Called after each frame. */
+  readonly onFrame: (() => void)[] = [];
+  /** Draws the scene; replaced by extensions such as reflections. */
+  paint = () => this.renderer.render(this.scene, this.camera);
+  /** Duration of the last full frame including the GPU, milliseconds. */
+  frameTime = 0;
+  /** True if the last frame had low resolution. */
+  coarse = false;
+  /** True if the GPU has finished the last frame. */
+  #waited = false;
+  #wanted = false;
+  #lowResolution: LowResolutionPass;
+  #sharpen = 0;
+  #shadowsPending = false;
+  #after: (() => void)[] = [];
+  #disposable: THREE.Material[] = [];
+  #dimmed = new WeakSet<THREE.Material>();
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    this.renderer.localClippingEnabled = true;
+    this.renderer.info.autoReset = false;
+    const { shadowMap } = this.renderer;
+    shadowMap.enabled = true;
+    shadowMap.type = THREE.PCFShadowMap;
+    shadowMap.autoUpdate = false;
+    this.#lowResolution = new LowResolutionPass(this.renderer);
+    this.environment = new Environment();
+    this.scene.add(this.environment.group, this.marks);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener('change', () => { this.#stayAbove(); this.draw(); });
+    canvas.addEventListener('webglcontextrestored', () => {
+      for (const then of this.onRestored) then();
+      this.updateShadows();
+    });
+    new ResizeObserver(() => this.#fit()).observe(canvas);
+    this.#fit();
+  }
+
+  get canvas() { return this.renderer.domElement; }
+
+  /** Replaces the model; the camera and meshes common to both stay. */
+  show(model: Model) {
+    const before = new Set(this.model?.chunks.map(chunk => chunk.mesh)), now = new Set(model.chunks.map(chunk => chunk.mesh));
+    const used = new Set(model.chunks.map(chunk => chunk.mesh.material)), disposable = new Set<THREE.Material>();
+    for (const mesh of before) {
+      if (now.has(mesh)) continue;
+      this.scene.remove(mesh);
+      mesh.geometry.dispose();
+      if (!used.has(mesh.material)) disposable.add(mesh.material);
+    }
+    for (const material of used) {
+      if (this.#dimmed.has(material) || !('metalness' in material)) continue; // Kept from the previous model, or not a PBR material.
+      this.#dimmed.add(material);
+      material.metalness *= METALNESS_SCALE;
+    }
+    this.#disposable.push(...disposable); // Disposed after the next frame, so that its shader programs are reused.
+    this.model = model;
+    for (const mesh of now) if (!before.has(mesh)) this.scene.add(mesh);
+    this.environment.fit(model.box);
+    const size = this.size();
+    this.camera.near = Math.max(0.02, size / 2000);
+    this.camera.far = Math.max(400, size * 40);
+    this.camera.updateProjectionMatrix();
+    for (const then of this.onModel) then(model);
+    this.refresh();
+  }
+
+  /** Keeps the camera above the ground and limits its downward angle. */
+  #stayAbove() {
+    const { controls, camera: { position }, model } = this, { target } = controls;
+    const low = Math.min(0, model?.box.min.y ?? 0) + MIN_EYE_HEIGHT, rise = Math.max(0, low - position.y);
+    position.y += rise;
+    target.y += rise;
+    controls.maxPolarAngle = Math.acos(THREE.MathUtils.clamp((low - target.y) / position.distanceTo(target), -1, 1));
+  }
+
+  /** Points the camera at a target from its position. */
+  lookAt(target: THREE.Vector3) {
+    this.controls.target.copy(target);
+    this.#stayAbove();
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Updates the visibility of all chunks. */
+  refresh() {
+    for (const chunk of this.model?.chunks ?? []) chunk.mesh.visible = this.isVisible(chunk);
+    this.updateShadows();
+  }
+
+  /** Requests a shadow update. */
+  updateShadows() {
+    this.renderer.shadowMap.needsUpdate = true;
+    this.draw();
+  }
+
+  /** Diagonal of the model, metres. */
+  size(): number {
+    return this.model?.box.getSize(new THREE.Vector3()).length() || 10;
+  }
+
+  /** Requests a frame; `after` is called when it has been drawn. */
+  draw(after?: () => void) {
+    if (after) this.#after.push(after);
+    if (this.#wanted) return;
+    this.#wanted = true;
+    requestAnimationFrame(() => this.frame(true));
+  }
+
+  /**
+   * Draws a frame immediately. With `quick`, on a slow machine, it has low resolution and the previous shadows, and a full
+   * frame follows when there is time.
+   */
+  frame(quick = false) {
+    this.#wanted = false;
+    const { shadowMap } = this.renderer;
+    clearTimeout(this.#sharpen);
+    this.#shadowsPending ||= shadowMap.needsUpdate;
+    const coarse = this.coarse = quick && this.frameTime > SLOW_FRAME_MS;
+    if (coarse) this.#sharpen = window.setTimeout(() => this.frame(), 140);
+    shadowMap.needsUpdate = this.#shadowsPending && !coarse;
+    this.#shadowsPending &&= coarse;
+    const begun = performance.now(), { info } = this.renderer, { stats } = this;
+    this.#waited = false;
+    info.reset();
+    if (coarse) this.#lowResolution.begin(SLOW_FRAME_MS / this.frameTime);
+    try {
+      this.paint();
+      stats.calls = info.render.calls;
+      stats.triangles = info.render.triangles;
+    } finally {
+      if (coarse) this.#lowResolution.end();
+    }
+    stats.ms = performance.now() - begun;
+    stats.frames++;
+    for (const material of this.#disposable.splice(0)) release(material);
+    for (const then of this.#after.splice(0)) then();
+    for (const then of this.onFrame) then();
+  }
+
+  /** Waits until the GPU has finished. */
+  settle() {
+    const begun = performance.now() - this.stats.ms;
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    if (!this.coarse && !this.#waited) this.frameTime = performance.now() - begun;
+    this.#waited = true;
+  }
+
+  #fit() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    // A narrow window keeps the horizontal field of view of a 4:3 one.
+    const half = Math.tan(FOV / 2 * Math.PI / 180) * Math.max(1, 4 / 3 / this.camera.aspect);
+    this.camera.fov = Math.min(80, Math.atan(half) * 360 / Math.PI);
+    this.camera.updateProjectionMatrix();
+    this.frame(); // Immediately, since resizing clears the canvas.
+  }
+}
+
+/** Frees the GPU resources of a material, except textures that the loader keeps. */
+function release(material: THREE.Material) {
+  for (const value of Object.values(material)) {
+    if (!(value instanceof THREE.Texture) || value.userData['kept']) continue;
+    value.dispose();
+    if (value.source.data instanceof ImageBitmap) value.source.data.close();
+  }
+  material.dispose();
+}

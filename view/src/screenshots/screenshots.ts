@@ -1,0 +1,41 @@
+// Screenshots for documents, under an afternoon sun: the page is opened headless with
+// `/?file=F&render=front,above,back&size=960x640&samples=16`, renders the views and posts them to the server. Sun and sky
+// are a sum over many small lights, each with its own shadow, so that eaves and lattices are dark where the sky does not
+// reach; the camera is jittered by less than a pixel per light for antialiasing.
+
+import { Loader } from '../model/loader.ts';
+import { fetchState } from '../server/api.ts';
+import { ScreenshotRenderer } from './renderer.ts';
+import { type View, VIEWS } from '../scene/views.ts';
+import { strings } from '../ui/strings.ts';
+
+/** Renders the requested views and posts each to the server, then the list of errors. */
+export async function renderScreenshots(asked: URLSearchParams) {
+  const errors: string[] = [];
+  document.title = strings.rendering;
+  try {
+    const file = asked.get('file');
+    if (!file) throw new Error('no file given');
+    const [width = 960, height = 640] = (asked.get('size') ?? '').split('x').map(Number).filter(n => n > 0);
+    const samples = Math.max(1, Number(asked.get('samples') ?? 16));
+    const views = (asked.get('render') ?? 'front').split(',');
+    const wrong = views.filter(view => !(VIEWS as readonly string[]).includes(view));
+    if (wrong.length) throw new Error(`unknown view ${wrong.join(', ')}; available: ${VIEWS.join(', ')}`);
+    const now = await fetchState(file);
+    const loader = new Loader(), fetched = await loader.fetch(file, now.revision);
+    const model = fetched && await loader.load(fetched, file, now);
+    if (!model || model.chunks.length === 0) throw new Error('no house can be built from the file');
+    await loader.texturesLoaded();
+    const renderer = new ScreenshotRenderer(model, width, height, now.plan.houses[0]?.azimuth ?? 180);
+    await renderer.render(views as View[], samples, async (view, blob) => {
+      const answer = await fetch(`/api/picture?view=${view}`, { method: 'POST', headers: { 'content-type': 'image/png' }, body: blob });
+      if (!answer.ok) errors.push(`${view}: ${await answer.text()}`);
+    });
+  } catch (error) {
+    errors.push((error as Error).message);
+  }
+  await fetch('/api/rendered', {
+    method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify({ errors }),
+  });
+  document.documentElement.dataset.rendered = `${errors.length}`;
+}

@@ -1,0 +1,245 @@
+// Client of the preview server's HTTP interface (`src/view`). Plan lengths are in U in the author frame; spans are byte
+// offsets in the original file.
+
+export type Language = 'en' | 'ja';
+export type ByteRange = [start: number, end: number];
+
+/** A file of the workspace. */
+export interface File {
+  path: string;
+  kind: 'text' | 'model';
+}
+
+export interface ServerInfo {
+  version: string;
+  language: Language;
+  root: string;
+  files: File[];
+  /** The file to open first. */
+  file: string | null;
+  /** True if edits may change source files. */
+  writes: boolean;
+  /** True if an editor can be opened at a location. */
+  opens: boolean;
+}
+
+/** A source file that was read; id 0 is the open file. */
+export interface Source {
+  id: number;
+  name: string;
+  /** Path relative to the workspace; null outside of it. */
+  path: string | null;
+  text: string;
+  /** Length of the byte order mark. */
+  mark: number;
+  /** Bytes of the file per UTF-16 unit of the text, one digit each; null for UTF-8. */
+  widths: string | null;
+}
+
+/** Display name of a source: its path in the workspace, else its file name. */
+export const displayName = ({ path, name }: Source) => path ?? name.split(/[\\/]/).pop()!;
+
+/** The source of a diagnostic; undefined for diagnostics of a model file. */
+export const sourceOf = ({ id, file }: Diagnostic, sources: Source[]) =>
+  sources.find(source => id === undefined ? source.name === file : source.id === id);
+
+export interface Diagnostic {
+  /** Id of its source. */
+  id?: number;
+  /** Empty for diagnostics of the page itself. */
+  code: string;
+  severity: 'error' | 'warning' | 'note';
+  message: string;
+  help: string | null;
+  file: string;
+  /** Counted from 1; meaningless for diagnostics of a model file. */
+  line: number;
+  column: number;
+  span: { start: number; end: number };
+  labels: { message: string; file: string; span: { start: number; end: number } }[];
+}
+
+export type Point = [a: number, b: number];
+
+/** A unit of a wall, from `from` on the right to `to` on the left, seen from outside. */
+export interface Unit {
+  code: string;
+  /** One of wall, door, window, lattice, post, opening, modern, void, picture, split. */
+  part: string;
+  from: Point;
+  to: Point;
+  span: ByteRange;
+  file: number;
+  /** Key of the reason why it cannot be changed, in `plan.reasons` of the state. */
+  fixed: string | null;
+}
+
+export interface Wall {
+  facade: number;
+  from: Point;
+  to: Point;
+  span: ByteRange;
+  file: number;
+  reflection: boolean;
+  fixed: string | null;
+  units: Unit[];
+}
+
+export interface Region {
+  a0: number;
+  b0: number;
+  a1: number;
+  b1: number;
+  ridge: 'a' | 'b' | null;
+  fall: 'F' | 'B' | 'L' | 'R' | null;
+  role: 'main' | 'branch' | 'lean-to';
+  shape: string;
+  over: number | null;
+  /** Given only if it is not a rectangle. */
+  polygon?: Point[];
+}
+
+/** A closed or open chain of walls. */
+export interface Ring {
+  hole: boolean;
+  inner: boolean;
+  closed: boolean;
+  walls: Wall[];
+}
+
+export interface Storey {
+  storey: number;
+  kind: 'storey' | 'parapet';
+  z0: number;
+  z1: number;
+  /** In shaku. */
+  height: number;
+  file: number;
+  span: ByteRange;
+  fixed: string | null;
+  rings: Ring[];
+  regions: Region[];
+}
+
+export interface Roof {
+  shape: string;
+  kind: string;
+  storey: number;
+  file?: number;
+  span?: ByteRange;
+  rect: [a0: number, b0: number, a1: number, b1: number];
+  z: number;
+  ridge: [Point, Point] | null;
+}
+
+export interface House {
+  name: string;
+  file: number;
+  span: ByteRange;
+  street: boolean;
+  fixed: string | null;
+  roofs: Roof[];
+  azimuth: number;
+  origin: [east: number, north: number, up: number];
+  unit_m: number;
+  storeys: Storey[];
+}
+
+export interface State {
+  revision: number;
+  file: string;
+  sources: Source[];
+  diagnostics: Diagnostic[];
+  /** Content key and name of each house; empty for model files. */
+  houses: [key: string, name: string][];
+  /** Content keys of the external textures, by name. */
+  pictures: Record<string, string>;
+  /** `reasons`: texts for the keys in `fixed`. */
+  plan: { reasons: Record<string, string>; houses: House[] };
+  times: [step: string, ms: number][];
+}
+
+/** The cursor in the user's editor. */
+export interface Cursor {
+  id: number;
+  span: ByteRange;
+}
+
+async function answer<T>(response: Response): Promise<T> {
+  if (!response.ok) throw new Error(await response.text() || `${response.status}`);
+  return await response.json() as T;
+}
+
+const fileQuery = (file: string) => `file=${encodeURIComponent(file)}`;
+
+export const fetchServerInfo = async () => answer<ServerInfo>(await fetch('/api/hello'));
+export const fetchState = async (file: string) => answer<State>(await fetch(`/api/state?${fileQuery(file)}`));
+export const modelUrl = (file: string, revision: number) => `/api/model/${revision}/house.glb?${fileQuery(file)}`;
+
+/** Content type of a complete model. */
+export const GLB_TYPE = 'model/gltf-binary';
+
+const send = (path: string, body: unknown) =>
+  fetch(path, { method: 'POST', headers: { 'content-type': 'application/json' }, body: JSON.stringify(body) });
+
+/** Fetches the houses of a revision that the page does not have, or the complete model. */
+export const fetchHouses = (file: string, revision: number, had: string[]) => send('/api/houses', { file, revision, had });
+
+const post = async <T>(path: string, body: unknown) => answer<T>(await send(path, body));
+
+/** Opens a location in the user's editor. */
+export const openInEditor = (file: string, id: number, span: ByteRange) => post<{}>('/api/open', { file, id, span });
+
+/** A part that can be placed. */
+export interface PaletteEntry {
+  code: string;
+  /** Class letter: K wall, T door, M window, G lattice, ... */
+  class: string;
+  ja: string;
+  romaji: string;
+  en: string;
+  /** In U. */
+  width: number;
+}
+
+/** Fetches the parts available to a file. */
+export const fetchPalette = async (file: string) => answer<PaletteEntry[]>(await fetch(`/api/parts?${fileQuery(file)}`));
+export const partImageUrl = (file: string, code: string) => `/api/part?${fileQuery(file)}&code=${encodeURIComponent(code)}`;
+
+/** The result of an edit: a new revision, or the reason for its refusal. */
+export type EditResult = { revision?: number; refused?: string };
+
+/** Applies an edit to the source file; the server documents the kinds of edits. */
+export const applyEdit = (file: string, revision: number, edit: object) => post<EditResult>('/api/stroke', { file, revision, stroke: edit });
+export const undo = (file: string) => post<EditResult>('/api/undo', { file });
+export const redo = (file: string) => post<EditResult>('/api/redo', { file });
+
+/** Subscribes to the server's events; returns a function that unsubscribes. Reconnects every second after a failure. */
+export function listen(file: string, hear: {
+  state: (revision: number) => void;
+  cursor: (cursor: Cursor | null) => void;
+  files: () => void;
+  lost: () => void;
+  found: () => void;
+}): () => void {
+  let events: EventSource, again = 0;
+  const begin = () => {
+    events = new EventSource(`/api/events?${fileQuery(file)}`);
+    const on = (name: string, then: (data: never) => void) =>
+      events.addEventListener(name, event => then(JSON.parse((event as MessageEvent<string>).data) as never));
+    on('state', ({ revision }: { revision: number }) => hear.state(revision));
+    on('cursor', hear.cursor);
+    on('files', hear.files);
+    events.addEventListener('open', hear.found);
+    events.addEventListener('error', () => {
+      hear.lost();
+      events.close();
+      again = window.setTimeout(begin, 1000);
+    });
+  };
+  begin();
+  return () => {
+    clearTimeout(again);
+    events.close();
+  };
+}
