@@ -1,5 +1,5 @@
-// A page with three.js in a headless browser, without any network: a small server hands out the page, three's
-// modules and the models asked for.
+// Runs a page with three.js in a headless browser, without the network: a small server provides the page, the modules of
+// three.js and the models.
 import { accessSync, constants } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import http from 'node:http';
@@ -17,7 +17,7 @@ const page_of = script => `<!doctype html><meta charset="utf-8"><link rel="icon"
   "three/addons/": "/node_modules/three/examples/jsm/" } }</script>
 <script type="module" src="/${script}"></script>`;
 
-/** The first of these programs on the path. */
+/** The path of the first of these programs on the PATH. */
 function program(...names) {
   if (process.env.CHROMIUM) return process.env.CHROMIUM;
   for (const name of names) {
@@ -25,13 +25,13 @@ function program(...names) {
       try {
         accessSync(join(place, name), constants.X_OK);
         return join(place, name);
-      } catch { /* look on */ }
+      } catch { /* try the next folder */ }
     }
   }
   throw new Error(`none of ${names.join(', ')} is installed`);
 }
 
-/** Answers `/models/N` with the Nth file, the rest from this folder and from `node_modules`. */
+/** Serves the Nth file as `/models/N`, everything else from this folder and from `node_modules`. */
 function serve(script, files) {
   return http.createServer(async (request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
@@ -48,7 +48,7 @@ function serve(script, files) {
   }).listen(0, '127.0.0.1');
 }
 
-/** A headless browser that draws by software. */
+/** A headless browser with software rendering. */
 export function browser() {
   return chromium.launch({
     executablePath: program('chromium', 'chromium-browser', 'google-chrome'),
@@ -57,8 +57,8 @@ export function browser() {
 }
 
 /**
- * Opens `script` of this folder in a page of the given size, and calls `use(page, complaints)`, where `complaints`
- * collects whatever the console says at the level of a warning or worse. The script sets `window.ready`.
+ * Opens a script of this folder in a page of the given size and calls `use(page, problems)`, where `problems` collects the
+ * warnings and errors of the console. The script sets `window.ready`.
  */
 export async function with_page({ script, files, width = 640, height = 480 }, use) {
   const server = serve(script, files);
@@ -66,16 +66,16 @@ export async function with_page({ script, files, width = 640, height = 480 }, us
   const running = await browser();
   try {
     const page = await running.newPage({ viewport: { width, height } });
-    const complaints = [];
+    const problems = [];
     page.on('console', message => {
-      // Reading back a drawing by a software driver is slow, and the driver says so.
-      const chatter = /GPU stall due to ReadPixels/.test(message.text());
-      if (['error', 'warning'].includes(message.type()) && !chatter) complaints.push(`${message.type()}: ${message.text()}`);
+      // The software driver warns that reading pixels back is slow.
+      const expected = /GPU stall due to ReadPixels/.test(message.text());
+      if (['error', 'warning'].includes(message.type()) && !expected) problems.push(`${message.type()}: ${message.text()}`);
     });
-    page.on('pageerror', error => complaints.push(`error: ${error.message}`));
+    page.on('pageerror', error => problems.push(`error: ${error.message}`));
     await page.goto(`http://127.0.0.1:${server.address().port}/`);
     await page.waitForFunction('window.ready', null, { timeout: 60000 });
-    return await use(page, complaints);
+    return await use(page, problems);
   } finally {
     await running.close();
     server.close();

@@ -1,4 +1,4 @@
-// In the browser: loads a model, draws it, counts what was drawn.
+// Browser side of load.mjs: loads a model, draws it and counts triangles and textures.
 import * as THREE from 'three';
 import { model_loader } from './loader.mjs';
 
@@ -8,13 +8,13 @@ document.body.append(renderer.domElement);
 const loader = model_loader(renderer);
 const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 10000);
 
-/** Frees what a mesh keeps on the graphics card, so that the next count is its own. */
+/** Frees the GPU resources of a mesh, so that models are counted separately. */
 function dispose({ geometry, material }) {
   geometry?.dispose();
   for (const value of Object.values(material ?? {})) if (value?.isTexture) value.dispose();
 }
 
-/** Draws the Nth model; what three.js counts while it draws. */
+/** Draws the Nth model; returns the counts of three.js. */
 window.show = async n => {
   try {
     const { scene: model } = await loader.loadAsync(`/models/${n}`);

@@ -1,12 +1,12 @@
 // node sheet.mjs PARTS.html OUT.jpg
-// The catalogue as one picture, grammar/pictures/parts.jpg, from what `hsd parts --sheet PARTS.html` writes.
+// Renders the catalogue as one image, grammar/pictures/parts.jpg, from the output of `hsd parts --sheet PARTS.html`.
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { browser } from './browser.mjs';
 
 const [sheet, out] = process.argv.slice(2);
 if (!out) throw new Error('usage: sheet.mjs PARTS.html OUT.jpg');
-// Chromium begins a picture of more than some 13,000 lines anew, so everything is drawn smaller.
+// Chromium cannot capture images higher than about 13,000 pixels, so everything is drawn smaller.
 const style = 'html { font-size: 11px } body { max-width: none } li img { zoom: .6 }';
 const running = await browser();
 try {

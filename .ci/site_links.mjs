@@ -1,8 +1,8 @@
-// The links of a site: those that lead nowhere, and whatever would be fetched from another host.
+// Checks the links of a site: broken ones, and resources from other hosts.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 
-/** What is wrong with the links of the pages below a folder. */
+/** Returns the problems with the links of all pages in a folder. */
 export function dead_links(folder) {
   const pages = readdirSync(folder, { recursive: true }).filter(n => n.endsWith('.html') && !n.startsWith('files'));
   const texts = new Map(pages.map(page => [join(folder, page), readFileSync(join(folder, page), 'utf8')]));
@@ -11,18 +11,18 @@ export function dead_links(folder) {
   for (const [path, text] of texts) {
     for (const [, kind, value] of text.matchAll(/ (href|src)="([^"]*)"/g)) {
       const link = value.replace(/&amp;/g, '&');
-      const said = why => wrong.push(`${relative(folder, path)}: ${link}: ${why}`);
+      const report = why => wrong.push(`${relative(folder, path)}: ${link}: ${why}`);
       if (link.startsWith('data:')) continue;
       if (/^[a-z]+:/.test(link)) {
-        if (kind === 'src') said('from another host');
+        if (kind === 'src') report('from another host');
         continue;
       }
       const [file, hash] = decodeURI(link).split('#');
       const to = file ? join(dirname(path), file) : path;
-      if (!existsSync(to)) said('is not there');
-      else if (hash && marks.has(to) && !marks.get(to).has(hash)) said('has no such place');
+      if (!existsSync(to)) report('does not exist');
+      else if (hash && marks.has(to) && !marks.get(to).has(hash)) report('has no such anchor');
     }
-    if (/url\(\s*['"]?https?:/.test(text)) wrong.push(`${relative(folder, path)}: a style from another host`);
+    if (/url\(\s*['"]?https?:/.test(text)) wrong.push(`${relative(folder, path)}: a style sheet from another host`);
   }
   return wrong;
 }

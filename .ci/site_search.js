@@ -1,4 +1,4 @@
-// Search over the list of pages: every word has to occur; titles come first.
+// Full-text search over the list of pages: all words must occur; matches in titles come first.
 const script = document.currentScript;
 const input = document.querySelector('nav input');
 const list = document.querySelector('#found');

@@ -1,6 +1,6 @@
 // node tutorial.mjs HSD OUT_DIR
-// Builds every text of grammar/tutorial.md under the name that stands before it (`wall.hsd`), as a reader would. The pictures of
-// the page are taken by `hsd render --view front --size 480x320 --samples 8`.
+// Builds every source file of grammar/tutorial.md under the name given before it (`wall.hsd`). The page's images are made with
+// `hsd render --view front --size 480x320 --samples 8`.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

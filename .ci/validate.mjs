@@ -1,5 +1,5 @@
 // node validate.mjs FILE.glb...
-// The Khronos validator on each file. Exit 1 if any has an error or a warning; hints and notes are only counted.
+// Runs the Khronos validator on each file. Exits with 1 on errors or warnings; hints and notes are only counted.
 import { readFile } from 'node:fs/promises';
 import { dirname, resolve } from 'node:path';
 import { load } from './modules.mjs';
@@ -8,7 +8,7 @@ const validator = load('gltf-validator');
 const files = process.argv.slice(2);
 if (files.length === 0) throw new Error('no files');
 
-/** The validator does not know KTX2 and says so of each; whether a message is another. */
+/** Returns a filter for the validator's messages that drops those about KTX2, which it does not support. */
 function of_the_core(messages) {
   const ktx2 = messages.filter(m => m.code === 'VALUE_NOT_IN_LIST' && m.message.includes("'image/ktx2'"));
   const images = new Set(ktx2.map(m => m.pointer.replace('/mimeType', '')));
@@ -19,7 +19,7 @@ let bad = 0;
 for (const file of files) {
   const report = await validator.validateBytes(new Uint8Array(await readFile(file)), {
     uri: file,
-    maxIssues: 0, // all: it stops counting at a bound
+    maxIssues: 0, // no limit
     writeTimestamp: false,
     externalResourceFunction: async uri => new Uint8Array(await readFile(resolve(dirname(file), decodeURIComponent(uri)))),
   });

@@ -1,7 +1,7 @@
 // node vscode.mjs HSD OUT [STEP...]
-// Builds the extension of editors/vscode into OUT/hsd.vsix, runs its tests, and drives it in a real VS Code with the program
-// HSD, in all steps or in those named. npm's modules and VS Code lie in HSD_NODE. What a real VS Code is: the npm package `code-server`, whose folder
-// lib/vscode is Microsoft's editor for browsers; its own front is not used. Steps: see vscode_drive.mjs.
+// Builds the extension of editors/vscode into OUT/hsd.vsix, runs its tests, and tests it in VS Code with the program HSD, in all
+// steps or in those named (see vscode_drive.mjs). The npm modules and VS Code are installed in HSD_NODE. VS Code comes from the npm
+// package `code-server`, whose folder lib/vscode is Microsoft's editor for browsers; its own front end is not used.
 import { spawn, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
@@ -13,7 +13,7 @@ const SERVER = 'code-server@4.100.3'; // VS Code 1.100; later ones need a later 
 const repository = resolve(dirname(fileURLToPath(import.meta.url)), '..');
 const source = join(repository, 'editors', 'vscode');
 
-/** Runs a program to its end; `tries` are for what goes over the network. */
+/** Runs a program to its end, with several `tries` for network operations. */
 function run(folder, program, args, { tries = 1, env = {} } = {}) {
   const options = { cwd: folder, stdio: ['ignore', 'inherit', 'inherit'], env: { ...process.env, ...env } };
   for (let attempt = 1; ; attempt += 1) {
@@ -24,17 +24,17 @@ function run(folder, program, args, { tries = 1, env = {} } = {}) {
   }
 }
 
-/** Calls `make` unless it was done for the same text before; the note is made last, so that a broken one is begun again. */
+/** Calls `make` unless it succeeded for the same text before; the marker is written last, so that a failed run is repeated. */
 function once(folder, text, make) {
-  const note = join(folder, 'installed');
-  if (existsSync(note) && readFileSync(note, 'utf8') === text) return;
+  const marker = join(folder, 'installed');
+  if (existsSync(marker) && readFileSync(marker, 'utf8') === text) return;
   rmSync(folder, { recursive: true, force: true });
   mkdirSync(folder, { recursive: true });
   make();
-  writeFileSync(note, text);
+  writeFileSync(marker, text);
 }
 
-/** A copy of the extension outside the tree, with its modules. */
+/** Copies the extension out of the tree and installs its modules. */
 function copy() {
   const folder = join(modules, 'vscode-extension');
   const lock = readFileSync(join(source, 'package-lock.json'), 'utf8');
@@ -48,12 +48,12 @@ function copy() {
   return folder;
 }
 
-/** The folder of VS Code. */
+/** Installs VS Code; returns its main script. */
 function editor() {
   const folder = join(modules, 'vscode');
   const code = join(folder, 'node_modules', 'code-server', 'lib', 'vscode');
   once(folder, SERVER, () => {
-    // Nothing is compiled: what VS Code has in C++ it can do without here.
+    // Native modules are not compiled; VS Code works without them here.
     const quiet = ['--no-audit', '--no-fund', '--loglevel=error', '--ignore-scripts'];
     writeFileSync(join(folder, 'package.json'), '{ "private": true }\n');
     run(folder, 'npm', ['install', ...quiet, SERVER], { tries: 3 });
@@ -62,26 +62,26 @@ function editor() {
   return join(code, 'out', 'server-main.js');
 }
 
-/** VS Code with the extension on a free port, while `use(url)` runs. */
+/** Runs VS Code with the extension on a free port during `use(url)`. */
 async function serve(main, vsix, data, settings, use) {
   for (const part of ['User', 'Machine']) {
     mkdirSync(join(data, 'data', part), { recursive: true });
     writeFileSync(join(data, 'data', part, 'settings.json'), JSON.stringify(settings));
   }
   const common = [main, '--accept-server-license-terms', '--server-data-dir', data];
-  // It complains at length of its modules in C++ that are not there.
+  // Its warnings about missing native modules are ignored.
   const installed = spawnSync('node', [...common, '--install-extension', vsix, '--force'], { encoding: 'utf8' });
   if (installed.status !== 0 || !/successfully installed/.test(installed.stdout)) throw new Error(`${installed.stdout}${installed.stderr}`);
   const address = ['--host', '127.0.0.1', '--port', '0', '--without-connection-token', '--telemetry-level', 'off'];
   const server = spawn('node', [...common, ...address], { stdio: ['ignore', 'pipe', 'pipe'] });
   try {
-    let said = '';
+    let output = '';
     const port = await new Promise((found, failed) => {
-      server.once('exit', code => failed(new Error(`VS Code ended with ${code}: ${said}`)));
+      server.once('exit', code => failed(new Error(`VS Code ended with ${code}: ${output}`)));
       for (const stream of [server.stdout, server.stderr]) {
         stream.on('data', text => {
-          said += text;
-          const listens = /listening on (\d+)/.exec(said);
+          output += text;
+          const listens = /listening on (\d+)/.exec(output);
           if (listens) found(listens[1]);
         });
       }
@@ -110,5 +110,5 @@ const main = editor();
 took('VS Code');
 const only = process.argv.slice(4);
 await drive({ program, repository, out, only, took, serve: (data, settings, use) => serve(main, vsix, data, settings, use) });
-took('driven');
+took('VS Code tests');
 process.exit(0);

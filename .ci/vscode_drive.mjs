@@ -1,10 +1,10 @@
-// What must hold in a real VS Code: colours, squiggles in their places, the panel of problems, completion, hints, mends, layout.
-// Texts are judged as they are on the disk after saving.
+// Tests of the extension in VS Code: highlighting, squiggles, problems panel, completion, hovers, fixes, formatting. The contents of
+// files are checked on disk after saving.
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { until, with_window } from './vscode_window.mjs';
 
-/** Texts with a slip each, one that is laid out by nobody, one that is under way. */
+/** Files with an error each, an unformatted one, an unfinished one. */
 const texts = {
   'a-slip.hsd': '0 0 180\n9.5\nname 町家\n\nKKS  TKD 2MRR\nKSK  MRE  KSK\nKKS  TIT 2KKS\nKSK  KSK  KSK\n',
   'b-slip.hsd': '<!-- 全角の文字 -->\n<House name="町家">\n  <Storey height="9.5">\n    <Row>KKS  TKD 2MRE</Row>\n'
@@ -13,7 +13,7 @@ const texts = {
   'd-writing.hsd': '0 0 180\n9.5\n\nKKS  TKD 2\nKSK  MRE  KSK\nKKS  TIT 2KKS\nKSK  KSK  KSK\n',
 };
 texts['f-comment.hsd'] = texts['d-writing.hsd'];
-/** An old file: the name in Shift_JIS, and nothing that says so. */
+/** An old file in Shift_JIS, without a declaration of the encoding. */
 const old = Buffer.concat([
   Buffer.from('0 0 180\n9.5\nname '), Buffer.from('92ac89c6', 'hex'), Buffer.from('\n# '),
   Buffer.from('8b9e82cc92ac89c682cc8b4c985e', 'hex'), Buffer.from('\n\nKSK  KSK\nKSK\nKSK  KSK\nKSK\n'),
@@ -33,7 +33,7 @@ function same(found, wanted, what) {
   if (found !== wanted) throw new Error(`${what}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`);
 }
 
-/** Neighbouring codes of a line have two colours, by turns. */
+/** Adjacent codes of a line have alternating colours. */
 async function colours(window) {
   await window.open('machiya.hsd');
   const colour = async column => {
@@ -47,30 +47,30 @@ async function colours(window) {
     const [odd, even] = all;
     return odd !== even && all.every((each, i) => each === [odd, even][i % 2]) && all;
   };
-  console.log(`neighbouring codes: ${(await until('two colours by turns', turns)).slice(0, 2).join(' and ')}`);
+  console.log(`adjacent codes: ${(await until('alternating colours', turns)).slice(0, 2).join(' and ')}`);
   await window.clean();
 }
 
-/** A legacy text: what is underlined, what the panel says, and the mend. */
+/** A legacy file: the squiggle, the problems panel, and the fix. */
 async function legacy(window, picture) {
   await window.open('a-slip.hsd');
   await window.squiggle(5, 11, 13);
   const rows = await window.problem('MRR');
-  if (!rows.some(row => row.includes('[Ln 5, Col 11]') && row.includes('HSD0301'))) throw new Error(`no such row: ${rows.join('\n')}`);
+  if (!rows.some(row => row.includes('[Ln 5, Col 11]') && row.includes('HSD0301'))) throw new Error(`no such problem: ${rows.join('\n')}`);
   console.log(`problems: ${rows.join(' | ')}`);
   await picture('squiggle');
-  await window.mend('a-slip.hsd', 5, 11, 'MRE', text => line(text, 5) === 'KKS  TKD 2MRE', () => picture('mends'));
+  await window.fix('a-slip.hsd', 5, 11, 'MRE', text => line(text, 5) === 'KKS  TKD 2MRE', () => picture('fixes'));
 }
 
-/** The same in XML, behind full-width characters. */
+/** The same in XML, after full-width characters. */
 async function xml(window) {
   await window.open('b-slip.hsd');
   await window.squiggle(7, 6, 8);
   await window.problem('HSD0221');
-  await window.mend('b-slip.hsd', 7, 6, 'Row', text => line(text, 7) === '    <Row>KSK  KSK  KSK</Row>');
+  await window.fix('b-slip.hsd', 7, 6, 'Row', text => line(text, 7) === '    <Row>KSK  KSK  KSK</Row>');
 }
 
-/** Proposals fill five columns; a tab leads to the next code, and a code that is written out lets one go on to the next line. */
+/** Completions fill five columns; Tab moves to the next code, and Enter after a complete code starts a new line. */
 async function completion(window, picture) {
   const name = 'd-writing.hsd';
   await window.open(name);
@@ -82,12 +82,12 @@ async function completion(window, picture) {
   await window.choose('MRE');
   for (const key of ['Tab', 'Enter']) {
     await window.keys.type('KSK', { delay: 60 });
-    await until('no list hides the end of a written code', async () => !await window.page.locator('.suggest-widget.visible').count());
+    await until('the suggestions close after a complete code', async () => !await window.page.locator('.suggest-widget.visible').count());
     await window.keys.press(key);
   }
   const text = await window.saved(name, text => line(text, 5) === '', 'a new line');
   same(line(text, 4), 'KKS  TKD 2MRE  KSK  KSK', 'a completed line');
-  // By its Japanese name too.
+  // Completion by the Japanese name.
   await window.go(5, 1);
   await window.keys.insertText('大戸');
   await window.propose('TOD');
@@ -95,24 +95,24 @@ async function completion(window, picture) {
   await window.saved(name, text => line(text, 5) === 'TOD  ', 'a part by its name');
 }
 
-async function hint(window, picture) {
+async function hover(window, picture) {
   await window.open('machiya.hsd');
-  const found = await window.hint(8, 2, '格子');
-  await picture('hint');
-  console.log(`hint: ${found.text.replace(/\s+/g, ' ').slice(0, 120)}; pictures ${found.pictures.join(', ')} wide`);
-  if (!found.pictures.some(width => width > 0)) throw new Error('the card of a part has no picture');
+  const found = await window.hover(8, 2, '格子');
+  await picture('hover');
+  console.log(`hover: ${found.text.replace(/\s+/g, ' ').slice(0, 120)}; image widths ${found.images.join(', ')}`);
+  if (!found.images.some(width => width > 0)) throw new Error('the hover of a part has no image');
 }
 
 async function layout(window, picture) {
   await window.open('c-layout.hsd');
-  await window.command('hsd: Lay the text out anew');
+  await window.command('hsd: Format Source File');
   const wanted = '<House>\n  <Storey height="9">\n    <Row>KSK  KSK</Row>\n    <Row>KSK</Row>\n    <Row>KSK  KSK</Row>\n'
     + '    <Row>KSK</Row>\n  </Storey>\n</House>\n';
-  await window.saved('c-layout.hsd', text => text === wanted, 'the layout');
+  await window.saved('c-layout.hsd', text => text === wanted, 'the formatted file');
   await picture('layout');
 }
 
-/** Snippets and comments are of the form that the caret stands in; an old file is read in its encoding. */
+/** Snippets and comments follow the form at the cursor; the encoding of an old file is detected. */
 async function forms(window) {
   await window.open('b-slip.hsd');
   await window.go(8, 12);
@@ -132,7 +132,7 @@ async function forms(window) {
   await window.clean();
 }
 
-/** Without the program there is a message that says what to do; with it again, all is as before. */
+/** A missing program is reported; once it is back, everything works again. */
 async function without(window, settings, write, picture) {
   write({ ...settings, 'hsd.serverPath': '/nowhere/hsd' });
   await until('a message about the program', async () => (await window.notifications()).some(text => text.includes('/nowhere/hsd')));
@@ -146,7 +146,7 @@ async function without(window, settings, write, picture) {
   await window.squiggle(5, 11, 13);
 }
 
-/** Drives VS Code; `serve` starts it with a folder for its data; `only` names steps, all if it is empty. */
+/** Runs the steps named in `only`, or all; `serve` starts VS Code with a data folder. */
 export async function drive({ program, repository, out, only, took, serve }) {
   const folder = workspace(out, repository);
   const data = join(out, 'data');
@@ -166,7 +166,7 @@ export async function drive({ program, repository, out, only, took, serve }) {
   await serve(data, settings, url => with_window(url, folder, async window => {
     const picture = name => window.picture(join(out, `${name}.png`));
     const lost = () => without(window, settings, write, picture);
-    const steps = { colours, legacy, xml, completion, hint, layout, forms, lost };
+    const steps = { colours, legacy, xml, completion, hover, layout, forms, lost };
     try {
       for (const [name, step] of Object.entries(steps)) {
         if (only.length && !only.includes(name)) continue;
@@ -176,7 +176,7 @@ export async function drive({ program, repository, out, only, took, serve }) {
     } catch (error) {
       await picture('fault');
       for (const name of Object.keys(texts)) console.error(`${name}:\n${readFileSync(join(folder, name), 'utf8')}`);
-      console.error(`the window as it was: ${join(out, 'fault.png')}`);
+      console.error(`screenshot of the window: ${join(out, 'fault.png')}`);
       throw error;
     }
   }));

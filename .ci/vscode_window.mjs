@@ -1,44 +1,44 @@
-// One window of a real VS Code in a headless browser, and what a person does in it with keys and mouse.
+// A window of VS Code in a headless browser, operated with keyboard and mouse.
 import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { browser } from './browser.mjs';
 
-const PATIENCE = 30000;
+const TIMEOUT = 30000;
 
-/** Opens a window on a folder, and calls `use(window)`. */
+/** Opens a window on a folder and calls `use(window)`. */
 export async function with_window(url, folder, use) {
   const running = await browser();
   try {
     const page = await running.newPage({ viewport: { width: 1280, height: 800 } });
-    page.setDefaultTimeout(PATIENCE);
+    page.setDefaultTimeout(TIMEOUT);
     await page.goto(`${url}/?folder=${encodeURIComponent(folder)}`);
-    await page.waitForSelector('.monaco-workbench', { timeout: 2 * PATIENCE });
+    await page.waitForSelector('.monaco-workbench', { timeout: 2 * TIMEOUT });
     return await use(new Window(page, folder));
   } finally {
     await running.close();
   }
 }
 
-/** Asks again and again until the answer is neither empty nor false. */
-export async function until(what, ask, patience = PATIENCE) {
+/** Polls until the answer is truthy. */
+export async function until(what, ask, patience = TIMEOUT) {
   const end = Date.now() + patience;
   for (;;) {
     const answer = await ask();
     if (answer) return answer;
-    if (Date.now() > end) throw new Error(`in vain: ${what}`);
+    if (Date.now() > end) throw new Error(`timeout: ${what}`);
     await new Promise(done => setTimeout(done, 50));
   }
 }
 
-/** Does something again, as a person would, until what it is for is seen: a busy editor lets a key or a move of the mouse go by. */
-async function insist(what, act, seen, once = PATIENCE / 6) {
-  const end = Date.now() + 2 * PATIENCE;
+/** Repeats an action until its effect is visible: a busy editor may drop key presses and mouse moves. */
+async function insist(what, act, seen, once = TIMEOUT / 6) {
+  const end = Date.now() + 2 * TIMEOUT;
   for (;;) {
     await act();
     try {
       return await seen(once);
     } catch (error) {
-      if (Date.now() > end) throw new Error(`in vain: ${what}`, { cause: error });
+      if (Date.now() > end) throw new Error(`timeout: ${what}`, { cause: error });
     }
   }
 }
@@ -53,39 +53,39 @@ class Window {
   /** Opens a file of the folder from the explorer. */
   async open(name) {
     const row = this.page.locator(`.explorer-folders-view .monaco-list-row[aria-label^="${name}"]`);
-    await row.first().waitFor({ timeout: 2 * PATIENCE });
+    await row.first().waitFor({ timeout: 2 * TIMEOUT });
     await row.first().dblclick();
     await this.page.waitForSelector(`.tab.active[aria-label^="${name}"]`);
     await this.page.waitForSelector('.editor-instance .view-line');
-    // Rows of the explorer keep the focus for a moment.
+    // The explorer keeps the focus for a moment.
     await until(`${name} has the focus`, () => this.page.evaluate(() => {
       const focus = document.activeElement?.closest('.editor-instance');
       return Boolean(focus);
     }));
   }
 
-  /** Opens the line at the top that asks for something, by a key. */
+  /** Opens the quick input with a key. */
   async ask_for(key) {
     const input = this.page.locator('.quick-input-widget input').first();
-    await insist(`the line of ${key}`, async () => {
+    await insist(`the quick input for ${key}`, async () => {
       if (!await input.isVisible()) await this.keys.press(key);
     }, timeout => input.waitFor({ timeout }));
     return input;
   }
 
-  /** Puts the caret at a place, counted from 1. */
+  /** Moves the cursor to a position, counted from 1. */
   async go(line, column) {
     const input = await this.ask_for('Control+g');
     await input.fill(`:${line}:${column}`);
     await this.keys.press('Enter');
     await input.waitFor({ state: 'hidden' });
-    await until(`the caret is in ${line}:${column}`, async () => {
-      const said = await this.page.locator('[id="status.editor.selection"]').textContent();
-      return said.includes(`Ln ${line}, Col ${column}`);
+    await until(`the cursor is at ${line}:${column}`, async () => {
+      const status = await this.page.locator('[id="status.editor.selection"]').textContent();
+      return status.includes(`Ln ${line}, Col ${column}`);
     });
   }
 
-  /** Saves, and reads the file until it is as wanted. */
+  /** Saves and waits until the file has the expected contents. */
   async saved(name, wanted, what) {
     await this.keys.press('Control+s');
     let text;
@@ -95,11 +95,11 @@ class Window {
         return wanted(text) && text;
       }, 10000);
     } catch (error) {
-      throw new Error(`${error.message}; ${name} is now\n${text}`);
+      throw new Error(`${error.message}; ${name} contains\n${text}`);
     }
   }
 
-  /** Runs a command by its name in the palette. */
+  /** Runs a command from the command palette. */
   async command(name) {
     const input = await this.ask_for('F1');
     await input.fill(`>${name}`);
@@ -108,7 +108,7 @@ class Window {
     await input.waitFor({ state: 'hidden' });
   }
 
-  /** Where a column of a line is on the screen, both counted from 1. */
+  /** Screen rectangle of a character; line and column counted from 1. */
   async place(line, column) {
     const found = await this.page.evaluate(([line, column]) => {
       const number = row => Number.parseFloat(row.style.top);
@@ -130,11 +130,11 @@ class Window {
       }
       return null;
     }, [line, column]);
-    if (!found) throw new Error(`nothing stands at ${line}:${column}`);
+    if (!found) throw new Error(`no character at ${line}:${column}`);
     return found;
   }
 
-  /** The squiggles of a kind: left and right ends and middle heights on the screen. */
+  /** The squiggles of a kind: left, right and vertical centre on the screen. */
   squiggles(kind = 'error') {
     return this.page.$$eval(`.editor-instance .squiggly-${kind}`, all => all.map(one => {
       const { left, right, top, bottom } = one.getBoundingClientRect();
@@ -142,12 +142,12 @@ class Window {
     }));
   }
 
-  /** Waits for a squiggle under exactly these columns, and no other of its kind in the window. */
+  /** Waits for a squiggle under exactly these columns, the only one of its kind in the window. */
   async squiggle(line, from, to) {
-    const say = `the squiggle under ${line}:${from} to ${to}`;
+    const what = `the squiggle under ${line}:${from} to ${to}`;
     let all;
     try {
-      await until(say, async () => {
+      await until(what, async () => {
         all = await this.squiggles();
         if (all.length !== 1) return false;
         const [first, last] = [await this.place(line, from), await this.place(line, to)];
@@ -156,49 +156,49 @@ class Window {
           && middle > first.y && middle < first.y + first.height;
       });
     } catch (error) {
-      throw new Error(`${error.message}; there are ${JSON.stringify(all)}`);
+      throw new Error(`${error.message}; found ${JSON.stringify(all)}`);
     }
   }
 
-  /** Takes the mend that says `title` for what stands at a place, and waits until it is done and nothing is underlined. */
-  async mend(name, line, column, title, wanted, look = () => undefined) {
+  /** Applies the fix with a title at a position, and waits until it is saved and no squiggle is left. */
+  async fix(name, line, column, title, wanted, look = () => undefined) {
     await this.go(line, column);
     const row = this.page.locator('.action-widget .monaco-list-row.action').filter({ hasText: title }).first();
-    await insist(`the mend ${title}`, async () => {
-      // What asked too early says that there are no mends, or shows others.
+    await insist(`the fix ${title}`, async () => {
+      // Opened too early, the list is empty or shows other fixes.
       await this.keys.press('Escape');
       await this.keys.press('Control+.');
     }, timeout => row.waitFor({ timeout }));
     await look();
     const focused = this.page.locator('.action-widget .monaco-list-row.focused');
     for (let steps = 0; !(await focused.textContent()).includes(title); steps += 1) {
-      if (steps === 50) throw new Error(`the mend ${title} cannot be reached`);
+      if (steps === 50) throw new Error(`the fix ${title} cannot be reached`);
       await this.keys.press('ArrowDown');
     }
     await this.keys.press('Enter');
-    await this.saved(name, wanted, `the mend ${title}`);
+    await this.saved(name, wanted, `the fix ${title}`);
     await this.clean();
   }
 
-  /** Waits until nothing is underlined as an error. */
+  /** Waits until no error squiggle is left. */
   clean() {
     return until('no squiggle is left', async () => (await this.squiggles()).length === 0);
   }
 
-  /** The rows of the panel of problems, once one of them holds a text. */
+  /** The rows of the problems panel, once one of them contains a text. */
   async problem(text) {
     const panel = this.page.locator('.markers-panel');
-    await insist('the panel of problems', async () => {
+    await insist('the problems panel', async () => {
       if (!await panel.isVisible()) await this.keys.press('Control+Shift+m');
     }, timeout => panel.waitFor({ timeout }));
     const rows = () => this.page.$$eval('.markers-panel .monaco-list-row', all => all.map(row => row.textContent));
-    return until(`a problem that says ${text}`, async () => {
+    return until(`a problem with ${text}`, async () => {
       const all = await rows();
       return all.some(row => row.includes(text)) && all;
     });
   }
 
-  /** The rows of the list of completions, once there are some that hold all of these texts. */
+  /** The rows of the suggestion list, once all of these texts occur in it. */
   async suggestions(...texts) {
     let rows = [];
     try {
@@ -207,44 +207,44 @@ class Window {
         return texts.every(text => rows.some(row => row.includes(text))) && rows.length && rows;
       });
     } catch (error) {
-      throw new Error(`${error.message}; there are ${JSON.stringify(rows)}`);
+      throw new Error(`${error.message}; found ${JSON.stringify(rows)}`);
     }
   }
 
-  /** Asks for suggestions by key until there is one that holds a text. */
+  /** Triggers suggestions until one contains a text. */
   propose(text) {
     const row = this.page.locator('.suggest-widget.visible .monaco-list-row').filter({ hasText: text }).first();
     return insist(`the suggestion ${text}`, async () => {
-      // A list that came too early stays as it is.
+      // A list opened too early is not updated.
       if (await this.page.locator('.suggest-widget.visible').count()) await this.keys.press('Escape');
       await this.keys.press('Control+Space');
     }, timeout => row.waitFor({ timeout }));
   }
 
-  /** Takes the first suggestion that holds a text. */
+  /** Accepts the first suggestion that contains a text. */
   async choose(text) {
     await this.page.locator('.suggest-widget.visible .monaco-list-row').filter({ hasText: text }).first().click();
     await this.page.waitForSelector('.suggest-widget.visible', { state: 'detached' });
   }
 
-  /** The text of the hint at a place, and how wide its pictures are. */
-  async hint(line, column, text) {
-    const hint = this.page.locator('.monaco-hover:visible').filter({ hasText: text }).first();
-    await insist(`the hint that says ${text}`, async () => {
-      // From outside, since a mouse that stays where it is asks for nothing.
+  /** The text of the hover at a position, and the widths of its images. */
+  async hover(line, column, text) {
+    const hover = this.page.locator('.monaco-hover:visible').filter({ hasText: text }).first();
+    await insist(`the hover with ${text}`, async () => {
+      // The pointer has to enter the text, since a resting one triggers no hover.
       await this.page.mouse.move(2, 2);
       const { x, y, width, height } = await this.place(line, column);
       await this.page.mouse.move(x + width / 2, y + height / 2 + 1);
       await this.page.mouse.move(x + width / 2, y + height / 2);
-    }, timeout => hint.waitFor({ timeout }));
-    const pictures = await until('the pictures of the hint', () => hint.evaluate(element => {
+    }, timeout => hover.waitFor({ timeout }));
+    const images = await until('the images of the hover', () => hover.evaluate(element => {
       const all = [...element.querySelectorAll('img')];
       return all.every(image => image.complete) && [all.map(image => image.naturalWidth)];
     }));
-    return { text: await hint.textContent(), pictures: pictures[0] };
+    return { text: await hover.textContent(), images: images[0] };
   }
 
-  /** The notifications that are shown. */
+  /** The visible notifications. */
   notifications() {
     return this.page.$$eval('.notifications-toasts .notification-list-item-message', all => all.map(one => one.textContent));
   }

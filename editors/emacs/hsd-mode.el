@@ -1,4 +1,4 @@
-;;; hsd-mode.el --- Houses written as text  -*- lexical-binding: t; -*-
+;;; hsd-mode.el --- Major mode for HSD house files  -*- lexical-binding: t; -*-
 
 ;; Version: 0.1.0
 ;; Package-Requires: ((emacs "27.1"))
@@ -7,8 +7,8 @@
 
 ;;; Commentary:
 
-;; A major mode for .hsd files in both their forms, lines of five-column codes and XML, with the language server
-;; `hsd lsp' through eglot (built in from Emacs 29 on; a package before).
+;; A major mode for .hsd files in both forms, five-column codes and XML, with the language server `hsd lsp' through
+;; eglot (built in since Emacs 29, a package before).
 ;;
 ;;   (add-to-list 'load-path "/path/to/hsd/editors/emacs")
 ;;   (require 'hsd-mode)
@@ -17,11 +17,11 @@
 ;;; Code:
 
 (defgroup hsd nil
-  "Houses written as text."
+  "HSD house files."
   :group 'languages)
 
 (defcustom hsd-program "hsd"
-  "The compiler, which is the language server too."
+  "The compiler, which is also the language server."
   :type 'string)
 
 (defface hsd-width
@@ -29,7 +29,8 @@
   "The width in the fifth column of a code.")
 
 (defun hsd--xml-p ()
-  "Whether the buffer holds the XML form: its first sign that is no blank is `<'."
+  "Return non-nil if the buffer is in the XML form.
+Its first character other than blanks is then `<'."
   (save-excursion
     (save-restriction
       (widen)
@@ -37,11 +38,11 @@
       (skip-chars-forward " \t\r\n\f\ufeff")
       (eq (char-after) ?<))))
 
-;;; Colours
+;;; Highlighting
 
 (defconst hsd--setting
   "^[ \t]*\\(unit\\|seed\\|roofs\\|method\\|street\\|name\\|age\\|era\\)\\>[ \t]*\\(.*\\)$"
-  "A line of the header with its key and its value.")
+  "A line of the header: key and value.")
 
 (defconst hsd--number "[-+]?\\(?:[0-9]+\\(?:\\.[0-9]*\\)?\\|\\.[0-9]+\\)"
   "A number.")
@@ -52,7 +53,7 @@
   "A roof line: covering, direction, height, shape, the rest.")
 
 (defun hsd--wall-line-p ()
-  "Whether the line at point is one of codes."
+  "Return non-nil if point is on a line of codes."
   (save-excursion
     (beginning-of-line)
     (not (or (looking-at "[ \t]*\\(?:$\\|[#%;/]\\|[-+]?\\.?[0-9]\\)")
@@ -79,7 +80,7 @@ Its name is group 1, its width 2, a void 3, a control letter 4."
     found))
 
 (defun hsd--in (form matcher)
-  "A matcher that finds only in the FORM `xml' or `legacy' what MATCHER does."
+  "Restrict MATCHER to buffers in the FORM `xml' or `legacy'."
   (lambda (limit)
     (and (eq (hsd--xml-p) (eq form 'xml))
          (if (functionp matcher)
@@ -103,7 +104,7 @@ Its name is group 1, its width 2, a void 3, a control letter 4."
      (2 'hsd-width nil t)
      (3 'font-lock-doc-face nil t)
      (4 'font-lock-keyword-face nil t)))
-  "Colours of the legacy form.")
+  "Highlighting of the legacy form.")
 
 (defconst hsd--xml-keywords
   `((,(hsd--in 'xml "<[?!][^>\n]*>") 0 'font-lock-preprocessor-face)
@@ -115,7 +116,7 @@ Its name is group 1, its width 2, a void 3, a control letter 4."
     (,(hsd--in 'xml "&[#[:alnum:]]+;") 0 'font-lock-constant-face prepend)
     (,(hsd--in 'xml "[>}]\\([^<>{}\n]+\\)") 1 'font-lock-function-name-face keep)
     (,(hsd--in 'xml "^[ \t]*\\([^ \t\n<>{}\"'=][^<>{}\"'=\n]*\\)\\(?:$\\|[<{]\\)") 1 'font-lock-function-name-face keep))
-  "Colours of the XML form.")
+  "Highlighting of the XML form.")
 
 (defconst hsd--syntax-table
   (let ((table (make-syntax-table)))
@@ -127,11 +128,11 @@ Its name is group 1, its width 2, a void 3, a control letter 4."
     (modify-syntax-entry ?> "." table)
     table)
   "The syntax table.
-Where comments begin `hsd--propertize' says: a `#' does only at the start of a
-line.")
+The start of comments is set by `hsd--propertize', since `#' begins one only
+at the start of a line.")
 
 (defun hsd--propertize (start end)
-  "Mark where comments begin and end between START and END."
+  "Set the syntax of comment delimiters between START and END."
   (goto-char start)
   (if (hsd--xml-p)
       (funcall
@@ -150,14 +151,14 @@ line.")
   "Keys of `hsd-mode'.")
 
 (defun hsd-next-column ()
-  "Fill up with blanks to the next code; in the XML form indent."
+  "Insert blanks up to the next code; in the XML form indent."
   (interactive)
   (if (hsd--xml-p)
       (indent-for-tab-command)
     (insert-char ?\s (- 5 (mod (current-column) 5)))))
 
 (defun hsd--keep-blanks ()
-  "Take off what trims the ends of lines on saving: blanks are columns."
+  "Disable the trimming of trailing blanks on saving: they are significant."
   (let ((trimmers '(delete-trailing-whitespace whitespace-cleanup ws-butler-before-save)))
     (setq-local before-save-hook
                 (delq nil
@@ -169,7 +170,7 @@ line.")
 
 ;;;###autoload
 (define-derived-mode hsd-mode prog-mode "HSD"
-  "Major mode for houses, as lines of codes and as XML."
+  "Major mode for HSD house files."
   :syntax-table hsd--syntax-table
   (let ((xml (hsd--xml-p)))
     (setq-local comment-start (if xml "<!-- " "# "))
@@ -179,7 +180,7 @@ line.")
     (setq-local comment-column 0)
     (setq-local indent-tabs-mode nil)
     (setq-local tab-width (if xml 2 5))
-    ;; A blank too many at the start of a line moves all its codes.
+    ;; An extra blank at the start of a line would shift all its codes.
     (setq-local electric-indent-inhibit t)
     (setq-local indent-line-function (if xml #'indent-relative-first-indent-point #'ignore)))
   (setq-local syntax-propertize-function #'hsd--propertize)
@@ -204,7 +205,7 @@ line.")
 (declare-function jsonrpc-request "jsonrpc")
 
 (defun hsd-view ()
-  "Show the house of this buffer in the browser, as it stands here."
+  "Open the live preview of this buffer, including unsaved changes."
   (interactive)
   (let ((server (or (eglot-current-server) (user-error "Start eglot first"))))
     (browse-url

@@ -1,4 +1,4 @@
-// node build.mjs : bundles src/extension.ts with what it imports into dist/extension.js, and the licences of that beside it.
+// node build.mjs: bundles src/extension.ts and its imports into dist/extension.js, and collects their licences in dist/LICENSES.txt.
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { build } from 'esbuild';

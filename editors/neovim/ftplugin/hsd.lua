@@ -1,4 +1,4 @@
--- Houses: blanks are columns, also those at the end of a line, and codes are five of them wide.
+-- Blanks are significant, also at the ends of lines: codes are five columns wide.
 if vim.b.did_ftplugin == 1 then
   return
 end
@@ -17,7 +17,7 @@ vim.bo.commentstring = xml and '<!-- %s -->' or '# %s'
 vim.bo.comments = xml and 's:<!--,m:    ,e:-->' or ':#'
 vim.opt_local.formatoptions:remove({ 't', 'c', 'a' })
 
--- What trims blanks at line ends: Neovim's own editorconfig, mini.trailspace, vim-better-whitespace.
+-- Disables everything that trims trailing blanks: Neovim's editorconfig, mini.trailspace, vim-better-whitespace.
 vim.b.minitrailspace_disable = true
 vim.b.strip_whitespace_on_save = 0
 vim.b.better_whitespace_enabled = 0
@@ -27,7 +27,7 @@ local function keep_blanks()
     pcall(vim.api.nvim_clear_autocmds, { event = 'BufWritePre', group = group, buffer = buffer })
   end
 end
--- A project's .editorconfig may be read before or after this file.
+-- The .editorconfig of a project may be read before or after this file.
 keep_blanks()
 vim.schedule(keep_blanks)
 

@@ -1,27 +1,27 @@
--- Houses in Neovim, from 0.7 on: the language server `hsd lsp`, and colours by tree-sitter once its parser is built.
+-- HSD support for Neovim 0.7 and later: the language server `hsd lsp`, and tree-sitter highlighting once its parser is built.
 --
 --   vim.opt.runtimepath:append('/path/to/hsd/editors/neovim')
 --   require('hsd').setup()
 --
--- `:HsdBuildParser` builds the parser with the C compiler, once. `:HsdView` shows the house in the browser.
+-- `:HsdBuildParser` builds the parser once with the C compiler. `:HsdView` opens the live preview in the browser.
 local M = {}
 
--- Where this file lies tells where the grammar does.
+-- The grammar is located relative to this file.
 local here = vim.fn.fnamemodify(debug.getinfo(1, 'S').source:sub(2), ':p:h')
 local grammar = vim.fn.fnamemodify(here .. '/../../../grammar/tree-sitter-hsd', ':p'):gsub('[/\\]$', '')
 
 local defaults = {
   -- The language server.
   cmd = { 'hsd', 'lsp' },
-  -- Colours by tree-sitter, if the parser is there.
+  -- Tree-sitter highlighting, if the parser is installed.
   treesitter = true,
-  -- Called with the client and the buffer, for keys of one's own.
+  -- Called with the client and the buffer, for example to set key mappings.
   on_attach = nil,
-  -- More of what vim.lsp takes: capabilities, settings, handlers.
+  -- Additional options for vim.lsp: capabilities, settings, handlers.
   server = {},
 }
 
--- The folder that holds a catalogue or a repository, else that of the file: files that a house includes are found from there.
+-- The root folder: the nearest one with a catalogue or a repository, else the folder of the file. Includes are resolved from there.
 local function root_of(file)
   local folder = vim.fn.fnamemodify(file, ':p:h')
   for _, marker in ipairs({ 'catalog.hsd', '.git' }) do
@@ -36,7 +36,7 @@ local function root_of(file)
   return folder
 end
 
--- Neovim before 0.8 has neither tag functions nor formatting by default.
+-- Defaults that Neovim sets itself from 0.8 on.
 local function old_defaults(buffer)
   vim.bo[buffer].omnifunc = 'v:lua.vim.lsp.omnifunc'
   vim.bo[buffer].tagfunc = 'v:lua.vim.lsp.tagfunc'
@@ -53,7 +53,7 @@ local function start_server(options, buffer)
     vim.lsp.start(config, { bufnr = buffer })
     return
   end
-  -- One client a root, as vim.lsp.start has it.
+  -- One client per root, like vim.lsp.start.
   for _, client in pairs(vim.lsp.get_active_clients()) do
     if client.name == config.name and client.config.root_dir == config.root_dir then
       vim.lsp.buf_attach_client(buffer, client.id)
@@ -66,21 +66,21 @@ local function start_server(options, buffer)
   end
 end
 
--- Where `:HsdBuildParser` puts the parser.
-local function built()
+-- Path of the parser built by `:HsdBuildParser`.
+local function parser_path()
   return vim.fn.stdpath('data') .. '/site/parser/hsd.so'
 end
 
--- Whether the parser can be loaded: the one that was built, whose folder may be younger than the runtime path, or any other.
+-- Returns whether a parser can be loaded: the one built here, whose folder may be newer than the runtime path, or any other.
 local function has_parser()
-  local path = vim.fn.filereadable(built()) == 1 and built() or nil
+  local path = vim.fn.filereadable(parser_path()) == 1 and parser_path() or nil
   local ok, added = pcall(function()
     if vim.treesitter.language and vim.treesitter.language.add then
       return vim.treesitter.language.add('hsd', { path = path })
     end
     return vim.treesitter.require_language('hsd', path) or true
   end)
-  -- Without a parser some versions fail, and newer ones return nothing; those between return nothing where all is well.
+  -- Without a parser, some versions raise an error and 0.11 and later return nil; versions in between return nil on success.
   return ok and (added ~= nil or vim.fn.has('nvim-0.11') == 0)
 end
 
@@ -94,7 +94,7 @@ local function set_queries()
   end
 end
 
--- Colours a buffer; false where there is no parser.
+-- Highlights a buffer; returns false if there is no parser.
 function M.highlight(buffer)
   if not (vim.treesitter and has_parser()) then
     return false
@@ -108,14 +108,14 @@ function M.highlight(buffer)
   return true
 end
 
--- Builds the parser into the folder of one's own data, from where Neovim loads it.
+-- Builds the parser in the user's data folder, from which Neovim loads it.
 function M.build_parser()
-  vim.fn.mkdir(vim.fn.fnamemodify(built(), ':h'), 'p')
+  vim.fn.mkdir(vim.fn.fnamemodify(parser_path(), ':h'), 'p')
   local source = grammar .. '/src'
   local compiler = os.getenv('CC') or 'cc'
   local output = vim.fn.system({
     compiler, '-shared', '-fPIC', '-O2', '-std=c11', '-I', source,
-    '-o', built(), source .. '/parser.c', source .. '/scanner.c',
+    '-o', parser_path(), source .. '/parser.c', source .. '/scanner.c',
   })
   if vim.v.shell_error ~= 0 then
     vim.notify('hsd: the parser cannot be built: ' .. output, vim.log.levels.ERROR)
@@ -129,14 +129,14 @@ function M.build_parser()
   return true
 end
 
--- Shows the house of a buffer in the browser, as it stands in the editor.
+-- Opens the live preview of the current buffer, including unsaved changes.
 function M.view()
   local buffer = vim.api.nvim_get_current_buf()
   local params = { command = 'hsd.view', arguments = { vim.uri_from_bufnr(buffer), true } }
   vim.lsp.buf_request(buffer, 'workspace/executeCommand', params, function(problem, url)
     vim.notify(problem and problem.message or url, problem and vim.log.levels.ERROR or vim.log.levels.INFO)
   end)
-  -- Resting on a part lights it up.
+  -- The preview highlights the part under the cursor.
   vim.api.nvim_create_autocmd('CursorHold', {
     group = vim.api.nvim_create_augroup('hsd-view', { clear = true }),
     pattern = '*.hsd',
@@ -181,7 +181,7 @@ function M.setup(given)
   })
   vim.api.nvim_create_user_command('HsdBuildParser', M.build_parser, {})
   vim.api.nvim_create_user_command('HsdView', M.view, {})
-  -- Files that were open before.
+  -- Buffers that are already open.
   for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
     if vim.api.nvim_buf_is_loaded(buffer) and vim.bo[buffer].filetype == 'hsd' then
       enter(buffer)

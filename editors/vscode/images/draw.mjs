@@ -1,13 +1,13 @@
 // node images/draw.mjs [--check]
-// Draws the icons: a town house from the street, its roof, a lattice and a door. The same shapes are written as SVG for the
-// icon of files, and as PNG, pixel by pixel, for the icon of the extension. With --check it only compares.
+// Draws the icons: a town house seen from the street, with a lattice and a door. The same shapes are written as SVG, for the file
+// icon, and as PNG, for the icon of the extension. With --check it only compares.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { crc32, deflateSync } from 'node:zlib';
 
 const box = (x0, y0, x1, y1) => [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
 const range = (n, make) => Array.from({ length: n }, (_, i) => make(i));
 
-/** The shapes from back to front, on a square of 32: outline and name of the colour. */
+/** The shapes from back to front, on a 32 x 32 grid: colour name and outline. */
 const shapes = [
   ['wall', box(5, 14, 27, 29)],
   ['roof', [[16, 3], [31, 14], [31, 16], [1, 16], [1, 14]]],
@@ -36,7 +36,7 @@ const inside = (points, x, y) => points.reduce((within, [x0, y0], i) => {
 
 const rgb = colour => [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
 
-/** A PNG of `size` pixels square on `ground`, each pixel the mean of 16 points. */
+/** A PNG of `size` x `size` pixels on the background `ground`, with 16 samples per pixel. */
 function png(palette, ground, size) {
   const rows = range(size, y => Buffer.from([0, ...range(size, x => {
     const sum = [0, 0, 0];

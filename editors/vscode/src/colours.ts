@@ -1,16 +1,16 @@
-// Which colours come from the program. The grammar of the extension knows the form of a text at once, with neighbouring codes in
-// two colours; the program knows what words mean. So only that is taken from it which no grammar can tell: that nobody knows
-// a part, and what a name in an expression is.
+// Filters the semantic tokens of the language server. The TextMate grammar colours the syntax immediately, with adjacent codes in
+// alternating colours; from the server come only the tokens that a grammar cannot determine: unknown parts, and the kinds of names
+// in expressions.
 import { type SemanticTokens, type SemanticTokensLegend } from 'vscode';
 
 const KINDS = new Set(['parameter', 'variable', 'function']);
-// One's own parts too keep the two colours: without them neighbours could not be told apart.
+// Custom parts keep the alternating colours, which separate adjacent codes.
 const MODIFIERS = ['unknown'];
-/** Numbers that one token takes: lines and columns from the token before, length, kind, modifiers. */
+/** Numbers per token: line and column relative to the previous token, length, type, modifiers. */
 const STEP = 5;
 
-/** Leaves out what the grammar colours as well or better. */
-export function told(tokens: SemanticTokens, legend: SemanticTokensLegend): Uint32Array {
+/** Drops the tokens that the grammar colours as well or better. */
+export function filterTokens(tokens: SemanticTokens, legend: SemanticTokensLegend): Uint32Array {
   const worth = new Set(legend.tokenTypes.flatMap((kind, number) => (KINDS.has(kind) ? [number] : [])));
   const marks = legend.tokenModifiers.reduce((bits, name, bit) => (MODIFIERS.includes(name) ? bits | (1 << bit) : bits), 0);
   const kept: number[] = [];

@@ -1,24 +1,23 @@
-// The extension: it finds the program `hsd`, runs `hsd lsp` beside the editor, and starts it anew when a setting changes.
-// All knowledge of houses is the program's; here is nothing but wires.
+// The extension: finds the program `hsd`, runs `hsd lsp` as the language server, and restarts it when a setting changes.
 import {
   type ConfigurationChangeEvent, type ExtensionContext, type LogOutputChannel, type ProviderResult, SemanticTokens, type TextEditor, Uri, commands, env,
   l10n, window, workspace,
 } from 'vscode';
 import { LanguageClient, type LanguageClientOptions, State } from 'vscode-languageclient/node';
-import { told } from './colours';
-import { chosen, fault, find, show } from './program';
-import { fitTabs, refitTabs, written } from './typing';
+import { filterTokens } from './colours';
+import { configuredPath, findProgram, setServerPath, startupError } from './program';
+import { fitTabs, isComplete, refitTabs } from './typing';
 
-/** Settings that reach the program when it starts. */
+/** Settings passed to the language server at startup. */
 const SETTINGS = [
   'serverPath', 'language', 'textures', 'catalogs', 'parameters', 'seed', 'root', 'pictures', 'inlayHints',
 ] as const;
 
 let client: LanguageClient | undefined;
-/** Whether a preview was shown, which wants to know where the cursor stands. */
-let previewed = false;
+/** True once a preview is open, which follows the cursor. */
+let previewOpen = false;
 let output: LogOutputChannel;
-/** Starting and stopping follow one another, however fast settings change. */
+/** Serialises starting and stopping, however fast settings change. */
 let queue: Promise<void> = Promise.resolve();
 
 export async function activate(context: ExtensionContext): Promise<void> {
@@ -30,7 +29,7 @@ export async function activate(context: ExtensionContext): Promise<void> {
     commands.registerCommand('hsd.format', () => commands.executeCommand('editor.action.formatDocument')),
     commands.registerCommand('hsd.chooseServer', () => choose()),
     commands.registerCommand('hsd.showHouse', () => showHouse()),
-    window.onDidChangeTextEditorSelection(({ textEditor }) => point(textEditor)),
+    window.onDidChangeTextEditorSelection(({ textEditor }) => sendCursor(textEditor)),
     workspace.onDidChangeConfiguration((change: ConfigurationChangeEvent) => {
       if (SETTINGS.some(name => change.affectsConfiguration(`hsd.${name}`))) void restart();
     }),
@@ -68,24 +67,24 @@ async function stop(): Promise<void> {
   await running?.dispose();
 }
 
-/** The language of messages: what the settings say, else that of the editor. */
+/** Language of messages: the setting, else the editor's language. */
 function language(): 'en' | 'ja' {
-  const asked = workspace.getConfiguration('hsd').get<string>('language', 'auto');
-  if (asked === 'en' || asked === 'ja') return asked;
+  const setting = workspace.getConfiguration('hsd').get<string>('language', 'auto');
+  if (setting === 'en' || setting === 'ja') return setting;
   return env.language.startsWith('ja') ? 'ja' : 'en';
 }
 
 async function start(): Promise<void> {
   const settings = workspace.getConfiguration('hsd');
-  const program = await find();
+  const program = await findProgram();
   if (!program) return missing();
-  const why = await fault(program);
+  const why = await startupError(program);
   if (why) return failed(program, why);
   output.info(`${program} lsp --lang ${language()}`);
   const options: LanguageClientOptions = {
     documentSelector: [{ language: 'hsd', scheme: 'file' }, { language: 'hsd', scheme: 'untitled' }],
     outputChannel: output,
-    // What went wrong is said below, once.
+    // The error is reported once, below.
     initializationFailedHandler: () => false,
     initializationOptions: {
       ...Object.fromEntries(SETTINGS.map(name => [name, settings.get<unknown>(name)])),
@@ -95,10 +94,10 @@ async function start(): Promise<void> {
       provideCompletionItem: async (document, position, context, token, next) => {
         const found = await next(document, position, context, token);
         const items = Array.isArray(found) ? found : found?.items ?? [];
-        return written(document, position, items) ? undefined : found;
+        return isComplete(document, position, items) ? undefined : found;
       },
-      provideDocumentSemanticTokens: async (document, token, next) => colours(await next(document, token)),
-      provideDocumentRangeSemanticTokens: async (document, range, token, next) => colours(await next(document, range, token)),
+      provideDocumentSemanticTokens: async (document, token, next) => semanticTokens(await next(document, token)),
+      provideDocumentRangeSemanticTokens: async (document, range, token, next) => semanticTokens(await next(document, range, token)),
     },
     markdown: { isTrusted: false, supportHtml: false },
   };
@@ -114,50 +113,50 @@ async function start(): Promise<void> {
   await commands.executeCommand('setContext', 'hsd.running', true);
 }
 
-/** The colours of the program that are no grammar's work. */
-function colours(tokens: Awaited<ProviderResult<SemanticTokens>>): SemanticTokens | undefined {
+/** The server's semantic tokens without those that the grammar colours. */
+function semanticTokens(tokens: Awaited<ProviderResult<SemanticTokens>>): SemanticTokens | undefined {
   const offered = client?.initializeResult?.capabilities.semanticTokensProvider;
   if (!tokens || !offered) return undefined;
-  return new SemanticTokens(told(tokens, offered.legend));
+  return new SemanticTokens(filterTokens(tokens, offered.legend));
 }
 
-/** Shows the house of the text in the live preview, as it stands in the editor. */
+/** Opens the live preview of the active document, including unsaved changes. */
 async function showHouse(): Promise<void> {
   const editor = window.activeTextEditor;
   if (!client || editor?.document.languageId !== 'hsd') return;
   const uri = client.code2ProtocolConverter.asUri(editor.document.uri);
   try {
-    // The page is opened here: where the editor runs in a browser itself, only it knows the way to this machine.
+    // Opened by the editor, which can forward the port if it runs remotely or in a browser.
     const url: string = await client.sendRequest('workspace/executeCommand', { command: 'hsd.view', arguments: [uri, false] });
-    previewed = true;
+    previewOpen = true;
     await env.openExternal(Uri.parse(url, true));
   } catch (error) {
     void window.showErrorMessage(error instanceof Error ? error.message : String(error));
   }
 }
 
-/** The part under the cursor lights up in the preview. */
-function point({ document, selection }: TextEditor): void {
-  if (!client || !previewed || document.languageId !== 'hsd') return;
+/** Highlights the part under the cursor in the preview. */
+function sendCursor({ document, selection }: TextEditor): void {
+  if (!client || !previewOpen || document.languageId !== 'hsd') return;
   void client.sendNotification('hsd/cursor', {
     textDocument: { uri: client.code2ProtocolConverter.asUri(document.uri) },
     position: client.code2ProtocolConverter.asPosition(selection.active),
   });
 }
 
-/** Says that there is no program, and how to come by it. Nothing waits for the answer. */
+/** Reports that the program was not found and offers help; does not wait for the answer. */
 function missing(): void {
-  const path = chosen();
+  const path = configuredPath();
   const message = path
-    ? l10n.t('The program `hsd` is not at {0}, which the setting hsd.serverPath names.', path)
-    : l10n.t('The program `hsd` was not found. Without it houses are only coloured, not checked.');
+    ? l10n.t('The program `hsd` was not found at {0}, the value of the setting hsd.serverPath.', path)
+    : l10n.t('The program `hsd` was not found. Without it source files are highlighted but not checked.');
   output.error(message);
   offer(message);
 }
 
 function failed(program: string, error: unknown): void {
   const why = error instanceof Error ? error.message : String(error);
-  const message = l10n.t('{0} did not start as a language server: {1}', program, why);
+  const message = l10n.t('{0} could not be started as a language server: {1}', program, why);
   output.error(message);
   offer(message);
 }
@@ -176,5 +175,5 @@ function offer(message: string): void {
 
 async function choose(): Promise<void> {
   const found = await window.showOpenDialog({ title: l10n.t('The program hsd'), canSelectMany: false });
-  if (found?.[0]) await show(found[0].fsPath);
+  if (found?.[0]) await setServerPath(found[0].fsPath);
 }

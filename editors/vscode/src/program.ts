@@ -1,4 +1,4 @@
-// Where the program `hsd` is: where the settings say, else on the path, else where cargo puts programs.
+// Finds the program `hsd`: in the configured place, else on the PATH, else in cargo's folder of programs.
 import { execFile } from 'node:child_process';
 import { constants } from 'node:fs';
 import { access, stat } from 'node:fs/promises';
@@ -9,44 +9,44 @@ import { ConfigurationTarget, workspace } from 'vscode';
 
 const NAME = process.platform === 'win32' ? 'hsd.exe' : 'hsd';
 
-/** What the settings name, with `~` and `${workspaceFolder}` written out; empty where they name nothing. */
-export function chosen(): string {
+/** The configured path, with `~` and `${workspaceFolder}` expanded; empty if there is none. */
+export function configuredPath(): string {
   const path = workspace.getConfiguration('hsd').get<string>('serverPath', '').trim();
   const folder = workspace.workspaceFolders?.[0]?.uri.fsPath ?? '';
   const full = path.replace(/^~(?=[/\\]|$)/, () => homedir()).replaceAll('${workspaceFolder}', () => folder);
   return full && !isAbsolute(full) && /[/\\]/.test(full) ? join(folder, full) : full;
 }
 
-/** The program, or nothing. */
-export async function find(): Promise<string | undefined> {
-  const name = chosen();
-  if (name && isAbsolute(name)) return (await runs(name)) ? name : undefined;
+/** The path of the program; undefined if it is not found. */
+export async function findProgram(): Promise<string | undefined> {
+  const name = configuredPath();
+  if (name && isAbsolute(name)) return (await isExecutable(name)) ? name : undefined;
   const folders = (process.env['PATH'] ?? '').split(delimiter).filter(Boolean);
   const cargo = join(process.env['CARGO_HOME'] ?? join(homedir(), '.cargo'), 'bin');
   for (const folder of [...folders, cargo]) {
     const path = join(folder, name || NAME);
-    if (await runs(path)) return path;
+    if (await isExecutable(path)) return path;
   }
   return undefined;
 }
 
-/** Why a program is no language server, or nothing: an older `hsd`, or something else altogether. */
-export async function fault(program: string): Promise<string | undefined> {
+/** The reason why a program cannot run as the language server (an older `hsd`, or a different program); undefined if it can. */
+export async function startupError(program: string): Promise<string | undefined> {
   try {
     await promisify(execFile)(program, ['lsp', '--help'], { timeout: 10_000, windowsHide: true });
     return undefined;
   } catch (error) {
-    const said = (error as { stderr?: string }).stderr?.trim().split('\n')[0];
-    return said || (error instanceof Error ? error.message : String(error));
+    const output = (error as { stderr?: string }).stderr?.trim().split('\n')[0];
+    return output || (error instanceof Error ? error.message : String(error));
   }
 }
 
-/** Writes the program's place into the settings, which starts it. */
-export async function show(path: string): Promise<void> {
+/** Stores the program's path in the settings, which restarts the server. */
+export async function setServerPath(path: string): Promise<void> {
   await workspace.getConfiguration('hsd').update('serverPath', path, ConfigurationTarget.Global);
 }
 
-async function runs(path: string): Promise<boolean> {
+async function isExecutable(path: string): Promise<boolean> {
   try {
     await access(path, constants.X_OK);
     return (await stat(path)).isFile();

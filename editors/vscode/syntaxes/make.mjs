@@ -1,24 +1,24 @@
 // node syntaxes/make.mjs [--check]
-// Writes hsd.tmLanguage.json. The expressions for columns are too long to be written by hand, so they are put together
-// here from named pieces. With --check it only says whether the file is what it would write.
+// Writes hsd.tmLanguage.json. The expressions for columns are too long to be written by hand, so they are assembled here from
+// named pieces. With --check it only compares the file with its output.
 //
-// The legacy form is read line by line: what a line is, its own form tells, so that one slip colours no line but its own.
-// A line that begins with a tag begins the XML form, which goes on to the end of the file, as it does for the compiler.
+// The legacy form is matched line by line: the kind of a line follows from that line alone, so that an error affects no other line.
+// A line that begins with a tag starts the XML form, which continues to the end of the file, as in the compiler.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const NUMBER = '[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?';
 const WORD_END = '(?=\\s|$)';
 
-/** The pieces of a code: `column` matches one column, `stop` is what may follow a code cut short. */
+/** The patterns of codes: `column` matches one column, `stop` what may follow a shortened code. */
 function codes(column, stop) {
-  // A full-width blank fills two columns, a full-width letter one, and so does a blank typed among those.
+  // A full-width space fills two columns, a full-width letter one, and so does a space typed among full-width letters.
   const wide = '[\\uFF01-\\uFF5E]', blank = '\\x{3000}';
   const shapes = ['ooooo', 'ooob', 'oobo', 'oboo', 'booo', 'obb', 'bob', 'bbo']
     .map(shape => shape.replace(/o+/g, run => `${column}{${run.length}}`).replace(/b/g, blank));
   const code = `(?:${wide}(?:${wide}|(?<=[\\uFF01-\\uFF5E\\x{3000}])${blank}){4}|${shapes.join('|')})`;
   const empty = '(?:\\.{5}| {5})';
-  // A shift of the columns shows at once in this: a code that begins with a blank.
+  // A code that begins with a blank reveals shifted columns.
   const shifted = `(?= )${code}`;
   const cell = `(?:(${empty})|(${shifted})|(${code}))`;
   const scopes = kind => [
@@ -28,7 +28,7 @@ function codes(column, stop) {
   ];
   const captures = kinds => Object.fromEntries(kinds.flatMap(scopes).map((scope, i) => [i + 1, scope]));
   const odd = 'entity.name.function.code.odd.hsd', even = 'entity.name.type.code.even.hsd';
-  // The last code of a line may lack the blanks that fill it up.
+  // The last code of a line may lack its padding.
   const short = `(?=\\S)(?![LRlr]\\s*(?:$|\\^|<))((?:${column}|\\x{3000}){1,4})(?=${stop})`;
   const last = (kind, group) => ({ [group]: { name: kind, patterns: [{ include: '#wide' }] } });
   return [
@@ -39,10 +39,10 @@ function codes(column, stop) {
   ];
 }
 
-// A `#` behind a blank begins a comment even among codes, with a warning of the compiler.
+// A `#` after a blank begins a comment even among codes; the compiler warns about it.
 const LEGACY_COLUMN = '(?:(?!(?<= )#)[^\\^\\t\\x{3000}])';
 const XML_COLUMN = '(?:&(?:#\\d+|#x[0-9A-Fa-f]+|\\w+);|[^<{}&\\t\\x{3000}])';
-// The Japanese name of a part stands for its code, filled up to whole codes.
+// The Japanese name of a part may replace its code, padded to whole codes.
 const FOREIGN = '[^\\x00-\\x7F\\x{3000}\\uFF01-\\uFF5E]';
 const PART_NAME = `(?:${FOREIGN}{5})*(?:${FOREIGN} {0,4}|${FOREIGN}{2} {0,3}|${FOREIGN}{3} {0,2}|${FOREIGN}{4} ?|(?<=${FOREIGN}))`;
 
@@ -82,7 +82,7 @@ const legacy = {
       key('method', [words('least-cut|kd|branch-cut|skeleton')]),
       key('street', [words('yes|no')]),
       key('era', [words('E|M|N|all')]),
-      // A key with a slip in it: all small letters, as no code is.
+      // A misspelled key: all lower case, unlike any code.
       { ...key('[a-z][a-z-]+:?', [numeric]), beginCaptures: { 2: { name: 'variable.other.setting.hsd' } } },
     ],
   },
@@ -126,7 +126,7 @@ const NAME = '[\\p{L}_][\\p{L}\\p{N}_]*';
 const CONTROL = 'if|else|repeat|random|choice|define|use|include|let|Param|replace|split|upper|lower|change|remove';
 const CODED = 'code|texturecode|with|base|texture';
 
-/** An expression in braces; `stop` ends one that lacks its brace, `quotes` are those that texts in it may have. */
+/** An expression in braces; `stop` ends one without a closing brace, `quotes` are the quotes of its strings. */
 const expression = (stop, quotes) => ({
   begin: '\\{', end: `(\\})|(?=${stop})|$`, name: 'meta.expression.hsd',
   beginCaptures: { 0: { name: 'punctuation.section.embedded.begin.hsd' } },
@@ -141,7 +141,7 @@ const entity = {
   match: '(&)(#\\d+|#x[0-9A-Fa-f]+|amp|lt|gt|quot|apos)(;)', name: 'constant.character.entity.hsd',
 };
 
-/** A value in quotes; `inside` is what else it may hold. */
+/** A quoted value; `inside` are additional patterns for its contents. */
 const value = (quote, kind, inside) => ({
   begin: quote, end: `${quote}|(?=<)`, name: `string.quoted.${kind}.hsd`,
   beginCaptures: { 0: { name: 'punctuation.definition.string.begin.hsd' } },
@@ -151,7 +151,7 @@ const value = (quote, kind, inside) => ({
 const values = inside => [value('"', 'double', inside), value("'", 'single', inside)];
 
 const numberInValue = { match: `(?<=["'\\s,])${NUMBER}(?=["'\\s,])`, name: 'constant.numeric.hsd' };
-// Names of pictures and own parts may be long; codes are divided by commas.
+// Names of images and custom parts may be long; codes are separated by commas.
 const codeInValue = { match: `[^,"'{}&<\\s](?:[^,"'{}&<]*[^,"'{}&<\\s])?`, name: 'entity.name.type.code.hsd' };
 
 const attribute = (name, scope, inside) => ({
@@ -238,7 +238,7 @@ const xml = {
 
 const grammar = {
   $schema: 'https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json',
-  comment: 'Made by syntaxes/make.mjs: do not edit.',
+  comment: 'Generated by syntaxes/make.mjs: do not edit.',
   name: 'HSD house',
   scopeName: 'source.hsd',
   fileTypes: ['hsd'],
@@ -254,7 +254,7 @@ const grammar = {
   repository: {
     ...legacy,
     ...xml,
-    // Inside a code: characters of double width, and the fifth column where it says how many units the part takes.
+    // Inside a code: full-width characters, and the fifth column where it gives the part's width in units.
     wide: { match: '[\\x{3000}\\uFF01-\\uFF5E]', name: 'invalid.deprecated.full-width.hsd' },
     width: { match: '(?<=[A-Z0-9 ]{4})[0-9h]$', name: 'constant.numeric.width.hsd' },
   },

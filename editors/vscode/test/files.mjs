@@ -1,7 +1,7 @@
 // node test/files.mjs [FILE...]
-// Every example and every type of house is coloured from end to end: no character but blanks is left without a scope of its
-// own, and nothing is called invalid. In texts with mistakes too every character has a scope. HSD_REPOSITORY says where all
-// of them are if not two folders up. With files it prints their tokens instead.
+// Every character of the examples and of the library has a scope, and nothing is marked as invalid. Source files with errors have
+// a scope for every character too. HSD_REPOSITORY is the repository, two folders up by default. With files as arguments it prints
+// their tokens instead.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { grammar, root, tokens } from './tokens.mjs';
@@ -26,13 +26,13 @@ let faults = 0;
 for (const file of files) {
   tokens(hsd, readFileSync(join(repository, file), 'utf8')).forEach((line, number) => {
     for (const { text, scopes } of line) {
-      const bare = text.trim() && !scopes.some(scope => !scope.startsWith('meta.'));
+      const missing = text.trim() && !scopes.some(scope => !scope.startsWith('meta.'));
       const invalid = !file.startsWith(broken) && scopes.find(scope => scope.startsWith('invalid'));
-      if (!bare && !invalid) continue;
+      if (!missing && !invalid) continue;
       faults += 1;
       console.error(`${file}:${number + 1}: ${JSON.stringify(text)} ${invalid || 'has no scope'}`);
     }
   });
 }
-if (files.length) console.log(`${files.length} files coloured, ${faults} faults`);
+if (files.length) console.log(`${files.length} files highlighted, ${faults} faults`);
 process.exit(faults > 0 ? 1 : 0);

@@ -1,6 +1,6 @@
 // node test/snippets.mjs
-// Every snippet, with each of the values it offers, makes a text that the program HSD (`hsd`) checks without a word and finds laid
-// out as it would do it itself. A snippet that is no house stands in a frame for that.
+// Every snippet, with each of its choices, gives a source file that the program HSD (default `hsd`) checks without diagnostics and
+// would not format differently. Snippets that are not whole houses are placed in a frame.
 import { spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -18,7 +18,7 @@ const rows = (first, n) => storey(walls(
   `<Row>${first}</Row>`, ...[4, n, 4].map(units => `<Row><repeat num="${units}">KSK</repeat></Row>`)));
 const bay = '<define name="bay" width="2">\n  <repeat num="{width}">KSK</repeat>\n</define>\n';
 
-/** What stands round a snippet, by file and name. Those that are whole houses need nothing. */
+/** The frame of each snippet, by file and name; whole houses need none. */
 const frames = {
   legacy: {
     'house': none, 'two storeys': none, 'house in XML': none,
@@ -57,7 +57,7 @@ function big(front, depth) { return [front, depth, front, depth].map(n => 'KSK  
 function wide(text) { return text.includes('TKD 2') ? '  KSK' : ''; }
 function indent(text, by) { return text.trimEnd().replace(/^(?=.)/gm, ' '.repeat(by)); }
 
-/** A text for each value that a snippet offers, with the first values of all its other choices. */
+/** One source file per choice of a snippet, with the first values of all other choices. */
 function expansions(lines) {
   const source = lines.join('\n');
   const choices = [...source.matchAll(/\$\{(\d+)\|([^|]*)\|\}/g)].map(([, n, list]) => [n, list.split(',')]);
@@ -81,7 +81,7 @@ try {
   const paths = [];
   for (const form of ['legacy', 'xml']) {
     const snippets = JSON.parse(readFileSync(join(root, 'snippets', `${form}.json`), 'utf8'));
-    for (const name of Object.keys(frames[form])) if (!snippets[name]) throw new Error(`a frame for no snippet: ${name}`);
+    for (const name of Object.keys(frames[form])) if (!snippets[name]) throw new Error(`frame without a snippet: ${name}`);
     for (const [name, { body }] of Object.entries(snippets)) {
       const frame = frames[form][name];
       if (!frame) throw new Error(`${form}.json: ${name} has no frame in test/snippets.mjs`);
@@ -98,10 +98,10 @@ try {
   const layout = spawnSync(hsd, ['fmt', '--check', '--lang', 'en', ...paths], { encoding: 'utf8' });
   for (const run of [check, layout]) {
     if (run.error) throw run.error;
-    const said = `${run.stdout}${run.stderr}`.split('\n').filter(line => line.includes(folder));
-    if (run.status !== 0 && !said.length) throw new Error(`${run.stdout}${run.stderr}`);
-    faults += said.length;
-    for (const line of said) console.error(line);
+    const output = `${run.stdout}${run.stderr}`.split('\n').filter(line => line.includes(folder));
+    if (run.status !== 0 && !output.length) throw new Error(`${run.stdout}${run.stderr}`);
+    faults += output.length;
+    for (const line of output) console.error(line);
   }
   for (const path of paths) {
     if (process.env.SHOW && path.includes(process.env.SHOW)) console.log(readFileSync(path, 'utf8'));
@@ -109,5 +109,5 @@ try {
 } finally {
   rmSync(folder, { recursive: true });
 }
-console.log(`${count} texts of snippets checked, ${faults} complaints`);
+console.log(`${count} snippets checked, ${faults} faults`);
 process.exit(faults > 0 ? 1 : 0);

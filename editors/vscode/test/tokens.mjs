@@ -1,4 +1,4 @@
-// The tokens that the grammar makes of a text, by the same engine that VS Code runs.
+// Tokenises a source file with the grammar and the engine of VS Code.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
@@ -10,7 +10,7 @@ const { INITIAL, Registry, parseRawGrammar } = load('vscode-textmate');
 export const root = fileURLToPath(new URL('..', import.meta.url));
 const path = `${root}syntaxes/hsd.tmLanguage.json`;
 
-/** The grammar, ready for `tokens`. */
+/** Loads the grammar. */
 export async function grammar() {
   await oniguruma.loadWASM(readFileSync(load.resolve('vscode-oniguruma/release/onig.wasm')).buffer);
   const registry = new Registry({
@@ -23,7 +23,7 @@ export async function grammar() {
   return registry.loadGrammar('source.hsd');
 }
 
-/** Each line with its tokens: their text and their scopes, the outermost left out. */
+/** The tokens of each line: text and scopes, without the outermost scope. */
 export function tokens(grammar, text) {
   let stack = INITIAL;
   return text.replace(/^\uFEFF/, '').split(/\r\n|\r|\n/).map(line => {
