@@ -2,11 +2,11 @@
 
 use divan::{Bencher, counter::ItemsCount};
 use hsd::Options;
-use hsd::backend::pictures::Library;
+use hsd::backend::images::Library;
 use hsd::backend::{NoImages, gltf, obj, stl};
 use hsd::diagnostic::Diagnostics;
 use hsd::scene::Scene;
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
@@ -19,7 +19,7 @@ fn machiya() -> Scene {
     let text = include_bytes!("../examples/machiya.hsd");
     let source = Source::new(FileId(0), "machiya.hsd", text);
     let options = Options::default();
-    hsd::compile(&[&source], &NoPictures, &options, &mut Diagnostics::new()).scene
+    hsd::compile(&[&source], &NoFiles, &options, &mut Diagnostics::new()).scene
 }
 
 fn houses(bencher: Bencher<'_, '_>, mut write: impl FnMut(&Scene) -> usize) {

@@ -4,10 +4,10 @@ mod texts;
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
-use hsd::backend::pictures::Library;
+use hsd::backend::images::Library;
 use hsd::diagnostic::Diagnostics;
 use hsd::scene::Detail;
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 use std::num::NonZeroU32;
 
 #[global_allocator]
@@ -47,7 +47,7 @@ fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let building = texts::building(black_box(&text));
         let scene = hsd::driver::scene(&building, hsd::parse::builtin(), Detail::Everything);
-        let images = Library::load(&scene.pictures, &NoPictures, u64::MAX, |_, _| {});
+        let images = Library::load(&scene.pictures, &NoFiles, u64::MAX, |_, _| {});
         hsd::backend::gltf::glb(&scene, &images)
     });
 }
@@ -55,7 +55,7 @@ fn dressed_machiya_to_glb(bencher: Bencher<'_, '_>, count: usize) {
 /// One town house of the library, each time with another front, other heights and another frontage, from text to triangles.
 #[divan::bench(args = [1000], sample_count = 5)]
 fn variants_of_one_machiya(bencher: Bencher<'_, '_>, count: u32) {
-    let text = hsd::types::TYPES[1].text();
+    let text = hsd::templates::TYPES[1].text();
     bencher.counter(ItemsCount::new(count)).bench_local(|| {
         let source = Source::new(FileId(0), "bench.hsd", black_box(text.as_bytes()));
         let options = hsd::Options {
@@ -63,7 +63,7 @@ fn variants_of_one_machiya(bencher: Bencher<'_, '_>, count: u32) {
             ..hsd::Options::default()
         };
         let mut out = Diagnostics::new();
-        hsd::compile(&[&source], &NoPictures, &options, &mut out).scene
+        hsd::compile(&[&source], &NoFiles, &options, &mut out).scene
     });
 }
 

@@ -3,7 +3,7 @@
 use divan::Bencher;
 use glam::{DVec2, dvec2};
 use hsd::ast::RoofStyle;
-use hsd::roof::look::Look;
+use hsd::roof::shape::look::Look;
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

@@ -7,7 +7,7 @@ use divan::{Bencher, black_box};
 use hsd::Options;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
-use hsd::source::{FileId, Limits, NoPictures, Source};
+use hsd::source::{FileId, Limits, NoFiles, Source};
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
@@ -31,7 +31,7 @@ fn expand_a_megabyte(bencher: Bencher<'_, '_>) {
     let text = texts::legacy(1_000_000);
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
     let (options, mut out) = (Options::default(), Diagnostics::new());
-    let read = driver::documents(&[&source], &NoPictures, &options, &mut out);
+    let read = driver::documents(&[&source], &NoFiles, &options, &mut out);
     let (documents, options) = (read.documents, options.expand);
     bencher.counter(BytesCount::of_str(&text)).bench_local(|| {
         let (sources, documents) = (&[&source], black_box(&documents));
@@ -39,7 +39,7 @@ fn expand_a_megabyte(bencher: Bencher<'_, '_>) {
             sources,
             documents,
             hsd::parse::builtin(),
-            &NoPictures,
+            &NoFiles,
             &options,
             &mut out,
         )

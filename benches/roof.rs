@@ -8,9 +8,9 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use hsd::building::Shell;
 use hsd::diagnostic::Diagnostics;
+use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::{Cell, Plan};
-use hsd::roof::ridge::regions;
+use hsd::roof::plan::ridge::regions;
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

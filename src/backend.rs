@@ -9,7 +9,7 @@ pub mod flat;
 pub mod gltf;
 pub mod number;
 pub mod obj;
-pub mod pictures;
+pub mod images;
 pub mod regions_svg;
 pub mod sound;
 pub mod stl;

@@ -11,11 +11,11 @@ mod dress;
 pub mod fittings;
 
 pub use attic::{Attic, Verge};
-pub use dress::Dress;
+pub use dress::Trim;
 
 use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
+use crate::geometry::plan::Cell;
 use crate::program::{Age, Picture, Roofs, Unit};
-use crate::roof::plan::Cell;
 use crate::source::Span;
 use glam::{DVec2, DVec3, dvec3};
 use serde::Serialize;
@@ -223,7 +223,7 @@ pub struct Roof {
     /// Covering.
     pub kind: RoofKind,
     /// What it wears beyond its solids.
-    pub dress: Dress,
+    pub dress: Trim,
     /// What lies between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,

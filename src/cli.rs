@@ -3,28 +3,22 @@
 //! Exit status (language.md 5): 0 done, 1 the input has errors, 2 wrong usage, 3 input or output failed. A
 //! reader that closes its end of a pipe is no failure.
 
+mod files;
 mod build;
 mod check;
 mod completions;
-mod diff;
 mod dump;
 mod explain;
 mod fmt;
-mod input;
-mod japanese;
 mod language;
 mod lsp;
 mod new;
 mod options;
-mod output;
 mod params;
 mod parts;
-mod reason;
 mod render;
-mod terminal;
 mod textures;
 mod view;
-mod watch;
 pub use crate::diagnostic::{Language, Text};
 use crate::text;
 use clap::error::{ContextKind, ContextValue, ErrorKind as Wrong};
@@ -68,7 +62,7 @@ enum Stop {
 impl Stop {
     /// A failure at a file.
     fn at(what: impl std::fmt::Display, error: io::Error) -> Stop {
-        let why = reason::of(&error);
+        let why = crate::cli::files::reason::of(&error);
         match error.kind() {
             ErrorKind::BrokenPipe => Stop::Pipe,
             _ => Stop::Io(text!([why] "{what}: {why}", "{what}: {why}")),
@@ -98,7 +92,7 @@ impl Stop {
 /// Failures at standard output and error.
 impl From<io::Error> for Stop {
     fn from(error: io::Error) -> Self {
-        let why = reason::of(&error);
+        let why = crate::cli::files::reason::of(&error);
         match error.kind() {
             ErrorKind::BrokenPipe => Stop::Pipe,
             _ => Stop::Io(text!([why] "cannot write: {why}", "書き込めません: {why}")),
@@ -181,7 +175,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 fn command(language: Language) -> clap::Command {
     match language {
         Language::English => Cli::command(),
-        Language::Japanese => japanese::command(Cli::command()),
+        Language::Japanese => crate::cli::language::japanese::command(Cli::command()),
     }
 }
 
@@ -204,7 +198,11 @@ fn refused(error: &clap::Error, language: Language) -> ExitCode {
     // Help for a closed pipe is lost, and nobody minds.
     let _ = match language {
         Language::Japanese if !helps => {
-            write!(io::stderr(), "{}", japanese::complaint(error))
+            write!(
+                io::stderr(),
+                "{}",
+                crate::cli::language::japanese::complaint(error)
+            )
         }
         _ => error.print(),
     };

@@ -44,7 +44,7 @@ pub struct Label {
 
 /// One way to mend what a message complains of: what an editor offers to do at a click.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mend {
+pub struct Fix {
     /// What it does, in the imperative and without a full stop.
     pub title: Text,
     /// The changes, all at once; none touches another.
@@ -87,7 +87,7 @@ pub struct Diagnostic {
     pub labels: Vec<Label>,
     /// What can be done about it without further thought, the likeliest first. After any of them nobody complains of
     /// this again.
-    pub mends: Vec<Mend>,
+    pub fixes: Vec<Fix>,
 }
 
 impl Diagnostic {
@@ -114,7 +114,7 @@ impl Diagnostic {
             span,
             help: Text::default(),
             labels: vec![],
-            mends: vec![],
+            fixes: vec![],
         }
     }
 
@@ -137,14 +137,14 @@ impl Diagnostic {
 
     /// Adds a mend: this text in the place of the span.
     #[must_use]
-    pub fn mend(self, title: impl Into<Text>, span: Span, text: impl Into<String>) -> Self {
-        self.mend_all(title, vec![Edit::new(span, text)])
+    pub fn fix(self, title: impl Into<Text>, span: Span, text: impl Into<String>) -> Self {
+        self.fix_all(title, vec![Edit::new(span, text)])
     }
 
     /// Adds a mend of several changes.
     #[must_use]
-    pub fn mend_all(mut self, title: impl Into<Text>, edits: Vec<Edit>) -> Self {
-        self.mends.push(Mend {
+    pub fn fix_all(mut self, title: impl Into<Text>, edits: Vec<Edit>) -> Self {
+        self.fixes.push(Fix {
             title: title.into(),
             edits,
         });
@@ -184,10 +184,10 @@ impl Diagnostics {
     }
 
     /// Leaves out the mends of which a change is not to be made.
-    pub fn retain_mends(&mut self, keep: impl Fn(&Edit) -> bool) {
-        let mended = self.list.iter_mut().filter(|d| !d.mends.is_empty());
-        for found in mended {
-            found.mends.retain(|mend| mend.edits.iter().all(&keep));
+    pub fn retain_fixes(&mut self, keep: impl Fn(&Edit) -> bool) {
+        let fixed = self.list.iter_mut().filter(|d| !d.fixes.is_empty());
+        for found in fixed {
+            found.fixes.retain(|fix| fix.edits.iter().all(&keep));
         }
     }
 

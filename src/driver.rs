@@ -13,7 +13,7 @@ pub(crate) use parts::BESIDE as PARTS_BESIDE;
 pub use parts::catalog;
 
 use crate::ast::{Document, Parameter};
-use crate::backend::pictures::{Library, Trouble};
+use crate::backend::images::{Library, Trouble};
 use crate::backend::{gltf, sound};
 use crate::building::{Building, Shell};
 use crate::catalog::Catalog;
@@ -28,7 +28,7 @@ use crate::parse::xml::Trees;
 use crate::program::{Content, PictureId, Program, Unit};
 use crate::roof;
 use crate::scene::{Detail, Scene};
-use crate::source::{FileId, Limits, NoPictures, Shelf, Source, Span, World};
+use crate::source::{FileId, Limits, NoFiles, Source, SourceCache, Span, World};
 use crate::tessellate;
 use std::borrow::Cow;
 use std::num::NonZeroU32;
@@ -165,7 +165,7 @@ fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnos
         let mut all = sources.iter().copied().chain(included);
         all.find(|source| source.id() == id)
     };
-    out.retain_mends(|edit| {
+    out.retain_fixes(|edit| {
         let Some(source) = file(edit.span.file) else {
             return true;
         };
@@ -195,7 +195,7 @@ pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
         expand,
         ..Options::default()
     };
-    let compiled = compile(&[&source], &NoPictures, &options, &mut out);
+    let compiled = compile(&[&source], &NoFiles, &options, &mut out);
     flaws(&compiled, &mut out);
     gltf::glb(&compiled.scene, &Library::default()).len()
 }
@@ -241,11 +241,11 @@ fn documents_noted(
     values: Option<&Values>,
     out: &mut Diagnostics,
 ) -> Read {
-    let shelf = shelf(sources, options);
+    let cache = cache(sources, options);
     let mut trees = Trees::default();
-    let setting = parse::Setting {
+    let setting = parse::ReadContext {
         values,
-        ..setting(world, options, &shelf)
+        ..setting(world, options, &cache)
     };
     let documents = read(sources, setting, &mut trees, out);
     let catalog = catalog(
@@ -259,26 +259,30 @@ fn documents_noted(
     let given = options.catalogs.iter().cloned();
     Read {
         documents,
-        included: given.chain(shelf.into_sources()).collect(),
+        included: given.chain(cache.into_sources()).collect(),
         catalog,
     }
 }
 
 /// Room for the files that sources may include.
-fn shelf(sources: &[&Source], options: &Options) -> Shelf {
+fn cache(sources: &[&Source], options: &Options) -> SourceCache {
     let all = sources.iter().copied().chain(options.catalogs.iter());
     let first = all.map(|s| usize::from(s.id().0) + 1).max();
-    Shelf::new(first.unwrap_or(0), options.expand.limits.includes)
+    SourceCache::new(first.unwrap_or(0), options.expand.limits.includes)
 }
 
 /// What files are read with.
-fn setting<'a>(world: &'a dyn World, options: &'a Options, shelf: &'a Shelf) -> parse::Setting<'a> {
-    parse::Setting {
+fn setting<'a>(
+    world: &'a dyn World,
+    options: &'a Options,
+    cache: &'a SourceCache,
+) -> parse::ReadContext<'a> {
+    parse::ReadContext {
         limits: options.expand.limits,
         parameters: &options.parameters,
         seed: options.expand.seed,
         world,
-        shelf,
+        cache,
         values: None,
     }
 }
@@ -286,7 +290,7 @@ fn setting<'a>(world: &'a dyn World, options: &'a Options, shelf: &'a Shelf) -> 
 /// Reads the sources; files and elements that were read before are taken from where they are kept.
 fn read<'a>(
     sources: &[&'a Source],
-    setting: parse::Setting<'a>,
+    setting: parse::ReadContext<'a>,
     trees: &mut Trees<'a>,
     out: &mut Diagnostics,
 ) -> Vec<Document> {

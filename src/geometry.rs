@@ -5,6 +5,10 @@
 //! in the scene. Walking with the interior on the right is clockwise from above; in (a, b) read as
 //! (x, y) the same walk turns counter-clockwise, so its signed area is positive.
 
+pub mod plan;
+pub(crate) mod convex;
+pub mod triangulate;
+
 use glam::{DVec2, dvec2};
 
 /// One shaku in metres (law of 1891).

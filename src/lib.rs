@@ -25,7 +25,7 @@
 //! The trees between the steps are noun modules: data, small accessors, invariants in their headers. The steps are
 //! verb modules. A noun uses no verb; a step uses its input, its output and the foundations. `tests/order.rs` holds
 //! the sources to that. The core does no input or output: pictures and included texts come through [`source::World`];
-//! files are read by [`disk`] for the shells [`cli`], [`lsp`] and [`view`], and only [`cli`] prints.
+//! files are read by [`fs`] for the shells [`cli`], [`lsp`] and [`view`], and only [`cli`] prints.
 //!
 //! # Numbers
 //!
@@ -36,11 +36,11 @@
 pub mod source;
 pub mod diagnostic;
 pub mod geometry;
-pub mod draw;
+pub mod rng;
 pub mod catalog;
 pub mod material;
 pub mod texture;
-pub mod types;
+pub mod templates;
 
 // The chain.
 pub mod ast;
@@ -56,7 +56,7 @@ pub mod tessellate;
 pub mod check;
 
 // Around the chain.
-pub mod picture;
+pub mod render;
 pub mod print;
 pub mod backend;
 pub mod driver;
@@ -64,7 +64,7 @@ pub mod ide;
 
 // Shells.
 pub mod cli;
-pub mod disk;
+pub mod fs;
 pub mod lsp;
 pub mod report;
 pub mod view;

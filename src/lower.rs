@@ -12,7 +12,7 @@ mod crossing;
 mod text;
 mod walk;
 
-pub(crate) use close::Mend;
+pub(crate) use close::ClosingFix;
 
 use crate::ast::StoreyKind;
 use crate::building::{House, Ring, Shell, Storey};

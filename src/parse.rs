@@ -13,11 +13,11 @@ pub use values::{Seen, Values};
 use crate::ast::Document;
 use crate::diagnostic::messages::file as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::source::{Limits, NoPictures, Shelf, Source, World};
+use crate::source::{Limits, NoFiles, Source, SourceCache, World};
 
 mod builtin;
 mod expr;
-mod faults;
+mod reporter;
 pub mod legacy;
 pub mod outline;
 mod values;
@@ -25,7 +25,7 @@ pub mod xml;
 
 /// What a file is read with.
 #[derive(Clone, Copy)]
-pub struct Setting<'a> {
+pub struct ReadContext<'a> {
     /// Bounds on what is taken in.
     pub limits: Limits,
     /// Parameters and their values; the last of a name counts.
@@ -35,20 +35,20 @@ pub struct Setting<'a> {
     /// Where the texts lie that others include.
     pub world: &'a dyn World,
     /// Where those that were read are kept.
-    pub shelf: &'a Shelf,
+    pub cache: &'a SourceCache,
     /// Where it is taken down what expressions and names come to, if anybody asks.
     pub values: Option<&'a Values>,
 }
 
-impl<'a> Setting<'a> {
+impl<'a> ReadContext<'a> {
     /// No parameters, no other files.
-    pub fn alone(limits: &Limits, shelf: &'a Shelf) -> Setting<'a> {
-        Setting {
+    pub fn alone(limits: &Limits, cache: &'a SourceCache) -> ReadContext<'a> {
+        ReadContext {
             limits: *limits,
             parameters: &[],
             seed: None,
-            world: &NoPictures,
-            shelf,
+            world: &NoFiles,
+            cache,
             values: None,
         }
     }
@@ -61,15 +61,15 @@ pub fn nearest<'k>(word: &str, known: impl Iterator<Item = &'k str> + Clone) -> 
 
 /// Reads a file of either syntax that stands for itself.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    let shelf = Shelf::new(0, 0);
-    let setting = Setting::alone(limits, &shelf);
+    let cache = SourceCache::new(0, 0);
+    let setting = ReadContext::alone(limits, &cache);
     parse_in(source, setting, &mut xml::Trees::default(), out)
 }
 
 /// Reads a file of either syntax. What was read before is taken from `trees`.
 pub fn parse_in<'a>(
     source: &'a Source,
-    setting: Setting<'a>,
+    setting: ReadContext<'a>,
     trees: &mut xml::Trees<'a>,
     out: &mut Diagnostics,
 ) -> Document {

@@ -1,19 +1,22 @@
 //! Roofs: from placed walls to closed solids over everything they leave open.
 //!
-//! The way of a storey: its plan less the storey above ([`plan`]) less roof lines (`explicit`) is
-//! cut and merged into rectangles ([`partition`]); [`ridge::regions`] says how each is roofed (main
-//! roof, branch running into its trunk, lean-to); a shape ([`hall`], [`lean_to`], [`pent`],
-//! [`flat`]) turns each into a [`form::Form`]; roofs of one height meet in valleys (`meet`); what
-//! remains of each becomes a closed solid ([`sheet`]) with gable walls, which the neighbours cut (`fills`). What it wears (ridge tiles, barge boards,
-//! rafters) is made by tessellation, from the solids and a small [`Dress`](crate::building::Dress).
+//! | step | module | result |
+//! |---|---|---|
+//! | what is open | [`plan`], `storey` | the storey's plan less the storey above less the roof lines |
+//! | division | [`partition`] | rectangles that cover it once, cut by a method and merged |
+//! | roles | [`plan::ridge`] | main roofs, branches that run into their trunk, lean-tos |
+//! | shape | [`shape`] | a [`shape::form::Form`] each: upper surface in facets, walls under it |
+//! | joining | `join` | roofs of one height meet in valleys, gables make room for their neighbours |
+//! | closing | [`solid`] | closed solids with gable walls |
 //!
-//! Plans that are not at right angles, and any plan by `method skeleton`, are roofed as a whole (`polygonal`): the
-//! straight skeleton ([`skeleton`]) gives one slope over each wall ([`hipped`]). Towns ask for such a roof with [`over`].
+//! Plans that are not at right angles, and any plan by `method skeleton`, are roofed as a whole: the straight
+//! [`skeleton`] gives one slope over each wall ([`shape::hipped`]). Towns ask for such a roof with [`over`].
 //!
-//! For details without joinery tessellation asks for roofs that meet as one solid with their attics ([`massive`]).
+//! For details without joinery tessellation asks for roofs that meet as one solid with their attics
+//! ([`solid::massive`]). Ridge tiles, barge boards and rafters are made by tessellation, from the solids and a small
+//! [`Trim`](crate::building::Trim).
 //!
-//! A further shape is one further file that makes a [`form::Form`]: upper facets, their drop, and
-//! what stands under them. Meeting and closing are the same for all.
+//! A further shape is one further module below [`shape`]; joining and closing are the same for all.
 //!
 //! Frames: plans in the author frame, a to the left along the first line, b back into the plot, on
 //! exact integers; nothing there depends on where a loop starts. Solids in metres in the house frame.
@@ -21,74 +24,26 @@
 use crate::building::{Building, HouseRoofs, Shell};
 use crate::diagnostic::Diagnostics;
 
-mod assemble;
-mod automatic;
-pub mod board;
-pub mod branch_cut;
-pub mod chord;
-mod convex;
-mod corners;
-mod eaves;
-pub mod effort;
-pub mod end;
-mod explicit;
-pub mod facet;
-mod fills;
-pub mod flat;
-pub mod form;
-mod forms;
-pub mod frame;
-pub mod gable_wall;
-pub mod hall;
-mod headroom;
-pub mod hipped;
+mod join;
+pub mod budget;
 mod house;
-pub mod kd;
-pub mod lean_to;
-pub mod least_cut;
-mod level;
-pub mod look;
-pub mod massive;
-mod meet;
-pub mod merge;
-mod nearby;
-pub mod outline;
-mod overhang;
-pub mod partition;
-pub mod pent;
 pub mod plan;
-mod porch;
-pub mod profile;
-mod raster;
-mod report;
-mod polygonal;
-mod polygons;
-pub mod ridge;
-mod run_in;
-mod scan;
-pub mod sheet;
-mod sides;
-pub mod six_vertex;
+pub mod shape;
+mod storey;
+pub mod partition;
 pub mod skeleton;
-mod skirt;
-mod slabs;
 pub mod solid;
-pub mod street;
-mod tops;
-pub mod triangulate;
-mod verges;
-mod twins;
-mod written;
+mod cache;
 
-pub use hipped::over;
+pub use crate::roof::shape::hipped::over;
 
 /// Roofs all houses.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
-    let effort = effort::Effort::default();
-    let mut firsts = twins::Firsts::default();
+    let effort = crate::roof::budget::SearchBudget::default();
+    let mut firsts = crate::roof::cache::RoofCache::default();
     let mut roofs: Vec<HouseRoofs> = Vec::with_capacity(shell.houses.len());
     for (i, house) in shell.houses.iter().enumerate() {
-        let plan = twins::Plan::of(house);
+        let plan = crate::roof::cache::Plan::of(house);
         if let Some((known, told)) = firsts.twin(house, &plan, &roofs) {
             roofs.push(known);
             told.into_iter().for_each(|d| out.push(d));

@@ -6,10 +6,10 @@
 //! [`Source::text_range`].
 
 mod reference;
-mod shelf;
+mod cache;
 
+pub use crate::source::cache::SourceCache;
 pub(crate) use reference::reference;
-pub use shelf::Shelf;
 
 use std::ops::Range;
 
@@ -52,18 +52,18 @@ pub trait World {
     ///
     /// # Errors
     /// Where there is none, or it may not be read.
-    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, IncludeError> {
         let _ = (from, href);
-        Err(NoText::Missing)
+        Err(IncludeError::Missing)
     }
 
     /// The path of the text that the text of the name `from` includes as `href`.
     ///
     /// # Errors
     /// Where there is none, or it may not be read.
-    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+    fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let _ = (from, href);
-        Err(NoText::Missing)
+        Err(IncludeError::Missing)
     }
 
     /// The bytes of a text found before, which is no longer than `limit`.
@@ -78,7 +78,7 @@ pub trait World {
 
 /// Why a text that is included cannot be had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum NoText {
+pub enum IncludeError {
     /// There is no such file.
     Missing,
     /// It would lie outside the root folder of the build.
@@ -96,9 +96,9 @@ pub struct PictureFile {
 
 /// A world without pictures.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct NoPictures;
+pub struct NoFiles;
 
-impl World for NoPictures {
+impl World for NoFiles {
     fn picture(&self, _: &str) -> Option<PictureFile> {
         None
     }

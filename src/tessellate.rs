@@ -4,42 +4,15 @@
 //! A mesh is made once for each part, width, height and neighbourhood, and once for roofs that are alike; it is
 //! shown as often as it stands somewhere: the caches live through all houses of a run.
 
-mod air;
-mod alike;
-mod apron;
-mod atlas;
 mod bake;
-mod bars;
-mod bay;
-mod boards;
-mod body;
-mod bulk;
-mod canopy;
-mod ceiling;
-mod cloth;
-mod corner;
-mod detail;
-mod dress;
-mod facade;
+mod trim;
+mod wall;
 mod fittings;
-mod kura;
-mod leaf;
-mod member;
 mod mesh;
-mod namako;
-mod oriel;
-mod parapet;
 mod part;
-mod polygon;
-mod room;
-mod round;
-pub mod sheet;
-mod shelter;
-mod smooth;
-mod solid;
-mod standing;
+pub mod part_sheet;
+mod roof;
 mod store;
-mod track;
 mod weather;
 
 use crate::ast::{RoofKind, StoreyKind};
@@ -49,17 +22,17 @@ use crate::building::{
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
-use air::{Aged, Air};
-use alike::{Alike, Roofs, Walls};
-use bulk::is_fill;
+use crate::tessellate::roof::bulk::is_fill;
+use crate::tessellate::roof::mesh_key::{MeshKey, Roofs, Walls};
+use crate::tessellate::roof::plaster;
+use crate::tessellate::trim::Neighbours;
+use crate::tessellate::wall::Line;
+use crate::tessellate::wall::index::{Place, WallIndex};
+use crate::tessellate::wall::room::Rooms;
+use crate::tessellate::weather::exposure::{Aged, WallExposure};
 use compact_str::{CompactString, format_compact};
-use dress::Neighbours;
-use facade::Line;
 use fittings::Drawn;
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use room::Rooms;
-use solid::plaster;
-use standing::{Place, Standing};
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
 use store::Store;
@@ -117,7 +90,7 @@ struct Walker<'a> {
     /// Its years, if anybody says how many.
     aged: Option<Aged>,
     /// The air before the wall in the making, in such a house.
-    air: Option<Air>,
+    air: Option<WallExposure>,
 }
 
 /// What walls of a storey have in common.
@@ -127,7 +100,7 @@ struct Level<'a> {
     storey: &'a Storey,
     ceilings: &'a [Ceiling],
     /// Where its walls stand, once somebody asks.
-    standing: &'a OnceCell<Standing>,
+    standing: &'a OnceCell<WallIndex>,
     /// Metres from floor to top.
     height: f64,
     /// The storey's node.
@@ -191,7 +164,7 @@ impl<'a> Walker<'a> {
         self.root = root;
         self.aged = Aged::of(house, roofs);
         self.weather(|aged| aged.even("house", 0.5));
-        let standing: Vec<OnceCell<Standing>> =
+        let standing: Vec<OnceCell<WallIndex>> =
             house.storeys.iter().map(|_| OnceCell::new()).collect();
         for (storey, standing) in house.storeys.iter().zip(&standing) {
             self.storey(root, house, storey, &roofs.ceilings, standing);
@@ -201,13 +174,13 @@ impl<'a> Walker<'a> {
             self.soffit(root, soffit, i + 1);
         }
         let neighbours = Neighbours::of(roofs);
-        let shares = bulk::shares(&roofs.roofs, self.detail);
+        let shares = crate::tessellate::roof::bulk::shares(&roofs.roofs, self.detail);
         for (i, (roof, shown)) in roofs.roofs.iter().zip(shares).enumerate() {
             let walls = self.below(house, roof, shown, &standing);
             let beyond = neighbours.beyond(i, roof);
             self.weather(|aged| aged.roof(i));
             let weather = self.store.weather;
-            let alike = Alike::new(roof, shown, walls, beyond, weather, i + 1);
+            let alike = MeshKey::new(roof, shown, walls, beyond, weather, i + 1);
             self.roof(root, roof, alike, i + 1);
         }
     }
@@ -219,7 +192,7 @@ impl<'a> Walker<'a> {
         house: &House,
         roof: &Roof,
         shown: &[Roof],
-        standing: &[OnceCell<Standing>],
+        standing: &[OnceCell<WallIndex>],
     ) -> Walls {
         let solids = || shown.iter().flat_map(|r| &r.solids);
         // Numbers rise, and a parapet follows the storey whose number it shares.
@@ -228,14 +201,14 @@ impl<'a> Walker<'a> {
             return Walls::default();
         };
         let tiled = matches!(roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
-        let plastered = tiled && standing::is_plastered(self.catalog, storey);
+        let plastered = tiled && crate::tessellate::wall::index::is_plastered(self.catalog, storey);
         if !solids().any(is_fill) {
             return Walls {
                 gables: vec![],
                 plastered,
             };
         }
-        let standing = standing[below].get_or_init(|| Standing::of(storey));
+        let standing = standing[below].get_or_init(|| WallIndex::of(storey));
         let of = |solid: &Solid| match is_fill(solid) {
             true => standing.gable(self.catalog, house, Place { solid, storey }),
             false => plaster(),
@@ -255,7 +228,7 @@ impl<'a> Walker<'a> {
         house: &House,
         storey: &Storey,
         ceilings: &[Ceiling],
-        standing: &OnceCell<Standing>,
+        standing: &OnceCell<WallIndex>,
     ) {
         let word = match storey.kind {
             StoreyKind::Storey => "storey",
@@ -335,13 +308,18 @@ impl<'a> Walker<'a> {
         node.storey = Some(soffit.storey);
     }
 
-    fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: Alike<'a>, number: usize) {
+    fn roof(&mut self, root: NodeId, roof: &'a Roof, alike: MeshKey<'a>, number: usize) {
         let name = format_compact!("roof {number}");
         let (mesh, rows) = match self.roofs.entry(alike) {
             Entry::Occupied(known) => known.get().clone(),
             Entry::Vacant(new) => {
                 let walls = new.key().walls();
-                let worn = dress::dress(roof, new.key().beyond(), walls.plastered, self.detail);
+                let worn = crate::tessellate::trim::dress(
+                    roof,
+                    new.key().beyond(),
+                    walls.plastered,
+                    self.detail,
+                );
                 let bulk = new.key().bulk(self.detail);
                 let given = |solid: usize, face: &Face| bulk.given(solid, face);
                 let store = &mut self.store;

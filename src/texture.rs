@@ -12,28 +12,14 @@
 //! Orientation: `u` runs to the right in the picture, `v` upwards (towards its top edge). On a
 //! roof `v` points up the slope.
 
-mod bamboo;
-mod boards;
-mod cells;
-mod cement;
-mod clay;
+mod surface;
 mod color;
 mod contact;
 mod files;
-mod grain;
-mod ground;
 mod noise;
 mod paint;
-mod plaster;
-mod roof_tiles;
 pub mod samples;
-mod sheet;
-mod shingles;
 mod table;
-mod thatch;
-mod timber;
-mod wall_tiles;
-mod weave;
 
 pub use contact::contact_sheet;
 pub use files::{COLOR_SIZE, ORM_SIZE, embedded, encode, jpeg, png, write_all};

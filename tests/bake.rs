@@ -1,12 +1,12 @@
 //! `hsd build --bake`: what glass mirrors, against lines that are followed here one by one.
 
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use hsd::backend::pictures::Library;
+use hsd::backend::images::Library;
 use hsd::backend::{flat, gltf as write, obj};
 use hsd::diagnostic::Diagnostics;
-use hsd::picture::mirror::{Wishes, bake};
+use hsd::render::mirror::{Wishes, bake};
 use hsd::scene::Scene;
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 use serde_json::Value;
 
 /// Six metres of glass that faces south, before it a street.
@@ -39,7 +39,7 @@ fn scene(texts: &[&str]) -> Scene {
         .collect();
     let mut out = Diagnostics::new();
     let sources: Vec<&Source> = sources.iter().collect();
-    let made = hsd::compile(&sources, &NoPictures, &hsd::Options::default(), &mut out);
+    let made = hsd::compile(&sources, &NoFiles, &hsd::Options::default(), &mut out);
     let errors = out.into_sorted();
     let errors = errors
         .iter()

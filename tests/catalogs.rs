@@ -7,7 +7,7 @@ use hsd::ast::CodeText;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::driver::{self, Compiled};
 use hsd::program::{Content, PictureId, Unit};
-use hsd::source::{FileId, NoText, PictureFile, Source, World};
+use hsd::source::{FileId, IncludeError, PictureFile, Source, World};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Texts in folders and names of pictures.
@@ -40,19 +40,19 @@ impl World for Files {
         Err(std::io::Error::other(path.to_owned()))
     }
 
-    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, IncludeError> {
         let folder = from.rsplit_once('/').map_or("", |(folder, _)| folder);
         let path = format!("{folder}/{href}");
-        self.picture(&path).ok_or(NoText::Missing)
+        self.picture(&path).ok_or(IncludeError::Missing)
     }
 
-    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+    fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let path = match from.rsplit_once('/') {
             Some((folder, _)) => format!("{folder}/{href}"),
             None => href.to_owned(),
         };
         let there = self.texts.contains_key(&path);
-        there.then_some(path).ok_or(NoText::Missing)
+        there.then_some(path).ok_or(IncludeError::Missing)
     }
 
     fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {

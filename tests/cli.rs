@@ -5,7 +5,7 @@ mod folders;
 mod languages;
 mod render;
 
-use hsd::disk::FolderWorld;
+use hsd::fs::FolderWorld;
 use hsd::source::World;
 use std::fs;
 use std::io::Write;

@@ -5,11 +5,11 @@
 use glam::{DMat4, DQuat, DVec3};
 use hsd::Options;
 use hsd::backend::gltf::{self, Glb, Ktx2};
-use hsd::backend::pictures::Library;
+use hsd::backend::images::Library;
 use hsd::backend::{Images, NoImages, PictureBytes, SurfaceFiles};
 use hsd::diagnostic::Diagnostics;
 use hsd::scene::{Image, Scene};
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 use ktx::texture::KtxTexture;
 use serde_json::Value;
 
@@ -18,7 +18,7 @@ const MACHIYA: &str = include_str!("../examples/machiya.hsd");
 fn scene(text: &str) -> Scene {
     let source = Source::new(FileId(0), "houses.hsd", text.as_bytes());
     let mut out = Diagnostics::new();
-    hsd::compile(&[&source], &NoPictures, &Options::default(), &mut out).scene
+    hsd::compile(&[&source], &NoFiles, &Options::default(), &mut out).scene
 }
 
 /// Machiya at these places: x, y, degrees.

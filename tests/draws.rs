@@ -2,7 +2,7 @@
 
 use hsd::diagnostic::Diagnostics;
 use hsd::program::{Content, Program};
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 use hsd::{Options, driver};
 use std::collections::BTreeMap;
 
@@ -11,12 +11,12 @@ fn program(text: &str, seed: Option<u64>) -> Program {
     let source = Source::new(FileId(0), "draws.hsd", text.as_bytes());
     let mut options = Options::default();
     options.expand.seed = seed;
-    let read = driver::documents(&[&source], &NoPictures, &options, &mut out);
+    let read = driver::documents(&[&source], &NoFiles, &options, &mut out);
     let made = driver::program(
         &[&source],
         &read.documents,
         &read.catalog,
-        &NoPictures,
+        &NoFiles,
         &options.expand,
         &mut out,
     );

@@ -185,7 +185,7 @@ mod build {
     }
 
     pub(crate) fn run(house: House) -> (Program, Vec<Diagnostic>) {
-        run_in(house, &hsd::source::NoPictures, &Options::default())
+        run_in(house, &hsd::source::NoFiles, &Options::default())
     }
 
     /// Runs a house of which nothing may be said.

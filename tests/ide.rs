@@ -12,7 +12,7 @@ mod words;
 
 use hsd::Options;
 use hsd::ide::{Analysis, Place};
-use hsd::source::{FileId, NoText, PictureFile, Source, World};
+use hsd::source::{FileId, IncludeError, PictureFile, Source, World};
 use std::collections::BTreeMap;
 
 /// Texts in memory, by path.
@@ -32,12 +32,12 @@ impl World for Texts {
         Err(std::io::Error::other(path.to_owned()))
     }
 
-    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+    fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let folder = from.rsplit_once('/').map_or("", |(folder, _)| folder);
         let path = format!("{folder}/{href}");
         let path = path.trim_start_matches('/').to_owned();
         let there = self.0.contains_key(&path);
-        there.then_some(path).ok_or(NoText::Missing)
+        there.then_some(path).ok_or(IncludeError::Missing)
     }
 
     fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {

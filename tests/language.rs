@@ -11,7 +11,7 @@ mod values;
 use hsd::ast::{Document, Item, Piece, Row, Storey};
 use hsd::diagnostic::{Diagnostic, Diagnostics};
 use hsd::driver;
-use hsd::source::{FileId, NoText, PictureFile, Source, World};
+use hsd::source::{FileId, IncludeError, PictureFile, Source, World};
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
@@ -38,9 +38,9 @@ impl World for Texts {
         Err(std::io::Error::other(path.to_owned()))
     }
 
-    fn text(&self, _: &str, href: &str) -> Result<String, NoText> {
+    fn text(&self, _: &str, href: &str) -> Result<String, IncludeError> {
         let there = self.files.contains_key(href);
-        there.then(|| href.to_owned()).ok_or(NoText::Missing)
+        there.then(|| href.to_owned()).ok_or(IncludeError::Missing)
     }
 
     fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {

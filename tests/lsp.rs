@@ -4,7 +4,7 @@ mod client;
 mod conformance;
 mod files;
 mod life;
-mod mends;
+mod fixes;
 mod program;
 mod speed;
 mod stream;

@@ -29,7 +29,7 @@ mod language;
 mod legacy_grammar;
 mod lower;
 mod lsp;
-mod mends;
+mod fixes;
 mod mistakes;
 mod monuments;
 mod order;

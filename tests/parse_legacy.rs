@@ -5,7 +5,7 @@ use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::source::{FileId, Limits, Source};
 use std::path::Path;
 
-mod mends;
+mod fixes;
 
 /// The example of domain.md 2.6.
 const TOWN_HOUSE: &str = "\

@@ -246,7 +246,7 @@ fn faults_owned(text: &str) -> Vec<(u16, String)> {
 }
 
 mod hostile;
-mod mends;
+mod fixes;
 mod tree;
 
 /// The token streams of this reader and of quick-xml agree on what is well-formed.

@@ -4,8 +4,8 @@ use crate::support::{assert_none, root};
 use glam::{DVec2, dvec2};
 use hsd::building::{Finish, Roof};
 use hsd::check::solid_flaws;
-use hsd::roof::hipped::over;
-use hsd::roof::look::Look;
+use hsd::roof::shape::hipped::over;
+use hsd::roof::shape::look::Look;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 

@@ -275,14 +275,14 @@ fn sarif_is_minimal_and_valid() {
 }
 
 #[test]
-fn sarif_offers_mends_as_fixes() {
+fn sarif_offers_fixes_as_fixes() {
     let source = source("# 町家\nGSI  x\n");
     let (code, end) = (find(&source, "GSI  "), find(&source, "x").after());
     let edits = vec![Edit::new(code, "KSK  "), Edit::new(end, "L")];
     let d = [
         Diagnostic::error(104, code, "wrong")
-            .mend(text!("Write `GSB  `", "`GSB  ` と書く"), code, "GSB  ")
-            .mend_all("Do both", edits),
+            .fix(text!("Write `GSB  `", "`GSB  ` と書く"), code, "GSB  ")
+            .fix_all("Do both", edits),
         Diagnostic::note(1, end, "no mend"),
     ];
     let sources = [source];
@@ -322,7 +322,7 @@ fn sarif_offers_mends_as_fixes() {
     );
     // Other forms say nothing of mends.
     for format in [Format::Human, Format::Short, Format::Json] {
-        let bare = d.clone().map(|d| Diagnostic { mends: vec![], ..d });
+        let bare = d.clone().map(|d| Diagnostic { fixes: vec![], ..d });
         assert_eq!(
             written(&sources, &d, format),
             written(&sources, &bare, format)

@@ -9,7 +9,7 @@ use crate::support::{
 };
 use heaps::{comb, mebibyte, pile_of_roofs, stair, text_of, unlike_stairs};
 use hsd::diagnostic::{Code, Diagnostics, Severity};
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 use hsd::{Options, driver};
 use mutations::mutation;
 use std::fs;
@@ -216,7 +216,7 @@ fn storeys_of_monuments_are_counted_over_all_houses() {
     let mut options = hsd::Options::default();
     options.expand.limits.parts = 15_000; // twelve storeys
     let mut out = Diagnostics::new();
-    let made = hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    let made = hsd::compile(&[&source], &NoFiles, &options, &mut out);
     assert_eq!(made.building.shell.houses.len(), 2, "what fits is built");
     let codes: Vec<_> = out.iter().map(|d| d.code).collect();
     assert_eq!(codes, [Code(904)], "said once");
@@ -252,14 +252,14 @@ fn more_than_can_be_searched_is_told() {
     let (options, mut out) = (Options::default(), Diagnostics::new());
     let begun = Instant::now();
     let before = worked(begun);
-    let read = driver::documents(&[&source], &NoPictures, &options, &mut out);
+    let read = driver::documents(&[&source], &NoFiles, &options, &mut out);
     let catalog = &read.catalog;
     let expand = &options.expand;
     let program = driver::program(
         &[&source],
         &read.documents,
         catalog,
-        &NoPictures,
+        &NoFiles,
         expand,
         &mut out,
     );

@@ -7,7 +7,7 @@ mod roofs;
 use glam::{DVec2, Vec3, dvec2};
 use hsd::ast::{CodeText, Order, RoofKind, RoofShape, StoreyKind};
 use hsd::building::{
-    Building, Ceiling, Dress, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey,
+    Building, Ceiling, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey, Trim,
     Wall,
 };
 use hsd::catalog::PartId;

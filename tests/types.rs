@@ -4,8 +4,8 @@ use crate::support::{Numbers, Run, assert_none, flaws, on_all_processors, root};
 use hsd::ast::{Parameter, Value};
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::scene::Detail;
-use hsd::source::{FileId, NoPictures, Source};
-use hsd::types::{HouseType, TYPES};
+use hsd::source::{FileId, NoFiles, Source};
+use hsd::templates::{TYPES, Template};
 use hsd::{Options, driver};
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ const SAMPLES: usize = 60;
 type Setting = Vec<(String, String)>;
 
 fn text(word: &str) -> String {
-    HouseType::named(word).expect("is a type").text()
+    Template::named(word).expect("is a type").text()
 }
 
 /// The chain on a text with these parameters.
@@ -27,7 +27,7 @@ fn built(text: &str, parameters: &Setting, detail: Detail) -> Run {
         detail,
         ..Options::default()
     };
-    let made = hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    let made = hsd::compile(&[&source], &NoFiles, &options, &mut out);
     Run {
         source,
         included: made.included,
@@ -50,7 +50,7 @@ fn with(word: &str, pairs: &[(&str, &str)]) -> Run {
 fn parameters(text: &str) -> Vec<Parameter> {
     let source = Source::new(FileId(0), "type.hsd", text.as_bytes());
     let mut out = Diagnostics::new();
-    let read = driver::documents(&[&source], &NoPictures, &Options::default(), &mut out);
+    let read = driver::documents(&[&source], &NoFiles, &Options::default(), &mut out);
     read.documents
         .into_iter()
         .flat_map(|d| d.parameters)
@@ -182,7 +182,7 @@ fn every_text_of_the_folder_is_a_type_with_its_names() {
         if word == "fronts" {
             continue;
         }
-        let t = HouseType::named(&word).unwrap_or_else(|| panic!("{word} is no type"));
+        let t = Template::named(&word).unwrap_or_else(|| panic!("{word} is no type"));
         assert!(text.contains(t.ja), "{word} does not say {}", t.ja);
         assert!(text.contains("Sources:"), "{word} names no source");
     }
@@ -385,7 +385,7 @@ fn new_copies_a_type_and_spares_what_is_there() {
         let (status, text, said) = hsd(folder, &["new", name, "-o", "-"]);
         assert_eq!(
             (status, &*text, &*said),
-            (0, &*HouseType::named("kura").expect("is a type").text(), "")
+            (0, &*Template::named("kura").expect("is a type").text(), "")
         );
     }
     assert_eq!(hsd(folder, &["new", "chu-nikai"]).0, 0);

@@ -4,10 +4,10 @@ use crate::support::assert_none;
 use crate::support::clock::{OPTIMISED, slowness, worked};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::Compiled;
-use hsd::picture::sheet::sheet;
+use hsd::render::sheet::sheet;
 use hsd::scene::Detail;
-use hsd::source::{FileId, NoPictures, Source};
-use hsd::types::HouseType;
+use hsd::source::{FileId, NoFiles, Source};
+use hsd::templates::Template;
 use hsd::{Options, backend};
 use std::collections::BTreeSet;
 use std::num::NonZeroU32;
@@ -25,7 +25,7 @@ fn built(text: &str, seed: Option<u64>, variants: Option<u32>) -> Compiled {
         ..Options::default()
     };
     options.expand.seed = seed;
-    let made = hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    let made = hsd::compile(&[&source], &NoFiles, &options, &mut out);
     assert!(!out.has_errors(), "{:?}", out.into_sorted());
     made
 }
@@ -55,7 +55,7 @@ fn essence(made: &Compiled, house: usize) -> String {
 #[test]
 fn a_variant_is_the_text_built_with_its_seed() {
     for word in ["chu-nikai", "ura-nagaya", "office"] {
-        let text = HouseType::named(word).expect("is a type").text();
+        let text = Template::named(word).expect("is a type").text();
         let all = built(&text, Some(40), Some(12));
         let houses = &all.building.shell.houses;
         assert_eq!(houses.len(), 12);
@@ -118,7 +118,7 @@ fn variants_stand_apart_in_rows() {
         ("taka-bei", 9),
         ("kura", 1),
     ] {
-        let text = HouseType::named(word).expect("is a type").text();
+        let text = Template::named(word).expect("is a type").text();
         let made = built(&text, None, Some(count));
         let grounds = grounds(&made);
         assert_eq!(grounds.len(), count as usize, "{word}");
@@ -145,10 +145,10 @@ fn variants_stand_apart_in_rows() {
 
 #[test]
 fn the_same_run_makes_the_same_bytes() {
-    let text = HouseType::named("so-nikai").expect("is a type").text();
+    let text = Template::named("so-nikai").expect("is a type").text();
     let bytes = || {
         let made = built(&text, None, Some(10));
-        backend::gltf::glb(&made.scene, &backend::pictures::Library::default())
+        backend::gltf::glb(&made.scene, &backend::images::Library::default())
     };
     assert_eq!(bytes(), bytes());
 }
@@ -162,13 +162,13 @@ fn what_is_said_of_one_is_not_said_again_of_the_next() {
         variants: NonZeroU32::new(50),
         ..Options::default()
     };
-    hsd::compile(&[&source], &NoPictures, &options, &mut out);
+    hsd::compile(&[&source], &NoFiles, &options, &mut out);
     assert_eq!(out.into_sorted().len(), 1);
 }
 
 #[test]
 fn a_contact_sheet_shows_every_variant() {
-    let text = HouseType::named("kura").expect("is a type").text();
+    let text = Template::named("kura").expect("is a type").text();
     let made = built(&text, None, Some(5));
     let sheet = sheet(&made.scene, &made.building.shell.houses);
     // Three columns and two rows of 360 by 270 pixels, six between them; the last place is free.
@@ -192,7 +192,7 @@ fn a_contact_sheet_shows_every_variant() {
 #[test]
 #[ignore = "measures time, which needs the machine for itself"]
 fn a_thousand_variants_take_less_than_a_second() {
-    let text = HouseType::named("chu-nikai").expect("is a type").text();
+    let text = Template::named("chu-nikai").expect("is a type").text();
     let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
     let count = if OPTIMISED { 1000 } else { 10 };
     let options = Options {
@@ -201,7 +201,7 @@ fn a_thousand_variants_take_less_than_a_second() {
     };
     let begun = Instant::now();
     let before = worked(begun);
-    let made = hsd::compile(&[&source], &NoPictures, &options, &mut Diagnostics::new());
+    let made = hsd::compile(&[&source], &NoFiles, &options, &mut Diagnostics::new());
     let took = worked(begun).saturating_sub(before);
     assert_eq!(made.building.shell.houses.len(), count as usize);
     let steps = made.times;
@@ -218,7 +218,7 @@ fn a_thousand_variants_take_less_than_a_second() {
 #[test]
 fn variants_go_into_a_file_a_folder_or_a_sheet() {
     let folder = tempfile::tempdir().expect("a folder");
-    let text = HouseType::named("kura").expect("is a type").text();
+    let text = Template::named("kura").expect("is a type").text();
     std::fs::write(folder.path().join("kura.hsd"), text).expect("can be written");
     let hsd = |words: &[&str]| {
         let made = std::process::Command::new(env!("CARGO_BIN_EXE_hsd"))

@@ -6,7 +6,7 @@ mod stills;
 mod web;
 
 use hsd::diagnostic::Language;
-use hsd::disk::FolderWorld;
+use hsd::fs::FolderWorld;
 use hsd::source::{FileId, Source, Span, World};
 use hsd::view::{Desk, Preview, RecursiveMode, Show};
 use serde_json::{Value, json};

@@ -121,7 +121,7 @@ fn refused(bytes: &[u8]) -> Option<u16> {
     hsd::parse::xml::parse(&source, &Limits::default(), &mut out);
     // The whole chain survives it too.
     let mut all = Diagnostics::new();
-    let world = hsd::source::NoPictures;
+    let world = hsd::source::NoFiles;
     hsd::compile(&[&source], &world, &hsd::Options::default(), &mut all);
     let said = out.iter().chain(all.iter());
     let mut errors = said.filter(|d| d.severity == Severity::Error);

@@ -1,7 +1,7 @@
 //! Outlines like those of real houses: as many corners, as often, as the houses of the Meiji village in
 //! Inuyama have on a map, snapped to half units (143 buildings, 133 of them orthogonal). Places are drawn.
 
-use hsd::roof::plan::{Cell, Plan};
+use hsd::geometry::plan::{Cell, Plan};
 
 /// Corners and how many houses have them.
 const VILLAGE: [(usize, usize); 9] = [

@@ -5,20 +5,20 @@ use hsd::Options;
 use hsd::building::{Building, Shell};
 use hsd::diagnostic::Diagnostics;
 use hsd::driver;
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 
 /// Source to building, as `hsd check` does it.
 pub fn check(text: &str) -> (Building, Diagnostics) {
     let options = Options::default();
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
-    let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
+    let documents = driver::documents(&[&source], &NoFiles, &options, &mut out).documents;
     let (sources, expand) = (&[&source], &options.expand);
     let program = driver::program(
         sources,
         &documents,
         hsd::parse::builtin(),
-        &NoPictures,
+        &NoFiles,
         expand,
         &mut out,
     );
@@ -42,13 +42,13 @@ pub fn shell(text: &str) -> Shell {
     let options = Options::default();
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "bench.hsd", text.as_bytes());
-    let documents = driver::documents(&[&source], &NoPictures, &options, &mut out).documents;
+    let documents = driver::documents(&[&source], &NoFiles, &options, &mut out).documents;
     let (sources, expand) = (&[&source], &options.expand);
     let program = driver::program(
         sources,
         &documents,
         hsd::parse::builtin(),
-        &NoPictures,
+        &NoFiles,
         expand,
         &mut out,
     );
@@ -151,7 +151,7 @@ pub fn xml_lines(lines: usize) -> String {
     let legacy = legacy_lines(lines * 3 / 4);
     let source = Source::new(FileId(0), "bench.hsd", legacy.as_bytes());
     let (options, mut out) = (Options::default(), Diagnostics::new());
-    let text = driver::convert(&source, &NoPictures, &options, &mut out);
+    let text = driver::convert(&source, &NoFiles, &options, &mut out);
     let told = out.iter().next().map(|d| d.message.clone());
     text.unwrap_or_else(|| panic!("the text is wrong: {told:?}"))
 }

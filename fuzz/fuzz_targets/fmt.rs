@@ -6,7 +6,7 @@
 use hsd::diagnostic::{Code, Diagnostics};
 use hsd::expand;
 use hsd::print::{encode, format};
-use hsd::source::{FileId, Limits, NoPictures, Source};
+use hsd::source::{FileId, Limits, NoFiles, Source};
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
@@ -30,5 +30,5 @@ fuzz_target!(|bytes: &[u8]| {
         },
         ..hsd::Options::default()
     };
-    let _ = hsd::driver::convert(&source, &NoPictures, &options, &mut out);
+    let _ = hsd::driver::convert(&source, &NoFiles, &options, &mut out);
 });

@@ -8,7 +8,7 @@
 use glam::{DVec2, dvec2};
 use hsd::building::Finish;
 use hsd::check::solid_flaws;
-use hsd::roof::look::Look;
+use hsd::roof::shape::look::Look;
 use hsd::roof::skeleton::Invalid;
 use libfuzzer_sys::fuzz_target;
 

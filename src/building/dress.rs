@@ -6,7 +6,7 @@ use serde::Serialize;
 
 /// The wishes of one roof for its dressing, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Dress {
+pub struct Trim {
     /// Horizontal overhang of the eaves beyond the wall line: how far rafters show.
     pub eaves: f64,
     /// Overhang of the verge beyond the gable wall: barge boards hang where it has room for them.
@@ -23,7 +23,7 @@ pub struct Dress {
     pub rafters: u8,
 }
 
-impl Dress {
+impl Trim {
     /// How far a ridge stands above the line where its slopes meet, metres: dai, courses of 35 mm and a cap of
     /// 80 mm with tiles (domain.md 4.4), the like with other coverings.
     pub fn ridge_height(&self, kind: RoofKind) -> f64 {

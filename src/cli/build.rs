@@ -2,15 +2,17 @@
 
 mod bake;
 mod variants;
+pub(in crate::cli) mod watch;
 
-use super::input::{Inputs, STDIN};
 use super::options::{Fineness, Reading, exit, report};
-use super::output::{self, Model};
-use super::terminal::{HOUSE, bytes, counted};
-use super::{Outcome, Stop, watch};
+use super::{Outcome, Stop};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
-use crate::backend::pictures::Library;
+use crate::backend::images::Library;
+use crate::cli::files::input::{Inputs, STDIN};
+use crate::cli::files::output;
+use crate::cli::files::output::Model;
+use crate::cli::files::terminal::{HOUSE, bytes, counted};
 use crate::diagnostic::{Diagnostic, Diagnostics, Language, Noun, Text, noun};
 use crate::driver::{self, Compiled};
 use crate::report::{Format, Report};

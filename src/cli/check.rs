@@ -1,9 +1,9 @@
 //! `hsd check`: what is wrong with texts, and nothing else.
 
-use super::input::Inputs;
 use super::options::{FormatArg, Reading, exit, report};
-use super::terminal::{FILE, HOUSE, counted};
 use super::{Exit, Outcome};
+use crate::cli::files::input::Inputs;
+use crate::cli::files::terminal::{FILE, HOUSE, counted};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};

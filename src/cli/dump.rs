@@ -1,10 +1,10 @@
 //! `hsd dump`: the trees between the passes.
 
-use super::input::Inputs;
 use super::options::{Reading, exit, report};
 use super::{Outcome, Stop};
 use crate::backend::dump;
 use crate::backend::regions_svg::regions_svg;
+use crate::cli::files::input::Inputs;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};

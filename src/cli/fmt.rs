@@ -1,10 +1,12 @@
 //! `hsd fmt`: texts laid out anew, in place or elsewhere.
 
-use super::input::{Inputs, STDIN};
 use super::options::{Reading, report};
-use super::output::{self, Files};
-use super::terminal::{FILE, counted};
-use super::{Exit, Outcome, Stop, diff};
+use super::{Exit, Outcome, Stop};
+use crate::cli::files::diff;
+use crate::cli::files::input::{Inputs, STDIN};
+use crate::cli::files::output;
+use crate::cli::files::output::Files;
+use crate::cli::files::terminal::{FILE, counted};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
 use crate::print::{self, Form};

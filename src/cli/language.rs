@@ -1,5 +1,7 @@
 //! The language that the reader of our messages understands.
 
+pub(in crate::cli) mod japanese;
+
 use crate::diagnostic::Language;
 use clap::ValueEnum;
 use std::ffi::OsString;

@@ -1,12 +1,13 @@
 //! `hsd new`: a text to start from.
 
-use super::input::STDIN;
-use super::output::{self, Files};
-use super::terminal::{padded, width};
 use super::{Exit, Outcome, Stop};
+use crate::cli::files::input::STDIN;
+use crate::cli::files::output;
+use crate::cli::files::output::Files;
+use crate::cli::files::terminal::{padded, width};
 use crate::diagnostic::Language;
+use crate::templates::{TYPES, Template};
 use crate::text;
-use crate::types::{HouseType, TYPES};
 use clap::Args;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -39,7 +40,7 @@ impl New {
         let Some(name) = &self.kind else {
             return list(language);
         };
-        let kind = HouseType::named(name).ok_or_else(|| unknown(name))?;
+        let kind = Template::named(name).ok_or_else(|| unknown(name))?;
         let path = match &self.output {
             Some(path) => path.clone(),
             None => PathBuf::from(format!("{}.hsd", kind.word)),
@@ -69,7 +70,7 @@ impl New {
 /// A line for each type.
 fn list(language: Language) -> Outcome {
     let column =
-        |name: fn(&HouseType) -> &str| TYPES.iter().map(|t| width(name(t))).max().unwrap_or(0);
+        |name: fn(&Template) -> &str| TYPES.iter().map(|t| width(name(t))).max().unwrap_or(0);
     let widths = [column(|t| t.word), column(|t| t.ja), column(|t| t.romaji)];
     let mut out = io::stdout().lock();
     for t in TYPES {
@@ -87,7 +88,7 @@ fn list(language: Language) -> Outcome {
 }
 
 fn unknown(name: &str) -> Stop {
-    let near = HouseType::nearest(name);
+    let near = Template::nearest(name);
     let near: Vec<String> = near
         .iter()
         .map(|t| format!("{} ({})", t.word, t.ja))

@@ -1,11 +1,11 @@
 //! Options that several subcommands take.
 
-use super::input::{Inputs, STDIN};
 use super::{Exit, Stop};
+use crate::cli::files::input::{Inputs, STDIN};
 use crate::diagnostic::{Diagnostics, Severity};
-use crate::disk::FolderWorld;
 use crate::driver;
 use crate::expand;
+use crate::fs::FolderWorld;
 use crate::report::{Format, Report};
 use crate::scene::Detail;
 use crate::source::Limits;
@@ -254,7 +254,7 @@ pub(super) fn report(
     format: Format,
     stream: &mut (impl Write + IsTerminal),
 ) -> Result<(), Stop> {
-    let style = super::terminal::style(stream);
+    let style = crate::cli::files::terminal::style(stream);
     let mut text = vec![];
     report.write(format, style, &mut text)?;
     stream.write_all(&text)?;

@@ -1,9 +1,9 @@
 //! `hsd params`: the parameters of texts.
 
-use super::input::Inputs;
 use super::options::{Reading, exit, report};
 use super::{Outcome, Stop};
 use crate::ast::{Document, Parameter};
+use crate::cli::files::input::Inputs;
 use crate::diagnostic::messages::xml::bounds;
 use crate::diagnostic::{Diagnostics, Language, Severity};
 use crate::driver;

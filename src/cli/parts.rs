@@ -4,9 +4,9 @@ mod own;
 mod sheet;
 
 use super::options::exit;
-use super::terminal::{padded, width};
 use super::{Outcome, Stop};
 use crate::catalog::{PartDef, folded};
+use crate::cli::files::terminal::{padded, width};
 use crate::diagnostic::{Language, Noun, noun};
 use crate::parse;
 use crate::text;

@@ -2,11 +2,12 @@
 
 mod browser;
 
-use super::input::Inputs;
 use super::options::{Fineness, Manner, exit, report};
-use super::output::{self, Files};
 use super::view::{Disk, page_is_there};
 use super::{Outcome, Stop};
+use crate::cli::files::input::Inputs;
+use crate::cli::files::output;
+use crate::cli::files::output::Files;
 use crate::diagnostic::{Diagnostic, Diagnostics, Language};
 use crate::driver;
 use crate::report::{Format, Report};

@@ -1,7 +1,7 @@
 //! `hsd textures`: the drawn materials as files.
 
-use super::terminal::counted;
 use super::{Exit, Outcome, Stop};
+use crate::cli::files::terminal::counted;
 use crate::diagnostic::{Language, noun};
 use crate::text;
 use crate::texture;

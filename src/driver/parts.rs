@@ -5,7 +5,7 @@ use crate::catalog::{Catalog, ScopeId};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::catalog as say;
 use crate::parse::xml::Trees;
-use crate::parse::{self, Setting};
+use crate::parse::{self, ReadContext};
 use crate::source::Source;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -18,7 +18,7 @@ pub fn catalog<'a>(
     sources: &[&Source],
     documents: &[Document],
     given: &'a [Source],
-    (setting, trees): (Setting<'a>, &mut Trees<'a>),
+    (setting, trees): (ReadContext<'a>, &mut Trees<'a>),
     out: &mut Diagnostics,
 ) -> Cow<'static, Catalog> {
     let builtin = parse::builtin();
@@ -70,14 +70,14 @@ pub fn catalog<'a>(
 }
 
 /// The file of parts beside a text, unless the text is that file itself.
-fn beside<'a>(source: &Source, setting: Setting<'a>) -> Option<&'a Source> {
+fn beside<'a>(source: &Source, setting: ReadContext<'a>) -> Option<&'a Source> {
     let path = setting.world.text(source.name(), BESIDE).ok()?;
     if path == source.name() {
         return None;
     }
-    if let Some(there) = setting.shelf.find(&path) {
+    if let Some(there) = setting.cache.find(&path) {
         return Some(there);
     }
     let bytes = setting.world.text_bytes(&path, setting.limits.bytes).ok()?;
-    setting.shelf.add(&path, &bytes)
+    setting.cache.add(&path, &bytes)
 }

@@ -30,14 +30,14 @@ pub(super) fn documents(
             (variant, options)
         })
         .collect();
-    let shelf = super::shelf(sources, options);
+    let cache = super::cache(sources, options);
     let mut trees = Trees::default();
     let mut documents = vec![];
     for (variant, options) in &runs {
         let mut said = Diagnostics::new();
         let read = super::read(
             sources,
-            super::setting(world, options, &shelf),
+            super::setting(world, options, &cache),
             &mut trees,
             &mut said,
         );
@@ -47,14 +47,14 @@ pub(super) fn documents(
             ..document
         }));
     }
-    let setting = super::setting(world, options, &shelf);
+    let setting = super::setting(world, options, &cache);
     let given = &options.catalogs;
     let catalog = super::catalog(sources, &documents, given, (setting, &mut trees), out);
     drop(trees);
     let given = options.catalogs.iter().cloned();
     Read {
         documents,
-        included: given.chain(shelf.into_sources()).collect(),
+        included: given.chain(cache.into_sources()).collect(),
         catalog,
     }
 }

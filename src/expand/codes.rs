@@ -329,12 +329,12 @@ impl Pass<'_, '_> {
     pub(super) fn resolve(&mut self, code: &CodeText, span: Span) -> Found {
         match self.codes.known(code) {
             Some(found) => found,
-            None => self.mend(code, span),
+            None => self.fix(code, span),
         }
     }
 
     #[cold]
-    fn mend(&mut self, code: &CodeText, span: Span) -> Found {
+    fn fix(&mut self, code: &CodeText, span: Span) -> Found {
         let text = code.as_str();
         let bare = text.trim_end_matches(' ');
         for upper in [bare.to_ascii_uppercase(), upper_but_width(text)] {

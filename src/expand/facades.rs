@@ -10,9 +10,9 @@ use super::split::fit;
 use super::{Pass, positive};
 use crate::ast::{self, Order, StoreyKind};
 use crate::diagnostic::messages::parts as say;
-use crate::draw::Place;
 use crate::geometry::{SAME, SHAKU};
 use crate::program::{Content, Line, Loop, Storey, Unit};
+use crate::rng::Place;
 use crate::source::{Span, Spanned};
 
 /// Floor height in shaku where none is given: 3.5 m.

@@ -8,7 +8,7 @@ use super::rows::{RowEdits, bare_unit, has_parts};
 use super::split::{EVEN, common_width, divided, fit};
 use crate::ast::{Floor, Item, Piece};
 use crate::diagnostic::messages::parts as say;
-use crate::draw::Place;
+use crate::rng::Place;
 use crate::source::Span;
 use std::collections::BTreeMap;
 

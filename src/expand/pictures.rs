@@ -6,8 +6,8 @@ use super::Pass;
 use super::codes::Found;
 use super::codes::Which;
 use crate::diagnostic::messages::pictures as say;
-use crate::draw::Place;
 use crate::program::{Content, PictureId, Storey, Unit};
+use crate::rng::Place;
 
 /// Keys of the halves of a split.
 const UPPER: u64 = 1;

@@ -6,8 +6,8 @@ use super::codes::{Found, Mode};
 use super::edits::{EditRef, Operation};
 use crate::ast::Random;
 use crate::diagnostic::messages::parts as say;
-use crate::draw::Place;
 use crate::geometry::SAME;
+use crate::rng::Place;
 
 impl Pass<'_, '_> {
     pub(super) fn prepare_random(&mut self, random: &Random, mode: Mode) -> Operation {

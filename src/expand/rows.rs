@@ -8,8 +8,8 @@ use super::codes::{Mode, Which};
 use super::edits::{EditRef, Strip, numbered};
 use super::{Pass, positive};
 use crate::ast::{CodeText, Half, Item, Part, Piece, Random};
-use crate::draw::Place;
 use crate::program::Unit;
+use crate::rng::Place;
 use crate::source::Span;
 use std::collections::HashMap;
 

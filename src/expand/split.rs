@@ -7,9 +7,9 @@ use super::edits::Strip;
 use super::rows::bare_unit;
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
-use crate::draw::Place;
 use crate::geometry::SAME;
 use crate::program::{Content, Split, Unit};
+use crate::rng::Place;
 use crate::source::Span;
 
 /// Share of the upper half where none is given.

@@ -6,8 +6,8 @@ use super::repeat::storey_edits;
 use super::{Pass, positive};
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
-use crate::draw::Place;
 use crate::program::{Line, Loop, Storey};
+use crate::rng::Place;
 use crate::source::Spanned;
 
 /// Storey height in shaku where none is given.

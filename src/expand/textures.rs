@@ -7,7 +7,7 @@ use crate::ast::{self, Texture};
 use crate::diagnostic::messages::parts as say;
 use crate::diagnostic::messages::xml;
 use crate::program::{Content, Storey, Unit};
-use crate::source::NoText;
+use crate::source::IncludeError;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Pass<'_, '_> {
@@ -24,10 +24,10 @@ impl Pass<'_, '_> {
                         self.codes.give(&code, id);
                     }
                 }
-                Err(NoText::Outside) => {
+                Err(IncludeError::Outside) => {
                     self.once(272, path.span, || xml::src_outside(path.span, &path.value));
                 }
-                Err(NoText::Missing) => {
+                Err(IncludeError::Missing) => {
                     self.once(243, path.span, || xml::src_missing(path.span, &path.value));
                 }
             }

@@ -4,7 +4,7 @@ use super::{Analysis, words};
 use crate::catalog::{Era, PartDef};
 use crate::diagnostic::{Language, Text};
 use crate::geometry::SHAKU;
-use crate::tessellate::sheet;
+use crate::tessellate::part_sheet;
 use crate::{text, texture};
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
@@ -175,7 +175,7 @@ pub fn part_picture(part: &PartDef) -> Option<Picture> {
 fn drawn(part: &PartDef) -> Option<Vec<u8>> {
     // A part of a hundred units would be a picture of a hundred megapixels.
     let density = DENSITY.min(DENSITY * 4.0 / part.width().max(1.0));
-    let picture = sheet::picture(part, density)?;
+    let picture = part_sheet::picture(part, density)?;
     let (w, h) = picture.dimensions();
     let scale = f64::from(SIDE) / f64::from(w.max(h));
     let size = |n: u32| ((f64::from(n) * scale).round() as u32).max(1);

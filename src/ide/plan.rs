@@ -24,7 +24,6 @@
 //! points, null where that is a point, a surface or broken.
 
 use super::Analysis;
-use super::sheet::{Reason, Row, Sheet};
 use super::stroke::{house_fixed, storey_fixed};
 use crate::ast::StoreyKind;
 use crate::backend::dump::{Region, region};
@@ -33,6 +32,7 @@ use crate::building::{self, HouseRoofs};
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
+use crate::ide::stroke::sheet::{Reason, Row, Sheet};
 use crate::program::{self, Content};
 use crate::source::Span;
 use glam::{DVec2, dvec2};

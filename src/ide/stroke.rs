@@ -54,6 +54,7 @@ mod storeys;
 mod walls;
 mod write;
 mod xml;
+pub(in crate::ide) mod sheet;
 
 pub(super) use storeys::{house_fixed, storey_fixed};
 
@@ -61,8 +62,8 @@ pub use apply::{Applied, Patch, apply, take_back};
 
 use super::Analysis;
 use super::format::Edit;
-use super::sheet::Sheet;
 use crate::diagnostic::Text;
+use crate::ide::stroke::sheet::Sheet;
 use serde::Deserialize;
 
 /// What an author draws. See the [module](self) for what each is in JSON.

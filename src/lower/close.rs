@@ -105,17 +105,17 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
     let open = written <= OPEN_TURNS && !walk.hole;
     if let Some(i) = wrong_turn(walk, written, gap) {
         let (wall, turn) = (&walk.walls[i], walk.turns[i]);
-        let mend = text::turn_back(wall, turn);
-        out.push(plan::turn_to_flip(wall.span, turn < 0.0, open, mend));
+        let fix = text::turn_back(wall, turn);
+        out.push(plan::turn_to_flip(wall.span, turn < 0.0, open, fix));
     } else if let Some(i) = moved_turn(walk, written) {
-        let mend = flipped(walk, i..i + 2);
+        let fix = flipped(walk, i..i + 2);
         let (line, other) = (walk.walls[i].span, walk.walls[i + 1].span);
         let is_left = walk.turns[i] < 0.0;
-        out.push(plan::turn_to_move(line, other, is_left, open, mend));
+        out.push(plan::turn_to_move(line, other, is_left, open, fix));
     } else if open {
         out.push(plan::open_facade(walk.span, gap));
     } else {
-        out.push(plan::open_perimeter(last, gap, &mends(walk, gap)));
+        out.push(plan::open_perimeter(last, gap, &fixes(walk, gap)));
     }
 }
 
@@ -146,7 +146,7 @@ fn moved_turn(walk: &Walk, written: f64) -> Option<usize> {
 }
 
 /// A wall whose length, changed by `by` units, closes the gap along its direction.
-pub(crate) struct Mend {
+pub(crate) struct ClosingFix {
     pub line: Span,
     pub length: f64,
     pub by: f64,
@@ -167,7 +167,7 @@ fn mirrored(walk: &Walk) -> Vec<Edit> {
 
 /// For each axis of the gap the lines that could take it up, the last first: an author has just
 /// written those.
-fn mends(walk: &Walk, gap: DVec2) -> Vec<Vec<Mend>> {
+fn fixes(walk: &Walk, gap: DVec2) -> Vec<Vec<ClosingFix>> {
     let mut found = vec![];
     for axis in [DVec2::X, DVec2::Y] {
         let missing = -gap.dot(axis);
@@ -181,7 +181,7 @@ fn mends(walk: &Walk, gap: DVec2) -> Vec<Vec<Mend>> {
             .filter(|w| w.direction.perp_dot(axis).abs() < 1e-9);
         let fitting = along.filter_map(|w| {
             let (length, by) = (w.from.distance(w.to), missing * w.direction.dot(axis));
-            (length + by > SAME).then_some(Mend {
+            (length + by > SAME).then_some(ClosingFix {
                 line: w.span,
                 length,
                 by,

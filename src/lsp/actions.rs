@@ -1,14 +1,14 @@
-//! Mends as code actions: one each, and all of a text at once.
+//! Fixes as code actions: one each, and all of a text at once.
 
 use super::documents::{Document, Documents};
 use super::lines::Encoding;
 use super::proto::{Changes, Places};
 use super::settings::Settings;
-use crate::ide::mend::mend_all;
+use crate::ide::fix::fix_all;
 use crate::text;
 use gen_lsp_types as lsp;
 
-/// Mends everything that can be mended without further thought.
+/// Fixes everything that can be mended without further thought.
 pub(super) const ALL: &str = "source.fixAll.hsd";
 
 /// How often a text is mended and read again, where that is asked for.
@@ -65,20 +65,20 @@ fn quick_fixes(
     };
     let places = Places::new(documents, document, analysis, manner.encoding);
     let mut found = vec![];
-    let mendable = analysis.diagnostics.iter().filter(|d| !d.mends.is_empty());
-    for diagnostic in mendable.filter(|d| places.uri(d.span.file) == Some(uri)) {
+    let fixable = analysis.diagnostics.iter().filter(|d| !d.fixes.is_empty());
+    for diagnostic in fixable.filter(|d| places.uri(d.span.file) == Some(uri)) {
         let Some((_, shown)) = places.diagnostic(diagnostic, manner.settings.language) else {
             continue;
         };
         if shown.range.start > range.end || shown.range.end < range.start {
             continue;
         }
-        for (index, mend) in diagnostic.mends.iter().enumerate() {
-            let Some(changes) = places.edits(&mend.edits) else {
+        for (index, fix) in diagnostic.fixes.iter().enumerate() {
+            let Some(changes) = places.edits(&fix.edits) else {
                 continue;
             };
             found.push(lsp::CodeAction {
-                title: mend.title.in_language(manner.settings.language).to_owned(),
+                title: fix.title.in_language(manner.settings.language).to_owned(),
                 kind: Some(lsp::CodeActionKind::QuickFix),
                 diagnostics: Some(vec![shown.clone()]),
                 is_preferred: (index == 0).then_some(true),
@@ -101,14 +101,14 @@ fn all(
     let places = Places::new(documents, document, analysis, manner.encoding);
     let read = |text: &str| documents.trial(&document.uri, text, manner.settings);
     let rounds = if asked { ROUNDS } else { 1 };
-    let (count, edits) = mend_all(analysis, &read, rounds)?;
+    let (count, edits) = fix_all(analysis, &read, rounds)?;
     let (own, mut changes) = (analysis.source.id(), Changes::default());
     for edit in edits {
         let place = places.location(own, &edit.range)?;
         changes.add(place, places.version(own), edit.text);
     }
     let title = text!(
-        "Mend all that can be mended ({count})",
+        "Fix all that can be mended ({count})",
         "直せるところをすべて直す({count}か所)"
     );
     Some(lsp::CodeAction {

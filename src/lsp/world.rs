@@ -1,10 +1,10 @@
 //! Texts as they stand in the editor: what is open and not yet saved goes before what lies on disk.
 
 use super::settings::Settings;
-use crate::disk::FolderWorld;
 use crate::driver::Options;
 use crate::expand;
-use crate::source::{FileId, Limits, NoText, PictureFile, Source, World};
+use crate::fs::FolderWorld;
+use crate::source::{FileId, IncludeError, Limits, PictureFile, Source, World};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
@@ -130,15 +130,15 @@ impl World for Overlay<'_> {
         self.disk.picture_bytes(path)
     }
 
-    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, IncludeError> {
         self.disk.image(from, href)
     }
 
-    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+    fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let asked = Path::new(from).parent().unwrap_or(Path::new("")).join(href);
         self.asked.borrow_mut().insert(key(&asked));
         match self.disk.text(from, href) {
-            Err(NoText::Missing) => self.unsaved(from, href).ok_or(NoText::Missing),
+            Err(IncludeError::Missing) => self.unsaved(from, href).ok_or(IncludeError::Missing),
             found => found,
         }
     }

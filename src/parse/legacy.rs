@@ -21,16 +21,16 @@ mod line;
 mod places;
 mod roof_words;
 mod roofs;
-mod mended;
+mod fixed;
 mod walls;
 mod words;
 
-use super::Setting;
-use super::faults::Faults;
+use super::ReadContext;
 use crate::ast::{Document, House};
 use crate::diagnostic::messages::{file, legacy as say};
 use crate::diagnostic::{Diagnostics, Edit, Noun, noun};
-use crate::source::{Limits, Shelf, Source, Span};
+use crate::parse::reporter::Reporter;
+use crate::source::{Limits, Source, SourceCache, Span};
 use header::Header;
 use line::Line;
 use std::ops::Range;
@@ -67,7 +67,7 @@ pub fn parse_lines(
     each: &mut dyn FnMut(Range<usize>, LineKind),
 ) -> Document {
     let mut reader = Reader {
-        faults: Faults::new(source),
+        faults: Reporter::new(source),
         document: Document::default(),
         house: Draft::default(),
         old_line_ends: false,
@@ -102,11 +102,11 @@ pub fn parse_lines(
     }
     out.append(faults.finish());
     if let Some(tag) = xml {
-        let shelf = Shelf::new(0, 0);
+        let cache = SourceCache::new(0, 0);
         let rest = super::xml::parse_from(
             source,
             tag,
-            Setting::alone(limits, &shelf),
+            ReadContext::alone(limits, &cache),
             &mut super::xml::Trees::default(),
             out,
         );
@@ -160,7 +160,7 @@ impl Draft {
 }
 
 struct Reader<'a> {
-    faults: Faults<'a>,
+    faults: Reporter<'a>,
     document: Document,
     house: Draft,
     old_line_ends: bool,
@@ -196,7 +196,7 @@ impl<'a> Reader<'a> {
         let text = line.text.trim();
         match text.as_bytes().first() {
             None => {
-                self.faults.mended_fields(&line);
+                self.faults.fixed_fields(&line);
                 LineKind::Blank
             }
             Some(b'%') => {
@@ -204,7 +204,7 @@ impl<'a> Reader<'a> {
                 LineKind::Separator
             }
             Some(b'#') => {
-                self.faults.mended_before(&line, 0);
+                self.faults.fixed_before(&line, 0);
                 let span = line.whole(self.faults.source);
                 let at = line.at;
                 let blanks = at + raw.find('#').unwrap_or(0);
@@ -227,7 +227,7 @@ impl<'a> Reader<'a> {
     }
 
     fn separator(&mut self, line: &Line<'_>, text: &str) {
-        self.faults.mended_fields(line);
+        self.faults.fixed_fields(line);
         if text != "%" {
             let start = line.text.find('%').unwrap_or(0) + 1;
             let rest = start..line.text.trim_end().len();
@@ -279,8 +279,8 @@ impl<'a> Reader<'a> {
                 let key = words::plain_words(&line.text).next().unwrap_or_default();
                 let start = line.text.find(key).unwrap_or(0);
                 let span = line.span(self.faults.source, start..start + key.len());
-                let mend = self.moved_up(line, end);
-                self.faults.say(say::late_key(span, key, mend));
+                let fix = self.moved_up(line, end);
+                self.faults.say(say::late_key(span, key, fix));
                 None
             }
             Section::Walls => Some(self.after_walls(line)),

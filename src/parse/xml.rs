@@ -5,44 +5,29 @@
 //! What the contract leaves open is settled so:
 //! - `true`, `false`, `1`, `0` are read as `yes` and `no`; attributes with a colon in their name, and `xmlns`, are
 //!   other programs' business and passed over; a comment inside codes vanishes and joins what stands round it.
-//! - Each line of codes is cut for itself (see [`codes`]). White space round line breaks may be full-width.
+//! - Each line of codes is cut for itself (see [`read::codes`]). White space round line breaks may be full-width.
 //! - `random` and `replace` may stand in whatever holds parts at any depth, and act on that; a `Floor` may hold its
 //!   base row as `Row`.
 //! - An unknown word that looks like a known one is read as that one, so that what stands in it is checked too.
 //! - Expressions, conditions and named pieces are worked out on the tree, see [`language`].
 
-mod codes;
 mod edits;
-mod facades;
-mod fittings;
-mod house;
-mod instruction;
 mod language;
-mod monuments;
 mod outline;
-mod parts;
-mod pieces;
-mod quotes;
 mod read;
-mod roofs;
-mod scan;
 pub mod schema;
-mod slash;
 mod suggest;
-mod tag;
-mod text;
 mod tree;
 mod trees;
-mod values;
 
 pub(super) use outline::outline;
 pub use trees::Trees;
 
-use super::Setting;
-use super::faults::Faults;
+use super::ReadContext;
 use crate::ast::{Document, House, PartEntry};
 use crate::diagnostic::Diagnostics;
-use crate::source::{Limits, Shelf, Source};
+use crate::parse::reporter::Reporter;
+use crate::source::{Limits, Source, SourceCache};
 use read::{Node, Reader};
 use schema::Tag;
 
@@ -52,8 +37,8 @@ const DEEPEST: usize = 256;
 /// Reads a file in the XML form that stands for itself: its parameters are at their defaults, and it can include
 /// nothing. Whatever is wrong with it is reported, and the rest of it read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
-    let shelf = Shelf::new(0, 0);
-    let setting = Setting::alone(limits, &shelf);
+    let cache = SourceCache::new(0, 0);
+    let setting = ReadContext::alone(limits, &cache);
     parse_from(source, 0, setting, &mut Trees::default(), out)
 }
 
@@ -69,11 +54,11 @@ pub(super) fn nearest<'k>(
 pub(super) fn parse_from<'a>(
     source: &'a Source,
     at: usize,
-    setting: Setting<'a>,
+    setting: ReadContext<'a>,
     trees: &mut Trees<'a>,
     out: &mut Diagnostics,
 ) -> Document {
-    let mut faults = Faults::new(source);
+    let mut faults = Reporter::new(source);
     let nesting = setting.limits.nesting.min(DEEPEST);
     let tree = match trees.find(source.id(), at) {
         Some(tree) => tree,

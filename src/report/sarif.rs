@@ -1,7 +1,7 @@
 //! SARIF 2.1.0, for code-scanning services. Rules come from the pages of `hsd explain`.
 
 use super::{Report, title};
-use crate::diagnostic::{Code, Diagnostic, Language, Mend, pages};
+use crate::diagnostic::{Code, Diagnostic, Fix, Language, pages};
 use crate::source::{FileId, Span};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -70,13 +70,13 @@ struct Outcome<'a> {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     related_locations: Vec<Location<'a>>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    fixes: Vec<Fix<'a>>,
+    fixes: Vec<SarifFix<'a>>,
 }
 
 /// A mend.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Fix<'a> {
+struct SarifFix<'a> {
     description: Text<&'a str>,
     artifact_changes: Vec<Change<'a>>,
 }
@@ -195,14 +195,14 @@ fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcom
             message: None,
         }],
         related_locations: d.labels.iter().map(label).collect(),
-        fixes: d.mends.iter().filter_map(|m| fix(report, m)).collect(),
+        fixes: d.fixes.iter().filter_map(|m| fix(report, m)).collect(),
     }
 }
 
 /// A mend, unless it is one of a file that the report does not know: a change must have a region.
-fn fix<'a>(report: &Report<'_>, mend: &'a Mend) -> Option<Fix<'a>> {
+fn fix<'a>(report: &Report<'_>, fix: &'a Fix) -> Option<SarifFix<'a>> {
     let mut files = BTreeMap::<FileId, Vec<Replacement<'a>>>::new();
-    for edit in &mend.edits {
+    for edit in &fix.edits {
         let replacement = Replacement {
             deleted_region: region(report, edit.span)?,
             inserted_content: Text { text: &edit.text },
@@ -213,9 +213,9 @@ fn fix<'a>(report: &Report<'_>, mend: &'a Mend) -> Option<Fix<'a>> {
         artifact_location: artifact(report, file),
         replacements,
     };
-    Some(Fix {
+    Some(SarifFix {
         description: Text {
-            text: mend.title.in_language(report.language),
+            text: fix.title.in_language(report.language),
         },
         artifact_changes: files.into_iter().map(change).collect(),
     })

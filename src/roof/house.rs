@@ -1,26 +1,30 @@
 //! The roofs of one house, storey by storey: what the storey above leaves open is roofed at the top
 //! (domain.md 3.8), roof lines first, automatic regions for the rest.
 
-use super::assemble::assemble;
-use super::automatic::Automatic;
-use super::effort::Effort;
-use super::explicit::{self, Placed};
-use super::forms::{Context, Planned};
-use super::frame::near_side;
-use super::headroom::Headroom;
-use super::level::{Level, Point, first_line, is_facade, levels};
 use super::partition::{Method, partition_within};
-use super::plan::{Cell, Plan};
-use super::polygonal::{self, Polygonal};
-use super::ridge::{Region, Ridge, Role, regions_by};
-use super::skirt::Skirt;
-use super::written::Written;
-use super::{overhang, report, slabs, street, written};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
 use crate::building::{House, HouseRoofs};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::STEPS;
+use crate::geometry::plan::slabs;
+use crate::geometry::plan::{Cell, Plan};
+use crate::roof::budget::SearchBudget;
+use crate::roof::join::assemble;
+use crate::roof::plan::level::{Level, Point, first_line, is_facade, levels};
+use crate::roof::plan::ridge::{Region, Ridge, Role, regions_by};
+use crate::roof::plan::{report, street};
+use crate::roof::shape::frame::near_side;
+use crate::roof::storey::automatic::Automatic;
+use crate::roof::storey::explicit;
+use crate::roof::storey::explicit::Placed;
+use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::headroom::Headroom;
+use crate::roof::storey::polygonal;
+use crate::roof::storey::polygonal::Polygonal;
+use crate::roof::storey::skirt::Skirt;
+use crate::roof::storey::written::Written;
+use crate::roof::storey::{overhang, written};
 use crate::source::Span;
 use std::cell::OnceCell;
 
@@ -32,7 +36,7 @@ const MOST_TAKEN_OUT: usize = 16;
 pub(super) const MOST_CORNERS: usize = 1000;
 
 /// The roofs of a house.
-pub(super) fn roofs(house: &House, effort: &Effort, out: &mut Diagnostics) -> HouseRoofs {
+pub(super) fn roofs(house: &House, effort: &SearchBudget, out: &mut Diagnostics) -> HouseRoofs {
     let levels = levels(house);
     let mut done = HouseRoofs::default();
     let lines = explicit::place(house, &levels, out);
@@ -158,7 +162,7 @@ struct Storey<'a, 'h> {
     /// The street's pent roof.
     pent: Option<Cell>,
     /// For the best cuts.
-    effort: &'a Effort,
+    effort: &'a SearchBudget,
     headroom: Headroom,
 }
 
@@ -220,7 +224,7 @@ impl Storey<'_, '_> {
     fn hang_pent(&self, context: &Context<'_>, cell: Cell) -> Planned {
         let outward = explicit::away_from_wall(context, &cell);
         let depth = context.metres(outward.measure(&cell).1);
-        let pitch = super::look::Look::lean_to(None, context.style, depth).pitch;
+        let pitch = crate::roof::shape::look::Look::lean_to(None, context.style, depth).pitch;
         context
             .pent(cell, outward, context.level.storey.z1 - pitch * depth, None)
             .0

@@ -2,10 +2,18 @@
 //!
 //! The rectangles cover the region exactly and never overlap.
 
-use super::effort::Effort;
-use super::plan::{Cell, Plan};
-use super::raster::Raster;
-use super::{branch_cut, chord, kd, least_cut, merge, slabs};
+pub mod six_vertex;
+pub mod least_cut;
+pub mod branch_cut;
+pub mod merge;
+pub mod kd;
+pub mod chord;
+pub(in crate::roof) mod scan;
+
+use crate::geometry::plan::raster::Raster;
+use crate::geometry::plan::slabs;
+use crate::geometry::plan::{Cell, Plan};
+use crate::roof::budget::SearchBudget;
 
 /// How a region is cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -23,12 +31,12 @@ pub enum Method {
 ///
 /// The region is cut as one, pieces that do not touch included; see [`cut`].
 pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
-    partition_within(plan, method, &Effort::endless())
+    partition_within(plan, method, &SearchBudget::endless())
 }
 
 /// The same with no more search than is left; where that is too little, `LeastCut` and
 /// `BranchCut` are greedy.
-pub fn partition_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
+pub fn partition_within(plan: &Plan, method: Method, effort: &SearchBudget) -> Vec<Cell> {
     match plan.as_cell() {
         Some(cell) => vec![cell],
         None => merge::merge(cut_within(plan, method, effort)),
@@ -42,10 +50,10 @@ pub fn partition_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cel
 /// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
 /// cuts over so many lines would take longer than anyone waits.
 pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
-    cut_within(plan, method, &Effort::endless())
+    cut_within(plan, method, &SearchBudget::endless())
 }
 
-fn cut_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
+fn cut_within(plan: &Plan, method: Method, effort: &SearchBudget) -> Vec<Cell> {
     let mut cells = match Raster::of(plan) {
         None => slabs::strips(plan),
         Some(raster) if raster.cols() == 0 || raster.rows() == 0 => Vec::new(),
@@ -60,7 +68,7 @@ fn cut_within(plan: &Plan, method: Method, effort: &Effort) -> Vec<Cell> {
 }
 
 /// The best cuts, or greedy ones where there are too many to choose from.
-fn least_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
+fn least_cut(raster: &Raster, corners: usize, effort: &SearchBudget) -> Vec<Cell> {
     if raster.cols().max(raster.rows()) < least_cut::MAX_LINES {
         let (cells, steps) = least_cut::cut(raster, effort.most(corners));
         effort.pay(corners, steps, cells.is_some());
@@ -72,7 +80,7 @@ fn least_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
 }
 
 /// Branches, or greedy cuts where there are too many to choose from.
-fn branch_cut(raster: &Raster, corners: usize, effort: &Effort) -> Vec<Cell> {
+fn branch_cut(raster: &Raster, corners: usize, effort: &SearchBudget) -> Vec<Cell> {
     let most = effort.most(corners).min(branch_cut::MOST_STEPS);
     let (cells, steps) = branch_cut::cut(raster, most);
     effort.pay(corners, steps, cells.is_some());
@@ -95,10 +103,10 @@ mod tests {
         for (method, steps) in [(Method::LeastCut, 16), (Method::BranchCut, 24)] {
             let plan = stair(steps);
             let best = partition(&plan, method);
-            let plenty = Effort::default();
+            let plenty = SearchBudget::default();
             assert_eq!(partition_within(&plan, method, &plenty), best);
             assert!(!plenty.is_news());
-            let spent = Effort::new(0);
+            let spent = SearchBudget::new(0);
             let greedy = partition_within(&plan, method, &spent);
             assert_ne!(greedy, best);
             assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());

@@ -26,6 +26,8 @@ pub(super) mod pairs;
 mod queue;
 mod verify;
 pub mod wave;
+pub(in crate::roof) mod polygons;
+pub(in crate::roof) mod eaves;
 
 pub use contour::{Contours, Invalid};
 

@@ -1,5 +1,8 @@
 //! Small closed solids: prisms, and walls under a bent line.
 
+pub mod sheet;
+pub mod massive;
+
 use crate::building::{Corners, Face, Finish, Solid};
 use glam::DVec3;
 

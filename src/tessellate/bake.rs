@@ -3,9 +3,11 @@
 //! The viewer stands before the wall (y < 0) and looks along y. Every pixel is the mean of [`FINE`] x
 //! [`FINE`] rays. What lies deep beside something that stands out is darkened, as daylight would do it.
 
-use super::bay::Rect;
+pub(in crate::tessellate) mod atlas;
+
 use super::mesh::Soup;
 use crate::material::{Surface, SurfaceId};
+use crate::tessellate::part::bay::Rect;
 use crate::texture::samples::{self, Samples};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use image::{Rgb, RgbImage, Rgba, RgbaImage};

@@ -1,10 +1,12 @@
 //! Closed bodies from polygons: boxes, prisms, polyhedra. Every face is flat, has its own vertices, a unit
 //! normal, and texture coordinates in metres.
 
-use super::bay::Rect;
-use super::detail::Panel;
-use super::polygon;
+pub(in crate::tessellate) mod polygon;
+pub(in crate::tessellate) mod smooth;
+
 use crate::material::SurfaceId;
+use crate::tessellate::part::bay::Rect;
+use crate::tessellate::part::detail::Panel;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// Triangles in one surface, before the scene has a material for it.

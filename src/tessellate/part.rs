@@ -1,14 +1,28 @@
 //! The shape of a part: the small walls round its opening, then its bodies one by one.
 
-use super::bay::{Bay, Layer, Rect};
+pub(in crate::tessellate) mod apron;
+pub(in crate::tessellate) mod bars;
+pub(in crate::tessellate) mod round;
+pub(in crate::tessellate) mod canopy;
+pub(in crate::tessellate) mod namako;
+pub(in crate::tessellate) mod track;
+pub(in crate::tessellate) mod bay;
+pub(in crate::tessellate) mod kura;
+pub(in crate::tessellate) mod boards;
+pub(in crate::tessellate) mod shelter;
+pub(in crate::tessellate) mod oriel;
+pub(in crate::tessellate) mod detail;
+pub(in crate::tessellate) mod cloth;
+pub(in crate::tessellate) mod leaf;
+
 use super::mesh::Bodies;
-use super::{apron, bars, boards, cloth, detail, kura, leaf, namako, oriel, round, shelter, track};
 use crate::catalog::body::{Element, Grid, Place, Shape};
 use crate::catalog::value::Level;
 use crate::catalog::{Below, Catalog, PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::Content;
+use crate::tessellate::part::bay::{Bay, Layer, Rect};
 
 /// Height of a dado under an opening, metres: three shaku.
 const DADO: f64 = 3.0 * SHAKU;

@@ -1,17 +1,19 @@
 //! Meshes and materials of the scene, each made once.
 
-use super::atlas::Atlas;
 use super::bake::{WALL, bake};
-use super::bay::Bay;
-use super::dress::{Body, Row};
 use super::mesh::{Bodies, Soup};
-use super::solid::Given;
+use super::part;
 use super::weather::{CameTo, Weather};
-use super::{detail, dress, part};
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Node, Primitive, Scene};
+use crate::tessellate::bake::atlas::Atlas;
+use crate::tessellate::part::bay::Bay;
+use crate::tessellate::part::detail;
+use crate::tessellate::roof::Given;
+use crate::tessellate::trim;
+use crate::tessellate::trim::{Body, Row};
 use glam::DVec2;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
@@ -283,8 +285,8 @@ impl Store {
         given: Given<'_>,
         worn: &[Body],
     ) -> Option<MeshId> {
-        let mut soups = super::solid::soups(solids, given);
-        dress::pour(worn, &mut soups);
+        let mut soups = crate::tessellate::roof::soups(solids, given);
+        trim::pour(worn, &mut soups);
         soups = self.weather.wear(soups);
         if soups.is_empty() {
             return None;
@@ -304,7 +306,7 @@ impl Store {
         self.weather = own.turned(right);
         let mesh = self.mesh(Key::Row(row.clone()), |store| {
             let (mut soups, bodies) = (vec![], row.bodies().collect::<Vec<_>>());
-            dress::pour(&bodies, &mut soups);
+            trim::pour(&bodies, &mut soups);
             let soups = store.weather.wear(soups);
             let primitives = soups.into_iter().map(|(finish, soup)| {
                 let material = store.surface(finish, Share::default());

@@ -4,10 +4,12 @@
 //! or on roofs by which way they face. Everything in a [`Weather`] is quantised, and those that come to the same surfaces
 //! share a mesh, so that a street of old houses is little larger than one of new ones.
 
+pub(in crate::tessellate) mod exposure;
+
 use super::mesh::{Bodies, Soup};
-use crate::draw::Place;
 use crate::geometry::Heading;
 use crate::material::{Luck, SurfaceId, Wear};
+use crate::rng::Place;
 use glam::{DVec2, dvec2};
 use std::sync::LazyLock;
 

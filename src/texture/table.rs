@@ -1,7 +1,7 @@
 //! All surfaces with their looks. A look that ages stands behind the younger one.
 
 use super::{Look, Surface};
-use super::{
+use crate::texture::surface::{
     bamboo, boards, cement, clay, ground, plaster, roof_tiles, sheet, shingles, thatch, timber,
     wall_tiles, weave,
 };

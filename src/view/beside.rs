@@ -1,6 +1,6 @@
 //! A model that was made before, and the pictures beside it, as its glTF names them.
 
-use crate::backend::pictures::{JPEG, KTX2, PNG, is_cut};
+use crate::backend::images::{JPEG, KTX2, PNG, is_cut};
 use crate::diagnostic::messages::pictures as say;
 use crate::diagnostic::{Diagnostic, Diagnostics, Noun, noun};
 use crate::source::{FileId, Source};

@@ -5,7 +5,7 @@
 
 use super::made::{STEM, print};
 use crate::backend::gltf::Glb;
-use crate::backend::pictures::Library;
+use crate::backend::images::Library;
 use crate::backend::{Images, SurfaceFiles};
 use crate::scene::{Image, Material, Mesh, Node, Primitive, Scene};
 use crate::source::Span;

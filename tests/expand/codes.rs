@@ -67,7 +67,7 @@ fn said_of_list(text: &str, list: &str) -> Vec<(u16, String)> {
     expand(
         &[(&source, &document)],
         hsd::parse::builtin(),
-        &hsd::source::NoPictures,
+        &hsd::source::NoFiles,
         &Options::default(),
         &mut out,
     );

@@ -5,7 +5,7 @@ use hsd::ast::{Facade, House, Item, StoreyKind, Texture};
 use hsd::expand::Options;
 use hsd::geometry::SHAKU;
 use hsd::program::{Content, Program};
-use hsd::source::NoPictures;
+use hsd::source::NoFiles;
 
 const U: f64 = 3.0 * SHAKU;
 
@@ -102,7 +102,7 @@ fn figure_4_with_only_the_pictures_it_names() {
 
 #[test]
 fn figure_4_without_pictures_says_what_it_looked_for() {
-    let (_, said) = run_in(figure_4(), &NoPictures, &Options::default());
+    let (_, said) = run_in(figure_4(), &NoFiles, &Options::default());
     let missing: Vec<_> = said.iter().filter(|d| d.code.0 == 312).collect();
     assert_eq!(missing.len(), 2, "{said:#?}");
     assert!(

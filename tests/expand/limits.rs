@@ -3,7 +3,7 @@
 use crate::expand::build::*;
 use hsd::ast::{Item, Piece};
 use hsd::expand::Options;
-use hsd::source::{Limits, NoPictures};
+use hsd::source::{Limits, NoFiles};
 use std::time::Instant;
 
 fn assert_too_many(house: hsd::ast::House) {
@@ -49,9 +49,9 @@ fn the_sum_counts_as_well() {
         ..Options::default()
     };
     let rows = |n| (0..n).map(|_| row(codes("KTU  KTU  "))).collect();
-    let (_, said) = run_in(house(vec![storey(rows(50))]), &NoPictures, &options);
+    let (_, said) = run_in(house(vec![storey(rows(50))]), &NoFiles, &options);
     assert!(said.is_empty(), "{said:?}");
-    let (_, said) = run_in(house(vec![storey(rows(51))]), &NoPictures, &options);
+    let (_, said) = run_in(house(vec![storey(rows(51))]), &NoFiles, &options);
     assert_eq!(numbers(&said), [904]);
 }
 

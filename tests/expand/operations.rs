@@ -159,7 +159,7 @@ fn drawn(seed: Option<u64>, name: &str, extra: usize) -> Program {
         seed,
         ..Options::default()
     };
-    let (program, said) = run_in(made, &hsd::source::NoPictures, &options);
+    let (program, said) = run_in(made, &hsd::source::NoFiles, &options);
     assert!(said.is_empty(), "{said:?}");
     program
 }

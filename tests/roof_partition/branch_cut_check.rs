@@ -3,10 +3,10 @@
 
 use super::outlines::{moved, outlines};
 use super::shapes::{NINOMARU, cell, plan, total_cut};
+use hsd::geometry::plan::{Cell, Plan};
+use hsd::roof::partition::six_vertex::SixVertex;
 use hsd::roof::partition::{Method, cut, partition};
-use hsd::roof::plan::{Cell, Plan};
-use hsd::roof::ridge::{Role, Side, regions};
-use hsd::roof::six_vertex::SixVertex;
+use hsd::roof::plan::ridge::{Role, Side, regions};
 
 type Point = (i64, i64);
 
@@ -102,9 +102,9 @@ fn how_often_the_letter_of_the_paper_goes_wrong() {
                     all += 1.0;
                     short += f64::from(u8::from(six.l_box2 - six.w_box1 < six.w_box2));
                     wide += f64::from(u8::from(six.w_box2 > six.w_box1));
-                    let mended = SixVertex::divide(&corners).unwrap();
-                    assert!(mended.w_box2 <= mended.w_box1);
-                    assert!(mended.w_box2 == six.w_box2.min(six.w_box1));
+                    let fixed = SixVertex::divide(&corners).unwrap();
+                    assert!(fixed.w_box2 <= fixed.w_box1);
+                    assert!(fixed.w_box2 == six.w_box2.min(six.w_box1));
                 }
             }
         }

@@ -2,8 +2,8 @@
 //! prefix sums, every wall counted field by field.
 
 use super::outlines::{Bitmap, moved, outlines};
+use hsd::geometry::plan::Cell;
 use hsd::roof::partition::{Method, cut, partition};
-use hsd::roof::plan::Cell;
 
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Axis {

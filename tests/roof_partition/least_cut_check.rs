@@ -2,8 +2,8 @@
 
 use super::kd_check::merge;
 use super::outlines::{Bitmap, Dice};
+use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, cut, partition};
-use hsd::roof::plan::{Cell, Plan};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A region on uneven coordinates: fields of a bitmap stretched.

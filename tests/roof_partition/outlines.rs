@@ -1,6 +1,6 @@
 //! Random orthogonal outlines on a unit grid, from an own generator.
 
-use hsd::roof::plan::{Cell, Plan};
+use hsd::geometry::plan::{Cell, Plan};
 
 /// A small deterministic generator (xorshift*).
 pub(crate) struct Dice(u64);

@@ -5,8 +5,8 @@ use super::outlines::{Dice, outlines};
 use super::shapes::{NINOMARU, cell, plan, total_cut};
 use crate::support::{compile, expect, root};
 use hsd::backend::regions_svg::regions_svg;
+use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::{Cell, Plan};
 use std::fmt::Write;
 
 const METHODS: [(&str, Method); 3] = [

@@ -2,10 +2,10 @@
 //! and the branch rule looked at pair by pair.
 
 use super::outlines::{Bitmap, Dice, moved, outlines};
+use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::{Cell, Plan};
-use hsd::roof::ridge::{Region, Ridge, Role, regions};
-use hsd::roof::street::street_front;
+use hsd::roof::plan::ridge::{Region, Ridge, Role, regions};
+use hsd::roof::plan::street::street_front;
 
 const ALL: [Method; 3] = [Method::Kd, Method::LeastCut, Method::BranchCut];
 

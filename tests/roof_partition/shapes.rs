@@ -1,9 +1,9 @@
 //! The shapes of domain 3.6 with the judgement given there, ridges too.
 
+use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::{Cell, Plan};
-use hsd::roof::ridge::{Region, Ridge, Role, Side, regions};
-use hsd::roof::street::street_front;
+use hsd::roof::plan::ridge::{Region, Ridge, Role, Side, regions};
+use hsd::roof::plan::street::street_front;
 
 /// a0 b0 a1 b1.
 pub(crate) fn cell(c: [i64; 4]) -> Cell {

@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::RoofShape;
 use hsd::building::{Finish, Solid};
 use hsd::geometry::SHAKU;
-use hsd::roof::board::{Board, Cut, Edge, upright};
+use hsd::roof::shape::board::{Board, Cut, Edge, upright};
 
 /// The corners of a solid's faces of one finish, each once.
 fn corners(solids: &[Solid], of: fn(Finish) -> bool) -> Vec<DVec3> {

@@ -2,7 +2,7 @@
 
 use crate::roof_shapes::common::assert_sound;
 use hsd::diagnostic::Diagnostics;
-use hsd::source::{FileId, Limits, NoPictures, Source};
+use hsd::source::{FileId, Limits, NoFiles, Source};
 
 #[test]
 fn every_fixture_triggers_its_message() {
@@ -25,7 +25,7 @@ fn every_fixture_triggers_its_message() {
         let document = hsd::parse::parse(&source, &Limits::default(), &mut out);
         let (catalog, options) = (hsd::parse::builtin(), hsd::expand::Options::default());
         let documents = [(&source, &document)];
-        let program = hsd::expand::expand(&documents, catalog, &NoPictures, &options, &mut out);
+        let program = hsd::expand::expand(&documents, catalog, &NoFiles, &options, &mut out);
         let building = hsd::roof::roof(hsd::lower::lower(program, &mut out), &mut out);
         building.roofs.iter().for_each(|_| assert_sound(&building));
         // The plan itself says that it is open.

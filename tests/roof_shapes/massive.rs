@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3, dvec2};
 use hsd::ast::{RoofMethod, RoofShape};
 use hsd::building::{Building, Finish, HouseRoofs, Roof, Solid};
 use hsd::check::solid_flaws;
-use hsd::roof::massive::{groups, massive};
+use hsd::roof::solid::massive::{groups, massive};
 use std::path::Path;
 
 /// Places this far before a face tell whether it can be seen, metres.

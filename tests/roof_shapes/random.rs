@@ -4,7 +4,7 @@ use crate::roof_shapes::common::*;
 use crate::roof_shapes::plans::{assert_covered, assert_within};
 use hsd::ast::{RoofKind, RoofMethod, RoofShape};
 use hsd::building::Ring;
-use hsd::roof::plan::{Cell, Plan};
+use hsd::geometry::plan::{Cell, Plan};
 
 /// A small generator of its own: the same plans on every machine.
 pub struct Draws(pub u64);

@@ -3,7 +3,7 @@
 
 use crate::schema::model;
 use hsd::diagnostic::Diagnostics;
-use hsd::source::{FileId, NoPictures, Source};
+use hsd::source::{FileId, NoFiles, Source};
 use serde_json::Value;
 
 /// Texts in which an element stands without its attributes: (elements, text).
@@ -46,7 +46,7 @@ const EXCEPTIONS: &[(&str, &str)] = &[
 fn building(text: &str) -> Value {
     let mut out = Diagnostics::new();
     let source = Source::new(FileId(0), "default.hsd", text.as_bytes());
-    let made = hsd::compile(&[&source], &NoPictures, &hsd::Options::default(), &mut out);
+    let made = hsd::compile(&[&source], &NoFiles, &hsd::Options::default(), &mut out);
     assert!(!out.has_errors(), "{text}: {out:?}");
     let mut value = serde_json::to_value(&made.building).expect("buildings are plain data");
     without_places(&mut value);

@@ -8,7 +8,7 @@ use hsd::catalog::Catalog;
 use hsd::check::solid_flaws;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::scene::{Kind, Mesh, Scene};
-use hsd::source::{FileId, NoPictures, NoText, PictureFile, Source, Span, World};
+use hsd::source::{FileId, IncludeError, NoFiles, PictureFile, Source, Span, World};
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -111,21 +111,21 @@ impl World for Folder {
         std::fs::read(path)
     }
 
-    fn image(&self, from: &str, href: &str) -> Result<PictureFile, NoText> {
+    fn image(&self, from: &str, href: &str) -> Result<PictureFile, IncludeError> {
         let path = self.0.join(self.text(from, href)?);
-        let size = image::image_dimensions(&path).map_err(|_| NoText::Missing)?;
+        let size = image::image_dimensions(&path).map_err(|_| IncludeError::Missing)?;
         let path = path.to_string_lossy().into_owned();
         Ok(PictureFile { path, size })
     }
 
-    fn text(&self, from: &str, href: &str) -> Result<String, NoText> {
+    fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         if href.contains("..") {
-            return Err(NoText::Outside);
+            return Err(IncludeError::Outside);
         }
         let path = Path::new(from).with_file_name(href);
         let there = self.0.join(&path).is_file();
         let name = path.to_string_lossy().into_owned();
-        there.then_some(name).ok_or(NoText::Missing)
+        there.then_some(name).ok_or(IncludeError::Missing)
     }
 
     fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {
@@ -136,7 +136,7 @@ impl World for Folder {
 
 /// The chain on bytes, without any pictures.
 pub fn compile(name: &str, bytes: &[u8]) -> Run {
-    compile_in(&NoPictures, name, bytes)
+    compile_in(&NoFiles, name, bytes)
 }
 
 /// The chain on a file of the repository, with the pictures beside it.

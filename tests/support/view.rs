@@ -1,7 +1,7 @@
 //! A camera for tests: what is seen of a scene along parallel lines of sight, as triangles with orientation.
 
 use glam::{DVec2, DVec3, dvec2};
-use hsd::picture::raster::Grid;
+use hsd::render::raster::Grid;
 use hsd::scene::Scene;
 
 /// What one line of sight meets first, and what lies behind it.

@@ -88,7 +88,7 @@ fn roofs_become_one_mesh() {
         span: None,
         shape: RoofShape::Flat,
         kind: RoofKind::Metal,
-        dress: Dress::default(),
+        dress: Trim::default(),
         attic: Attic::default(),
         solids: vec![flat_roof()],
     });
@@ -122,7 +122,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         span: None,
         shape: RoofShape::LeanTo,
         kind: RoofKind::Tiles,
-        dress: Dress::default(),
+        dress: Trim::default(),
         attic: Attic::default(),
         solids: vec![solid],
     });
@@ -145,7 +145,7 @@ fn roofs_that_are_alike_share_a_mesh() {
         let source = hsd::source::Source::new(hsd::source::FileId(0), "row.hsd", text.as_bytes());
         let mut out = hsd::diagnostic::Diagnostics::new();
         let options = hsd::Options::default();
-        hsd::compile(&[&source], &hsd::source::NoPictures, &options, &mut out).scene
+        hsd::compile(&[&source], &hsd::source::NoFiles, &options, &mut out).scene
     };
     let roofs = |scene: &Scene| -> Vec<_> {
         let nodes = scene.nodes.iter().filter(|n| n.kind == Kind::Roof);

@@ -1,7 +1,7 @@
 //! Materials with their textures, pictures and samplers.
 
 use super::geometry::{Shown, view};
-use crate::backend::pictures::{KTX2, mime};
+use crate::backend::images::{KTX2, mime};
 use crate::backend::{Images, OutFile, PictureBytes, picture_folder};
 use crate::scene::{self, MaterialId, Scene};
 use crate::source::reference;

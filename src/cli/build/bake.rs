@@ -1,7 +1,8 @@
 //! `hsd build --bake`: what glass mirrors, as pictures for viewers that know no mirrors.
 
-use crate::backend::pictures::Library;
-use crate::picture::mirror::{self, Wishes};
+use crate::backend::images::Library;
+use crate::render::mirror;
+use crate::render::mirror::Wishes;
 use crate::scene::Scene;
 use clap::Args;
 use glam::DVec3;

@@ -1,13 +1,14 @@
 //! `hsd build --variants`: a model for each variant, and the contact sheet of all.
 
 use super::{Build, Job};
-use crate::cli::input::Inputs;
+use crate::cli::files::input::Inputs;
+use crate::cli::files::output;
+use crate::cli::files::output::Files;
 use crate::cli::options::{exit, report};
-use crate::cli::output::{self, Files};
 use crate::cli::{Exit, Outcome, Stop};
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver;
-use crate::picture::sheet;
+use crate::render::sheet;
 use crate::report::{Format, Report};
 use crate::text;
 use crate::texture;

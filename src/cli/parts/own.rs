@@ -2,11 +2,11 @@
 
 use crate::catalog::{Catalog, PartDef};
 use crate::cli::Stop;
-use crate::cli::input::Inputs;
+use crate::cli::files::input::Inputs;
 use crate::cli::options::report;
 use crate::diagnostic::{Diagnostics, Language};
-use crate::disk::FolderWorld;
 use crate::driver;
+use crate::fs::FolderWorld;
 use crate::report::{Format, Report};
 use crate::source::Limits;
 use std::borrow::Cow;

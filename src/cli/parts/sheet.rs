@@ -1,12 +1,13 @@
 //! `hsd parts --sheet`: the catalogue as a page or as a model.
 
 use super::{class_word, rounded, visible};
-use crate::backend::pictures::Library;
+use crate::backend::images::Library;
 use crate::catalog::PartDef;
-use crate::cli::output::{self, Files, Model};
+use crate::cli::files::output;
+use crate::cli::files::output::{Files, Model};
 use crate::cli::{Exit, Outcome, Stop};
 use crate::scene::Detail;
-use crate::tessellate::sheet;
+use crate::tessellate::part_sheet;
 use crate::text;
 use crate::texture;
 use base64::Engine;
@@ -26,7 +27,7 @@ pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
             output::write(to, Files::bytes(page))?;
         }
         Some("glb") => {
-            let scene = sheet::scene(parts, Detail::Everything);
+            let scene = part_sheet::scene(parts, Detail::Everything);
             let library = Library::default();
             output::write(to, Model::Glb.files(&scene, &library, to, false))?;
         }
@@ -78,7 +79,7 @@ fn page(parts: &[&PartDef]) -> String {
 }
 
 fn card(part: &PartDef, out: &mut String) {
-    let Some(picture) = sheet::picture(part, DENSITY) else {
+    let Some(picture) = part_sheet::picture(part, DENSITY) else {
         return;
     };
     let (w, h) = picture.dimensions();

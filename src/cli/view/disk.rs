@@ -1,7 +1,7 @@
 //! The author's desk where no language server stands between: files, and a command that starts an editor.
 
 use crate::cli::Stop;
-use crate::cli::input::Inputs;
+use crate::cli::files::input::Inputs;
 use crate::cli::options::Manner;
 use crate::diagnostic::Diagnostics;
 use crate::driver::Options;

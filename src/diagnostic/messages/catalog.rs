@@ -84,7 +84,7 @@ pub fn part_twice(span: Span, code: &str, first: Span, whole: Option<Span>) -> D
         .label(first, text!("the first one", "最初の定義"));
     let title = text!("Remove this one", "こちらを削除する");
     match whole {
-        Some(whole) => found.mend(title, whole, ""),
+        Some(whole) => found.fix(title, whole, ""),
         None => found,
     }
 }
@@ -124,7 +124,7 @@ pub fn width_column(
     ));
     let title = text!("Write the width {column}", "幅を {column} とする");
     match own {
-        Some(own) => found.mend(title, own, column),
+        Some(own) => found.fix(title, own, column),
         None => found,
     }
 }

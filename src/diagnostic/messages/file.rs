@@ -91,7 +91,7 @@ pub fn control_character(span: Span, character: char) -> Diagnostic {
             "delete it, or put a blank in its place",
             "削除するか、空白に置き換えてください"
         ))
-        .mend(
+        .fix(
             text!("Put a blank in its place", "空白に置き換える"),
             span,
             " ",

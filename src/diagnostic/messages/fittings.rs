@@ -15,7 +15,7 @@ pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
         "close the walls of the storey, or remove it",
         "階の壁を閉じるか、この要素を取り除いてください"
     );
-    Diagnostic::warning(701, span, message).help(help).mend(
+    Diagnostic::warning(701, span, message).help(help).fix(
         text!("Remove the `{name}`", "`{name}` を取り除く"),
         span,
         "",
@@ -53,8 +53,8 @@ pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> D
     Diagnostic::error(703, span, message)
         .help(help)
         .label(storey, label)
-        .mend_all(remove, edits.collect())
-        .mend(
+        .fix_all(remove, edits.collect())
+        .fix(
             text!("Remove the `{name}`", "`{name}` を取り除く"),
             span,
             "",

@@ -51,7 +51,7 @@ pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
         let meant_here = in_cells(span, meant);
         let whole = span.end - span.start >= 5 || !meant_here.contains(' ');
         if whole && !code.contains('_') {
-            told = told.mend(written(meant), span, meant_here);
+            told = told.fix(written(meant), span, meant_here);
         }
     }
     told
@@ -69,7 +69,7 @@ pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic 
             "`{name}` is the part `{code}`: write its code in five columns",
             "`{name}` の部材コードは `{code}` です。五桁で書いてください"
         ))
-        .mend(written(code), cells, in_cells(cells, code))
+        .fix(written(code), cells, in_cells(cells, code))
 }
 
 /// A control letter slipped into a code whose blanks were lost; `ends` tells that a turn may stand there.
@@ -79,13 +79,13 @@ pub fn lost_blanks(span: Span, text: &str, code: &str, control: char, ends: bool
         "`{text}` is not a part; the blanks before `{control}` seem to be lost",
         "`{text}` という部材はありません。`{control}` の前の空白が抜けたようです"
     );
-    let mended = format!("{code:<5}{control}");
+    let fixed = format!("{code:<5}{control}");
     let told = Diagnostic::error(302, span, message).help(text!(
-        "did you mean `{mended}`? A code fills five columns, the turn follows it",
-        "`{mended}` ではありませんか。部材コードは五桁を占め、曲がりはその次に書きます"
+        "did you mean `{fixed}`? A code fills five columns, the turn follows it",
+        "`{fixed}` ではありませんか。部材コードは五桁を占め、曲がりはその次に書きます"
     ));
     match ends {
-        true => told.mend(written(&mended), span, &*mended),
+        true => told.fix(written(&fixed), span, &*fixed),
         false => told,
     }
 }
@@ -103,7 +103,7 @@ pub fn lower_case(span: Span, text: &str, code: &str) -> Diagnostic {
             "write capital letters: `{code}`; only the `h` of half a unit is small",
             "大文字で `{code}` と書いてください。小文字は 0.5 U を表す `h` だけです"
         ))
-        .mend(written(code), span, in_cells(span, &format!("{code:<5}")))
+        .fix(written(code), span, in_cells(span, &format!("{code:<5}")))
 }
 
 /// Nothing between two commas, or nothing at all; `comma` is one that can go, with what stands round it.
@@ -115,7 +115,7 @@ pub fn empty_code(span: Span, comma: Option<Span>) -> Diagnostic {
         "部材コードを書くか、コンマを取ってください。吹放しは `.....` と書きます"
     ));
     match comma {
-        Some(comma) => told.mend(text!("Take the comma away", "コンマを取る"), comma, ""),
+        Some(comma) => told.fix(text!("Take the comma away", "コンマを取る"), comma, ""),
         None => told,
     }
 }
@@ -132,7 +132,7 @@ pub fn weight_count(span: Span, weights: usize, codes: usize, all: Option<Span>)
         "重みは部材コードごとにひとつ、あわせて{codes}個書くか、すべて省いてください"
     ));
     match all {
-        Some(all) => told.mend(text!("Delete the weights", "重みを省く"), all, ""),
+        Some(all) => told.fix(text!("Delete the weights", "重みを省く"), all, ""),
         None => told,
     }
 }
@@ -281,7 +281,7 @@ pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagno
             "give all floors of a storey the same height",
             "同じ階の `Floor` には同じ階高を書いてください"
         ))
-        .mend(title, place, largest.to_string())
+        .fix(title, place, largest.to_string())
 }
 
 /// A turn that looks like the angle between two walls.
@@ -297,7 +297,7 @@ pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
         "`angle` is the turn from the facade before; if {angle} is the angle between the two walls, write {interior}",
         "`angle` は前の立面から曲がる角度です。{angle} が二つの壁のなす角なら {interior} と書いてください"
     ))
-    .mend(written(&meant), span, meant)
+    .fix(written(&meant), span, meant)
 }
 
 /// Gloss for nothing.
@@ -319,7 +319,7 @@ pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
     for meant in near {
         // Blanks would divide a list.
         let meant = meant.trim_end().replace(' ', "_");
-        told = told.mend(written(&meant), span, meant);
+        told = told.fix(written(&meant), span, meant);
     }
     told
 }
@@ -407,7 +407,7 @@ pub fn torn_code(span: Span, code: &str) -> Diagnostic {
         "put commas between the codes, or write the blanks in a code as `_`: `{joined}`",
         "部材コードをコンマで区切るか、コードの中の空白を `_` にして `{joined}` と書いてください"
     ))
-    .mend(title, span, joined)
+    .fix(title, span, joined)
 }
 
 /// Too many parts, or too much work on them.

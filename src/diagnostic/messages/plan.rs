@@ -1,7 +1,7 @@
 //! Messages about walls, outlines and storeys (HSD04xx).
 
 use crate::diagnostic::{Diagnostic, Edit, Text};
-use crate::lower::Mend;
+use crate::lower::ClosingFix;
 use crate::source::Span;
 use crate::text;
 use glam::DVec2;
@@ -44,9 +44,9 @@ fn joined(words: &[Text], between: &str, between_ja: &str) -> Text {
 }
 
 /// What a line needs: "the line of 3 units 1 unit longer", and "1 unit longer".
-fn change(mend: &Mend) -> (Text, Text) {
-    let (by, length) = (units(mend.by.abs()), units(mend.length));
-    let words = if mend.by > 0.0 {
+fn change(fix: &ClosingFix) -> (Text, Text) {
+    let (by, length) = (units(fix.by.abs()), units(fix.length));
+    let words = if fix.by > 0.0 {
         text!([by] "{by} longer", "{by} 長く")
     } else {
         text!([by] "{by} shorter", "{by} 短く")
@@ -57,20 +57,20 @@ fn change(mend: &Mend) -> (Text, Text) {
 }
 
 /// Offers to change one line for each direction of the gap: the first that serve, then the second.
-fn closing(mut told: Diagnostic, axes: &[Vec<Mend>]) -> Diagnostic {
+fn closing(mut told: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
     let most = axes.iter().map(Vec::len).max().unwrap_or(0);
     for n in 0..most {
         let lines = axes
             .iter()
             .map(|axis| axis.get(n.min(axis.len().max(1) - 1)));
         let chosen: Option<Vec<(Text, Edit)>> = lines
-            .map(|mend| Some((change(mend?).0, mend?.edit.clone()?)))
+            .map(|fix| Some((change(fix?).0, fix?.edit.clone()?)))
             .collect();
         if let Some(chosen) = chosen {
             let (words, edits): (Vec<Text>, Vec<Edit>) = chosen.into_iter().unzip();
             let lines = joined(&words, " and ", "、");
             let title = text!([lines] "Make {lines}", "{lines}する");
-            told = told.mend_all(title, edits);
+            told = told.fix_all(title, edits);
         }
     }
     told
@@ -78,7 +78,7 @@ fn closing(mut told: Diagnostic, axes: &[Vec<Mend>]) -> Diagnostic {
 
 /// The walk ends beside its start; `axes` are the lines that could change, for each direction of the gap.
 #[cold]
-pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<Mend>]) -> Diagnostic {
+pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<ClosingFix>]) -> Diagnostic {
     let away = gap_words(gap);
     let message = text!([away]
         "the walls do not close: they end {away} of where they began",
@@ -86,12 +86,12 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<Mend>]) -> Diag
     );
     let mut diagnostic = Diagnostic::error(401, last, message);
     let mut advice = vec![];
-    for mend in axes.iter().flatten() {
-        let (line, words) = change(mend);
+    for fix in axes.iter().flatten() {
+        let (line, words) = change(fix);
         advice.push(line);
-        if mend.line != last {
+        if fix.line != last {
             diagnostic = diagnostic.label(
-                mend.line,
+                fix.line,
                 text!([words] "{words} here would close it", "ここを {words}すると閉じます"),
             );
         }
@@ -156,21 +156,16 @@ fn graded(open: bool) -> fn(u16, Span, Text) -> Diagnostic {
 }
 
 /// The message with a mend, if there is any.
-fn offering(told: Diagnostic, title: Text, mend: Vec<Edit>) -> Diagnostic {
-    match mend.is_empty() {
+fn offering(told: Diagnostic, title: Text, fix: Vec<Edit>) -> Diagnostic {
+    match fix.is_empty() {
         true => told,
-        false => told.mend_all(title, mend),
+        false => told.fix_all(title, fix),
     }
 }
 
 /// One line end turned the other way would close the walk.
 #[cold]
-pub(crate) fn turn_to_flip(
-    line: Span,
-    is_left: bool,
-    open: bool,
-    mend: Option<Edit>,
-) -> Diagnostic {
+pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool, fix: Option<Edit>) -> Diagnostic {
     let (message, help) = if is_left {
         (
             text!(
@@ -202,7 +197,7 @@ pub(crate) fn turn_to_flip(
     offering(
         graded(open)(403, line, message).help(help),
         title,
-        mend.into_iter().collect(),
+        fix.into_iter().collect(),
     )
 }
 
@@ -213,7 +208,7 @@ pub(crate) fn turn_to_move(
     next: Span,
     is_left: bool,
     open: bool,
-    mend: Vec<Edit>,
+    fix: Vec<Edit>,
 ) -> Diagnostic {
     let (here, there, help) = if is_left {
         let help = text!(
@@ -239,7 +234,7 @@ pub(crate) fn turn_to_move(
     let told = graded(open)(418, here, message)
         .label(there, label)
         .help(help);
-    offering(told, text!("Move the `L`", "`L` を移す"), mend)
+    offering(told, text!("Move the `L`", "`L` を移す"), fix)
 }
 
 /// A facade that stands alone.
@@ -357,7 +352,7 @@ pub(crate) fn turns_back(line: Span, next: Span) -> Diagnostic {
 
 /// A walk with the house on the wrong side.
 #[cold]
-pub(crate) fn wrong_way_round(span: Span, hole: bool, mend: Vec<Edit>) -> Diagnostic {
+pub(crate) fn wrong_way_round(span: Span, hole: bool, fix: Vec<Edit>) -> Diagnostic {
     if hole {
         let message = text!(
             "the courtyard is walked the wrong way round",
@@ -382,7 +377,7 @@ pub(crate) fn wrong_way_round(span: Span, hole: bool, mend: Vec<Edit>) -> Diagno
             "Turn the other way at each corner",
             "すべての隅を逆に曲げる"
         ),
-        mend,
+        fix,
     )
 }
 

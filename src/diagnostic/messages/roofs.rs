@@ -50,7 +50,7 @@ pub fn open_facade(wished: Span, walk: Span, storey: u32, all: Vec<Span>) -> Dia
         .label(walk, label);
     match none {
         true => told,
-        false => told.mend_all(
+        false => told.fix_all(
             text!("Take the roofs out", "屋根を取り除く"),
             edits.collect(),
         ),
@@ -165,7 +165,7 @@ pub fn long_span(direction: Span, span: f64, other: &str) -> Diagnostic {
     ));
     // Glued to the kind, the direction has no place of its own.
     match direction.end - direction.start {
-        1 => told.mend(written(other), direction, other),
+        1 => told.fix(written(other), direction, other),
         _ => told,
     }
 }
@@ -184,8 +184,8 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
             "write {top} or `*`; heights are shaku above the ground, not above the storey",
             "{top} か `*` と書いてください。高さは階の床からではなく、地面から尺で測ります"
         ))
-        .mend(title, height, top)
-        .mend(written("*"), height, "*")
+        .fix(title, height, top)
+        .fix(written("*"), height, "*")
 }
 
 /// A skirt that would rise over the storey it surrounds.
@@ -244,7 +244,7 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagno
             "the height is that of the low edge; {fitting} or less fits this wall, depth and pitch",
             "高さは軒先で測ります。この壁と出と勾配なら {fitting} 以下にしてください"
         ))
-        .mend(title, height, fitting)
+        .fix(title, height, fitting)
 }
 
 /// A pent roof over the rooms.
@@ -272,7 +272,7 @@ pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
         "F は正面、B は背面、L は左、R は右へ流れます。`*` なら壁に合わせます"
     ));
     match direction.end - direction.start {
-        1 => told.mend(written("*"), direction, "*"),
+        1 => told.fix(written("*"), direction, "*"),
         _ => told,
     }
 }
@@ -288,8 +288,8 @@ pub fn automatic_pent(shape: Span, number: u32) -> Diagnostic {
         "give the pent roof a line of its own with its rectangle before the wall, and the storey another shape: KIR, or KAT for a single slope",
         "庇は壁の外の矩形を持つ屋根の行として書き、この階には別の形を指定してください。切妻なら KIR、片流れなら KAT です"
     ))
-    .mend(written("KIR"), shape, "KIR")
-    .mend(written("KAT"), shape, "KAT")
+    .fix(written("KIR"), shape, "KIR")
+    .fix(written("KAT"), shape, "KAT")
 }
 
 /// Single slopes asked for over a plan whose roofs run into each other.
@@ -337,7 +337,7 @@ pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnosti
         false => &["X", "Y"],
     };
     for letter in letters {
-        told = told.mend(written(letter), direction, *letter);
+        told = told.fix(written(letter), direction, *letter);
     }
     told
 }
@@ -353,8 +353,8 @@ pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
         "write YOS if a hipped roof is meant, RIK for a flat one, or roof lines for rectangles",
         "寄棟でよければ YOS、陸屋根なら RIK と書き、そうでなければ矩形ごとに屋根の行を書いてください"
     ))
-    .mend(written("YOS"), span, "YOS")
-    .mend(written("RIK"), span, "RIK")
+    .fix(written("YOS"), span, "YOS")
+    .fix(written("RIK"), span, "RIK")
 }
 
 /// A roof line inside the storey above; `height` is where its height stands.
@@ -375,7 +375,7 @@ pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) 
             text!("this storey stands there", "ここにこの階があります"),
         );
     match height {
-        Some(height) => told.mend(written("*"), height, "*"),
+        Some(height) => told.fix(written("*"), height, "*"),
         None => told,
     }
 }

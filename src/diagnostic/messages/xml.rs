@@ -3,16 +3,16 @@
 mod elements;
 mod language;
 mod markup;
-mod mends;
+mod fixes;
 mod parameters;
 mod pieces;
 mod tags;
 mod values;
 
 pub use elements::*;
+pub(super) use fixes::offer;
 pub use language::*;
 pub use markup::*;
-pub(super) use mends::offer;
 pub use parameters::*;
 pub use pieces::*;
 pub use tags::*;

@@ -5,7 +5,7 @@ use super::refuse;
 use crate::building::Ring;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
-use crate::ide::sheet::{Cell, Form, Inner, Row, What};
+use crate::ide::stroke::sheet::{Cell, Form, Inner, Row, What};
 use glam::DVec2;
 use std::collections::BTreeMap;
 

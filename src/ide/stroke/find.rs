@@ -4,7 +4,7 @@ use super::{WallAt, refuse};
 use crate::building::{House, Ring, Storey};
 use crate::diagnostic::Text;
 use crate::ide::sections;
-use crate::ide::sheet::{Reason, Sheet, name};
+use crate::ide::stroke::sheet::{Reason, Sheet, name};
 use crate::source::{FileId, Span};
 
 /// A house.

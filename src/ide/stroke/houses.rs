@@ -11,7 +11,7 @@ use crate::diagnostic::Text;
 use crate::geometry::{Heading, SHAKU};
 use crate::ide::format::Edit;
 use crate::ide::sections;
-use crate::ide::sheet::{Sheet, name};
+use crate::ide::stroke::sheet::{Sheet, name};
 use crate::parse::legacy::LineKind;
 use crate::parse::outline::Element;
 use glam::{DVec2, dvec2};

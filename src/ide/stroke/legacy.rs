@@ -6,7 +6,7 @@ use super::write::{Change, padded};
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::{self, Edit};
-use crate::ide::sheet::{Home, Sheet, What};
+use crate::ide::stroke::sheet::{Home, Sheet, What};
 use crate::parse::legacy::LineKind;
 use glam::DVec2;
 use std::ops::Range;

@@ -8,7 +8,7 @@ use crate::building::Wall;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::sheet::{Form, Home, Reason, Row, Sheet, What, name};
+use crate::ide::stroke::sheet::{Form, Home, Reason, Row, Sheet, What, name};
 use crate::program::Content;
 
 /// The code of a void that can be seen.

@@ -8,7 +8,7 @@ use crate::building::{House, Storey};
 use crate::diagnostic::Text;
 use crate::geometry::{SAME, SHAKU};
 use crate::ide::format::Edit;
-use crate::ide::sheet::{Reason, Sheet};
+use crate::ide::stroke::sheet::{Reason, Sheet};
 use crate::source::FileId;
 use glam::DVec2;
 use std::ops::Range;

@@ -8,7 +8,7 @@ use crate::building::House;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::sheet::Sheet;
+use crate::ide::stroke::sheet::Sheet;
 use glam::DVec2;
 
 /// How a ring is drawn anew.

@@ -14,7 +14,7 @@ use crate::diagnostic::Text;
 use crate::geometry::SHAKU;
 use crate::ide::format::Edit;
 use crate::ide::sections;
-use crate::ide::sheet::{Reason, Sheet, name};
+use crate::ide::stroke::sheet::{Reason, Sheet, name};
 use crate::parse::legacy::LineKind;
 use crate::source::Span;
 use glam::DVec2;

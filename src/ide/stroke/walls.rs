@@ -5,7 +5,7 @@ use super::refuse;
 use crate::building::Storey;
 use crate::diagnostic::Text;
 use crate::geometry::{SAME, area2};
-use crate::ide::sheet::Reason;
+use crate::ide::stroke::sheet::Reason;
 use glam::{DVec2, dvec2};
 
 /// The way out of a wall that runs in a direction.

@@ -6,7 +6,7 @@ use crate::building::Ring;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::sheet::{Home, Row, Sheet};
+use crate::ide::stroke::sheet::{Home, Row, Sheet};
 use glam::DVec2;
 
 /// The columns of a code.

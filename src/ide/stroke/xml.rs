@@ -7,7 +7,7 @@ use super::write::{CELL, Change, padded};
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::sheet::{Cell, Form, Home, Reason, Sheet, What, name};
+use crate::ide::stroke::sheet::{Cell, Form, Home, Reason, Sheet, What, name};
 use crate::parse::outline::Element;
 use std::ops::Range;
 

@@ -7,7 +7,7 @@
 use super::line::{CELL, Line};
 use crate::ast::{CodeText, Item, Piece};
 use crate::diagnostic::messages::legacy as say;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
 use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
@@ -26,7 +26,7 @@ pub(super) fn pieces(
     line: &Line<'_>,
     mut range: Range<usize>,
     turned: bool,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) -> Vec<Item<Piece>> {
     range.start += leading_shift(line, range.clone(), faults);
     let text = &line.text[range.clone()];
@@ -46,7 +46,7 @@ pub(super) fn pieces(
     if odd || doubtful {
         let words = in_step(text, range.start);
         if let Some(cells) = words.filter(|c| odd || c.iter().all(|c| plain(c.text))) {
-            return mended(line, range, &cells, turned, faults);
+            return fixed(line, range, &cells, turned, faults);
         }
     }
     if odd {
@@ -112,7 +112,7 @@ fn plain(cell: &str) -> bool {
     }
 }
 
-fn piece(line: &Line<'_>, range: Range<usize>, text: &str, faults: &Faults<'_>) -> Item<Piece> {
+fn piece(line: &Line<'_>, range: Range<usize>, text: &str, faults: &Reporter<'_>) -> Item<Piece> {
     let span = line.span(faults.source, range);
     if !text.is_ascii() {
         return Item::One(Piece::Error(span));
@@ -125,7 +125,7 @@ fn piece(line: &Line<'_>, range: Range<usize>, text: &str, faults: &Faults<'_>) 
 }
 
 /// Blanks before the first code that are no whole voids shift every code of the line.
-fn leading_shift(line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) -> usize {
+fn leading_shift(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>) -> usize {
     let text = &line.text[range.clone()];
     let lead = text.len() - text.trim_start_matches(' ').len();
     let shift = lead % CELL;
@@ -143,7 +143,7 @@ fn remainder(
     range: Range<usize>,
     rest: &str,
     pieces: &mut Vec<Item<Piece>>,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) {
     let trimmed = rest.trim_end_matches(' ');
     let range = range.start..range.start + trimmed.len();
@@ -168,7 +168,7 @@ fn point_voids(
     line: &Line<'_>,
     range: Range<usize>,
     pieces: &mut [Item<Piece>],
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) {
     let (mut rest, mut at) = (&line.text[range.clone()], range.start);
     for slot in pieces {
@@ -187,7 +187,7 @@ fn point_voids(
 }
 
 /// Voids at a line end that an editor may trim away (domain.md 2.6, A4).
-fn trailing_voids(line: &Line<'_>, text: &str, at: usize, faults: &mut Faults<'_>) {
+fn trailing_voids(line: &Line<'_>, text: &str, at: usize, faults: &mut Reporter<'_>) {
     let written = text.trim_end_matches(' ');
     let missing = (CELL - columns(written) % CELL) % CELL;
     let start = written.len() + missing;
@@ -258,12 +258,12 @@ fn starts(text: &str) -> Vec<usize> {
 }
 
 /// Reports a line that is out of step from its first irregular cell on, and takes its words.
-fn mended(
+fn fixed(
     line: &Line<'_>,
     range: Range<usize>,
     cells: &[Cell<'_>],
     turned: bool,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) -> Vec<Item<Piece>> {
     let text = &line.text[range.clone()];
     // The slip is where a code first stands off its column.

@@ -5,7 +5,7 @@ use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, wi
 use crate::ast::{Era, House, RoofMethod, RoofMode};
 use crate::diagnostic::messages::legacy as say;
 use crate::diagnostic::noun;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 
 /// Keys of header lines.
@@ -93,12 +93,12 @@ impl Header {
     }
 
     /// Reads a line of the header into the house.
-    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Faults<'_>) {
+    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Reporter<'_>) {
         let first = plain_words(&line.text).next().unwrap_or_default();
         if !numeric(first) {
             return self.key(line, house, faults);
         }
-        faults.mended_fields(line);
+        faults.fixed_fields(line);
         let words = words(line, faults);
         let span = all(&words, faults.source);
         match (self.place, self.heights) {
@@ -125,7 +125,7 @@ impl Header {
 
     /// Looks at the heights once the number of storeys is known: those left out, and those that seem to be
     /// given in another unit.
-    pub(super) fn judge(&self, house: &House, storeys: usize, faults: &mut Faults<'_>) {
+    pub(super) fn judge(&self, house: &House, storeys: usize, faults: &mut Reporter<'_>) {
         let heights = &house.heights;
         // Missing heights are the default by contract; numbers that look like heights are worth a word.
         let numbers = [&house.settings.x, &house.settings.y];
@@ -148,7 +148,7 @@ impl Header {
         }
     }
 
-    fn key(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Faults<'_>) {
+    fn key(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Reporter<'_>) {
         let text = &*line.text;
         let start = text.len() - text.trim_start().len();
         let first = plain_words(text).next().unwrap_or_default();
@@ -156,9 +156,9 @@ impl Header {
         let span = line.span(faults.source, start..start + len);
         let free = line.written(start + len);
         if key == "name" {
-            faults.mended_before(line, free);
+            faults.fixed_before(line, free);
         } else {
-            faults.mended_fields(line);
+            faults.fixed_fields(line);
         }
         if first != key {
             faults.say(say::unknown_key(
@@ -218,7 +218,7 @@ fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
         .collect()
 }
 
-fn place(words: &[Word<'_>], house: &mut House, faults: &mut Faults<'_>) {
+fn place(words: &[Word<'_>], house: &mut House, faults: &mut Reporter<'_>) {
     let settings = &mut house.settings;
     let slots = [&mut settings.x, &mut settings.y, &mut settings.azimuth];
     for ((word, range), slot) in words.iter().zip(&PLACE).zip(slots) {
@@ -235,7 +235,7 @@ fn place(words: &[Word<'_>], house: &mut House, faults: &mut Faults<'_>) {
 }
 
 /// The rest of the line as written, since a name may hold any character.
-fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, faults: &mut Faults<'_>) {
+fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, faults: &mut Reporter<'_>) {
     let rest = line.raw[free..].trim_start_matches(['=', ':']);
     let text = rest.trim();
     if text.is_empty() {
@@ -252,7 +252,7 @@ fn setting(
     at: Span,
     value: Vec<(&str, Span)>,
     house: &mut House,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) {
     let Some(&(text, span)) = value.first() else {
         let line = faults.line_of(at);
@@ -286,7 +286,7 @@ fn choice<T: Copy>(
     text: &str,
     span: Span,
     choices: &[(&'static str, T)],
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) -> Option<Spanned<T>> {
     let find = |word: &str| choices.iter().find(|(w, _)| *w == word).map(|(_, v)| *v);
     let words: Vec<&str> = choices.iter().map(|(w, _)| *w).collect();
@@ -299,7 +299,7 @@ fn choice<T: Copy>(
     Some(Spanned::new(value, span))
 }
 
-fn seed(text: &str, span: Span, faults: &mut Faults<'_>) -> Option<Spanned<u64>> {
+fn seed(text: &str, span: Span, faults: &mut Reporter<'_>) -> Option<Spanned<u64>> {
     let value = text.parse().ok().filter(|_| !text.starts_with('+'));
     if value.is_none() {
         faults.say(match number(text) {

@@ -58,7 +58,7 @@ pub(super) enum Odd {
 }
 
 impl<'a> Line<'a> {
-    /// Mends a line that begins at `at`.
+    /// Fixes a line that begins at `at`.
     pub(super) fn new(raw: &'a str, at: usize) -> Line<'a> {
         let mut line = Line {
             raw,
@@ -70,7 +70,7 @@ impl<'a> Line<'a> {
         // Without an early end the loop runs over many bytes at a time.
         let odd = |odd, b: u8| odd | !(b' '..=b'~').contains(&b);
         if raw.bytes().fold(false, odd) {
-            line.mend();
+            line.fix();
         }
         line
     }
@@ -108,7 +108,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    fn mend(&mut self) {
+    fn fix(&mut self) {
         let mut text = String::with_capacity(self.raw.len() + CELL);
         let (mut column, mut wide_run) = (0, false);
         let mut next = 0;
@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mended_line_knows_what_is_written() {
+    fn a_fixed_line_knows_what_is_written() {
         let source = Source::new(Default::default(), "a.hsd", "GSI　Ｌ\tX".as_bytes());
         let line = Line::new(source.text(), 0);
         assert_eq!(line.text, "GSI  L    X");

@@ -1,13 +1,13 @@
 //! Places round a place, for mends: a whole line, a word with the blanks before it, the digits of a glued word.
 
 use super::line::after_line_end;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
 use crate::source::Span;
 
 /// Line ends.
 const ENDS: [char; 2] = ['\n', '\r'];
 
-impl Faults<'_> {
+impl Reporter<'_> {
     /// What is written in a place.
     pub(super) fn written(&self, span: Span) -> &str {
         &self.source.text()[self.source.text_range(span)]

@@ -6,7 +6,7 @@ use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, wi
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
 use crate::diagnostic::messages::legacy as say;
 use crate::diagnostic::{Noun, noun};
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 
 const HEIGHT: Range64 = Range64 {
@@ -43,8 +43,8 @@ pub(super) fn looks_like_roof(text: &str) -> bool {
 }
 
 /// Reads one line; without its corners a roof has no place and is left out.
-pub(super) fn read(line: &Line<'_>, faults: &mut Faults<'_>) -> Option<RoofLine> {
-    faults.mended_fields(line);
+pub(super) fn read(line: &Line<'_>, faults: &mut Reporter<'_>) -> Option<RoofLine> {
+    faults.fixed_fields(line);
     let words = words(line, faults);
     let mut fields = Fields {
         rest: &words,
@@ -85,7 +85,7 @@ struct Fields<'w, 't, 's> {
     lower: Option<Span>,
     /// Whether the shape is none that exists.
     strange: bool,
-    faults: &'t mut Faults<'s>,
+    faults: &'t mut Reporter<'s>,
 }
 
 impl<'w> Fields<'w, '_, '_> {
@@ -348,7 +348,7 @@ impl<'w> Fields<'w, '_, '_> {
 fn fitting(
     direction: Option<Spanned<RoofDirection>>,
     shape: Option<Spanned<RoofShape>>,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) -> Option<Spanned<RoofDirection>> {
     let (Some(d), Some(s)) = (direction, shape) else {
         return direction;

@@ -6,7 +6,7 @@ use super::words::say_comment;
 use crate::ast::{Item, Loop, Row, Storey};
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::legacy as say;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 use std::ops::Range;
 
@@ -36,9 +36,9 @@ impl Walls {
     }
 
     /// Reads one line of codes.
-    pub(super) fn read(&mut self, line: &Line<'_>, faults: &mut Faults<'_>) {
+    pub(super) fn read(&mut self, line: &Line<'_>, faults: &mut Reporter<'_>) {
         let end = comment(line, faults);
-        faults.mended_walls(line, line.written(end));
+        faults.fixed_walls(line, line.written(end));
         let mut next = 0..end;
         while !next.is_empty() {
             let this = match first_turn(&line.text[next.clone()]) {
@@ -54,7 +54,7 @@ impl Walls {
     }
 
     /// Closes the last storey and hands the storeys over.
-    pub(super) fn finish(&mut self, faults: &mut Faults<'_>) -> Vec<Item<Storey>> {
+    pub(super) fn finish(&mut self, faults: &mut Reporter<'_>) -> Vec<Item<Storey>> {
         if let Some(reset) = self.reset.filter(|_| !self.storeys.is_empty()) {
             faults.say(say::last_reset(reset));
         }
@@ -62,7 +62,7 @@ impl Walls {
         std::mem::take(&mut self.storeys)
     }
 
-    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) {
+    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>) {
         let (codes, control) = ending(line, range.clone(), faults);
         let pieces = pieces(line, range.start..codes, control.is_some(), faults);
         let span = line.span(faults.source, range);
@@ -94,7 +94,7 @@ impl Walls {
         line: &Line<'_>,
         range: Range<usize>,
         end: usize,
-        faults: &mut Faults<'_>,
+        faults: &mut Reporter<'_>,
     ) -> bool {
         let rest = line.text[range.end..end].trim_start_matches(' ');
         let text = line.text[range.clone()].trim_start_matches(' ');
@@ -107,16 +107,16 @@ impl Walls {
             faults.source,
             if leads { range.start } else { range.end }..end - rest.len(),
         );
-        let mend = if leads {
+        let fix = if leads {
             self.rows.last().and_then(|row| before(row, letter, faults))
         } else {
             None
         };
-        let mend = match (leads, mend) {
-            (true, mend) => mend.map(|there| vec![Edit::new(gap, ""), there]),
+        let fix = match (leads, fix) {
+            (true, fix) => fix.map(|there| vec![Edit::new(gap, ""), there]),
             (false, _) => Some(vec![Edit::new(gap, faults.line_end_text())]),
         };
-        let message = say::inner_turn(span, letter, leads, mend.unwrap_or_default());
+        let message = say::inner_turn(span, letter, leads, fix.unwrap_or_default());
         faults.say(message);
         if let Some(Item::One(row)) = self.rows.last_mut().filter(|_| leads) {
             let degrees = if letter == "L" { -90.0 } else { 90.0 };
@@ -143,7 +143,7 @@ impl Walls {
 }
 
 /// The end of what is no comment. A `#` inside a code is a character like any other.
-fn comment(line: &Line<'_>, faults: &mut Faults<'_>) -> usize {
+fn comment(line: &Line<'_>, faults: &mut Reporter<'_>) -> usize {
     let text = &*line.text;
     if !text.as_bytes().contains(&b'#') {
         return text.len();
@@ -186,7 +186,7 @@ fn first_turn(text: &str) -> Option<usize> {
 }
 
 /// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
-fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) -> Range<usize> {
+fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>) -> Range<usize> {
     let text = &line.text[range.clone()];
     let Some(at) = text.bytes().position(|b| b == b'^') else {
         return range;
@@ -206,7 +206,7 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Faults<'_>) -
 fn ending(
     line: &Line<'_>,
     range: Range<usize>,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) -> (usize, Option<(Control, Range<usize>)>) {
     let text = line.text[range.clone()].trim_end_matches(' ');
     let Some((control, lower)) = text.chars().next_back().and_then(control) else {
@@ -257,7 +257,7 @@ fn ending(
 }
 
 /// The change that ends a row, which has no turn yet, with a letter right after the five columns of its last code.
-fn before(row: &Item<Row>, letter: &str, faults: &Faults<'_>) -> Option<Edit> {
+fn before(row: &Item<Row>, letter: &str, faults: &Reporter<'_>) -> Option<Edit> {
     let Item::One(row) = row else { return None };
     let text = faults.written(row.span);
     if row.turn.is_some() || !text.is_ascii() {

@@ -3,7 +3,7 @@
 use super::line::Line;
 use crate::diagnostic::Noun;
 use crate::diagnostic::messages::legacy as say;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
 use crate::source::{Source, Span, Spanned};
 use nom::bytes::complete::{take_till1, take_while};
 use nom::combinator::{all_consuming, consumed};
@@ -19,7 +19,7 @@ pub(super) struct Word<'l> {
 }
 
 /// The words of a line, up to a comment that does not belong there.
-pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Faults<'_>) -> Vec<Word<'l>> {
+pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Reporter<'_>) -> Vec<Word<'l>> {
     let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
     while let Ok((next, (read, word))) = word(rest) {
         let end = at + read.len();
@@ -38,7 +38,7 @@ pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Faults<'_>) -> Vec<Word
 }
 
 /// Says that a comment stands behind something on its line, and offers to put it before.
-pub(super) fn say_comment(line: &Line<'_>, comment: Span, faults: &mut Faults<'_>) {
+pub(super) fn say_comment(line: &Line<'_>, comment: Span, faults: &mut Reporter<'_>) {
     let start = faults.source.span(line.at..line.at);
     let (place, end) = (faults.with_blanks(comment), faults.line_end_text());
     let text = [faults.written(comment), end].concat();
@@ -88,7 +88,7 @@ pub(super) fn within(
     text: &str,
     span: Span,
     range: &Range64,
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
 ) -> Option<Spanned<f64>> {
     let value = number(text).or_else(|| {
         let bare = text
@@ -96,12 +96,12 @@ pub(super) fn within(
             .trim_start_matches(['=', ':']);
         let meant = [bare.to_owned(), text.replacen(',', ".", 1)];
         let meant = meant.into_iter().find_map(|m| Some((number(&m)?, m)));
-        let mend = meant.as_ref().and_then(|(value, text_meant)| {
+        let fix = meant.as_ref().and_then(|(value, text_meant)| {
             let place = faults.tail(span, text)?;
             let good = range.bounds.contains(value);
             good.then_some((place, &**text_meant))
         });
-        faults.say(say::not_a_number(span, text, range.what, mend));
+        faults.say(say::not_a_number(span, text, range.what, fix));
         meant.map(|(value, _)| value)
     })?;
     if range.bounds.contains(&value) {

@@ -2,11 +2,11 @@
 
 use super::schema::{Bears, Kind, canonical};
 use super::suggest::alike;
-use super::tag::{Attribute, is_blank};
 use super::tree::{Element, Tree};
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml::Tags;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::tag::{Attribute, is_blank};
 use crate::source::Span;
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use std::ops::Range;
 const FEW: usize = 8;
 
 /// Where the end tag of an element stands, and the name in it.
-fn end_tag(faults: &Faults<'_>, element: &Element<'_>) -> Option<(Range<usize>, Range<usize>)> {
+fn end_tag(faults: &Reporter<'_>, element: &Element<'_>) -> Option<(Range<usize>, Range<usize>)> {
     /// No end tag is longer.
     const LONGEST: usize = 256;
     if element.tag.end >= element.range.end || !faults.wanted() {
@@ -36,7 +36,7 @@ fn end_tag(faults: &Faults<'_>, element: &Element<'_>) -> Option<(Range<usize>, 
 }
 
 /// The tags of an element.
-pub(super) fn tags(faults: &Faults<'_>, element: &Element<'_>) -> Tags {
+pub(super) fn tags(faults: &Reporter<'_>, element: &Element<'_>) -> Tags {
     let mut tags = Tags {
         names: vec![faults.span(&element.name_range)],
         whole: vec![faults.span(&element.tag)],
@@ -49,7 +49,7 @@ pub(super) fn tags(faults: &Faults<'_>, element: &Element<'_>) -> Tags {
 }
 
 /// Where the name of an element stands in its end tag.
-pub(super) fn end_name(faults: &Faults<'_>, element: &Element<'_>) -> Option<Span> {
+pub(super) fn end_name(faults: &Reporter<'_>, element: &Element<'_>) -> Option<Span> {
     end_tag(faults, element).map(|(_, name)| faults.span(&name))
 }
 
@@ -64,7 +64,7 @@ pub(super) fn few_words(bears: &Bears) -> &'static [&'static str] {
 
 /// How to put a second element into the first, and how to leave it out.
 pub(super) fn of_two(
-    faults: &Faults<'_>,
+    faults: &Reporter<'_>,
     tree: &Tree<'_>,
     first: Span,
     second: &Element<'_>,
@@ -87,7 +87,7 @@ pub(super) fn of_two(
 }
 
 /// Puts the attributes and the content of an element into another one before it, if nothing is said twice then.
-fn joined(faults: &Faults<'_>, first: &Element<'_>, second: &Element<'_>) -> Option<Vec<Edit>> {
+fn joined(faults: &Reporter<'_>, first: &Element<'_>, second: &Element<'_>) -> Option<Vec<Edit>> {
     let bears = |of: &Attribute<'_>| {
         let mut all = first.attributes.iter();
         all.any(|a| canonical(a.name) == canonical(of.name))

@@ -24,7 +24,7 @@ mod braces;
 mod conditions;
 mod draws;
 mod files;
-mod mends;
+mod fixes;
 mod names;
 mod pieces;
 mod scope;
@@ -34,14 +34,14 @@ pub(super) use braces::{Segment, segments};
 
 use super::schema::{self, Tag};
 use super::suggest::Suggest;
-use super::text::Text;
 use super::tree::{Child, Element, Tree};
 use super::trees::Trees;
 use crate::ast::Parameter;
 use crate::diagnostic::messages::xml as say;
-use crate::parse::Setting;
+use crate::parse::ReadContext;
 use crate::parse::expr::Expr;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::text::Text;
 use crate::source::Span;
 use conditions::Branch;
 use pieces::Used;
@@ -70,10 +70,10 @@ pub(super) struct Made<'a> {
 /// Works out what is computed in a tree. Elements nest at most `nesting` deep in the result.
 pub(super) fn work_out<'a>(
     tree: Rc<Tree<'a>>,
-    setting: Setting<'a>,
+    setting: ReadContext<'a>,
     nesting: usize,
     trees: &mut Trees<'a>,
-    faults: &mut Faults<'a>,
+    faults: &mut Reporter<'a>,
 ) -> Made<'a> {
     if is_plain(&tree, faults) {
         return Made {
@@ -115,7 +115,7 @@ pub(super) fn work_out<'a>(
 }
 
 /// Whether nothing is to be computed.
-fn is_plain(tree: &Tree<'_>, faults: &Faults<'_>) -> bool {
+fn is_plain(tree: &Tree<'_>, faults: &Reporter<'_>) -> bool {
     const NAMES: [&str; 8] = [
         "Param", "let", "define", "use", "if", "else", "include", "choice",
     ];
@@ -131,8 +131,8 @@ pub(super) fn is_language(tag: Tag) -> bool {
 
 /// The state of the work.
 struct Maker<'a, 'f> {
-    faults: &'f mut Faults<'a>,
-    setting: Setting<'a>,
+    faults: &'f mut Reporter<'a>,
+    setting: ReadContext<'a>,
     trees: &'f mut Trees<'a>,
     nesting: usize,
     suggest: Suggest,

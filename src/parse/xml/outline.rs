@@ -5,19 +5,19 @@ use super::language::{Segment, segments};
 use super::read::Reader;
 use super::schema::{self, Schema};
 use super::suggest::Suggest;
-use super::tag::{Attribute, is_blank};
-use super::text::Text;
 use super::tree::{self, Child, Tree};
 use crate::ast::Item;
-use crate::parse::faults::Faults;
 use crate::parse::outline as made;
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::xml::tree::text::Text;
 use crate::source::Source;
 use made::{Expression, Outline, Words};
 use std::ops::Range;
 
 /// The outline of what stands from this offset of the text on.
 pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> Outline {
-    let mut faults = Faults::new(source);
+    let mut faults = Reporter::new(source);
     let tree = tree::read(&mut faults, at, nesting.min(DEEPEST), schema::HABITS);
     let mut writer = Writer {
         text: source.text(),

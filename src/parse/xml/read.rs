@@ -1,20 +1,30 @@
 //! What every element's reader shares: its children and attributes, checked against the tables.
 
+pub(in crate::parse::xml) mod parts;
+pub(in crate::parse::xml) mod facades;
+pub(in crate::parse::xml) mod pieces;
+pub(in crate::parse::xml) mod values;
+pub(in crate::parse::xml) mod fittings;
+pub(in crate::parse::xml) mod roofs;
+pub(in crate::parse::xml) mod house;
+pub(in crate::parse::xml) mod codes;
+pub(in crate::parse::xml) mod monuments;
+
 use super::edits;
 use super::schema::{self, Content, Kind, Schema, Tag};
 use super::suggest::Suggest;
-use super::tag::{Attribute, is_blank};
-use super::text::Text;
 use super::tree::{Child, Element, Tree};
 use crate::diagnostic::messages::xml as say;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::xml::tree::text::Text;
 use crate::source::Span;
 use std::ops::{Range, RangeInclusive};
 
 /// The state of the second step, from the tree to the document.
 pub(super) struct Reader<'t, 'a> {
     pub(super) tree: &'t Tree<'t>,
-    pub(super) faults: &'t mut Faults<'a>,
+    pub(super) faults: &'t mut Reporter<'a>,
     pub(super) suggest: Suggest,
     /// Where the row under way could bear a `turn`, if it bears none.
     pub(super) turn: Option<usize>,
@@ -226,7 +236,7 @@ impl<'t> Reader<'t, '_> {
 
 /// The attributes of an element, checked by name.
 pub(super) fn check<'t>(
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
     suggest: &mut Suggest,
     schema: &'static Schema,
     element: &'t Element<'t>,
@@ -256,7 +266,7 @@ pub(super) fn check<'t>(
 }
 
 fn attribute_name(
-    faults: &mut Faults<'_>,
+    faults: &mut Reporter<'_>,
     suggest: &mut Suggest,
     schema: &'static Schema,
     element: &Element<'_>,
@@ -287,7 +297,7 @@ fn attribute_name(
 }
 
 impl<'t> Attributes<'t> {
-    fn add(&mut self, faults: &mut Faults<'_>, name: &'static str, attribute: &'t Attribute<'t>) {
+    fn add(&mut self, faults: &mut Reporter<'_>, name: &'static str, attribute: &'t Attribute<'t>) {
         let first = self.list.iter().find(|(n, ..)| *n == name);
         if let Some((_, first, _)) = first {
             // Twins of the same spelling were reported by the tree.
@@ -319,5 +329,5 @@ fn void(text: &str) -> bool {
 }
 
 fn is_name(name: &str) -> bool {
-    name.starts_with(super::tag::is_name_start)
+    name.starts_with(crate::parse::xml::tree::tag::is_name_start)
 }

@@ -5,14 +5,21 @@
 //! as deep as the limit says, so that later steps may recurse; children are in the order of the file; texts of
 //! white space only are left out. The tree itself is built and dropped without recursion.
 
-use super::scan::{EndTag, Scanner, StartTag, Token};
-use super::slash::Slashes;
+pub(in crate::parse::xml) mod quotes;
+pub(in crate::parse::xml) mod text;
+pub(in crate::parse::xml) mod tag;
+pub(in crate::parse::xml) mod instruction;
+pub(in crate::parse::xml) mod slash;
+pub(in crate::parse::xml) mod scan;
+
 use super::suggest::alike;
-use super::tag::{Attribute, is_blank};
-use super::text::{Run, Text};
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
-use crate::parse::faults::Faults;
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::scan::{EndTag, Scanner, StartTag, Token};
+use crate::parse::xml::tree::slash::Slashes;
+use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::xml::tree::text::{Run, Text};
 use crate::source::Span;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -95,7 +102,7 @@ pub(super) enum Child<'a> {
 
 /// Reads a file from an offset on.
 pub(super) fn read<'a>(
-    faults: &mut Faults<'a>,
+    faults: &mut Reporter<'a>,
     at: usize,
     nesting: usize,
     habits: Habits,
@@ -149,7 +156,7 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn text(&mut self, range: Range<usize>, raw: bool, faults: &mut Faults<'a>) {
+    fn text(&mut self, range: Range<usize>, raw: bool, faults: &mut Reporter<'a>) {
         let inside = self.open.last().is_some_and(|o| o.element.is_some());
         let whole = faults.source.text();
         if inside && range.is_empty() {
@@ -172,7 +179,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Reports text that stands in no element.
-    fn outside(&self, range: Range<usize>, faults: &mut Faults<'a>) {
+    fn outside(&self, range: Range<usize>, faults: &mut Reporter<'a>) {
         // A lone `<` was told of as a tag that is none.
         if &faults.source.text()[range.clone()] == "<" {
             return;
@@ -192,7 +199,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn start(&mut self, tag: StartTag<'a>, rest: &str, faults: &mut Faults<'a>) {
+    fn start(&mut self, tag: StartTag<'a>, rest: &str, faults: &mut Reporter<'a>) {
         self.flush();
         let twin = self.open.last().is_some_and(|o| o.name == tag.name);
         if twin && self.is_end_without_slash(&tag, rest) {
@@ -235,7 +242,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Whether an element gets a place in the tree; what is wrong with it is reported.
-    fn place(&mut self, tag: &StartTag<'a>, faults: &mut Faults<'a>) -> bool {
+    fn place(&mut self, tag: &StartTag<'a>, faults: &mut Reporter<'a>) -> bool {
         let Some(parent) = self.open.last() else {
             return self.nesting > 0; // a second one is reported at the end
         };
@@ -267,7 +274,7 @@ impl<'a> Builder<'a> {
         index
     }
 
-    fn end(&mut self, tag: &EndTag<'a>, rest: &str, faults: &mut Faults<'a>) {
+    fn end(&mut self, tag: &EndTag<'a>, rest: &str, faults: &mut Reporter<'a>) {
         self.flush();
         let known = self.counts.get(tag.name).is_some_and(|n| *n > 0);
         if known {
@@ -312,16 +319,16 @@ impl<'a> Builder<'a> {
     }
 
     /// Closes the innermost element where its end tag is missing; `before` = the tag that shows it.
-    fn unfinished(&mut self, end: usize, before: Option<(Span, &str)>, faults: &mut Faults<'a>) {
+    fn unfinished(&mut self, end: usize, before: Option<(Span, &str)>, faults: &mut Reporter<'a>) {
         let Some(open) = self.pop(end) else { return };
         let leaf = (self.habits.leaf)(open.name);
         let (at, text) = match faults.wanted() {
             true => closing(faults.source.text(), &open, end, leaf),
             false => (end, String::new()),
         };
-        let mend = Edit::new(faults.span(&(at..at)), text);
+        let fix = Edit::new(faults.span(&(at..at)), text);
         faults.at(&open.name_range, |s| {
-            say::not_closed(s, open.name, before, mend)
+            say::not_closed(s, open.name, before, fix)
         });
     }
 
@@ -334,7 +341,7 @@ impl<'a> Builder<'a> {
         Some(open)
     }
 
-    fn finish(&mut self, faults: &mut Faults<'a>) {
+    fn finish(&mut self, faults: &mut Reporter<'a>) {
         self.flush();
         let end = faults.source.text().len();
         while !self.open.is_empty() {
@@ -348,7 +355,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Reports all outermost elements but the first.
-    fn several(&self, first: usize, faults: &mut Faults<'a>) {
+    fn several(&self, first: usize, faults: &mut Reporter<'a>) {
         let roots = self
             .tree
             .roots

@@ -183,7 +183,7 @@ fn random_stars_have_skeletons() {
 /// A union of random rectangles on a coarse grid: everything happens at once there.
 #[test]
 fn random_orthogonal_outlines_have_skeletons() {
-    use crate::roof::plan::{Cell, Plan};
+    use crate::geometry::plan::{Cell, Plan};
     let mut draw = Draw(99);
     let (mut sound, mut failed) = (0, vec![]);
     for _ in 0..1500 {
@@ -306,7 +306,7 @@ fn what_is_no_outline_says_why() {
 
 #[test]
 fn outlines_that_are_almost_at_right_angles_have_skeletons() {
-    use crate::roof::plan::{Cell, Plan};
+    use crate::geometry::plan::{Cell, Plan};
     let mut draw = Draw(2024);
     let (mut sound, mut failed) = (0, vec![]);
     for case in 0..3000 {

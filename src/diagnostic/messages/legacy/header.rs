@@ -21,7 +21,7 @@ pub fn no_header(span: Span, line_end: &str) -> Diagnostic {
         "write `0 0 180`, a line of storey heights such as `9.0`, and a blank line before the walls",
         "壁の前に、`0 0 180`、階高の行 (`9.0` など)、空行の順に書いてください"
     ))
-    .mend(title, span, header)
+    .fix(title, span, header)
 }
 
 /// A number that must be there is not.
@@ -44,7 +44,7 @@ pub fn not_a_number(
     span: Span,
     text: &str,
     what: impl Into<Text>,
-    mend: Option<(Span, &str)>,
+    fix: Option<(Span, &str)>,
 ) -> Diagnostic {
     let (quoted, what) = (quote(text), what.into());
     let message = text!([what]
@@ -55,8 +55,8 @@ pub fn not_a_number(
         "write digits with a point for the fraction, without a unit, and part numbers by blanks: `9.0 5.5`",
         "数字と小数点だけで単位を付けずに書き、数値どうしは空白で区切ってください: `9.0 5.5`"
     ));
-    match mend {
-        Some((place, meant)) => told.mend(written(meant), place, meant),
+    match fix {
+        Some((place, meant)) => told.fix(written(meant), place, meant),
         None => told,
     }
 }
@@ -114,7 +114,7 @@ pub fn unknown_key(
         "" => key.to_owned(),
         value => format!("{key} {value}"),
     };
-    told.mend(written(&meant), span, meant)
+    told.fix(written(&meant), span, meant)
 }
 
 /// So many words of a choice are offered one by one.
@@ -153,7 +153,7 @@ pub fn bad_choice(
     };
     for word in meant {
         if let Some(place) = place {
-            told = told.mend(written(word), place, *word);
+            told = told.fix(written(word), place, *word);
         }
     }
     told
@@ -172,7 +172,7 @@ pub fn surplus(span: Span, all: Span, what: impl Into<Text>) -> Diagnostic {
             "delete it; a comment needs a line of its own that begins with `#`",
             "削除してください。注釈は `#` で始まる独立した行に書きます"
         ))
-        .mend(text!("Delete it", "削除する"), all, "")
+        .fix(text!("Delete it", "削除する"), all, "")
 }
 
 /// A key or option that was given before; `places` are what goes with the first and with this one.
@@ -194,7 +194,7 @@ pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> 
     ];
     for (title, place) in titles.into_iter().zip(places) {
         if let Some(place) = place {
-            told = told.mend(title, place, "");
+            told = told.fix(title, place, "");
         }
     }
     told
@@ -202,7 +202,7 @@ pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> 
 
 /// A line of the header after the walls have begun.
 #[cold]
-pub fn late_key(span: Span, key: &str, mend: Vec<Edit>) -> Diagnostic {
+pub fn late_key(span: Span, key: &str, fix: Vec<Edit>) -> Diagnostic {
     let message = text!(
         "`{key}` belongs in the header",
         "`{key}` はヘッダーに書くものです"
@@ -211,11 +211,11 @@ pub fn late_key(span: Span, key: &str, mend: Vec<Edit>) -> Diagnostic {
         "move the line up, before the blank line that begins the walls",
         "この行を、壁の前の空行より上へ移してください"
     ));
-    match mend.is_empty() {
+    match fix.is_empty() {
         true => told,
-        false => told.mend_all(
+        false => told.fix_all(
             text!("Move the line into the header", "ヘッダーへ移す"),
-            mend,
+            fix,
         ),
     }
 }
@@ -232,7 +232,7 @@ pub fn no_blank_line(span: Span, before: Noun, after: Noun, line_end: &str) -> D
             "put a blank line before this one",
             "この行の前に空行を入れてください"
         ))
-        .mend(text!("Put a blank line", "空行を入れる"), span, line_end)
+        .fix(text!("Put a blank line", "空行を入れる"), span, line_end)
 }
 
 /// A line of numbers after the heights.
@@ -251,7 +251,7 @@ pub fn third_numbers(span: Span, heights: Span, line: Span, more: String) -> Dia
             heights,
             text!("the storey heights are here", "階高はここにあります"),
         )
-        .mend_all(
+        .fix_all(
             text!("Write all heights on one line", "階高を一行にまとめる"),
             vec![Edit::new(heights.after(), more), Edit::new(line, "")],
         )
@@ -269,7 +269,7 @@ pub fn surplus_heights(span: Span, all: Span, heights: usize, storeys: usize) ->
             "delete the surplus heights, or close each storey with `^` after its last wall",
             "余分な階高を削除するか、階ごとに最後の壁の後に `^` を書いて区切ってください"
         ))
-        .mend(
+        .fix(
             text!("Delete the surplus heights", "余分な階高を削除する"),
             all,
             "",
@@ -288,7 +288,7 @@ pub fn indented_comment(span: Span, blanks: Span) -> Diagnostic {
             "delete the blanks before the `#`",
             "`#` の前の空白を削除してください"
         ))
-        .mend(text!("Delete the blanks", "空白を削除する"), blanks, "")
+        .fix(text!("Delete the blanks", "空白を削除する"), blanks, "")
 }
 
 /// A comment behind something else: `place` has the blanks before it, and `line` is where its line begins.
@@ -307,7 +307,7 @@ pub fn comment_column(span: Span, place: Span, line: Span, comment: String) -> D
             "put the comment on a line of its own, with `#` as its first character",
             "注釈は独立した行に、`#` を先頭にして書いてください"
         ))
-        .mend_all(title, vec![Edit::new(line, comment), Edit::new(place, "")])
+        .fix_all(title, vec![Edit::new(line, comment), Edit::new(place, "")])
 }
 
 /// A comment as other languages write it; `head` reaches from the first column over the sign.
@@ -322,7 +322,7 @@ pub fn comment_sign(span: Span, head: Span, sign: &str) -> Diagnostic {
             "a comment begins with `#` in the first column",
             "注釈は一桁目の `#` で始めてください"
         ))
-        .mend(text!("Write `#`", "`#` と書く"), head, "#")
+        .fix(text!("Write `#`", "`#` と書く"), head, "#")
 }
 
 /// Text beside `%`.
@@ -338,8 +338,8 @@ pub fn after_separator(span: Span, note: &str, line_end: &str) -> Diagnostic {
         "delete the rest of the line; write a comment on its own line, the name of a house as `name ...` in its header",
         "行の残りを削除してください。注釈は独立した行に、家の名前はヘッダーに `name ...` と書きます"
     ))
-    .mend(title, span, note)
-    .mend(text!("Delete it", "削除する"), span, "")
+    .fix(title, span, note)
+    .fix(text!("Delete it", "削除する"), span, "")
 }
 
 /// A second header without `%`.
@@ -359,7 +359,7 @@ pub fn no_separator(span: Span, line_end: &str) -> Diagnostic {
             "write `%` alone on a line between two houses",
             "家と家のあいだに `%` だけの行を書いてください"
         ))
-        .mend(title, before, format!("%{line_end}"))
+        .fix(title, before, format!("%{line_end}"))
 }
 
 /// A header without walls.
@@ -391,7 +391,7 @@ pub fn missing_value(span: Span, line: Span, key: &str) -> Diagnostic {
             "write for example `{key} {example}`, or delete the line",
             "`{key} {example}` のように書くか、行を削除してください"
         ))
-        .mend(text!("Delete the line", "行を削除する"), line, "")
+        .fix(text!("Delete the line", "行を削除する"), line, "")
 }
 
 /// A seed that is negative, broken or too large.
@@ -431,8 +431,8 @@ pub fn no_heights(place: Span, line_end: &str) -> Diagnostic {
         "write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them",
         "次の行に `9.0` のように階高を書いてください。この数値が階高なら、前に `0 0 180` の行を書きます"
     ))
-    .mend(are_heights, before, format!("0 0 180{line_end}"))
-    .mend(are_place, place.after(), format!("{line_end}9.0"))
+    .fix(are_heights, before, format!("0 0 180{line_end}"))
+    .fix(are_place, place.after(), format!("{line_end}9.0"))
 }
 
 /// A height that is likely given in metres (below), in sun or in centimetres (above).
@@ -455,7 +455,7 @@ pub fn odd_height(span: Span, height: f64) -> Diagnostic {
         "高さの単位は尺です (1 m は 3.3 尺)。{unit}のつもりなら `{shaku:?}` と書いてください"
     ));
     match (5.0..=40.0).contains(&shaku) {
-        true => told.mend(written(&format!("{shaku:?}")), span, format!("{shaku:?}")),
+        true => told.fix(written(&format!("{shaku:?}")), span, format!("{shaku:?}")),
         false => told,
     }
 }
@@ -478,10 +478,10 @@ pub fn xml_after_text(span: Span, before: Span, lines: &str, tag: &str) -> Diagn
         let notes: Vec<&str> = notes.filter(|l| !l.is_empty()).collect();
         let comment = format!("<!-- {} -->\n", notes.join("\n     "));
         let title = text!("Make the lines a comment of XML", "XML の注釈にする");
-        told.mend(title, before, comment)
+        told.fix(title, before, comment)
     } else {
         told
     };
     let title = text!("Delete the lines before it", "その前の行を削除する");
-    told.mend(title, before, "")
+    told.fix(title, before, "")
 }

@@ -23,7 +23,7 @@ pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         "{quoted} is no kind of roof",
         "{quoted} という葺き方はありません"
     );
-    let mend = near.unwrap_or("*");
+    let fix = near.unwrap_or("*");
     Diagnostic::error(140, span, message)
         .help(match near {
             Some(kind) => text!([all]
@@ -32,7 +32,7 @@ pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
             ),
             None => text!([all] "write {all}", "{all} のどれかを書いてください"),
         })
-        .mend(written(mend), span, mend)
+        .fix(written(fix), span, fix)
 }
 
 /// A direction letter that does not exist.
@@ -47,7 +47,7 @@ pub fn unknown_direction(span: Span, text: &str) -> Diagnostic {
         "write X for a ridge along the front, Y for one at right angles to it, F, B, L or R for the side a single slope falls to, or `*`",
         "棟が正面に平行なら X、直交するなら Y、片流れなら流れる側を F、B、L、R で、または `*` と書いてください"
     ))
-    .mend(written("*"), span, "*")
+    .fix(written("*"), span, "*")
 }
 
 /// Three letters that are no shape.
@@ -62,7 +62,7 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         "{quoted} is no shape of a roof",
         "{quoted} という屋根の形はありません"
     );
-    let mend = near.unwrap_or("*");
+    let fix = near.unwrap_or("*");
     Diagnostic::error(142, span, message)
         .help(match near {
             Some(shape) => text!([all]
@@ -71,7 +71,7 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
             ),
             None => text!([all] "write one of {all}", "{all} のどれかを書いてください"),
         })
-        .mend(written(mend), span, mend)
+        .fix(written(fix), span, fix)
 }
 
 /// A word after the corners that is no option.
@@ -129,11 +129,11 @@ pub fn direction_misfit(
         &["X", "Y"]
     };
     for side in sides.iter().filter(|_| own) {
-        told = told.mend(written(side), span, *side);
+        told = told.fix(written(side), span, *side);
     }
     match ridge {
         true => told,
-        false => told.mend(written("KAT"), shape_span, "KAT"),
+        false => told.fix(written("KAT"), shape_span, "KAT"),
     }
 }
 
@@ -146,7 +146,7 @@ pub fn missing_field(span: Span, what: impl Into<Text>, star: &str) -> Diagnosti
         "write kind, direction, height, shape, then a0 b0 a1 b1, with `*` for what is to be found out: `K X * KIR 0 0 6 8`",
         "葺き方、向き、高さ、形、a0 b0 a1 b1 の順に書いてください。任せるところは `*` とします: `K X * KIR 0 0 6 8`"
     ))
-    .mend(text!("Leave it open: `*`", "`*` として任せる"), span, star)
+    .fix(text!("Leave it open: `*`", "`*` として任せる"), span, star)
 }
 
 /// Fewer than four corner numbers.
@@ -204,7 +204,7 @@ pub fn glued(span: Span, text: &str) -> Diagnostic {
     );
     Diagnostic::error(148, span, message)
         .help(text!("write `{spread}`", "`{spread}` と書いてください"))
-        .mend(written(&spread), span, spread)
+        .fix(written(&spread), span, spread)
 }
 
 /// Lower case in a roof line.
@@ -217,7 +217,7 @@ pub fn lower_roof(span: Span, capitals: &str) -> Diagnostic {
     let told = Diagnostic::warning(149, span, message)
         .help(text!("write them as capitals", "大文字で書いてください"));
     match capitals.is_ascii() {
-        true => told.mend(text!("Write capitals", "大文字で書く"), span, capitals),
+        true => told.fix(text!("Write capitals", "大文字で書く"), span, capitals),
         false => told,
     }
 }
@@ -251,7 +251,7 @@ pub fn bare_option(
                 "{what}を文字のすぐ後に書くか、`{letter}` を削除してください"
             ),
         })
-        .mend(title, place, "")
+        .fix(title, place, "")
 }
 
 /// Half a course of ridge tiles, and the nearest whole number with the place of this one.
@@ -268,7 +268,7 @@ pub fn no_whole_number(span: Span, text: &str, whole: Option<(Span, f64)>) -> Di
     ));
     match whole {
         Some((place, number)) => {
-            told.mend(written(&format!("M{number}")), place, number.to_string())
+            told.fix(written(&format!("M{number}")), place, number.to_string())
         }
         None => told,
     }

@@ -32,10 +32,10 @@ pub fn wide_blank(span: Span, count: usize, read: &str) -> Diagnostic {
             ),
         ),
     };
-    let mend = text!("Replace by plain blanks", "半角空白に置き換える");
+    let fix = text!("Replace by plain blanks", "半角空白に置き換える");
     Diagnostic::error(120, span, message)
         .help(help)
-        .mend(mend, span, read)
+        .fix(fix, span, read)
 }
 
 /// A tab in a wall line, and the blanks as which it was read.
@@ -50,7 +50,7 @@ pub fn tab(span: Span, read: &str) -> Diagnostic {
             "replace the tab by the blanks that fill the code up to five columns",
             "タブを、部材コードが五桁になるだけの空白に置き換えてください"
         ))
-        .mend(
+        .fix(
             text!("Replace by plain blanks", "半角空白に置き換える"),
             span,
             read,
@@ -75,7 +75,7 @@ pub fn wide_letters(span: Span, text: &str, whole: Span, read: &str) -> Diagnost
             "switch the input method off and write {narrow}",
             "日本語入力を切り、半角で {narrow} と書いてください"
         ))
-        .mend(
+        .fix(
             text!("Write it in plain letters", "半角で書く"),
             whole,
             read,
@@ -86,7 +86,7 @@ pub fn wide_letters(span: Span, text: &str, whole: Span, read: &str) -> Diagnost
 #[cold]
 pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
     let number = u32::from(character);
-    let mend = match read {
+    let fix = match read {
         "" => text!("Delete it", "削除する"),
         _ => text!("Replace by plain blanks", "半角空白に置き換える"),
     };
@@ -99,7 +99,7 @@ pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
             "replace it by a plain blank if one can be seen, else delete it",
             "空白として見えるなら半角空白に置き換え、見えないなら削除してください"
         ))
-        .mend(mend, span, read)
+        .fix(fix, span, read)
 }
 
 /// A character that no code has.
@@ -132,7 +132,7 @@ pub fn blank_in_walls(blank: Span, next: Span, apart: bool) -> Diagnostic {
     if apart {
         return told;
     }
-    told.mend(text!("Delete the blank line", "空行を削除する"), blank, "")
+    told.fix(text!("Delete the blank line", "空行を削除する"), blank, "")
 }
 
 /// One column more than the codes take.
@@ -144,7 +144,7 @@ pub fn one_over(span: Span, text: &str) -> Diagnostic {
         "delete it or complete its five columns; only the letters `L`, `R` and `^` may follow the last code",
         "削除するか、五桁になるように書いてください。最後の部材コードの後に置けるのは `L`、`R`、`^` だけです"
     ))
-    .mend(text!("Delete {quoted}", "{quoted} を削除する"), span, "")
+    .fix(text!("Delete {quoted}", "{quoted} を削除する"), span, "")
 }
 
 /// A turn letter that does not stand right after the last column of a code: so many `columns` stand before it, with
@@ -185,7 +185,7 @@ pub fn misplaced_control(
     };
     Diagnostic::error(127, span, inside_a_code(letter, before + 1))
         .help(help)
-        .mend(title, place, filling)
+        .fix(title, place, filling)
 }
 
 fn inside_a_code(letter: &str, column: usize) -> Text {
@@ -210,12 +210,12 @@ pub fn second_control(
             "delete the `{turn}` before the `{letter}`: a line ends with one of the two",
             "`{letter}` の前の `{turn}` を削除してください。行の最後に書けるのはどちらかひとつです"
         ))
-        .mend(title, gap, "")
+        .fix(title, gap, "")
 }
 
 /// A turn letter with codes after it; `leads` tells that it begins its line. `mend` puts it where it belongs.
 #[cold]
-pub fn inner_turn(span: Span, letter: &str, leads: bool, mend: Vec<Edit>) -> Diagnostic {
+pub fn inner_turn(span: Span, letter: &str, leads: bool, fix: Vec<Edit>) -> Diagnostic {
     let (title, help) = if leads {
         let title = text!(
             "Put the `{letter}` at the end of the line before",
@@ -242,9 +242,9 @@ pub fn inner_turn(span: Span, letter: &str, leads: bool, mend: Vec<Edit>) -> Dia
         "曲がり `{letter}` の後に部材コードがあります。曲がりは行の最後に書くものです"
     );
     let told = Diagnostic::error(138, span, message).help(help);
-    match mend.is_empty() {
+    match fix.is_empty() {
         true => told,
-        false => told.mend_all(title, mend),
+        false => told.fix_all(title, fix),
     }
 }
 
@@ -258,7 +258,7 @@ pub fn lower_control(span: Span, letter: &str) -> Diagnostic {
     );
     Diagnostic::error(128, span, message)
         .help(text!("write `{capital}`", "`{capital}` と書いてください"))
-        .mend(
+        .fix(
             text!("Write `{capital}`", "`{capital}` と書く"),
             span,
             &*capital,
@@ -277,7 +277,7 @@ pub fn blanks_after(span: Span, letter: &str) -> Diagnostic {
             "delete them; the letter must be the last character of the line",
             "削除してください。この文字は行の最後になければなりません"
         ))
-        .mend(text!("Delete the blanks", "空白を削除する"), span, "")
+        .fix(text!("Delete the blanks", "空白を削除する"), span, "")
 }
 
 /// Codes after `^` on the same line, and the blanks between.
@@ -292,7 +292,7 @@ pub fn after_reset(span: Span, gap: Span, line_end: &str) -> Diagnostic {
             "begin the next storey on a new line",
             "次の階は新しい行から始めてください"
         ))
-        .mend(text!("Begin a new line", "改行する"), gap, line_end)
+        .fix(text!("Begin a new line", "改行する"), gap, line_end)
 }
 
 /// Blanks before the first code.
@@ -318,13 +318,13 @@ pub fn shifted(span: Span, blanks: usize, voids: usize) -> Diagnostic {
     };
     Diagnostic::error(131, span, message)
         .help(help)
-        .mend(title, span, ".".repeat(voids))
+        .fix(title, span, ".".repeat(voids))
 }
 
 /// Words that look like codes but do not stand in their columns; `mend` is the place of all codes and what they are
 /// when they do.
 #[cold]
-pub fn out_of_step(span: Span, column: usize, meant: &str, mend: (Span, &str)) -> Diagnostic {
+pub fn out_of_step(span: Span, column: usize, meant: &str, fix: (Span, &str)) -> Diagnostic {
     let mut line: String = meant.chars().take(80).collect();
     if line.len() < meant.len() {
         line.push('…');
@@ -335,10 +335,10 @@ pub fn out_of_step(span: Span, column: usize, meant: &str, mend: (Span, &str)) -
     );
     Diagnostic::error(132, span, message)
         .help(text!("write `{line}`", "`{line}` と書いてください"))
-        .mend(
+        .fix(
             text!("Put the codes in step", "部材コードを五桁ずつに揃える"),
-            mend.0,
-            mend.1,
+            fix.0,
+            fix.1,
         )
 }
 
@@ -370,7 +370,7 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
     let title = text!("Write the voids as points", "空きを点で書く");
     Diagnostic::warning(133, span, message)
         .help(help)
-        .mend(title, span, ".....".repeat(count))
+        .fix(title, span, ".....".repeat(count))
 }
 
 /// Points that are not five.
@@ -383,7 +383,7 @@ pub fn few_points(span: Span, text: &str) -> Diagnostic {
             "write exactly five points, `.....`",
             "点をちょうど五つ、`.....` と書いてください"
         ))
-        .mend(text!("Write `.....`", "`.....` と書く"), span, ".....")
+        .fix(text!("Write `.....`", "`.....` と書く"), span, ".....")
 }
 
 /// `^` after the last storey.
@@ -398,7 +398,7 @@ pub fn last_reset(span: Span) -> Diagnostic {
             "delete it; the last storey ends with the walls",
             "削除してください。最後の階は壁の終わりで終わります"
         ))
-        .mend(text!("Delete the `^`", "`^` を削除する"), span, "")
+        .fix(text!("Delete the `^`", "`^` を削除する"), span, "")
 }
 
 /// `^` after `^`.
@@ -413,5 +413,5 @@ pub fn empty_storey(span: Span, line: Span, storey: usize) -> Diagnostic {
             "delete the `^`, or write the walls of the storey before it",
             "`^` を削除するか、その前にこの階の壁を書いてください"
         ))
-        .mend(text!("Delete the `^`", "`^` を削除する"), line, "")
+        .fix(text!("Delete the `^`", "`^` を削除する"), line, "")
 }

@@ -1,6 +1,6 @@
 //! Messages about the elements, attributes and codes of the XML form.
 
-use super::mends::{escaped, offer_comment, removing, writing};
+use super::fixes::{escaped, offer_comment, removing, writing};
 use crate::diagnostic::messages::words::{all_of, any_of, quote};
 use crate::diagnostic::{Diagnostic, Edit, Text};
 use crate::source::Span;
@@ -32,7 +32,7 @@ pub struct Tags {
 /// Another name for an element.
 fn renamed(found: Diagnostic, tags: &Tags, name: &str) -> Diagnostic {
     let edits = tags.names.iter().map(|span| Edit::new(*span, name));
-    found.mend_all(writing(name), edits.collect())
+    found.fix_all(writing(name), edits.collect())
 }
 
 /// A name that the language does not know.
@@ -65,7 +65,7 @@ pub fn unknown_element(
         (Some(near), _) => renamed(found, tags, near),
         (None, Some(_)) => {
             let edits = tags.whole.iter().map(|span| Edit::new(*span, ""));
-            found.mend_all(title, edits.collect())
+            found.fix_all(title, edits.collect())
         }
         (None, None) => found,
     }
@@ -101,8 +101,8 @@ pub fn unknown_attribute(
         ),
     });
     match (near, whole) {
-        (Some((near, false)), _) => found.mend(writing(near), span, near),
-        (_, Some(whole)) => found.mend(title, whole, ""),
+        (Some((near, false)), _) => found.fix(writing(near), span, near),
+        (_, Some(whole)) => found.fix(title, whole, ""),
         (_, None) => found,
     }
 }
@@ -157,8 +157,8 @@ pub fn attribute_missing(span: Span, element: &str, name: &str, words: &[&str]) 
         "`<{element} {name}=\"...\">` と書いてください"
     ));
     words.iter().fold(found, |found, word| {
-        let mend = format!("{name}=\"{word}\"");
-        found.mend(writing(&mend), span.after(), format!(" {mend}"))
+        let fix = format!("{name}=\"{word}\"");
+        found.fix(writing(&fix), span.after(), format!(" {fix}"))
     })
 }
 
@@ -183,7 +183,7 @@ pub fn second_of(
     name: &str,
     parent: &str,
     before: Span,
-    mends: [Option<Vec<Edit>>; 2],
+    fixes: [Option<Vec<Edit>>; 2],
 ) -> Diagnostic {
     let parent = quote(parent);
     let message = text!(
@@ -197,9 +197,9 @@ pub fn second_of(
         text!("Join the two", "ひとつにまとめる"),
         text!("Remove this one", "こちらを削除する"),
     ];
-    let mends = titles.into_iter().zip(mends);
-    mends.fold(found, |found, (title, edits)| match edits {
-        Some(edits) => found.mend_all(title, edits),
+    let fixes = titles.into_iter().zip(fixes);
+    fixes.fold(found, |found, (title, edits)| match edits {
+        Some(edits) => found.fix_all(title, edits),
         None => found,
     })
 }
@@ -223,13 +223,13 @@ pub fn control_letter(span: Span, letter: char, turns: bool, turn: Option<Span>)
         (_, false) => angle_turns(),
     });
     let removed = Edit::new(span, "");
-    let mend = format!("turn=\"{letter}\"");
+    let fix = format!("turn=\"{letter}\"");
     match turn.filter(|_| letter != '^') {
         Some(turn) => {
-            let edits = vec![Edit::new(turn, format!(" {mend}")), removed];
-            found.mend_all(writing(&mend), edits)
+            let edits = vec![Edit::new(turn, format!(" {fix}")), removed];
+            found.fix_all(writing(&fix), edits)
         }
-        None => found.mend_all(removing(&letter.to_string()), vec![removed]),
+        None => found.fix_all(removing(&letter.to_string()), vec![removed]),
     }
 }
 
@@ -250,13 +250,13 @@ pub fn turn_in_floor(span: Span, whole: Span) -> Diagnostic {
     );
     Diagnostic::error(232, span, message)
         .help(angle_turns())
-        .mend(removing("turn"), whole, "")
+        .fix(removing("turn"), whole, "")
 }
 
 /// Characters that no code holds, and those meant instead.
 #[cold]
 pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
-    let mend = escaped(plain);
+    let fix = escaped(plain);
     if text.starts_with('\u{3000}') {
         let message = text!(
             "a full-width blank stands among the codes",
@@ -267,10 +267,10 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
                 "replace each full-width blank by two blanks",
                 "全角空白ひとつを半角空白二つに置き換えてください"
             ))
-            .mend(
+            .fix(
                 text!("Replace by plain blanks", "半角空白に置き換える"),
                 span,
-                mend,
+                fix,
             );
     }
     let text = quote(text);
@@ -293,7 +293,7 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
         ));
         match braces {
             true => found, // those would begin an expression
-            false => found.mend(title, span, mend),
+            false => found.fix(title, span, fix),
         }
     }
 }
@@ -305,20 +305,20 @@ pub fn tab_in_codes(span: Span, column: usize, blanks: usize) -> Diagnostic {
         "a tab stands among the codes, in column {column} of this line of codes",
         "この行の{column}桁目、部材コードの並びにタブがあります"
     );
-    let mend = " ".repeat(blanks.min(4096));
+    let fix = " ".repeat(blanks.min(4096));
     let (plural, next) = (if blanks == 1 { "" } else { "s" }, column + blanks);
     Diagnostic::error(233, span, message)
         .help(text!(
             "replace it by {blanks} blank{plural}, so that the next code begins in column {next}",
             "次の部材コードが{next}桁目から始まるよう、空白{blanks}個に置き換えてください"
         ))
-        .mend(
+        .fix(
             text!(
                 "Replace by {blanks} blank{plural}",
                 "空白{blanks}個に置き換える"
             ),
             span,
-            mend,
+            fix,
         )
 }
 

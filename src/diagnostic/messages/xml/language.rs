@@ -1,7 +1,7 @@
 //! Messages about what is computed in the XML form: expressions and names. Those about parameters stand in
 //! [`parameters`](super::parameters), those about conditions, pieces and files in [`pieces`](super::pieces).
 
-use super::mends::{offer, putting_in, removing};
+use super::fixes::{offer, putting_in, removing};
 use crate::ast::Value;
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Edit, Noun, Text};
@@ -43,7 +43,7 @@ pub fn bad_expression(
     span: Span,
     wanted: Noun,
     text: &str,
-    mend: Option<(Text, Vec<Edit>)>,
+    fix: Option<(Text, Vec<Edit>)>,
 ) -> Diagnostic {
     let there = match text {
         "" => text!("the end of the expression", "式の終わり"),
@@ -71,14 +71,14 @@ pub fn bad_expression(
         ),
     };
     let found = Diagnostic::error(229, span, message).help(help);
-    match mend {
-        Some((title, edits)) => found.mend_all(title, edits),
+    match fix {
+        Some((title, edits)) => found.fix_all(title, edits),
         None => found,
     }
 }
 
 /// What a mend of an expression does: it puts in a quote or a parenthesis, or replaces full-width signs.
-pub fn expression_mend(put: Option<char>) -> Text {
+pub fn expression_fix(put: Option<char>) -> Text {
     match put {
         Some(c) => text!("Put in `{c}`", "`{c}` を入れる"),
         None => text!("Write half-width signs", "半角に直す"),
@@ -98,7 +98,7 @@ pub fn empty_braces(span: Span, alone: bool) -> Diagnostic {
     ));
     match alone {
         true => found, // nothing would be left
-        false => found.mend(text!("Remove the braces", "波括弧を取り除く"), span, ""),
+        false => found.fix(text!("Remove the braces", "波括弧を取り除く"), span, ""),
     }
 }
 
@@ -113,7 +113,7 @@ pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) 
     } else {
         text!("`}}` closes nothing", "`}}` に対応する `{{` がありません")
     };
-    let mend = if opens {
+    let fix = if opens {
         text!(
             "write `}}` where the expression ends",
             "式の終わりに `}}` を書いてください"
@@ -124,26 +124,26 @@ pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) 
             "取り除くか、式の始まりに `{{` を書いてください"
         )
     };
-    let mut found = Diagnostic::error(251, span, message).help(text!([mend]
-        "{mend}; a brace itself is written `{{'{{'}}` or `{{'}}'}}`",
-        "{mend}。波括弧そのものは `{{'{{'}}` や `{{'}}'}}` と書きます"
+    let mut found = Diagnostic::error(251, span, message).help(text!([fix]
+        "{fix}; a brace itself is written `{{'{{'}}` or `{{'}}'}}`",
+        "{fix}。波括弧そのものは `{{'{{'}}` や `{{'}}'}}` と書きます"
     ));
     let (brace, other, itself) = match opens {
         true => ("{", "}", "{'{'}"),
         false => ("}", "{", "{'}'}"),
     };
     if let Some(partner) = partner {
-        found = found.mend(putting_in(other), partner, other);
+        found = found.fix(putting_in(other), partner, other);
     }
     if !opens {
-        found = found.mend(removing(brace), span, "");
+        found = found.fix(removing(brace), span, "");
     }
     if plain {
         let title = text!(
             "Write the brace itself: `{itself}`",
             "波括弧そのものを書く: `{itself}`"
         );
-        found = found.mend(title, span, itself);
+        found = found.fix(title, span, itself);
     }
     found
 }
@@ -248,7 +248,7 @@ pub fn test_no_truth(span: Span, text: &str, value: &Value, sound: bool) -> Diag
         ..span
     };
     match sound {
-        true => found.mend_all(
+        true => found.fix_all(
             text!("Put it in braces", "波括弧で囲む"),
             vec![Edit::new(start, "{"), Edit::new(span.after(), "}")],
         ),
@@ -273,7 +273,7 @@ pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {
             "divide by `max(1, ...)`, or make it depend on an `if`",
             "`max(1, ...)` で割るか、`if` で場合を分けてください"
         ))
-        .mend_all(
+        .fix_all(
             text!("Divide by 1 at least", "1 以上で割る"),
             vec![Edit::new(start, "max(1,"), Edit::new(span.after(), ")")],
         )
@@ -306,7 +306,7 @@ pub fn clamp_bounds(span: Span, swapped: Option<Vec<Edit>>) -> Diagnostic {
     ));
     let title = text!("Swap the two", "二つを入れ替える");
     match swapped {
-        Some(edits) => found.mend_all(title, edits),
+        Some(edits) => found.fix_all(title, edits),
         None => found,
     }
 }
@@ -349,8 +349,8 @@ pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
             "名前は文字で始め、文字、数字、`_` を続けます"
         ),
         plain => {
-            let mend = write(plain);
-            text!([mend] "{mend}: letters, digits and `_`", "{mend}（文字、数字、`_`）")
+            let fix = write(plain);
+            text!([fix] "{fix}: letters, digits and `_`", "{fix}（文字、数字、`_`）")
         }
     });
     offer(found, span, offered)
@@ -375,7 +375,7 @@ pub fn named_twice(span: Span, name: &str, before: Span, free: &str) -> Diagnost
 
 /// Something beside the `choice`s of a `random`; `mend` makes one of it.
 #[cold]
-pub fn beside_choices(span: Span, mend: Vec<Edit>) -> Diagnostic {
+pub fn beside_choices(span: Span, fix: Vec<Edit>) -> Diagnostic {
     let message = text!(
         "a `random` with choices holds nothing else",
         "`choice` のある `random` には、ほかのものを書けません"
@@ -385,9 +385,9 @@ pub fn beside_choices(span: Span, mend: Vec<Edit>) -> Diagnostic {
             "write it into a `choice`, or outside of the `random`",
             "`choice` の中か、`random` の外に書いてください"
         ))
-        .mend_all(
+        .fix_all(
             text!("Put it into a `choice`", "`choice` の中に入れる"),
-            mend,
+            fix,
         )
 }
 
@@ -405,7 +405,7 @@ pub fn attribute_beside_choices(span: Span, name: &str, whole: Span) -> Diagnost
             "give each `choice` its `weight`, and what it stands for as its content",
             "重みはそれぞれの `choice` の `weight` に、選ばれるものはその中に書いてください"
         ))
-        .mend(title, whole, "")
+        .fix(title, whole, "")
 }
 
 /// A text that grew beyond all measure.

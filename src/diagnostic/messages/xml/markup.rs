@@ -1,6 +1,6 @@
 //! Messages about the markup between the tags: elements that do not close, text, comments, references.
 
-use super::mends::{offer_comment, putting_in, removing, writing};
+use super::fixes::{offer_comment, putting_in, removing, writing};
 use crate::diagnostic::messages::words::{quote, shortened};
 use crate::diagnostic::{Diagnostic, Edit, Noun};
 use crate::source::Span;
@@ -21,24 +21,24 @@ pub fn nested_too_deep(span: Span, limit: usize) -> Diagnostic {
 
 /// A comment, text section or processing instruction without its end, which may be put in by `mend`.
 #[cold]
-pub fn not_ended(span: Span, what: Noun, end: &str, mend: Edit) -> Diagnostic {
+pub fn not_ended(span: Span, what: Noun, end: &str, fix: Edit) -> Diagnostic {
     let message = text!([what] "the {what} has no end", "{what}が終わっていません");
     Diagnostic::error(203, span, message)
         .help(text!(
             "write `{end}` where it ends; reading goes on at the next line that begins with `<`",
             "終わりに `{end}` と書いてください。`<` で始まる次の行から読み続けます"
         ))
-        .mend_all(putting_in(end), vec![mend])
+        .fix_all(putting_in(end), vec![fix])
 }
 
 /// An element without its end tag, which may be put in by `mend`; `before` = the tag before which it should stand, and
 /// that tag's name.
 #[cold]
-pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, mend: Edit) -> Diagnostic {
+pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, fix: Edit) -> Diagnostic {
     let name = shortened(name);
     let message = text!("`{name}` has no end tag", "`{name}` の終了タグがありません");
-    let title = putting_in(mend.text.trim());
-    let found = Diagnostic::error(204, span, message).mend_all(title, vec![mend]);
+    let title = putting_in(fix.text.trim());
+    let found = Diagnostic::error(204, span, message).fix_all(title, vec![fix]);
     match before {
         Some((place, tag)) => {
             let tag = quote(tag);
@@ -65,7 +65,7 @@ pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, mend: Ed
 /// `</Rwo>` for `</Row>`.
 #[cold]
 pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnostic {
-    let mend = format!("</{open}>");
+    let fix = format!("</{open}>");
     let (name, open) = (shortened(name), shortened(open));
     let message = text!(
         "the end tag `</{name}>` does not match `<{open}>`",
@@ -73,7 +73,7 @@ pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnosti
     );
     Diagnostic::error(205, span, message)
         .help(text!("write `</{open}>`", "`</{open}>` と書いてください"))
-        .mend(writing(&mend), span, mend)
+        .fix(writing(&fix), span, fix)
         .label(
             start,
             text!("`{open}` begins here", "`{open}` はここから始まります"),
@@ -83,7 +83,7 @@ pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnosti
 /// `<Row>` for `</Row>`.
 #[cold]
 pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
-    let mend = format!("</{name}>");
+    let fix = format!("</{name}>");
     let name = shortened(name);
     let message = text!(
         "`<{name}>` should be `</{name}>`",
@@ -94,7 +94,7 @@ pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
             "write the slash: `</{name}>`",
             "斜線を入れて `</{name}>` と書いてください"
         ))
-        .mend(writing(&mend), span, mend)
+        .fix(writing(&fix), span, fix)
         .label(
             start,
             text!(
@@ -117,7 +117,7 @@ pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagno
             "remove it, or write `<{name}>` where it should begin",
             "削除するか、始まる位置に `<{name}>` と書いてください"
         ))
-        .mend(removing(&format!("</{name}>")), span, "");
+        .fix(removing(&format!("</{name}>")), span, "");
     match inside {
         Some((open, place)) => {
             let open = quote(open);
@@ -156,7 +156,7 @@ pub fn second_root(span: Span, name: &str, first: Span, around: Option<Vec<Edit>
         "全体を `<Houses>` で囲む"
     );
     match around {
-        Some(edits) => found.mend_all(title, edits),
+        Some(edits) => found.fix_all(title, edits),
         None => found,
     }
 }
@@ -172,7 +172,7 @@ pub fn text_outside(span: Span, written: &str) -> Diagnostic {
         "remove it, or make it a comment: `<!-- ... -->`",
         "削除するか、`<!-- ... -->` と注釈にしてください"
     ));
-    offer_comment(found, span, written).mend(removing(written), span, "")
+    offer_comment(found, span, written).fix(removing(written), span, "")
 }
 
 /// `a < b` in text.
@@ -184,7 +184,7 @@ pub fn bare_less_than(span: Span) -> Diagnostic {
             "remove it; for the character `<` write `&lt;`",
             "削除してください。文字としての `<` は `&lt;` と書きます"
         ))
-        .mend(removing("<"), span, "")
+        .fix(removing("<"), span, "")
 }
 
 /// `]]>` in text.
@@ -196,7 +196,7 @@ pub fn stray_cdata_end(span: Span) -> Diagnostic {
     );
     Diagnostic::error(214, span, message)
         .help(text!("remove it", "削除してください"))
-        .mend(removing("]]>"), span, "")
+        .fix(removing("]]>"), span, "")
 }
 
 /// `&` that begins no reference.
@@ -208,7 +208,7 @@ pub fn bare_ampersand(span: Span) -> Diagnostic {
             "write `&amp;` for the character `&`",
             "文字としての `&` は `&amp;` と書いてください"
         ))
-        .mend(writing("&amp;"), span, "&amp;")
+        .fix(writing("&amp;"), span, "&amp;")
 }
 
 /// Characters that other languages give a name to, such as HTML.
@@ -270,8 +270,8 @@ pub fn unknown_entity(span: Span, reference: &str) -> Diagnostic {
         "文字そのものを書いてください。読めるのは `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` と、`&#23478;` のような番号だけです"
     ));
     match known {
-        Some((_, " ")) => found.mend(text!("Write a blank", "空白にする"), span, " "),
-        Some((_, character)) => found.mend(writing(character), span, *character),
+        Some((_, " ")) => found.fix(text!("Write a blank", "空白にする"), span, " "),
+        Some((_, character)) => found.fix(writing(character), span, *character),
         None => found,
     }
 }
@@ -289,28 +289,28 @@ pub fn document_type(span: Span, whole: Option<Span>) -> Diagnostic {
     ));
     let title = text!("Remove the declaration", "宣言を削除する");
     match whole {
-        Some(whole) => found.mend(title, whole, ""),
+        Some(whole) => found.fix(title, whole, ""),
         None => found,
     }
 }
 
 /// `--` in a comment; `mend` replaces all that are in it.
 #[cold]
-pub fn dashes_in_comment(span: Span, mend: Vec<Edit>) -> Diagnostic {
+pub fn dashes_in_comment(span: Span, fix: Vec<Edit>) -> Diagnostic {
     let message = text!("`--` stands in a comment", "注釈の中に `--` があります");
     let found = Diagnostic::warning(236, span, message).help(text!(
         "use another character: other XML programs refuse the whole file for it",
         "別の文字にしてください。ほかの XML プログラムはファイル全体を拒みます"
     ));
-    match mend.is_empty() {
+    match fix.is_empty() {
         true => found, // too many of them
-        false => found.mend_all(text!("Write other characters", "別の文字にする"), mend),
+        false => found.fix_all(text!("Write other characters", "別の文字にする"), fix),
     }
 }
 
 /// `<!--` in a comment, which began at `open`; `mend` ends that one before.
 #[cold]
-pub fn comment_in_comment(span: Span, open: Span, mend: Edit) -> Diagnostic {
+pub fn comment_in_comment(span: Span, open: Span, fix: Edit) -> Diagnostic {
     let message = text!(
         "a comment begins inside a comment",
         "注釈の中で注釈が始まっています"
@@ -327,7 +327,7 @@ pub fn comment_in_comment(span: Span, open: Span, mend: Edit) -> Diagnostic {
                 "最初の注釈はここから始まります"
             ),
         )
-        .mend_all(putting_in("-->"), vec![mend])
+        .fix_all(putting_in("-->"), vec![fix])
 }
 
 /// A file of comments only.
@@ -360,17 +360,17 @@ pub fn bad_declaration(span: Span, sound: bool, start: Option<Edit>) -> Diagnost
     ));
     let removed = Edit::new(span, "");
     let found = match start {
-        Some(start) if start.span == span => found.mend_all(
+        Some(start) if start.span == span => found.fix_all(
             text!("Write a proper declaration", "正しい宣言にする"),
             vec![start],
         ),
-        Some(start) => found.mend_all(
+        Some(start) => found.fix_all(
             text!("Move it to the start", "先頭に移す"),
             vec![start, removed.clone()],
         ),
         None => found,
     };
-    found.mend_all(
+    found.fix_all(
         text!("Remove the declaration", "宣言を削除する"),
         vec![removed],
     )

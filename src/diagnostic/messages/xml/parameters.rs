@@ -1,7 +1,7 @@
 //! Messages about parameters of the XML form and what they may be.
 
+use super::fixes::{escaped, offer, writing};
 use super::language::LISTED;
-use super::mends::{escaped, offer, writing};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Text};
@@ -146,8 +146,8 @@ pub fn parameter_missing(
     if let Some((of, at)) = of {
         let attribute = if place.is_some() { name } else { "default" };
         for word in admitted(of, None) {
-            let mend = format!("{attribute}=\"{}\"", escaped(&word));
-            found = found.mend(writing(&mend), at.after(), format!(" {mend}"));
+            let fix = format!("{attribute}=\"{}\"", escaped(&word));
+            found = found.fix(writing(&fix), at.after(), format!(" {fix}"));
         }
     }
     match place {

@@ -1,7 +1,7 @@
 //! Messages about conditions, named pieces and included files of the XML form.
 
+use super::fixes::{offer, removing};
 use super::language::{known, write};
-use super::mends::{offer, removing};
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
@@ -53,7 +53,7 @@ fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
 
 /// `else` that follows no `if`; `mend` puts it behind the one that stands before.
 #[cold]
-pub fn else_without_if(span: Span, mend: Option<Vec<Edit>>) -> Diagnostic {
+pub fn else_without_if(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
         "`else` does not follow an `if`",
         "`else` の直前に `if` がありません"
@@ -63,8 +63,8 @@ pub fn else_without_if(span: Span, mend: Option<Vec<Edit>>) -> Diagnostic {
         "対応する `</if>` のすぐ後に置いてください"
     ));
     let title = text!("Put it behind the `</if>`", "`</if>` の後に移す");
-    match mend {
-        Some(edits) => found.mend_all(title, edits),
+    match fix {
+        Some(edits) => found.fix_all(title, edits),
         None => found,
     }
 }
@@ -132,13 +132,13 @@ pub fn unknown_parameter(
     });
     match near {
         Some(near) => offer(found, span, [near]),
-        None => found.mend(title, whole, ""),
+        None => found.fix(title, whole, ""),
     }
 }
 
 /// A `use` that holds something; `mend` puts that behind it.
 #[cold]
-pub fn use_with_content(span: Span, mend: Option<Vec<Edit>>) -> Diagnostic {
+pub fn use_with_content(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
         "`use` holds nothing: it stands for what its `define` holds",
         "`use` の中には何も書けません。`define` の中身がその場所に入ります"
@@ -148,8 +148,8 @@ pub fn use_with_content(span: Span, mend: Option<Vec<Edit>>) -> Diagnostic {
         "`/>` で閉じ、中身は前か後ろに移してください"
     ));
     let title = text!("Put what is in it behind it", "中身を後ろに移す");
-    match mend {
-        Some(edits) => found.mend_all(title, edits),
+    match fix {
+        Some(edits) => found.fix_all(title, edits),
         None => found,
     }
 }

@@ -1,6 +1,6 @@
 //! Messages about the inside of tags: names, attributes, quotes.
 
-use super::mends::{putting_in, removing, writing};
+use super::fixes::{putting_in, removing, writing};
 use crate::diagnostic::messages::words::{quote, shortened};
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
@@ -25,7 +25,7 @@ pub fn tag_not_closed(span: Span, name: &str, slash: bool, end: Edit) -> Diagnos
             "最後の属性の後に `>` と書いてください"
         )
     });
-    found.mend_all(putting_in(&end.text), vec![end])
+    found.fix_all(putting_in(&end.text), vec![end])
 }
 
 /// A value without its second quote, which belongs at `end`.
@@ -41,7 +41,7 @@ pub fn quote_not_closed(span: Span, name: &str, end: Edit) -> Diagnostic {
             "close it with the same quote that opens it",
             "始まりと同じ引用符で閉じてください"
         ))
-        .mend_all(text!("Close the value", "値を閉じる"), vec![end])
+        .fix_all(text!("Close the value", "値を閉じる"), vec![end])
 }
 
 /// The same attribute twice; `whole` = both with the blanks before them, the first one first.
@@ -68,14 +68,14 @@ pub fn attribute_twice(
             "どちらか一方を削除してください。先の方を読みます"
         ))
         .label(before, text!("the first is here", "一つ目はここです"))
-        .mend(text!("Remove this one", "こちらを削除する"), whole[1], "")
-        .mend(text!("Remove the first", "一つ目を削除する"), whole[0], "")
+        .fix(text!("Remove this one", "こちらを削除する"), whole[1], "")
+        .fix(text!("Remove the first", "一つ目を削除する"), whole[0], "")
 }
 
 /// `turn=L`.
 #[cold]
 pub fn value_not_quoted(span: Span, name: &str, value: &str) -> Diagnostic {
-    let mend = in_quotes(value);
+    let fix = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
     let message = text!(
         "the value of `{name}` has no quotes",
@@ -86,7 +86,7 @@ pub fn value_not_quoted(span: Span, name: &str, value: &str) -> Diagnostic {
             "write `{name}=\"{value}\"`",
             "`{name}=\"{value}\"` と書いてください"
         ))
-        .mend(text!("Put it in quotes", "引用符で囲む"), span, mend)
+        .fix(text!("Put it in quotes", "引用符で囲む"), span, fix)
 }
 
 /// What was written of a value, between quotes.
@@ -97,7 +97,7 @@ fn in_quotes(value: &str) -> String {
 /// `name=「裏長屋」`.
 #[cold]
 pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
-    let mend = in_quotes(value);
+    let fix = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
     let message = text!(
         "the value of `{name}` stands in brackets, not in quotes",
@@ -108,10 +108,10 @@ pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
             "replace the brackets by quotes: `{name}=\"{value}\"`",
             "括弧を引用符に置き換えて `{name}=\"{value}\"` と書いてください"
         ))
-        .mend(
+        .fix(
             text!("Replace the brackets by quotes", "括弧を引用符に置き換える"),
             span,
-            mend,
+            fix,
         )
 }
 
@@ -133,10 +133,10 @@ pub fn value_missing(
         "`{name}=\"...\"` と書くか、削除してください"
     ));
     if switch {
-        found = found.mend(writing(&yes), whole, yes);
+        found = found.fix(writing(&yes), whole, yes);
     }
     match spared {
-        Some(spared) => found.mend(removing(&name), spared, ""),
+        Some(spared) => found.fix(removing(&name), spared, ""),
         None => found,
     }
 }
@@ -154,7 +154,7 @@ pub fn equals_missing(span: Span, name: &str, gap: Span) -> Diagnostic {
             "write `=` between the name and the quote",
             "名前と引用符のあいだに `=` を書いてください"
         ))
-        .mend(putting_in("="), gap, "=")
+        .fix(putting_in("="), gap, "=")
 }
 
 /// `<1st>`.
@@ -188,13 +188,13 @@ pub fn less_than_in_value(span: Span, all: &[Span]) -> Diagnostic {
         "`<` stands in the value of an attribute",
         "属性の値の中に `<` があります"
     );
-    let mends = all.iter().map(|place| Edit::new(*place, "&lt;"));
+    let fixes = all.iter().map(|place| Edit::new(*place, "&lt;"));
     Diagnostic::error(214, span, message)
         .help(text!(
             "write `&lt;`; or is the closing quote missing before it?",
             "`&lt;` と書いてください。または、その前の終わりの引用符を忘れていませんか"
         ))
-        .mend_all(writing("&lt;"), mends.collect())
+        .fix_all(writing("&lt;"), fixes.collect())
 }
 
 /// `＝` in a tag; `all` = what must be replaced with it, for quotes both.
@@ -204,13 +204,13 @@ pub fn full_width_markup(span: Span, wide: char, narrow: char, all: &[Span]) -> 
         "`{wide}` stands in a tag in place of `{narrow}`",
         "タグの中で `{narrow}` の代わりに `{wide}` が使われています"
     );
-    let mends = all.iter().map(|place| Edit::new(*place, narrow));
+    let fixes = all.iter().map(|place| Edit::new(*place, narrow));
     Diagnostic::error(218, span, message)
         .help(text!(
             "replace it by `{narrow}` (half width, straight)",
             "半角の `{narrow}` に置き換えてください"
         ))
-        .mend_all(writing(narrow.encode_utf8(&mut [0; 4])), mends.collect())
+        .fix_all(writing(narrow.encode_utf8(&mut [0; 4])), fixes.collect())
 }
 
 /// U+3000 in a tag.
@@ -225,13 +225,13 @@ pub fn full_width_blank(span: Span) -> Diagnostic {
             "replace it by a plain blank",
             "半角空白に置き換えてください"
         ))
-        .mend(text!("Write a plain blank", "半角空白にする"), span, " ")
+        .fix(text!("Write a plain blank", "半角空白にする"), span, " ")
 }
 
 /// A quote, `=` or `/` that belongs to no attribute.
 #[cold]
 pub fn stray_in_tag(span: Span, what: &str) -> Diagnostic {
-    let mend = removing(what);
+    let fix = removing(what);
     let what = quote(what);
     let message = text!(
         "{what} belongs to no attribute",
@@ -242,7 +242,7 @@ pub fn stray_in_tag(span: Span, what: &str) -> Diagnostic {
             "remove it, or write an attribute as `name=\"value\"`",
             "削除するか、`name=\"value\"` の形で属性を書いてください"
         ))
-        .mend(mend, span, "")
+        .fix(fix, span, "")
 }
 
 /// `</Row turn="L">`.
@@ -257,7 +257,7 @@ pub fn junk_in_end_tag(span: Span, what: &str) -> Diagnostic {
             "remove it; attributes stand in the start tag",
             "削除してください。属性は開始タグに書きます"
         ))
-        .mend(removing(what), span, "")
+        .fix(removing(what), span, "")
 }
 
 /// `< Row>`.
@@ -269,7 +269,7 @@ pub fn blank_before_name(span: Span) -> Diagnostic {
     );
     Diagnostic::error(219, span, message)
         .help(text!("remove the blank", "空白を削除してください"))
-        .mend(text!("Remove the blank", "空白を削除する"), span, "")
+        .fix(text!("Remove the blank", "空白を削除する"), span, "")
 }
 
 /// `/ >`.
@@ -281,7 +281,7 @@ pub fn blank_before_closing(span: Span) -> Diagnostic {
     );
     Diagnostic::error(219, span, message)
         .help(text!("write `/>`", "`/>` と書いてください"))
-        .mend(writing("/>"), span, "")
+        .fix(writing("/>"), span, "")
 }
 
 /// `a="1"b="2"`.
@@ -293,5 +293,5 @@ pub fn no_blank_between(span: Span) -> Diagnostic {
     );
     Diagnostic::error(219, span, message)
         .help(text!("put a blank here", "ここに空白を入れてください"))
-        .mend(text!("Put in a blank", "空白を入れる"), span, " ")
+        .fix(text!("Put in a blank", "空白を入れる"), span, " ")
 }

@@ -1,6 +1,6 @@
 //! Messages about the values of attributes.
 
-use super::mends::{offer, removing};
+use super::fixes::{offer, removing};
 use crate::diagnostic::messages::words::{any_of, quote};
 use crate::diagnostic::{Diagnostic, Text};
 use crate::source::Span;
@@ -11,15 +11,15 @@ const FEW: usize = 8;
 
 /// A value that is no number.
 #[cold]
-pub fn not_a_number(span: Span, name: &str, text: &str, mend: Option<&str>) -> Diagnostic {
-    let offered = mend;
+pub fn not_a_number(span: Span, name: &str, text: &str, fix: Option<&str>) -> Diagnostic {
+    let offered = fix;
     let (name, text) = (quote(name), quote(text));
     let message = text!(
         "{text} is no number for {name}",
         "{text} は {name} の数値として読めません"
     );
-    let found = Diagnostic::error(225, span, message).help(match mend.map(quote) {
-        Some(mend) => text!("write {mend}", "{mend} と書いてください"),
+    let found = Diagnostic::error(225, span, message).help(match fix.map(quote) {
+        Some(fix) => text!("write {fix}", "{fix} と書いてください"),
         None => text!(
             "write plain digits with a point, such as `9.5`, without a unit",
             "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
@@ -89,7 +89,7 @@ pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
 pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagnostic {
     let text = quote(text);
     let message = text!("{text} is no position", "{text} は位置になりません");
-    let mend = read.map(|(first, last)| match first < last {
+    let fix = read.map(|(first, last)| match first < last {
         true => format!("{first}-{last}"),
         false => first.to_string(),
     });
@@ -106,7 +106,7 @@ pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagn
             "位置は 1 から数えます。`2,5-7` のように書いてください"
         ),
     });
-    offer(found, span, mend.as_deref())
+    offer(found, span, fix.as_deref())
 }
 
 /// An empty value; `whole` = the attribute with the blanks before it, if it may be left out.
@@ -120,7 +120,7 @@ pub fn value_empty(span: Span, name: &str, whole: Option<Span>) -> Diagnostic {
         "値を書くか、属性を削除してください"
     ));
     match whole {
-        Some(whole) => found.mend(title, whole, ""),
+        Some(whole) => found.fix(title, whole, ""),
         None => found,
     }
 }
@@ -171,7 +171,7 @@ pub fn no_weight(span: Span, count: Option<usize>) -> Diagnostic {
     ));
     let title = text!("Give all the same weight", "すべて同じ重みにする");
     match count {
-        Some(count) => found.mend(title, span, vec!["1"; count.min(4096)].join(" ")),
+        Some(count) => found.fix(title, span, vec!["1"; count.min(4096)].join(" ")),
         None => found,
     }
 }

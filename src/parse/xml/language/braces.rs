@@ -1,11 +1,11 @@
 //! `{...}`: finding expressions in texts, and putting their values in their place.
 
-use super::super::tag::is_blank;
-use super::super::text::{REPORTED, Text};
-use super::{Maker, Scope, mends};
+use super::{Maker, Scope, fixes};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr::{self, Expr, Problem};
+use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::text::{REPORTED, Text};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -189,7 +189,7 @@ impl<'a> Maker<'a, '_> {
         let place = text.range(start + inner.start..start + inner.end);
         let whole = &text.as_str()[start..range.end - 1];
         let quoted = whole.get(inner.clone())?;
-        let compared = mends::is_compared(whole, &inner);
+        let compared = fixes::is_compared(whole, &inner);
         self.trouble(&trouble.problem, &place, (quoted, compared), scope);
         None
     }
@@ -215,9 +215,9 @@ impl<'a> Maker<'a, '_> {
                     at.end
                 };
                 let place = text.range(start + at.start..start + end);
-                let mend = self.mended(text, start..range.end - 1, &at);
+                let fix = self.fixed(text, start..range.end - 1, &at);
                 self.faults.at(&place, |s| {
-                    say::bad_expression(s, fault.wanted, quoted, mend)
+                    say::bad_expression(s, fault.wanted, quoted, fix)
                 });
             });
             found.ok().map(Rc::new)

@@ -32,9 +32,9 @@ impl<'a> Maker<'a, '_> {
             return branch;
         };
         if branch == Branch::None {
-            let mend = self.behind_the_if(spot, parent);
+            let fix = self.behind_the_if(spot, parent);
             self.faults
-                .at(&element.name_range, |s| say::else_without_if(s, mend));
+                .at(&element.name_range, |s| say::else_without_if(s, fix));
             return Branch::None;
         }
         let of = check(self.faults, &mut self.suggest, schema, element);

@@ -4,7 +4,7 @@
 //! A draw's key is the path that leads to it in what is made: the seed, the name or the number of the house, then for
 //! each element on the way its kind and its number among its like; last the number of the `random` in its element, or
 //! the name of the parameter. So only what stands beside it, or beside what it stands in, moves a draw. These keys are
-//! part of the language, as those of [`crate::draw`] are.
+//! part of the language, as those of [`crate::rng`] are.
 
 use super::super::read::check;
 use super::super::schema::{self, Tag};
@@ -12,7 +12,7 @@ use super::super::tree::Child;
 use super::{Maker, Scope, Spot};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::{parts, xml as say};
-use crate::draw::Place;
+use crate::rng::Place;
 use crate::source::Span;
 use crate::text;
 
@@ -162,16 +162,16 @@ impl<'a> Maker<'a, '_> {
             let child = match child {
                 Child::Element(index) => spot.child(*index),
                 Child::Text(text) => {
-                    let mend = self.chosen(&text.whole());
+                    let fix = self.chosen(&text.whole());
                     self.faults
-                        .at(&text.whole(), |s| say::beside_choices(s, mend));
+                        .at(&text.whole(), |s| say::beside_choices(s, fix));
                     continue;
                 }
             };
             if child.tag() != Some(Tag::Choice) {
                 let place = child.element().name_range.clone();
-                let mend = self.chosen(&child.element().range);
-                self.faults.at(&place, |s| say::beside_choices(s, mend));
+                let fix = self.chosen(&child.element().range);
+                self.faults.at(&place, |s| say::beside_choices(s, fix));
                 continue;
             }
             sum += self.weight(&child, scope);

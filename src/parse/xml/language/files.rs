@@ -11,7 +11,7 @@ use super::scope::Frame;
 use super::{Maker, Scope, Spot, is_language};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::is_readable;
-use crate::source::{NoText, Source, Span};
+use crate::source::{IncludeError, Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
@@ -88,11 +88,11 @@ impl<'a> Maker<'a, '_> {
         let (_, from) = self.faults.source_at(place.start);
         match self.setting.world.text(from.name(), href) {
             Ok(path) => Some(path),
-            Err(NoText::Outside) => {
+            Err(IncludeError::Outside) => {
                 self.faults.at(place, |s| say::include_outside(s, href));
                 None
             }
-            Err(NoText::Missing) => {
+            Err(IncludeError::Missing) => {
                 self.faults
                     .at(place, |s| say::include_missing(s, href, None));
                 None
@@ -138,8 +138,8 @@ impl<'a> Maker<'a, '_> {
     }
 
     fn source(&mut self, path: &str, place: &Range<usize>) -> Option<&'a Source> {
-        let shelf = self.setting.shelf;
-        if let Some(source) = shelf.find(path) {
+        let cache = self.setting.cache;
+        if let Some(source) = cache.find(path) {
             return Some(source);
         }
         let limit = self.setting.limits.bytes;
@@ -152,7 +152,7 @@ impl<'a> Maker<'a, '_> {
                 return None;
             }
         };
-        let source = shelf.add(path, &bytes);
+        let source = cache.add(path, &bytes);
         if source.is_none() {
             let limit = self.setting.limits.includes;
             self.faults.at(place, |s| say::too_many_includes(s, limit));

@@ -3,7 +3,7 @@
 use super::super::read::{Attributes, check};
 use super::super::schema::{self, Tag};
 use super::scope::Bound;
-use super::{Maker, Scope, Spot, mends};
+use super::{Maker, Scope, Spot, fixes};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr;
@@ -156,7 +156,7 @@ impl<'a> Maker<'a, '_> {
         }
         if let Some(before) = scope.bind(&name.value, Bound { value, place }) {
             self.faults.push(|| {
-                let free = mends::free(&name.value, |n| scope.value(n).is_some());
+                let free = fixes::free(&name.value, |n| scope.value(n).is_some());
                 say::named_twice(place, &name.value, before, &free)
             });
         }

@@ -3,13 +3,13 @@
 
 use super::super::read::check;
 use super::super::schema::{self, Tag};
-use super::super::tag::Attribute;
 use super::super::tree::{Child, Element};
 use super::names::Given;
 use super::scope::{Frame, Piece};
-use super::{ELEMENT, Maker, Scope, Spot, mends};
+use super::{ELEMENT, Maker, Scope, Spot, fixes};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
+use crate::parse::xml::tree::tag::Attribute;
 use crate::source::{Span, Spanned};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -47,7 +47,7 @@ impl<'a> Maker<'a, '_> {
         };
         if let Some(before) = scope.define(&name.value, piece) {
             self.faults.push(|| {
-                let free = mends::free(&name.value, |n| scope.piece(n).is_some());
+                let free = fixes::free(&name.value, |n| scope.piece(n).is_some());
                 say::named_twice(place, &name.value, before, &free)
             });
         }
@@ -57,9 +57,9 @@ impl<'a> Maker<'a, '_> {
     pub(super) fn use_piece(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let element = spot.element();
         if let Some(Child::Element(_) | Child::Text(_)) = element.children.first() {
-            let mend = self.emptied(element);
+            let fix = self.emptied(element);
             self.faults
-                .at(&element.name_range, |s| say::use_with_content(s, mend));
+                .at(&element.name_range, |s| say::use_with_content(s, fix));
         }
         let Some(name) = self.piece_name(element, scope) else {
             return;

@@ -2,9 +2,9 @@
 //! without parapets; so a repetition of storeys in which it stands is written out here, and each copy bears its own.
 //! So is a repetition in which something is drawn, since each round draws for itself.
 
-use super::super::text::Text;
 use super::super::tree::Child;
 use super::{Maker, Scope, Spot};
+use crate::parse::xml::tree::text::Text;
 use std::cell::Cell;
 
 /// How far the storeys of a house or a facade are counted.

@@ -5,7 +5,7 @@ use super::kinds::Kind::{
 };
 use super::kinds::{Bears, Kind, join, may, must, words};
 use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
-use crate::parse::xml::{facades, fittings, house, roofs};
+use crate::parse::xml::read::{facades, fittings, house, roofs};
 
 /// Further from the origin than any house of this world in metres, and further than any wall in U or shaku.
 const FAR: f64 = 1e8;

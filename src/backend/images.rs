@@ -1,0 +1,290 @@
+//! The pictures that outputs carry: those of the drawn surfaces, and part pictures made fit for glTF.
+//!
+//! glTF takes PNG and JPEG. A part picture in a sound file of either is copied byte by byte; one that only a
+//! patient decoder reads (printing colours, a missing end) is encoded anew as PNG; anything else is refused.
+
+use crate::backend::{Images, PictureBytes, SurfaceFiles};
+use crate::scene::Baked;
+use crate::source::World;
+use crate::texture;
+use std::borrow::Cow;
+use std::io::Cursor;
+
+/// How a PNG begins.
+pub(crate) const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+/// How a JPEG begins.
+pub(crate) const JPEG: &[u8] = b"\xff\xd8\xff";
+
+/// The media type of pictures for graphics cards.
+pub const KTX2: &str = "image/ktx2";
+
+/// Why a part picture is not in the output.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The file cannot be read; why.
+    Unreadable(String),
+    /// Neither PNG nor JPEG, or damaged.
+    NoPicture,
+    /// More pixels than the limit.
+    TooLarge(u64),
+}
+
+/// All pictures of a scene.
+#[derive(Clone, Debug, Default)]
+pub struct Library {
+    parts: Vec<Option<(String, Vec<u8>)>>,
+    baked: Vec<Page>,
+    mirrored: Vec<(String, Vec<u8>)>,
+}
+
+/// The files of a page of baked pictures: colour, normals, gloss.
+type Page = [(String, Vec<u8>); 3];
+
+impl Library {
+    /// Loads part pictures; `trouble` hears of each that cannot be shown, by its index.
+    pub fn load(
+        paths: &[String],
+        world: &dyn World,
+        pixels: u64,
+        mut trouble: impl FnMut(usize, Trouble),
+    ) -> Library {
+        let one = |(i, path): (usize, &String)| {
+            let read = world.picture_bytes(path);
+            let bytes = read.map_err(|e| Trouble::Unreadable(e.to_string()));
+            let file = bytes.and_then(|b| fit(path, b, pixels));
+            file.map_err(|t| trouble(i, t)).ok()
+        };
+        Library {
+            parts: paths.iter().enumerate().map(one).collect(),
+            baked: vec![],
+            mirrored: vec![],
+        }
+    }
+
+    /// Takes the pictures that were baked for a scene.
+    pub fn bake(&mut self, pages: &[Baked]) {
+        self.baked = pages.iter().enumerate().map(page).collect();
+    }
+
+    /// Takes the pictures of what walls mirror.
+    pub fn mirror(&mut self, pictures: &[image::RgbImage]) {
+        let one = |(n, picture): (usize, &image::RgbImage)| {
+            (
+                format!("mirrored_{}.jpg", n + 1),
+                texture::jpeg(picture, 90),
+            )
+        };
+        self.mirrored = pictures.iter().enumerate().map(one).collect();
+    }
+
+    /// A part picture point by point, by its index.
+    pub fn pixels(&self, index: u32) -> Option<image::RgbImage> {
+        let (_, bytes) = self.parts.get(index as usize)?.as_ref()?;
+        Some(image::load_from_memory(bytes).ok()?.into_rgb8())
+    }
+}
+
+/// The files of a page; pictures with holes need a format that has them.
+fn page((index, baked): (usize, &Baked)) -> Page {
+    let stem = format!("joinery_{}", index + 1);
+    let color = image::DynamicImage::ImageRgba8(baked.color.clone());
+    let color = match baked.holes {
+        true => (format!("{stem}_color.png"), texture::png(color, false)),
+        false => (
+            format!("{stem}_color.jpg"),
+            texture::jpeg(&color.into_rgb8(), 90),
+        ),
+    };
+    [
+        color,
+        (
+            format!("{stem}_normal.jpg"),
+            texture::jpeg(&baked.normal, 92),
+        ),
+        (
+            format!("{stem}_orm.png"),
+            texture::png(baked.orm.clone().into(), false),
+        ),
+    ]
+}
+
+impl Images for Library {
+    fn files(&self, look: &str) -> Option<SurfaceFiles<'_>> {
+        let (surface, look) = texture::look(look)?;
+        let file = |name: String| {
+            Some(PictureBytes {
+                bytes: texture::embedded(&name)?,
+                name: Cow::Owned(name),
+            })
+        };
+        Some(SurfaceFiles {
+            metres: surface.metres,
+            color: file(look.color_file())?,
+            normal: file(surface.normal_file()),
+            orm: file(surface.orm_file()),
+        })
+    }
+
+    fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>> {
+        let page = self.baked.get(index as usize)?;
+        let [color, normal, orm] = page.each_ref().map(|(name, bytes)| PictureBytes {
+            name: Cow::Borrowed(name),
+            bytes,
+        });
+        Some(SurfaceFiles {
+            metres: 1.0,
+            color,
+            normal: Some(normal),
+            orm: Some(orm),
+        })
+    }
+
+    fn mirrored(&self, index: u32) -> Option<PictureBytes<'_>> {
+        let (name, bytes) = self.mirrored.get(index as usize)?;
+        Some(PictureBytes {
+            name: Cow::Borrowed(name),
+            bytes,
+        })
+    }
+
+    fn picture(&self, index: u32) -> Option<PictureBytes<'_>> {
+        let (name, bytes) = self.parts.get(index as usize)?.as_ref()?;
+        Some(PictureBytes {
+            name: Cow::Borrowed(name),
+            bytes,
+        })
+    }
+}
+
+/// The media type of a picture by its first bytes.
+pub fn mime(bytes: &[u8]) -> Option<&'static str> {
+    if bytes.starts_with(PNG) {
+        Some("image/png")
+    } else if bytes.starts_with(JPEG) {
+        Some("image/jpeg")
+    } else if bytes.starts_with(b"\xabKTX 20\xbb\r\n\x1a\n") {
+        Some(KTX2)
+    } else {
+        None
+    }
+}
+
+/// A file as glTF takes it, named after its content.
+fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trouble> {
+    let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let reader = image::ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
+    let size = reader.ok().and_then(|r| r.into_dimensions().ok());
+    let (width, height) = size.ok_or(Trouble::NoPicture)?;
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels > limit {
+        return Err(Trouble::TooLarge(pixels));
+    }
+    if whole_png(&bytes) {
+        return Ok((format!("{stem}.png"), bytes));
+    }
+    if whole_jpeg(&bytes) {
+        return Ok((format!("{stem}.jpg"), bytes));
+    }
+    let picture = image::load_from_memory(&bytes).map_err(|_| Trouble::NoPicture)?;
+    let mut encoded = Cursor::new(vec![]);
+    let written = picture.write_to(&mut encoded, image::ImageFormat::Png);
+    written.map_err(|_| Trouble::NoPicture)?;
+    Ok((format!("{stem}.png"), encoded.into_inner()))
+}
+
+/// Whether the end of a PNG or JPEG is missing.
+pub(crate) fn is_cut(bytes: &[u8]) -> bool {
+    bytes.starts_with(PNG) && !whole_png(bytes) || bytes.starts_with(JPEG) && !ends(bytes)
+}
+
+/// Whether every chunk of a PNG is there.
+fn whole_png(bytes: &[u8]) -> bool {
+    let Some(mut rest) = bytes.strip_prefix(PNG) else {
+        return false;
+    };
+    loop {
+        let Some((length, after)) = rest.split_first_chunk::<4>() else {
+            return false;
+        };
+        // Type, data, checksum.
+        let size = u32::from_be_bytes(*length) as usize + 8;
+        if after.len() < size {
+            return false;
+        }
+        if after.starts_with(b"IEND") {
+            return true;
+        }
+        rest = &after[size..];
+    }
+}
+
+/// Whether a JPEG has an end, which other things may follow.
+fn ends(jpeg: &[u8]) -> bool {
+    let mut pairs = jpeg.windows(2).rev().take(4096);
+    pairs.any(|pair| pair == b"\xff\xd9")
+}
+
+/// Whether a JPEG has one or three channels of eight bits and an end.
+fn whole_jpeg(bytes: &[u8]) -> bool {
+    let Some(mut rest) = bytes.strip_prefix(b"\xff\xd8") else {
+        return false;
+    };
+    while let [0xff, marker, high, low, after @ ..] = rest {
+        let length = usize::from(u16::from_be_bytes([*high, *low]));
+        match marker {
+            0xff => rest = &rest[1..], // padding before a marker
+            0xc0..=0xc2 => {
+                let (depth, channels) = (after.first(), after.get(5));
+                return ends(bytes) && depth == Some(&8) && matches!(channels, Some(1 | 3));
+            }
+            _ if length < 2 || rest.len() < length + 2 => return false,
+            _ => rest = &rest[length + 2..],
+        }
+    }
+    false
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::backend::images::*;
+
+    fn encoded(format: image::ImageFormat) -> Vec<u8> {
+        let mut out = Cursor::new(vec![]);
+        let picture = image::RgbImage::from_pixel(4, 2, image::Rgb([200, 100, 50]));
+        picture.write_to(&mut out, format).expect("memory takes it");
+        out.into_inner()
+    }
+
+    #[test]
+    fn sound_files_are_copied() {
+        let (png, jpeg) = (
+            encoded(image::ImageFormat::Png),
+            encoded(image::ImageFormat::Jpeg),
+        );
+        assert_eq!(
+            fit("a/戸.jpg", png.clone(), 8),
+            Ok(("戸.png".into(), png.clone()))
+        );
+        assert_eq!(fit("戸.PNG", jpeg.clone(), 8), Ok(("戸.jpg".into(), jpeg)));
+        assert_eq!(fit("戸.png", png, 7), Err(Trouble::TooLarge(8)));
+    }
+
+    #[test]
+    fn damaged_files_are_encoded_anew_or_refused() {
+        let mut open = encoded(image::ImageFormat::Jpeg);
+        open.truncate(open.len() - 2);
+        let fixed = fit("a.jpg", open, 8);
+        assert!(
+            matches!(&fixed, Ok((name, bytes)) if name == "a.png" && whole_png(bytes)),
+            "{fixed:?}"
+        );
+        let mut cut = encoded(image::ImageFormat::Png);
+        cut.truncate(40);
+        assert_eq!(fit("a.png", cut, 8), Err(Trouble::NoPicture));
+        assert_eq!(
+            fit("a.png", b"BM not a picture".to_vec(), 8),
+            Err(Trouble::NoPicture)
+        );
+    }
+}

@@ -1,0 +1,152 @@
+//! Reading the inputs.
+
+use crate::cli::Stop;
+use crate::cli::files::reason;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::file as say;
+use crate::source::{FileId, Source};
+use crate::text;
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
+use std::path::{Path, PathBuf};
+
+/// The name that stands for standard input, and for standard output.
+pub(in crate::cli) const STDIN: &str = "-";
+
+/// Files as they were read.
+#[derive(Debug)]
+pub(in crate::cli) struct Inputs {
+    /// One a file, numbered in order.
+    pub(in crate::cli) sources: Vec<Source>,
+    /// Whether a file is over the limit or cannot be read: its source is empty, and a message says so.
+    refused: Vec<bool>,
+    /// The first file that could not be read.
+    failure: Option<Stop>,
+}
+
+impl Inputs {
+    /// Reads files; all of them must be readable.
+    pub(in crate::cli) fn read(
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        Inputs::from(0, paths, limit, out)
+    }
+
+    /// The same of files that are numbered from `first` on.
+    pub(in crate::cli) fn from(
+        first: usize,
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        let mut inputs = Inputs::numbered(first, paths, limit, out)?;
+        inputs.failure.take().map_or(Ok(inputs), Err)
+    }
+
+    /// Whether a file could not be read.
+    pub(in crate::cli) fn failed(&self) -> bool {
+        self.failure.is_some()
+    }
+
+    /// Reads what can be read; a message tells of each file that cannot.
+    pub(in crate::cli) fn readable(
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        Inputs::numbered(0, paths, limit, out)
+    }
+
+    fn numbered(
+        first: usize,
+        paths: &[PathBuf],
+        limit: usize,
+        out: &mut Diagnostics,
+    ) -> Result<Inputs, Stop> {
+        let mut inputs = Inputs {
+            sources: vec![],
+            refused: vec![],
+            failure: None,
+        };
+        for (path, number) in paths.iter().zip(first..) {
+            let id = u16::try_from(number).map_err(|_| {
+                Stop::Usage(text!(
+                    "too many inputs: 65,536 files can be read in one run",
+                    "入力が多すぎます。一度に読めるのは 65,536 ファイルまでです"
+                ))
+            })?;
+            let shown = if path.as_os_str() == STDIN {
+                "<stdin>".to_owned()
+            } else {
+                path.display().to_string()
+            };
+            let (bytes, size, failure) = match read(path, limit) {
+                Ok((bytes, size)) => (bytes, size, None),
+                Err(error) => (vec![], 0, Some(error)),
+            };
+            let source = Source::new(FileId(id), shown.as_str(), &bytes);
+            let start = source.span(0..0);
+            inputs.refused.push(size > limit || failure.is_some());
+            if size > limit {
+                out.push(say::too_large(start, size, limit));
+            }
+            if let Some(error) = failure {
+                out.push(say::unreadable(start, reason::of(&error)));
+                inputs.failure.get_or_insert(Stop::at(&shown, error));
+            }
+            inputs.sources.push(source);
+        }
+        Ok(inputs)
+    }
+
+    /// Whether each source is to be taken, in order.
+    pub(in crate::cli) fn taken(&self) -> impl Iterator<Item = bool> {
+        self.refused.iter().map(|refused| !refused)
+    }
+
+    /// The sources and those that were read besides, for a report.
+    pub(in crate::cli) fn and(self, included: Vec<Source>) -> Vec<Source> {
+        let mut sources = self.sources;
+        sources.extend(included);
+        sources
+    }
+
+    /// The sources that are to be compiled.
+    pub(in crate::cli) fn accepted(&self) -> Vec<&Source> {
+        let both = self.sources.iter().zip(&self.refused);
+        both.filter(|(_, refused)| !**refused)
+            .map(|(s, _)| s)
+            .collect()
+    }
+}
+
+/// The bytes of a file, and how many it has; none are read where they are too many.
+fn read(path: &Path, limit: usize) -> io::Result<(Vec<u8>, usize)> {
+    let mut bytes = vec![];
+    if path.as_os_str() == STDIN {
+        let stdin = io::stdin().lock();
+        stdin.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    } else {
+        let file = File::open(path)?;
+        let kind = file.metadata()?;
+        if kind.is_dir() {
+            let why = text!(
+                "is a folder; name the texts in it",
+                "フォルダーです。中のテキストを指定してください"
+            );
+            return Err(reason::error(ErrorKind::Other, why));
+        }
+        if kind.len() > limit as u64 {
+            return Ok((vec![], usize::try_from(kind.len()).unwrap_or(usize::MAX)));
+        }
+        // A pipe or a growing file says nothing of its size.
+        file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+    }
+    let size = bytes.len();
+    if size > limit {
+        bytes.clear();
+    }
+    Ok((bytes, size))
+}

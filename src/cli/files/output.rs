@@ -1,0 +1,253 @@
+//! Writing outputs: every file under a temporary name first, then all renamed. A reader sees the old file or
+//! the new one, never a part of it.
+
+use crate::backend::gltf::{self, Glb};
+use crate::backend::{Images, OutFile, obj, stl};
+use crate::cli::Stop;
+use crate::cli::files::input::STDIN;
+use crate::cli::files::reason;
+use crate::diagnostic::Text;
+use crate::scene::Scene;
+use crate::text;
+use clap::ValueEnum;
+use std::borrow::Cow;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// The formats of models.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum Model {
+    /// glTF in one file.
+    #[default]
+    Glb,
+    /// glTF as text, with its buffer and pictures beside it.
+    Gltf,
+    /// OBJ with MTL and pictures beside it.
+    Obj,
+    /// STL for printing, in millimetres.
+    Stl,
+}
+
+impl Model {
+    pub(in crate::cli) fn ending(self) -> &'static str {
+        match self {
+            Model::Glb => "glb",
+            Model::Gltf => "gltf",
+            Model::Obj => "obj",
+            Model::Stl => "stl",
+        }
+    }
+
+    /// The format that the ending of a file name stands for.
+    pub(in crate::cli) fn of_ending(path: &Path) -> Option<Model> {
+        let ending = path.extension()?;
+        let mut all = [Model::Glb, Model::Gltf, Model::Obj, Model::Stl].into_iter();
+        all.find(|m| ending.eq_ignore_ascii_case(m.ending()))
+    }
+
+    /// The format of an output; `.glb` for a device or a pipe, whose name has no ending.
+    pub(in crate::cli) fn of(path: &Path) -> Result<Model, Stop> {
+        let device = || fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir());
+        if let Some(model) = Model::of_ending(path) {
+            return Ok(model);
+        }
+        if path.extension().is_none() && device() {
+            return Ok(Model::Glb);
+        }
+        let shown = path.display();
+        let folder = match path.extension() {
+            None => text!(
+                "; if it is to be a folder, write `{shown}/`",
+                "。フォルダーなら `{shown}/` と書いてください"
+            ),
+            Some(_) => Text::default(),
+        };
+        Err(Stop::Usage(text!([folder]
+            "{shown}: models end in .glb, .gltf, .obj or .stl{folder}",
+            "{shown}: モデルの拡張子は .glb、.gltf、.obj、.stl のどれかです{folder}"
+        )))
+    }
+
+    /// All files of a model; `path` names the main one.
+    pub(in crate::cli) fn files<'a>(
+        self,
+        scene: &'a Scene,
+        images: &'a dyn Images,
+        path: &Path,
+        beside: bool,
+    ) -> Files<'a> {
+        let stem = path
+            .file_stem()
+            .map(|s| s.to_string_lossy())
+            .unwrap_or_default();
+        match self {
+            Model::Glb if beside => {
+                let (glb, beside) = Glb::beside(scene, images, &stem);
+                Files {
+                    main: Content::Glb(Box::new(glb)),
+                    beside,
+                }
+            }
+            Model::Glb => Files::glb(Glb::inside(scene, images)),
+            Model::Gltf => Files::of(gltf::gltf(scene, images, &stem)),
+            Model::Obj => Files::of(obj::obj(scene, images, &stem)),
+            Model::Stl => Files::one(Content::Bytes(stl::stl(scene).into())),
+        }
+    }
+}
+
+/// The files of a model.
+pub(in crate::cli) struct Files<'a> {
+    main: Content<'a>,
+    /// What the main one refers to.
+    beside: Vec<OutFile<'a>>,
+}
+
+impl<'a> Files<'a> {
+    fn one(main: Content<'a>) -> Files<'a> {
+        Files {
+            main,
+            beside: vec![],
+        }
+    }
+
+    /// One model with everything inside.
+    pub(in crate::cli) fn glb(glb: Glb<'a>) -> Files<'a> {
+        Files::one(Content::Glb(Box::new(glb)))
+    }
+
+    /// One file of these bytes.
+    pub(in crate::cli) fn bytes(bytes: Vec<u8>) -> Files<'a> {
+        Files::one(Content::Bytes(bytes.into()))
+    }
+
+    /// Of a list whose last file is the main one.
+    fn of(mut list: Vec<OutFile<'a>>) -> Files<'a> {
+        let main = list.pop().map(|f| f.bytes).unwrap_or_default();
+        Files {
+            main: Content::Bytes(main),
+            beside: list,
+        }
+    }
+}
+
+/// What a file holds, or how it is made.
+enum Content<'a> {
+    Bytes(Cow<'a, [u8]>),
+    /// Made while it is written: a town's is larger than all that it is made of.
+    Glb(Box<Glb<'a>>),
+}
+
+impl Content<'_> {
+    /// Writes it to a file that is no pipe; returns how many bytes there are.
+    fn fill(&self, file: &mut fs::File) -> io::Result<u64> {
+        match self {
+            Content::Bytes(bytes) => file.write_all(bytes).map(|()| bytes.len() as u64),
+            Content::Glb(glb) => glb.write(file),
+        }
+    }
+
+    /// Writes it to what only runs forwards.
+    fn pour(&self, out: &mut impl Write) -> io::Result<u64> {
+        match self {
+            Content::Bytes(bytes) => out.write_all(bytes).map(|()| bytes.len() as u64),
+            Content::Glb(glb) => {
+                let mut made = io::Cursor::new(vec![]);
+                let length = glb.write(&mut made)?;
+                out.write_all(made.get_ref()).map(|()| length)
+            }
+        }
+    }
+}
+
+/// Puts the files of a model beside `path`; returns how many bytes they have.
+pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> {
+    if path.as_os_str() == STDIN {
+        let mut out = io::stdout().lock();
+        let length = files.main.pour(&mut out)?;
+        out.flush()?;
+        return Ok(length);
+    }
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let beside = files.beside.into_iter();
+    let beside = beside.map(|f| (folder.join(&f.name), Content::Bytes(f.bytes)));
+    // The main file keeps a name that is no UTF-8.
+    let main = (path.to_owned(), files.main);
+    let (mut ready, mut length) = (vec![], 0);
+    for (target, content) in beside.chain([main]) {
+        let prepared = prepare(&target, &content);
+        let (bytes, file) = prepared.map_err(|e| Stop::at(target.display(), e))?;
+        length += bytes;
+        ready.extend(file);
+    }
+    for (temporary, target) in ready {
+        let renamed = temporary.persist(&target);
+        renamed.map_err(|e| Stop::at(target.display(), e.error))?;
+    }
+    Ok(length)
+}
+
+/// A whole file under a temporary name in the folder of its target, and the target with links followed.
+/// What is no file (a device, a pipe) is written at once. Says how many bytes there are.
+fn prepare(
+    target: &Path,
+    content: &Content<'_>,
+) -> io::Result<(u64, Option<(NamedTempFile, PathBuf)>)> {
+    let mut rights = None;
+    let target = match fs::metadata(target) {
+        Ok(known) if known.is_dir() => {
+            let why = text!("is a folder", "フォルダーです");
+            return Err(reason::error(io::ErrorKind::Other, why));
+        }
+        Ok(known) if !known.is_file() => {
+            let mut device = fs::OpenOptions::new().write(true).open(target)?;
+            return Ok((content.pour(&mut device)?, None));
+        }
+        Ok(known) => {
+            rights = Some(known.permissions());
+            target.canonicalize()?
+        }
+        Err(_) => target.to_owned(),
+    };
+    let folder = match target.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    // Other folders are not made: a misspelt output should not grow a tree.
+    if folder.to_string_lossy().ends_with("_textures") && !folder.exists() {
+        fs::create_dir(folder)?;
+    }
+    if !folder.is_dir() {
+        let shown = folder.display();
+        let why = text!(
+            "there is no folder {shown}",
+            "フォルダー {shown} がありません"
+        );
+        return Err(reason::error(io::ErrorKind::NotFound, why));
+    }
+    // The temporary name, which these errors would tell, is nothing to the reader.
+    let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
+    let length = content.fill(file.as_file_mut())?;
+    // A file keeps what its owner allows others.
+    if let Some(rights) = rights {
+        file.as_file().set_permissions(rights)?;
+    }
+    Ok((length, Some((file, target))))
+}
+
+/// A file that others may read, as if it had been made under its final name.
+fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".hsd-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        builder.permissions(fs::Permissions::from_mode(0o666)); // less the user's mask
+    }
+    builder.tempfile_in(folder)
+}

@@ -1,0 +1,67 @@
+//! What the screen can show.
+
+use crate::diagnostic::{Noun, Text, noun};
+use crate::report::Style;
+use crate::text;
+use std::io::IsTerminal;
+
+/// Columns where the terminal does not say.
+const WIDTH: usize = 100;
+
+/// How reports look on a stream: colours only on a terminal, and never against `NO_COLOR`.
+pub(in crate::cli) fn style(stream: &impl IsTerminal) -> Style {
+    let set = |name: &str| std::env::var_os(name).is_some_and(|v| !v.is_empty());
+    let dumb = std::env::var_os("TERM").is_some_and(|t| t == "dumb");
+    let columns = std::env::var("COLUMNS").ok().and_then(|c| c.parse().ok());
+    Style {
+        color: stream.is_terminal() && !set("NO_COLOR") && !dumb,
+        width: columns.unwrap_or(WIDTH),
+    }
+}
+
+/// The columns a text takes on a screen: two for Han, kana and full-width forms, none for marks above others.
+pub(in crate::cli) fn width(text: &str) -> usize {
+    text.chars().map(columns).sum()
+}
+
+fn columns(c: char) -> usize {
+    match c as u32 {
+        0x0300..=0x036f | 0x3099 | 0x309a | 0x200b..=0x200f | 0xfe00..=0xfe0f => 0,
+        0x1100..=0x115f | 0x2e80..=0x303e | 0x3041..=0xa4cf | 0xac00..=0xd7a3 => 2,
+        0xf900..=0xfaff | 0xfe30..=0xfe6f | 0xff01..=0xff60 | 0xffe0..=0xffe6 => 2,
+        0x1f300..=0x1faff | 0x20000..=0x3fffd => 2,
+        _ => 1,
+    }
+}
+
+/// A text and blanks up to a column.
+pub(in crate::cli) fn padded(text: &str, columns: usize) -> String {
+    let blanks = columns.saturating_sub(width(text));
+    format!("{text}{}", " ".repeat(blanks))
+}
+
+/// `1.2 MB`.
+pub(in crate::cli) fn bytes(count: usize) -> Text {
+    match count {
+        0..1_000 => text!("{count} bytes", "{count} バイト"),
+        1_000..1_000_000 => format!("{:.1} kB", count as f64 / 1e3).into(),
+        _ => format!("{:.1} MB", count as f64 / 1e6).into(),
+    }
+}
+
+/// Files, to be counted.
+pub(in crate::cli) const FILE: Noun = noun("file", "{}ファイル");
+
+/// Houses, to be counted.
+pub(in crate::cli) const HOUSE: Noun = noun("house", "家{}軒");
+
+/// `1 house`, `2 houses`; the Japanese noun has `{}` where the number stands.
+pub(in crate::cli) fn counted(count: usize, Noun { en, ja }: Noun) -> Text {
+    let plural = match (count, en.ends_with('h')) {
+        (1, _) => "",
+        (_, true) => "es",
+        (_, false) => "s",
+    };
+    let ja = ja.replace("{}", &count.to_string());
+    text!("{count} {en}{plural}", "{ja}")
+}

@@ -1,0 +1,58 @@
+//! What many mends of the XML form say and write.
+
+use crate::diagnostic::messages::words::quote;
+use crate::diagnostic::{Diagnostic, Text};
+use crate::source::Span;
+use crate::text;
+
+/// "Write `depth`".
+pub(super) fn writing(word: &str) -> Text {
+    let word = quote(word);
+    text!("Write {word}", "{word} と書く")
+}
+
+/// "Remove `depth`".
+pub(super) fn removing(word: &str) -> Text {
+    let word = quote(word);
+    text!("Remove {word}", "{word} を削除する")
+}
+
+/// "Put in `>`".
+pub(super) fn putting_in(word: &str) -> Text {
+    let word = quote(word);
+    text!("Put in {word}", "{word} を入れる")
+}
+
+/// Offers words in the place of a value or a piece of it.
+pub(in crate::diagnostic::messages) fn offer<'w>(
+    found: Diagnostic,
+    span: Span,
+    words: impl IntoIterator<Item = &'w str>,
+) -> Diagnostic {
+    let offered = |found: Diagnostic, word| found.fix(writing(word), span, escaped(word));
+    words.into_iter().fold(found, offered)
+}
+
+/// A word as it stands in a file: in a text, or in a value with quotes of either kind.
+pub(super) fn escaped(word: &str) -> String {
+    let mut text = String::with_capacity(word.len());
+    for c in word.chars() {
+        match c {
+            '&' => text.push_str("&amp;"),
+            '<' => text.push_str("&lt;"),
+            '"' => text.push_str("&quot;"),
+            '\'' => text.push_str("&apos;"),
+            c => text.push(c),
+        }
+    }
+    text
+}
+
+/// Offers to make a comment of what stands in a file, if it can be one.
+pub(super) fn offer_comment(found: Diagnostic, span: Span, written: &str) -> Diagnostic {
+    if written.contains("--") || written.contains("<!") || written.contains("]]>") {
+        return found;
+    }
+    let title = text!("Make it a comment", "注釈にする");
+    found.fix(title, span, format!("<!-- {written} -->"))
+}

@@ -1,0 +1,87 @@
+//! Texts that others include, on disk. A name leads from the folder of the text in which it stands, and never out of
+//! the root folder of the build: neither by `..` nor by links.
+
+use crate::source::IncludeError;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Component, Path, PathBuf};
+
+/// Folders below which everything lies that may be read.
+#[derive(Debug, Default)]
+pub(super) struct Roots {
+    list: Vec<PathBuf>,
+}
+
+impl Roots {
+    pub(super) fn new(list: Vec<PathBuf>) -> Roots {
+        Roots { list }
+    }
+
+    /// The path of what the text of this name includes.
+    pub(super) fn find(&self, from: &str, href: &str) -> Result<String, IncludeError> {
+        let folder = Path::new(from).parent().unwrap_or(Path::new(""));
+        let mut path = folder.to_owned();
+        for part in Path::new(href).components() {
+            match part {
+                Component::Normal(name) => path.push(name),
+                Component::CurDir => {}
+                Component::ParentDir if ends_in_name(&path) => {
+                    path.pop();
+                }
+                Component::ParentDir => path.push(".."),
+                Component::RootDir | Component::Prefix(_) => return Err(IncludeError::Outside),
+            }
+        }
+        // What lies above the root is never opened.
+        let roots: Vec<PathBuf> = self.list.iter().filter_map(|r| real(r)).collect();
+        let folder = real(path.parent().unwrap_or(Path::new("")));
+        let inside = |p: &Path| roots.iter().any(|r| p.starts_with(r));
+        match folder {
+            Some(folder) if !inside(&folder) => return Err(IncludeError::Outside),
+            Some(_) => {}
+            None => return Err(IncludeError::Missing),
+        }
+        match real(&path) {
+            Some(found) if !inside(&found) => Err(IncludeError::Outside),
+            Some(found) if found.is_file() => {
+                let name = path.to_str().map(str::to_owned);
+                name.ok_or(IncludeError::Missing)
+            }
+            _ => Err(IncludeError::Missing),
+        }
+    }
+
+    /// Whether a path leads to a file below a root.
+    pub(super) fn hold(&self, path: &Path) -> bool {
+        real(path).is_some_and(|p| self.inside(&p))
+    }
+
+    fn inside(&self, real_path: &Path) -> bool {
+        let mut roots = self.list.iter().filter_map(|r| real(r));
+        roots.any(|r| real_path.starts_with(r)) && real_path.is_file()
+    }
+
+    /// The bytes of a text that was found; at most `limit`, and one more where there are more.
+    pub(super) fn bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
+        let Some(found) = real(Path::new(path)).filter(|p| self.inside(p)) else {
+            let message = "it lies outside the root folder";
+            return Err(io::Error::new(io::ErrorKind::NotFound, message));
+        };
+        let mut bytes = vec![];
+        let file = File::open(found)?;
+        file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+}
+
+fn ends_in_name(path: &Path) -> bool {
+    matches!(path.components().next_back(), Some(Component::Normal(_)))
+}
+
+/// A path with all links followed.
+fn real(path: &Path) -> Option<PathBuf> {
+    if path.as_os_str().is_empty() {
+        return Path::new(".").canonicalize().ok();
+    }
+    path.canonicalize().ok()
+}

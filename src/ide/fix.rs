@@ -1,0 +1,65 @@
+//! All mends of a text at once. A mend may bring to light what the mistake had hidden, so mended texts are read again and
+//! mended again, and the best of them is taken: one that is no better than the text as it is, is nobody's wish.
+
+use crate::diagnostic::{self, Severity};
+use crate::ide::Analysis;
+use crate::ide::format::{Edit, edits};
+use crate::source::Span;
+use std::collections::BTreeMap;
+
+/// How bad a text is: errors, then everything that is said of it.
+fn badness(a: &Analysis) -> (usize, usize) {
+    let errors = a.diagnostics.iter();
+    let errors = errors.filter(|d| d.severity == Severity::Error).count();
+    (errors, a.diagnostics.len())
+}
+
+/// How many mends make a text better, and what they change; `None` where none do. `read` analyses a text in the place of
+/// this one, at most `rounds` times.
+pub fn fix_all(
+    a: &Analysis,
+    read: &dyn Fn(&str) -> Analysis,
+    rounds: usize,
+) -> Option<(usize, Vec<Edit>)> {
+    let (mut least, mut best) = (badness(a), None);
+    let (mut count, mut last): (usize, Option<Analysis>) = (0, None);
+    for _ in 0..rounds {
+        let Some((text, done)) = round(last.as_ref().unwrap_or(a)) else {
+            break;
+        };
+        count += done;
+        let next = read(&text);
+        let bad = badness(&next);
+        if bad < least {
+            least = bad;
+            best = Some((count, text));
+        }
+        last = Some(next);
+    }
+    let (count, text) = best?;
+    Some((count, edits(a.text(), &text)))
+}
+
+/// A text after the first mend of each message, as many as do not touch one another, and how many those are.
+fn round(a: &Analysis) -> Option<(String, usize)> {
+    // By their ends: none of them meets another.
+    let mut taken: BTreeMap<u32, (u32, &diagnostic::Edit)> = BTreeMap::new();
+    let mut count = 0;
+    for fix in a.diagnostics.iter().filter_map(|d| d.fixes.first()) {
+        let spans = || fix.edits.iter().map(|e| e.span);
+        let own = spans().all(|s| s.file == a.source.id());
+        let meets = |s: Span| {
+            let next = taken.range(s.start..).next();
+            next.is_some_and(|(_, (start, _))| *start <= s.end)
+        };
+        if own && !spans().any(meets) {
+            taken.extend(fix.edits.iter().map(|e| (e.span.end, (e.span.start, e))));
+            count += 1;
+        }
+    }
+    let mut text = a.text().to_owned();
+    for (_, edit) in taken.values().rev() {
+        text.replace_range(a.source.text_range(edit.span), &edit.text);
+    }
+    (count > 0).then_some((text, count))
+}

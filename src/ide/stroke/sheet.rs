@@ -1,0 +1,359 @@
+//! A text as a sheet to draw on: which cells the line of a wall is made of, and which of them a stroke may change.
+//!
+//! A [`Cell`] is what can be changed for itself: a code, a `Part`, a `repeat` of one code. Everything else that makes
+//! parts is a block, which may be left, moved or taken away as a whole. Cells stand in the order of the text and do not
+//! touch what stands between them: comments, line breaks, blanks.
+
+mod cells;
+mod reason;
+
+pub(in crate::ide) use reason::Reason;
+
+use crate::building::{Ring, Wall};
+use crate::ide::Analysis;
+use crate::parse::legacy::LineKind;
+use crate::parse::outline::{Element, Outline};
+use crate::source::{FileId, Span};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Where the line of a wall stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::ide) enum Home {
+    /// A line of the legacy form.
+    Line(usize),
+    /// A `Row` or `Floor`.
+    Element(usize),
+}
+
+/// How a cell is written.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::ide) enum Form {
+    /// A code in its columns.
+    Code,
+    /// A `Part`.
+    Part(usize),
+    /// A `repeat` of plain parts, so many times; where the number stands.
+    Run(Range<usize>, u32),
+    /// Anything else.
+    Block,
+}
+
+/// What a cell makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::ide) enum What {
+    /// Nothing: the walk goes on.
+    Void,
+    /// Something without a width.
+    Post,
+    /// A wall of the storey's height.
+    Plain,
+    /// An opening, or anything else.
+    Other,
+}
+
+/// A piece of the line of a wall.
+#[derive(Clone, Debug)]
+pub(in crate::ide) struct Cell {
+    /// Where it stands in the text.
+    pub(in crate::ide) range: Range<usize>,
+    /// How it is written.
+    pub(in crate::ide) form: Form,
+    /// What it makes.
+    pub(in crate::ide) what: What,
+    /// Its code without blanks at its end, as it was understood; empty for blocks.
+    pub(in crate::ide) code: String,
+    /// Its width in U.
+    pub(in crate::ide) width: f64,
+    /// Which units of the wall it makes.
+    pub(in crate::ide) units: Range<usize>,
+    /// Whether something else changes what is written.
+    pub(in crate::ide) altered: bool,
+    /// What a `repeat` of several parts makes each time.
+    pub(in crate::ide) inner: Vec<Inner>,
+}
+
+/// A part in a `repeat`.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::ide) struct Inner {
+    /// Its code.
+    pub(in crate::ide) code: String,
+    /// What it is.
+    pub(in crate::ide) what: What,
+    /// Its width in U.
+    pub(in crate::ide) width: f64,
+}
+
+/// The line of a wall.
+#[derive(Clone, Debug)]
+pub(in crate::ide) struct Row {
+    /// Where it stands.
+    pub(in crate::ide) home: Home,
+    /// What it is made of, in the order of the text.
+    pub(in crate::ide) cells: Vec<Cell>,
+    /// Whether that runs against the walk.
+    pub(in crate::ide) rightwards: bool,
+    /// Why none of it may be changed.
+    pub(in crate::ide) fixed: Option<Reason>,
+}
+
+impl Row {
+    /// Why another part cannot be put in the place of a unit.
+    pub(in crate::ide) fn unit_fixed(&self, unit: usize) -> Option<Reason> {
+        let cell = self.cell_of(unit);
+        let own = match cell.map(|c| &self.cells[c]) {
+            None => Some(Reason::Computed),
+            Some(cell) if cell.form == Form::Block || cell.altered => Some(Reason::Computed),
+            Some(_) => None,
+        };
+        self.fixed.or(own)
+    }
+
+    /// The same for all units of its wall.
+    pub(in crate::ide) fn units_fixed(&self, count: usize) -> Vec<Option<Reason>> {
+        let mut all = vec![self.fixed.or(Some(Reason::Computed)); count];
+        for cell in &self.cells {
+            let computed = cell.form == Form::Block || cell.altered;
+            let own = self.fixed.or(computed.then_some(Reason::Computed));
+            all.iter_mut()
+                .take(cell.units.end)
+                .skip(cell.units.start)
+                .for_each(|r| *r = own);
+        }
+        all
+    }
+
+    /// How many voids at its start lead to where its walk begins.
+    pub(in crate::ide) fn leads(&self) -> usize {
+        let lead = |c: &&Cell| c.units.is_empty() && c.form == Form::Code;
+        self.cells.iter().take_while(lead).count()
+    }
+
+    /// The cell that makes a unit.
+    pub(in crate::ide) fn cell_of(&self, unit: usize) -> Option<usize> {
+        self.cells.iter().position(|c| c.units.contains(&unit))
+    }
+}
+
+/// A text to draw on.
+pub(in crate::ide) struct Sheet<'a> {
+    pub(in crate::ide) a: &'a Analysis,
+    pub(in crate::ide) text: &'a str,
+    pub(in crate::ide) outline: &'a Outline,
+    /// Names of floors that take their parts from another one of the same name.
+    borrowing: BTreeSet<&'a str>,
+}
+
+impl<'a> Sheet<'a> {
+    /// The sheet of a text.
+    pub(in crate::ide) fn of(a: &'a Analysis) -> Sheet<'a> {
+        let outline = a.outline();
+        let mut owns = vec![false; outline.elements.len()];
+        for element in &outline.elements {
+            let part = matches!(
+                name(element),
+                "Part" | "split" | "repeat" | "Row" | "use" | "if"
+            );
+            if let Some(parent) = element.parent.filter(|_| part) {
+                owns[parent] = true;
+            }
+        }
+        let floors = outline.elements.iter().zip(owns);
+        let bare = floors.filter(|(e, owns)| name(e) == "Floor" && !owns && e.words.is_empty());
+        let borrowing = bare.filter_map(|(e, _)| e.value("id")).collect();
+        let text = a.text();
+        Sheet {
+            a,
+            text,
+            outline,
+            borrowing,
+        }
+    }
+
+    /// The line of a wall.
+    pub(in crate::ide) fn row(&self, wall: &Wall) -> Row {
+        let fixed = |reason| Row {
+            home: Home::Line(usize::MAX),
+            cells: vec![],
+            rightwards: false,
+            fixed: Some(reason),
+        };
+        if wall.span.file != FileId(0) {
+            return fixed(Reason::Include);
+        }
+        let place = self.a.source.text_range(wall.span);
+        let mut row = match self.home(&place) {
+            Some(Home::Line(line)) => self.line(line),
+            Some(Home::Element(element)) => self.element(element),
+            None => return fixed(Reason::Monument),
+        };
+        let matched = self.match_units(&mut row, wall);
+        row.fixed = row.fixed.or(matched.err());
+        if row.fixed.is_none() && self.has_mistakes(wall.span) {
+            row.fixed = Some(Reason::Mistakes);
+        }
+        row
+    }
+
+    /// The lines of the walls of a ring.
+    pub(in crate::ide) fn rows(&self, ring: &Ring) -> Vec<Row> {
+        ring.walls.iter().map(|w| self.row(w)).collect()
+    }
+
+    /// Why a wall of a ring cannot be moved.
+    pub(in crate::ide) fn ring_fixed(
+        &self,
+        ring: &Ring,
+        rows: &[Row],
+        wall: usize,
+    ) -> Option<Reason> {
+        let count = rows.len();
+        if !ring.closed || count < 4 {
+            return Some(Reason::Open);
+        }
+        let (before, after) = ((wall + count - 1) % count, (wall + 1) % count);
+        let beside = [before, after].into_iter();
+        let fixed = beside.clone().find_map(|w| rows[w].fixed);
+        let own = rows[wall]
+            .fixed
+            .filter(|r| matches!(r, Reason::Include | Reason::Monument));
+        let right = |w: usize| {
+            ring.walls[w]
+                .direction
+                .dot(ring.walls[wall].direction)
+                .abs()
+                < 1e-9
+        };
+        let slanted = (!beside.clone().all(right)).then_some(Reason::Slanted);
+        let reset = wall == 0 || after == 0;
+        fixed
+            .or(own)
+            .or(slanted)
+            .or_else(|| self.structure_fixed(&rows[wall], reset))
+            .or_else(|| {
+                if reset {
+                    self.start_fixed(&rows[0])
+                } else {
+                    None
+                }
+            })
+            .or_else(|| {
+                let corners = [before, wall].into_iter();
+                let bent = |w: usize| w + 1 < count && self.is_bent(rows[w].home, rows[w + 1].home);
+                corners.clone().any(bent).then_some(Reason::Corner)
+            })
+    }
+
+    /// Why a wall of facades cannot be moved: it has a width of its own, or stands at the start of the walk.
+    fn structure_fixed(&self, row: &Row, reset: bool) -> Option<Reason> {
+        let element = self.floor(row)?;
+        let elements = &self.outline.elements;
+        let mut around = self.outline.around(element).map(|e| &elements[e]);
+        let says = |e: &Element| e.value("ratio").is_some() || e.value("size").is_some();
+        if around.any(says) {
+            return Some(Reason::Scaled);
+        }
+        reset.then_some(Reason::First)
+    }
+
+    /// The `Floor` of a facade that a line stands in.
+    pub(in crate::ide) fn floor(&self, row: &Row) -> Option<usize> {
+        match row.home {
+            Home::Element(e) if name(&self.outline.elements[e]) == "Floor" => Some(e),
+            _ => None,
+        }
+    }
+
+    /// Why a walk cannot begin elsewhere.
+    fn start_fixed(&self, first: &Row) -> Option<Reason> {
+        let Home::Element(element) = first.home else {
+            return first.fixed;
+        };
+        let elements = &self.outline.elements;
+        let mut around = self.outline.around(element).skip(1);
+        let owner = around.find(|e| matches!(name(&elements[*e]), "Storey" | "Loop"))?;
+        let computed = elements[owner].attribute("start")?.expressions.first();
+        computed.map(|_| Reason::Computed)
+    }
+
+    /// Whether other lines stand between those of two walls.
+    fn is_bent(&self, one: Home, other: Home) -> bool {
+        match (one, other) {
+            (Home::Line(one), Home::Line(other)) => {
+                let between = self.outline.lines.get(one + 1..other).unwrap_or_default();
+                other < one || between.iter().any(|l| l.kind == LineKind::Wall)
+            }
+            (Home::Element(one), Home::Element(other)) => {
+                let elements = &self.outline.elements;
+                // A floor stands in its facade.
+                let line = |e: usize| match name(&elements[e]) {
+                    "Floor" => elements[e].parent.unwrap_or(e),
+                    _ => e,
+                };
+                let (one, other) = (line(one), line(other));
+                let end = elements[one].range.end;
+                let between = elements.get(one + 1..other).unwrap_or_default();
+                let row = |e: &Element| {
+                    let makes = matches!(
+                        name(e),
+                        "Row" | "Facade" | "use" | "repeat" | "if" | "else" | ""
+                    );
+                    e.range.start >= end && makes
+                };
+                other < one
+                    || elements[one].parent != elements[other].parent
+                    || between.iter().any(row)
+            }
+            _ => true,
+        }
+    }
+
+    fn home(&self, place: &Range<usize>) -> Option<Home> {
+        if let Some(line) = self.outline.line_at(place.start) {
+            let wall = self.outline.lines[line].kind == LineKind::Wall;
+            return wall.then_some(Home::Line(line));
+        }
+        let element = self.outline.element_at(place.start)?;
+        let own = &self.outline.elements[element];
+        let row = own.range.start == place.start && matches!(name(own), "Row" | "Floor");
+        row.then_some(Home::Element(element))
+    }
+
+    /// Whether it was said that a line is written wrongly. Characters of other widths are read as what they stand for.
+    fn has_mistakes(&self, span: Span) -> bool {
+        let all = &self.a.diagnostics;
+        let key = |s: Span| (s.file, s.start);
+        let from = all.partition_point(|d| key(d.span) < key(span));
+        let here = all[from..].iter();
+        let here = here.take_while(|d| d.span.file == span.file && d.span.start <= span.end);
+        let wrong =
+            |code: u16| matches!(code, 101 | 124..=127 | 130..=132 | 134 | 136..=139 | 200..=232);
+        here.filter(|d| d.severity == crate::diagnostic::Severity::Error)
+            .any(|d| wrong(d.code.0))
+    }
+
+    /// Why what stands in an element is no business of a stroke: what stands round it up to the storey or facade.
+    pub(in crate::ide) fn around_fixed(&self, element: usize) -> Option<Reason> {
+        let mut around = self.outline.around(element).skip(1);
+        around.find_map(|e| match name(&self.outline.elements[e]) {
+            "repeat" => Some(Reason::Repeat),
+            "define" | "use" => Some(Reason::Piece),
+            "if" | "else" => Some(Reason::Condition),
+            _ => None,
+        })
+    }
+
+    /// The children of an element.
+    pub(in crate::ide) fn children(&self, element: usize) -> impl Iterator<Item = usize> + '_ {
+        let elements = &self.outline.elements;
+        let end = elements[element].range.end;
+        let inside =
+            (element + 1..elements.len()).take_while(move |e| elements[*e].range.start < end);
+        inside.filter(move |e| elements[*e].parent == Some(element))
+    }
+}
+
+/// The word of the language that an element is.
+pub(in crate::ide) fn name(element: &Element) -> &'static str {
+    element.schema.map_or("", |s| s.name)
+}

@@ -1,0 +1,207 @@
+//! What mends change in expressions, conditions and pieces. Whatever they put in is tried before it is offered.
+
+use super::super::edits::tags;
+use super::super::suggest::narrow_ascii;
+use super::super::tree::{Child, Element};
+use super::{Maker, Scope, Spot, Tag};
+use crate::ast::Value;
+use crate::diagnostic::messages::xml as say;
+use crate::diagnostic::{self, Edit};
+use crate::parse::expr::{self, Problem};
+use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::text::Text;
+use crate::source::Span;
+use std::ops::Range;
+
+impl<'a> Maker<'a, '_> {
+    /// What a text would be worth as an expression.
+    pub(super) fn worth(&self, text: &str, scope: &Scope<'a>) -> Option<Value> {
+        let expr = expr::parse(text).ok()?;
+        let names = |name: &str| {
+            let number = self.storeys.number.map(|n| Value::Number(n as f64));
+            let known = match name {
+                "k" => number,
+                name => scope.value(name).and_then(|bound| bound.value),
+            };
+            known.ok_or(Problem::Reported)
+        };
+        expr::evaluate(&expr, &names).ok()
+    }
+
+    /// The span of a place in a text where something may be put in.
+    fn before(&self, text: &Text<'_>, at: usize) -> Span {
+        self.faults.span(&text.range(at..at))
+    }
+
+    /// How to make an expression of what is none: by the quote or the parenthesis that it lacks, or by half-width signs.
+    /// `inner` = what stands between the braces, `at` = where the fault is in that.
+    pub(super) fn fixed(
+        &self,
+        text: &Text<'_>,
+        inner: Range<usize>,
+        at: &Range<usize>,
+    ) -> Option<(diagnostic::Text, Vec<Edit>)> {
+        if !self.faults.wanted() {
+            return None;
+        }
+        let whole = &text.as_str()[inner.clone()];
+        let end = whole.trim_end_matches(is_blank).len();
+        let first = whole[at.start..].chars().next();
+        let narrow: String = whole
+            .chars()
+            .map(|c| narrow_ascii(c).unwrap_or(c))
+            .collect();
+        if first.is_some_and(|c| narrow_ascii(c).is_some()) && expr::parse(&narrow).is_ok() {
+            let wide = whole.char_indices().filter_map(|(i, c)| {
+                let start = inner.start + i;
+                let place = text.range(start..start + c.len_utf8());
+                let narrow = match narrow_ascii(c)? {
+                    '<' => "&lt;".to_owned(),
+                    '&' => "&amp;".to_owned(),
+                    '"' => "&quot;".to_owned(),
+                    c => c.to_string(),
+                };
+                Some(Edit::new(self.faults.span(&place), narrow))
+            });
+            return Some((say::expression_fix(None), wide.collect()));
+        }
+        let quote = first.filter(|c| matches!(c, '\'' | '"'));
+        let put = quote.unwrap_or(')');
+        let place = text.range(inner.start + at.start..inner.start + at.end.max(at.start + 1));
+        // A quote that is written as it is may be written so again.
+        let plain = quote.is_none_or(|c| self.faults.quote(&place).starts_with(c));
+        let lacks = plain && expr::parse(&format!("{}{put}", &whole[..end])).is_ok();
+        let edit = Edit::new(self.before(text, inner.start + end), put);
+        lacks.then(|| (say::expression_fix(Some(put)), vec![edit]))
+    }
+
+    /// Where the partner of a lonely brace may stand; `plain` = the text is no code, but a value.
+    pub(super) fn partner(
+        &self,
+        text: &Text<'_>,
+        range: Range<usize>,
+        plain: bool,
+        scope: &Scope<'a>,
+    ) -> Option<Span> {
+        /// No expression before a lonely brace is longer.
+        const LONGEST: usize = 1024;
+        if !self.faults.wanted() {
+            return None;
+        }
+        let whole = text.as_str();
+        let reads = |range: &Range<usize>| self.worth(&whole[range.clone()], scope).is_some();
+        if whole[range.clone()].starts_with('{') {
+            let inner = &whole[range.start + 1..range.end];
+            let all = inner.trim_end_matches(is_blank).len();
+            let word = inner.find(is_blank).unwrap_or(inner.len());
+            let ends = [all, word].map(|length| range.start + 1 + length);
+            let end = ends
+                .into_iter()
+                .find(|end| reads(&(range.start + 1..*end)))?;
+            return Some(self.before(text, end));
+        }
+        let far = (range.start.saturating_sub(LONGEST)..).find(|at| whole.is_char_boundary(*at))?;
+        let before = &whole[far..range.start];
+        let line = before.rfind(['\n', '}']).map_or(0, |i| i + 1) + far;
+        let word = before.trim_end_matches(|c| !is_blank(c)).len() + far;
+        let line = if plain { line } else { word.max(line) };
+        let starts = [line, word.max(line)];
+        let start = starts
+            .into_iter()
+            .find(|start| reads(&(*start..range.start)))?;
+        Some(self.before(text, start))
+    }
+
+    /// How to swap the bounds of a `clamp` that stands at a place.
+    pub(super) fn swapped(&self, place: &Range<usize>) -> Option<Vec<Edit>> {
+        let written = self.faults.quote(place);
+        let inside = written.strip_suffix(')')?;
+        let mut commas = inside.match_indices(',').map(|(i, _)| i);
+        let (first, second) = (commas.next()?, commas.next()?);
+        let plain = |part: &str| !part.contains(['(', ')', '\'', '"', '&']);
+        if commas.next().is_some() || !plain(&inside[first..]) {
+            return None;
+        }
+        let (least, most) = (&inside[first + 1..second], &inside[second + 1..]);
+        let edit = |part: &str, from: usize, other: &str| {
+            let start = place.start + from + (part.len() - part.trim_start().len());
+            let span = self.faults.span(&(start..start + part.trim().len()));
+            Edit::new(span, other.trim())
+        };
+        Some(vec![
+            edit(least, first + 1, most),
+            edit(most, second + 1, least),
+        ])
+    }
+
+    /// How to end a `use` with its start tag and leave behind it what stands in it.
+    pub(super) fn emptied(&self, element: &Element<'a>) -> Option<Vec<Edit>> {
+        let tags = tags(self.faults, element);
+        let [_, end] = tags.whole[..] else {
+            return None;
+        };
+        let at = element.tag.end - 1;
+        let closed = self.faults.quote(&(at..element.tag.end)) == ">";
+        let slash = Edit::new(self.faults.span(&(at..at)), "/");
+        closed.then(|| vec![slash, Edit::new(end, "")])
+    }
+
+    /// How to put an `else` behind the `if` that stands before it in the same element.
+    pub(super) fn behind_the_if(
+        &self,
+        spot: &Spot<'_, 'a>,
+        parent: &Spot<'_, 'a>,
+    ) -> Option<Vec<Edit>> {
+        if !self.faults.wanted() {
+            return None;
+        }
+        let mut last = None;
+        let mut open = false;
+        for child in &parent.element().children {
+            let Child::Element(index) = child else {
+                open = false;
+                continue;
+            };
+            let other = parent.child(*index);
+            if *index == spot.index {
+                break;
+            }
+            let tested = other.element().bears("test");
+            match other.tag() {
+                Some(Tag::If) => (last, open) = (Some(*index), true),
+                // Behind an `else` without a test nothing more can come.
+                Some(Tag::Else) if open => last = Some(*index).filter(|_| tested),
+                _ => open = false,
+            }
+        }
+        let last = parent.child(last?);
+        let place = last.element().range.end;
+        let range = &spot.element().range;
+        let moved = Edit::new(
+            self.faults.span(&(place..place)),
+            self.faults.quote(range).to_owned(),
+        );
+        Some(vec![moved, Edit::new(self.faults.with_gap(range), "")])
+    }
+
+    /// Tags of a `choice` round something.
+    pub(super) fn chosen(&self, range: &Range<usize>) -> Vec<Edit> {
+        let edit = |at: usize, tag: &str| Edit::new(self.faults.span(&(at..at)), tag);
+        vec![edit(range.start, "<choice>"), edit(range.end, "</choice>")]
+    }
+}
+
+/// The name with a number that nobody has.
+pub(super) fn free(name: &str, taken: impl Fn(&str) -> bool) -> String {
+    let numbered = (2..).map(|number: u32| format!("{name}{number}"));
+    let mut free = numbered.filter(|name| !taken(name));
+    free.next().unwrap_or_default()
+}
+
+/// Whether a name is compared with something in an expression: then it may be meant as a text.
+pub(super) fn is_compared(inner: &str, name: &Range<usize>) -> bool {
+    let before = inner[..name.start].trim_end();
+    let after = inner[name.end..].trim_start();
+    let equals = before.ends_with('=') && !before.ends_with("<=") && !before.ends_with(">=");
+    equals || after.starts_with('=') || after.starts_with("!=")
+}

@@ -1,0 +1,184 @@
+//! Runs of text as codes of five columns (language.md 3, "Codes").
+//!
+//! A run is what stands between two children. Line breaks and the white space round them go; each line is cut into
+//! fives for itself and its last code padded, since the blanks that end a code before a line break are gone with
+//! it. Blanks at the start of a run on the line of its tag are columns. A run of white space only never comes here.
+
+use crate::ast::{Item, Piece};
+use crate::diagnostic::messages::xml as say;
+use crate::parse::xml::read::Reader;
+use crate::parse::xml::suggest::narrow_ascii;
+use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::text::{REPORTED, Text};
+use crate::source::Spanned;
+use std::ops::Range;
+
+/// A column: what stands in it, and its range of the text. `None` = something that was reported.
+struct Column {
+    byte: Option<u8>,
+    range: Range<usize>,
+}
+
+impl Reader<'_, '_> {
+    /// Cuts a run into parts. A control letter at the end of a line is reported and returned as the turn it means;
+    /// `turns` = the row has a `turn` to name.
+    pub(in crate::parse::xml) fn codes(
+        &mut self,
+        text: &Text<'_>,
+        turns: bool,
+        parts: &mut Vec<Item<Piece>>,
+    ) -> Option<Spanned<f64>> {
+        let whole = text.as_str();
+        let mut turn = None;
+        let mut start = 0;
+        while start <= whole.len() {
+            let end = whole[start..]
+                .find(['\n', '\r'])
+                .map_or(whole.len(), |i| start + i);
+            let (mut from, mut to) = (start, end);
+            if start > 0 {
+                from = end - whole[start..end].trim_start_matches(is_blank).len();
+            }
+            if end < whole.len() {
+                to = from + whole[from..end].trim_end_matches(is_blank).len();
+            }
+            if from < to {
+                let line = self.columns(text, from..to);
+                turn = self.cut(text, &line, turns, parts).or(turn);
+            }
+            start = end + 1;
+        }
+        turn
+    }
+
+    /// The columns of a line; what cannot be a column is reported and replaced by its mend.
+    fn columns(&mut self, text: &Text<'_>, range: Range<usize>) -> Vec<Column> {
+        let whole = text.as_str();
+        let mut line = vec![];
+        let mut at = range.start;
+        while let Some(c) = whole[at..range.end].chars().next() {
+            let here = at..at + c.len_utf8();
+            at = here.end;
+            match c {
+                ' '..='~' => push(&mut line, Some(c as u8), here),
+                _ => {
+                    at = here.start + same_kind(&whole[here.start..range.end]);
+                    self.odd(text, here.start..at, &mut line);
+                }
+            }
+        }
+        line
+    }
+
+    /// Reports characters that are no columns.
+    fn odd(&mut self, text: &Text<'_>, range: Range<usize>, line: &mut Vec<Column>) {
+        let quoted = &text.as_str()[range.clone()];
+        let place = text.range(range.clone());
+        match quoted.chars().next() {
+            Some('\t') => {
+                // To the end of the code under way; each further tab is a void.
+                let from = line.len();
+                let blanks = 5 * quoted.len() - from % 5;
+                self.faults
+                    .at(&place, |s| say::tab_in_codes(s, from + 1, blanks));
+                for _ in 0..blanks {
+                    push(line, Some(b' '), range.clone());
+                }
+            }
+            Some(REPORTED) => {}
+            _ => self
+                .faults
+                .at(&place, |s| say::not_a_column(s, quoted, &plain(quoted))),
+        }
+        if quoted.starts_with('\t') {
+            return;
+        }
+        for (i, c) in quoted.char_indices() {
+            let here = range.start + i..range.start + i + c.len_utf8();
+            let byte = narrow_ascii(c).map(|c| c as u8);
+            // A full-width blank is as wide as two columns.
+            if c == '\u{3000}' {
+                push(line, byte, here.clone());
+            }
+            push(line, byte, here);
+        }
+    }
+
+    /// Cuts a line into parts.
+    fn cut(
+        &mut self,
+        text: &Text<'_>,
+        line: &[Column],
+        turns: bool,
+        parts: &mut Vec<Item<Piece>>,
+    ) -> Option<Spanned<f64>> {
+        let mut turn = None;
+        for code in line.chunks(5) {
+            match code[0].byte {
+                Some(letter @ (b'L' | b'R' | b'^')) if code.len() == 1 => {
+                    let place = text.range(code[0].range.clone());
+                    let bear = self.turn.filter(|_| turns);
+                    let bear = bear.map(|at| self.faults.span(&(at..at)));
+                    self.faults.at(&place, |s| {
+                        say::control_letter(s, letter as char, turns, bear)
+                    });
+                    let degrees = if letter == b'L' { -90.0 } else { 90.0 };
+                    turn =
+                        (letter != b'^').then(|| Spanned::new(degrees, self.faults.span(&place)));
+                }
+                _ => parts.extend(self.code(text, code)),
+            }
+        }
+        turn
+    }
+
+    /// The part of up to five columns; a remainder of blanks is none.
+    fn code(&mut self, text: &Text<'_>, columns: &[Column]) -> Option<Item<Piece>> {
+        let blank = columns.iter().all(|c| c.byte == Some(b' '));
+        if columns.len() < 5 && blank {
+            return None;
+        }
+        let mut five = [b' '; 5];
+        // A code with something reported in it becomes a void, so that the row keeps its length.
+        if columns.iter().all(|c| c.byte.is_some()) {
+            for (place, column) in five.iter_mut().zip(columns) {
+                *place = column.byte.unwrap_or(b' ');
+            }
+        }
+        let range = columns.first()?.range.start..columns.last()?.range.end;
+        let span = self.faults.span(&text.range(range));
+        Some(Item::One(Piece::Code(five, span)))
+    }
+}
+
+fn push(line: &mut Vec<Column>, byte: Option<u8>, range: Range<usize>) {
+    line.push(Column { byte, range });
+}
+
+/// Length of the characters at the start of a text that one message can name together.
+fn same_kind(text: &str) -> usize {
+    let kind = |c: char| match c {
+        ' '..='~' => 0,
+        '\t' => 1,
+        REPORTED => 2,
+        '\u{3000}' => 3,
+        c if narrow_ascii(c).is_some() => 4,
+        _ => 5,
+    };
+    let first = text.chars().next().map_or(0, kind);
+    text.find(|c| kind(c) != first).unwrap_or(text.len())
+}
+
+/// The mend of full-width characters; empty where there is none.
+fn plain(text: &str) -> String {
+    text.chars()
+        .filter_map(narrow_ascii)
+        .map(|c| {
+            if c == ' ' {
+                "  ".to_owned()
+            } else {
+                c.to_string()
+            }
+        })
+        .collect()
+}

@@ -1,0 +1,184 @@
+//! Houses: settings, storeys, loops and rows.
+
+use crate::ast::{Edit, Era, House, Loop, Row, Settings, Storey, StoreyKind};
+use crate::diagnostic::messages::xml as say;
+use crate::parse::xml::edits;
+use crate::parse::xml::read::facades::KINDS;
+use crate::parse::xml::read::pieces::Line;
+use crate::parse::xml::read::{Attributes, Node, Reader};
+use crate::parse::xml::schema;
+use crate::parse::xml::schema::{Schema, Tag};
+use crate::parse::xml::suggest::narrow_ascii;
+use crate::parse::xml::tree::Element;
+use crate::parse::xml::tree::tag::is_blank;
+use crate::source::{Span, Spanned};
+
+pub(in crate::parse::xml) const TURNS: [(&str, f64); 2] = [("R", 90.0), ("L", -90.0)];
+
+impl<'t> Reader<'t, '_> {
+    /// Reads a house.
+    pub(in crate::parse::xml) fn house(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> House {
+        let of = self.attributes(schema, element);
+        let mut house = House {
+            span: self.whole(element),
+            name: self.text(&of, "name"),
+            settings: self.settings(&of),
+            ..House::default()
+        };
+        let mut roofs: Option<Span> = None;
+        for node in self.children(element, schema.content()) {
+            let Node::Element(schema, child) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::Structure => {
+                    let (structure, textures) = self.structure(schema, child);
+                    house.structures.push(structure);
+                    house.textures.extend(textures);
+                }
+                Tag::PartDef => house.parts.extend(self.part_entry(schema, child)),
+                Tag::Texture => house.textures.extend(self.texture(schema, child)),
+                Tag::Roofs => {
+                    let read = self.roofs(schema, child);
+                    if let Some(first) = roofs {
+                        let fixes = edits::of_two(self.faults, self.tree, first, child);
+                        self.faults.at(&child.name_range, |s| {
+                            say::second_of(s, schema.name, element.name, first, fixes)
+                        });
+                        house.roofs.lines.extend(read.lines);
+                    } else {
+                        house.roofs = read;
+                        roofs = Some(self.faults.span(&child.name_range));
+                    }
+                }
+                Tag::Pagoda | Tag::Gate | Tag::Hall | Tag::Shrine => {
+                    self.monument(schema, child, &mut house);
+                }
+                _ if self.fitting(schema, child, &mut house) => {}
+                _ => {
+                    let item = self.item(schema, child, schema::HOUSE.repeated(), Self::storey);
+                    house.storeys.extend(item);
+                }
+            }
+        }
+        house
+    }
+
+    fn settings(&mut self, of: &Attributes<'t>) -> Settings {
+        Settings {
+            x: self.number(of, "x"),
+            y: self.number(of, "y"),
+            z: self.number(of, "z"),
+            azimuth: self.number(of, "azimuth"),
+            unit: self.number(of, "unit"),
+            seed: self.whole_number(of, "seed"),
+            street: self.yes_no(of, "street"),
+            age: self.age(of),
+            era: self.era(of),
+        }
+    }
+
+    /// Years since a house was built.
+    pub(in crate::parse::xml) fn age(&mut self, of: &Attributes<'t>) -> Option<Spanned<f64>> {
+        self.number(of, "age")
+    }
+
+    /// When a house was built.
+    pub(in crate::parse::xml) fn era(&mut self, of: &Attributes<'t>) -> Option<Spanned<Era>> {
+        self.choice(of, "era", &Era::WORDS)
+    }
+
+    /// Reads a structure that stands for a house of its own.
+    pub(in crate::parse::xml) fn lone_structure(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> House {
+        let (structure, textures) = self.structure(schema, element);
+        House {
+            span: self.whole(element),
+            structures: vec![structure],
+            textures,
+            ..House::default()
+        }
+    }
+
+    fn storey(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Storey {
+        let of = self.attributes(schema, element);
+        let kind = self.choice(&of, "kind", &KINDS);
+        let mut storey = Storey {
+            span: self.whole(element),
+            height: self.number(&of, "height"),
+            start: self.point(&of, "start"),
+            kind: kind.map_or(StoreyKind::Storey, |k| k.value),
+            ..Storey::default()
+        };
+        // Rows that stand in the storey itself form its first loop.
+        let mut own = Loop {
+            span: storey.span,
+            ..Loop::default()
+        };
+        for node in self.children(element, schema.content()) {
+            let Node::Element(schema, child) = node else {
+                continue;
+            };
+            match schema.tag {
+                Tag::Loop => storey.loops.push(self.walk(schema, child)),
+                Tag::Random => {
+                    let edit = self.random(schema, child).map(Edit::Random);
+                    storey.edits.extend(edit);
+                }
+                Tag::Replace => {
+                    let edit = self.replace(schema, child).map(Edit::Replace);
+                    storey.edits.extend(edit);
+                }
+                _ if self.order(schema, child, &mut storey.order) => {}
+                _ => {
+                    let item = self.item(schema, child, schema::STOREY.repeated(), Self::row);
+                    own.rows.extend(item);
+                }
+            }
+        }
+        if !own.rows.is_empty() {
+            storey.loops.insert(0, own);
+        }
+        storey
+    }
+
+    fn walk(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Loop {
+        let of = self.attributes(schema, element);
+        let (hole, inner) = (self.yes_no(&of, "hole"), self.yes_no(&of, "inner"));
+        Loop {
+            span: self.whole(element),
+            hole: hole.is_some_and(|h| h.value),
+            inner: inner.is_some_and(|i| i.value),
+            start: self.point(&of, "start"),
+            rows: self.items(element, schema.content(), Self::row),
+        }
+    }
+
+    fn row(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Row {
+        let of = self.attributes(schema, element);
+        let given = of.get("turn").is_some_and(|t| {
+            let text = t.value.as_str().trim_matches(is_blank);
+            let letter = text.chars().next().map(|c| narrow_ascii(c).unwrap_or(c));
+            letter.is_some_and(char::is_alphabetic)
+        });
+        let written: Option<Spanned<f64>> = if given {
+            self.choice(&of, "turn", &TURNS)
+        } else {
+            self.number(&of, "turn")
+        };
+        self.turn = (!element.bears("turn")).then_some(element.name_range.end);
+        let Line { pieces, turn } = self.line(element, schema.content(), true);
+        Row {
+            span: self.whole(element),
+            pieces,
+            turn: written.or(turn),
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! `Pagoda`, `Gate`, `Hall`, `Shrine`: houses written short.
+
+use crate::ast::{Gate, Hall, House, Measures, Monument, Pagoda, Paint, RoofShape};
+use crate::parse::xml::read::roofs::KINDS;
+use crate::parse::xml::read::{Attributes, Reader};
+use crate::parse::xml::schema::{Schema, Tag};
+use crate::parse::xml::tree::Element;
+
+impl<'t> Reader<'t, '_> {
+    /// Reads a house written short into its house, which holds one at most.
+    pub(in crate::parse::xml) fn monument(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+        house: &mut House,
+    ) {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let span = self.start(element);
+        let measures = self.measures(&of);
+        let made = match schema.tag {
+            Tag::Pagoda => Monument::Pagoda(Pagoda {
+                span,
+                measures,
+                storeys: self.whole_number(&of, "storeys"),
+                width: self.number(&of, "width"),
+                bays: self.whole_number(&of, "bays"),
+                taper: self.number(&of, "taper"),
+                rise: self.number(&of, "rise"),
+                sorin: self.number(&of, "sorin"),
+            }),
+            Tag::Gate => Monument::Gate(Gate {
+                span,
+                measures,
+                bays: self.whole_pair(&of, "bays"),
+                bay: self.pair(&of, "bay"),
+                storeys: self.whole_number(&of, "storeys"),
+                doors: self.whole_number(&of, "doors"),
+                inset: self.number(&of, "inset"),
+                upper: self.number(&of, "upper"),
+            }),
+            _ => Monument::Hall(Hall {
+                span,
+                shrine: schema.tag == Tag::Shrine,
+                measures,
+                bays: self.whole_pair(&of, "bays"),
+                bay: self.pair(&of, "bay"),
+                doors: self.whole_number(&of, "doors"),
+                aisle: self.number(&of, "aisle"),
+                upper: self.number(&of, "upper"),
+                veranda: self.number(&of, "veranda"),
+                floor: self.number(&of, "floor"),
+                katsuogi: self.whole_number(&of, "katsuogi"),
+            }),
+        };
+        let first = house.monument.as_ref().map(Monument::span);
+        house.monument.get_or_insert(made);
+        self.only(schema, element, "House", first);
+    }
+
+    fn measures(&mut self, of: &Attributes<'t>) -> Measures {
+        Measures {
+            columns: self.number(of, "columns"),
+            post: self.number(of, "post"),
+            paint: self.choice(of, "paint", &Paint::ALL),
+            steps: self.whole_number(of, "steps"),
+            pitch: self.number(of, "pitch"),
+            eaves: self.number(of, "eaves"),
+            sori: self.number(of, "sori"),
+            thickness: self.number(of, "thickness"),
+            kind: self.choice(of, "kind", &KINDS),
+            shape: self.choice(of, "shape", &RoofShape::ALL),
+            platform: self.number(of, "platform"),
+            margin: self.pair(of, "margin"),
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! `Roofs` and `Roof`.
+
+use crate::ast::{
+    RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
+};
+use crate::parse::xml::read::{Attributes, Node, Reader};
+use crate::parse::xml::schema::Schema;
+use crate::parse::xml::tree::Element;
+use crate::parse::xml::tree::tag::is_blank;
+use crate::source::Spanned;
+
+pub(in crate::parse::xml) const DIRECTIONS: [(&str, RoofDirection); 6] = [
+    ("X", RoofDirection::AlongFront),
+    ("Y", RoofDirection::AcrossFront),
+    ("F", RoofDirection::Front),
+    ("B", RoofDirection::Back),
+    ("L", RoofDirection::Left),
+    ("R", RoofDirection::Right),
+];
+
+pub(in crate::parse::xml) const KINDS: [(&str, RoofKind); 7] = [
+    ("K", RoofKind::Tiles),
+    ("G", RoofKind::CoverTiles),
+    ("I", RoofKind::Boards),
+    ("S", RoofKind::Shingles),
+    ("H", RoofKind::Bark),
+    ("Y", RoofKind::Thatch),
+    ("T", RoofKind::Metal),
+];
+
+pub(in crate::parse::xml) const MODES: [(&str, RoofMode); 2] =
+    [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
+
+impl<'t> Reader<'t, '_> {
+    /// Reads a roof section.
+    pub(in crate::parse::xml) fn roofs(
+        &mut self,
+        schema: &'static Schema,
+        element: &'t Element<'t>,
+    ) -> Roofs {
+        let of = self.attributes(schema, element);
+        let mut roofs = Roofs {
+            span: Some(self.start(element)),
+            mode: self.choice(&of, "mode", &MODES),
+            method: self.choice(&of, "method", &RoofMethod::ALL),
+            style: self.style(&of),
+            lines: vec![],
+        };
+        for node in self.children(element, schema.content()) {
+            if let Node::Element(schema, child) = node {
+                roofs.lines.extend(self.roof(schema, child));
+            }
+        }
+        roofs
+    }
+
+    /// Reads a roof; nothing where its rectangle is not known.
+    fn roof(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<RoofLine> {
+        let of = self.attributes(schema, element);
+        self.no_children(element);
+        let style = self.style(&of);
+        let direction = self.choice(&of, "ridge", &DIRECTIONS);
+        let star = |h: &str| h.trim_matches(is_blank) == "*";
+        let automatic = of.get("height").is_some_and(|h| star(h.value.as_str()));
+        let height = (!automatic).then(|| self.number(&of, "height"));
+        let corners = ["a0", "b0", "a1", "b1"].map(|name| self.number(&of, name));
+        let [Some(a0), Some(b0), Some(a1), Some(b1)] = corners else {
+            return None;
+        };
+        let span = [b0, a1, b1].iter().fold(a0.span, |s, c| s.to(c.span));
+        let corners = [a0, b0, a1, b1].map(|c| c.value);
+        Some(RoofLine {
+            span: self.whole(element),
+            style,
+            direction,
+            height: height.flatten(),
+            corners: Spanned::new(corners, span),
+        })
+    }
+
+    fn style(&mut self, of: &Attributes<'t>) -> RoofStyle {
+        RoofStyle {
+            kind: self.choice(of, "kind", &KINDS),
+            shape: self.choice(of, "shape", &RoofShape::ALL),
+            pitch: self.number(of, "pitch"),
+            eaves: self.number(of, "eaves"),
+            verge: self.number(of, "verge"),
+            thickness: self.number(of, "thickness"),
+            noshi: self
+                .whole_number(of, "noshi")
+                .map(|n| Spanned::new(u32::try_from(n.value).unwrap_or(0), n.span)),
+            sori: self.number(of, "sori"),
+            gable: self.number(of, "gable"),
+            ratio: self.number(of, "ratio"),
+            plain_ridge: self.yes_no(of, "plain_ridge"),
+        }
+    }
+}

@@ -1,0 +1,402 @@
+//! The markup of an XML file as tokens: what quick-xml reads in it, and how to go on where that is not well-formed.
+//!
+//! Left to itself quick-xml runs to the end of the file after an unclosed quote or tag, and starting it again is
+//! quadratic in a file full of them. No tag holds a `<`, so quick-xml is asked for one event at a time and sees a
+//! tag no further than the next `<`; a comment and its like may hold one and get the rest of the file, until an end
+//! of their kind was looked for in vain. Whatever is left open ends at the next line that begins with `<`.
+
+use crate::diagnostic::messages::xml as say;
+use crate::diagnostic::{Edit, Noun, noun};
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::Habits;
+use crate::parse::xml::tree::tag::{Attribute, is_blank, is_name_start, narrow};
+use quick_xml::{Reader, events::Event};
+use std::ops::Range;
+
+/// What may hold a `<`: how it begins, what it is, how it ends. A document type is refused, ended or not.
+const ENCLOSED: [(&str, Noun, &str); 4] = [
+    ("<!--", noun("comment `<!--`", "注釈 `<!--` "), "-->"),
+    (
+        "<![CDATA[",
+        noun("text section `<![CDATA[`", "CDATA 区間 `<![CDATA[` "),
+        "]]>",
+    ),
+    (
+        "<?",
+        noun("processing instruction `<?`", "処理命令 `<?` "),
+        "?>",
+    ),
+    ("<!DOCTYPE", noun("", ""), ">"),
+];
+
+/// Comments that are longer are not mended.
+const LONG: usize = 1 << 16;
+
+/// A piece of the file.
+pub(in crate::parse::xml) enum Token<'a> {
+    /// `<name ...>` or `<name .../>`.
+    Start(StartTag<'a>),
+    /// `</name>`.
+    End(EndTag<'a>),
+    /// Text that may hold references.
+    Text(Range<usize>),
+    /// Text that holds none.
+    Verbatim(Range<usize>),
+}
+
+/// `<name ...>` or `<name .../>`.
+pub(in crate::parse::xml) struct StartTag<'a> {
+    pub(in crate::parse::xml) name: &'a str,
+    pub(in crate::parse::xml) name_range: Range<usize>,
+    pub(in crate::parse::xml) range: Range<usize>,
+    pub(in crate::parse::xml) attributes: Vec<Attribute<'a>>,
+    pub(in crate::parse::xml) empty: bool,
+    /// Whether the `>` is there.
+    pub(in crate::parse::xml) closed: bool,
+}
+
+/// `</name>`.
+pub(in crate::parse::xml) struct EndTag<'a> {
+    pub(in crate::parse::xml) name: &'a str,
+    pub(in crate::parse::xml) range: Range<usize>,
+}
+
+/// The state of reading.
+pub(in crate::parse::xml) struct Scanner<'a, 'f> {
+    pub(in crate::parse::xml) faults: &'f mut Reporter<'a>,
+    pub(in crate::parse::xml) text: &'a str,
+    pub(in crate::parse::xml) at: usize,
+    pub(in crate::parse::xml) habits: Habits,
+    /// The element whose start tag is being read.
+    pub(in crate::parse::xml) element: &'a str,
+    /// Which of [`ENCLOSED`] were without an end, so that nobody looks for one again.
+    endless: [bool; ENCLOSED.len()],
+}
+
+impl<'a, 'f> Scanner<'a, 'f> {
+    pub(in crate::parse::xml) fn new(
+        faults: &'f mut Reporter<'a>,
+        at: usize,
+        habits: Habits,
+    ) -> Self {
+        Scanner {
+            text: faults.source.text(),
+            faults,
+            at,
+            habits,
+            element: "",
+            endless: [false; ENCLOSED.len()],
+        }
+    }
+
+    /// The next token.
+    pub(in crate::parse::xml) fn token(&mut self) -> Option<Token<'a>> {
+        while self.at < self.text.len() {
+            let token = if self.opens_markup() {
+                self.markup()
+            } else {
+                Some(Token::Text(self.plain()))
+            };
+            if token.is_some() {
+                return token;
+            }
+        }
+        None
+    }
+
+    /// The next token, if the markup here is one and no comment or the like.
+    fn markup(&mut self) -> Option<Token<'a>> {
+        let start = self.at;
+        let token = match self.event() {
+            Some(Event::Start(tag) | Event::Empty(tag)) => {
+                self.sound_start(start, &tag).map(Token::Start)
+            }
+            Some(Event::End(tag)) => self.sound_end(start, &tag).map(Token::End),
+            Some(Event::CData(_)) => {
+                let range = start + 9..self.at - 3;
+                self.check_characters(range.clone());
+                return Some(Token::Verbatim(range));
+            }
+            Some(Event::Comment(_)) => return self.check_comment(start..self.at),
+            Some(Event::DocType(_)) => return self.refuse(start, Some(self.at)),
+            Some(Event::PI(_) | Event::Decl(_)) => {
+                self.check_instruction(start..self.at);
+                return None;
+            }
+            event => return event.map_or_else(|| self.unsound(), |_| None),
+        };
+        token.or_else(|| {
+            self.at = start;
+            self.unsound()
+        })
+    }
+
+    /// What quick-xml makes of the markup here; it is stepped over then.
+    fn event(&mut self) -> Option<Event<'a>> {
+        let rest = self.rest();
+        let inner = rest.strip_prefix('<')?;
+        let kind = ENCLOSED.iter().position(|k| rest.starts_with(k.0));
+        let end = match kind {
+            Some(kind) if self.endless[kind] => return None,
+            Some(_) => rest.len(),
+            None => inner.find('<').map_or(rest.len(), |i| 1 + i),
+        };
+        let mut reader = Reader::from_str(&rest[..end]);
+        reader.config_mut().check_end_names = false;
+        reader.config_mut().allow_unmatched_ends = true;
+        let event = reader.read_event().ok();
+        let read = reader.buffer_position() as usize;
+        if event.is_some() {
+            self.at += read;
+        } else if let (Some(kind), true) = (kind, read == end) {
+            self.endless[kind] = true;
+        }
+        event
+    }
+
+    /// The text from here on.
+    pub(in crate::parse::xml) fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    /// The character here.
+    pub(in crate::parse::xml) fn peek(&self) -> Option<char> {
+        self.rest().chars().next()
+    }
+
+    /// Steps over a character, and reports it if it is a full-width one.
+    pub(in crate::parse::xml) fn bump(&mut self) {
+        let Some(c) = self.peek() else { return };
+        let range = self.at..self.at + c.len_utf8();
+        self.at = range.end;
+        if let Some(narrow) = narrow(c) {
+            let message = |s| say::full_width_markup(s, c, narrow, &[s]);
+            self.faults.at(&range, message);
+        }
+    }
+
+    /// Steps over blanks; full-width ones are reported together. Whether there were any.
+    pub(in crate::parse::xml) fn blanks(&mut self) -> bool {
+        let start = self.at;
+        while let Some(c) = self.peek().filter(|c| is_blank(*c)) {
+            let from = self.at;
+            let same = self.rest().find(|d| d != c).unwrap_or(self.rest().len());
+            self.at += same;
+            if c == '\u{3000}' {
+                self.faults.at(&(from..self.at), say::full_width_blank);
+            }
+        }
+        self.at > start
+    }
+
+    /// Whether markup begins here: `<`, or a full-width one that is surely meant so.
+    pub(in crate::parse::xml) fn opens_markup(&self) -> bool {
+        let mut rest = self.rest().chars();
+        match rest.next() {
+            Some('<') => true,
+            Some('＜') => rest
+                .next()
+                .is_some_and(|c| matches!(c, '/' | '／') || c.is_ascii_alphabetic()),
+            _ => false,
+        }
+    }
+
+    /// The start of the next line that begins with `<`, or the end of the file.
+    fn resumption(&self) -> usize {
+        let mut from = self.at;
+        while let Some(line) = self.text[from..].find('\n') {
+            from += line + 1;
+            let line = &self.text[from..];
+            let markup = line.trim_start_matches([' ', '\t', '\u{3000}']);
+            if markup.starts_with(['<', '＜']) {
+                return from + (line.len() - markup.len());
+            }
+        }
+        self.text.len()
+    }
+
+    /// Steps over text up to the next markup.
+    fn plain(&mut self) -> Range<usize> {
+        let (start, rest) = (self.at, self.rest());
+        // The first character opens no markup, even if it is a full-width sign.
+        let first = self.peek().map_or(0, char::len_utf8);
+        let end = rest[first..].find(['<', '＜']);
+        self.at += end.map_or(rest.len(), |i| first + i);
+        for (i, end) in self.text[start..self.at].match_indices("]]>") {
+            let range = start + i..start + i + end.len();
+            self.faults.at(&range, say::stray_cdata_end);
+        }
+        start..self.at
+    }
+
+    /// Reads markup that is not well-formed; what is wrong with it is reported.
+    fn unsound(&mut self) -> Option<Token<'a>> {
+        let start = self.at;
+        let open = self.peek().map_or(1, char::len_utf8);
+        let inner = &self.text[start + open..];
+        let next = inner.trim_start_matches(is_blank).chars().next();
+        if inner.starts_with(['!', '?']) {
+            self.endless(start)
+        } else if inner.starts_with('>') {
+            self.at += open + 1;
+            self.faults.at(&(start..self.at), say::nameless_tag);
+            None
+        } else if next.is_some_and(|c| matches!(c, '/' | '／')) {
+            self.end_tag(start)
+        } else if inner.starts_with(|c: char| c.is_alphanumeric() || is_name_start(c))
+            || (next.is_some_and(is_name_start) && !inner.starts_with(['\r', '\n']))
+        {
+            Some(Token::Start(self.start_tag(start)))
+        } else {
+            self.at += open;
+            self.faults.at(&(start..self.at), say::bare_less_than);
+            Some(Token::Verbatim(start..self.at))
+        }
+    }
+
+    /// Steps over `<`, and blanks that do not belong behind it.
+    pub(in crate::parse::xml) fn open(&mut self, parts: usize) {
+        for _ in 0..parts {
+            self.bump();
+            let from = self.at;
+            self.at += self.rest().len() - self.rest().trim_start_matches(is_blank).len();
+            if self.at > from {
+                self.faults.at(&(from..self.at), say::blank_before_name);
+            }
+        }
+    }
+
+    fn end_tag(&mut self, start: usize) -> Option<Token<'a>> {
+        self.open(2);
+        let name_start = self.at;
+        self.at = self.name_end();
+        let name = &self.text[name_start..self.at];
+        let name_end = self.at;
+        self.blanks();
+        let junk = self.at;
+        let rest = self.rest();
+        // Stopping at every end tag keeps a line full of full-width ones linear.
+        let stops = |&(i, c): &(usize, char)| match c {
+            '＜' => rest[i + c.len_utf8()..].starts_with(['/', '／']),
+            c => matches!(c, '>' | '＞' | '<' | '\n'),
+        };
+        let stop = rest.char_indices().find(stops);
+        self.at += stop.map_or(rest.len(), |(i, _)| i);
+        if matches!(self.peek(), Some('>' | '＞')) {
+            if self.at > junk {
+                let words = self.faults.quote(&(junk..self.at));
+                self.faults
+                    .at(&(junk..self.at), |s| say::junk_in_end_tag(s, words));
+            }
+            self.bump();
+        } else {
+            self.at = name_end;
+            let end = Edit::new(self.faults.span(&(name_end..name_end)), ">");
+            self.faults.at(&(start..name_end), |s| {
+                say::tag_not_closed(s, name, false, end)
+            });
+        }
+        let range = start..self.at;
+        Some(Token::End(EndTag { name, range }))
+    }
+
+    /// Steps over something without an end.
+    fn endless(&mut self, start: usize) -> Option<Token<'a>> {
+        let kind = ENCLOSED.iter().find(|k| self.rest().starts_with(k.0));
+        if let Some((open, what, end)) = kind.filter(|k| !k.1.en.is_empty()) {
+            self.at += open.len();
+            let range = start..self.at;
+            self.at = self.resumption();
+            let fix = self.ending(range.end..self.at, end);
+            self.faults
+                .at(&range, |s| say::not_ended(s, *what, end, fix));
+            return None;
+        }
+        let rest = self.rest();
+        let stop = rest[1..].find(['<', '>']).map_or(rest.len(), |i| 1 + i);
+        let end = rest[stop..].starts_with('>').then_some(self.at + stop + 1);
+        self.refuse(start, end);
+        self.at = end.unwrap_or_else(|| self.resumption());
+        None
+    }
+
+    /// How to end what has no end, at the latest where this range does.
+    fn ending(&self, range: Range<usize>, end: &str) -> Edit {
+        let inside = self.text[range.clone()].trim_end_matches(is_blank);
+        // A part of the end may be there: `--` for `-->`.
+        let parts = (1..end.len()).rev().map(|i| end.split_at(i));
+        let part = parts.into_iter().find(|(part, _)| inside.ends_with(part));
+        let at = range.start + inside.len();
+        let text = part.map_or_else(|| format!(" {end}"), |(_, rest)| rest.to_owned());
+        Edit::new(self.faults.span(&(at..at)), text)
+    }
+
+    /// Reports `<!DOCTYPE ...>`, whatever it holds.
+    fn refuse(&mut self, start: usize, whole: Option<usize>) -> Option<Token<'a>> {
+        let word = &self.text[start..];
+        let end = word.find(|c| is_blank(c) || c == '>');
+        let range = start..start + end.unwrap_or(word.len());
+        self.at = self.at.max(range.end);
+        let whole = whole.map(|end| self.faults.span(&(start..end)));
+        self.faults.at(&range, |s| say::document_type(s, whole));
+        None
+    }
+
+    /// Reports dashes inside a comment, which quick-xml finds too but not where they are.
+    fn check_comment(&mut self, comment: Range<usize>) -> Option<Token<'a>> {
+        let (from, to) = (comment.start + 4, comment.end - 3);
+        self.check_characters(from..to);
+        let inside = &self.text[from..to];
+        // `--->`: the last dash touches the end.
+        let touching = inside.ends_with('-').then(|| inside.len() - 1);
+        let at = from + inside.find("--").or(touching)?;
+        if self.text[..at].ends_with("<!") {
+            let open = self.faults.span(&(comment.start..from));
+            let within = at - 2;
+            // The first line that begins with markup shows where the comment should have ended.
+            let mut end = from;
+            let mut lines = self.text[from..within].split_inclusive('\n').peekable();
+            while let Some(line) = lines.next() {
+                end += line.len();
+                if lines
+                    .peek()
+                    .is_some_and(|l| l.trim_start().starts_with('<'))
+                {
+                    break;
+                }
+            }
+            let fix = self.ending(from..end, "-->");
+            self.faults
+                .at(&(within..at + 2), |s| say::comment_in_comment(s, open, fix));
+        } else {
+            let fix = self.undashed(from..to);
+            self.faults
+                .at(&(at..at + 2), |s| say::dashes_in_comment(s, fix));
+        }
+        None
+    }
+
+    /// What to write in the place of dashes inside a comment: a long one for two, double strokes for a line of them.
+    fn undashed(&self, inside: Range<usize>) -> Vec<Edit> {
+        let text = &self.text[inside.clone()];
+        let (mut edits, mut at) = (vec![], 0);
+        if !self.faults.wanted() || text.len() > LONG {
+            return edits;
+        }
+        while let Some(start) = text[at..].find('-').map(|i| at + i) {
+            let rest = &text[start..];
+            let count = rest.len() - rest.trim_start_matches('-').len();
+            at = start + count;
+            let last = at == text.len();
+            let place = inside.start + start..inside.start + at;
+            let span = self.faults.span(&place);
+            match count {
+                1 if last => edits.push(Edit::new(span.after(), " ")),
+                1 => {}
+                2 => edits.push(Edit::new(span, "—")),
+                _ => edits.push(Edit::new(span, "=".repeat(count))),
+            }
+        }
+        edits
+    }
+}

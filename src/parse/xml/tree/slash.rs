@@ -1,0 +1,96 @@
+//! Start tags that were meant as end tags: `<Row>KTU  <Row>`, where the slash is forgotten.
+//!
+//! Such a tag bears no attributes, stands directly in an element of its name, and leaves two ends missing: its own
+//! and that of the element round it. Where only one is missing, the end tag before it was forgotten altogether.
+
+use crate::parse::xml::tree::Habits;
+
+/// Searches for end tags cost time, and a file full of such tags must not spend it each time.
+const SEARCHES: u32 = 50;
+/// Bytes that a search reads: no wall line is longer.
+const FAR: usize = 1 << 16;
+
+/// Judges start tags, as long as that is cheap.
+pub(in crate::parse::xml) struct Slashes {
+    left: u32,
+}
+
+impl Slashes {
+    pub(in crate::parse::xml) fn new() -> Self {
+        Slashes { left: SEARCHES }
+    }
+
+    /// Whether a tag without attributes, directly in an element of its name, was meant to close that element.
+    /// `rest` = what follows it; `open` = the names of the open elements, the outermost first.
+    pub(in crate::parse::xml) fn forgotten<'a>(
+        &mut self,
+        name: &str,
+        rest: &str,
+        open: impl DoubleEndedIterator<Item = &'a str>,
+        habits: Habits,
+    ) -> bool {
+        if (habits.alone)(name) {
+            return is_hollow(name, rest);
+        }
+        if !(habits.known)(name) || self.left == 0 {
+            return false;
+        }
+        self.left -= 1;
+        let mut count = 1;
+        let mut others = open.rev().inspect(|n| count += usize::from(*n == name));
+        let outer = others.find(|n| *n != name);
+        missing(name, rest, outer, count).is_some_and(|n| n >= 2)
+    }
+}
+
+/// Whether nothing stands in an element that would begin here, and it has no end tag either.
+fn is_hollow(name: &str, rest: &str) -> bool {
+    let next = rest.trim_start();
+    let Some(tag) = next.strip_prefix('<') else {
+        return next.is_empty();
+    };
+    match tag.strip_prefix('/') {
+        Some(end) => !is_tag(end, name),
+        None => is_tag(tag, name),
+    }
+}
+
+/// How many end tags of a name are missing before the end of the element `outer`, with `open` of them open;
+/// `None` = the end of `outer` is too far to tell.
+fn missing(name: &str, rest: &str, outer: Option<&str>, open: usize) -> Option<usize> {
+    let (mut open, mut depth) = (open, 1usize);
+    for (i, _) in rest.match_indices('<') {
+        if i > FAR {
+            return None;
+        }
+        let tag = &rest[i + 1..];
+        if let Some(end) = tag.strip_prefix('/') {
+            if is_tag(end, name) {
+                open = open.saturating_sub(1);
+            } else if outer.is_some_and(|o| is_tag(end, o)) {
+                depth -= 1;
+                if depth == 0 {
+                    break;
+                }
+            }
+        } else if is_tag(tag, name) && !is_empty(tag) {
+            open += 1;
+        } else if outer.is_some_and(|o| is_tag(tag, o)) && !is_empty(tag) {
+            depth += 1;
+        }
+    }
+    Some(open)
+}
+
+/// Whether a text behind `<` or `</` goes on with this name and no longer one.
+fn is_tag(text: &str, name: &str) -> bool {
+    let after = text.strip_prefix(name);
+    after.is_some_and(|a| a.starts_with(|c: char| c == '>' || c == '/' || c.is_whitespace()))
+}
+
+/// Whether a text behind `<` is a tag that ends with `/>`.
+fn is_empty(text: &str) -> bool {
+    text.split(['<', '>'])
+        .next()
+        .is_some_and(|t| t.ends_with('/'))
+}

@@ -1,0 +1,307 @@
+//! Tags: those that quick-xml reads and nothing is wrong with, and everything that can be wrong inside `<` and `>` but
+//! the values of attributes, which are read in [`quotes`](crate::parse::xml::tree::quotes).
+
+use crate::diagnostic::Edit;
+use crate::diagnostic::messages::xml as say;
+use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::quotes::closers;
+use crate::parse::xml::tree::scan::{EndTag, Scanner, StartTag};
+use crate::parse::xml::tree::text::{Run, Text};
+use quick_xml::events::{BytesEnd, BytesStart};
+use std::collections::HashMap;
+use std::ops::Range;
+
+/// `name="value"`.
+#[derive(Clone)]
+pub(in crate::parse::xml) struct Attribute<'a> {
+    pub(in crate::parse::xml) name: &'a str,
+    pub(in crate::parse::xml) name_range: Range<usize>,
+    pub(in crate::parse::xml) value: Text<'a>,
+    /// Name, `=` and value with its quotes.
+    pub(in crate::parse::xml) range: Range<usize>,
+    /// Whether something was wrong with it, so that nobody complains of it again.
+    pub(in crate::parse::xml) faulty: bool,
+}
+
+impl Attribute<'_> {
+    /// Whether it is other programs' business: name spaces, schema locations, xml:lang.
+    pub(in crate::parse::xml) fn is_foreign(&self) -> bool {
+        self.name.contains(':') || self.name == "xmlns"
+    }
+}
+
+/// How a start tag ends.
+enum End {
+    Open,
+    Empty,
+    /// Without `>`; `true` = there was a `/`.
+    Missing(bool),
+}
+
+/// White space of XML, and the full-width blank that Japanese input methods put in its place.
+pub(in crate::parse::xml) fn is_blank(c: char) -> bool {
+    matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
+}
+
+/// Whether a name may begin with it.
+pub(in crate::parse::xml) fn is_name_start(c: char) -> bool {
+    c.is_alphabetic() || c == '_' || c == ':'
+}
+
+/// What a full-width mark of a tag stands for.
+pub(in crate::parse::xml) fn narrow(c: char) -> Option<char> {
+    Some(match c {
+        '＜' => '<',
+        '＞' => '>',
+        '／' => '/',
+        '＝' => '=',
+        '“' | '”' | '„' | '＂' => '"',
+        '‘' | '’' | '＇' => '\'',
+        _ => return None,
+    })
+}
+
+/// Whether a name ends before it.
+pub(in crate::parse::xml) fn ends_name(c: char) -> bool {
+    is_blank(c) || narrow(c).is_some() || matches!(c, '<' | '>' | '/' | '=' | '"' | '\'')
+}
+
+/// Whether XML allows it as a name.
+pub(in crate::parse::xml) fn is_name(name: &str) -> bool {
+    let fits = |c: char| c.is_alphanumeric() || !c.is_ascii() || "_:-.".contains(c);
+    name.starts_with(is_name_start) && name.chars().all(fits)
+}
+
+impl<'a> Scanner<'a, '_> {
+    /// The tag that quick-xml has read, if nothing is wrong with it.
+    pub(in crate::parse::xml) fn sound_start(
+        &mut self,
+        start: usize,
+        tag: &BytesStart<'_>,
+    ) -> Option<StartTag<'a>> {
+        let name_range = self.sound_name(tag.name().as_ref())?;
+        let mut places = vec![];
+        for attribute in tag.attributes() {
+            let attribute = attribute.ok()?;
+            let name = self.sound_name(attribute.key.as_ref())?;
+            self.text[..name.start].ends_with(is_blank).then_some(())?;
+            places.push((name, self.range(&attribute.value)));
+        }
+        let places = places.into_iter();
+        Some(StartTag {
+            name: &self.text[name_range.clone()],
+            name_range,
+            range: start..self.at,
+            attributes: places
+                .map(|(n, v)| self.resolved(n, v.end + 1, v))
+                .collect(),
+            empty: self.text[..self.at].ends_with("/>"),
+            closed: true,
+        })
+    }
+
+    /// The end tag that quick-xml has read, if nothing is wrong with it.
+    pub(in crate::parse::xml) fn sound_end(
+        &self,
+        start: usize,
+        tag: &BytesEnd<'_>,
+    ) -> Option<EndTag<'a>> {
+        let name = &self.text[self.sound_name(tag.name().as_ref())?];
+        let range = start..self.at;
+        Some(EndTag { name, range })
+    }
+
+    /// Where a name stands that quick-xml has found, if it is one.
+    fn sound_name(&self, name: &str) -> Option<Range<usize>> {
+        (is_name(name) && !name.contains(ends_name)).then(|| self.range(name))
+    }
+
+    /// Where a part of the text stands in it.
+    fn range(&self, part: &str) -> Range<usize> {
+        let start = part.as_ptr() as usize - self.text.as_ptr() as usize;
+        start..start + part.len()
+    }
+
+    /// Reports a name that XML does not allow; whether it is one.
+    fn check_name(&mut self, range: &Range<usize>) -> bool {
+        let name = self.faults.quote(range);
+        if !is_name(name) {
+            self.faults.at(range, |s| say::bad_name(s, name));
+        }
+        is_name(name)
+    }
+
+    /// The end of a name that begins here.
+    pub(in crate::parse::xml) fn name_end(&self) -> usize {
+        let rest = self.rest();
+        self.at + rest.find(ends_name).unwrap_or(rest.len())
+    }
+
+    /// Reads a start tag.
+    pub(in crate::parse::xml) fn start_tag(&mut self, start: usize) -> StartTag<'a> {
+        self.open(1);
+        let name_range = self.at..self.name_end();
+        let name = &self.text[name_range.clone()];
+        self.check_name(&name_range);
+        self.at = name_range.end;
+        self.element = name;
+        let mut attributes = vec![];
+        let (empty, closed) = match self.attributes(&mut attributes) {
+            End::Open => (false, true),
+            End::Empty => (true, true),
+            End::Missing(slash) => {
+                self.unclosed(start..name_range.end, name, slash);
+                (slash, false)
+            }
+        };
+        report_twins(&mut attributes, self.faults);
+        StartTag {
+            name,
+            name_range,
+            range: start..self.at,
+            attributes,
+            empty,
+            closed,
+        }
+    }
+
+    /// Reports a start tag without `>`, which ends here. That of an element that holds nothing should end with `/>`.
+    fn unclosed(&mut self, range: Range<usize>, name: &str, slash: bool) {
+        let end = self.text[..self.at].trim_end_matches(is_blank).len();
+        let end = self.faults.span(&(end..end));
+        let own_end = self.rest().strip_prefix("</");
+        let held = own_end.is_some_and(|rest| rest.starts_with(name));
+        let empty = !slash && !held && (self.habits.leaf)(name);
+        let mark = if empty { "/>" } else { ">" };
+        self.faults.at(&range, |s| {
+            say::tag_not_closed(s, name, slash, Edit::new(end, mark))
+        });
+    }
+
+    fn attributes(&mut self, list: &mut Vec<Attribute<'a>>) -> End {
+        loop {
+            let before = self.at;
+            let spaced = self.blanks();
+            if self.text[before..self.at].contains('\n') && self.is_text_line() {
+                self.at = before;
+                return End::Missing(false);
+            }
+            match self.peek() {
+                None => return End::Missing(false),
+                Some('<' | '＜') if self.opens_markup() => return End::Missing(false),
+                Some('>' | '＞') => {
+                    self.bump();
+                    return End::Open;
+                }
+                Some('/' | '／') => {
+                    if let Some(end) = self.slash() {
+                        return end;
+                    }
+                }
+                Some(_) => {
+                    if !spaced && !list.is_empty() {
+                        let here = self.at..self.at;
+                        self.faults.at(&here, say::no_blank_between);
+                    }
+                    list.extend(self.attribute());
+                }
+            }
+        }
+    }
+
+    /// Whether a line of codes begins here rather than one of attributes.
+    fn is_text_line(&self) -> bool {
+        let line = self.rest().split(['\n', '<']).next().unwrap_or_default();
+        !line.trim().is_empty() && !line.contains(['=', '＝', '>', '＞', '/', '／', '"', '\''])
+    }
+
+    /// Reads the `/` before `>`; any other is reported and passed.
+    fn slash(&mut self) -> Option<End> {
+        let start = self.at;
+        self.bump();
+        let after = self.at;
+        self.at += self.rest().len() - self.rest().trim_start_matches(is_blank).len();
+        match self.peek() {
+            Some('>' | '＞') => {
+                if self.at > after {
+                    self.faults.at(&(after..self.at), say::blank_before_closing);
+                }
+                self.bump();
+                Some(End::Empty)
+            }
+            None | Some('<') => Some(End::Missing(true)),
+            _ => {
+                self.faults
+                    .at(&(start..after), |s| say::stray_in_tag(s, "/"));
+                None
+            }
+        }
+    }
+
+    fn attribute(&mut self) -> Option<Attribute<'a>> {
+        let name_range = self.at..self.name_end();
+        if name_range.is_empty() {
+            self.nameless();
+            return None;
+        }
+        let name = &self.text[name_range.clone()];
+        self.at = name_range.end;
+        let good = self.check_name(&name_range);
+        let (value, whole) = self.value(name, &name_range);
+        let attribute = self.resolved(name_range, self.at, value);
+        let faulty = !(good && whole);
+        Some(Attribute {
+            faulty,
+            ..attribute
+        })
+    }
+
+    /// The attribute of a name and a value that stand here, up to its end.
+    fn resolved(&mut self, name: Range<usize>, end: usize, value: Range<usize>) -> Attribute<'a> {
+        let mut run = Run::default();
+        run.raw(value.clone(), self.faults);
+        Attribute {
+            name: &self.text[name.clone()],
+            range: name.start..end,
+            name_range: name,
+            value: run.value(value.start),
+            faulty: false,
+        }
+    }
+
+    /// Steps over something that cannot begin an attribute.
+    fn nameless(&mut self) {
+        let start = self.at;
+        let first = self.peek().unwrap_or('=');
+        if narrow(first).unwrap_or(first) == '=' {
+            self.at += self.rest().len() - self.rest().trim_start_matches(first).len();
+        } else if "\"'“”„＂‘’＇".contains(first) {
+            // A value without a name, if it ends soon and on this line; else a quote too many.
+            let from = start + first.len_utf8();
+            let near = self.text[from..].char_indices().take(100);
+            let mut line = near.take_while(|(_, c)| !matches!(c, '\n' | '<' | '>'));
+            let close = line.find(|(_, c)| closers(first).contains(c));
+            self.at = close.map_or(from, |(i, c)| from + i + c.len_utf8());
+        } else {
+            self.at += first.len_utf8();
+        }
+        let range = start..self.at;
+        let junk = self.faults.quote(&range);
+        self.faults.at(&range, |s| say::stray_in_tag(s, junk));
+    }
+}
+
+/// Reports attributes of the same name and keeps the first of them.
+fn report_twins(attributes: &mut [Attribute<'_>], faults: &mut Reporter<'_>) {
+    let mut first = HashMap::new();
+    for twin in attributes {
+        let (name, span) = (twin.name, faults.span(&twin.name_range));
+        let range = twin.range.clone();
+        let (before, whole) = first.entry(name).or_insert((span, range.clone()));
+        if *before != span {
+            twin.faulty = true;
+            let both = [faults.with_gap(whole), faults.with_gap(&range)];
+            faults.push(|| say::attribute_twice(span, name, name, *before, both));
+        }
+    }
+}

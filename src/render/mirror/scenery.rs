@@ -1,0 +1,132 @@
+//! What stands before a wall: nodes are left out by their boxes, so that the cost grows with what the beam holds.
+
+use crate::render::GROUND;
+use crate::render::beam::{Beam, NEAR};
+use crate::render::mirror::walls::Wall;
+use crate::render::raster::Grid;
+use crate::render::view;
+use crate::render::view::{Frame, Place, Triangle};
+use crate::scene::{Mesh, Scene};
+use glam::{DVec2, DVec3, dvec3};
+
+/// How far the ground reaches to the sides and ahead, metres: to the horizon.
+const HORIZON: f64 = 20.0 * GROUND;
+
+/// A scene with the places and boxes of its nodes.
+pub(super) struct Town<'a> {
+    scene: &'a Scene,
+    nodes: Vec<Standing>,
+}
+
+/// A node that shows something.
+struct Standing {
+    node: usize,
+    place: Place,
+    /// Corners of its box in the world.
+    corners: [DVec3; 8],
+}
+
+impl<'a> Town<'a> {
+    pub(super) fn new(scene: &'a Scene) -> Town<'a> {
+        let boxes: Vec<Option<[DVec3; 8]>> = scene.meshes.iter().map(corners).collect();
+        let places = view::places(scene).into_iter();
+        let shown = scene.nodes.iter().enumerate().zip(places);
+        let nodes = shown.filter_map(|((node, shown), place)| {
+            let corners = boxes.get(shown.mesh?.0 as usize).copied().flatten()?;
+            Some(Standing {
+                node,
+                place,
+                corners: corners.map(|p| place.point(p)),
+            })
+        });
+        Town {
+            scene,
+            nodes: nodes.collect(),
+        }
+    }
+
+    /// The triangles of nodes that may be wanted.
+    fn triangles(&self, wanted: impl Fn(&Standing) -> bool) -> Vec<Triangle> {
+        let mut found = vec![];
+        for standing in self.nodes.iter().filter(|s| wanted(s)) {
+            let node = &self.scene.nodes[standing.node];
+            view::pour(self.scene, node, standing.place, &mut found);
+        }
+        found
+    }
+
+    /// What a wall may mirror in a beam, and the ground.
+    pub(super) fn in_beam(&self, wall: &Wall, beam: &Beam) -> Vec<Triangle> {
+        let plane = wall.plane;
+        let mut found = self.triangles(|standing| {
+            !wall.owns(standing.node) && beam.holds(&standing.corners.map(|p| plane.of(p)))
+        });
+        let at = |x: f64, z: f64| {
+            let middle = (wall.low.x + wall.high.x) / 2.0;
+            plane.world(dvec3(middle + x, wall.ground - 0.01, z))
+        };
+        let [a, b, c, d] = [
+            at(-HORIZON, 0.0),
+            at(HORIZON, 0.0),
+            at(HORIZON, HORIZON),
+            at(-HORIZON, HORIZON),
+        ];
+        found.extend([[a, b, c], [a, c, d]].map(Triangle::ground));
+        found
+    }
+
+    /// What may throw shadows on lines of the sun.
+    pub(super) fn under(&self, sun: &Frame, grid: &Grid) -> Vec<Triangle> {
+        let (low, high) = (grid.at(0), grid.at(grid.width * grid.height - 1));
+        self.triangles(|standing| {
+            let points = standing.corners.map(|p| sun.of(p));
+            let least = points.iter().fold(DVec2::MAX, |a, p| a.min(*p));
+            let most = points.iter().fold(DVec2::MIN, |a, p| a.max(*p));
+            least.cmple(high).all() && most.cmpge(low).all()
+        })
+    }
+
+    /// How far one may go straight away from a point of a wall; what is nearer than `past` is no hindrance.
+    pub(super) fn free(&self, wall: &Wall, from: DVec2, past: f64) -> Option<f64> {
+        let plane = wall.plane;
+        let before = self.triangles(|standing| {
+            let points = standing.corners.map(|p| plane.of(p));
+            let least = points.iter().fold(DVec3::MAX, |a, p| a.min(*p));
+            let most = points.iter().fold(DVec3::MIN, |a, p| a.max(*p));
+            let meets = least.truncate().cmple(from).all() && most.truncate().cmpge(from).all();
+            meets && most.z > past.max(NEAR) && !wall.owns(standing.node)
+        });
+        let line = Grid {
+            origin: from,
+            step: 1.0,
+            width: 1,
+            height: 1,
+        };
+        let mut free: Option<f64> = None;
+        for triangle in &before {
+            let corners = triangle.corners.map(|p| plane.of(p));
+            line.meet(corners.map(|p| p.truncate()), |_, weights| {
+                let way: f64 = corners.iter().zip(weights).map(|(p, w)| p.z * w).sum();
+                if way > past && free.is_none_or(|f| way < f) {
+                    free = Some(way);
+                }
+            });
+        }
+        free
+    }
+}
+
+/// The corners of a mesh's box; `None` of one without triangles.
+fn corners(mesh: &Mesh) -> Option<[DVec3; 8]> {
+    let points = mesh.primitives.iter().flat_map(|p| &p.positions);
+    let mut points = points.map(|p| view::point(*p));
+    let first = points.next()?;
+    let (low, high) = points.fold((first, first), |(l, h), p| (l.min(p), h.max(p)));
+    let side = |k: usize, bit: usize, axis: usize| match k >> bit & 1 {
+        0 => low[axis],
+        _ => high[axis],
+    };
+    Some(std::array::from_fn(|k| {
+        dvec3(side(k, 0, 0), side(k, 1, 1), side(k, 2, 2))
+    }))
+}

@@ -1,0 +1,113 @@
+//! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
+
+pub(in crate::roof) mod nearby;
+pub(in crate::roof) mod gable_infill;
+pub(in crate::roof) mod verges;
+pub(in crate::roof) mod meet;
+
+use crate::ast::RoofShape;
+use crate::building::{Attic, Roof, Verge};
+use crate::roof::join::gable_infill::{Built, fit};
+use crate::roof::join::meet::{apart, meet};
+use crate::roof::shape::facet::edges;
+use crate::roof::shape::form::Form;
+use crate::roof::solid::sheet::sheet;
+use crate::roof::storey::forms::Planned;
+use glam::DVec2;
+
+/// Verges that rise no higher over the plate have no wall under them, metres.
+const LOW: f64 = 1e-4;
+
+/// The roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not
+/// enter. Returns whether all met; where too many stand in each other's way they stay as they are.
+pub(super) fn assemble(
+    mut planned: Vec<Planned>,
+    walls: &[Vec<DVec2>],
+    roofs: &mut Vec<Roof>,
+) -> bool {
+    let mut all_met = true;
+    let mut start = 0;
+    // Stable, so that indices of trunks keep their meaning within a height.
+    let first = planned.first().map_or(0.0, |p| p.base);
+    planned.sort_by(|p, q| {
+        (p.base != first)
+            .cmp(&(q.base != first))
+            .then(p.base.total_cmp(&q.base))
+    });
+    while start < planned.len() {
+        let base = planned[start].base;
+        let count = planned[start..]
+            .iter()
+            .take_while(|p| (p.base - base).abs() < 1e-6)
+            .count();
+        all_met &= group(&mut planned[start..start + count], walls, roofs);
+        start += count;
+    }
+    all_met
+}
+
+fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -> bool {
+    let forms: Vec<_> = planned
+        .iter_mut()
+        .map(|p| std::mem::take(&mut p.form))
+        .collect();
+    let (met, all_met) = match meet(&forms, walls) {
+        Some(met) => (met, true),
+        None => (apart(&forms), false),
+    };
+    for (planned, form) in planned.iter_mut().zip(&forms) {
+        planned.roof.attic = attic(form, planned.base, planned.roof.shape);
+    }
+    let mut built: Vec<Built> = planned
+        .iter()
+        .zip(forms)
+        .zip(met)
+        .map(|((planned, form), pieces)| Built {
+            sheets: sheet(&pieces, form.drop, &planned.look.coat(), form.floor),
+            drop: form.drop,
+            fills: form.solids,
+        })
+        .collect();
+    if all_met {
+        fit(&mut built);
+    }
+    for (planned, built) in planned.iter_mut().zip(built) {
+        let mut solids = built.sheets;
+        solids.extend(built.fills);
+        planned.roof.solids = solids;
+        let empty = Roof {
+            attic: Attic::default(),
+            solids: vec![],
+            ..planned.roof
+        };
+        roofs.push(std::mem::replace(&mut planned.roof, empty));
+    }
+    all_met
+}
+
+/// What lies between a form and the walls that carry it.
+fn attic(form: &Form, plate: f64, shape: RoofShape) -> Attic {
+    let filled = !form.hung && form.under.is_none() && shape != RoofShape::Flat;
+    let mut attic = Attic {
+        plate,
+        filled,
+        ..Attic::default()
+    };
+    if filled {
+        let walls = form.walls.map_or(vec![], |w| edges(&w.corners()));
+        for facet in &form.facets {
+            let top = facet.plane;
+            let lift = |at: DVec2| at.extend(top.at(at));
+            let over = facet.beyond(&walls).into_iter();
+            let over = over.map(|v| v.iter().map(|c| lift(c.at)).collect::<Verge>());
+            // Eaves lie below the plate, over walls or not.
+            let high = |v: &Verge| v.iter().any(|p| p.z - form.drop > plate + LOW);
+            attic.verges.extend(over.filter(high));
+            if facet.lowered > 0.0 {
+                let whole = facet.outline.iter().map(|c| lift(c.at)).collect();
+                attic.lowered.push((whole, facet.lowered));
+            }
+        }
+    }
+    attic
+}

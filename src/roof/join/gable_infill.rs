@@ -1,0 +1,210 @@
+//! Fills where roofs meet: a gable wall makes room for the roofs of its neighbours and for their fills.
+//!
+//! A neighbour's sheet that passes through a gable wall is built in: the wall ends under it and goes on over
+//! it. Where two walls stand in one place, back to back on one line, that of the earlier roof is built and
+//! the other adds what it has beyond. All parts are convex, so that cutting is clipping by planes.
+
+use crate::building::{Face, Finish, Solid};
+use crate::roof::shape::gable_wall::SUNK;
+use crate::roof::solid::{ON, clip, columns};
+use glam::{DVec2, DVec3};
+
+/// What of two solids in one place is too little to be cut away, cubic metres: a joint.
+const TOUCH: f64 = 2e-5;
+
+/// One roof of a group on its way to its solids.
+pub(in crate::roof) struct Built {
+    /// Its closed sheets.
+    pub(in crate::roof) sheets: Vec<Solid>,
+    /// How thick they are, measured upright, metres.
+    pub(in crate::roof) drop: f64,
+    /// What stands under them.
+    pub(in crate::roof) fills: Vec<Solid>,
+}
+
+/// A convex body as what lies below all its planes: normals outward, and where along them.
+struct Body {
+    planes: Vec<(DVec3, f64)>,
+    lo: DVec3,
+    hi: DVec3,
+}
+
+impl Body {
+    /// Whether one of its planes has all these points beyond it, which most bodies nearby do.
+    fn is_apart(&self, points: &[DVec3]) -> bool {
+        let mut planes = self.planes.iter();
+        planes.any(|(normal, at)| points.iter().all(|p| normal.dot(*p) - at > -ON))
+    }
+}
+
+/// Cuts the gable walls of every roof by the sheets of the others and by the walls of those before it.
+pub(in crate::roof) fn fit(roofs: &mut [Built]) {
+    let mut walls = roofs.iter().flat_map(|r| &r.fills);
+    if roofs.len() < 2 || !walls.any(is_wall) {
+        return;
+    }
+    let sheets: Vec<Vec<Body>> = roofs.iter().map(bodies).collect();
+    let boxes: Vec<(DVec3, DVec3)> = sheets.iter().map(|s| around(s)).collect();
+    let mut standing: Vec<Body> = vec![];
+    for (n, roof) in roofs.iter_mut().enumerate() {
+        let mut built = vec![];
+        for fill in std::mem::take(&mut roof.fills) {
+            if !is_wall(&fill) {
+                built.push(fill);
+                continue;
+            }
+            let (lo, hi) = bounds(&fill.points);
+            let others = (0..sheets.len()).filter(|i| *i != n && meets(boxes[*i], (lo, hi)));
+            let near = others.flat_map(|i| &sheets[i]).chain(&standing);
+            let near: Vec<&Body> = near.filter(|b| meets((b.lo, b.hi), (lo, hi))).collect();
+            built.extend(left(fill, &near));
+        }
+        standing.extend(
+            built
+                .iter()
+                .filter(|f| is_wall(f))
+                .flat_map(columns)
+                .map(of),
+        );
+        roof.fills = built;
+    }
+}
+
+fn is_wall(fill: &Solid) -> bool {
+    fill.faces.iter().all(|f| f.finish == Finish::Gable)
+}
+
+/// What the bodies leave of a fill; the fill as it is where none of them takes anything.
+fn left(fill: Solid, near: &[&Body]) -> Vec<Solid> {
+    let whole = columns(&fill);
+    let mut parts = whole.clone();
+    let mut cut = false;
+    for body in near {
+        let mut rest = Vec::with_capacity(parts.len());
+        for part in parts {
+            match outside(&part, body) {
+                Some(pieces) => {
+                    cut = true;
+                    rest.extend(pieces);
+                }
+                None => rest.push(part),
+            }
+        }
+        parts = rest;
+    }
+    if cut { parts } else { vec![fill] }
+}
+
+/// The convex parts of a convex solid outside a body; none where they hardly touch.
+fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
+    if !meets(bounds(&part.points), (body.lo, body.hi)) || body.is_apart(&part.points) {
+        return None;
+    }
+    let mut inside = part.clone();
+    let mut off = vec![];
+    for &(normal, at) in &body.planes {
+        // Most planes of a body pass beside what is left.
+        if inside.points.iter().all(|p| normal.dot(*p) - at < ON) {
+            continue;
+        }
+        off.extend(clip(&inside, -normal, -at));
+        inside = clip(&inside, normal, at)?;
+    }
+    (volume(&inside) > TOUCH).then(|| {
+        off.retain(|p| volume(p) > TOUCH);
+        off
+    })
+}
+
+/// The sheets of a roof in convex bodies, one under each face of its upper surface. Fills may reach a
+/// little way in from above and below.
+fn bodies(roof: &Built) -> Vec<Body> {
+    let sunk = SUNK.min(roof.drop / 4.0);
+    let faces = |s: &Solid| -> Vec<Body> {
+        let tops = s.faces.iter();
+        let tops = tops.filter(|f| matches!(f.finish, Finish::Covering(_)));
+        tops.filter_map(|f| below(s, f, roof.drop, sunk)).collect()
+    };
+    roof.sheets.iter().flat_map(faces).collect()
+}
+
+/// The body under a face of the upper surface.
+fn below(solid: &Solid, face: &Face, drop: f64, sunk: f64) -> Option<Body> {
+    let points: Vec<DVec3> = corners(solid, face).collect();
+    let normal = outward(&points)?;
+    if normal.z < 1e-3 {
+        return None;
+    }
+    let at = normal.dot(points[0]);
+    let mut planes = vec![
+        (normal, at - sunk * normal.z),
+        (-normal, (drop - sunk) * normal.z - at),
+    ];
+    for (i, p) in points.iter().enumerate() {
+        let way = (points[(i + 1) % points.len()] - *p).truncate();
+        let side: DVec2 = -way.try_normalize()?.perp();
+        planes.push((side.extend(0.0), side.dot(p.truncate())));
+    }
+    let (lo, hi) = bounds(&points);
+    Some(Body {
+        planes,
+        lo: lo - DVec3::Z * drop,
+        hi,
+    })
+}
+
+/// A convex solid as a body.
+fn of(solid: Solid) -> Body {
+    let plane = |face: &Face| {
+        let points: Vec<DVec3> = corners(&solid, face).collect();
+        outward(&points).map(|normal| (normal, normal.dot(points[0])))
+    };
+    let (lo, hi) = bounds(&solid.points);
+    Body {
+        planes: solid.faces.iter().filter_map(plane).collect(),
+        lo,
+        hi,
+    }
+}
+
+fn corners<'s>(solid: &'s Solid, face: &'s Face) -> impl Iterator<Item = DVec3> + 's {
+    face.corners.iter().map(|c| solid.points[*c as usize])
+}
+
+fn outward(points: &[DVec3]) -> Option<DVec3> {
+    let fan = points.windows(2);
+    let sum: DVec3 = fan
+        .map(|w| (w[0] - points[0]).cross(w[1] - points[0]))
+        .sum();
+    sum.try_normalize()
+}
+
+fn volume(solid: &Solid) -> f64 {
+    let Some(from) = solid.points.first() else {
+        return 0.0;
+    };
+    let of = |face: &Face| -> f64 {
+        let points: Vec<DVec3> = corners(solid, face).map(|p| p - *from).collect();
+        let fan = points.windows(2);
+        fan.map(|w| points[0].dot(w[0].cross(w[1]))).sum()
+    };
+    solid.faces.iter().map(of).sum::<f64>() / 6.0
+}
+
+fn bounds(points: &[DVec3]) -> (DVec3, DVec3) {
+    let none = (DVec3::MAX, DVec3::MIN);
+    points
+        .iter()
+        .fold(none, |(lo, hi), p| (lo.min(*p), hi.max(*p)))
+}
+
+fn around(bodies: &[Body]) -> (DVec3, DVec3) {
+    let none = (DVec3::MAX, DVec3::MIN);
+    bodies
+        .iter()
+        .fold(none, |(lo, hi), b| (lo.min(b.lo), hi.max(b.hi)))
+}
+
+fn meets(one: (DVec3, DVec3), other: (DVec3, DVec3)) -> bool {
+    one.0.cmplt(other.1).all() && other.0.cmplt(one.1).all()
+}

@@ -1,0 +1,82 @@
+//! Verges over lower roofs: what of a slope would stand in the thickness of a verge above it is taken away, since the
+//! verge covers it.
+
+use crate::roof::join::meet::Met;
+use crate::roof::shape::facet::{Corner, Facet, HalfPlane, Higher, edges, subtract};
+use crate::roof::shape::form::Form;
+use crate::roof::shape::frame::Plane;
+use crate::roof::solid::sheet::{Piece, has_area};
+use glam::DVec2;
+
+/// Takes from every roof what stands in the verges of the others; `near` are the roofs near one.
+pub(in crate::roof) fn clear_verges(
+    forms: &[Form],
+    met: &mut [Met],
+    near: impl Fn(usize) -> Vec<usize>,
+) {
+    if forms.len() < 2 {
+        return;
+    }
+    for (n, form) in forms.iter().enumerate() {
+        let verges = left_of(form, &met[n]);
+        for other in near(n).into_iter().filter(|o| *o != n) {
+            for (outline, top) in &verges {
+                for (piece, plane) in std::mem::take(&mut met[other]) {
+                    let mut left = vec![];
+                    below(piece, plane, outline, *top, form.drop, &mut left);
+                    let left = left.into_iter().filter(|p| has_area(p));
+                    met[other].extend(left.map(|p| (p, plane)));
+                }
+            }
+        }
+    }
+}
+
+/// A part of an upper surface: its outline and its plane.
+type Cover = (Vec<DVec2>, Plane);
+
+fn cover((outline, plane): &Piece) -> Cover {
+    (outline.iter().map(|c| c.at).collect(), *plane)
+}
+
+/// The verges that meeting has left of a form.
+fn left_of(form: &Form, met: &Met) -> Vec<Cover> {
+    let mut verges = vec![];
+    for facet in form.facets.iter().filter(|f| has_verge(f)) {
+        let body = edges(&facet.body);
+        for (piece, _) in met.iter().filter(|(_, plane)| *plane == facet.plane) {
+            let mut over = vec![];
+            match facet.body.len() {
+                0..3 => over.push(piece.clone()),
+                _ => subtract(piece.clone(), body.iter(), &mut over),
+            }
+            verges.extend(over.into_iter().map(|v| cover(&(v, facet.plane))));
+        }
+    }
+    verges
+}
+
+fn has_verge(facet: &Facet) -> bool {
+    let same = |(c, p): (&Corner, &DVec2)| c.at == *p;
+    facet.outline.len() != facet.body.len() || !facet.outline.iter().zip(&facet.body).all(same)
+}
+
+/// What of a piece does not stand in a verge.
+fn below(
+    piece: Vec<Corner>,
+    plane: Plane,
+    verge: &[DVec2],
+    top: Plane,
+    drop: f64,
+    left: &mut Vec<Vec<Corner>>,
+) {
+    let mut sides = edges(verge);
+    for (upper, lower) in [(top, plane), (plane, top.raised(-drop))] {
+        match HalfPlane::where_higher(upper, lower) {
+            Higher::Nowhere => return left.push(piece),
+            Higher::Everywhere => {}
+            Higher::Inside(side) => sides.push(side),
+        }
+    }
+    subtract(piece, sides.iter(), left);
+}

@@ -1,0 +1,418 @@
+//! `least-cut`: the best guillotine tree, exactly, by dynamic programming over all
+//! rectangles of grid lines (`language.md` 4; `opt` in domain 3.5).
+//!
+//! Least roof cut, then fewest roofs, then the largest sum of squared areas: sums over the
+//! halves, so the best tree of a rectangle is made of best trees. So is the last criterion,
+//! the least sorted list of roofs: of two sets the one holding the least element of their
+//! symmetric difference has the lesser list (their sizes are equal by then), and that element
+//! stays the same whatever disjoint set joins both. Only rectangles on the way down from the
+//! root ever need it, so ties are settled afterwards.
+
+use crate::geometry::plan::Cell;
+use crate::geometry::plan::raster::{Raster, Span};
+use crate::roof::partition::scan::{Lengths, Line, halves};
+use std::cmp::{Ordering, Reverse};
+
+/// Most distinct coordinates on an axis for which the search is made.
+pub(in crate::roof) const MAX_LINES: usize = 32;
+
+/// The roof cells before merging, in no particular order, and how many steps the search took; no cells
+/// where it would take more than `most`. Both axes need at most [`MAX_LINES`] lines.
+pub(in crate::roof) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u64) {
+    // Where even to look at all rectangles takes too long, nothing is begun.
+    let size = interval(0, raster.cols() + 1) * interval(0, raster.rows() + 1);
+    if size as u64 > most {
+        return (None, 0);
+    }
+    let Some(search) = Search::fill(raster, most) else {
+        return (None, most);
+    };
+    let mut ties = Ties {
+        steps: search.steps,
+        settled: vec![None; search.best.len()],
+        search: &search,
+    };
+    let cells = ties.settle(raster.span()).map(|_| {
+        let mut spans = Vec::new();
+        ties.roofs(raster.span(), &mut spans);
+        spans.into_iter().map(|s| raster.cell(s)).collect()
+    });
+    (cells, most - ties.steps)
+}
+
+/// What a rectangle's best tree reaches, in the order of comparison.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Score {
+    /// Roof cut, reduced length.
+    cut: u64,
+    roofs: u32,
+    /// Sum of squared areas, reduced, saturating.
+    squares: Reverse<u128>,
+}
+
+impl Score {
+    fn plus(self, other: Self, cut: u64) -> Self {
+        Self {
+            cut: self.cut.saturating_add(other.cut).saturating_add(cut),
+            roofs: self.roofs + other.roofs,
+            squares: Reverse(self.squares.0.saturating_add(other.squares.0)),
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Best {
+    score: Score,
+    /// The first best cut; `None` = pure.
+    cut: Option<(Line, u8)>,
+    /// Fingerprint of its set of roofs: the sum of a hash of each, so that equal sets have equal
+    /// sums, whatever the tree. (Should two sets ever collide, the first is kept.)
+    print: u64,
+    /// Whether another set of roofs scores the same, here or further down.
+    open: bool,
+}
+
+impl Best {
+    /// A rectangle without walls: a roof of its own if `area` is given, else nothing.
+    fn pure(area: Option<u128>, s: Span) -> Self {
+        let squares = area.map_or(0, |a| a.saturating_mul(a));
+        Self {
+            score: Score {
+                cut: 0,
+                roofs: u32::from(area.is_some()),
+                squares: Reverse(squares),
+            },
+            cut: None,
+            print: if area.is_some() { print(s) } else { 0 },
+            open: false,
+        }
+    }
+
+    /// What cutting a rectangle into these two reaches.
+    fn joined(one: &Best, other: &Best, roof: u64, cut: (Line, u8)) -> Self {
+        Self {
+            score: one.score.plus(other.score, roof),
+            cut: Some(cut),
+            print: one.print.wrapping_add(other.print),
+            open: one.open || other.open,
+        }
+    }
+
+    /// Keeps the better of the two; of equals the first, open where they differ.
+    fn or(&mut self, rival: Best) {
+        match rival.score.cmp(&self.score) {
+            Ordering::Less => *self = rival,
+            Ordering::Equal => self.open |= rival.open || rival.print != self.print,
+            Ordering::Greater => {}
+        }
+    }
+}
+
+/// All rectangles of grid lines, each solved after those inside it.
+///
+/// Three observations make most of them cheap, and change nothing of what is found:
+/// - Empty margins are trimmed off: a tree of the whole cuts the rest just as some tree of the rest does.
+/// - A cut that divides no roof goes first and alone, for the same reason.
+/// - A line without wall in a rectangle never cuts it best: moved aside until it meets a wall or another
+///   cut, it would divide no more roof in one of the two directions, and where both are equal the squares
+///   of the areas beside it, being convex, grow in one.
+struct Search<'r> {
+    raster: &'r Raster,
+    roof: Lengths,
+    /// What lies between two lines b = c, for each interval as [`interval`] counts them.
+    across: Vec<Marks>,
+    /// The same between two lines a = c.
+    along: Vec<Marks>,
+    /// For each rectangle, see [`Search::at`], the place in `best` of what it is trimmed to.
+    place: Vec<u32>,
+    /// The roof cut of each once more, close together: it rules out most cuts.
+    least: Vec<u64>,
+    /// The first one is that of all empty rectangles.
+    best: Vec<Best>,
+    /// How many more rectangles and cuts may be looked at.
+    steps: u64,
+}
+
+/// What a strip between two lines holds, as bits.
+#[derive(Clone, Copy, Debug, Default)]
+struct Marks {
+    /// The lines across it, but the outermost, with wall in it.
+    walls: u32,
+    /// The fields across it with roof in it.
+    roofs: u32,
+}
+
+impl<'r> Search<'r> {
+    /// Solves them all; `None` where that takes more steps.
+    fn fill(raster: &'r Raster, steps: u64) -> Option<Self> {
+        let (cols, rows) = (raster.cols(), raster.rows());
+        let size = interval(0, cols + 1) * interval(0, rows + 1);
+        let field = |i: usize, j: usize| u32::from(raster.inside[j * cols + i]);
+        let row = |j: usize| (0..cols).fold(0, |bits, i| bits | field(i, j) << i);
+        let col = |i: usize| (0..rows).fold(0, |bits, j| bits | field(i, j) << j);
+        let mut search = Self {
+            raster,
+            roof: Lengths::roof(raster),
+            across: marks(rows, cols, row),
+            along: marks(cols, rows, col),
+            steps: steps.checked_sub(size as u64)?,
+            place: vec![0; size],
+            least: vec![0; size],
+            best: vec![Best::pure(None, raster.span())],
+        };
+        for i1 in 1..=cols {
+            for i0 in (0..i1).rev() {
+                for j1 in 1..=rows {
+                    for j0 in (0..j1).rev() {
+                        search.solve(Span { i0, j0, i1, j1 })?;
+                    }
+                }
+            }
+        }
+        Some(search)
+    }
+
+    /// Place of a rectangle.
+    #[inline]
+    fn at(&self, s: Span) -> usize {
+        interval(s.i0, s.i1) * interval(0, self.raster.rows() + 1) + interval(s.j0, s.j1)
+    }
+
+    #[inline]
+    fn best(&self, s: Span) -> &Best {
+        &self.best[self.place[self.at(s)] as usize]
+    }
+
+    /// What of a rectangle is left without its empty margins; none where all of it is empty.
+    fn trimmed(&self, s: Span) -> Option<Span> {
+        let cols = self.across[interval(s.j0, s.j1)].roofs & bits(s.i0, s.i1);
+        if cols == 0 {
+            return None;
+        }
+        let (i0, i1) = ends(cols);
+        let (j0, j1) = ends(self.along[interval(i0, i1)].roofs & bits(s.j0, s.j1));
+        Some(Span { i0, j0, i1, j1 })
+    }
+
+    /// The lines with wall in a rectangle.
+    fn walls(&self, s: Span) -> impl Iterator<Item = (Line, usize)> + use<> {
+        let x = self.across[interval(s.j0, s.j1)].walls & bits(s.i0 + 1, s.i1);
+        let y = self.along[interval(s.i0, s.i1)].walls & bits(s.j0 + 1, s.j1);
+        ones(x, Line::X).chain(ones(y, Line::Y))
+    }
+
+    /// Solves a rectangle when those inside it are; `None` when the steps are used up.
+    fn solve(&mut self, s: Span) -> Option<()> {
+        let Some(rest) = self.trimmed(s) else {
+            return Some(());
+        };
+        let at = self.at(s);
+        if rest != s {
+            let of = self.at(rest);
+            (self.place[at], self.least[at]) = (self.place[of], self.least[of]);
+            return Some(());
+        }
+        let best = match self.best_cut(s)? {
+            Some(best) => best,
+            None => Best::pure(Some(self.raster.area(s)), s),
+        };
+        self.place[at] = self.best.len() as u32;
+        self.least[at] = best.score.cut;
+        self.best.push(best);
+        Some(())
+    }
+
+    /// The best way to cut a rectangle; none where it has no walls.
+    fn best_cut(&mut self, s: Span) -> Option<Option<Best>> {
+        let mut best: Option<Best> = None;
+        let mut most = u64::MAX;
+        for (line, n) in self.walls(s) {
+            self.steps = self.steps.checked_sub(1)?;
+            let roof = self.roof.within(line, n, s);
+            if roof == 0 {
+                return Some(Some(self.joined(s, line, n)));
+            }
+            // The first criterion alone, without its detours: here is where the time goes.
+            let [one, other] = halves(s, line, n).map(|half| self.least[self.at(half)]);
+            if one.saturating_add(other).saturating_add(roof) > most {
+                continue;
+            }
+            let rival = self.joined(s, line, n);
+            match &mut best {
+                Some(best) => best.or(rival),
+                None => best = Some(rival),
+            }
+            most = best.map_or(most, |b| b.score.cut);
+        }
+        Some(best)
+    }
+
+    fn joined(&self, s: Span, line: Line, n: usize) -> Best {
+        let [one, other] = halves(s, line, n).map(|half| self.best(half));
+        Best::joined(one, other, self.roof.within(line, n, s), (line, n as u8))
+    }
+}
+
+/// Place of the interval from line `lo` to line `hi`: in the order of `hi`, then `lo`. With 0 and one more
+/// than the fields it is the number of all intervals.
+#[inline]
+fn interval(lo: usize, hi: usize) -> usize {
+    hi * (hi - 1) / 2 + lo
+}
+
+/// The bits from `lo` on below `hi`, at most 31.
+#[inline]
+fn bits(lo: usize, hi: usize) -> u32 {
+    (1u32 << hi) - (1u32 << lo.min(hi))
+}
+
+/// The first of some bits and the one behind the last.
+fn ends(bits: u32) -> (usize, usize) {
+    let (lo, hi) = (bits.trailing_zeros(), u32::BITS - bits.leading_zeros());
+    (lo as usize, hi as usize)
+}
+
+/// The lines that some bits stand for, ascending.
+fn ones(mut bits: u32, line: Line) -> impl Iterator<Item = (Line, usize)> {
+    std::iter::from_fn(move || {
+        let n = bits.trailing_zeros();
+        bits &= bits.checked_sub(1)?;
+        Some((line, n as usize))
+    })
+}
+
+/// The marks of all intervals of `count` strips, each with the bits of its fields inside.
+fn marks(count: usize, fields: usize, strip: impl Fn(usize) -> u32) -> Vec<Marks> {
+    let mut marks = vec![Marks::default(); interval(0, count + 1)];
+    for hi in 1..=count {
+        let roofs = strip(hi - 1);
+        let walls = (roofs ^ (roofs << 1)) & bits(1, fields);
+        for lo in 0..hi {
+            let before = if lo + 1 < hi {
+                marks[interval(lo, hi - 1)]
+            } else {
+                Marks::default()
+            };
+            marks[interval(lo, hi)] = Marks {
+                walls: before.walls | walls,
+                roofs: before.roofs | roofs,
+            };
+        }
+    }
+    marks
+}
+
+/// A rectangle whose set of roofs is certain.
+#[derive(Clone, Copy)]
+struct Settled {
+    cut: Option<(Line, u8)>,
+    print: u64,
+}
+
+/// The last criterion, for the open rectangles on the way down from the root.
+struct Ties<'t, 'r> {
+    search: &'t Search<'r>,
+    /// The open rectangles settled so far.
+    settled: Vec<Option<Settled>>,
+    /// How many more roofs may be compared.
+    steps: u64,
+}
+
+impl Ties<'_, '_> {
+    /// Settles `s` and whatever below it matters; `None` when the steps are used up.
+    fn settle(&mut self, s: Span) -> Option<Settled> {
+        let (at, best) = (self.search.place[self.search.at(s)], self.search.best(s));
+        let first = Settled {
+            cut: best.cut,
+            print: best.print,
+        };
+        if !best.open {
+            return Some(first);
+        }
+        if let Some(known) = self.settled[at as usize] {
+            return Some(known);
+        }
+        // The cuts of a rectangle are those of what it is trimmed to.
+        let rest = self.search.trimmed(s).unwrap_or(s);
+        let found = self.least(rest, best.score)?.unwrap_or(first);
+        self.settled[at as usize] = Some(found);
+        Some(found)
+    }
+
+    /// Of the cuts that score the same, the one whose sorted list of roofs is least.
+    fn least(&mut self, s: Span, score: Score) -> Option<Option<Settled>> {
+        let mut least: Option<(Settled, Option<Vec<Span>>)> = None;
+        for (line, n) in self.search.walls(s) {
+            if self.search.joined(s, line, n).score != score {
+                continue;
+            }
+            let [one, other] = halves(s, line, n);
+            let prints = [self.settle(one)?.print, self.settle(other)?.print];
+            let rival = Settled {
+                cut: Some((line, n as u8)),
+                print: prints[0].wrapping_add(prints[1]),
+            };
+            least = Some(match least {
+                None => (rival, None),
+                Some(kept) if kept.0.print == rival.print => kept,
+                Some((kept, list)) => {
+                    self.steps = self.steps.checked_sub(u64::from(score.roofs))?;
+                    let list = list.unwrap_or_else(|| self.list(s, kept));
+                    let other = self.list(s, rival);
+                    let lesser = other.iter().map(key).lt(list.iter().map(key));
+                    if lesser {
+                        (rival, Some(other))
+                    } else {
+                        (kept, Some(list))
+                    }
+                }
+            });
+        }
+        Some(least.map(|(kept, _)| kept))
+    }
+
+    /// The sorted roofs of `s` if it is cut as `by` says.
+    fn list(&self, s: Span, by: Settled) -> Vec<Span> {
+        let mut spans = Vec::new();
+        if let Some((line, n)) = by.cut {
+            for half in halves(s, line, usize::from(n)) {
+                self.roofs(half, &mut spans);
+            }
+        }
+        spans.sort_unstable_by_key(key);
+        spans
+    }
+
+    /// Collects the roofs of a settled rectangle.
+    fn roofs(&self, s: Span, into: &mut Vec<Span>) {
+        let Some(rest) = self.search.trimmed(s) else {
+            return;
+        };
+        let (at, best) = (self.search.place[self.search.at(s)], self.search.best(s));
+        let settled = self.settled[at as usize].filter(|_| best.open);
+        match settled.map_or(best.cut, |known| known.cut) {
+            Some((line, n)) => {
+                for half in halves(rest, line, usize::from(n)) {
+                    self.roofs(half, into);
+                }
+            }
+            None => into.push(rest),
+        }
+    }
+}
+
+/// The place of a roof in a sorted list.
+fn key(s: &Span) -> (usize, usize, usize, usize) {
+    (s.j0, s.i0, s.j1, s.i1)
+}
+
+/// A well mixed number for a roof (splitmix64).
+fn print(s: Span) -> u64 {
+    let packed = [s.i0, s.j0, s.i1, s.j1]
+        .iter()
+        .fold(1u64, |sum, &n| sum << 6 | n as u64);
+    let mut z = packed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    z ^ (z >> 31)
+}

@@ -1,0 +1,134 @@
+//! Lengths along the scan lines of a raster, as prefix sums: how much of a line inside a
+//! cell is wall, and how much of it divides roof.
+
+use crate::geometry::plan::raster::{Raster, Span};
+
+/// Which way a scan line runs; `X` sorts first, as "x before y" demands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(in crate::roof) enum Line {
+    /// The line a = c (x in domain 3).
+    X,
+    /// The line b = c (y in domain 3).
+    Y,
+}
+
+/// Prefix sums of one kind of length along every grid line.
+#[derive(Debug)]
+pub(in crate::roof) struct Lengths {
+    /// Line i of axis a: `x[j * (cols + 1) + i]` = length in front of line j. The lines of a cell, which
+    /// are looked at one after another, so lie side by side.
+    x: Vec<u64>,
+    /// Line j of axis b: `y[i * (rows + 1) + j]` = length right of line i.
+    y: Vec<u64>,
+    cols: usize,
+    rows: usize,
+}
+
+impl Lengths {
+    /// Outer wall: one side inside, the other outside (001-15).
+    pub(in crate::roof) fn walls(raster: &Raster) -> Self {
+        Self::measure(raster, |one, other| one != other)
+    }
+
+    /// Roof that a cut along the line divides: both sides inside.
+    pub(in crate::roof) fn roof(raster: &Raster) -> Self {
+        Self::measure(raster, |one, other| one && other)
+    }
+
+    fn measure(raster: &Raster, counts: fn(bool, bool) -> bool) -> Self {
+        let (cols, rows) = (raster.cols(), raster.rows());
+        let mut x = vec![0; (cols + 1) * (rows + 1)];
+        let mut y = vec![0; (cols + 1) * (rows + 1)];
+        for j in 0..rows {
+            let step = raster.b.step(j);
+            for i in 1..cols {
+                let field = j * cols + i;
+                let hit = counts(raster.inside[field - 1], raster.inside[field]);
+                let at = j * (cols + 1) + i;
+                x[at + cols + 1] = x[at] + if hit { step } else { 0 };
+            }
+        }
+        for i in 0..cols {
+            let step = raster.a.step(i);
+            for j in 1..rows {
+                let field = j * cols + i;
+                let hit = counts(raster.inside[field - cols], raster.inside[field]);
+                let at = i * (rows + 1) + j;
+                y[at + rows + 1] = y[at] + if hit { step } else { 0 };
+            }
+        }
+        Self { x, y, cols, rows }
+    }
+
+    /// Length on line `n` of direction `line`, clipped to the interior of `s`, reduced.
+    #[inline]
+    pub(in crate::roof) fn within(&self, line: Line, n: usize, s: Span) -> u64 {
+        match line {
+            Line::X => {
+                let width = self.cols + 1;
+                self.x[s.j1 * width + n] - self.x[s.j0 * width + n]
+            }
+            Line::Y => {
+                let width = self.rows + 1;
+                self.y[s.i1 * width + n] - self.y[s.i0 * width + n]
+            }
+        }
+    }
+}
+
+/// A scan line that may cut a cell.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::roof) struct Candidate {
+    pub(in crate::roof) line: Line,
+    /// Number of the grid line.
+    pub(in crate::roof) n: usize,
+    /// Wall length on it within the cell, above 0.
+    pub(in crate::roof) wall: u64,
+}
+
+impl Candidate {
+    /// The order of ties: nearest to the middle of `s`, then smaller c, then x before y. Where x and
+    /// y tie, the letter compares the two coordinates of the author frame, so the origin counts.
+    pub(in crate::roof) fn tie(&self, raster: &Raster, s: Span) -> (u128, i64, Line) {
+        let (axis, lo, hi) = match self.line {
+            Line::X => (&raster.a, s.i0, s.i1),
+            Line::Y => (&raster.b, s.j0, s.j1),
+        };
+        let at = |n: usize| u128::from(axis.at[n]);
+        let off_middle = (2 * at(self.n)).abs_diff(at(lo) + at(hi));
+        (off_middle, axis.source[self.n], self.line)
+    }
+}
+
+/// The best of some cuts of `s`: the least rank, then the order of ties.
+pub(in crate::roof) fn best<R: Ord>(
+    raster: &Raster,
+    s: Span,
+    ranked: impl Iterator<Item = (R, Candidate)>,
+) -> Option<Candidate> {
+    let tie = |c: &Candidate| c.tie(raster, s);
+    ranked
+        .min_by(|(r, c), (q, d)| r.cmp(q).then_with(|| tie(c).cmp(&tie(d))))
+        .map(|(_, best)| best)
+}
+
+/// The scan lines strictly inside `s` with wall on them, x first.
+pub(in crate::roof) fn candidates(
+    walls: &Lengths,
+    s: Span,
+) -> impl Iterator<Item = Candidate> + '_ {
+    let x = (s.i0 + 1..s.i1).map(|n| (Line::X, n));
+    let y = (s.j0 + 1..s.j1).map(|n| (Line::Y, n));
+    x.chain(y).filter_map(move |(line, n)| {
+        let wall = walls.within(line, n, s);
+        (wall > 0).then_some(Candidate { line, n, wall })
+    })
+}
+
+/// The two halves of `s`: left or lower first.
+pub(in crate::roof) fn halves(s: Span, line: Line, n: usize) -> [Span; 2] {
+    match line {
+        Line::X => [Span { i1: n, ..s }, Span { i0: n, ..s }],
+        Line::Y => [Span { j1: n, ..s }, Span { j0: n, ..s }],
+    }
+}

@@ -1,0 +1,100 @@
+//! What the roofs need to know of a storey: its plan in steps and what stands on it.
+
+use crate::ast::StoreyKind;
+use crate::building::{House, Ring, Storey};
+use crate::geometry::plan::Plan;
+use crate::geometry::steps;
+use glam::DVec2;
+
+/// A corner in plan steps.
+pub(in crate::roof) type Point = (i64, i64);
+
+/// One storey as the roofs see it.
+#[derive(Clone, Debug)]
+pub(in crate::roof) struct Level<'h> {
+    /// The storey.
+    pub(in crate::roof) storey: &'h Storey,
+    /// What its closed rings bound.
+    pub(in crate::roof) plan: Plan,
+    /// Whether all its walls are parallel to the axes of the plan.
+    pub(in crate::roof) orthogonal: bool,
+    /// Whether a parapet crowns it.
+    pub(in crate::roof) parapet: bool,
+}
+
+impl Level<'_> {
+    /// Whether no ring bounds anything.
+    pub(in crate::roof) fn is_open(&self) -> bool {
+        self.plan.loops.is_empty()
+    }
+
+    /// The closed rings, outer ones or courtyards.
+    pub(in crate::roof) fn rings(&self, holes: bool) -> impl Iterator<Item = &Ring> {
+        self.storey
+            .rings
+            .iter()
+            .filter(move |r| r.closed && r.hole == holes)
+    }
+}
+
+/// The storeys of a house from the ground up, without parapets.
+pub(in crate::roof) fn levels(house: &House) -> Vec<Level<'_>> {
+    let mut levels: Vec<Level<'_>> = Vec::with_capacity(house.storeys.len());
+    for storey in &house.storeys {
+        let rings = storey.rings.iter().filter(|r| r.closed);
+        if storey.kind == StoreyKind::Parapet {
+            if let Some(below) = levels.last_mut() {
+                below.parapet |= rings.count() > 0;
+            }
+            continue;
+        }
+        let plan = Plan {
+            loops: rings.map(corners).filter(|l| l.len() > 2).collect(),
+        };
+        let orthogonal = plan.is_orthogonal();
+        levels.push(Level {
+            storey,
+            plan,
+            orthogonal,
+            parapet: false,
+        });
+    }
+    levels
+}
+
+/// The corners of a ring in steps; a point in mid-wall does no harm to a plan.
+fn corners(ring: &Ring) -> Vec<Point> {
+    ring.corners().into_iter().map(point).collect()
+}
+
+/// A plan point in steps.
+pub(in crate::roof) fn point(p: DVec2) -> Point {
+    (steps(p.x), steps(p.y))
+}
+
+/// The first wall line of a storey with all walls in one line with it, in walk order.
+pub(in crate::roof) fn first_line(storey: &Storey) -> Option<(Point, Point)> {
+    let ring = storey.rings.first()?;
+    let first = ring.walls.first()?;
+    let straight = |w: &&crate::building::Wall| {
+        w.direction.perp_dot(first.direction).abs() < 1e-9 && w.direction.dot(first.direction) > 0.0
+    };
+    let last = ring.walls.iter().take_while(straight).last()?;
+    let before = if ring.closed {
+        ring.walls.iter().rev().take_while(straight).last()
+    } else {
+        None
+    };
+    Some((point(before.unwrap_or(first).from), point(last.to)))
+}
+
+/// Whether a walk is a facade of its own, not a ring that fails to close: it turns by no more than
+/// half a circle (language.md 2).
+pub(in crate::roof) fn is_facade(ring: &Ring) -> bool {
+    let turn = |w: &[crate::building::Wall]| {
+        let (p, q) = (w[0].direction, w[1].direction);
+        libm::atan2(p.perp_dot(q), p.dot(q))
+    };
+    let turned: f64 = ring.walls.windows(2).map(turn).sum();
+    !ring.closed && turned <= std::f64::consts::PI + 1e-6
+}

@@ -1,0 +1,140 @@
+//! Raised corners: the eaves of hipped roofs with sori rise towards the corners (domain.md 7.10).
+//!
+//! The lift grows with the square of the way to the corner, from where half the span is left, and dies out
+//! up the slope at the wall line, so that no gap opens over the plate: its triangles lie along rays from
+//! the corner of the walls, as fan rafters do.
+
+use crate::roof::shape::facet::Facet;
+use crate::roof::shape::frame::Plane;
+use crate::roof::shape::look::Look;
+use crate::roof::shape::profile::Profile;
+use crate::roof::shape::ridge_roof::Strip;
+use glam::{DVec2, DVec3};
+
+/// Triangles at one side of a corner.
+const PARTS: u32 = 4;
+/// The corner's lift over the sori times the way that it takes.
+const RISE: f64 = 1.5;
+/// The share of the fall of the eaves that a lift may take back.
+const MOST: f64 = 0.7;
+/// No lift below this is worth its triangles, metres.
+const LEAST: f64 = 0.02;
+
+/// How the corners of one roof rise.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::roof) struct Raised {
+    /// Height of the corner over the middle of the eaves, metres.
+    lift: f64,
+    /// The way along the eaves over which it is gained, metres.
+    way: f64,
+    /// Depth of the eaves, metres.
+    eaves: f64,
+}
+
+/// A strip end with its corner: everything is seen from the corner of the walls, away from the roof's end.
+struct Fan<'s> {
+    strip: &'s Strip<'s>,
+    /// Place of the wall corner along u, and the direction of the roof from there.
+    foot: f64,
+    inward: f64,
+    /// The place of the corner of the eaves, from the wall corner.
+    corner: f64,
+    way: f64,
+    lift: f64,
+    /// The share of the eaves that lies inward of the strip's lower and upper edge.
+    shares: [f64; 2],
+}
+
+impl Raised {
+    /// The lift of a roof of this look, with half the shorter side of its walls; none without sori.
+    pub(in crate::roof) fn of(look: &Look, profile: &Profile, half: f64) -> Option<Raised> {
+        let eaves = -profile.knots[0].d;
+        let way = half + eaves;
+        let lift = (RISE * look.sori * way).min(-MOST * profile.knots[0].z);
+        let curved = !profile.is_straight();
+        (lift > LEAST && eaves > LEAST && curved).then_some(Raised { lift, way, eaves })
+    }
+
+    /// Lays a strip under the eaves, between two distances inward, with one or both of its ends lifted.
+    pub(in crate::roof) fn lay(
+        &self,
+        strip: &Strip<'_>,
+        d: [f64; 2],
+        lifted: [bool; 2],
+        facets: &mut Vec<Facet>,
+    ) {
+        let shares = d.map(|d| (-d / self.eaves).clamp(0.0, 1.0));
+        let length = strip.frame.length;
+        let mut middle = *strip;
+        for (side, lifted) in lifted.into_iter().enumerate() {
+            if !lifted {
+                continue;
+            }
+            let (foot, inward) = [(0.0, 1.0), (length, -1.0)][side];
+            let corner = match side {
+                0 => strip.from[0],
+                _ => length - strip.to[0],
+            } / shares[0];
+            let fan = Fan {
+                strip,
+                foot,
+                inward,
+                corner,
+                way: self.way.min(length / 2.0 - corner),
+                lift: self.lift,
+                shares,
+            };
+            fan.lay(facets);
+            let rest = [0, 1].map(|edge| fan.at(edge, 1.0));
+            match side {
+                0 => (middle.from, middle.body[0]) = (rest, rest),
+                _ => (middle.to, middle.body[1]) = (rest, rest),
+            }
+        }
+        // What is left between the fans is plane.
+        facets.extend(middle.facet());
+    }
+}
+
+impl Fan<'_> {
+    /// The place on the lower (0) or upper (1) edge after a share of the way from the corner.
+    fn at(&self, edge: usize, share: f64) -> f64 {
+        self.foot + self.inward * self.shares[edge] * (self.corner + self.way * share)
+    }
+
+    fn point(&self, edge: usize, n: u32) -> DVec3 {
+        let share = f64::from(n) / f64::from(PARTS);
+        let line = [self.strip.lower, self.strip.upper][edge];
+        let lift = self.lift * self.shares[edge] * (1.0 - share) * (1.0 - share);
+        let frame = self.strip.frame;
+        frame.point(self.at(edge, share), line.v, line.z + lift)
+    }
+
+    fn lay(&self, facets: &mut Vec<Facet>) {
+        for n in 0..PARTS {
+            let (p, q) = (self.point(0, n), self.point(0, n + 1));
+            let (r, s) = (self.point(1, n + 1), self.point(1, n));
+            facets.extend(triangle([p, q, r], self.strip.eaves));
+            // On the wall line all rays meet in the foot of the hip.
+            if self.shares[1] > 1e-6 {
+                facets.extend(triangle([r, s, p], false));
+            }
+        }
+    }
+}
+
+/// A triangle whose first side is the eaves; either way round.
+fn triangle([p, q, r]: [DVec3; 3], rim: bool) -> Option<Facet> {
+    let plane = Plane::through([p, q, r])?;
+    let (p, q, r): (DVec2, DVec2, DVec2) = (p.truncate(), q.truncate(), r.truncate());
+    let (p, q) = if (q - p).perp_dot(r - p) > 0.0 {
+        (p, q)
+    } else {
+        (q, p)
+    };
+    Some(Facet::new(
+        &[(p, rim), (q, false), (r, false)],
+        &[p, q, r],
+        plane,
+    ))
+}

@@ -1,0 +1,214 @@
+//! How a two-sloped roof ends: one recipe, with an end treatment at each end of its ridge.
+//!
+//! Every treatment says two things of a distance d inward from the eaves side's wall line: where the main
+//! slopes begin there, and how far in the END's slope has risen as high as they have ([`End::contour`]).
+//! Where both are the same the slopes share a hip. Distances along the ridge count inward from the end's
+//! wall line.
+
+use crate::ast::RoofShape;
+use crate::roof::shape::look::Look;
+
+/// The place of an irimoya's gable and the height of a half-hip, shares of the span (domain.md 6).
+const GABLE_AT: f64 = 0.25;
+const HALF_HIP: f64 = 0.2;
+/// The steepest end slope.
+const STEEPEST: f64 = 5.0;
+
+/// The treatment of an end.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Cap {
+    /// The slopes run out over a gable wall, or into what stands there.
+    #[default]
+    Gable,
+    /// A third slope from the eaves to the ridge, which starts `run` metres in.
+    Hip {
+        /// Metres.
+        run: f64,
+    },
+    /// A third slope up to a gable wall `wall` metres in; the upper gable stands out by `verge`.
+    HipAndGable {
+        /// Metres.
+        wall: f64,
+        /// Metres.
+        verge: f64,
+    },
+    /// A gable whose top is cut by a slope of `run` metres.
+    HalfHip {
+        /// Metres.
+        run: f64,
+    },
+}
+
+/// What a two-sloped roof does at one end of its ridge.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct End {
+    /// How far the roof runs on beyond its wall rectangle, inside the roof it joins, metres.
+    pub reach: f64,
+    /// The distance inward from which it does so: where it stands above the walls of what it joins.
+    pub from: f64,
+    /// Overhang beyond that, metres.
+    pub verge: f64,
+    /// Whether a gable wall stands there.
+    pub wall: bool,
+    /// The treatment; of ends that run on always a gable.
+    pub cap: Cap,
+    /// Whether its corners stand free, so that sori raises them: at v = 0 and at v = depth.
+    pub rises: [bool; 2],
+}
+
+impl Cap {
+    /// The treatment that a shape gives to the free ends of a roof `length` metres long over a half span;
+    /// `both` = its other end is treated as well.
+    pub fn of(look: &Look, length: f64, half: f64, both: bool) -> Cap {
+        let room = if both { length / 2.0 } else { length };
+        let share = |usual: f64| look.gable.unwrap_or(usual) * 2.0 * half.min(length / 2.0);
+        match look.shape {
+            RoofShape::Hip | RoofShape::Pyramid => {
+                let wish = look.ratio.map_or(half, |r| length * (1.0 - r) / 2.0);
+                let least = half * look.pitch / STEEPEST;
+                Cap::Hip {
+                    run: wish.max(least).min(room),
+                }
+            }
+            RoofShape::HipAndGable | RoofShape::Temple => {
+                let wall = share(GABLE_AT);
+                if wall > 0.98 * half.min(room) {
+                    let run = half.min(room);
+                    return Cap::Hip { run };
+                }
+                match wall < 0.1 {
+                    true => Cap::Gable,
+                    false => Cap::HipAndGable {
+                        wall,
+                        verge: look.barge.clamp(0.02, 0.6 * wall),
+                    },
+                }
+            }
+            RoofShape::HalfHip => match share(HALF_HIP).min(0.9 * half.min(room)) {
+                run if run < 0.1 => Cap::Gable,
+                run => Cap::HalfHip { run },
+            },
+            _ => Cap::Gable,
+        }
+    }
+
+    /// Whether the end has eaves of its own, with corners.
+    pub fn has_corners(self) -> bool {
+        matches!(self, Cap::Hip { .. } | Cap::HipAndGable { .. })
+    }
+}
+
+impl End {
+    /// Which of its corners rise.
+    pub fn raised(&self) -> [bool; 2] {
+        self.rises.map(|r| r && self.cap.has_corners())
+    }
+
+    /// Where the main slopes begin at both distances of a strip, verges included.
+    pub fn start(&self, strip: [f64; 2], half: f64) -> [f64; 2] {
+        match self.cap {
+            Cap::Gable if self.reach > 0.0 && !self.runs_on(strip) => [0.0; 2],
+            Cap::Gable => [-self.reach - self.verge; 2],
+            Cap::Hip { run } => strip.map(|d| d * run / half),
+            Cap::HipAndGable { wall, verge } => strip.map(|d| d.min(wall - verge)),
+            Cap::HalfHip { run } => strip.map(|d| (d - half + run).max(-self.verge)),
+        }
+    }
+
+    /// The same without verges.
+    pub fn body(&self, strip: [f64; 2], half: f64) -> [f64; 2] {
+        match self.cap {
+            Cap::Gable if !self.runs_on(strip) => [0.0; 2],
+            Cap::Gable => [-self.reach; 2],
+            Cap::HipAndGable { wall, verge } if strip[1] > wall - verge + 1e-9 => [wall; 2],
+            Cap::HipAndGable { .. } => strip,
+            Cap::HalfHip { run } => strip.map(|d| (d - half + run).max(0.0)),
+            Cap::Hip { .. } => self.start(strip, half),
+        }
+    }
+
+    /// Whether a strip lies high enough to run on into what stands beyond.
+    fn runs_on(&self, [lower, upper]: [f64; 2]) -> bool {
+        lower + upper > 2.0 * self.from
+    }
+
+    /// How far in the end's slope is as high as the main slopes at a distance inward.
+    pub fn contour(&self, d: f64, half: f64) -> f64 {
+        match self.cap {
+            Cap::HalfHip { run } => d - half + run,
+            Cap::Hip { run } => d * run / half,
+            Cap::HipAndGable { .. } | Cap::Gable => d,
+        }
+    }
+
+    /// The distances between which the end has a slope of its own that meets the main slopes in hips.
+    pub fn slope(&self, eaves: f64, half: f64) -> Option<(f64, f64)> {
+        match self.cap {
+            Cap::Gable => None,
+            Cap::Hip { .. } => Some((-eaves, half)),
+            Cap::HipAndGable { wall, verge } => Some((-eaves, wall - verge)),
+            Cap::HalfHip { run } => Some(((half - run - self.verge).max(-eaves), half)),
+        }
+    }
+
+    /// How much farther its slope rises under the upper gable, to the wall of that: metres.
+    pub fn beyond_hips(&self) -> Option<f64> {
+        match self.cap {
+            Cap::HipAndGable { wall, .. } => Some(wall),
+            _ => None,
+        }
+    }
+
+    /// The distances inward where the border of its slopes bends.
+    pub fn bends(&self, half: f64) -> [Option<f64>; 2] {
+        match self.cap {
+            Cap::Gable => [(self.reach > 0.0).then_some(self.from), None],
+            Cap::Hip { .. } => [None, None],
+            Cap::HipAndGable { wall, verge } => [Some(wall - verge), None],
+            Cap::HalfHip { run } => [Some(half - run - self.verge), Some(half - run)],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::ast::RoofStyle;
+    use crate::roof::shape::end::*;
+
+    fn look(shape: RoofShape) -> Look {
+        let mut look = Look::gable(None, &RoofStyle::default(), 6.0, 0.909);
+        look.shape = shape;
+        look
+    }
+
+    #[test]
+    fn a_ratio_sets_the_ridge_of_a_hip() {
+        let mut hip = look(RoofShape::Hip);
+        assert_eq!(Cap::of(&hip, 10.0, 3.0, true), Cap::Hip { run: 3.0 });
+        hip.ratio = Some(0.5);
+        assert_eq!(Cap::of(&hip, 10.0, 3.0, true), Cap::Hip { run: 2.5 });
+        // A ridge as long as the roof would leave upright ends.
+        hip.ratio = Some(1.0);
+        let Cap::Hip { run } = Cap::of(&hip, 10.0, 3.0, true) else {
+            panic!()
+        };
+        assert!(run > 0.2, "{run}");
+    }
+
+    #[test]
+    fn the_gable_of_an_irimoya_goes_from_gable_to_hip() {
+        let mut hall = look(RoofShape::HipAndGable);
+        let usual = Cap::of(&hall, 10.0, 3.0, true);
+        assert_eq!(
+            usual,
+            Cap::HipAndGable {
+                wall: 1.5,
+                verge: 0.4
+            }
+        );
+        hall.gable = Some(0.0);
+        assert_eq!(Cap::of(&hall, 10.0, 3.0, true), Cap::Gable);
+        hall.gable = Some(0.5);
+        assert_eq!(Cap::of(&hall, 10.0, 3.0, true), Cap::Hip { run: 3.0 });
+    }
+}

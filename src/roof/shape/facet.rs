@@ -1,0 +1,375 @@
+//! Facets: convex plan polygons, each under one plane of a roof's upper surface, and cutting them.
+
+use crate::roof::shape::frame::Plane;
+use glam::DVec2;
+use std::borrow::Cow;
+
+/// Plan distances below this are none, metres. Cuts closer to a corner go through the corner.
+pub(in crate::roof) const EPS: f64 = 1e-7;
+
+/// Facets with less area, in square metres, are left out.
+const SLIVER: f64 = 1e-7;
+
+/// A corner of a facet.
+#[derive(Clone, Copy, Debug)]
+pub struct Corner {
+    /// Where, house frame, metres.
+    pub at: DVec2,
+    /// Whether the edge that starts here lies on the roof's own eaves or verge.
+    pub rim: bool,
+}
+
+/// One plane piece of a roof's upper surface.
+#[derive(Clone, Debug)]
+pub struct Facet {
+    /// Convex, counter-clockwise seen from above.
+    pub outline: Vec<Corner>,
+    /// The part of it that takes its place from lower roofs, convex: without verges, which stand
+    /// over a lower neighbour rather than in it.
+    pub body: Vec<DVec2>,
+    /// The upper surface.
+    pub plane: Plane,
+    /// How much lower it lies than its neighbours, so that its sheet shares no corner with theirs, metres.
+    pub lowered: f64,
+}
+
+impl Facet {
+    /// A facet whose body is the whole of it, with rims by edge.
+    pub fn new(corners: &[(DVec2, bool)], body: &[DVec2], plane: Plane) -> Facet {
+        let outline = corners.iter().map(|&(at, rim)| Corner { at, rim });
+        Facet {
+            outline: outline.collect(),
+            body: body.to_vec(),
+            plane,
+            lowered: 0.0,
+        }
+    }
+}
+
+impl Facet {
+    /// What of it lies beyond its body, and beyond some more sides, in convex parts whose first edge lies on the side
+    /// that cut them off.
+    pub(in crate::roof) fn beyond(&self, more: &[HalfPlane]) -> Vec<Vec<Corner>> {
+        let mut verges = vec![];
+        let same = |(c, p): (&Corner, &DVec2)| c.at == *p;
+        let whole =
+            self.outline.len() == self.body.len() && self.outline.iter().zip(&self.body).all(same);
+        let body = if whole { vec![] } else { edges(&self.body) };
+        let mut inside = self.outline.clone();
+        for side in body.iter().chain(more) {
+            if inside.iter().all(|c| side.depth(c.at) > -EPS) {
+                continue;
+            }
+            let [rest, mut outer] = side.halves(&inside);
+            inside = rest;
+            let on = |c: &Corner| side.depth(c.at) > -2.0 * EPS;
+            let n = outer.len();
+            if area(&outer) > SLIVER
+                && let Some(first) = (0..n).find(|i| on(&outer[*i]) && on(&outer[(i + 1) % n]))
+            {
+                outer.rotate_left(first);
+                verges.push(outer);
+            }
+            if area(&inside) <= SLIVER {
+                break;
+            }
+        }
+        verges
+    }
+}
+
+/// Something that stands higher than what it cuts.
+#[derive(Clone, Debug)]
+pub(in crate::roof) struct Cutter<'f> {
+    /// Convex, counter-clockwise.
+    pub(in crate::roof) body: &'f [DVec2],
+    /// Its [`edges`].
+    pub(in crate::roof) sides: &'f [HalfPlane],
+    /// Its upper surface; `None` = it is higher than everything (an upper storey).
+    pub(in crate::roof) plane: Option<Plane>,
+    /// Whether it keeps what both cover at the same height.
+    pub(in crate::roof) first: bool,
+}
+
+/// Inside where `normal . p >= at`; `normal` has unit length, so values are distances.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::roof) struct HalfPlane {
+    normal: DVec2,
+    at: f64,
+}
+
+impl HalfPlane {
+    fn depth(&self, p: DVec2) -> f64 {
+        self.normal.dot(p) - self.at
+    }
+
+    /// The parts of a convex piece inside and outside; one may have no corners.
+    pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Vec<Corner>; 2] {
+        let depths: Vec<f64> = piece.iter().map(|c| self.depth(c.at)).collect();
+        [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
+    }
+
+    /// Moved outward by so much.
+    #[must_use]
+    pub(in crate::roof) fn moved_out(self, by: f64) -> HalfPlane {
+        HalfPlane {
+            at: self.at - by,
+            ..self
+        }
+    }
+
+    /// Where `upper` is as high as `lower` or higher.
+    pub(in crate::roof) fn where_not_lower(upper: Plane, lower: Plane) -> Higher {
+        match standing(lower, Some(upper)) {
+            Standing::Level => Higher::Everywhere,
+            _ => HalfPlane::where_higher(upper, lower),
+        }
+    }
+
+    /// Where `upper` stands over `lower` by more than a hair: everywhere, nowhere, or inside a half-plane.
+    pub(in crate::roof) fn where_higher(upper: Plane, lower: Plane) -> Higher {
+        match standing(lower, Some(upper)) {
+            Standing::Below => Higher::Everywhere,
+            Standing::Above | Standing::Level => Higher::Nowhere,
+            Standing::Crossing(side) => Higher::Inside(side),
+        }
+    }
+
+    /// To the left of the way from `p` to `q`.
+    pub(in crate::roof) fn left_of(p: DVec2, q: DVec2) -> Option<HalfPlane> {
+        let normal = (q - p).perp().try_normalize()?;
+        Some(HalfPlane {
+            normal,
+            at: normal.dot(p),
+        })
+    }
+}
+
+/// Where one plane is higher than another.
+pub(in crate::roof) enum Higher {
+    Everywhere,
+    Nowhere,
+    Inside(HalfPlane),
+}
+
+/// Takes from `pieces` of one facet what a cutter covers at a greater height.
+pub(in crate::roof) fn cut(
+    facet: &Facet,
+    pieces: Vec<Vec<Corner>>,
+    cutter: &Cutter<'_>,
+) -> Vec<Vec<Corner>> {
+    let higher = match standing(facet.plane, cutter.plane) {
+        Standing::Above => return pieces,
+        Standing::Level if !cutter.first => return cut_verges(facet, pieces, cutter),
+        Standing::Below | Standing::Level => None,
+        Standing::Crossing(higher) => Some(higher),
+    };
+    let sides = || higher.iter().chain(cutter.sides);
+    // Most roofs near by do not touch a piece.
+    if pieces.iter().all(|p| is_outside(p, sides())) {
+        return pieces;
+    }
+    let mut left = Vec::with_capacity(pieces.len());
+    pieces
+        .into_iter()
+        .for_each(|p| subtract(p, sides(), &mut left));
+    left
+}
+
+/// At the same height a facet keeps its body, and its verges give way to the other's body.
+fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> Vec<Vec<Corner>> {
+    let mine = edges(&facet.body);
+    let mut left = Vec::with_capacity(pieces.len());
+    for piece in pieces {
+        let mut verges = Vec::new();
+        let body = split_off(Cow::Owned(piece), mine.iter(), &mut verges);
+        left.extend(body.map(Cow::into_owned));
+        verges
+            .into_iter()
+            .for_each(|p| subtract(p, cutter.sides.iter(), &mut left));
+    }
+    left
+}
+
+/// The parts of a piece with `axis . p` above and below a value; one may have no corners.
+pub(in crate::roof) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Vec<Corner>; 2] {
+    HalfPlane { normal: axis, at }.halves(piece)
+}
+
+/// How a facet lies to a cutter's plane.
+enum Standing {
+    Below,
+    Above,
+    Level,
+    Crossing(HalfPlane),
+}
+
+fn standing(mine: Plane, cutter: Option<Plane>) -> Standing {
+    let Some(other) = cutter else {
+        return Standing::Below;
+    };
+    let (slope, rise) = (other.slope - mine.slope, other.z - mine.z);
+    let steepness = slope.length();
+    match steepness < 1e-9 {
+        true if rise.abs() < 1e-6 => Standing::Level,
+        true if rise > 0.0 => Standing::Below,
+        true => Standing::Above,
+        false => Standing::Crossing(HalfPlane {
+            normal: slope / steepness,
+            at: -rise / steepness,
+        }),
+    }
+}
+
+/// The half-planes whose common part a convex polygon is.
+pub(in crate::roof) fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
+    let next = polygon.iter().cycle().skip(1);
+    polygon
+        .iter()
+        .zip(next)
+        .filter_map(|(p, q)| HalfPlane::left_of(*p, *q))
+        .collect()
+}
+
+/// The pieces of `piece` outside the common part of some half-planes.
+pub(in crate::roof) fn subtract<'s>(
+    piece: Vec<Corner>,
+    sides: impl Iterator<Item = &'s HalfPlane> + Clone,
+    left: &mut Vec<Vec<Corner>>,
+) {
+    if is_outside(&piece, sides.clone()) {
+        return left.push(piece);
+    }
+    let mut off = Vec::new();
+    let inside = split_off(Cow::Borrowed(&piece), sides, &mut off).is_some();
+    match inside {
+        true => left.append(&mut off),
+        false => left.push(piece),
+    }
+}
+
+/// Whether a piece lies wholly beyond one of some sides.
+pub(in crate::roof) fn is_outside<'s>(
+    piece: &[Corner],
+    mut sides: impl Iterator<Item = &'s HalfPlane>,
+) -> bool {
+    sides.any(|h| piece.iter().all(|c| h.depth(c.at) < EPS))
+}
+
+/// The part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
+pub(in crate::roof) fn split_off<'p, 's>(
+    piece: Cow<'p, [Corner]>,
+    sides: impl Iterator<Item = &'s HalfPlane>,
+    off: &mut Vec<Vec<Corner>>,
+) -> Option<Cow<'p, [Corner]>> {
+    let mut inside = piece;
+    let mut depths = Vec::new();
+    for side in sides {
+        if inside.iter().all(|c| side.depth(c.at) > -EPS) {
+            continue;
+        }
+        depths.clear();
+        depths.extend(inside.iter().map(|c| side.depth(c.at)));
+        let outer = part(&inside, &depths, -1.0);
+        inside = Cow::Owned(part(&inside, &depths, 1.0));
+        off.extend((area(&outer) > SLIVER).then_some(outer));
+        if area(&inside) <= SLIVER {
+            return None;
+        }
+    }
+    Some(inside)
+}
+
+/// The part of a convex polygon where `sign * depth >= 0`.
+fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Vec<Corner> {
+    let n = polygon.len();
+    let mut kept = Vec::with_capacity(n + 1);
+    for i in 0..n {
+        let (p, q) = (polygon[i], polygon[(i + 1) % n]);
+        let (dp, dq) = (sign * depths[i], sign * depths[(i + 1) % n]);
+        if dp > -EPS {
+            // An edge that leaves at its very start is replaced by the cut.
+            let rim = p.rim && (dp >= EPS || dq > -EPS);
+            kept.push(Corner { rim, ..p });
+        }
+        if (dp >= EPS && dq <= -EPS) || (dp <= -EPS && dq >= EPS) {
+            let at = p.at.lerp(q.at, dp / (dp - dq));
+            let rim = p.rim && dq > 0.0;
+            kept.push(Corner { at, rim });
+        }
+    }
+    kept
+}
+
+/// The area of an outline, positive when counter-clockwise, square metres.
+pub(in crate::roof) fn area(outline: &[Corner]) -> f64 {
+    let Some(first) = outline.first() else {
+        return 0.0;
+    };
+    let fan = outline
+        .windows(2)
+        .map(|w| (w[0].at - first.at).perp_dot(w[1].at - first.at));
+    fan.sum::<f64>() / 2.0
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::roof::shape::facet::*;
+    use glam::dvec2;
+
+    fn square(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<DVec2> {
+        vec![dvec2(x0, y0), dvec2(x1, y0), dvec2(x1, y1), dvec2(x0, y1)]
+    }
+
+    fn facet(body: Vec<DVec2>, plane: Plane) -> Facet {
+        let corners: Vec<(DVec2, bool)> = body.iter().map(|p| (*p, true)).collect();
+        Facet::new(&corners, &body, plane)
+    }
+
+    fn rest(mine: &Facet, other: &Facet, first: bool) -> f64 {
+        let cutter = Cutter {
+            body: &other.body,
+            sides: &edges(&other.body),
+            plane: Some(other.plane),
+            first,
+        };
+        let pieces = cut(mine, vec![mine.outline.clone()], &cutter);
+        pieces.iter().map(|p| area(p)).sum()
+    }
+
+    #[test]
+    fn the_higher_one_keeps_the_place() {
+        let low = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(1.0));
+        let high = facet(square(1.0, 1.0, 2.0, 3.0), Plane::level(2.0));
+        assert!((rest(&low, &high, false) - 14.0).abs() < 1e-12);
+        assert!((rest(&high, &low, true) - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn crossing_planes_meet_in_a_valley() {
+        let flat = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(2.0));
+        let rising = facet(
+            square(0.0, 0.0, 4.0, 4.0),
+            Plane {
+                z: 0.0,
+                slope: dvec2(1.0, 0.0),
+            },
+        );
+        assert!((rest(&flat, &rising, false) - 8.0).abs() < 1e-12);
+        assert!((rest(&rising, &flat, false) - 8.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn level_ones_go_to_the_first_but_a_verge_never_wins() {
+        let first = facet(square(0.0, 0.0, 4.0, 4.0), Plane::level(2.0));
+        let mut other = facet(square(2.0, 0.0, 6.0, 4.0), Plane::level(2.0));
+        assert!((rest(&first, &other, false) - 16.0).abs() < 1e-12);
+        assert!((rest(&other, &first, true) - 8.0).abs() < 1e-12);
+        other.body = square(3.0, 0.0, 6.0, 4.0);
+        let verged = Facet {
+            body: square(0.0, 0.0, 3.0, 4.0),
+            ..first
+        };
+        assert!((rest(&verged, &other, false) - 12.0).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,226 @@
+//! From plan to metres: rectangles and planes in the house frame, and the frame of one roof.
+//!
+//! A roof is thought of lying with a low side near its builder: u runs along that side, v goes in
+//! from it, both in metres. The frame is right-handed seen from above whatever the side, so a
+//! shape is written once and never mirrored.
+
+use crate::geometry::STEPS;
+use crate::geometry::plan::Cell;
+use crate::roof::plan::ridge::{Ridge, Side};
+use glam::{DVec2, DVec3, dvec2};
+
+/// A rectangle in the house frame, metres: x east, y north.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rect {
+    /// Least corner.
+    pub min: DVec2,
+    /// Greatest corner.
+    pub max: DVec2,
+}
+
+impl Rect {
+    /// Where a cell of plan steps lies, with one U in metres.
+    pub fn of(cell: &Cell, unit: f64) -> Rect {
+        let at = |s: i64| metres(s, unit);
+        Rect {
+            min: dvec2(-at(cell.a1), at(cell.b0)),
+            max: dvec2(-at(cell.a0), at(cell.b1)),
+        }
+    }
+
+    /// Grown by so much on every side.
+    #[must_use]
+    pub fn grown(self, by: f64) -> Rect {
+        Rect {
+            min: self.min - by,
+            max: self.max + by,
+        }
+    }
+
+    /// The corners, counter-clockwise seen from above.
+    pub fn corners(&self) -> [DVec2; 4] {
+        [
+            self.min,
+            dvec2(self.max.x, self.min.y),
+            self.max,
+            dvec2(self.min.x, self.max.y),
+        ]
+    }
+
+    /// Whether two rectangles share more than a border.
+    pub fn overlaps(&self, other: &Rect) -> bool {
+        self.min.cmplt(other.max).all() && other.min.cmplt(self.max).all()
+    }
+}
+
+/// Plan steps in metres.
+pub fn metres(steps: i64, unit: f64) -> f64 {
+    steps as f64 / STEPS as f64 * unit
+}
+
+/// A plane z = `z` + `slope` . (x, y) over the house frame, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Height over the origin.
+    pub z: f64,
+    /// Rise per metre.
+    pub slope: DVec2,
+}
+
+impl Plane {
+    /// A level.
+    pub fn level(z: f64) -> Plane {
+        Plane {
+            z,
+            slope: DVec2::ZERO,
+        }
+    }
+
+    /// The plane through three points; none where they lie in one line seen from above.
+    pub fn through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
+        let normal = (q - p).cross(r - p);
+        let slope = -normal.truncate() / normal.z;
+        (normal.z.abs() > 1e-9).then(|| Plane {
+            z: p.z - slope.dot(p.truncate()),
+            slope,
+        })
+    }
+
+    /// The plane of a flat polygon; none where it stands upright or has no area.
+    pub fn around(points: impl Iterator<Item = DVec3> + Clone) -> Option<Plane> {
+        let first = points.clone().next()?;
+        let next = points.clone().skip(1);
+        let fan = points.zip(next).skip(1);
+        let normal: DVec3 = fan.map(|(p, q)| (p - first).cross(q - first)).sum();
+        let slope = -normal.truncate() / normal.z;
+        slope.is_finite().then(|| Plane {
+            z: first.z - slope.dot(first.truncate()),
+            slope,
+        })
+    }
+
+    /// Height over a point.
+    pub fn at(&self, p: DVec2) -> f64 {
+        self.z + self.slope.dot(p)
+    }
+
+    /// Raised by so much.
+    #[must_use]
+    pub fn raised(self, by: f64) -> Plane {
+        Plane {
+            z: self.z + by,
+            ..self
+        }
+    }
+}
+
+/// The frame of one roof over a wall rectangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    origin: DVec2,
+    along: DVec2,
+    inward: DVec2,
+    /// Extent along u, metres.
+    pub length: f64,
+    /// Extent along v, metres.
+    pub depth: f64,
+}
+
+impl Frame {
+    /// The frame with `near` at v = 0.
+    pub fn new(rect: &Rect, near: Side) -> Frame {
+        let (lo, hi, size) = (rect.min, rect.max, rect.max - rect.min);
+        let (origin, along, length, depth) = match near {
+            Side::Front => (lo, DVec2::X, size.x, size.y),
+            Side::Back => (hi, DVec2::NEG_X, size.x, size.y),
+            Side::Right => (dvec2(hi.x, lo.y), DVec2::Y, size.y, size.x),
+            Side::Left => (dvec2(lo.x, hi.y), DVec2::NEG_Y, size.y, size.x),
+        };
+        Frame {
+            origin,
+            along,
+            inward: along.perp(),
+            length,
+            depth,
+        }
+    }
+
+    /// A plan point.
+    pub fn at(&self, u: f64, v: f64) -> DVec2 {
+        self.origin + self.along * u + self.inward * v
+    }
+
+    /// A point.
+    pub fn point(&self, u: f64, v: f64, z: f64) -> DVec3 {
+        self.at(u, v).extend(z)
+    }
+
+    /// The plane of height `z` at v = 0 that rises inwards.
+    pub fn rising(&self, z: f64, pitch: f64) -> Plane {
+        let slope = self.inward * pitch;
+        Plane {
+            z: z - slope.dot(self.origin),
+            slope,
+        }
+    }
+
+    /// The direction of u.
+    pub fn along(&self) -> DVec2 {
+        self.along
+    }
+
+    /// The direction of v.
+    pub fn inward(&self) -> DVec2 {
+        self.inward
+    }
+}
+
+/// The low side that a gable with this ridge has at v = 0.
+pub fn near_side(ridge: Ridge) -> Side {
+    match ridge {
+        Ridge::A => Side::Front,
+        Ridge::B => Side::Right,
+    }
+}
+
+/// The sides at u = 0 and at u = length of a frame.
+pub fn end_sides(near: Side) -> [Side; 2] {
+    match near {
+        Side::Front => [Side::Left, Side::Right],
+        Side::Back => [Side::Right, Side::Left],
+        Side::Right => [Side::Front, Side::Back],
+        Side::Left => [Side::Back, Side::Front],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::roof::shape::frame::*;
+
+    #[test]
+    fn every_frame_puts_its_sides_where_the_plan_has_them() {
+        let cell = Cell {
+            a0: STEPS,
+            b0: 2 * STEPS,
+            a1: 4 * STEPS,
+            b1: 7 * STEPS,
+        };
+        let rect = Rect::of(&cell, 1.0);
+        let middle = |side: Side| match side {
+            Side::Front => dvec2(-2.5, 2.0),
+            Side::Back => dvec2(-2.5, 7.0),
+            Side::Right => dvec2(-1.0, 4.5),
+            Side::Left => dvec2(-4.0, 4.5),
+        };
+        for near in Side::ALL {
+            let f = Frame::new(&rect, near);
+            let [start, end] = end_sides(near);
+            assert_eq!(f.at(f.length / 2.0, 0.0), middle(near));
+            assert_eq!(f.at(f.length / 2.0, f.depth), middle(near.opposite()));
+            assert_eq!(f.at(0.0, f.depth / 2.0), middle(start));
+            assert_eq!(f.at(f.length, f.depth / 2.0), middle(end));
+            assert!(f.along().perp_dot(f.inward()) > 0.0);
+            assert_eq!(f.rising(3.0, 0.5).at(f.at(1.0, 2.0)), 4.0);
+        }
+    }
+}

@@ -1,0 +1,269 @@
+//! What one roof looks like: the author's options, and `domain.md` 4.3 and 4.4 for the rest.
+
+use crate::ast::{RoofKind, RoofShape, RoofStyle};
+use crate::building::{Finish, Trim};
+use crate::geometry::SHAKU;
+use crate::roof::shape::board::upright;
+use crate::roof::solid::sheet::Coat;
+use crate::source::Spanned;
+
+/// The resolved options of one roof, metres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Form.
+    pub shape: RoofShape,
+    /// Covering.
+    pub kind: RoofKind,
+    /// Rise per horizontal metre.
+    pub pitch: f64,
+    /// Horizontal overhang beyond the wall line.
+    pub eaves: f64,
+    /// Overhang beyond the gable wall.
+    pub verge: f64,
+    /// The same of the upper gable of an irimoya.
+    pub barge: f64,
+    /// Sagitta of the slope as a share of its length: sori, or mukuri where negative.
+    pub sori: f64,
+    /// Place of an irimoya's gable or height of a half-hip, share of the span; `None` = as usual.
+    pub gable: Option<f64>,
+    /// Length of a hip's ridge, share of the roof's; `None` = equal slopes.
+    pub ratio: Option<f64>,
+    /// Thickness at right angles to the slope.
+    pub thickness: f64,
+    /// Courses of ridge tiles.
+    pub noshi: u32,
+    /// Whether the ridge ends in onigawara.
+    pub ends: bool,
+}
+
+/// Slope lengths in metres up to which tiles keep the rain out at a pitch (domain.md 4.3, S20).
+const TILE_PITCHES: [(f64, f64); 5] = [
+    (8.0, 0.40),
+    (10.0, 0.45),
+    (12.0, 0.50),
+    (15.0, 0.55),
+    (17.0, 0.60),
+];
+
+/// What a temple has by itself: the gentlest tiles and its sori (domain.md 4.3), eaves by the span and their
+/// bounds in metres (4.4: 8 to 12 shaku on great ones), and how far its barge boards stand out (7.10).
+const TEMPLE_PITCH: f64 = 0.5;
+const TEMPLE_SORI: f64 = 4.0;
+const TEMPLE_EAVES: f64 = 0.3;
+const TEMPLE_BARGE: f64 = 0.5;
+/// How far the barge boards of other irimoya stand out, metres.
+const BARGE: f64 = 0.4;
+
+/// The gentlest default of lean-tos (domain.md 4.3: geya 3 sun).
+const LEAN_TO_PITCH: f64 = 0.3;
+
+impl Look {
+    /// The look of a two-sided roof over `span` metres. `line` are the options of its own line,
+    /// `house` those of the whole house.
+    pub fn gable(line: Option<&RoofStyle>, house: &RoofStyle, span: f64, unit: f64) -> Look {
+        let mut look = Look::plain(line, house);
+        look.shape = shape(line, house);
+        let temple = look.shape == RoofShape::Temple;
+        let eaves = match temple {
+            true => (TEMPLE_EAVES * span).clamp(2.5 * SHAKU, 12.0 * SHAKU),
+            false => 2.5 * SHAKU,
+        };
+        look.eaves = wish(line, house, |s| s.eaves).map_or_else(
+            // Deep eaves round a narrow roof would be an umbrella.
+            || eaves.min(SHAKU.max(span / 3.0)),
+            |shaku| shaku * SHAKU,
+        );
+        if temple && wish(line, house, |s| s.sori).is_none() {
+            look.sori = TEMPLE_SORI / 100.0;
+        }
+        look.noshi =
+            wish(line, house, |s| s.noshi).unwrap_or(if span > 8.0 * unit { 5 } else { 3 });
+        if own_pitch(line, house).is_none() && look.kind == RoofKind::Tiles {
+            let run = span / 2.0 + look.eaves;
+            look.pitch = raised(run).max(if temple { TEMPLE_PITCH } else { 0.0 });
+        }
+        look.bounded()
+    }
+
+    /// The look of a single slope over `depth` metres.
+    pub fn lean_to(line: Option<&RoofStyle>, house: &RoofStyle, depth: f64) -> Look {
+        let mut look = Look::plain(line, house);
+        let eaves = wish(line, house, |s| s.eaves).map(|shaku| shaku * SHAKU);
+        look.eaves = eaves.unwrap_or((2.0 * SHAKU).min(SHAKU.max(depth / 2.0)));
+        if line.and_then(|s| s.pitch).is_none() {
+            look.pitch = look.pitch.min(LEAN_TO_PITCH);
+        }
+        look.bounded()
+    }
+
+    fn plain(line: Option<&RoofStyle>, house: &RoofStyle) -> Look {
+        let kind = wish(line, house, |s| s.kind).unwrap_or(RoofKind::Tiles);
+        let (pitch, thickness) = defaults(kind);
+        let barge = match shape(line, house) {
+            RoofShape::Temple => TEMPLE_BARGE,
+            _ => BARGE,
+        };
+        Look {
+            shape: RoofShape::LeanTo,
+            kind,
+            pitch: own_pitch(line, house).map_or(pitch, |sun| sun / 10.0),
+            eaves: 2.5 * SHAKU,
+            verge: wish(line, house, |s| s.verge).unwrap_or(0.5) * SHAKU,
+            barge: wish(line, house, |s| s.verge).map_or(barge, |shaku| shaku * SHAKU),
+            sori: wish(line, house, |s| s.sori).unwrap_or(0.0) / 100.0,
+            gable: wish(line, house, |s| s.gable),
+            ratio: wish(line, house, |s| s.ratio),
+            thickness: wish(line, house, |s| s.thickness).map_or(thickness, |shaku| shaku * SHAKU),
+            noshi: wish(line, house, |s| s.noshi).unwrap_or(3),
+            ends: !wish(line, house, |s| s.plain_ridge).unwrap_or(false),
+        }
+    }
+
+    /// Within what can be built: the readers let any finite number through.
+    fn bounded(mut self) -> Look {
+        self.pitch = self.pitch.clamp(0.005, 5.0);
+        self.eaves = self.eaves.clamp(0.0, 10.0);
+        self.verge = self.verge.clamp(0.0, 10.0);
+        self.barge = self.barge.clamp(0.02, 10.0);
+        self.thickness = self.thickness.clamp(0.02, 2.0);
+        self.sori = self.sori.clamp(-0.5, 0.5);
+        self.gable = self.gable.map(|c| c.clamp(0.0, 0.5));
+        self.ratio = self.ratio.map(|r| r.clamp(0.0, 1.0));
+        self.noshi = self.noshi.min(40);
+        self
+    }
+
+    /// How far the upper surface lies above the lower one, measured upright.
+    pub fn drop(&self) -> f64 {
+        upright(self.thickness, self.pitch)
+    }
+
+    /// What it wears.
+    pub fn dress(&self) -> Trim {
+        let upper_gable = matches!(self.shape, RoofShape::HipAndGable | RoofShape::Temple);
+        Trim {
+            eaves: self.eaves,
+            verge: if upper_gable { self.barge } else { self.verge },
+            noshi: self.noshi,
+            ends: self.ends,
+            crowned: false,
+            pendant: upper_gable || self.shape == RoofShape::Karahafu,
+            rafters: if self.shape == RoofShape::Temple {
+                2
+            } else {
+                1
+            },
+        }
+    }
+
+    /// The finishes of its slopes.
+    pub fn coat(&self) -> Coat {
+        Coat {
+            top: Finish::Covering(self.kind),
+            rim: Finish::Edge(self.kind),
+            joint: Finish::Plaster,
+            soffit: Finish::Soffit,
+        }
+    }
+}
+
+/// The form of a two-sided roof; a line without one is a gable, whatever the house has.
+fn shape(line: Option<&RoofStyle>, house: &RoofStyle) -> RoofShape {
+    let shape = line.map_or(house.shape, |s| s.shape);
+    match shape.map_or(RoofShape::Gable, |s| s.value) {
+        RoofShape::LeanTo | RoofShape::Pent | RoofShape::Flat => RoofShape::Gable,
+        shape => shape,
+    }
+}
+
+/// The pitch somebody asked for, in sun; the house's only for its own covering.
+fn own_pitch(line: Option<&RoofStyle>, house: &RoofStyle) -> Option<f64> {
+    let Some(line) = line else {
+        return house.pitch.map(|p| p.value);
+    };
+    let kind = |s: &RoofStyle| s.kind.map(|k| k.value);
+    let other = kind(line).is_some() && kind(line) != kind(house);
+    let inherited = if other { None } else { house.pitch };
+    line.pitch.or(inherited).map(|p| p.value)
+}
+
+/// An option of the line, else of the house.
+fn wish<T: Copy>(
+    line: Option<&RoofStyle>,
+    house: &RoofStyle,
+    option: fn(&RoofStyle) -> Option<Spanned<T>>,
+) -> Option<T> {
+    line.and_then(option)
+        .or_else(|| option(house))
+        .map(|s| s.value)
+}
+
+/// Pitch and thickness by covering (domain.md 6 and 4.4).
+fn defaults(kind: RoofKind) -> (f64, f64) {
+    match kind {
+        RoofKind::Tiles => (0.40, 0.12),
+        RoofKind::CoverTiles => (0.55, 0.15),
+        RoofKind::Boards => (0.25, 0.05),
+        RoofKind::Shingles => (0.35, 0.10),
+        RoofKind::Bark => (0.60, 0.25),
+        RoofKind::Thatch => (1.00, 0.60),
+        RoofKind::Metal => (0.25, 0.05),
+    }
+}
+
+/// The pitch of tiles over a horizontal run: the gentlest that suits the length of its slope.
+fn raised(run: f64) -> f64 {
+    let slope = |pitch: f64| run * (1.0 + pitch * pitch).sqrt();
+    let fits = TILE_PITCHES
+        .iter()
+        .find(|(length, pitch)| slope(*pitch) <= *length);
+    fits.map_or(0.60, |(_, pitch)| *pitch)
+}
+
+/// Pitches in sun that suit a covering (domain.md 4.3, with room for the unusual).
+pub fn band(kind: RoofKind) -> (f64, f64) {
+    match kind {
+        RoofKind::Tiles => (2.5, 10.0),
+        RoofKind::CoverTiles => (4.0, 10.0),
+        RoofKind::Boards => (1.5, 6.0),
+        RoofKind::Shingles => (2.0, 8.0),
+        RoofKind::Bark => (4.0, 12.0),
+        RoofKind::Thatch => (6.0, 15.0),
+        RoofKind::Metal => (0.5, 15.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::roof::shape::look::*;
+    use crate::source::Span;
+
+    fn style(kind: RoofKind, pitch: Option<f64>) -> RoofStyle {
+        RoofStyle {
+            kind: Some(Spanned::new(kind, Span::default())),
+            pitch: pitch.map(|p| Spanned::new(p, Span::default())),
+            ..RoofStyle::default()
+        }
+    }
+
+    #[test]
+    fn long_slopes_of_tiles_are_steeper_unless_the_author_says_so() {
+        let none = RoofStyle::default();
+        assert_eq!(Look::gable(None, &none, 5.4, 0.909).pitch, 0.40);
+        assert_eq!(Look::gable(None, &none, 16.0, 0.909).pitch, 0.45);
+        assert_eq!(Look::gable(None, &none, 32.0, 0.909).pitch, 0.60);
+        let own = style(RoofKind::Tiles, Some(3.5));
+        assert_eq!(Look::gable(None, &own, 32.0, 0.909).pitch, 0.35);
+    }
+
+    #[test]
+    fn another_covering_does_not_take_the_pitch_of_the_house() {
+        let (house, line) = (
+            style(RoofKind::Tiles, Some(5.0)),
+            style(RoofKind::Thatch, None),
+        );
+        assert_eq!(Look::gable(Some(&line), &house, 5.4, 0.909).pitch, 1.0);
+        let tiled = style(RoofKind::Tiles, None);
+        assert_eq!(Look::gable(Some(&tiled), &house, 5.4, 0.909).pitch, 0.5);
+    }
+}

@@ -1,0 +1,325 @@
+//! Two-sloped roofs: gable (kirizuma, KIR, 001-20), hip (yosemune), hip and gable (irimoya), pyramid
+//! (hogyo), half-hip (hakama-goshi) and karahafu are one recipe, an [`End`] treatment at each end of a ridge
+//! (domain.md 7.10).
+//!
+//! The LOWER surface passes through the wall plate (z = base at the wall line), the upper one lies one drop
+//! higher, so that walls fill up to the roof whatever its thickness. Eaves are cut upright. Slopes are
+//! strips along the [`Profile`] of the rafters; the ends' strips lie at the same heights, so that hips run
+//! through their corners.
+
+use crate::building::Solid;
+use crate::roof::plan::ridge::Side;
+use crate::roof::shape::corners::Raised;
+use crate::roof::shape::end::{Cap, End};
+use crate::roof::shape::facet::Facet;
+use crate::roof::shape::form::Form;
+use crate::roof::shape::frame::{Frame, Rect};
+use crate::roof::shape::gable_wall::Fill;
+use crate::roof::shape::look::Look;
+use crate::roof::shape::profile::{Knot, Profile};
+use glam::DVec2;
+use smallvec::SmallVec;
+
+/// Edges shorter than this are a point, metres.
+const SAME: f64 = 1e-6;
+
+/// How far sheets lie apart that are to share no corner, metres.
+const APART: f64 = 1e-3;
+
+/// A two-sloped roof over a rectangle.
+#[derive(Clone, Copy, Debug)]
+pub struct RidgeRoof {
+    /// The wall rectangle.
+    pub rect: Rect,
+    /// The eaves side at v = 0.
+    pub near: Side,
+    /// Height of the wall plate, metres.
+    pub base: f64,
+    /// Pitch, overhangs and so on.
+    pub look: Look,
+    /// At u = 0 and at u = length.
+    pub ends: [End; 2],
+}
+
+impl RidgeRoof {
+    /// The form of the roof.
+    pub fn form(&self) -> Form {
+        let drop = self.look.drop();
+        let mut facets = Vec::with_capacity(2);
+        let slopes = Slopes::of(self);
+        let [start, end] = self.ends;
+        let (start_up, end_up) = (start.raised(), end.raised());
+        let far = self.near.opposite();
+        slopes.main(
+            self.near,
+            [start, end],
+            [start_up[0], end_up[0]],
+            &mut facets,
+        );
+        slopes.main(far, [end, start], [end_up[1], start_up[1]], &mut facets);
+        // Seen from the start the near side lies to the right, from the end to the left.
+        let [first, last] = crate::roof::shape::frame::end_sides(self.near);
+        slopes.end(first, start, [start_up[1], start_up[0]], &mut facets);
+        slopes.end(last, end, end_up, &mut facets);
+        Form {
+            facets,
+            drop,
+            floor: self.base + drop + 1e-4,
+            solids: self.walls(&slopes),
+            walls: self.walls_under_hips(),
+            ..Form::default()
+        }
+    }
+
+    /// The walls with what the roof runs on over, where a half-hip stands out over its gable wall.
+    fn walls_under_hips(&self) -> Option<Rect> {
+        let half_hip = |e: &End| matches!(e.cap, Cap::HalfHip { .. });
+        self.ends.iter().any(half_hip).then(|| {
+            let frame = Frame::new(&self.rect, self.near);
+            let [start, end] = self.ends.map(|e| e.reach);
+            let (p, q) = (
+                frame.at(-start, 0.0),
+                frame.at(frame.length + end, frame.depth),
+            );
+            Rect {
+                min: p.min(q),
+                max: p.max(q),
+            }
+        })
+    }
+
+    /// The walls that fill its gables.
+    fn walls(&self, slopes: &Slopes<'_>) -> Vec<Solid> {
+        let frame = Frame::new(&self.rect, self.near);
+        let mut solids = Vec::with_capacity(2);
+        let [start, end] = self.ends;
+        for (end, outward, u) in [(start, -1.0, 0.0), (end, 1.0, frame.length)] {
+            if !end.wall {
+                continue;
+            }
+            let (from, top, inward, verge) = match end.cap {
+                Cap::Hip { .. } => continue,
+                Cap::Gable => (0.0, slopes.half, -end.reach, end.verge),
+                Cap::HipAndGable { wall, verge } => (wall, slopes.half, wall, verge),
+                Cap::HalfHip { run } => (0.0, slopes.half - run, 0.0, end.verge),
+            };
+            let fill = Fill {
+                frame: &frame,
+                u: u - outward * inward,
+                outward,
+                verge,
+            };
+            solids.push(fill.under(&slopes.profile, self.base, (from, top)));
+        }
+        solids
+    }
+}
+
+/// What the slopes of one roof have in common.
+struct Slopes<'h> {
+    hall: &'h RidgeRoof,
+    profile: Profile,
+    /// Half the span, metres.
+    half: f64,
+    /// What lifts the corners of its eaves.
+    raised: Option<Raised>,
+}
+
+impl<'h> Slopes<'h> {
+    fn of(hall: &'h RidgeRoof) -> Slopes<'h> {
+        let frame = Frame::new(&hall.rect, hall.near);
+        let half = frame.depth / 2.0;
+        let corners = hall.ends.iter().any(|e| e.raised() != [false; 2]);
+        let bends = hall.ends.map(|e| e.bends(half));
+        let mut at = [f64::NAN; 5];
+        for (place, d) in at.iter_mut().zip(bends.iter().flatten()) {
+            *place = d.unwrap_or(f64::NAN);
+        }
+        let profile = Profile::new(&hall.look, half, &at);
+        let raised = corners
+            .then(|| Raised::of(&hall.look, &profile, half.min(frame.length / 2.0)))
+            .flatten();
+        Slopes {
+            hall,
+            profile,
+            half,
+            raised,
+        }
+    }
+
+    /// Height of the upper surface over the wall plate.
+    fn top(&self) -> f64 {
+        self.hall.base + self.hall.look.drop()
+    }
+
+    /// The strips of the slope that falls to `near`; the ends are those at u = 0 and u = length.
+    fn main(&self, near: Side, [start, end]: [End; 2], lifted: [bool; 2], facets: &mut Vec<Facet>) {
+        let frame = Frame::new(&self.hall.rect, near);
+        let half = self.half;
+        for (i, (lower, upper)) in self.profile.strips().enumerate() {
+            let d = [lower.d, upper.d];
+            let strip = Strip {
+                frame: &frame,
+                lower: Edge::of(lower, lower.d, self.top()),
+                upper: Edge::of(upper, upper.d, self.top()),
+                from: start.start(d, half),
+                to: end.start(d, half).map(|u| frame.length - u),
+                body: [
+                    start.body(d, half),
+                    end.body(d, half).map(|u| frame.length - u),
+                ],
+                eaves: i == 0,
+                verges: [start, end].map(|e| !self.shares_hip(&e, d)),
+                ridge: false,
+            };
+            self.lay(&strip, d, lifted, facets);
+        }
+    }
+
+    /// The strips of an end's own slope, which falls to `side`.
+    fn end(&self, side: Side, end: End, lifted: [bool; 2], facets: &mut Vec<Facet>) {
+        let eaves = -self.profile.knots[0].d;
+        let Some((from, to)) = end.slope(eaves, self.half) else {
+            return;
+        };
+        let frame = Frame::new(&self.hall.rect, side);
+        let within = |d: f64| d > from - 1e-6 && d < to + 1e-6;
+        let strips = self.profile.strips();
+        let own = strips.filter(|(p, q)| within(p.d) && within(q.d));
+        // What lies under the upper gable is a sheet of its own: a hair lower, so that it shares no corner
+        // with the slopes above, in whose planes its edges lie.
+        let beyond = end
+            .beyond_hips()
+            .map(|wall| (self.lowered(to), self.lowered(wall)));
+        let own = own.map(|strip| (strip, 0.0));
+        let beyond = beyond.into_iter().map(|strip| (strip, APART));
+        for (i, ((lower, upper), lowered)) in own.chain(beyond).enumerate() {
+            let contour = |k: Knot| end.contour(k.d, self.half);
+            let (from, to) = (
+                [lower.d, upper.d],
+                [lower.d, upper.d].map(|d| frame.length - d),
+            );
+            let strip = Strip {
+                frame: &frame,
+                lower: Edge::of(lower, contour(lower), self.top()),
+                upper: Edge::of(upper, contour(upper), self.top()),
+                from,
+                to,
+                body: [from, to],
+                eaves: i == 0,
+                verges: [false; 2],
+                ridge: false,
+            };
+            let d = [lower.d, upper.d];
+            let before = facets.len();
+            self.lay(&strip, d, lifted, facets);
+            facets[before..]
+                .iter_mut()
+                .for_each(|f| f.lowered = lowered);
+        }
+    }
+
+    /// A point of the rafter line a hair lower.
+    fn lowered(&self, d: f64) -> Knot {
+        let knot = self.profile.knot(d);
+        Knot {
+            z: knot.z - APART,
+            ..knot
+        }
+    }
+
+    /// Lays the strip between two distances inward, in triangles at its lifted ends.
+    fn lay(&self, strip: &Strip<'_>, d: [f64; 2], lifted: [bool; 2], facets: &mut Vec<Facet>) {
+        match &self.raised {
+            Some(raised) if lifted != [false; 2] && d[1] < SAME => {
+                raised.lay(strip, d, lifted, facets);
+            }
+            _ => facets.extend(strip.facet()),
+        }
+    }
+
+    /// Whether the main slopes meet the end's slope along the border of a strip.
+    fn shares_hip(&self, end: &End, d: [f64; 2]) -> bool {
+        let Some((from, to)) = end.slope(-self.profile.knots[0].d, self.half) else {
+            return false;
+        };
+        let start = end.start(d, self.half);
+        let inside = d[0] > from - 1e-6 && d[1] < to + 1e-6;
+        inside && (0..2).all(|i| (start[i] - end.contour(d[i], self.half)).abs() < 1e-6)
+    }
+}
+
+/// The lower or the upper edge of a strip.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge {
+    /// Inward from the wall line, metres.
+    pub v: f64,
+    /// Height of the upper surface, metres.
+    pub z: f64,
+}
+
+impl Edge {
+    fn of(knot: Knot, v: f64, top: f64) -> Edge {
+        Edge { v, z: top + knot.z }
+    }
+}
+
+/// One strip of a slope in its frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Strip<'f> {
+    /// The slope's frame.
+    pub frame: &'f Frame,
+    /// Towards the eaves.
+    pub lower: Edge,
+    /// Towards the ridge.
+    pub upper: Edge,
+    /// Where it begins along u, on the lower and on the upper edge.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
+    /// Both without verges.
+    pub body: [[f64; 2]; 2],
+    /// Whether its lower edge is the eaves.
+    pub eaves: bool,
+    /// Whether its ends are verges.
+    pub verges: [bool; 2],
+    /// Whether its upper edge ends in the open.
+    pub ridge: bool,
+}
+
+impl Strip<'_> {
+    /// Its facet; none where it has no width.
+    pub fn facet(&self) -> Option<Facet> {
+        let [lower, upper] = [self.lower, self.upper];
+        let pitch = (upper.z - lower.z) / (upper.v - lower.v);
+        let plane = self.frame.rising(lower.z - pitch * lower.v, pitch);
+        let wide = (self.to[0] - self.from[0]).max(self.to[1] - self.from[1]) > SAME;
+        if !wide || upper.v - lower.v < 1e-9 {
+            return None;
+        }
+        let rims = [self.eaves, self.verges[1], self.ridge, self.verges[0]];
+        let outline = self.corners(self.from, self.to, rims);
+        let body = self.corners(self.body[0], self.body[1], rims);
+        let body: SmallVec<[DVec2; 4]> = body.iter().map(|c| c.0).collect();
+        Some(Facet::new(&outline, &body, plane))
+    }
+
+    /// Its corners with what their edges are; a tip of a triangle is one corner.
+    fn corners(
+        &self,
+        from: [f64; 2],
+        to: [f64; 2],
+        rims: [bool; 4],
+    ) -> SmallVec<[(DVec2, bool); 4]> {
+        let at = |u: f64, edge: Edge| self.frame.at(u, edge.v);
+        let all = [
+            (at(from[0], self.lower), rims[0]),
+            (at(to[0], self.lower), rims[1]),
+            (at(to[1], self.upper), rims[2]),
+            (at(from[1], self.upper), rims[3]),
+        ];
+        let tips = [to[0] - from[0] < SAME, false, to[1] - from[1] < SAME, false];
+        let kept = all.into_iter().zip(tips).filter(|(_, tip)| !tip);
+        kept.map(|(corner, _)| corner).collect()
+    }
+}

@@ -1,0 +1,98 @@
+//! Massive roofs: one closed solid for roofs that meet, with their attics, for details that show no joinery.
+//!
+//! A roof is made of sheets and of gable walls under them. Each is a closed solid, with faces inside the house that
+//! nobody sees. Here the space below becomes part of it: inside the walls the solid goes down to the wall plate, under
+//! eaves and verges to the lower surface of its sheets, and the upright faces between the two are the gable walls.
+//! Where roofs meet there is nothing between them.
+//!
+//! The upper surface is cut into parts with a plane below each, no two of which share any space (`parts`). They become
+//! upright columns, whose common surface is the solid (`union`); faces side by side in one plane become one (`merge`).
+//!
+//! | roof | becomes |
+//! |---|---|
+//! | on a wall plate | massive |
+//! | under the eaves of its trunk, or hung on a wall | a part of the same solid without attic: the room below is no part of the roof |
+//! | flat | stays a slab with its upstands, two solids that stand in each other: it has no attic |
+//!
+//! Roofs that touch in an edge only cannot be one closed solid, and are made in several. Brackets and purlins stay
+//! solids of their own, and reach into the roof they carry.
+
+mod closed;
+mod merge;
+mod parts;
+mod union;
+
+use crate::ast::RoofShape;
+use crate::building::{Finish, Roof, Solid};
+use crate::roof::shape::gable_wall::SUNK;
+use crate::roof::solid::sheet::surface;
+use parts::Part;
+
+/// So many sets of roofs are tried for one that cannot be one with all others.
+const MOST_SETS: usize = 8;
+
+/// The roofs of a house in groups that may meet: those of one storey, but for flat ones.
+pub fn groups(roofs: &[Roof]) -> impl Iterator<Item = &[Roof]> {
+    let sloped = |r: &Roof| r.shape != RoofShape::Flat;
+    roofs.chunk_by(move |p, q| p.storey == q.storey && sloped(p) && sloped(q))
+}
+
+/// The solids of one of these [`groups`]; none where it has no attic. Roofs that touch in an edge only cannot be one
+/// closed solid: such a group is made of several.
+pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
+    roofs.iter().find(|r| r.attic.filled)?;
+    if let Some(solids) = together(roofs) {
+        return Some(solids);
+    }
+    let mut sets: Vec<(Vec<&Roof>, Vec<Solid>)> = vec![];
+    for roof in roofs {
+        let joined = sets.iter_mut().take(MOST_SETS).find_map(|set| {
+            let all = set.0.iter().copied().chain([roof]);
+            Some((together(all)?, set))
+        });
+        match joined {
+            Some((solids, set)) => {
+                set.0.push(roof);
+                set.1 = solids;
+            }
+            None => {
+                let own = together([roof]).unwrap_or_else(|| roof.solids.clone());
+                sets.push((vec![roof], own));
+            }
+        }
+    }
+    Some(sets.into_iter().flat_map(|set| set.1).collect())
+}
+
+/// The solids of some roofs as one, if there is such a thing.
+fn together<'r>(roofs: impl IntoIterator<Item = &'r Roof>) -> Option<Vec<Solid>> {
+    let (mut parts, mut others) = (vec![], vec![]);
+    for roof in roofs {
+        let filled = roof.attic.filled;
+        let plate = roof.attic.plate - SUNK;
+        for solid in &roof.solids {
+            if let Some((pieces, drop)) = surface(solid) {
+                for (outline, top) in pieces {
+                    let part = Part::sheet(outline, top, drop, roof.kind);
+                    match filled {
+                        true => part.filled(&roof.attic, plate, &mut parts),
+                        false => parts.push(part),
+                    }
+                }
+            } else if !is_gable(solid) {
+                others.push(solid.clone());
+            } else if !filled {
+                Part::wall(solid, &mut parts);
+            }
+        }
+    }
+    let parts = parts::settle(parts)?;
+    let columns: Vec<_> = parts.iter().flat_map(Part::columns).collect();
+    let mut solids = union::union(&columns)?;
+    solids.extend(others);
+    Some(solids)
+}
+
+fn is_gable(solid: &Solid) -> bool {
+    solid.faces.iter().all(|f| f.finish == Finish::Gable)
+}

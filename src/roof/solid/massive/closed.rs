@@ -1,0 +1,181 @@
+//! From faces on numbered points to closed solids.
+
+use crate::building::{Corners, Face, Finish, Solid};
+use crate::geometry::convex::triangles;
+use crate::roof::solid::massive::merge::merge;
+use crate::roof::solid::sheet::find;
+use glam::{DVec2, DVec3};
+
+/// Corners that turn by less are straight, as the sine of the turn.
+const STRAIGHT: f64 = 1e-6;
+/// Faces leave their planes by less, metres.
+pub(super) const BENT: f64 = 4e-7;
+
+/// A face by the numbers of its points.
+pub(super) type Polygon = (Vec<u32>, Finish);
+
+/// The closed solids that some faces bound. Points over one place have numbers in ascending order from one of `starts`
+/// on; upright edges pass through those between their ends. None where an edge belongs to more than two faces of a solid.
+pub(super) fn solids(
+    points: Vec<DVec3>,
+    starts: &[u32],
+    mut faces: Vec<Polygon>,
+) -> Option<Vec<Solid>> {
+    let mut used = vec![false; points.len()];
+    for id in faces.iter().flat_map(|f| &f.0) {
+        used[*id as usize] = true;
+    }
+    let place = |id: u32| starts.partition_point(|s| *s <= id);
+    for (corners, _) in &mut faces {
+        pass_through(corners, &used, place);
+    }
+    faces.retain(|f| f.0.len() > 2);
+    merge(&points, &mut faces);
+    straighten(&points, &mut faces);
+    let faces: Vec<Polygon> = faces
+        .into_iter()
+        .filter(|f| f.0.len() > 2)
+        .flat_map(|f| flat(&points, f))
+        .collect();
+    let of = components(points.len(), &faces)?;
+    let count = of.iter().max().map_or(0, |n| n + 1);
+    let mut solids = vec![Solid::default(); count];
+    let mut numbers = vec![(usize::MAX, 0); points.len()];
+    for ((corners, finish), n) in faces.into_iter().zip(of) {
+        let solid = &mut solids[n];
+        let number = |id: u32| {
+            let known = &mut numbers[id as usize];
+            if known.0 != n {
+                let point = points[id as usize];
+                // Solids that touch in a point have it twice; in most it is met for the first time.
+                let own = match known.0 {
+                    usize::MAX => None,
+                    _ => solid.points.iter().position(|p| *p == point),
+                };
+                let own = own.unwrap_or_else(|| {
+                    solid.points.push(point);
+                    solid.points.len() - 1
+                });
+                *known = (n, own as u32);
+            }
+            known.1
+        };
+        let corners: Corners = corners.into_iter().map(number).collect();
+        solid.faces.push(Face { corners, finish });
+    }
+    // What is closed off on all sides is filled: nobody sees it.
+    solids.retain(|s| volume(s) > 0.0);
+    Some(solids)
+}
+
+fn volume(solid: &Solid) -> f64 {
+    let from = solid.points.first().copied().unwrap_or_default();
+    let of = |face: &Face| -> f64 {
+        let corners = face.corners.iter();
+        let points: Vec<DVec3> = corners.map(|c| solid.points[*c as usize] - from).collect();
+        points
+            .windows(2)
+            .map(|w| points[0].dot(w[0].cross(w[1])))
+            .sum()
+    };
+    solid.faces.iter().map(of).sum()
+}
+
+/// Puts used points into the upright edges of a face.
+fn pass_through(corners: &mut Vec<u32>, used: &[bool], place: impl Fn(u32) -> usize) {
+    let n = corners.len();
+    let upright = |i: usize| place(corners[i]) == place(corners[(i + 1) % n]);
+    if !(0..n).any(upright) {
+        return;
+    }
+    let mut whole = Vec::with_capacity(n + 2);
+    for i in 0..n {
+        let (p, q) = (corners[i], corners[(i + 1) % n]);
+        whole.push(p);
+        if upright(i) {
+            let between = |id: &u32| used[*id as usize];
+            match p < q {
+                true => whole.extend((p + 1..q).filter(between)),
+                false => whole.extend((q + 1..p).rev().filter(between)),
+            }
+        }
+    }
+    *corners = whole;
+}
+
+/// Takes out points that are the corner of no face.
+fn straighten(points: &[DVec3], faces: &mut [Polygon]) {
+    let mut turns = vec![false; points.len()];
+    for (corners, _) in faces.iter() {
+        let n = corners.len();
+        for i in 0..n {
+            let [p, q, r] = [i, i + 1, i + 2].map(|k| points[corners[k % n] as usize]);
+            let (one, other) = ((q - p).normalize_or_zero(), (r - q).normalize_or_zero());
+            turns[corners[(i + 1) % n] as usize] |=
+                one.cross(other).length() > STRAIGHT || one.dot(other) <= 0.0;
+        }
+    }
+    for (corners, _) in faces.iter_mut() {
+        corners.retain(|c| turns[*c as usize]);
+    }
+}
+
+/// A face that welding has bent, in triangles.
+fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
+    let (corners, finish) = &face;
+    let at = |k: usize| points[corners[k] as usize] - points[corners[0] as usize];
+    let fan = 1..corners.len() - 1;
+    let normal: DVec3 = fan.map(|k| at(k).cross(at(k + 1))).sum();
+    let unit = normal.normalize_or_zero();
+    if (1..corners.len()).all(|k| unit.dot(at(k)).abs() < BENT) {
+        return vec![face];
+    }
+    let (x, y) = unit.any_orthonormal_pair();
+    let plan: Vec<DVec2> = (0..corners.len())
+        .map(|k| DVec2::new(x.dot(at(k)), y.dot(at(k))))
+        .collect();
+    let all = triangles(&plan).into_iter();
+    all.map(|t| (t.map(|k| corners[k]).to_vec(), *finish))
+        .collect()
+}
+
+/// For each face the solid it belongs to, in the order of their first faces: faces hang together through edges that
+/// have two of them.
+fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
+    let mut edges: Vec<(u32, u32, bool, u32)> = Vec::with_capacity(points * 3);
+    for ((corners, _), f) in faces.iter().zip(0..) {
+        for (i, &p) in corners.iter().enumerate() {
+            let q = corners[(i + 1) % corners.len()];
+            edges.push((p.min(q), p.max(q), p < q, f));
+        }
+    }
+    edges.sort_unstable();
+    let same = |a: &(u32, u32, bool, u32), b: &(u32, u32, bool, u32)| (a.0, a.1) == (b.0, b.1);
+    let mut root: Vec<usize> = (0..faces.len()).collect();
+    for edge in edges.chunk_by(same) {
+        if let [one, other] = edge {
+            let [a, b] = [one.3, other.3].map(|f| find(&mut root, f as usize));
+            root[a.max(b)] = a.min(b);
+        }
+    }
+    let roots: Vec<usize> = (0..faces.len()).map(|f| find(&mut root, f)).collect();
+    // Where more faces share an edge, each solid may have two of them.
+    for edge in edges.chunk_by(same) {
+        let mut of: Vec<(usize, bool)> = edge.iter().map(|e| (roots[e.3 as usize], e.2)).collect();
+        of.sort_unstable();
+        let pair = |c: &[(usize, bool)]| matches!(c, [(a, false), (b, true)] if a == b);
+        if !of.chunks(2).all(pair) || of.windows(3).any(|w| w[0].0 == w[2].0) {
+            return None;
+        }
+    }
+    let mut numbers = vec![usize::MAX; faces.len()];
+    let mut next = 0;
+    let number = |r: &usize| {
+        if numbers[*r] == usize::MAX {
+            numbers[*r] = next;
+            next += 1;
+        }
+        numbers[*r]
+    };
+    Some(roots.iter().map(number).collect())
+}

@@ -1,0 +1,116 @@
+//! Faces of one plane and finish that lie side by side become one, as long as it is convex: cities count triangles.
+
+use crate::roof::solid::massive::closed::{BENT, Polygon};
+use glam::DVec3;
+
+/// Corners that turn the wrong way by less are straight, as the sine of the turn.
+const STRAIGHT: f64 = 1e-7;
+
+/// How often neighbours are looked for. Each time a face takes at most one, so that long rows of faces would else be
+/// gone through as often as they are long.
+const ROUNDS: usize = 16;
+
+/// Merges faces with their neighbours, as far as some rounds go.
+pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
+    // Faces that nobody has tried to merge as they are now.
+    let mut fresh = vec![true; faces.len()];
+    for _ in 0..ROUNDS {
+        let edges = edges(faces);
+        let mut grown = vec![false; faces.len()];
+        let mut taken = vec![false; faces.len()];
+        for &(p, q, f) in edges.iter().filter(|(p, q, _)| p < q) {
+            let at = edges.partition_point(|e| (e.0, e.1) < (q, p));
+            let [back, rest @ ..] = &edges[at..] else {
+                continue;
+            };
+            let lonely =
+                (back.0, back.1) == (q, p) && rest.first().is_none_or(|e| (e.0, e.1) != (q, p));
+            let (f, g) = (f as usize, back.2 as usize);
+            let met = lonely && f != g && !taken[f] && !taken[g] && faces[f].1 == faces[g].1;
+            if !met || !(fresh[f] || fresh[g]) {
+                continue;
+            }
+            if let Some(both) = joined(points, &faces[f].0, &faces[g].0, [p, q]) {
+                faces[f].0 = both;
+                faces[g].0.clear();
+                (taken[f], taken[g], grown[f]) = (true, true, true);
+            }
+        }
+        if !grown.contains(&true) {
+            break;
+        }
+        fresh = grown;
+    }
+    faces.retain(|f| !f.0.is_empty());
+}
+
+/// Every edge with the face that runs along it, sorted.
+fn edges(faces: &[Polygon]) -> Vec<(u32, u32, u32)> {
+    let mut edges = Vec::with_capacity(4 * faces.len());
+    for ((corners, _), f) in faces.iter().zip(0..) {
+        let next = corners.iter().cycle().skip(1);
+        edges.extend(corners.iter().zip(next).map(|(p, q)| (*p, *q, f)));
+    }
+    edges.sort_unstable();
+    edges
+}
+
+/// Two faces that share an edge, which the first runs along from one end to the other, as one convex face.
+fn joined(points: &[DVec3], one: &[u32], other: &[u32], [from, to]: [u32; 2]) -> Option<Vec<u32>> {
+    let at = |id: u32| points[id as usize];
+    let normal = normal(points, one);
+    let origin = at(one[0]);
+    if other
+        .iter()
+        .any(|id| normal.dot(at(*id) - origin).abs() > BENT)
+    {
+        return None;
+    }
+    let starting = |ring: &[u32], with: u32| {
+        let first = ring.iter().position(|id| *id == with)?;
+        Some([&ring[first..], &ring[..first]].concat())
+    };
+    let mut ring = starting(one, to)?;
+    ring.extend(&starting(other, from)?[1..]);
+    ring.pop();
+    without_spikes(&mut ring);
+    let mut sorted = ring.clone();
+    sorted.sort_unstable();
+    let n = ring.len();
+    let simple = n > 2 && sorted.windows(2).all(|w| w[0] != w[1]);
+    let bends = |i: usize| {
+        let [p, q, r] = [i, i + 1, i + 2].map(|k| at(ring[k % n]));
+        let turn = (q - p)
+            .normalize_or_zero()
+            .cross((r - q).normalize_or_zero());
+        normal.dot(turn) > -STRAIGHT
+    };
+    (simple && (0..n).all(bends)).then_some(ring)
+}
+
+fn normal(points: &[DVec3], ring: &[u32]) -> DVec3 {
+    let at = |k: usize| points[ring[k] as usize] - points[ring[0] as usize];
+    let fan = 1..ring.len().max(1) - 1;
+    let sum: DVec3 = fan.map(|k| at(k).cross(at(k + 1))).sum();
+    sum.normalize_or_zero()
+}
+
+/// Takes out ways that go to a corner and straight back.
+fn without_spikes(ring: &mut Vec<u32>) {
+    let mut i = 0;
+    let mut kept = 0;
+    while ring.len() > 2 && kept < ring.len() {
+        let n = ring.len();
+        let (before, at, after) = ((i + n - 1) % n, i % n, (i + 1) % n);
+        if ring[before] == ring[after] {
+            // The corner and one of its two equal neighbours.
+            ring.remove(at.max(after));
+            ring.remove(at.min(after));
+            i = 0;
+            kept = 0;
+        } else {
+            i = (i + 1) % n;
+            kept += 1;
+        }
+    }
+}

@@ -1,0 +1,394 @@
+//! Automatic roofs: each region of a storey becomes a gable, a branch, a lean-to or a flat roof.
+
+use crate::ast::RoofShape;
+use crate::building::{Ceiling, Finish, rect_of};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::roofs as say;
+use crate::geometry::plan::Cell;
+use crate::roof::join::nearby::Nearby;
+use crate::roof::plan::outline::piece;
+use crate::roof::plan::ridge::{Region, Ridge, Side};
+use crate::roof::plan::sides::Sides;
+use crate::roof::shape::end::End;
+use crate::roof::shape::facet::EPS;
+use crate::roof::shape::frame::{end_sides, near_side};
+use crate::roof::shape::gable_wall::{SUNK, panel};
+use crate::roof::shape::lean_to::{Flank, LeanTo};
+use crate::roof::shape::look::Look;
+use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::written::Written;
+use std::cell::OnceCell;
+
+use glam::{DVec3, dvec2, dvec3};
+
+/// The least height that an outer wall keeps under a lean-to, metres.
+const LEAST_WALL: f64 = 1.8;
+/// How far a lean-to's upper edge lies below the wall plate of its trunk, metres.
+const TUCKED: f64 = 0.10;
+
+/// The regions of one storey on their way to roofs.
+pub(in crate::roof) struct Automatic<'c, 'h> {
+    pub(in crate::roof) context: &'c Context<'h>,
+    /// The regions and behind them the roofs that the author wrote.
+    pub(in crate::roof) regions: Vec<Region>,
+    /// How many are regions.
+    count: usize,
+    written: &'c [Written],
+    /// Height of the wall plates, metres.
+    pub(in crate::roof) base: f64,
+    /// Of each region.
+    pub(in crate::roof) looks: Vec<Look>,
+    /// Of each lean-to that fits under the eaves of its trunk: where it lies.
+    tucked: Vec<Option<LeanTo>>,
+    /// Who lies beyond whole sides.
+    sides: Option<Sides>,
+    /// Who lies beside whom, once somebody asks.
+    nearby: OnceCell<Nearby>,
+}
+
+impl<'c, 'h> Automatic<'c, 'h> {
+    pub(in crate::roof) fn new(
+        context: &'c Context<'h>,
+        mut regions: Vec<Region>,
+        written: &'c [Written],
+    ) -> Self {
+        let base = context.level.storey.z1;
+        let looks = regions.iter().map(|r| look(context, r, base));
+        let looks = looks.chain(written.iter().map(|w| w.look)).collect();
+        let count = regions.len();
+        regions.extend(written.iter().map(|w| w.beside.roof));
+        let cells = || -> Vec<Cell> { regions.iter().map(|r| r.cell).collect() };
+        let sides = (regions.len() > 1).then(|| Sides::of(&cells()));
+        let mut this = Automatic {
+            context,
+            regions,
+            count,
+            written,
+            base,
+            looks,
+            tucked: vec![],
+            sides,
+            nearby: OnceCell::new(),
+        };
+        this.tuck_all();
+        this
+    }
+
+    /// Places the lean-tos under their trunks' eaves, trunks first: by falling area. What would leave
+    /// too little of its outer wall stays without a place and becomes a gable.
+    fn tuck_all(&mut self) {
+        let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
+        self.tucked = vec![None; self.regions.len()];
+        let mut order: Vec<usize> = (0..self.count)
+            .filter(|n| leans(&self.regions[*n]))
+            .collect();
+        order.sort_by_key(|n| std::cmp::Reverse(self.regions[*n].cell.area()));
+        for n in order {
+            let Some(fall) = self.regions[n].fall else {
+                continue;
+            };
+            self.tucked[n] =
+                Some(self.tucked_slope(n, fall)).filter(|slope| self.left(slope) >= LEAST_WALL);
+        }
+    }
+
+    /// What a tucked lean-to leaves of its outer wall, metres.
+    fn left(&self, slope: &LeanTo) -> f64 {
+        slope.low - self.context.level.storey.z0
+    }
+
+    /// Tells of lean-tos that found no place, by the lowest.
+    pub(in crate::roof) fn report(&self, out: &mut Diagnostics) {
+        let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
+        let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
+        let lowest = (0..self.count)
+            .filter(leans)
+            .filter_map(left)
+            .reduce(f64::min);
+        if let Some(lowest) = lowest {
+            let storey = self.context.level.storey;
+            out.push(say::low_lean_to(
+                storey.span,
+                storey.number,
+                lowest.max(0.0),
+            ));
+        }
+    }
+
+    /// A roof for every region, in their order; ceilings where walls end lower.
+    pub(in crate::roof) fn roofs(&self, ceilings: &mut Vec<Ceiling>) -> Vec<Planned> {
+        let roof = |n: usize| {
+            let region = &self.regions[n];
+            match (region.ridge, region.fall) {
+                (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
+                    Some(slope) => self.tucked_roof(n, slope, ceilings),
+                    None => self.context.hall(region.cell, along(fall), self.base, None),
+                },
+                (None, Some(fall)) => {
+                    let look = self.looks[n];
+                    self.context
+                        .lean_to_with(region.cell, fall, self.base, look)
+                }
+                (ridge, _) => self.hall(n, ridge.unwrap_or(Ridge::A)),
+            }
+        };
+        (0..self.count).map(roof).collect()
+    }
+
+    fn hall(&self, n: usize, ridge: Ridge) -> Planned {
+        let (region, look) = (&self.regions[n], self.looks[n]);
+        let near = near_side(ridge);
+        let ends = end_sides(near).map(|side| {
+            let plain = self.context.plain_end(&region.cell, side, &look);
+            let joined = region.joins == Some(side) && ridge == side.ridge_into();
+            match (region.through, region.over) {
+                (Some(other), _) if joined => {
+                    let across = self
+                        .context
+                        .metres(side.measure(&self.regions[other].cell).1);
+                    End {
+                        reach: across,
+                        ..plain
+                    }
+                }
+                (None, Some(trunk)) if joined => self.run_in(n, trunk, side, plain),
+                _ => self.other_end(n, side, plain),
+            }
+        });
+        self.context
+            .hall_with(region.cell, ridge, self.base, look, ends)
+    }
+
+    /// The end of roof `n` that joins no trunk. It may still lie on the slope of a roof that stands
+    /// higher, as at the far end of a wing between two halls: then it dies there as well.
+    fn other_end(&self, n: usize, side: Side, plain: End) -> End {
+        let region = &self.regions[n];
+        let beyond = self
+            .sides
+            .as_ref()
+            .and_then(|s| s.beyond(&region.cell, side));
+        let level = |other: &usize| self.plate(*other) == self.base;
+        let Some(other) = beyond.filter(level).filter(|_| plain.wall) else {
+            return plain;
+        };
+        let end = self.run_in(n, other, side, plain);
+        if !end.wall {
+            return end;
+        }
+        let neighbour = &self.regions[other];
+        let leans = neighbour
+            .fall
+            .is_some_and(|f| f != side && f != side.opposite());
+        if leans && neighbour.over.is_none() {
+            let rise = self.looks[other].pitch * self.context.metres(neighbour.span()) / 2.0;
+            let own = self.looks[n].pitch * self.context.metres(region.span()) / 2.0;
+            if own < rise {
+                // Its wall stands higher: a verge would stick into it.
+                return End {
+                    verge: 0.0,
+                    ..plain
+                };
+            }
+        }
+        plain
+    }
+
+    /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
+    /// at its lower surface.
+    fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> Planned {
+        let region = &self.regions[n];
+        let storey = self.context.level.storey;
+        let soffit = lean_to.soffit();
+        let unit = self.context.unit;
+        ceilings.push(Ceiling {
+            storey: storey.number,
+            rect: rect_of(region.cell),
+            z: soffit.z,
+            slope: dvec2(-soffit.slope.x * unit, soffit.slope.y * unit),
+        });
+        let mut form = lean_to.form();
+        form.under = region.over.map(|trunk| self.place(trunk));
+        self.heads(n, lean_to, &mut form.solids);
+        self.context
+            .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
+    }
+
+    /// Where a tucked lean-to lies: gentler where its outer wall would get too low.
+    fn tucked_slope(&self, n: usize, fall: Side) -> LeanTo {
+        let region = &self.regions[n];
+        let depth = self.context.metres(fall.measure(&region.cell).1);
+        let mut look = Look {
+            // Walls end along a plane below it.
+            sori: 0.0,
+            ..self.looks[n]
+        };
+        let below = |joint: f64, look: &Look| {
+            joint - self.tuck(n, fall, look) - look.drop() - look.pitch * depth
+        };
+        let joint = self.joint_height(n, fall.opposite());
+        // Under a roof that stands much higher it rises from the plate like one against a wall.
+        let stands = below(joint, &look) >= self.base;
+        let low = |look: &Look| match stands {
+            true => self.base,
+            false => below(joint.min(self.base), look),
+        };
+        let floor = self.context.level.storey.z0;
+        if low(&look) - floor < LEAST_WALL {
+            look.pitch = look.pitch.min(0.2);
+        }
+        let flank = |side: Side| {
+            let over = if self.context.outline().whole(&region.cell, side) {
+                look.verge
+            } else {
+                0.0
+            };
+            Flank { over, wall: stands }
+        };
+        LeanTo {
+            rect: self.context.rect(&region.cell),
+            near: fall,
+            low: low(&look),
+            look,
+            ends: end_sides(fall).map(flank),
+            high: Flank {
+                over: 0.03,
+                wall: stands,
+            },
+        }
+    }
+
+    /// Height of the wall plate of a region or a written roof.
+    fn plate(&self, n: usize) -> f64 {
+        let written = n.checked_sub(self.count).and_then(|i| self.written.get(i));
+        written.map_or(self.base, |w| w.base)
+    }
+
+    /// The place of a trunk among the roofs of its height: written ones follow the regions.
+    fn place(&self, trunk: usize) -> usize {
+        let written = trunk
+            .checked_sub(self.count)
+            .and_then(|i| self.written.get(i));
+        match written {
+            None => trunk,
+            Some(w) if w.beside.level => self.count + w.before,
+            // It meets nobody here, but eaves of others give way all the same.
+            Some(_) => usize::MAX,
+        }
+    }
+
+    /// How far below the joint the upper surface starts, so that it stays below the trunk's eaves.
+    fn tuck(&self, n: usize, fall: Side, look: &Look) -> f64 {
+        let Some(trunk) = self.regions[n].over else {
+            return TUCKED;
+        };
+        let eaves_side = match self.regions[trunk].ridge {
+            Some(ridge) => ridge != fall.ridge_into() || self.cap(trunk).has_corners(),
+            None => true,
+        };
+        let trunk = &self.looks[trunk];
+        let under_eaves = trunk.eaves * (trunk.pitch - look.pitch) + 0.03;
+        if eaves_side {
+            TUCKED.max(under_eaves)
+        } else {
+            TUCKED
+        }
+    }
+
+    /// Height of the trunk's plate along the joint; its own soffit where it is tucked as well.
+    fn joint_height(&self, n: usize, side: Side) -> f64 {
+        let Some(trunk) = self.regions[n].over else {
+            return self.base;
+        };
+        let Some(slope) = &self.tucked[trunk] else {
+            return self.plate(trunk);
+        };
+        let soffit = slope.soffit();
+        let (from, to) = self.ends_of(n, side);
+        soffit
+            .at(from.truncate())
+            .min(soffit.at(to.truncate()))
+            .min(self.base)
+    }
+
+    /// The ends of a whole side, at height 0.
+    fn ends_of(&self, n: usize, side: Side) -> (DVec3, DVec3) {
+        let (line, lo, hi) = piece(&self.regions[n].cell, side);
+        (self.on_side(side, line, lo), self.on_side(side, line, hi))
+    }
+
+    fn on_side(&self, side: Side, line: i64, at: i64) -> DVec3 {
+        let (line, at) = (self.context.metres(line), self.context.metres(at));
+        match side {
+            Side::Front | Side::Back => dvec3(-at, line, 0.0),
+            Side::Left | Side::Right => dvec3(-line, at, 0.0),
+        }
+    }
+
+    /// Fills above a tucked lean-to where it opens to other rooms: from its surface to the plate.
+    fn heads(&self, n: usize, lean_to: &LeanTo, solids: &mut Vec<crate::building::Solid>) {
+        let cell = &self.regions[n].cell;
+        let soffit = lean_to.soffit();
+        for side in Side::ALL {
+            let (line, _, _) = piece(cell, side);
+            for (lo, hi) in self.context.outline().gaps(cell, side) {
+                if self.tucked_beyond(n, side, line, (lo, hi)) {
+                    continue;
+                }
+                let at = |p: i64| {
+                    let point = self.on_side(side, line, p);
+                    point + DVec3::Z * (soffit.at(point.truncate()) - 2.0 * SUNK)
+                };
+                let (from, to) = (at(lo), at(hi));
+                let top = self.base + SUNK;
+                if (to - from).length() > EPS && top - from.z.max(to.z) > SUNK {
+                    solids.push(panel(from, to, [top, top], Finish::Gable));
+                }
+            }
+        }
+    }
+
+    /// Whether another tucked lean-to lies beyond this piece of a side.
+    fn tucked_beyond(&self, n: usize, side: Side, line: i64, (lo, hi): (i64, i64)) -> bool {
+        let beyond = |m: &usize| {
+            let (theirs, from, to) = piece(&self.regions[*m].cell, side.opposite());
+            *m != n && self.tucked[*m].is_some() && theirs == line && from < hi && lo < to
+        };
+        let index = self.nearby.get_or_init(|| {
+            Nearby::new(
+                self.regions
+                    .iter()
+                    .map(|r| self.context.rect(&r.cell))
+                    .collect(),
+            )
+        });
+        let about = self.context.rect(&self.regions[n].cell).grown(0.01);
+        index.overlapping(&about).iter().any(beyond)
+    }
+}
+
+/// The look of a region's roof, gentle enough to stay below the eaves of the storeys above.
+fn look(context: &Context<'_>, region: &Region, base: f64) -> Look {
+    let look = match (region.ridge, region.fall) {
+        (None, Some(fall)) => {
+            let depth = context.metres(fall.measure(&region.cell).1);
+            Look::lean_to(None, context.style, depth)
+        }
+        (ridge, _) => context.gable_look(&region.cell, ridge.unwrap_or(Ridge::A), None),
+    };
+    match region.fall.is_some() && region.over.is_some() {
+        // Tucked under its trunk it rises no higher than its walls.
+        true => look,
+        false => {
+            let rect = context.rect(&region.cell);
+            context.headroom.fit(&rect, region, base, look)
+        }
+    }
+}
+
+/// The run of a ridge along the low side of a lean-to.
+fn along(fall: Side) -> Ridge {
+    match fall.ridge_into() {
+        Ridge::A => Ridge::B,
+        Ridge::B => Ridge::A,
+    }
+}

@@ -1,0 +1,340 @@
+//! Roof lines: which storey each belongs to, where it stands, and what is odd about it.
+
+use crate::ast::{RoofDirection, RoofLine, RoofShape};
+use crate::building::House;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::roofs as say;
+use crate::geometry::plan::{Cell, Plan};
+use crate::geometry::{SHAKU, STEPS, steps};
+use crate::roof::plan::level::Level;
+use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::plan::tops::Tops;
+use crate::roof::shape::look::{Look, band};
+use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::porch;
+use crate::roof::storey::skirt::Skirt;
+use crate::roof::storey::written::falls_to;
+
+/// Roof lines of one house beyond this are left out: what so many cover has no roofs a person could mean.
+const MOST_LINES: usize = 2000;
+
+/// A roof line with its place.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::roof) struct Placed<'h> {
+    /// The line.
+    pub(in crate::roof) line: &'h RoofLine,
+    /// Index of the level whose top it roofs.
+    pub(in crate::roof) level: usize,
+    /// Its rectangle.
+    pub(in crate::roof) cell: Cell,
+    /// Height of the wall plate (of the low edge's upper surface for HIS), metres.
+    pub(in crate::roof) base: f64,
+    /// Its form as written.
+    pub(in crate::roof) shape: RoofShape,
+}
+
+impl Placed<'_> {
+    /// Whether it takes its rectangle out of the automatic regions.
+    pub(in crate::roof) fn covers(&self) -> bool {
+        self.shape != RoofShape::Pent
+    }
+
+    /// Whether it stands on the top of its storey, not over the roofs of higher ones.
+    fn stands_on(&self, context: &Context<'_>) -> bool {
+        self.base < context.level.storey.z1 + 0.5
+    }
+}
+
+/// Places all roof lines of a house.
+pub(in crate::roof) fn place<'h>(
+    house: &'h House,
+    levels: &[Level<'h>],
+    out: &mut Diagnostics,
+) -> Vec<Placed<'h>> {
+    let lines = &house.roofs.lines;
+    if let Some(beyond) = lines.get(MOST_LINES) {
+        out.push(say::too_many_lines(beyond.span, lines.len(), MOST_LINES));
+    }
+    let tops = Tops::of(levels);
+    let mut placed: Vec<Placed<'h>> = Vec::with_capacity(lines.len().min(MOST_LINES));
+    for line in lines.iter().take(MOST_LINES) {
+        let Some(cell) = cell(line) else { continue };
+        let Some(one) = place_one(house, line, cell, &tops, out) else {
+            continue;
+        };
+        check_place(&one, &tops, out);
+        check_options(house, &one, out);
+        let same = |p: &&Placed<'_>| {
+            p.covers()
+                && one.covers()
+                && p.cell.overlaps(&one.cell)
+                && (p.base - one.base).abs() < 1e-3
+        };
+        if let Some(other) = placed.iter().find(same) {
+            out.push(say::overlapping(line.corners.span, other.line.corners.span));
+        }
+        placed.push(one);
+    }
+    placed
+}
+
+fn cell(line: &RoofLine) -> Option<Cell> {
+    let [a0, b0, a1, b1] = line.corners.value.map(steps);
+    let cell = Cell {
+        a0: a0.min(a1),
+        b0: b0.min(b1),
+        a1: a0.max(a1),
+        b1: b0.max(b1),
+    };
+    (cell.width() > 0 && cell.depth() > 0).then_some(cell)
+}
+
+fn place_one<'h>(
+    house: &House,
+    line: &'h RoofLine,
+    cell: Cell,
+    tops: &Tops<'_, '_>,
+    out: &mut Diagnostics,
+) -> Option<Placed<'h>> {
+    let levels = tops.levels;
+    let shape = line.style.shape.map_or(RoofShape::Gable, |s| s.value);
+    let placed = |(level, base): (usize, f64)| Placed {
+        line,
+        level,
+        cell,
+        base,
+        shape,
+    };
+    let Some(height) = line.height else {
+        let place = topmost(house, line, &cell, shape, tops)?;
+        return Some(placed(place));
+    };
+    let base = height.value * SHAKU;
+    let gap = |top: f64| (top - base).abs();
+    let tops = levels.iter().map(|l| l.storey.z1);
+    let (level, top) = tops
+        .enumerate()
+        .min_by(|p, q| gap(p.1).total_cmp(&gap(q.1)))?;
+    if gap(top) > 3.0 * SHAKU + 1e-6 && shape != RoofShape::Pent {
+        let number = levels[level].storey.number;
+        out.push(say::far_from_top(
+            height.span,
+            height.value,
+            number,
+            top / SHAKU,
+        ));
+    }
+    // Sums of storeys differ from what is written by the last bit: roofs of one height must meet.
+    let base = if gap(top) < 1e-6 { top } else { base };
+    Some(placed((level, base)))
+}
+
+/// Level and height of a line with `*`.
+fn topmost(
+    house: &House,
+    line: &RoofLine,
+    cell: &Cell,
+    shape: RoofShape,
+    tops: &Tops<'_, '_>,
+) -> Option<(usize, f64)> {
+    let levels = tops.levels;
+    if shape == RoofShape::Pent {
+        // Its upper edge at the foot of the upper wall, or well under the eaves of the only one.
+        let look = Look::lean_to(Some(&line.style), &house.roofs.style, 0.9);
+        let depth = cell.width().min(cell.depth()) as f64 / STEPS as f64 * house.unit;
+        let foot = levels.first()?.storey.z1 - if levels.len() > 1 { 0.0 } else { 0.5 };
+        return Some((0, foot - look.pitch * depth));
+    }
+    let open = |k: usize| levels[k].orthogonal && tops.is_open(k, cell);
+    let level = (0..levels.len())
+        .rev()
+        .find(|k| open(*k))
+        .unwrap_or(levels.len().checked_sub(1)?);
+    Some((level, levels[level].storey.z1))
+}
+
+fn check_place(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
+    let level = &tops.levels[one.level];
+    let (line, place) = (one.line, one.line.corners.span);
+    if level.is_open() || !level.orthogonal {
+        return;
+    }
+    if one.shape == RoofShape::Pent {
+        return check_pent(one, tops, out);
+    }
+    let (inside, whole) = (tops.inside(one.level, &one.cell), one.cell.area());
+    let may_stand_out = matches!(one.shape, RoofShape::LeanTo | RoofShape::Karahafu);
+    if inside == 0 {
+        if !may_stand_out {
+            out.push(say::over_no_wall(place, one.shape.letters()));
+        }
+    } else if inside < whole && !may_stand_out {
+        out.push(say::partly_outside(
+            place,
+            1.0 - inside as f64 / whole as f64,
+        ));
+    }
+    if let Some(upper) = tops.levels.get(one.level + 1)
+        && upper.orthogonal
+        && inside > 0
+        && tops.inside(one.level + 1, &one.cell) == whole
+    {
+        out.push(say::under_storey(
+            line.span,
+            level.storey.number,
+            upper.storey.span,
+            line.height.as_ref().map(|h| h.span),
+        ));
+    }
+}
+
+fn check_pent(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
+    let place = one.line.corners.span;
+    let outline = tops.outline(one.level);
+    let hangs = |side: Side| !outline.along(&one.cell, side).is_empty();
+    if tops.inside(one.level, &one.cell) > 0 {
+        out.push(say::pent_over_rooms(place));
+    } else if !Side::ALL.into_iter().any(hangs) {
+        out.push(say::pent_in_the_air(place));
+    } else if let Some(direction) = one.line.direction
+        && fall(direction.value).is_some_and(|near| !hangs(near.opposite()))
+    {
+        out.push(say::pent_falls_wrong(direction.span));
+    }
+}
+
+fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
+    let (line, style) = (one.line, &one.line.style);
+    let kind = style
+        .kind
+        .or(house.roofs.style.kind)
+        .map_or(crate::ast::RoofKind::Tiles, |k| k.value);
+    if let Some(pitch) = style.pitch {
+        check_pitch(pitch, kind, out);
+    }
+    let Some(direction) = line.direction else {
+        return;
+    };
+    let one_sided = matches!(one.shape, RoofShape::LeanTo | RoofShape::Pent);
+    if one.shape != RoofShape::Flat && one_sided != fall(direction.value).is_some() {
+        out.push(say::odd_direction(
+            direction.span,
+            one.shape.letters(),
+            one_sided,
+        ));
+    }
+    if let Some(ridge) = ridge(direction.value)
+        && !one_sided
+        && one.shape != RoofShape::Flat
+    {
+        let (width, depth) = (one.cell.width(), one.cell.depth());
+        let (length, span) = if ridge == Ridge::A {
+            (width, depth)
+        } else {
+            (depth, width)
+        };
+        // Hira-iri houses are commonly somewhat deeper than wide; twice as deep is a slip.
+        if span >= 2 * length && span > 6 * STEPS {
+            let other = if ridge == Ridge::A { "Y" } else { "X" };
+            let wide = span as f64 / STEPS as f64;
+            out.push(say::long_span(direction.span, wide, other));
+        }
+    }
+}
+
+/// Warns of a pitch outside the covering's band.
+pub(in crate::roof) fn check_pitch(
+    pitch: crate::source::Spanned<f64>,
+    kind: crate::ast::RoofKind,
+    out: &mut Diagnostics,
+) {
+    let band = band(kind);
+    if pitch.value < band.0 - 1e-9 || pitch.value > band.1 + 1e-9 {
+        let of = |k: &&(char, crate::ast::RoofKind)| k.1 == kind;
+        let letter = crate::ast::RoofKind::ALL
+            .iter()
+            .find(of)
+            .map_or('K', |k| k.0);
+        out.push(say::odd_pitch(pitch.span, pitch.value, letter, band));
+    }
+}
+
+/// The side a single slope falls to.
+pub(in crate::roof) fn fall(direction: RoofDirection) -> Option<Side> {
+    match direction {
+        RoofDirection::Front => Some(Side::Front),
+        RoofDirection::Back => Some(Side::Back),
+        RoofDirection::Left => Some(Side::Left),
+        RoofDirection::Right => Some(Side::Right),
+        RoofDirection::AlongFront | RoofDirection::AcrossFront => None,
+    }
+}
+
+/// The run of a ridge.
+pub(in crate::roof) fn ridge(direction: RoofDirection) -> Option<Ridge> {
+    match direction {
+        RoofDirection::AlongFront => Some(Ridge::A),
+        RoofDirection::AcrossFront => Some(Ridge::B),
+        _ => None,
+    }
+}
+
+/// The roof of a line.
+pub(in crate::roof) fn planned(
+    one: &Placed<'_>,
+    context: &Context<'_>,
+    out: &mut Diagnostics,
+) -> Planned {
+    let ridge_wish = one.line.direction.and_then(|d| ridge(d.value));
+    let fall_wish = one.line.direction.and_then(|d| fall(d.value));
+    let style = Some(&one.line.style);
+    let mut planned = match one.shape {
+        RoofShape::LeanTo => {
+            let near = falls_to(one);
+            context.lean_to(one.cell, near, one.base, style)
+        }
+        RoofShape::Pent => {
+            let near = fall_wish.unwrap_or_else(|| away_from_wall(context, &one.cell));
+            let (planned, upper) = context.pent(one.cell, near, one.base, style);
+            if let Some(height) = one.line.height
+                && upper > context.roof_top + 1e-3
+            {
+                out.push(say::pent_too_high(
+                    height.span,
+                    upper / SHAKU,
+                    context.roof_top / SHAKU,
+                    (height.value * SHAKU - (upper - context.roof_top)) / SHAKU,
+                ));
+            }
+            planned
+        }
+        RoofShape::Flat => {
+            context.flat(&[one.cell], &Plan::from_cells(&[one.cell]), one.base, style)
+        }
+        RoofShape::Karahafu => {
+            let run = porch::ridge(&one.cell, context, ridge_wish);
+            let run = run.unwrap_or_else(|| context.ridge(&one.cell, &one.line.style, None));
+            porch::planned(one, run, context)
+        }
+        _ => {
+            let skirt = Skirt::over(one.cell, one.shape, context);
+            let run = context.ridge(&one.cell, &one.line.style, ridge_wish);
+            match skirt.filter(|_| one.stands_on(context)) {
+                Some(skirt) => skirt.planned(context, one.base, style, one.line.span, out),
+                None => context.hall(one.cell, run, one.base, style),
+            }
+        }
+    };
+    planned.roof.span = Some(one.line.span);
+    planned.roof.shape = one.shape;
+    planned
+}
+
+/// The side opposite to the one that lies on a wall.
+pub(in crate::roof) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Side {
+    let on_wall = |side: &Side| !context.outline().along(cell, side.opposite()).is_empty();
+    [Side::Front, Side::Back, Side::Left, Side::Right]
+        .into_iter()
+        .find(on_wall)
+        .unwrap_or(Side::Front)
+}

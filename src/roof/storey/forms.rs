@@ -1,0 +1,362 @@
+//! From a rectangle and options to a roof: what stands beside each side decides its ends.
+
+use crate::ast::{RoofShape, RoofStyle};
+use crate::building::{Attic, Roof};
+use crate::geometry::plan::{Cell, Plan};
+use crate::roof::plan::level::Level;
+use crate::roof::plan::outline::{Outline, piece};
+use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::shape::end::{Cap, End};
+use crate::roof::shape::flat;
+use crate::roof::shape::form::Form;
+use crate::roof::shape::frame::{Rect, end_sides, metres, near_side};
+use crate::roof::shape::lean_to::{Flank, LeanTo};
+use crate::roof::shape::look::Look;
+use crate::roof::shape::pent::Pent;
+use crate::roof::shape::ridge_roof::RidgeRoof;
+use crate::roof::storey::headroom::Headroom;
+use std::cell::OnceCell;
+
+/// A roof with its form, before it meets its neighbours.
+#[derive(Clone, Debug)]
+pub(in crate::roof) struct Planned {
+    /// Its form.
+    pub(in crate::roof) form: Form,
+    /// Its look.
+    pub(in crate::roof) look: Look,
+    /// The roof, without solids yet.
+    pub(in crate::roof) roof: Roof,
+    /// Height of the plate it stands on: only roofs of one height meet.
+    pub(in crate::roof) base: f64,
+}
+
+/// What all roofs of one storey have in common.
+pub(in crate::roof) struct Context<'h> {
+    /// One U in metres.
+    pub(in crate::roof) unit: f64,
+    /// The options of the house.
+    pub(in crate::roof) style: &'h RoofStyle,
+    /// The storey.
+    pub(in crate::roof) level: &'h Level<'h>,
+    /// The storey above, if it is closed and at right angles.
+    pub(in crate::roof) above: Option<&'h Level<'h>>,
+    /// Its plan.
+    pub(in crate::roof) upper: Option<&'h Plan>,
+    /// Top of the highest walls, metres.
+    pub(in crate::roof) roof_top: f64,
+    /// What the eaves of the storeys above leave to its roofs.
+    pub(in crate::roof) headroom: Headroom,
+    pub(in crate::roof) outline: OnceCell<Outline>,
+    pub(in crate::roof) upper_outline: OnceCell<Outline>,
+}
+
+impl Context<'_> {
+    /// The walls of the storey.
+    pub(in crate::roof) fn outline(&self) -> &Outline {
+        self.outline.get_or_init(|| match &self.level.plan {
+            plan if !self.level.orthogonal || plan.loops.is_empty() => Outline::default(),
+            plan if plan.loops.len() == 1 => Outline::of(plan),
+            plan => Outline::of(&plan.clean()),
+        })
+    }
+
+    /// The walls of the storey above.
+    fn upper_outline(&self) -> &Outline {
+        self.upper_outline.get_or_init(|| {
+            self.upper
+                .map(|u| Outline::of(&u.clean()))
+                .unwrap_or_default()
+        })
+    }
+
+    /// Whether an upper wall stands along the whole side.
+    pub(in crate::roof) fn is_walled(&self, cell: &Cell, side: Side) -> bool {
+        self.upper.is_some() && self.upper_outline().whole(cell, side)
+    }
+
+    /// Whether walls run along both sides up to the corner between them.
+    fn is_corner(&self, cell: &Cell, side: Side, other: Side) -> bool {
+        let reaches = |along: Side, end: Side| {
+            let (_, lo, hi) = piece(cell, along);
+            let walls = self.outline().along(cell, along);
+            match end {
+                Side::Left | Side::Back => walls.last().is_some_and(|w| w.1 == hi),
+                Side::Right | Side::Front => walls.first().is_some_and(|w| w.0 == lo),
+            }
+        };
+        reaches(side, other) && reaches(other, side)
+    }
+
+    /// Metres of some plan steps.
+    pub(in crate::roof) fn metres(&self, steps: i64) -> f64 {
+        metres(steps, self.unit)
+    }
+
+    /// Where a cell lies.
+    pub(in crate::roof) fn rect(&self, cell: &Cell) -> Rect {
+        Rect::of(cell, self.unit)
+    }
+
+    fn roof(&self, shape: RoofShape, look: &Look) -> Roof {
+        let storey = self.level.storey.number;
+        Roof {
+            storey,
+            span: None,
+            shape,
+            kind: look.kind,
+            dress: look.dress(),
+            attic: Attic::default(),
+            solids: vec![],
+        }
+    }
+
+    /// The look of a gable over a cell.
+    pub(in crate::roof) fn gable_look(
+        &self,
+        cell: &Cell,
+        ridge: Ridge,
+        style: Option<&RoofStyle>,
+    ) -> Look {
+        let span = if ridge == Ridge::A {
+            cell.depth()
+        } else {
+            cell.width()
+        };
+        Look::gable(style, self.style, self.metres(span), self.unit)
+    }
+
+    /// The end of a roof that joins no other.
+    pub(in crate::roof) fn plain_end(&self, cell: &Cell, side: Side, look: &Look) -> End {
+        if self.is_walled(cell, side) {
+            return End::default();
+        }
+        End {
+            verge: look.verge,
+            wall: true,
+            ..End::default()
+        }
+    }
+
+    /// A two-sloped roof over a cell of its own.
+    pub(in crate::roof) fn hall(
+        &self,
+        cell: Cell,
+        ridge: Ridge,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
+        let look = self.gable_look(&cell, ridge, style);
+        let near = near_side(ridge);
+        let ends = end_sides(near).map(|side| self.plain_end(&cell, side, &look));
+        self.hall_with(cell, ridge, base, look, ends)
+    }
+
+    /// A two-sloped roof with given ends; the free ones get the treatment of its shape.
+    pub(in crate::roof) fn hall_with(
+        &self,
+        cell: Cell,
+        ridge: Ridge,
+        base: f64,
+        look: Look,
+        mut ends: [End; 2],
+    ) -> Planned {
+        let near = near_side(ridge);
+        let (length, span) = match ridge {
+            Ridge::A => (cell.width(), cell.depth()),
+            Ridge::B => (cell.depth(), cell.width()),
+        };
+        let length = self.metres(length) + ends.iter().map(|e| e.reach).sum::<f64>();
+        let free = ends.map(|e| e.wall && e.reach == 0.0);
+        let cap = Cap::of(&look, length, self.metres(span) / 2.0, free == [true; 2]);
+        for (i, side) in end_sides(near)
+            .into_iter()
+            .enumerate()
+            .filter(|(i, _)| free[*i])
+        {
+            ends[i].cap = cap;
+            if look.sori > 0.0 && cap.has_corners() {
+                ends[i].rises =
+                    [near, near.opposite()].map(|eaves| self.is_corner(&cell, side, eaves));
+            }
+        }
+        let hall = RidgeRoof {
+            rect: self.rect(&cell),
+            near,
+            base,
+            look,
+            ends,
+        };
+        Planned {
+            form: hall.form(),
+            look,
+            roof: self.roof(look.shape, &look),
+            base,
+        }
+    }
+
+    /// The ridge of a written roof. Equal slopes on four sides have theirs along the long side, whatever
+    /// the author wishes.
+    pub(in crate::roof) fn ridge(
+        &self,
+        cell: &Cell,
+        style: &RoofStyle,
+        wish: Option<Ridge>,
+    ) -> Ridge {
+        let shape = style.shape.map_or(RoofShape::Gable, |s| s.value);
+        let ratio = style.ratio.or(self.style.ratio).is_some();
+        let wish = wish.filter(|_| !shape.has_equal_slopes(ratio) || cell.width() == cell.depth());
+        wish.unwrap_or_else(|| self.automatic_ridge(cell, shape))
+    }
+
+    /// The ridge that a shape gets where nobody says.
+    fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
+        let long = if cell.depth() > cell.width() {
+            Ridge::B
+        } else {
+            Ridge::A
+        };
+        match (shape, long) {
+            (RoofShape::BroadGable, Ridge::B) => Ridge::A,
+            (RoofShape::BroadGable, Ridge::A) if cell.width() > cell.depth() => Ridge::B,
+            _ => long,
+        }
+    }
+
+    /// A single slope that stands on the plate and falls to `near`.
+    pub(in crate::roof) fn lean_to(
+        &self,
+        cell: Cell,
+        near: Side,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
+        let (_, depth) = near.measure(&cell);
+        let look = Look::lean_to(style, self.style, self.metres(depth));
+        self.lean_to_with(cell, near, base, look)
+    }
+
+    /// A single slope of a given look.
+    pub(in crate::roof) fn lean_to_with(
+        &self,
+        cell: Cell,
+        near: Side,
+        base: f64,
+        look: Look,
+    ) -> Planned {
+        let flank = |side: Side| match self.is_walled(&cell, side) {
+            true => Flank::default(),
+            false => Flank {
+                over: look.verge,
+                wall: true,
+            },
+        };
+        let lean_to = LeanTo {
+            rect: self.rect(&cell),
+            near,
+            low: base,
+            look,
+            ends: end_sides(near).map(flank),
+            high: flank(near.opposite()),
+        };
+        Planned {
+            form: lean_to.form(),
+            look,
+            roof: self.roof(RoofShape::LeanTo, &look),
+            base,
+        }
+    }
+
+    /// A roof of a form that is known already.
+    pub(in crate::roof) fn of_form(
+        &self,
+        form: Form,
+        shape: RoofShape,
+        look: Look,
+        base: f64,
+    ) -> Planned {
+        Planned {
+            form,
+            look,
+            roof: self.roof(shape, &look),
+            base,
+        }
+    }
+
+    /// A pent roof, and the height of its upper edge.
+    pub(in crate::roof) fn pent(
+        &self,
+        cell: Cell,
+        near: Side,
+        height: f64,
+        style: Option<&RoofStyle>,
+    ) -> (Planned, f64) {
+        let depth = self.metres(near.measure(&cell).1);
+        let mut look = Look::lean_to(style, self.style, depth);
+        if style.and_then(|s| s.thickness).is_none() {
+            // Small tiles on lath: thinner than the main roof.
+            look.thickness = look.thickness.min(0.09);
+        }
+        let pent = Pent {
+            rect: self.rect(&cell),
+            near,
+            height,
+            look,
+            unit: self.unit,
+        };
+        let bare = Look {
+            eaves: 0.0,
+            verge: 0.0,
+            ..look
+        };
+        let planned = Planned {
+            form: pent.form(),
+            look,
+            roof: self.roof(RoofShape::Pent, &bare),
+            base: height,
+        };
+        (planned, height + look.pitch * depth)
+    }
+
+    /// A flat roof over cells that make up `plan`.
+    pub(in crate::roof) fn flat(
+        &self,
+        cells: &[Cell],
+        plan: &Plan,
+        base: f64,
+        style: Option<&RoofStyle>,
+    ) -> Planned {
+        let (look, thick) = self.flat_look(style);
+        let mut solids = flat::slab_of_cells(cells, self.unit, base, look.kind, thick);
+        if !self.level.parapet {
+            let borders = flat::borders(plan, self.outline(), self.unit);
+            solids.extend(borders.iter().flat_map(|b| flat::upstands(b, base)));
+        }
+        self.flat_of(solids, look, base)
+    }
+
+    /// The look of a flat roof and the thickness of its slab.
+    pub(in crate::roof) fn flat_look(&self, style: Option<&RoofStyle>) -> (Look, f64) {
+        let look = Look::lean_to(style, self.style, 0.0);
+        let own = style.and_then(|s| s.thickness).or(self.style.thickness);
+        (look, own.map_or(0.15, |_| look.thickness.max(0.1)))
+    }
+
+    /// A flat roof of finished solids.
+    pub(in crate::roof) fn flat_of(
+        &self,
+        solids: Vec<crate::building::Solid>,
+        look: Look,
+        base: f64,
+    ) -> Planned {
+        let form = Form {
+            solids,
+            ..Form::default()
+        };
+        Planned {
+            form,
+            look,
+            roof: self.roof(RoofShape::Flat, &look),
+            base,
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! A storey roofed as a whole: one hipped roof by the straight skeleton over each outline with its courts, whatever
+//! its angles; the walls of the storey above cut it, and where they stand upon its own there are no eaves.
+
+use crate::ast::{RoofMode, RoofShape};
+use crate::building::{House, HouseRoofs, Ring};
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::roofs as say;
+use crate::geometry::STEPS;
+use crate::geometry::plan::slabs;
+use crate::geometry::plan::{Cell, Plan};
+use crate::roof::house::MOST_CORNERS;
+use crate::roof::plan::level::Level;
+use crate::roof::plan::report;
+use crate::roof::shape::flat;
+use crate::roof::shape::frame::metres;
+use crate::roof::shape::hipped::Hipped;
+use crate::roof::shape::look::Look;
+use crate::roof::skeleton::polygons::{Part, gathered, tagged};
+use crate::roof::skeleton::{Contours, Invalid};
+use crate::roof::storey::explicit::Placed;
+use crate::roof::storey::forms::{Context, Planned};
+use glam::{DVec2, dvec2};
+
+/// Such a storey on its way to roofs.
+pub(in crate::roof) struct Polygonal<'a, 'h> {
+    pub(in crate::roof) house: &'a House,
+    pub(in crate::roof) context: &'a Context<'h>,
+    /// The storey above, if it bounds anything.
+    pub(in crate::roof) upper: Option<&'a Level<'h>>,
+    pub(in crate::roof) lines: &'a [&'a Placed<'a>],
+}
+
+/// Whether a storey's roof lies flat: the author says so, or a wall that rises round it hides a flat one.
+pub(in crate::roof) fn is_flat(house: &House, level: &Level<'_>) -> bool {
+    let shape = house.roofs.style.shape;
+    shape.map_or(level.parapet, |s| s.value == RoofShape::Flat)
+}
+
+/// The convex parts of a storey's plan in the house frame, metres.
+pub(in crate::roof) fn walls(house: &House, level: &Level<'_>) -> Vec<Vec<DVec2>> {
+    if level.orthogonal {
+        let strips = slabs::strips(&level.plan).into_iter();
+        let rect = |c: Cell| {
+            crate::roof::shape::frame::Rect::of(&c, house.unit)
+                .corners()
+                .to_vec()
+        };
+        return strips.map(rect).collect();
+    }
+    let parts = parts(house, level);
+    parts.iter().flat_map(Part::pieces).collect()
+}
+
+/// The parts of a storey in the house frame, metres.
+fn parts(house: &House, level: &Level<'_>) -> Vec<Part> {
+    let corners = |ring: &Ring| -> Vec<DVec2> {
+        let place = |p: &DVec2| house.place(*p, 0.0).truncate();
+        ring.corners().iter().map(place).collect()
+    };
+    let rings = level.rings(false).chain(level.rings(true));
+    let rings: Vec<Vec<DVec2>> = rings.map(corners).filter(|r| r.len() > 2).collect();
+    gathered(&rings)
+}
+
+impl Polygonal<'_, '_> {
+    /// The automatic roofs: none where the storey above repeats this one or nobody wants them.
+    pub(in crate::roof) fn roofs(
+        &self,
+        done: &mut HouseRoofs,
+        out: &mut Diagnostics,
+    ) -> Vec<Planned> {
+        let (level, style) = (self.context.level, &self.house.roofs.style);
+        let covered = self.upper.is_some_and(|u| same_plan(level, u));
+        let wanted = self.house.roofs.mode == RoofMode::Auto && !covered;
+        let parts = if wanted { self.open() } else { vec![] };
+        let corners = parts.iter().flat_map(Part::edges).count();
+        let many = corners > MOST_CORNERS;
+        if many {
+            let (span, number) = (level.storey.span, level.storey.number);
+            out.push(say::too_many_corners(span, number, corners, MOST_CORNERS));
+        }
+        let flat = many || is_flat(self.house, level);
+        if let Some(shape) = style.shape
+            && !matches!(
+                shape.value,
+                RoofShape::Flat | RoofShape::Hip | RoofShape::Pyramid
+            )
+            && !parts.is_empty()
+        {
+            out.push(say::hipped_only(shape.span, shape.value.letters()));
+        }
+        let shape = if flat {
+            RoofShape::Flat
+        } else {
+            RoofShape::Hip
+        };
+        let unit = self.house.unit;
+        let plan = |p: &Part| {
+            let of = |c: &DVec2| dvec2(-c.x, c.y) / unit + 0.0;
+            p.outline.iter().rev().map(of).collect()
+        };
+        done.plans.push(report::polygons(
+            level,
+            parts.iter().map(plan).collect(),
+            shape,
+        ));
+        let walls: Vec<[DVec2; 2]> = match self.upper {
+            Some(upper) if !flat => crate::roof::storey::polygonal::parts(self.house, upper)
+                .iter()
+                .flat_map(|p| p.edges().collect::<Vec<_>>())
+                .collect(),
+            _ => vec![],
+        };
+        let roof = |part: &Part| match flat {
+            true => self.flat(part),
+            false => self.hipped(part, &walls).unwrap_or_else(|why| {
+                let (span, number) = (level.storey.span, level.storey.number);
+                let touching = matches!(why, Invalid::Crosses { .. });
+                out.push(say::no_hipped_roof(span, number, touching));
+                self.flat(part)
+            }),
+        };
+        parts.iter().map(roof).collect()
+    }
+
+    /// What no roof line covers. Lines cut rectangles, so they take all of a storey that has none.
+    fn open(&self) -> Vec<Part> {
+        let level = self.context.level;
+        let cells: Vec<Cell> = self
+            .lines
+            .iter()
+            .filter(|l| l.covers())
+            .map(|l| l.cell)
+            .collect();
+        if cells.is_empty() {
+            return parts(self.house, level);
+        }
+        if !level.orthogonal || !level.plan.fits(Some(&Plan::from_cells(&cells))) {
+            return vec![];
+        }
+        let open = level.plan.minus_cells(&cells).clean();
+        let unit = self.house.unit;
+        let place = |p: &(i64, i64)| dvec2(-metres(p.0, unit), metres(p.1, unit));
+        let loops: Vec<Vec<DVec2>> = open
+            .loops
+            .iter()
+            .map(|l| l.iter().map(place).collect())
+            .collect();
+        gathered(&loops)
+    }
+
+    fn hipped(&self, part: &Part, walls: &[[DVec2; 2]]) -> Result<Planned, Invalid> {
+        let courts: Vec<_> = part.courts.iter().map(|c| tagged(c, walls)).collect();
+        let contours = Contours::new(&tagged(&part.outline, walls), &courts)?;
+        let hipped = Hipped::new(&contours)?;
+        let base = self.context.level.storey.z1;
+        let look = Look::gable(None, self.context.style, hipped.span(), self.context.unit);
+        let form = hipped.form(base, &look);
+        Ok(self.context.of_form(form, RoofShape::Hip, look, base))
+    }
+
+    fn flat(&self, part: &Part) -> Planned {
+        let level = self.context.level;
+        let base = level.storey.z1;
+        let (look, thick) = self.context.flat_look(None);
+        let mut solids = flat::slab(&part.outline, &part.courts, base, look.kind, thick);
+        if !level.parapet && self.upper.is_none() {
+            for border in std::iter::once(&part.outline).chain(&part.courts) {
+                let border: flat::Border = border.iter().map(|p| (*p, true)).collect();
+                solids.extend(flat::upstands(&border, base));
+            }
+        }
+        self.context.flat_of(solids, look, base)
+    }
+}
+
+/// Whether two storeys have the same corners, wherever their walks start.
+fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
+    let corners = |level: &Level<'_>| {
+        let mut all: Vec<(i64, i64)> = level.plan.loops.iter().flatten().copied().collect();
+        all.sort_unstable();
+        all
+    };
+    let (p, q) = (corners(lower), corners(upper));
+    // A tenth of a millimetre: lowering spreads small errors over the corners.
+    let near = |a: i64, b: i64| (a - b).abs() <= STEPS / 10_000;
+    p.len() == q.len()
+        && p.iter()
+            .zip(&q)
+            .all(|(p, q)| near(p.0, q.0) && near(p.1, q.1))
+}

@@ -1,0 +1,109 @@
+//! Porches under a karahafu: one end stands free, the other is closed by the house behind, in whose wall the
+//! roof ends, or in whose roof where it rises over the wall (a Kurumayose before its hall).
+
+use crate::geometry::SHAKU;
+use crate::geometry::plan::{Cell, Plan};
+use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::shape::end::End;
+use crate::roof::shape::frame::{end_sides, near_side};
+use crate::roof::shape::look::Look;
+use crate::roof::shape::profile::Profile;
+use crate::roof::storey::explicit::Placed;
+use crate::roof::storey::forms::{Context, Planned};
+
+/// So far a roof reaches into a wall, metres.
+const INTO: f64 = 0.03;
+/// Roofs behind are taken for gentler than they are by this share: their slopes may hang (sori).
+const HANGING: f64 = 0.5;
+/// The farthest that it runs into the roof behind, metres.
+const FARTHEST: f64 = 8.0;
+
+/// The ridge of a porch: into the house behind, unless the author says otherwise.
+pub(in crate::roof) fn ridge(
+    cell: &Cell,
+    context: &Context<'_>,
+    wish: Option<Ridge>,
+) -> Option<Ridge> {
+    let behind = || {
+        let mut sides = Side::ALL
+            .into_iter()
+            .filter(|s| depth_behind(cell, *s, context) > 0);
+        let side = sides.next()?;
+        sides.next().is_none().then(|| side.ridge_into())
+    };
+    wish.or_else(behind)
+}
+
+/// The roof of a porch.
+pub(in crate::roof) fn planned(one: &Placed<'_>, run: Ridge, context: &Context<'_>) -> Planned {
+    let look = context.gable_look(&one.cell, run, Some(&one.line.style));
+    let ends = end_sides(near_side(run)).map(|side| {
+        let plain = context.plain_end(&one.cell, side, &look);
+        match depth_behind(&one.cell, side, context) {
+            0 => plain,
+            depth => into(one, side, &look, context.metres(depth), context),
+        }
+    });
+    context.hall_with(one.cell, run, one.base, look, ends)
+}
+
+/// The end in a house of some depth behind.
+fn into(one: &Placed<'_>, side: Side, look: &Look, depth: f64, context: &Context<'_>) -> End {
+    let half = context.metres(side.measure(&one.cell).0) / 2.0;
+    let over = one.base + look.pitch * half - context.level.storey.z1;
+    if over <= 0.0 {
+        return End {
+            reach: INTO,
+            ..End::default()
+        };
+    }
+    let profile = Profile::new(look, half, &[]);
+    let behind = Look::gable(None, context.style, SHAKU, context.unit);
+    let reach = (over + look.drop()) / (behind.pitch * HANGING);
+    End {
+        reach: reach.min(FARTHEST).min(depth / 2.0).max(INTO),
+        from: profile
+            .reach(half * look.pitch - over)
+            .unwrap_or(0.0)
+            .max(0.0),
+        ..End::default()
+    }
+}
+
+/// How deep the storey is beyond the middle of a side that lies on it as a whole, in grid steps; 0 where it is
+/// open there.
+fn depth_behind(cell: &Cell, side: Side, context: &Context<'_>) -> i64 {
+    let plan = &context.level.plan;
+    if !context.level.orthogonal || plan.loops.is_empty() {
+        return 0;
+    }
+    let middle = (
+        i64::midpoint(cell.a0, cell.a1),
+        i64::midpoint(cell.b0, cell.b1),
+    );
+    let lies = match contains(plan, middle) {
+        // A part of the house that stands out.
+        true => context.outline().along(cell, side).is_empty(),
+        false => context.outline().whole(cell, side),
+    };
+    // How far a wall across lies beyond the side.
+    let beyond = |((pa, pb), (qa, qb)): ((i64, i64), (i64, i64))| {
+        let (far, p, q, at) = match side {
+            Side::Front => (cell.b0 - pb, pa, qa, middle.0),
+            Side::Back => (pb - cell.b1, pa, qa, middle.0),
+            Side::Left => (pa - cell.a1, pb, qb, middle.1),
+            Side::Right => (cell.a0 - pa, pb, qb, middle.1),
+        };
+        (far > 0 && p.min(q) <= at && at < p.max(q)).then_some(far)
+    };
+    let nearest = plan.edges().filter_map(beyond).min();
+    nearest.filter(|_| lies).unwrap_or(0)
+}
+
+/// Whether a point lies inside a plan (even-odd, half-open).
+fn contains(plan: &Plan, (a, b): (i64, i64)) -> bool {
+    let crosses = |(p, q): &((i64, i64), (i64, i64))| {
+        p.0 == q.0 && p.0 > a && p.1.min(q.1) <= b && b < p.1.max(q.1)
+    };
+    plan.edges().filter(crosses).count() % 2 == 1
+}

@@ -1,0 +1,200 @@
+//! Skirts (mokoshi, the lower roof of a gate or a pagoda's storey): a storey that carries a smaller one is
+//! roofed as a whole where its shape is hipped, and the walls of the upper storey cut the slopes
+//! (domain.md 7.10: planes from -h to +c between two wall rectangles).
+
+use crate::ast::{RoofShape, RoofStyle};
+use crate::building::Storey;
+use crate::diagnostic::Diagnostics;
+use crate::diagnostic::messages::roofs as say;
+use crate::geometry::SHAKU;
+use crate::geometry::plan::Cell;
+use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::shape::end::{Cap, End};
+use crate::roof::shape::facet::{Cutter, Facet, cut, edges};
+use crate::roof::shape::form::Form;
+use crate::roof::shape::frame::{end_sides, near_side};
+use crate::roof::shape::look::Look;
+use crate::roof::shape::ridge_roof::RidgeRoof;
+use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::headroom::gentler;
+use crate::source::Span;
+use glam::dvec2;
+
+/// A rectangle with the walls of the storey above inside it.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::roof) struct Skirt<'h> {
+    /// The walls below.
+    cell: Cell,
+    /// The walls above.
+    upper: Cell,
+    /// The storey above.
+    storey: &'h Storey,
+}
+
+impl<'h> Skirt<'h> {
+    /// The skirt of a roof of this shape over `cell`; none where nothing smaller stands on it.
+    pub(in crate::roof) fn over(
+        cell: Cell,
+        shape: RoofShape,
+        context: &Context<'h>,
+    ) -> Option<Skirt<'h>> {
+        let hipped = matches!(
+            shape,
+            RoofShape::Hip | RoofShape::Pyramid | RoofShape::HipAndGable | RoofShape::Temple
+        );
+        let above = context.above.filter(|_| hipped)?;
+        let whole = |u: &Cell| cell.contains(u) && *u != cell;
+        let upper = above.plan.as_cell().filter(whole)?;
+        Some(Skirt {
+            cell,
+            upper,
+            storey: above.storey,
+        })
+    }
+
+    /// What it covers without its corners counted twice: strips with the side they fall to, those at the front and
+    /// back as long as the walls.
+    pub(in crate::roof) fn strips(&self) -> Vec<(Cell, Side)> {
+        let (cell, upper) = (self.cell, self.upper);
+        let (b0, b1) = (upper.b0, upper.b1);
+        let all = [
+            (Cell { b1: b0, ..cell }, Side::Front),
+            (Cell { b0: b1, ..cell }, Side::Back),
+            (
+                Cell {
+                    a0: upper.a1,
+                    b0,
+                    b1,
+                    ..cell
+                },
+                Side::Left,
+            ),
+            (
+                Cell {
+                    a1: upper.a0,
+                    b0,
+                    b1,
+                    ..cell
+                },
+                Side::Right,
+            ),
+        ];
+        let open = |(c, _): &(Cell, Side)| c.width() > 0 && c.depth() > 0;
+        all.into_iter().filter(open).collect()
+    }
+
+    /// Its ridge, if the upper walls left it standing.
+    fn ridge(&self) -> Ridge {
+        if self.cell.depth() > self.cell.width() {
+            Ridge::B
+        } else {
+            Ridge::A
+        }
+    }
+
+    /// How far the upper walls stand back from a side, metres.
+    fn inset(&self, side: Side, context: &Context<'_>) -> f64 {
+        let (cell, upper) = (&self.cell, &self.upper);
+        context.metres(match side {
+            Side::Front => upper.b0 - cell.b0,
+            Side::Back => cell.b1 - upper.b1,
+            Side::Left => cell.a1 - upper.a1,
+            Side::Right => upper.a0 - cell.a0,
+        })
+    }
+
+    /// The roof. `span` is where it was asked for.
+    pub(in crate::roof) fn planned(
+        &self,
+        context: &Context<'_>,
+        base: f64,
+        style: Option<&RoofStyle>,
+        span: Span,
+        out: &mut Diagnostics,
+    ) -> Planned {
+        let near = near_side(self.ridge());
+        let rect = context.rect(&self.cell);
+        let look = context.gable_look(&self.cell, self.ridge(), style);
+        let look = self.fit(context, base, look, span, out);
+        let size = rect.max - rect.min;
+        let cap = Cap::Hip {
+            run: size.min_element() / 2.0,
+        };
+        let end = End {
+            cap,
+            rises: [true; 2],
+            ..End::default()
+        };
+        let hall = RidgeRoof {
+            rect,
+            near,
+            base,
+            look,
+            ends: end_sides(near).map(|_| end),
+        };
+        let mut form = hall.form();
+        self.take_walls(&mut form, context, look.eaves);
+        context.of_form(form, RoofShape::Hip, look, base)
+    }
+
+    /// The look with a pitch that keeps it below the eaves or the top of the storey it surrounds.
+    fn fit(
+        &self,
+        context: &Context<'_>,
+        base: f64,
+        mut look: Look,
+        span: Span,
+        out: &mut Diagnostics,
+    ) -> Look {
+        let half = context.metres(self.cell.width().min(self.cell.depth())) / 2.0;
+        let insets = Side::ALL.map(|side| self.inset(side, context));
+        let run = insets.into_iter().fold(0.0, f64::max).min(half);
+        let lowest = context.headroom.lowest(&context.rect(&self.cell));
+        let top = lowest.map_or(self.storey.z1, |eaves| eaves.min(self.storey.z1));
+        let wish = look.pitch;
+        look.pitch = gentler(&look, run, top - base);
+        if look.pitch < wish {
+            let rise = (base + wish * run + look.drop()) / SHAKU;
+            let number = self.storey.number;
+            out.push(say::high_skirt(
+                span,
+                rise,
+                number,
+                top / SHAKU,
+                look.pitch * 10.0,
+            ));
+        }
+        look
+    }
+
+    /// Takes the upper walls out of the slopes; where they stand on a wall below, the slopes stop with their
+    /// eaves.
+    fn take_walls(&self, form: &mut Form, context: &Context<'_>, eaves: f64) {
+        let mut rect = context.rect(&self.upper);
+        let over = |side: Side| match self.inset(side, context) > 0.0 {
+            true => 0.0,
+            false => 2.0 * eaves + 0.1,
+        };
+        // x runs east, against a.
+        rect.min -= dvec2(over(Side::Left), over(Side::Front));
+        rect.max += dvec2(over(Side::Right), over(Side::Back));
+        let body = rect.corners();
+        let cutter = Cutter {
+            body: &body,
+            sides: &edges(&body),
+            plane: None,
+            first: true,
+        };
+        let rest = |facet: &Facet| {
+            let pieces = cut(facet, vec![facet.outline.clone()], &cutter);
+            let (plane, lowered) = (facet.plane, facet.lowered);
+            pieces.into_iter().map(move |outline| Facet {
+                body: outline.iter().map(|c| c.at).collect(),
+                outline,
+                plane,
+                lowered,
+            })
+        };
+        form.facets = form.facets.iter().flat_map(rest).collect();
+    }
+}

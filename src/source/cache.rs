@@ -1,0 +1,41 @@
+//! The files that a run reads beside those it was given: texts that others include, each read once.
+
+use crate::source::{FileId, Source};
+use std::cell::OnceCell;
+
+/// Files in the order of reading. They can be added while others are in use, and stay where they are.
+#[derive(Debug)]
+pub struct SourceCache {
+    slots: Vec<OnceCell<Source>>,
+    first: usize,
+}
+
+impl SourceCache {
+    /// Room for so many files, numbered from `first` on.
+    pub fn new(first: usize, room: usize) -> SourceCache {
+        let room = room.min((usize::from(u16::MAX) + 1).saturating_sub(first));
+        SourceCache {
+            slots: std::iter::repeat_with(OnceCell::new).take(room).collect(),
+            first,
+        }
+    }
+
+    /// The file of this name.
+    pub fn find(&self, name: &str) -> Option<&Source> {
+        let there = self.slots.iter().map_while(OnceCell::get);
+        there.into_iter().find(|s| s.name() == name)
+    }
+
+    /// Takes a file; `None` where there is no more room.
+    pub fn add(&self, name: &str, bytes: &[u8]) -> Option<&Source> {
+        let index = self.slots.iter().position(|s| s.get().is_none())?;
+        let id = u16::try_from(self.first + index).ok()?;
+        Some(self.slots[index].get_or_init(|| Source::new(FileId(id), name, bytes)))
+    }
+
+    /// The files.
+    pub fn into_sources(self) -> Vec<Source> {
+        let sources = self.slots.into_iter();
+        sources.map_while(OnceCell::into_inner).collect()
+    }
+}

@@ -1,0 +1,185 @@
+//! Baked pictures side by side on square pages: few materials for many parts.
+
+use crate::scene::Baked;
+use crate::tessellate::bake::Picture;
+use image::imageops::crop_imm;
+use image::{RgbImage, RgbaImage};
+
+/// Side of a page, pixels.
+const SIDE: u32 = 1024;
+
+/// Pixels round a picture that repeat its edge, so that neighbours do not shine through from afar.
+const MARGIN: u32 = 4;
+
+/// Where a picture went.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::tessellate) struct Spot {
+    /// Index of the page.
+    pub(in crate::tessellate) page: u32,
+    /// Its lower left and upper right corner, 0 to 1, v upwards.
+    pub(in crate::tessellate) uv: [[f32; 2]; 2],
+}
+
+/// Pages under construction: those of whole pictures and those of pictures with holes.
+#[derive(Debug, Default)]
+pub(in crate::tessellate) struct Atlas {
+    pub(in crate::tessellate) pages: Vec<Baked>,
+    shelves: Vec<Shelf>,
+}
+
+/// A row of pictures on a page.
+#[derive(Debug)]
+struct Shelf {
+    page: u32,
+    holes: bool,
+    foot: u32,
+    height: u32,
+    used: u32,
+}
+
+impl Atlas {
+    /// Puts a picture on the page that has room for it.
+    pub(in crate::tessellate) fn place(&mut self, picture: &Picture) -> Spot {
+        let (w, h) = picture.color.dimensions();
+        let (x, y, page) = self.room(w + 2 * MARGIN, h + 2 * MARGIN, picture.holes);
+        let baked = &mut self.pages[page as usize];
+        for v in 0..h + 2 * MARGIN {
+            for u in 0..w + 2 * MARGIN {
+                // The edge goes on into the margin.
+                let inside = |t: u32, size: u32| t.saturating_sub(MARGIN).min(size - 1);
+                let (i, j) = (inside(u, w), inside(v, h));
+                baked
+                    .color
+                    .put_pixel(x + u, y + v, *picture.color.get_pixel(i, j));
+                baked
+                    .normal
+                    .put_pixel(x + u, y + v, *picture.normal.get_pixel(i, j));
+                baked
+                    .orm
+                    .put_pixel(x + u, y + v, *picture.orm.get_pixel(i, j));
+            }
+        }
+        let share = |t: u32| t as f32 / SIDE as f32;
+        let (x, y) = (x + MARGIN, y + MARGIN);
+        Spot {
+            page,
+            uv: [
+                [share(x), 1.0 - share(y + h)],
+                [share(x + w), 1.0 - share(y)],
+            ],
+        }
+    }
+
+    /// Cuts off what is left empty of every page. Returns by how much the distance from the upper edge grows in
+    /// texture coordinates, page by page.
+    pub(in crate::tessellate) fn trim(&mut self) -> Vec<f32> {
+        let shelves = &self.shelves;
+        let trimmed = self.pages.iter_mut().enumerate().map(|(page, baked)| {
+            let own = shelves.iter().filter(|s| s.page as usize == page);
+            let used = own.map(|s| s.foot + s.height).max().unwrap_or(SIDE);
+            // Blocks of pictures that are packed later are four pixels high.
+            let used = used.next_multiple_of(4).min(SIDE);
+            baked.color = crop_imm(&baked.color, 0, 0, SIDE, used).to_image();
+            baked.normal = crop_imm(&baked.normal, 0, 0, SIDE, used).to_image();
+            baked.orm = crop_imm(&baked.orm, 0, 0, SIDE, used).to_image();
+            SIDE as f32 / used as f32
+        });
+        trimmed.collect()
+    }
+
+    /// The corner of a free place and its page; the lowest shelf that is high enough, else a new one.
+    fn room(&mut self, w: u32, h: u32, holes: bool) -> (u32, u32, u32) {
+        let fits = |s: &&mut Shelf| s.holes == holes && s.height >= h && s.used + w <= SIDE;
+        let best = self
+            .shelves
+            .iter_mut()
+            .filter(fits)
+            .min_by_key(|s| s.height);
+        // A shelf much too high is left to pictures that need it.
+        if let Some(shelf) = best.filter(|s| s.height <= h + h / 2) {
+            let x = shelf.used;
+            shelf.used += w;
+            return (x, shelf.foot, shelf.page);
+        }
+        let (page, foot) = self.strip(h, holes);
+        self.shelves.push(Shelf {
+            page,
+            holes,
+            foot,
+            height: h,
+            used: w,
+        });
+        (0, foot, page)
+    }
+
+    /// A page with a free strip of this height, and where it starts.
+    fn strip(&mut self, h: u32, holes: bool) -> (u32, u32) {
+        let last = self.shelves.iter().rev().find(|s| s.holes == holes);
+        if let Some(shelf) = last {
+            let foot = shelf.foot + shelf.height;
+            if foot + h <= SIDE {
+                return (shelf.page, foot);
+            }
+        }
+        self.pages.push(Baked {
+            color: RgbaImage::new(SIDE, SIDE),
+            normal: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([128, 128, 255])),
+            orm: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([255, 255, 0])),
+            holes,
+        });
+        (self.pages.len() as u32 - 1, 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::tessellate::bake::atlas::*;
+
+    fn picture(w: u32, h: u32, holes: bool) -> Picture {
+        Picture {
+            color: RgbaImage::from_pixel(w, h, image::Rgba([9, 9, 9, 255])),
+            normal: RgbImage::new(w, h),
+            orm: RgbImage::new(w, h),
+            holes,
+        }
+    }
+
+    #[test]
+    fn pictures_never_overlap_and_stay_on_the_page() {
+        let mut atlas = Atlas::default();
+        let mut spots: Vec<Spot> = vec![];
+        for i in 0..200_u32 {
+            let (w, h) = (20 + i * 37 % 200, 30 + i * 53 % 400);
+            spots.push(atlas.place(&picture(w, h, i % 3 == 0)));
+        }
+        for (i, a) in spots.iter().enumerate() {
+            let [lo, hi] = a.uv;
+            assert!(lo.iter().chain(&hi).all(|t| (0.0..=1.0).contains(t)));
+            for b in spots[..i].iter().filter(|b| b.page == a.page) {
+                let apart = |k: usize| a.uv[1][k] <= b.uv[0][k] || b.uv[1][k] <= a.uv[0][k];
+                assert!(apart(0) || apart(1), "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn empty_ends_of_pages_are_cut_off() {
+        let mut atlas = Atlas::default();
+        let spot = atlas.place(&picture(10, 100, false));
+        let grown = atlas.trim()[0];
+        let page = &atlas.pages[0];
+        assert_eq!(page.color.dimensions(), (SIDE, 108));
+        // The foot of the picture is still where it was, counted from the upper edge.
+        let foot = (1.0 - spot.uv[0][1]) * grown * 108.0;
+        assert!((foot - 104.0).abs() < 1e-3, "{foot}");
+    }
+
+    #[test]
+    fn holes_have_their_own_pages() {
+        let mut atlas = Atlas::default();
+        let whole = atlas.place(&picture(10, 10, false));
+        let pierced = atlas.place(&picture(10, 10, true));
+        assert_ne!(whole.page, pierced.page);
+        assert!(atlas.pages[pierced.page as usize].holes);
+    }
+}

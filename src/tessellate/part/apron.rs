@@ -1,0 +1,72 @@
+//! Inu-yarai: laths of split bamboo in an arc before the foot of a wall, held by level laths.
+
+use crate::catalog::body::{Apron, Place};
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::Axis;
+use crate::tessellate::part::bay::{Bay, Rect};
+use glam::{DVec2, dvec2};
+use std::f64::consts::FRAC_PI_2;
+
+/// Pieces of the arc.
+const STEPS: u32 = 8;
+
+/// The laths, and the level ones over them.
+pub(in crate::tessellate) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Place, rect: Rect) {
+    let arc = Arc {
+        out: apron.out.0,
+        height: rect.height(),
+        foot: dvec2(place.front.0, rect.z0),
+    };
+    let pitch = rect.width() / f64::from(apron.count.max(1));
+    let half = pitch * 0.43;
+    let share = |i: u32| f64::from(i) / f64::from(STEPS);
+    let outer = (0..=STEPS).map(|i| arc.point(share(i), 0.0));
+    let inner = (0..=STEPS)
+        .rev()
+        .map(|i| arc.point(share(i), -place.thick.0));
+    let lath: Vec<DVec2> = outer.chain(inner).collect();
+    // The first and last lath stand half a pitch from the ends, so that neighbours go on evenly.
+    for i in 0..apron.count {
+        let x = rect.x0 + pitch * (f64::from(i) + 0.5);
+        bay.bodies
+            .rounded(place.finish, &lath, Axis::X, x - half, x + half);
+    }
+    for i in 0..apron.rails {
+        // From a hand above the ground to just below the head.
+        let at = 0.12 + 0.74 * f64::from(i) / f64::from(apron.rails.max(2) - 1);
+        let rail = arc.rail(at);
+        bay.bodies
+            .rounded(SurfaceId::named("bamboo"), &rail, Axis::X, rect.x0, rect.x1);
+    }
+}
+
+/// A quarter of an ellipse, upright at the ground, level at the wall.
+struct Arc {
+    out: f64,
+    height: f64,
+    /// Where it would meet the ground without standing out: out of the wall, up.
+    foot: DVec2,
+}
+
+impl Arc {
+    /// The point at a share of the way up, moved outwards by so much; (y, z).
+    fn point(&self, share: f64, outwards: f64) -> DVec2 {
+        let (a, b) = (self.out + outwards, self.height + outwards);
+        let (sin, cos) = (libm::sin(FRAC_PI_2 * share), libm::cos(FRAC_PI_2 * share));
+        dvec2(-(self.foot.x + a * cos), self.foot.y + b * sin)
+    }
+
+    /// The outline of half a bamboo that lies on the laths.
+    fn rail(&self, share: f64) -> Vec<DVec2> {
+        let half = 0.016 / (FRAC_PI_2 * (self.out + self.height) / 2.0);
+        let bow = [
+            (-1.0, -0.002),
+            (-0.7, 0.006),
+            (0.0, 0.010),
+            (0.7, 0.006),
+            (1.0, -0.002),
+        ];
+        bow.map(|(along, out)| self.point(share + half * along, out))
+            .to_vec()
+    }
+}

@@ -1,0 +1,194 @@
+//! A bay: the part's frame while its bodies are made. x runs from 0 at the left end to the width, y into
+//! the house, z up; all metres. Elements are placed in rectangles of it.
+
+use crate::catalog::body::Place;
+use crate::catalog::value::{Area, Level};
+use crate::catalog::{PartDef, Stance};
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::mesh::{Axis, Bodies, THIN};
+use glam::{DVec2, dvec2, dvec3};
+
+/// Half a post of four sun: how far joinery keeps from the ends of its bay.
+pub(in crate::tessellate) const HALF_POST: f64 = 0.0605;
+
+/// How deep foundations reach below the floor: the lowest that a part stands.
+const GROUND: f64 = -0.285;
+
+/// A rectangle in x and z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::tessellate) struct Rect {
+    pub(in crate::tessellate) x0: f64,
+    pub(in crate::tessellate) x1: f64,
+    pub(in crate::tessellate) z0: f64,
+    pub(in crate::tessellate) z1: f64,
+}
+
+impl Rect {
+    pub(in crate::tessellate) fn width(&self) -> f64 {
+        self.x1 - self.x0
+    }
+
+    pub(in crate::tessellate) fn height(&self) -> f64 {
+        self.z1 - self.z0
+    }
+
+    /// Made smaller by so much left and right, and below and above.
+    pub(in crate::tessellate) fn shrunk(&self, x: f64, z: f64) -> Rect {
+        Rect {
+            x0: self.x0 + x,
+            x1: self.x1 - x,
+            z0: self.z0 + z,
+            z1: self.z1 - z,
+        }
+    }
+
+    /// With another extent in x.
+    pub(in crate::tessellate) fn across(&self, x0: f64, x1: f64) -> Rect {
+        Rect { x0, x1, ..*self }
+    }
+
+    /// With another extent in z.
+    pub(in crate::tessellate) fn between(&self, z0: f64, z1: f64) -> Rect {
+        Rect { z0, z1, ..*self }
+    }
+}
+
+/// A layer of the wall: where it starts, outwards from the centre line, and how far it reaches inwards.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::tessellate) struct Layer {
+    pub(in crate::tessellate) front: f64,
+    pub(in crate::tessellate) thick: f64,
+}
+
+/// A part in the making.
+pub(in crate::tessellate) struct Bay<'a> {
+    pub(in crate::tessellate) part: &'a PartDef,
+    pub(in crate::tessellate) width: f64,
+    pub(in crate::tessellate) height: f64,
+    /// Between the posts, the whole height.
+    pub(in crate::tessellate) clear: Rect,
+    /// Between the posts, from the part's foot to its top.
+    pub(in crate::tessellate) opening: Rect,
+    /// What small walls look like.
+    pub(in crate::tessellate) around: SurfaceId,
+    /// How much of it is shape.
+    pub(in crate::tessellate) detail: Detail,
+    /// Whether the posts beside it are in its picture; those that an author asked for are shapes.
+    pub(in crate::tessellate) pictured: bool,
+    /// How far the house reaches behind it, metres.
+    pub(in crate::tessellate) room: f64,
+    pub(in crate::tessellate) bodies: Bodies,
+}
+
+impl<'a> Bay<'a> {
+    /// A bay of a part that is so wide and high, with an opening between two heights.
+    pub(in crate::tessellate) fn new(
+        part: &'a PartDef,
+        (width, height): (f64, f64),
+        (z0, z1): (f64, f64),
+        around: SurfaceId,
+        detail: Detail,
+        posts: Option<f64>,
+    ) -> Bay<'a> {
+        let post = match part.stance {
+            Stance::Posts => posts.unwrap_or(HALF_POST).min(width / 4.0),
+            _ => 0.0,
+        };
+        let whole = Rect {
+            x0: 0.0,
+            x1: width,
+            z0: 0.0,
+            z1: height,
+        };
+        let clear = whole.shrunk(post, 0.0);
+        let narrow = part.clear.map_or(clear.width(), |c| c.0.min(clear.width()));
+        let side = (width - narrow) / 2.0;
+        let opening = Rect {
+            x0: side,
+            x1: width - side,
+            z0,
+            z1,
+        };
+        Bay {
+            part,
+            width,
+            height,
+            clear,
+            opening,
+            around,
+            detail,
+            pictured: posts.is_none(),
+            room: crate::tessellate::part::DEEPEST,
+            bodies: Bodies::default(),
+        }
+    }
+
+    /// All of the bay.
+    pub(in crate::tessellate) fn whole(&self) -> Rect {
+        Rect {
+            x0: 0.0,
+            x1: self.width,
+            z0: 0.0,
+            z1: self.height,
+        }
+    }
+
+    /// Where an element stands; `None` where nothing of it is left in a bay so small.
+    pub(in crate::tessellate) fn rect(&self, place: &Place, inside: Option<Rect>) -> Option<Rect> {
+        let area = inside.unwrap_or(match place.over {
+            Area::Bay => self.whole(),
+            Area::Clear => self.clear,
+            Area::Opening => self.opening,
+            Area::Above => self.clear.between(self.opening.z1, self.height),
+            Area::Below => self.clear.between(0.0, self.opening.z0),
+        });
+        // What stands before the house reaches down past its foundation, if its list says so.
+        let low = match place.from {
+            Level::Start(from) if from < 0.0 => GROUND,
+            _ => 0.0,
+        };
+        let rect = Rect {
+            x0: place.left.at(area.x0, area.x1).max(0.0),
+            x1: place.right.at(area.x0, area.x1).min(self.width),
+            z0: place.from.at(area.z0, area.z1).max(low),
+            z1: place.to.at(area.z0, area.z1).min(self.height),
+        };
+        // Posts and wings have no width.
+        let wide = rect.width() >= THIN || self.width == 0.0;
+        (wide && rect.height() >= THIN).then_some(rect)
+    }
+
+    /// A box over a rectangle in a layer.
+    pub(in crate::tessellate) fn block(&mut self, finish: SurfaceId, rect: Rect, layer: Layer) {
+        let (y0, y1) = (-layer.front, -layer.front + layer.thick);
+        self.bodies.block(
+            finish,
+            dvec3(rect.x0, y0, rect.z0),
+            dvec3(rect.x1, y1, rect.z1),
+        );
+    }
+
+    /// A profile drawn along x: corners (outwards from the centre line, up), either way round.
+    pub(in crate::tessellate) fn profile(
+        &mut self,
+        finish: SurfaceId,
+        outline: &[(f64, f64)],
+        x0: f64,
+        x1: f64,
+    ) {
+        let outline: Vec<DVec2> = outline.iter().map(|(out, z)| dvec2(-out, *z)).collect();
+        if x1 - x0 >= THIN {
+            self.bodies.prism(finish, &outline, Axis::X, x0, x1);
+        }
+    }
+}
+
+impl From<&Place> for Layer {
+    fn from(place: &Place) -> Layer {
+        Layer {
+            front: place.front.0,
+            thick: place.thick.0,
+        }
+    }
+}

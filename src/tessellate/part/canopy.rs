@@ -1,0 +1,126 @@
+//! The little roof of an oriel: its slab falls outwards, cheeks close the gap to the box below it, laths hold its
+//! boards down.
+
+use crate::catalog::body::Oriel;
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::THIN;
+use crate::tessellate::part::bay::{Bay, Rect};
+use crate::tessellate::part::boards::pieces;
+
+/// Thickness of the covering, metres.
+const COVER: f64 = 0.030;
+
+/// Thickness of the boards below it.
+const DECK: f64 = 0.014;
+
+/// Thickness of the laths on it.
+const LATH: f64 = 0.014;
+
+/// How far it reaches over the sides of its box.
+const VERGE: f64 = 0.045;
+
+/// A roof over a box between two planes out of the wall's centre line; its underside meets the top of the rectangle
+/// at the front of the box.
+pub(in crate::tessellate) fn canopy(
+    bay: &mut Bay<'_>,
+    oriel: &Oriel,
+    wood: SurfaceId,
+    rect: Rect,
+    (back, front): (f64, f64),
+) {
+    let room = bay.height - rect.z1 - COVER - DECK - LATH - THIN;
+    let pitch = oriel.pitch.min(room / (front - back).max(0.05));
+    if pitch <= 0.02 {
+        return;
+    }
+    let slope = Slope {
+        back,
+        front,
+        foot: rect.z1,
+        pitch,
+    };
+    let eaves = front + oriel.eaves.0;
+    let (x0, x1) = ((rect.x0 - VERGE).max(0.0), (rect.x1 + VERGE).min(bay.width));
+    let deck = slope.layer((0.0, DECK), (back, eaves - 0.012));
+    bay.profile(wood, &deck, x0 + 0.009, x1 - 0.009);
+    let cover = slope.layer((DECK, DECK + COVER), (back, eaves));
+    bay.profile(oriel.roof, &cover, x0, x1);
+    // A board under the eaves.
+    let edge = slope.layer((-0.028, 0.0), (eaves - 0.034, eaves - 0.014));
+    bay.profile(wood, &edge, x0 + 0.013, x1 - 0.013);
+    // Laths up the slope hold boards down; tiles lie by their weight.
+    if oriel.roof == SurfaceId::named("board_roof") {
+        slope.laths(bay, (x0, x1), eaves);
+    } else {
+        slope.flashing(bay, (x0, x1));
+    }
+    slope.cheeks(bay, wood, rect);
+}
+
+/// The slope of a little roof.
+struct Slope {
+    /// Where it meets the wall and the front of its box, out of the centre line.
+    back: f64,
+    front: f64,
+    /// Its underside over the front of the box.
+    foot: f64,
+    pitch: f64,
+}
+
+impl Slope {
+    /// The height of the underside at a distance out of the wall.
+    fn under(&self, out: f64) -> f64 {
+        self.foot + self.pitch * (self.front - out)
+    }
+
+    /// What lies between two heights over the underside and two distances out of the wall.
+    fn layer(&self, (lo, hi): (f64, f64), (back, out): (f64, f64)) -> [(f64, f64); 4] {
+        [
+            (out, self.under(out) + lo),
+            (out, self.under(out) + hi),
+            (back, self.under(back) + hi),
+            (back, self.under(back) + lo),
+        ]
+    }
+
+    /// Laths up the slope.
+    fn laths(&self, bay: &mut Bay<'_>, (x0, x1): (f64, f64), eaves: f64) {
+        let n = pieces(x1 - x0, 0.40);
+        let top = DECK + COVER;
+        let lath = self.layer((top, top + LATH), (self.back + 0.02, eaves - 0.010));
+        for i in 0..=n {
+            let x = x0 + 0.020 + (x1 - x0 - 0.040) * i as f64 / n as f64;
+            bay.profile(SurfaceId::named("cedar"), &lath, x - 0.014, x + 0.014);
+        }
+    }
+
+    /// The row of tiles against the wall.
+    fn flashing(&self, bay: &mut Bay<'_>, (x0, x1): (f64, f64)) {
+        let back = self.back;
+        let low = self.under(back) + DECK;
+        let high = (low + COVER + 0.05).min(bay.height);
+        let outline = [
+            (back + 0.09, low - 0.01),
+            (back + 0.09, high - 0.02),
+            (back + 0.06, high),
+            (back, high),
+            (back, low),
+        ];
+        let tiles = SurfaceId::named("kawara_edge");
+        bay.profile(tiles, &outline, x0 + 0.002, x1 - 0.002);
+    }
+
+    /// Boards that close the sides between the box and the slope.
+    fn cheeks(&self, bay: &mut Bay<'_>, wood: SurfaceId, rect: Rect) {
+        let (low, out) = (self.foot - 0.010, self.front - 0.008);
+        let outline = [
+            (self.back, low),
+            (out, low),
+            (out, self.under(out) + 0.004),
+            (self.back, self.under(self.back) + 0.004),
+        ];
+        for x in [rect.x0 + 0.006, rect.x1 - 0.026] {
+            bay.profile(wood, &outline, x, x + 0.020);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! What of a part is shape and what is picture, at each level of detail.
+//!
+//! Small things of nearly one plane become one panel: a quad with their baked picture, in their foremost plane.
+//! What stands out far before the wall stays a shape at every level, since it makes the outline of the street.
+
+use crate::catalog::Stance;
+use crate::catalog::body::{Element, Shape};
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::mesh::Soup;
+use crate::tessellate::part;
+use crate::tessellate::part::bay::{Bay, HALF_POST, Layer, Rect};
+
+/// Bars and rails below this size are pictures at detail 2, metres.
+const FINE: f64 = 0.040;
+
+/// Things whose fronts lie closer than this share a panel, metres.
+const ONE_PLANE: f64 = 0.045;
+
+/// What stands out farther than this before the wall makes its outline, metres.
+const RELIEF: f64 = 0.080;
+
+/// Small things that one sees as a picture.
+#[derive(Clone, Debug)]
+pub(in crate::tessellate) struct Panel {
+    /// What it covers.
+    pub(in crate::tessellate) rect: Rect,
+    /// How far it lies before the centre line.
+    pub(in crate::tessellate) front: f64,
+    /// What is baked.
+    pub(in crate::tessellate) soups: Vec<(SurfaceId, Soup)>,
+}
+
+/// The bodies of a part at the detail of its bay.
+pub(in crate::tessellate) fn build(bay: &mut Bay<'_>) {
+    let part = bay.part;
+    // Fences are seen from behind too, and members without width have no front.
+    let has_front = part.stance != Stance::Fence && bay.width > 0.0;
+    if bay.detail > Detail::Flat || !has_front {
+        if part.from.is_some() {
+            part::surround(bay);
+        }
+        return elements(bay, &part.body, None);
+    }
+    let wall = part::face(part);
+    let (relief, flat): (Vec<&Element>, Vec<&Element>) =
+        part.body.iter().partition(|e| stands_out(e, wall));
+    panel(bay, Some(wall), |bay| {
+        if part.stance == Stance::Posts && bay.pictured {
+            posts(bay);
+        }
+        if part.from.is_some() {
+            part::surround(bay);
+        }
+        each(bay, flat.into_iter(), None);
+    });
+    grouped(bay, relief.into_iter(), None);
+}
+
+/// The elements of a list, the fine ones as panels where the detail says so.
+pub(in crate::tessellate) fn elements(bay: &mut Bay<'_>, list: &[Element], inside: Option<Rect>) {
+    match bay.detail {
+        Detail::Everything => each(bay, list.iter(), inside),
+        _ => grouped(bay, list.iter(), inside),
+    }
+}
+
+/// All as shapes.
+fn each<'e>(bay: &mut Bay<'_>, list: impl Iterator<Item = &'e Element>, inside: Option<Rect>) {
+    for element in list {
+        if let Some(rect) = bay.rect(&element.place, inside) {
+            part::one(bay, element, rect);
+        }
+    }
+}
+
+/// Runs of fine elements in about one plane as panels, all others as shapes.
+fn grouped<'e>(bay: &mut Bay<'_>, list: impl Iterator<Item = &'e Element>, inside: Option<Rect>) {
+    let mut run: Vec<&Element> = vec![];
+    let flush = |bay: &mut Bay<'_>, run: &mut Vec<&'e Element>| {
+        let run = std::mem::take(run);
+        if !run.is_empty() {
+            panel(bay, None, |bay| each(bay, run.into_iter(), inside));
+        }
+    };
+    for element in list {
+        let fine = is_fine(element);
+        let front = |e: &Element| e.place.front.0;
+        let apart = run
+            .first()
+            .is_some_and(|first| (front(first) - front(element)).abs() > ONE_PLANE);
+        if !fine || apart {
+            flush(bay, &mut run);
+        }
+        match fine {
+            true => run.push(element),
+            false => each(bay, std::iter::once(element), inside),
+        }
+    }
+    flush(bay, &mut run);
+}
+
+/// Whether an element is a picture at detail 2.
+fn is_fine(element: &Element) -> bool {
+    match &element.shape {
+        Shape::Bars(bars) => bars.size.0 < FINE,
+        Shape::Rails(rails) => rails.size.0 < FINE,
+        Shape::Pole(_) => element.place.thick.0 < FINE,
+        Shape::Leaf(_)
+        | Shape::Boards(_)
+        | Shape::Dado(_)
+        | Shape::Panels(_)
+        | Shape::Slats(_)
+        | Shape::Studs(_)
+        | Shape::Namako(_) => true,
+        _ => false,
+    }
+}
+
+/// Whether an element makes the outline of the wall.
+fn stands_out(element: &Element, wall: f64) -> bool {
+    let shelters = matches!(
+        element.shape,
+        Shape::Oriel(_)
+            | Shape::Hood(_)
+            | Shape::Coping(_)
+            | Shape::Wing(_)
+            | Shape::Apron(_)
+            | Shape::Cloth(_)
+            | Shape::Open(_)
+            | Shape::Shown(_)
+    );
+    shelters || element.place.front.0 > wall + RELIEF
+}
+
+/// The halves of the posts beside the bay, which have no shapes of their own in front of a picture.
+fn posts(bay: &mut Bay<'_>) {
+    let whole = bay.whole();
+    let layer = Layer {
+        front: HALF_POST,
+        thick: 2.0 * HALF_POST,
+    };
+    for (x0, x1) in [(0.0, bay.clear.x0), (bay.clear.x1, bay.width)] {
+        bay.block(SurfaceId::named("cedar"), whole.across(x0, x1), layer);
+    }
+}
+
+/// What a closure builds, as a panel in a plane, or in its own foremost one.
+fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)) {
+    let before = std::mem::take(&mut bay.bodies);
+    bay.bodies.shown = before.shown.clone();
+    build(bay);
+    let made = std::mem::replace(&mut bay.bodies, before);
+    let Some((rect, foremost)) = extent(&made.soups) else {
+        return;
+    };
+    bay.bodies.panels.extend(made.panels);
+    bay.bodies.shown = made.shown;
+    bay.bodies.panels.push(Panel {
+        rect,
+        front: front.unwrap_or(foremost),
+        soups: made.soups,
+    });
+}
+
+/// What soups cover, and how far they reach before the centre line; `None` where they have no extent.
+pub(in crate::tessellate) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
+    let points = || soups.iter().flat_map(|(_, s)| &s.positions);
+    let least = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::min);
+    let most = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::max);
+    let rect = Rect {
+        x0: least(0)?,
+        x1: most(0)?,
+        z0: least(2)?,
+        z1: most(2)?,
+    };
+    let has_area = rect.width() > 1e-3 && rect.height() > 1e-3;
+    has_area.then_some((rect, -least(1)?))
+}
+
+/// The panes of a panel: one rectangle behind each of its glass surfaces.
+pub(in crate::tessellate) fn panes(panel: &Panel) -> impl Iterator<Item = (SurfaceId, Rect)> {
+    let glass = panel.soups.iter().filter(|(id, _)| id.surface().glass);
+    glass.filter_map(|(id, soup)| {
+        let (rect, _) = extent(std::slice::from_ref(&(*id, soup.clone())))?;
+        Some((*id, rect))
+    })
+}

@@ -1,0 +1,137 @@
+//! Round things: openings with rounded corners, poles, slats that bulge.
+
+use crate::catalog::body::{Corners, Place, Slats};
+use crate::catalog::value::Run;
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::Axis;
+use crate::tessellate::mesh::smooth::soft_bar;
+use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::part::boards::pieces;
+use glam::{DVec2, dvec2};
+use std::f64::consts::FRAC_PI_2;
+
+/// Fills the corners of a rectangle so that a rounded opening is left; half its width makes a circle.
+pub(in crate::tessellate) fn corners(
+    bay: &mut Bay<'_>,
+    corners: &Corners,
+    place: &Place,
+    rect: Rect,
+) {
+    let finish = if corners.around {
+        bay.around
+    } else {
+        place.finish
+    };
+    fill_corners(bay, finish, Layer::from(place), rect, corners.size.0);
+}
+
+/// Fills the corners of a rectangle outside arcs of this radius.
+pub(in crate::tessellate) fn fill_corners(
+    bay: &mut Bay<'_>,
+    finish: SurfaceId,
+    layer: Layer,
+    rect: Rect,
+    radius: f64,
+) {
+    let r = radius.min(rect.width() / 2.0).min(rect.height() / 2.0);
+    if r < 0.005 {
+        return;
+    }
+    let steps = steps(r);
+    for (x, dx) in [(rect.x0, 1.0), (rect.x1, -1.0)] {
+        for (z, dz) in [(rect.z0, 1.0), (rect.z1, -1.0)] {
+            let arc = (0..=steps).map(|i| {
+                let angle = FRAC_PI_2 * i as f64 / steps as f64;
+                let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                dvec2(z + dz * r * (1.0 - cos), x + dx * r * (1.0 - sin))
+            });
+            let outline: Vec<DVec2> = std::iter::once(dvec2(z, x)).chain(arc).collect();
+            let (y0, y1) = (-layer.front, layer.thick - layer.front);
+            bay.bodies.rounded(finish, &outline, Axis::Y, y0, y1);
+        }
+    }
+}
+
+/// Fills the ends of upright gaps in one row so that they end in half circles: one body above and one below, which
+/// run through the bars between the gaps.
+pub(in crate::tessellate) fn arcade(
+    bay: &mut Bay<'_>,
+    finish: SurfaceId,
+    layer: Layer,
+    rect: Rect,
+    gaps: &[(f64, f64)],
+) {
+    /// How far the bodies reach into the frame, metres.
+    const INTO: f64 = 0.002;
+    let (y0, y1) = (-layer.front, layer.thick - layer.front);
+    let radius = |(x0, x1): (f64, f64)| ((x1 - x0) / 2.0).min(rect.height() / 2.0);
+    let gaps = gaps.iter().copied().filter(|g| radius(*g) >= 0.005);
+    let gaps: Vec<(f64, f64)> = gaps.collect();
+    let (Some(first), Some(last)) = (gaps.first(), gaps.last()) else {
+        return;
+    };
+    for (z, dz) in [(rect.z0, 1.0), (rect.z1, -1.0)] {
+        let mut outline = vec![dvec2(z - dz * INTO, last.1), dvec2(z - dz * INTO, first.0)];
+        for &(x0, x1) in &gaps {
+            let (r, middle) = (radius((x0, x1)), (x0 + x1) / 2.0);
+            let steps = 2 * steps(r);
+            outline.extend((0..=steps).map(|i| {
+                let angle = 2.0 * FRAC_PI_2 * i as f64 / steps as f64;
+                let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                dvec2(z + dz * r * (1.0 - sin), middle - r * cos)
+            }));
+        }
+        bay.bodies.rounded(finish, &outline, Axis::Y, y0, y1);
+    }
+}
+
+/// How many straight pieces a quarter of a circle has: about two centimetres a step, since small arcs are seen
+/// from near.
+fn steps(radius: f64) -> usize {
+    ((radius * FRAC_PI_2 / 0.02).ceil() as usize).clamp(3, 12)
+}
+
+/// A round bar in the middle of its place, as thick as the place is at its thinnest.
+pub(in crate::tessellate) fn pole(bay: &mut Bay<'_>, run: Run, place: &Place, rect: Rect) {
+    let (y0, y1) = (-place.front.0, place.thick.0 - place.front.0);
+    match run {
+        Run::Level => {
+            let r = (rect.height().min(y1 - y0)) / 2.0;
+            let (y, z) = ((y0 + y1) / 2.0, (rect.z0 + rect.z1) / 2.0);
+            let ring = soft_bar((y - r, y + r), (z - r, z + r), r, 3, true);
+            bay.bodies
+                .rounded(place.finish, &ring, Axis::X, rect.x0, rect.x1);
+        }
+        Run::Upright => {
+            let r = (rect.width().min(y1 - y0)) / 2.0;
+            let (x, y) = ((rect.x0 + rect.x1) / 2.0, (y0 + y1) / 2.0);
+            let ring = soft_bar((x - r, x + r), (y - r, y + r), r, 3, true);
+            bay.bodies
+                .rounded(place.finish, &ring, Axis::Z, rect.z0, rect.z1);
+        }
+    }
+}
+
+/// Level slats from the top down, each bulging outwards between two grooves.
+pub(in crate::tessellate) fn slats(bay: &mut Bay<'_>, slats: &Slats, place: &Place, rect: Rect) {
+    let n = pieces(rect.height(), slats.size.0);
+    let size = rect.height() / n as f64;
+    let (front, back) = (place.front.0, place.front.0 - place.thick.0);
+    let groove = front - slats.bulge.0;
+    for i in 0..n {
+        let z = rect.z0 + size * i as f64;
+        // Shares of the height and of the bulge.
+        let bow = [
+            (0.0, 0.0),
+            (0.12, 0.62),
+            (0.5, 1.0),
+            (0.88, 0.62),
+            (1.0, 0.0),
+        ];
+        let face = bow.map(|(up, out)| dvec2(-(groove + slats.bulge.0 * out), z + size * up));
+        let mut outline = vec![dvec2(-back, z + size), dvec2(-back, z)];
+        outline.extend(face);
+        bay.bodies
+            .rounded(place.finish, &outline, Axis::X, rect.x0, rect.x1);
+    }
+}

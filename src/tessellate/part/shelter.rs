@@ -1,0 +1,234 @@
+//! Little roofs: over windows, along fences, on wing walls.
+
+use crate::catalog::body::{Coping, Place, Wing};
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::{Axis, Bodies};
+use crate::tessellate::part::bay::{Bay, Rect};
+use glam::{DVec2, DVec3, dvec2, dvec3};
+
+/// Thickness of a little roof, metres.
+const SLAB: f64 = 0.035;
+
+/// A hood whose slab falls from the top of its rectangle.
+pub(in crate::tessellate) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, rect: Rect) {
+    let (front, back) = (place.front.0, place.front.0 - place.thick.0);
+    let foot = (rect.z1 - SLAB - pitch * (front - back)).max(rect.z0);
+    let outline = [
+        (front, foot),
+        (front, foot + SLAB),
+        (back, rect.z1),
+        (back, foot - 0.02),
+    ];
+    bay.profile(place.finish, &outline, rect.x0, rect.x1);
+}
+
+/// A little gable roof along a fence.
+pub(in crate::tessellate) fn coping(bay: &mut Bay<'_>, coping: &Coping, place: &Place, rect: Rect) {
+    let ends = (rect.x0, rect.x1);
+    gable_of(coping, place, ends, (rect.z0, rect.z1)).draw(&mut bay.bodies);
+}
+
+/// The outer corner of such a roof: two slopes that meet in a hip. `outline` is the kite from the ridge's end to
+/// the eaves of this fence, the corner, and the eaves of the other.
+pub(in crate::tessellate) fn coping_corner(
+    coping: &Coping,
+    place: &Place,
+    heights: (f64, f64),
+    outline: &[DVec2; 4],
+) -> Bodies {
+    let gable = gable_of(coping, place, (0.0, 0.0), heights);
+    let (eaves, top) = gable.slope();
+    let at = |i: usize, z: f64| outline[i].extend(z);
+    let low = eaves - SLAB;
+    let mut bodies = Bodies::default();
+    let mut face = |corners: &[DVec3]| bodies.face(place.finish, corners);
+    face(&[at(0, top), at(1, eaves), at(2, eaves)]);
+    face(&[at(0, top), at(2, eaves), at(3, eaves)]);
+    face(&[at(3, low), at(2, low), at(1, low), at(0, low)]);
+    face(&[at(1, low), at(2, low), at(2, eaves), at(1, eaves)]);
+    face(&[at(2, low), at(3, low), at(3, eaves), at(2, eaves)]);
+    face(&[at(0, low), at(1, low), at(1, eaves), at(0, top)]);
+    face(&[at(3, low), at(0, low), at(0, top), at(3, eaves)]);
+    bodies
+}
+
+/// From the middle of a fence to the eaves of its roof, on the outside.
+pub(in crate::tessellate) fn coping_reach(coping: &Coping, place: &Place) -> f64 {
+    place.front.0 + coping.out.0
+}
+
+/// The roof of a fence between two ends, and between the lowest and the highest it may reach.
+fn gable_of(coping: &Coping, place: &Place, ends: (f64, f64), heights: (f64, f64)) -> Gable {
+    let middle = place.front.0 - place.thick.0 / 2.0;
+    Gable {
+        along: DVec3::X,
+        across: DVec3::NEG_Y,
+        origin: dvec3(0.0, -middle, 0.0),
+        ends,
+        half: place.thick.0 / 2.0 + coping.out.0,
+        heights,
+        pitch: coping.pitch,
+        finish: place.finish,
+        rolls: coping.rolls.0,
+    }
+}
+
+/// A wing wall at right angles to the facade, under its own gable roof that runs outwards.
+pub(in crate::tessellate) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place, rect: Rect) {
+    let half = place.thick.0 / 2.0;
+    let (inner, outer) = (-place.front.0, wing.out.0);
+    let roof = 0.280_f64.min(rect.height() / 3.0);
+    // A millimetre above the feet of other walls.
+    let foot = rect.z0 + 0.001;
+    let wall = [
+        dvec2(foot, -half),
+        dvec2(foot, half),
+        dvec2(rect.z1 - roof * 0.6, half),
+        dvec2(rect.z1 - roof * 0.6, -half),
+    ];
+    bay.bodies
+        .prism(place.finish, &wall, Axis::Y, -outer, -inner);
+    let gable = Gable {
+        along: DVec3::NEG_Y,
+        across: DVec3::X,
+        origin: DVec3::ZERO,
+        ends: (inner + 0.001, outer + 0.120),
+        half: half + 0.120,
+        heights: (rect.z1 - roof, rect.z1),
+        pitch: 0.5,
+        finish: wing.roof,
+        rolls: wing.rolls.0,
+    };
+    gable.draw(&mut bay.bodies);
+}
+
+/// A little gable roof: a slab with a flat underside, rolls of round tiles down its slopes, and a ridge of
+/// two courses under a round cap.
+struct Gable {
+    /// Which way its ridge runs.
+    along: DVec3,
+    /// Which way one of its slopes falls.
+    across: DVec3,
+    /// Where the ridge's line starts to count.
+    origin: DVec3,
+    /// Where it begins and ends along the ridge.
+    ends: (f64, f64),
+    /// From the ridge to the eaves.
+    half: f64,
+    /// The lowest it may reach, and its top.
+    heights: (f64, f64),
+    /// Rise in the horizontal.
+    pitch: f64,
+    finish: SurfaceId,
+    /// About how far rolls stand from each other; 0 = none.
+    rolls: f64,
+}
+
+/// Heights of a ridge above the slab: each course, and the cap.
+const COURSE: f64 = 0.035;
+const CAP: f64 = 0.060;
+
+/// Radius of a roll, metres.
+const ROLL: f64 = 0.042;
+
+impl Gable {
+    /// A point along the ridge, across it, and up.
+    fn at(&self, u: f64, v: f64, z: f64) -> DVec3 {
+        self.origin + self.along * u + self.across * v + DVec3::Z * z
+    }
+
+    /// How much lower its ridge is than one that has room; a low roof has a low ridge.
+    fn scale(&self) -> f64 {
+        let (low, high) = self.heights;
+        ((high - low) / 3.0 / (2.0 * COURSE + CAP)).min(1.0)
+    }
+
+    /// Heights of its slopes at the eaves and under the ridge.
+    fn slope(&self) -> (f64, f64) {
+        let (low, high) = self.heights;
+        let top = high - self.scale() * (2.0 * COURSE + CAP - 0.012);
+        let eaves = (top - self.pitch * self.half).max(low + SLAB);
+        (eaves, top)
+    }
+
+    fn draw(&self, bodies: &mut Bodies) {
+        let (from, to) = self.ends;
+        let way = self.along * (to - from);
+        let edge = SurfaceId::named("kawara_edge");
+        let scale = self.scale();
+        let (course, cap) = (COURSE * scale, CAP * scale);
+        let (eaves, top) = self.slope();
+        let ring = |points: &[(f64, f64)]| -> Vec<DVec3> {
+            points.iter().map(|(v, z)| self.at(from, *v, *z)).collect()
+        };
+        let slab = [
+            (self.half, eaves - SLAB),
+            (self.half, eaves),
+            (0.0, top),
+            (-self.half, eaves),
+            (-self.half, eaves - SLAB),
+        ];
+        bodies.slide(self.finish, &ring(&slab), way, false);
+        if self.rolls > 0.0 {
+            self.rolls(bodies, (eaves, top));
+        }
+        // The lower course lies on both slopes.
+        let slope = (top - eaves) / self.half;
+        let mut foot = top + course - 0.012 * scale;
+        let (wide, narrow) = (0.100, 0.085);
+        let lower = [
+            (wide, top - slope * wide),
+            (wide, foot),
+            (-wide, foot),
+            (-wide, top - slope * wide),
+            (0.0, top),
+        ];
+        bodies.slide(edge, &ring(&lower), way, false);
+        let head = foot + course;
+        let upper = [
+            (narrow, foot),
+            (narrow, head),
+            (-narrow, head),
+            (-narrow, foot),
+        ];
+        bodies.slide(edge, &ring(&upper), way, false);
+        foot = head;
+        let r = 0.060;
+        let round = [
+            (r, foot),
+            (r * 0.8, foot + cap * 0.6),
+            (r * 0.3, foot + cap),
+            (-r * 0.3, foot + cap),
+            (-r * 0.8, foot + cap * 0.6),
+            (-r, foot),
+        ];
+        bodies.slide(edge, &ring(&round), way, true);
+    }
+
+    /// Rolls of round tiles from the eaves to the ridge, half a cell from each end.
+    fn rolls(&self, bodies: &mut Bodies, (eaves, top): (f64, f64)) {
+        let edge = SurfaceId::named("kawara_edge");
+        let (from, to) = self.ends;
+        let n = crate::tessellate::part::boards::pieces(to - from, self.rolls);
+        let cell = (to - from) / n as f64;
+        for side in [1.0, -1.0] {
+            // A little beyond the eaves, and into the ridge.
+            let foot = self.half + 0.012;
+            let way = self.at(0.0, 0.06 * side, top) - self.at(0.0, foot * side, eaves);
+            for i in 0..n {
+                let u = from + cell * (i as f64 + 0.5);
+                let section = [
+                    (ROLL, -0.012),
+                    (ROLL, 0.008),
+                    (ROLL * 0.7, ROLL * 0.78),
+                    (0.0, ROLL * 1.05),
+                    (-ROLL * 0.7, ROLL * 0.78),
+                    (-ROLL, 0.008),
+                    (-ROLL, -0.012),
+                ];
+                let ring = section.map(|(a, z)| self.at(u + a, foot * side, eaves + z));
+                bodies.slide(edge, &ring, way, true);
+            }
+        }
+    }
+}

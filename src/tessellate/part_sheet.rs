@@ -1,0 +1,173 @@
+//! The catalogue to look at: every part in a storey of three metres, as a scene in rows or as a picture.
+//!
+//! Pictures are drawn obliquely, as joiners draw: the front in true measure, what stands out shifted to the
+//! left and down, so that its right side and its top show.
+
+use crate::catalog::{PartDef, Stance};
+use crate::geometry::SHAKU;
+use crate::material::SurfaceId;
+use crate::scene::{Detail, Kind, Mesh, Node, NodeId, Scene};
+use crate::tessellate::bake::{Lens, Picture, bake};
+use crate::tessellate::mesh::{Bodies, Soup};
+use crate::tessellate::part::bay::{Bay, HALF_POST, Layer};
+use crate::tessellate::part::detail;
+use crate::tessellate::store::{Share, Store};
+use compact_str::CompactString;
+use glam::{DVec3, dvec3};
+use image::{Rgb, RgbImage};
+
+/// Width of one U, metres: three shaku.
+const UNIT: f64 = 3.0 * SHAKU;
+
+/// Height of the storey that parts are shown in, metres: ten shaku.
+const STOREY: f64 = 10.0 * SHAKU;
+
+/// Room between two parts, metres.
+const APART: f64 = 0.6;
+
+/// From a row of parts to the next, metres.
+const ROW: f64 = 5.0;
+
+/// How far a metre out of the wall is shifted to the left, and down.
+const OBLIQUE: (f64, f64) = (0.35, 0.25);
+
+/// The paper that pictures stand on.
+const PAPER: [u8; 3] = [0xf6, 0xf3, 0xec];
+
+/// All parts in rows, a row each class, from the front one to the back.
+pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
+    let mut store = Store::new(detail);
+    let mut nodes = vec![Node::new(None, Kind::House, "parts".into(), DVec3::ZERO)];
+    let classes = parts.chunk_by(|a, b| a.class() == b.class());
+    for (row, class) in classes.enumerate() {
+        let at = dvec3(0.0, row as f64 * ROW, 0.0);
+        let name = CompactString::from(String::from(class[0].class()));
+        nodes.push(Node::new(Some(NodeId(0)), Kind::Facade, name, at));
+        let facade = NodeId(nodes.len() as u32 - 1);
+        let mut x = 0.0;
+        for definition in class {
+            let code = definition.code();
+            let made = bodies(definition, detail);
+            let mesh: Mesh = store.finish(code.trim_end().to_owned(), made, share(definition));
+            if mesh.primitives.is_empty() {
+                continue; // the void
+            }
+            let mut part = Node::new(
+                Some(facade),
+                Kind::Part,
+                code.trim_end().into(),
+                dvec3(x, 0.0, 0.0),
+            );
+            part.code = Some(code.into());
+            part.mesh = Some(store.push(mesh));
+            nodes.push(part);
+            x += definition.width() * UNIT + APART;
+        }
+    }
+    store.into_scene(nodes, vec![])
+}
+
+fn share(part: &PartDef) -> Share {
+    Share::new(part.reflection.unwrap_or_default())
+}
+
+/// A part with its posts.
+fn bodies(definition: &PartDef, detail: Detail) -> Bodies {
+    let height = definition.to.map_or(STOREY, |to| STOREY.max(to * SHAKU));
+    let (z0, z1) = match (definition.from, definition.to) {
+        (Some(from), Some(to)) => (from * SHAKU, to * SHAKU),
+        _ => (0.0, height),
+    };
+    let width = definition.width() * UNIT;
+    let around = definition.finish.unwrap_or(SurfaceId::named("plaster"));
+    let mut bay = Bay::new(definition, (width, height), (z0, z1), around, detail, None);
+    detail::build(&mut bay);
+    if definition.stance == Stance::Posts && width > 0.0 {
+        let layer = Layer {
+            front: HALF_POST,
+            thick: 2.0 * HALF_POST,
+        };
+        for x in [0.0, width] {
+            let post = bay.whole().across(x - HALF_POST, x + HALF_POST);
+            bay.block(SurfaceId::named("cedar"), post, layer);
+        }
+    }
+    bay.bodies
+}
+
+/// An oblique picture of a part, so many pixels a metre; `None` of the void.
+pub fn picture(definition: &PartDef, density: f64) -> Option<RgbImage> {
+    let mut soups = bodies(definition, Detail::Everything).soups;
+    soups.iter_mut().for_each(|(_, soup)| slant(soup));
+    let (rect, _) = detail::extent(&soups)?;
+    let lens = Lens {
+        density,
+        panes: true,
+    };
+    Some(lit(&bake(&soups, rect, lens)?))
+}
+
+/// Slants a soup, its normals with it.
+fn slant(soup: &mut Soup) {
+    for p in &mut soup.positions {
+        p[0] += (f64::from(p[1]) * OBLIQUE.0) as f32;
+        p[2] += (f64::from(p[1]) * OBLIQUE.1) as f32;
+    }
+    for triangle in soup.indices.chunks_exact(3) {
+        let [a, b, c] = [0, 1, 2].map(|k| {
+            let p = soup.positions[triangle[k] as usize];
+            DVec3::from(p.map(f64::from))
+        });
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        for i in triangle {
+            soup.normals[*i as usize] = normal.as_vec3().to_array();
+        }
+    }
+}
+
+/// A picture in the light of a sun from the upper left, on paper.
+fn lit(picture: &Picture) -> RgbImage {
+    let sun = dvec3(-0.45, 0.55, 0.70).normalize();
+    RgbImage::from_fn(picture.color.width(), picture.color.height(), |x, y| {
+        let [r, g, b, a] = picture.color.get_pixel(x, y).0;
+        if a == 0 {
+            return Rgb(PAPER);
+        }
+        let n = picture
+            .normal
+            .get_pixel(x, y)
+            .0
+            .map(|c| f64::from(c) / 127.5 - 1.0);
+        let light = 0.55 + 0.60 * DVec3::from(n).dot(sun).max(0.0);
+        Rgb([r, g, b].map(|c| (f64::from(c) * light).min(255.0) as u8))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parse;
+    use crate::tessellate::part_sheet::*;
+
+    fn all() -> Vec<&'static PartDef> {
+        parse::builtin().parts().iter().collect()
+    }
+
+    #[test]
+    fn every_part_but_the_void_is_pictured() {
+        for part in all() {
+            let picture = picture(part, 40.0);
+            assert_eq!(picture.is_some(), part.class() != ' ', "{}", part.code());
+            let Some(picture) = picture else { continue };
+            let drawn = picture.pixels().filter(|p| p.0 != PAPER).count();
+            let share = drawn as f64 / f64::from(picture.width() * picture.height());
+            assert!(share > 0.02, "{}: {share}", part.code());
+        }
+    }
+
+    #[test]
+    fn every_part_stands_apart_from_its_neighbours() {
+        let scene = scene(&all(), Detail::Everything);
+        let parts = scene.nodes.iter().filter(|n| n.kind == Kind::Part);
+        assert_eq!(parts.count(), all().len() - 1);
+    }
+}

@@ -1,0 +1,114 @@
+//! The solids that a roof shows. At details without joinery roofs that meet are one massive solid, which the first of
+//! them shows; the others have only what they wear.
+
+use crate::building::{Face, Finish, Roof, Solid};
+use crate::material::SurfaceId;
+use crate::roof::solid::massive::{groups, massive};
+use crate::scene::Detail;
+use crate::tessellate::roof::mesh_key::Walls;
+use crate::tessellate::roof::plaster;
+use glam::DVec2;
+use std::borrow::Cow;
+
+/// For each roof of a house those whose solids it shows.
+pub(in crate::tessellate) fn shares(roofs: &[Roof], detail: Detail) -> Vec<&[Roof]> {
+    if !is_massive(detail) {
+        return roofs.iter().map(std::slice::from_ref).collect();
+    }
+    let mut shares = Vec::with_capacity(roofs.len());
+    for group in groups(roofs) {
+        if group.iter().any(|r| r.attic.filled) {
+            shares.push(group);
+            shares.extend(std::iter::repeat_n(&[][..], group.len() - 1));
+        } else {
+            shares.extend(group.iter().map(std::slice::from_ref));
+        }
+    }
+    shares
+}
+
+fn is_massive(detail: Detail) -> bool {
+    detail <= Detail::Flat
+}
+
+/// Whether a solid fills a gable.
+pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
+    solid
+        .faces
+        .first()
+        .is_some_and(|f| f.finish == Finish::Gable)
+}
+
+/// What some roofs show.
+pub(in crate::tessellate) struct Bulk<'a> {
+    pub(in crate::tessellate) solids: Cow<'a, [Solid]>,
+    gables: Gables<'a>,
+    plastered: bool,
+}
+
+/// What gable walls are made of.
+enum Gables<'a> {
+    /// Solid by solid.
+    BySolid(&'a [SurfaceId]),
+    /// Where the fills stand in plan that a massive roof has taken in.
+    Near(Vec<([DVec2; 2], SurfaceId)>),
+}
+
+impl<'a> Bulk<'a> {
+    /// The solids of these roofs over some walls.
+    pub(in crate::tessellate) fn of(
+        roofs: &'a [Roof],
+        walls: &'a Walls,
+        detail: Detail,
+    ) -> Bulk<'a> {
+        let (gables, plastered) = (&walls.gables[..], walls.plastered);
+        let whole = is_massive(detail).then(|| massive(roofs)).flatten();
+        match (whole, roofs) {
+            (Some(solids), _) => {
+                let all = roofs.iter().flat_map(|r| &r.solids).zip(gables);
+                let fills = all.filter(|(s, _)| is_fill(s));
+                Bulk {
+                    solids: Cow::Owned(solids),
+                    gables: Gables::Near(fills.map(|(s, id)| (around(s), *id)).collect()),
+                    plastered,
+                }
+            }
+            (None, roofs) => Bulk {
+                solids: Cow::Borrowed(roofs.first().map_or(&[], |r| &r.solids)),
+                gables: Gables::BySolid(gables),
+                plastered,
+            },
+        }
+    }
+
+    /// What a face shows that follows from the walls below.
+    pub(in crate::tessellate) fn given(&self, solid: usize, face: &Face) -> Option<SurfaceId> {
+        match face.finish {
+            Finish::Gable => self.gable(solid, face),
+            Finish::Soffit if self.plastered => Some(plaster()),
+            _ => None,
+        }
+    }
+
+    /// What a gable wall is made of.
+    fn gable(&self, solid: usize, face: &Face) -> Option<SurfaceId> {
+        match &self.gables {
+            Gables::BySolid(all) => all.get(solid).copied(),
+            Gables::Near(fills) => {
+                let points = &self.solids[solid].points;
+                let corners = face.corners.iter().map(|c| points[*c as usize].truncate());
+                let middle = corners.sum::<DVec2>() / face.corners.len() as f64;
+                let off = |[lo, hi]: &[DVec2; 2]| middle.clamp(*lo, *hi).distance_squared(middle);
+                let nearest = fills.iter().min_by(|p, q| off(&p.0).total_cmp(&off(&q.0)));
+                nearest.map(|n| n.1)
+            }
+        }
+    }
+}
+
+fn around(solid: &Solid) -> [DVec2; 2] {
+    let plan = solid.points.iter().map(|p| p.truncate());
+    plan.fold([DVec2::MAX, DVec2::MIN], |[lo, hi], p| {
+        [lo.min(p), hi.max(p)]
+    })
+}

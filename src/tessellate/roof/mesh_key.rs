@@ -1,0 +1,127 @@
+//! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
+
+use crate::ast::{RoofKind, RoofShape};
+use crate::building::{Face, Roof, Solid, Trim};
+use crate::material::SurfaceId;
+use crate::scene::{Detail, MeshId};
+use crate::tessellate::roof::bulk::Bulk;
+use crate::tessellate::store::Quick;
+use crate::tessellate::trim::{Beyond, Run};
+use crate::tessellate::weather::Weather;
+use glam::DVec3;
+use std::collections::HashMap;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
+use std::rc::Rc;
+
+/// The meshes of all roofs so far. Never walked, so that its order cannot
+/// matter.
+pub(in crate::tessellate) type Roofs<'a> = HashMap<MeshKey<'a>, Shown, BuildHasherDefault<Quick>>;
+
+/// What a roof shows: its mesh, and the rows of tiles and rafters on and under it.
+pub(in crate::tessellate) type Shown = (Option<MeshId>, Rc<[(Run, MeshId)]>);
+
+/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and the
+/// solids of it and of those it shows, to the last bit.
+#[derive(Clone, Debug)]
+pub(in crate::tessellate) struct MeshKey<'a> {
+    number: usize,
+    kind: RoofKind,
+    shape: RoofShape,
+    dress: Trim,
+    beyond: Beyond,
+    weather: Weather,
+    solids: &'a [Solid],
+    /// The roofs whose solids it shows.
+    shown: &'a [Roof],
+    walls: Walls,
+}
+
+/// What the walls below give a roof.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::tessellate) struct Walls {
+    /// What the gables of those it shows are filled with, solid by solid.
+    pub(in crate::tessellate) gables: Vec<SurfaceId>,
+    /// Whether they are plastered over their posts, and its eaves and verges with them.
+    pub(in crate::tessellate) plastered: bool,
+}
+
+impl<'a> MeshKey<'a> {
+    pub(in crate::tessellate) fn new(
+        roof: &'a Roof,
+        shown: &'a [Roof],
+        walls: Walls,
+        beyond: Beyond,
+        weather: Weather,
+        number: usize,
+    ) -> MeshKey<'a> {
+        MeshKey {
+            number,
+            kind: roof.kind,
+            shape: roof.shape,
+            dress: roof.dress,
+            beyond,
+            weather,
+            solids: &roof.solids,
+            shown,
+            walls,
+        }
+    }
+
+    pub(in crate::tessellate) fn beyond(&self) -> &Beyond {
+        &self.beyond
+    }
+
+    /// What it shows.
+    pub(in crate::tessellate) fn bulk(&self, detail: Detail) -> Bulk<'_> {
+        Bulk::of(self.shown, &self.walls, detail)
+    }
+
+    pub(in crate::tessellate) fn walls(&self) -> &Walls {
+        &self.walls
+    }
+}
+
+fn bits(p: &DVec3) -> [u64; 3] {
+    p.to_array().map(f64::to_bits)
+}
+
+impl Hash for MeshKey<'_> {
+    /// Points tell roofs apart but for their coverings; faces are left to the comparison.
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_usize(self.number);
+        for solid in self.solids {
+            let points = solid.points.iter().flat_map(bits);
+            points.for_each(|word| state.write_u64(word));
+            state.write_usize(solid.faces.len());
+        }
+        state.write_usize(self.shown.len());
+    }
+}
+
+impl PartialEq for MeshKey<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        let face = |a: &Face, b: &Face| a.finish == b.finish && *a.corners == *b.corners;
+        let solid = |(a, b): (&Solid, &Solid)| {
+            a.points.len() == b.points.len()
+                && a.faces.len() == b.faces.len()
+                && a.points.iter().map(bits).eq(b.points.iter().map(bits))
+                && a.faces.iter().zip(&b.faces).all(|(a, b)| face(a, b))
+        };
+        let same = |a: &[Solid], b: &[Solid]| a.len() == b.len() && a.iter().zip(b).all(solid);
+        let shown = |(a, b): (&Roof, &Roof)| {
+            a.kind == b.kind && a.attic == b.attic && same(&a.solids, &b.solids)
+        };
+        self.number == other.number
+            && self.kind == other.kind
+            && self.shape == other.shape
+            && self.dress == other.dress
+            && self.beyond == other.beyond
+            && self.walls == other.walls
+            && self.weather == other.weather
+            && same(self.solids, other.solids)
+            && self.shown.len() == other.shown.len()
+            && self.shown.iter().zip(other.shown).all(shown)
+    }
+}
+
+impl Eq for MeshKey<'_> {}

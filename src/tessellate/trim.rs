@@ -1,0 +1,172 @@
+//! What a roof wears beyond its solids: ridge tiles, end tiles, eaves and verge tiles, barge boards, rafters.
+//!
+//! The lines to be dressed are read off the finished solids ([`seams`]), so that they are right after every
+//! junction and for every shape; sizes come from `domain.md` 4.4 and the few wishes of [`Trim`]. All of it are
+//! closed bodies that reach a little into what carries them, so that no face lies in another's plane.
+//!
+//! | detail | shows |
+//! |---|---|
+//! | 0 | ridges and hips as plain blocks, finials |
+//! | 1 | end tiles and barge boards as well |
+//! | 2 | silhouettes: ridge courses as a picture under a round cap, end tiles, pendants, thick eaves, fascias, plain eaves and verge tiles, flashings, valley gutters |
+//! | 3 | ridge courses and cap tiles one by one, rafters, the fronts of eaves tiles, rows of round tiles, battens and stones, standing seams |
+//!
+//! [`Trim`]: crate::building::Trim
+
+mod beyond;
+mod body;
+mod line;
+mod edge;
+mod ridge;
+mod run;
+mod seams;
+mod slope;
+mod stones;
+mod surface;
+mod tiles;
+
+#[cfg(test)]
+mod tests;
+
+use crate::ast::RoofKind;
+use crate::building::Roof;
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::mesh::Soup;
+pub(super) use beyond::{Beyond, Neighbours};
+pub(super) use body::Body;
+pub(super) use run::{Row, Run};
+use seams::{Kind, Seam};
+use slope::Field;
+use surface::Surface;
+
+/// A roof that is being dressed.
+struct RoofTrim<'a> {
+    roof: &'a Roof,
+    surface: &'a Surface,
+    detail: Detail,
+    /// Whether no timber shows under eaves and verges.
+    plastered: bool,
+}
+
+/// What a roof wears.
+#[derive(Debug, Default)]
+pub(super) struct TrimDetail {
+    /// Bodies that belong to this roof alone.
+    pub(super) bodies: Vec<Body>,
+    /// Bodies in rows that others may have as well.
+    pub(super) runs: Vec<Run>,
+}
+
+/// What dresses a roof at a detail; `beyond` is what its joints lie against, `plastered` whether the walls below are
+/// plastered over their posts.
+pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
+    let mut worn = TrimDetail::default();
+    let surface = Surface::of(&roof.solids);
+    if surface.facets.is_empty() {
+        return worn;
+    }
+    let tailor = RoofTrim {
+        roof,
+        surface: &surface,
+        detail,
+        plastered,
+    };
+    let fields = match detail {
+        Detail::Body | Detail::Flat => vec![],
+        _ => Field::all(&surface),
+    };
+    let seams = surface.seams(beyond);
+    for seam in &seams {
+        tailor.seam(seam, &fields, &mut worn.bodies);
+    }
+    crate::tessellate::trim::ridge::finial::finials(&tailor, &seams, &mut worn.bodies);
+    for rim in crate::tessellate::trim::edge::rim::rims(&surface) {
+        crate::tessellate::trim::ridge::stack::edge(&tailor, &rim, &mut worn.bodies);
+    }
+    if detail == Detail::Everything {
+        for field in &fields {
+            tailor.slope(field, &mut worn.bodies);
+        }
+        if roof.kind == RoofKind::CoverTiles {
+            crate::tessellate::trim::edge::rows::cover_tiles(&fields, &mut worn.bodies);
+        }
+    }
+    worn.runs = run::take(&mut worn.bodies);
+    worn
+}
+
+impl RoofTrim<'_> {
+    fn seam(&self, seam: &Seam, fields: &[Field], bodies: &mut Vec<Body>) {
+        let tiled = matches!(self.roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
+        match seam.kind {
+            Kind::Ridge | Kind::Hip => {
+                match tiled {
+                    true => ridge::tiles(self, seam, bodies),
+                    false => crate::tessellate::trim::ridge::crown::ridge(self, seam, bodies),
+                }
+                if seam.kind == Kind::Hip && !self.plastered {
+                    crate::tessellate::trim::edge::rafters::hip(self, seam, bodies);
+                }
+            }
+            Kind::Eaves => {
+                match self.roof.kind {
+                    RoofKind::Tiles => tiles::eaves(self, fields, seam, bodies),
+                    RoofKind::CoverTiles => {
+                        crate::tessellate::trim::edge::rows::eaves(self, fields, seam, bodies)
+                    }
+                    _ => {}
+                }
+                match self.plastered {
+                    true => crate::tessellate::trim::edge::plaster::bands(self, seam, bodies),
+                    false => {
+                        crate::tessellate::trim::edge::rafters::eaves(self, fields, seam, bodies)
+                    }
+                }
+            }
+            Kind::Verge => {
+                match self.plastered {
+                    true => crate::tessellate::trim::edge::plaster::bands(self, seam, bodies),
+                    false => crate::tessellate::trim::edge::barge::boards(self, seam, bodies),
+                }
+                if tiled {
+                    tiles::verge(self, seam, bodies);
+                }
+            }
+            Kind::Valley => crate::tessellate::trim::edge::flashing::valley(self, seam, bodies),
+            Kind::Crest | Kind::Flank => {
+                crate::tessellate::trim::edge::flashing::wall(self, seam, bodies)
+            }
+        }
+    }
+
+    /// What lies on the slope itself.
+    fn slope(&self, field: &Field, bodies: &mut Vec<Body>) {
+        match self.roof.kind {
+            RoofKind::Metal => crate::tessellate::trim::edge::rows::seams(field, bodies),
+            RoofKind::Boards => stones::battens(field, bodies),
+            _ => {}
+        }
+    }
+
+    /// How steeply the covering falls away beside a seam, at most, per metre across it.
+    fn lean(&self, seam: &Seam) -> f64 {
+        let ways = seam.points.windows(2).map(|w| w[1] - w[0]);
+        let leans = seam.spans.iter().zip(ways);
+        leans
+            .flat_map(|(span, way)| self.surface.leans(span, way))
+            .fold(0.0, f64::max)
+    }
+}
+
+/// Adds bodies to the soups of their surfaces.
+pub(super) fn pour(bodies: &[Body], soups: &mut Vec<(SurfaceId, Soup)>) {
+    for body in bodies {
+        let at = soups.iter().position(|(finish, _)| *finish == body.finish);
+        let at = at.unwrap_or_else(|| {
+            soups.push((body.finish, Soup::default()));
+            soups.len() - 1
+        });
+        body.pour(&mut soups[at].1);
+    }
+}

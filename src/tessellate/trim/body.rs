@@ -1,0 +1,268 @@
+//! Closed bodies between sections: boards, caps and tiles of any bend.
+
+use crate::building::Corners;
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::polygon;
+use crate::tessellate::mesh::{Soup, axes, grain_along, lies};
+use glam::{DVec2, DVec3, dvec2};
+
+/// Quads that leave their plane by more than this are divided, metres.
+const PLANE: f64 = 1e-7;
+
+/// Faces that bend less than this to each other, in the cosine, are shaded as one curve on soft bodies.
+const SOFT: f64 = 0.6;
+
+/// A closed body in one surface.
+#[derive(Clone, Debug)]
+pub(in crate::tessellate) struct Body {
+    /// What it shows.
+    pub(in crate::tessellate) finish: SurfaceId,
+    /// Whether its sides are shaded as curves where they bend little.
+    pub(in crate::tessellate) soft: bool,
+    /// Shared corners, metres.
+    pub(in crate::tessellate) points: Vec<DVec3>,
+    /// Plane faces, counter-clockwise seen from outside; the ends stand last.
+    pub(in crate::tessellate) faces: Vec<Corners>,
+    /// Points in a section.
+    pub(super) round: u32,
+    /// How many faces are sides.
+    pub(super) sides: usize,
+    /// What others like it are called, and what is to the right of all of them, unit length; `None` where it
+    /// stands alone.
+    pub(super) row: Option<(&'static str, DVec2)>,
+}
+
+impl Body {
+    /// What lies between sections of equally many corners, closed at both ends. Sections are plane, all run the
+    /// same way round, either; nothing where the whole has no volume.
+    pub(super) fn loft(finish: SurfaceId, sections: &[Vec<DVec3>]) -> Option<Body> {
+        let n = sections.iter().map(Vec::len).min()?;
+        if n < 3 || sections.len() < 2 {
+            return None;
+        }
+        let count = n as u32;
+        let last = count * (sections.len() as u32 - 1);
+        let mut body = Body::between(finish, sections, n, false);
+        body.faces.push((0..count).rev().collect());
+        body.faces.push((last..last + count).collect());
+        body.outward()
+    }
+
+    /// The same where the last section goes on in the first: a ring without ends.
+    pub(super) fn ring(finish: SurfaceId, sections: &[Vec<DVec3>]) -> Option<Body> {
+        let n = sections.iter().map(Vec::len).min()?;
+        if n < 3 || sections.len() < 3 {
+            return None;
+        }
+        Body::between(finish, sections, n, true).outward()
+    }
+
+    /// The sides between sections.
+    fn between(finish: SurfaceId, sections: &[Vec<DVec3>], n: usize, round: bool) -> Body {
+        let mut points = Vec::with_capacity(n * sections.len());
+        points.extend(sections.iter().flat_map(|s| &s[..n]));
+        let (count, all) = (n as u32, sections.len() as u32);
+        let pieces = if round { all } else { all - 1 };
+        let mut faces: Vec<Corners> = Vec::with_capacity(n * pieces as usize + 2);
+        for s in 0..pieces {
+            for i in 0..count {
+                let j = (i + 1) % count;
+                let (p, q) = (s * count, (s + 1) % all * count);
+                quad(&points, [p + i, p + j, q + j, q + i], &mut faces);
+            }
+        }
+        Body {
+            finish,
+            soft: false,
+            points,
+            round: count,
+            sides: faces.len(),
+            faces,
+            row: None,
+        }
+    }
+
+    /// The body with its faces outward; nothing where it has no volume.
+    fn outward(mut self) -> Option<Body> {
+        let volume = self.volume();
+        if volume.abs() < 1e-9 || !volume.is_finite() {
+            return None;
+        }
+        if volume < 0.0 {
+            self.faces.iter_mut().for_each(|f| f.reverse());
+        }
+        Some(self)
+    }
+
+    /// A plane section swept along a straight way.
+    pub(super) fn sweep(finish: SurfaceId, section: Vec<DVec3>, way: DVec3) -> Option<Body> {
+        let end = section.iter().map(|p| *p + way).collect();
+        Body::loft(finish, &[section, end])
+    }
+
+    /// The same with its sides shaded as curves.
+    pub(super) fn softly(mut self) -> Body {
+        self.soft = true;
+        self
+    }
+
+    /// The same as one of a row whose bodies have this to their right.
+    pub(super) fn one_of(mut self, name: &'static str, right: DVec2) -> Body {
+        self.row = Some((name, right));
+        self
+    }
+
+    /// Six times its volume.
+    fn volume(&self) -> f64 {
+        let Some(apex) = self.points.first() else {
+            return 0.0;
+        };
+        let at = |i: u32| self.points[i as usize] - *apex;
+        let fans = self.faces.iter().flat_map(|f| {
+            let fan = 1..f.len() - 1;
+            fan.map(|i| at(f[0]).dot(at(f[i]).cross(at(f[i + 1]))))
+        });
+        fans.sum()
+    }
+
+    /// Its triangles. Corners of faces that agree in normal and picture are one vertex.
+    pub(in crate::tessellate) fn pour(&self, soup: &mut Soup) {
+        let shapes: Vec<Vec<DVec3>> = self.faces.iter().map(|f| self.corners(f)).collect();
+        let normals: Vec<DVec3> = shapes.iter().map(|s| polygon::normal(s)).collect();
+        let shades = Shades::of(self, &normals);
+        let unrolled = if self.soft { self.unrolled() } else { vec![] };
+        let grain = grain_along(self.finish);
+        let mut made: Vec<Vec<u32>> = vec![vec![]; self.points.len()];
+        for (n, face) in self.faces.iter().enumerate() {
+            let planar = planar(&shapes[n], normals[n], grain);
+            let mut ids: Corners = Corners::new();
+            for (k, point) in face.iter().enumerate() {
+                let uv = unrolled.get(n).map_or(planar[k], |face| face[k]);
+                let (normal, uv) = (
+                    shades.at(n, *point).as_vec3().to_array(),
+                    uv.as_vec2().to_array(),
+                );
+                let same = |id: &&u32| {
+                    let i = **id as usize;
+                    soup.normals[i] == normal && soup.uvs[i] == uv
+                };
+                let known = made[*point as usize].iter().find(same).copied();
+                ids.push(known.unwrap_or_else(|| {
+                    let id = soup.positions.len() as u32;
+                    soup.positions.push(shapes[n][k].as_vec3().to_array());
+                    soup.normals.push(normal);
+                    soup.uvs.push(uv);
+                    made[*point as usize].push(id);
+                    id
+                }));
+            }
+            polygon::triangulate(&shapes[n], normals[n], |triangle| {
+                soup.indices.extend(triangle.map(|i| ids[i as usize]));
+            });
+        }
+    }
+
+    fn corners(&self, face: &Corners) -> Vec<DVec3> {
+        face.iter().map(|i| self.points[*i as usize]).collect()
+    }
+
+    /// Texture coordinates of the sides of a soft body: round its sections, and along it. Faces beyond them are its
+    /// ends.
+    fn unrolled(&self) -> Vec<Vec<DVec2>> {
+        let n = self.round as usize;
+        if n == 0 {
+            return vec![];
+        }
+        let all = self.points.len() / n;
+        let lengths = |count: usize, at: &dyn Fn(usize) -> DVec3| -> Vec<f64> {
+            let mut sum = 0.0;
+            let steps = (0..count).map(|i| {
+                sum += at(i).distance(at(i + 1));
+                sum
+            });
+            std::iter::once(0.0).chain(steps).collect()
+        };
+        let across = lengths(n, &|i| self.points[i % n]);
+        let along = lengths(all, &|s| self.points[s % all * n]);
+        let side = |face: &Corners| -> Vec<DVec2> {
+            let has = |i: usize| face.iter().any(|p| *p as usize % n == i);
+            let on = |s: usize| face.iter().any(|p| *p as usize / n == s);
+            // The last side of a section ends where the first begins, and so does the last section of a ring.
+            let (round, over) = (has(0) && has(n - 1), on(0) && on(all - 1) && all > 2);
+            let place = |p: &u32| {
+                let (s, i) = (*p as usize / n, *p as usize % n);
+                dvec2(
+                    across[if i == 0 && round { n } else { i }],
+                    along[if s == 0 && over { all } else { s }],
+                )
+            };
+            face.iter().map(place).collect()
+        };
+        let ends = if self.faces.len() > self.sides { 2 } else { 0 };
+        let count = self.faces.len() - ends;
+        let mut sides: Vec<Vec<DVec2>> = self.faces[..count].iter().map(side).collect();
+        // Pictures are not to be seen from behind.
+        if sides
+            .first()
+            .is_some_and(|s| crate::geometry::area2(s) < 0.0)
+        {
+            sides.iter_mut().flatten().for_each(|uv| uv.x = -uv.x);
+        }
+        sides
+    }
+}
+
+/// Texture coordinates of a plane face.
+fn planar(corners: &[DVec3], normal: DVec3, grain: bool) -> Vec<DVec2> {
+    let (right, up) = axes(normal);
+    let flat = |p: &DVec3| dvec2(right.dot(*p), up.dot(*p));
+    let turned = grain && lies(corners.iter().map(flat));
+    let place = |p: &DVec3| {
+        let uv = flat(p);
+        if turned { dvec2(-uv.y, uv.x) } else { uv }
+    };
+    corners.iter().map(place).collect()
+}
+
+/// The normals of a body's corners, face by face.
+struct Shades<'a> {
+    normals: &'a [DVec3],
+    /// The faces at each point; empty on bodies with hard edges.
+    beside: Vec<Vec<u32>>,
+}
+
+impl Shades<'_> {
+    fn of<'a>(body: &Body, normals: &'a [DVec3]) -> Shades<'a> {
+        let mut beside = vec![];
+        if body.soft {
+            beside = vec![vec![]; body.points.len()];
+            for (n, face) in body.faces.iter().enumerate() {
+                face.iter().for_each(|i| beside[*i as usize].push(n as u32));
+            }
+        }
+        Shades { normals, beside }
+    }
+
+    fn at(&self, face: usize, point: u32) -> DVec3 {
+        let own = self.normals[face];
+        let Some(near) = self.beside.get(point as usize) else {
+            return own;
+        };
+        let near = near.iter().map(|m| self.normals[*m as usize]);
+        let alike = near.filter(|normal| normal.dot(own) > SOFT);
+        alike.sum::<DVec3>().normalize_or(own)
+    }
+}
+
+/// A face of four corners, in two where it is bent; corners that coincide are one.
+fn quad(points: &[DVec3], corners: [u32; 4], faces: &mut Vec<Corners>) {
+    let [a, b, c, d] = corners.map(|i| points[i as usize]);
+    let normal = (c - a).cross(d - b).normalize_or_zero();
+    if normal.dot(b - a).abs() < PLANE && normal.dot(c - a).abs() < PLANE {
+        faces.push(Corners::from_slice(&corners));
+        return;
+    }
+    let [i, j, k, l] = corners;
+    faces.push(Corners::from_slice(&[i, j, k]));
+    faces.push(Corners::from_slice(&[i, k, l]));
+}

@@ -1,0 +1,168 @@
+//! Barge boards (hafu): boards under the edge of a verge, bent as it is, deeper at the apex and at the foot
+//! (domain.md 4.4: 0.18-0.24 deep on houses, 0.03 thick), and the pendant (gegyo) where they meet.
+
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::edge::gegyo;
+use crate::tessellate::trim::seams::{End, Seam};
+use glam::{DVec2, DVec3};
+
+/// Height of the board in its middle, metres, measured upright, on small roofs and on great ones.
+const DEEP: (f64, f64) = (0.18, 0.45);
+/// How much deeper it is at apex and foot.
+const SWELL: f64 = 0.25;
+/// Thickness, metres.
+const THICK: f64 = 0.03;
+/// How far it stands back from the verge, and from the eaves, metres.
+const BACK: f64 = 0.02;
+/// How far it reaches into the roof above it, metres.
+const SUNK: f64 = 0.01;
+/// The least verge that has room for a board, metres.
+const LEAST_VERGE: f64 = 0.1;
+/// Verges shorter than this in plan have none, metres.
+const SHORTEST: f64 = 0.5;
+
+/// One verge from end to end.
+struct Verge<'a> {
+    seam: &'a Seam,
+    /// Along it in plan, and out of the roof.
+    along: DVec2,
+    out: DVec2,
+    /// Height of the boards in their middle, metres.
+    deep: f64,
+}
+
+/// The boards along a verge.
+pub(in crate::tessellate::trim) fn boards(
+    tailor: &RoofTrim<'_>,
+    seam: &Seam,
+    bodies: &mut Vec<Body>,
+) {
+    let plan = |i: usize| seam.points[i].truncate();
+    let last = seam.points.len() - 1;
+    let run = plan(last) - plan(0);
+    let dress = &tailor.roof.dress;
+    if tailor.detail == Detail::Body || dress.verge < LEAST_VERGE || run.length() < SHORTEST {
+        return;
+    }
+    let along = run.normalize_or_zero();
+    let verge = Verge {
+        seam,
+        along,
+        out: -along.perp(),
+        deep: (run.length() * 0.032).clamp(DEEP.0, DEEP.1),
+    };
+    let stations = verge.stations(tailor.detail >= Detail::Openings);
+    let sections: Vec<Vec<DVec3>> = stations.iter().map(|s| verge.section(s)).collect();
+    let board = Body::loft(SurfaceId::named("cedar"), &sections);
+    bodies.extend(board.map(Body::softly));
+    let apex = stations
+        .iter()
+        .filter(|s| s.apex)
+        .max_by(|a, b| a.at.z.total_cmp(&b.at.z));
+    if let Some(apex) = apex.filter(|_| dress.pendant) {
+        // Before the boards, its head as high as theirs.
+        let foot = apex.at - DVec3::Z * verge.depth(apex.share) * 0.35;
+        gegyo::pendant(foot, verge.out, 1.3 * verge.deep, tailor.detail, bodies);
+    }
+}
+
+/// A place on the upper edge of the boards.
+struct Station {
+    at: DVec3,
+    /// From 0 at the foot to 1 at the apex.
+    share: f64,
+    /// Whether the verge has its highest point there, and falls on both sides.
+    apex: bool,
+}
+
+impl Verge<'_> {
+    /// Corners of the boards along the verge, more where they swell.
+    fn stations(&self, fine: bool) -> Vec<Station> {
+        let points = &self.seam.points;
+        let last = points.len() - 1;
+        let top = (0..=last).fold(0, |best, i| {
+            if points[i].z > points[best].z {
+                i
+            } else {
+                best
+            }
+        });
+        let run = |i: usize| points[i].truncate().dot(self.along);
+        let share = |at: f64, i: usize| {
+            // Up to the apex from the side on which the place lies.
+            let foot = if i < top { run(0) } else { run(last) };
+            ((at - foot) / (run(top) - foot)).clamp(0.0, 1.0)
+        };
+        let mut stations = Vec::new();
+        for i in 0..=last {
+            let at = self.upper(i);
+            let own = if i == top { 1.0 } else { share(run(i), i) };
+            stations.push(Station {
+                at,
+                share: own,
+                apex: i == top && i > 0 && i < last,
+            });
+            if i == last || !fine {
+                continue;
+            }
+            // Straight verges get corners between, bent ones have them.
+            let pieces = if last <= 2 { 2 } else { 1 };
+            let next = self.upper(i + 1);
+            for k in 1..pieces {
+                let between = at.lerp(next, f64::from(k) / f64::from(pieces));
+                let side = if i < top { i } else { i + 1 };
+                stations.push(Station {
+                    at: between,
+                    share: share(between.truncate().dot(self.along), side),
+                    apex: false,
+                });
+            }
+        }
+        stations
+    }
+
+    /// The upper edge of the boards at a corner of the verge.
+    fn upper(&self, i: usize) -> DVec3 {
+        let deep = match i {
+            0 => self.seam.spans[0].deep[0],
+            _ => self.seam.spans[i - 1].deep[1],
+        };
+        let at = self.seam.points[i] - DVec3::Z * (deep - SUNK);
+        at + self.drawn_in(i) - (self.out * BACK).extend(0.0)
+    }
+
+    /// How far an end of the board is drawn in along the slope, so that it does not stick out of the eaves.
+    fn drawn_in(&self, i: usize) -> DVec3 {
+        let points = &self.seam.points;
+        let last = points.len() - 1;
+        let (end, beside) = match i {
+            0 => (self.seam.ends[0], 1),
+            i if i == last => (self.seam.ends[1], last - 1),
+            _ => return DVec3::ZERO,
+        };
+        let way = points[beside] - points[i];
+        let run = way.truncate().dot(self.along).abs();
+        match end == End::Free && run > BACK {
+            true => way * (BACK / run),
+            false => DVec3::ZERO,
+        }
+    }
+
+    /// How deep the boards are at a share of the way up.
+    fn depth(&self, share: f64) -> f64 {
+        let swell = (2.0 * share - 1.0) * (2.0 * share - 1.0);
+        self.deep * (1.0 + SWELL * swell)
+    }
+
+    fn section(&self, station: &Station) -> Vec<DVec3> {
+        let by = (self.out * -THICK).extend(0.0);
+        let (top, low) = (
+            station.at,
+            station.at - DVec3::Z * self.depth(station.share),
+        );
+        vec![top, low, low + by, top + by]
+    }
+}

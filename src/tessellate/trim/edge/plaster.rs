@@ -1,0 +1,109 @@
+//! Plastered eaves and verges (漆喰塗込め shikkui nurigome) of storehouses and other houses whose walls are plastered
+//! over their posts: instead of rafters and barge boards stepped bands of plaster (鉢巻 hachimaki) run round under
+//! the tiles, so that no timber shows that could catch fire (domain.md 4.6, 4.7).
+
+use crate::ast::RoofShape;
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::line::level_left;
+use crate::tessellate::trim::seams::{End, Kind, Seam};
+use glam::{DVec2, DVec3};
+
+/// How far a band stands out from the wall line, and how deep it reaches below the roof, metres: the upper one first.
+/// Plaster over the posts is itself 90 mm thick.
+const BANDS: [(f64, f64); 2] = [(0.20, 0.13), (0.14, 0.26)];
+/// Bands stand back from the edge of the roof at least so far, metres.
+const BACK: f64 = 0.025;
+/// How far bands reach into the roof above and the wall behind them, metres.
+const SUNK: f64 = 0.01;
+/// The band of a verge stands so much farther out, so that it covers the ends of those of the eaves, metres.
+const CLEAR: f64 = 0.002;
+/// Overhangs below this have no room for bands, metres.
+const LEAST: f64 = 0.12;
+
+/// The bands under eaves or a verge.
+pub(in crate::tessellate::trim) fn bands(
+    tailor: &RoofTrim<'_>,
+    seam: &Seam,
+    bodies: &mut Vec<Body>,
+) {
+    let dress = &tailor.roof.dress;
+    let gable = matches!(
+        tailor.roof.shape,
+        RoofShape::Gable | RoofShape::BroadGable | RoofShape::LeanTo
+    );
+    let (own, other, clear) = match seam.kind {
+        Kind::Verge => (dress.verge, dress.eaves, CLEAR),
+        _ if gable => (dress.eaves, dress.verge, 0.0),
+        _ => (dress.eaves, dress.eaves, 0.0),
+    };
+    if tailor.detail == Detail::Body || own < LEAST {
+        return;
+    }
+    for (out, deep) in BANDS {
+        let behind = (own - out - clear).max(BACK);
+        let beside = (other - out - CLEAR + clear).max(BACK);
+        let band = Band {
+            own,
+            behind,
+            beside,
+            deep,
+        };
+        let sections: Vec<Vec<DVec3>> = (0..seam.points.len())
+            .map(|i| band.section(tailor, seam, i))
+            .collect();
+        bodies.extend(Body::loft(SurfaceId::named("plaster"), &sections));
+    }
+}
+
+struct Band {
+    /// From the edge of the roof to the wall line.
+    own: f64,
+    /// From the edge of the roof to the band.
+    behind: f64,
+    /// How far it is drawn in where the roof turns its corner.
+    beside: f64,
+    /// Below the roof.
+    deep: f64,
+}
+
+impl Band {
+    /// The section at a corner of the seam.
+    fn section(&self, tailor: &RoofTrim<'_>, seam: &Seam, i: usize) -> Vec<DVec3> {
+        let last = seam.points.len() - 1;
+        let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];
+        let inward: DVec2 = level_left(way);
+        let (span, deep) = match i {
+            0 => (&seam.spans[0], seam.spans[0].deep[0]),
+            _ => (&seam.spans[i - 1], seam.spans[i - 1].deep[1]),
+        };
+        let drawn = match i {
+            0 if seam.ends[0] != End::Joint => self.beside,
+            i if i == last && seam.ends[1] != End::Joint => -self.beside,
+            _ => 0.0,
+        };
+        let run = way.truncate().length().max(1e-9);
+        let along = way / run;
+        // Where the roof's lower surface lies so far inside its edge.
+        let rise = tailor.surface.facets[span.left as usize].rise;
+        let at = |inside: f64| {
+            let plan = along * drawn + (inward * inside).extend(0.0);
+            let z = match seam.kind {
+                Kind::Verge => plan.z,
+                _ => rise.dot(plan.truncate()),
+            };
+            seam.points[i] + DVec3::new(plan.x, plan.y, z - deep)
+        };
+        let (near, far) = (at(self.behind), at(self.own + SUNK));
+        let foot = near.z.min(far.z) - self.deep;
+        let low = |p: DVec3| p.truncate().extend(foot);
+        vec![
+            near + DVec3::Z * SUNK,
+            low(near),
+            low(far),
+            far + DVec3::Z * SUNK,
+        ]
+    }
+}

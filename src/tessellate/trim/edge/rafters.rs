@@ -1,0 +1,199 @@
+//! Rafters (taruki) under the eaves, 55 x 45 mm every 455 mm (domain.md 4.4), parallel on every slope, as is the
+//! custom of wayo; under hips the hip rafter. Temples have two rows, the upper one (hien-daruki) standing out over
+//! the lower. A board (hirokomai) runs over their ends.
+
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::line::level_left;
+use crate::tessellate::trim::seams::{End, Seam};
+use crate::tessellate::trim::slope::Field;
+use glam::{DVec2, DVec3};
+
+/// Height and half width of a rafter, metres.
+const RAFTER: (f64, f64) = (0.055, 0.0225);
+/// From rafter to rafter, metres: 1.5 shaku.
+const APART: f64 = 0.455;
+/// Rafters of temples are as far apart as they are deep and wide, metres.
+const CLOSE: f64 = 0.30;
+/// Height and half width of those, metres.
+const GREAT: (f64, f64) = (0.12, 0.05);
+/// How far rafters reach into the roof above them, metres.
+const SUNK: f64 = 0.006;
+/// How far they run on beyond the wall line, metres.
+const INSIDE: f64 = 0.05;
+/// How far their ends stand back from the eaves, metres.
+const BACK: f64 = 0.06;
+/// Share of the eaves that the lower of two rows spans.
+const LOWER: f64 = 0.62;
+/// The board before their ends: thickness and how far it reaches below them.
+const BOARD: (f64, f64) = (0.022, 0.012);
+/// Height and half width of a hip rafter, metres.
+const HIP: (f64, f64) = (0.12, 0.05);
+
+/// A row of rafters: from which distance behind the eaves to which, in plan, and how far below the roof's lower
+/// surface their upper side lies.
+#[derive(Clone, Copy)]
+struct Row {
+    from: f64,
+    to: f64,
+    below: f64,
+    size: (f64, f64),
+    apart: f64,
+}
+
+/// The rows under some eaves.
+fn rows(tailor: &RoofTrim<'_>) -> Vec<Row> {
+    let dress = &tailor.roof.dress;
+    let to = dress.eaves + INSIDE;
+    let great = dress.rafters > 1;
+    let (size, apart) = if great {
+        (GREAT, CLOSE)
+    } else {
+        (RAFTER, APART)
+    };
+    let upper = Row {
+        from: BACK,
+        to,
+        below: -SUNK,
+        size,
+        apart,
+    };
+    if !great {
+        return vec![upper];
+    }
+    let lower = Row {
+        from: dress.eaves * (1.0 - LOWER),
+        to,
+        below: size.0 - 2.0 * SUNK,
+        size,
+        apart,
+    };
+    vec![upper, lower]
+}
+
+/// Rafters under one line of eaves, and the board before them.
+pub(in crate::tessellate::trim) fn eaves(
+    tailor: &RoofTrim<'_>,
+    fields: &[Field],
+    seam: &Seam,
+    bodies: &mut Vec<Body>,
+) {
+    if tailor.detail < Detail::Openings || tailor.roof.dress.eaves < 2.0 * BACK {
+        return;
+    }
+    let rows = rows(tailor);
+    rows.iter().for_each(|row| board(fields, seam, row, bodies));
+    if tailor.detail < Detail::Everything {
+        return;
+    }
+    for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
+        let field = &fields[span.left as usize];
+        let (s0, s1) = (field.s(ends[0]), field.s(ends[1]));
+        let (lo, hi) = (s0.min(s1), s0.max(s1));
+        let deep = span.deep[0].max(span.deep[1]);
+        for row in &rows {
+            // As many as fit, the same distance from both ends.
+            let margin = 2.0 * row.size.1;
+            let count = ((hi - lo - 2.0 * margin) / row.apart)
+                .floor()
+                .clamp(0.0, 2000.0);
+            let first = (lo + hi - count * row.apart) / 2.0;
+            for i in 0..=count as u32 {
+                let s = first + row.apart * f64::from(i);
+                // Under a verge they show up to the ridge.
+                let outside = (s - lo).min(hi - s) < tailor.roof.dress.verge;
+                let to = if outside { f64::INFINITY } else { row.to };
+                let own = Row { to, ..*row };
+                rafter(fields, field.slope(), s, deep, &own, bodies);
+            }
+        }
+    }
+}
+
+/// A rafter at `s` under a covering `deep` metres thick, bent as its slope is.
+fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: &mut Vec<Body>) {
+    let half = row.size.1;
+    let own = || fields.iter().filter(|f| f.slope() == slope);
+    let reach = |s: f64| own().filter_map(move |f| f.column(s)).map(|c| c.0);
+    let Some(low) = reach(s).reduce(f64::min) else {
+        return;
+    };
+    let top = -(deep + row.below);
+    let within = (low + row.from, low + row.to);
+    for field in own() {
+        let foot = top - row.size.0 * field.stretch();
+        let profile = [(-half, foot), (half, foot), (half, top), (-half, top)];
+        let finish = SurfaceId::named("cedar");
+        let made = field.upright_row(finish, s, &profile, within);
+        bodies.extend(made.map(|body| body.one_of("rafters", field.right())));
+    }
+}
+
+/// The board before the ends of the rafters.
+fn board(fields: &[Field], seam: &Seam, row: &Row, bodies: &mut Vec<Body>) {
+    let last = seam.points.len() - 1;
+    let section = |i: usize| -> Vec<DVec3> {
+        let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];
+        let inward: DVec2 = level_left(way);
+        let deep = match i {
+            0 => seam.spans[0].deep[0],
+            _ => seam.spans[i - 1].deep[1],
+        };
+        let along = way.truncate().normalize_or_zero();
+        let drawn = match i {
+            0 if seam.ends[0] == End::Free => along * row.from,
+            i if i == last && seam.ends[1] == End::Free => along * -row.from,
+            _ => DVec2::ZERO,
+        };
+        let plan = seam.points[i].truncate() + inward * (row.from - BOARD.0) + drawn;
+        let field = &fields[seam.spans[i.min(last - 1)].left as usize];
+        // Its head lies in the roof, its foot below the rafters.
+        let soffit = seam.points[i].z - deep + field.pitch() * (row.from - BOARD.0);
+        let (top, low) = (
+            soffit + 0.012,
+            soffit - row.below - row.size.0 * field.stretch() - BOARD.1,
+        );
+        let back = plan + inward * BOARD.0;
+        vec![
+            plan.extend(top),
+            plan.extend(low),
+            back.extend(low),
+            back.extend(top),
+        ]
+    };
+    let sections: Vec<Vec<DVec3>> = (0..=last).map(section).collect();
+    bodies.extend(Body::loft(SurfaceId::named("cedar"), &sections));
+}
+
+/// The rafter under a hip, from the eaves to the wall.
+pub(in crate::tessellate::trim) fn hip(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
+    let eaves = tailor.roof.dress.eaves;
+    let free = seam.ends[0] == End::Free;
+    if tailor.detail < Detail::Everything || eaves < 2.0 * BACK || !free {
+        return;
+    }
+    let Some(deep) = tailor.surface.deep_at(seam.points[0]) else {
+        return;
+    };
+    let line = crate::tessellate::trim::line::Line {
+        points: seam.points.clone(),
+    };
+    // The diagonal of the eaves on both sides.
+    let reach = (eaves + INSIDE) * std::f64::consts::SQRT_2;
+    let part = line.part(2.0 * BACK, reach.min(line.length()));
+    let (high, half) = HIP;
+    let lean = tailor.lean(seam);
+    let top = -deep + SUNK - lean * half;
+    let profile = [
+        (-half, top - high),
+        (half, top - high),
+        (half, top),
+        (-half, top),
+    ];
+    bodies.extend(Body::loft(
+        SurfaceId::named("cedar"),
+        &part.sections(&profile),
+    ));
+}

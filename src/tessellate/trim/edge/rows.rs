@@ -1,0 +1,127 @@
+//! What runs up a slope in rows: the round cover tiles of hon-gawara with their discs (gato) and the curved flat
+//! tiles between them at the eaves, and the standing seams of sheet metal. Rows stand where the pictures of the
+//! coverings have them, in one phase over all facets of a slope.
+
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::line::level_left;
+use crate::tessellate::trim::seams::Seam;
+use crate::tessellate::trim::slope::{Field, places};
+use crate::tessellate::trim::tiles::disc;
+use glam::{DVec2, DVec3};
+
+/// From row to row of cover tiles, and their radius, metres: as `texture` draws them.
+const ROW: f64 = 0.272;
+const RADIUS: f64 = 0.074;
+/// How high cover tiles rise over the slope, metres.
+const RISE: f64 = 0.066;
+/// From seam to seam of sheet metal, their half width and height, metres.
+const SHEET: f64 = 0.455;
+const SEAM: (f64, f64) = (0.009, 0.028);
+/// Half the joint between two fronts, metres.
+const JOINT: f64 = 0.001;
+/// How far rows reach into the slope, metres.
+const SUNK: f64 = 0.012;
+
+/// The rows of all slopes.
+pub(in crate::tessellate::trim) fn cover_tiles(fields: &[Field], bodies: &mut Vec<Body>) {
+    // Half round in four faces, shaded as a curve.
+    let shoulder = (0.70 * RADIUS, 0.70 * RISE);
+    let profile = [
+        (-RADIUS, -SUNK),
+        (RADIUS, -SUNK),
+        shoulder,
+        (0.0, RISE),
+        (-shoulder.0, shoulder.1),
+    ];
+    let finish = SurfaceId::named("ibushi");
+    for first in 0..fields.len() {
+        let number = fields[first].slope();
+        if fields[..first].iter().any(|f| f.slope() == number) {
+            continue;
+        }
+        let slope: Vec<&Field> = fields.iter().filter(|f| f.slope() == number).collect();
+        let (mut lo, mut hi) = (f64::INFINITY, f64::NEG_INFINITY);
+        for (from, to) in slope.iter().map(|f| f.bounds()) {
+            (lo, hi) = (lo.min(from.x), hi.max(to.x));
+        }
+        let right = fields[first].right();
+        for s in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
+            let rows = Field::rows(&slope, finish, s, &profile).into_iter();
+            bodies.extend(rows.map(|row| row.softly().one_of("cover tiles", right)));
+        }
+    }
+}
+
+/// WallIndex seams of a facet.
+pub(in crate::tessellate::trim) fn seams(field: &Field, bodies: &mut Vec<Body>) {
+    let (half, high) = SEAM;
+    let profile = [(-half, -SUNK), (half, -SUNK), (half, high), (-half, high)];
+    let finish = SurfaceId::named("sheet_roof");
+    for s in field.places(SHEET, 0.0, 4.0 * half) {
+        bodies.extend(field.row(finish, s, &profile));
+    }
+}
+
+/// The eaves of cover tiles: a disc before each row, a hollow front between two.
+pub(in crate::tessellate::trim) fn eaves(
+    tailor: &RoofTrim<'_>,
+    fields: &[Field],
+    seam: &Seam,
+    bodies: &mut Vec<Body>,
+) {
+    if tailor.detail < Detail::Openings {
+        return;
+    }
+    let finish = SurfaceId::named("ibushi");
+    for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
+        let field = &fields[span.left as usize];
+        let out = -level_left(ends[1] - ends[0]);
+        if tailor.detail < Detail::Everything {
+            let sections = [hanging(ends[0], out, 0.09), hanging(ends[1], out, 0.09)];
+            bodies.extend(Body::loft(finish, &sections));
+            continue;
+        }
+        let (s0, s1) = (field.s(ends[0]), field.s(ends[1]));
+        let at = |s: f64| ends[0].lerp(ends[1], (s - s0) / (s1 - s0));
+        let (lo, hi) = (s0.min(s1), s0.max(s1));
+        let right = field.right();
+        // The flat tile sags between two rows, and its hanging front with it.
+        let sag = |s: f64| {
+            let share = (s / ROW - 0.5).rem_euclid(1.0);
+            0.035 * libm::sin(std::f64::consts::PI * share)
+        };
+        for row in places(lo - ROW, hi, ROW, ROW / 2.0) {
+            // The joint between two lies behind a disc.
+            let (from, to) = ((row + JOINT).max(lo), (row + ROW - JOINT).min(hi));
+            if to - from < 0.02 {
+                continue;
+            }
+            let inner = [0.3, 0.7].map(|share| row + share * ROW);
+            let inner = inner.iter().filter(|s| **s > from && **s < to);
+            let cuts = std::iter::once(&from).chain(inner).chain([&to]);
+            let sections: Vec<_> = cuts.map(|s| hanging(at(*s), out, 0.05 + sag(*s))).collect();
+            let front = Body::loft(finish, &sections);
+            bodies.extend(front.map(|body| body.softly().one_of("eaves tiles", right)));
+        }
+        for row in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
+            let place = (0.004, 0.045);
+            let disc = disc(finish, at(row), out, 1.08 * RADIUS, place, 8);
+            bodies.extend(disc.map(|body| body.one_of("eaves tiles", right)));
+        }
+    }
+}
+
+/// An upright section of the front that hangs so far.
+fn hanging(at: DVec3, out: DVec2, hang: f64) -> Vec<DVec3> {
+    let (fore, back) = ((out * 0.02).extend(0.0), (out * -0.012).extend(0.0));
+    let (top, low) = (DVec3::Z * 0.004, DVec3::Z * -hang);
+    vec![
+        at + back + low,
+        at + fore + low,
+        at + fore + top,
+        at + back + top,
+    ]
+}

@@ -1,0 +1,244 @@
+//! Ridges and hips of tiles: a bed, courses of flat tiles (noshi) that step in as they rise, round caps (kanmuri)
+//! and end tiles. Sizes from domain.md 4.4.
+
+pub(in crate::tessellate::trim) mod onigawara;
+pub(in crate::tessellate::trim) mod finial;
+pub(in crate::tessellate::trim) mod stack;
+pub(in crate::tessellate::trim) mod crown;
+
+use crate::ast::RoofKind;
+use crate::material::SurfaceId;
+use crate::scene::Detail;
+use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::line::Line;
+use crate::tessellate::trim::ridge::onigawara::Place;
+use crate::tessellate::trim::seams::{End, Kind, Seam};
+use glam::{DVec2, DVec3};
+
+/// How far a ridge reaches down beside its line beyond the slopes, metres.
+const SUNK: f64 = 0.02;
+/// Height of a course, and of its joint, metres.
+const COURSE: f64 = 0.035;
+const JOINT: f64 = 0.010;
+/// Height of the bed (dai), metres.
+const BED: f64 = 0.015;
+/// Height of the cap, metres.
+const CAP: f64 = 0.08;
+/// Each course is so much wider than the one above on both sides, metres.
+const STEP: f64 = 0.007;
+/// Length of a cap tile, metres.
+const UNIT: f64 = 0.32;
+/// What is shorter gets no ridge, metres.
+const SHORTEST: f64 = 0.05;
+
+/// Half the width of its cap, metres: 5 or 6 sun, wider on roofs of cover tiles.
+pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
+    let half = if noshi > 4 { 0.09 } else { 0.075 };
+    match kind {
+        RoofKind::CoverTiles => half * 1.3,
+        _ => half,
+    }
+}
+
+/// A ridge or hip of tiles with the end tiles at its free ends.
+pub(super) fn tiles(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
+    let Some(line) = run_on(tailor.roof.kind, seam) else {
+        return;
+    };
+    let (kind, dress) = (tailor.roof.kind, &tailor.roof.dress);
+    let hip = seam.kind == Kind::Hip;
+    // The ridges of hips are two courses lower.
+    let courses = match hip {
+        true => dress.noshi.saturating_sub(2).max(1),
+        false => dress.noshi,
+    };
+    let half = half_width(kind, dress.noshi) * if hip { 0.9 } else { 1.0 };
+    let lean = tailor.lean(seam);
+    let top = BED + COURSE * f64::from(courses);
+    let finish = SurfaceId::named("ibushi");
+    match tailor.detail {
+        Detail::Body | Detail::Flat => {
+            let foot = SUNK + lean * half;
+            let profile = plain(half, foot, top + CAP);
+            let finish = SurfaceId::named(match kind {
+                RoofKind::CoverTiles => "noshi",
+                _ => "kawara_edge",
+            });
+            bodies.extend(Body::loft(finish, &line.sections(&profile)));
+        }
+        Detail::Openings => {
+            let foot = SUNK + lean * (half + STEP);
+            let wall = [
+                (-half - STEP, -foot),
+                (half + STEP, -foot),
+                (half, top),
+                (-half, top),
+            ];
+            let courses = SurfaceId::named("noshi");
+            bodies.extend(Body::loft(courses, &line.sections(&wall)));
+            // Its ends stand out, so that they lie in no plane of the courses' ends.
+            let cap = line.longer(0.012).sections(&arch(half + 0.006, CAP, top));
+            bodies.extend(Body::loft(finish, &cap).map(Body::softly));
+        }
+        Detail::Everything => {
+            let wall = line.sections(&stepped(half, lean, courses));
+            bodies.extend(Body::loft(finish, &wall));
+            caps(&line, half, top, finish, bodies);
+        }
+    }
+    if dress.ends && tailor.detail != Detail::Body {
+        let size = (half + STEP * f64::from(courses) / 2.0, top + CAP);
+        ends(tailor, seam, &line, size, bodies);
+    }
+}
+
+/// The tiles that close the free ends of a ridge of this half width and height.
+fn ends(
+    tailor: &RoofTrim<'_>,
+    seam: &Seam,
+    line: &Line,
+    (half, height): (f64, f64),
+    bodies: &mut Vec<Body>,
+) {
+    let finish = SurfaceId::named("ibushi");
+    let (n, hip) = (line.points.len(), seam.kind == Kind::Hip);
+    let ends = [
+        (0, line.points[0], line.points[1]),
+        (1, line.points[n - 1], line.points[n - 2]),
+    ];
+    for (end, at, back) in ends {
+        let closed = match seam.ends[end] {
+            // Hips run upwards, and lean on something above.
+            End::Free => !hip || end == 0,
+            // The main ridge of a hipped roof ends over its hips.
+            End::Met => !hip,
+            End::Joint => false,
+        };
+        if !closed {
+            continue;
+        }
+        let place = Place {
+            at,
+            out: at - back,
+            half,
+            height,
+            lean: tailor.lean(seam),
+        };
+        let bar = tailor.roof.kind == RoofKind::CoverTiles;
+        match tailor.detail {
+            Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
+            _ => onigawara::tile(finish, &place, bar, bodies),
+        }
+    }
+}
+
+/// The line of a seam, run on a little into what covers its ends; `None` where it is too short for anything.
+pub(super) fn run_on(kind: RoofKind, seam: &Seam) -> Option<Line> {
+    let mut line = Line {
+        points: seam.points.clone(),
+    };
+    if line.length() < SHORTEST {
+        return None;
+    }
+    let n = line.points.len();
+    for (end, at, back) in [(0, 0, 1), (1, n - 1, n - 2)] {
+        let out = (line.points[at] - line.points[back]).normalize_or_zero();
+        line.points[at] += match (seam.ends[end], seam.kind) {
+            (End::Joint, _) => out * seam.runs[end],
+            (End::Met, Kind::Ridge) => out * 0.05,
+            (End::Free, Kind::Ridge) => out * beyond(kind),
+            // The hips of an irimoya run in over the slope at the foot of its gable's verge.
+            (End::Free, Kind::Hip) if end == 1 => out * 0.10,
+            _ => DVec3::ZERO,
+        };
+    }
+    Some(line)
+}
+
+/// How far a ridge stands out over the verge, metres: over whatever else does, so that its end lies in no plane of
+/// theirs.
+fn beyond(kind: RoofKind) -> f64 {
+    match kind {
+        // Verge tiles.
+        RoofKind::Tiles | RoofKind::CoverTiles => 0.03,
+        // The topmost layer of a thick edge.
+        RoofKind::Bark => 0.06,
+        RoofKind::Shingles | RoofKind::Boards | RoofKind::Metal | RoofKind::Thatch => 0.03,
+    }
+}
+
+/// A plain block with its upper edges cut.
+pub(super) fn plain(half: f64, foot: f64, height: f64) -> [(f64, f64); 6] {
+    let shoulder = height - CAP.min(height / 2.0);
+    [
+        (-half, -foot),
+        (half, -foot),
+        (half, shoulder),
+        (half * 0.5, height),
+        (-half * 0.5, height),
+        (-half, shoulder),
+    ]
+}
+
+/// A half round over a base.
+pub(super) fn arch(half: f64, height: f64, base: f64) -> Vec<(f64, f64)> {
+    const STEPS: u32 = 3;
+    let arc = (0..=STEPS).map(|i| {
+        let angle = std::f64::consts::PI * f64::from(i) / f64::from(STEPS);
+        // Its foot lies in what it covers.
+        (
+            half * libm::cos(angle),
+            base - 0.006 + (height + 0.006) * libm::sin(angle),
+        )
+    });
+    arc.collect()
+}
+
+/// The bed and the courses on it, each tile proud of its joint.
+fn stepped(half: f64, lean: f64, courses: u32) -> Vec<(f64, f64)> {
+    let width = |i: u32| half + STEP * f64::from(courses.saturating_sub(i + 1));
+    let back = 0.012;
+    let base = width(0) - back;
+    let mut right = vec![(base, -SUNK - lean * base)];
+    for i in 0..courses {
+        let foot = BED + COURSE * f64::from(i);
+        let own = width(i);
+        right.extend([
+            (own - back, foot + JOINT),
+            (own, foot + JOINT),
+            (own, foot + COURSE),
+        ]);
+        if i + 1 < courses {
+            right.push((width(i + 1) - back, foot + COURSE));
+        }
+    }
+    if courses == 0 {
+        right.push((base, BED));
+    }
+    let left: Vec<(f64, f64)> = right.iter().rev().map(|(w, z)| (-w, *z)).collect();
+    right.extend(left);
+    right
+}
+
+/// Cap tiles one after the other, each a little wider where it laps over the next.
+fn caps(line: &Line, half: f64, top: f64, finish: SurfaceId, bodies: &mut Vec<Body>) {
+    let length = line.length();
+    let count = (length / UNIT).round().clamp(1.0, 2000.0);
+    let unit = length / count;
+    for i in 0..count as u32 {
+        let from = f64::from(i) * unit;
+        let part = Line {
+            points: vec![line.at(from), line.at(from + unit)],
+        };
+        let (wide, narrow) = (
+            arch(half + 0.012, CAP, top),
+            arch(half + 0.002, CAP - 0.010, top),
+        );
+        let section = |i: usize, profile: &[(f64, f64)]| part.sections(profile).swap_remove(i);
+        let sections = [section(0, &wide), section(1, &narrow)];
+        let right = (part.points[1] - part.points[0]).truncate();
+        let cap = Body::loft(finish, &sections).map(Body::softly);
+        bodies.extend(cap.map(|body| body.one_of("cap tiles", right.normalize_or(DVec2::X))));
+    }
+}

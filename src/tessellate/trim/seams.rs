@@ -1,0 +1,371 @@
+//! The lines of a roof that want dressing: where two slopes meet above (ridge, hip) or below (valley), and what
+//! their free edges are (eaves, verge, crest).
+//!
+//! A slope is cut into facets in many ways: by other roofs, into convex pieces, into the strips of a curve. Facets
+//! whose falls point nearly the same way are one slope, and pieces of a line on one straight way are one seam.
+
+use crate::tessellate::trim::beyond::Beyond;
+use crate::tessellate::trim::surface::{Beside, SAME_FALL, Side, Surface, WELD};
+use glam::{DVec2, DVec3};
+use std::collections::BTreeMap;
+
+/// Pieces of a seam that go on within this, in the cosine, are one line in plan: 20 degrees.
+const GOES_ON: f64 = 0.94;
+
+/// What a seam is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// Two slopes meet above on a level line.
+    Ridge,
+    /// Two slopes meet above on a line that falls.
+    Hip,
+    /// Two slopes meet below, or one meets another roof on a line across its fall.
+    Valley,
+    /// The low edge of a slope.
+    Eaves,
+    /// The edge of a slope along its fall.
+    Verge,
+    /// The high edge of a slope, free or at a wall.
+    Crest,
+    /// Where a slope runs along a wall.
+    Flank,
+}
+
+/// What lies beyond the end of a seam.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum End {
+    /// The open: it ends on the rim of the roof.
+    Free,
+    /// Other seams of the same roof.
+    Met,
+    /// Another roof, or a wall.
+    Joint,
+}
+
+/// A piece of a seam on one straight way.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Span {
+    /// The facet to its left.
+    pub(super) left: u32,
+    /// The facet to its right, the same where nothing lies there.
+    pub(super) right: u32,
+    /// How deep the edge of the covering is at both ends, metres; zero on inner seams.
+    pub(super) deep: [f64; 2],
+}
+
+/// A line to be dressed, from end to end. Rims run with their roof on the left, hips upwards.
+#[derive(Clone, Debug)]
+pub(super) struct Seam {
+    pub(super) kind: Kind,
+    /// At least two, on the upper surface; straight in plan but for slight bends.
+    pub(super) points: Vec<DVec3>,
+    /// One less than points.
+    pub(super) spans: Vec<Span>,
+    pub(super) ends: [End; 2],
+    /// How far ridges run on beyond ends at joints, metres.
+    pub(super) runs: [f64; 2],
+}
+
+/// So far a ridge runs on into what covers its end where nobody measured, metres.
+const INTO: f64 = 0.15;
+
+impl Surface {
+    /// All seams, ridges first.
+    pub(super) fn seams(&self, beyond: &Beyond) -> Vec<Seam> {
+        let mut pieces: Vec<(Kind, Side)> = Vec::with_capacity(self.sides.len());
+        for side in &self.sides {
+            // Of the two sides of an inner edge one is enough.
+            let twice = matches!(side.beside, Beside::Facet(_)) && side.from > side.to;
+            if let Some(kind) = self.kind(side, beyond).filter(|_| !twice) {
+                let upward = self.at(side.from).z <= self.at(side.to).z;
+                let side = match (kind, side.beside) {
+                    (Kind::Hip, Beside::Facet(other)) if !upward => Side {
+                        from: side.to,
+                        to: side.from,
+                        facet: other,
+                        beside: Beside::Facet(side.facet),
+                    },
+                    _ => *side,
+                };
+                pieces.push((kind, side));
+            }
+        }
+        self.lengthen_hips(&mut pieces);
+        pieces.sort_by_key(|(kind, _)| *kind);
+        let ends = self.ends();
+        let kinds = pieces.chunk_by(|a, b| a.0 == b.0);
+        let seams = kinds.flat_map(|same| self.chains(same[0].0, same, &ends));
+        let mut seams: Vec<Seam> = seams.collect();
+        let ridges = seams
+            .iter_mut()
+            .filter(|s| matches!(s.kind, Kind::Ridge | Kind::Hip));
+        let mut runs = beyond.runs.iter();
+        for seam in ridges {
+            for end in 0..2 {
+                if seam.ends[end] == End::Joint {
+                    seam.runs[end] = runs.next().copied().unwrap_or(INTO);
+                }
+            }
+        }
+        seams
+    }
+
+    /// Makes level pieces below the foot of a hip part of it: raised corners take back most of its fall.
+    fn lengthen_hips(&self, pieces: &mut [(Kind, Side)]) {
+        let way = |s: &Side| {
+            (self.at(s.to) - self.at(s.from))
+                .truncate()
+                .normalize_or_zero()
+        };
+        let mut ridges: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        let mut feet: Vec<(u32, DVec2)> = vec![];
+        for (n, (kind, side)) in pieces.iter().enumerate() {
+            match kind {
+                Kind::Ridge => {
+                    ridges.entry(side.from).or_default().push(n);
+                    ridges.entry(side.to).or_default().push(n);
+                }
+                Kind::Hip => feet.push((side.from, way(side))),
+                _ => {}
+            }
+        }
+        while let Some((foot, upward)) = feet.pop() {
+            for n in ridges.get(&foot).into_iter().flatten() {
+                let (kind, side) = pieces[*n];
+                let side = turned(side, side.to == foot);
+                if kind == Kind::Ridge && way(&side).dot(upward) > GOES_ON {
+                    pieces[*n] = (Kind::Hip, side);
+                    feet.push((side.from, way(&side)));
+                }
+            }
+        }
+    }
+
+    fn kind(&self, side: &Side, beyond: &Beyond) -> Option<Kind> {
+        let facet = &self.facets[side.facet as usize];
+        let way = self.at(side.to) - self.at(side.from);
+        let run = way.truncate().length();
+        if run < WELD {
+            return None;
+        }
+        let out = -way.truncate().perp() / run;
+        match side.beside {
+            Beside::Facet(other) => {
+                let other = &self.facets[other as usize];
+                if facet.fall().dot(other.fall()) > SAME_FALL {
+                    return None;
+                }
+                // How steeply the surface falls away on both sides: a ridge falls on both together.
+                let bend = facet.rise.dot(out) - other.rise.dot(out);
+                let steep = facet.rise.length().max(other.rise.length());
+                let level = way.z.abs() < 0.25 * steep * run;
+                match (bend > 0.0, level) {
+                    (false, _) => Some(Kind::Valley),
+                    (true, true) => Some(Kind::Ridge),
+                    (true, false) => Some(Kind::Hip),
+                }
+            }
+            Beside::Rim(_) => Some(match facet.fall().dot(out) {
+                low if low > 0.5 => Kind::Eaves,
+                high if high < -0.5 => Kind::Crest,
+                _ => Kind::Verge,
+            }),
+            Beside::Joint(n) => match beyond.rises.get(n as usize) {
+                // Another slope: only where both rise from the joint water runs along it.
+                Some(Some(rise)) => {
+                    (facet.rise.dot(out) - rise.dot(out) < -0.05).then_some(Kind::Valley)
+                }
+                Some(None) => match facet.fall().dot(out) {
+                    low if low > 0.5 => None,
+                    high if high < -0.94 => Some(Kind::Crest),
+                    _ => Some(Kind::Flank),
+                },
+                None => None,
+            },
+        }
+    }
+
+    /// What lies at each point: the open, a joint, or neither.
+    fn ends(&self) -> Vec<End> {
+        let mut ends = vec![End::Met; self.points.len()];
+        for side in &self.sides {
+            let end = match side.beside {
+                Beside::Rim(_) => End::Free,
+                Beside::Joint(_) => End::Joint,
+                Beside::Facet(_) => continue,
+            };
+            for id in [side.from, side.to] {
+                let known = &mut ends[id as usize];
+                if *known != End::Free {
+                    *known = end;
+                }
+            }
+        }
+        ends
+    }
+
+    /// Pieces of one kind joined to lines.
+    fn chains(&self, kind: Kind, pieces: &[(Kind, Side)], ends: &[End]) -> Vec<Seam> {
+        let joints = Joints::new(self, kind, pieces);
+        let (way, next) = (|n| joints.way(n), |n, at, way| joints.next(n, at, way));
+        let mut used = vec![false; pieces.len()];
+        let mut seams = Vec::new();
+        for start in 0..pieces.len() {
+            if used[start] {
+                continue;
+            }
+            // Back to the first piece, then forward to the last.
+            let (mut first, mut forward) = (start, true);
+            for _ in 0..pieces.len() {
+                let side = &pieces[first].1;
+                let (point, ahead) = match forward {
+                    true => (side.from, -way(first)),
+                    false => (side.to, way(first)),
+                };
+                match next(first, point, ahead) {
+                    Some((m, away)) if m != start && !used[m] => (first, forward) = (m, !away),
+                    _ => break,
+                }
+            }
+            let mut links = Vec::new();
+            let mut now = Some((first, forward));
+            while let Some((n, forward)) = now.filter(|(n, _)| !used[*n]) {
+                used[n] = true;
+                links.push((n, forward));
+                let side = &pieces[n].1;
+                now = match forward {
+                    true => next(n, side.to, way(n)),
+                    false => next(n, side.from, -way(n)),
+                };
+            }
+            let sides = links
+                .iter()
+                .map(|&(n, forward)| turned(pieces[n].1, forward));
+            seams.push(self.seam(kind, &sides.collect::<Vec<_>>(), ends));
+        }
+        seams
+    }
+
+    /// A line of pieces, straight ones joined.
+    fn seam(&self, kind: Kind, sides: &[Side], ends: &[End]) -> Seam {
+        let mut points: Vec<DVec3> = vec![];
+        let mut spans: Vec<Span> = vec![];
+        for side in sides {
+            let (p, q) = (self.at(side.from), self.at(side.to));
+            if points.is_empty() {
+                points.push(p);
+            }
+            let span = Span {
+                left: side.facet,
+                right: match side.beside {
+                    Beside::Facet(other) => other,
+                    _ => side.facet,
+                },
+                deep: match side.beside {
+                    Beside::Rim(deep) => deep,
+                    _ => [0.0; 2],
+                },
+            };
+            match (spans.last_mut(), points.len()) {
+                (Some(last), n) if n > 1 && self.goes_on(last, &span, points[n - 2], p, q) => {
+                    last.deep[1] = span.deep[1];
+                    points[n - 1] = q;
+                }
+                _ => {
+                    spans.push(span);
+                    points.push(q);
+                }
+            }
+        }
+        let end = |id: Option<u32>| id.map_or(End::Met, |id| ends[id as usize]);
+        Seam {
+            kind,
+            points,
+            spans,
+            ends: [
+                end(sides.first().map(|s| s.from)),
+                end(sides.last().map(|s| s.to)),
+            ],
+            runs: [0.0; 2],
+        }
+    }
+
+    /// Whether a span goes on straight in the next one, between the same planes.
+    fn goes_on(&self, a: &Span, b: &Span, p: DVec3, q: DVec3, r: DVec3) -> bool {
+        let rise = |f: u32| self.facets[f as usize].rise;
+        let same = |f: u32, g: u32| (rise(f) - rise(g)).length() < 1e-6;
+        let (before, after) = ((q - p).normalize_or_zero(), (r - q).normalize_or_zero());
+        before.dot(after) > 1.0 - 1e-9 && same(a.left, b.left) && same(a.right, b.right)
+    }
+
+    /// How steeply the covering falls away to the left and to the right of a span, per metre across it.
+    pub(super) fn leans(&self, span: &Span, way: DVec3) -> [f64; 2] {
+        let left = way.truncate().normalize_or_zero().perp();
+        let rise = |f: u32| self.facets[f as usize].rise;
+        [-rise(span.left).dot(left), rise(span.right).dot(left)]
+    }
+}
+
+/// A side the other way round.
+fn turned(side: Side, forward: bool) -> Side {
+    let Beside::Facet(other) = side.beside else {
+        return side;
+    };
+    if forward {
+        return side;
+    }
+    Side {
+        from: side.to,
+        to: side.from,
+        facet: other,
+        beside: Beside::Facet(side.facet),
+    }
+}
+
+/// Which piece of one kind goes on from which.
+struct Joints<'s> {
+    surface: &'s Surface,
+    kind: Kind,
+    pieces: &'s [(Kind, Side)],
+    /// The pieces at each point.
+    at: BTreeMap<u32, Vec<usize>>,
+}
+
+impl<'s> Joints<'s> {
+    fn new(surface: &'s Surface, kind: Kind, pieces: &'s [(Kind, Side)]) -> Joints<'s> {
+        let mut at: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
+        for (n, (_, side)) in pieces.iter().enumerate() {
+            at.entry(side.from).or_default().push(n);
+            at.entry(side.to).or_default().push(n);
+        }
+        Joints {
+            surface,
+            kind,
+            pieces,
+            at,
+        }
+    }
+
+    /// The direction of a piece in plan.
+    fn way(&self, n: usize) -> DVec2 {
+        let side = &self.pieces[n].1;
+        let (from, to) = (self.surface.at(side.from), self.surface.at(side.to));
+        (to - from).truncate().normalize_or_zero()
+    }
+
+    /// The piece that goes on from this one at a point, and whether it starts there; ridges may be joined head to
+    /// head. None where several do.
+    fn next(&self, n: usize, point: u32, ahead: DVec2) -> Option<(usize, bool)> {
+        let others = self.at.get(&point)?.iter().copied().filter(|m| *m != n);
+        // Hips run upwards: two that face each other over a point are two.
+        let onward = self.pieces[n].1.to == point;
+        let going = others.map(|m| (m, self.pieces[m].1.from == point));
+        let going = going.filter(|(_, forward)| self.kind != Kind::Hip || *forward == onward);
+        let mut going = going.filter(|(m, forward)| {
+            let way = self.way(*m);
+            (if *forward { way } else { -way }).dot(ahead) > GOES_ON
+        });
+        let found = going.next()?;
+        going.next().is_none().then_some(found)
+    }
+}

@@ -1,0 +1,80 @@
+//! Board roofs held down by battens and stones (ishi-oki, domain.md 4.3): only gentle ones, since stones roll.
+
+use crate::material::SurfaceId;
+use crate::tessellate::trim::body::Body;
+use crate::tessellate::trim::slope::{Field, places};
+use glam::DVec3;
+
+/// From batten to batten up the slope, metres in plan; half width and height of one.
+const APART: f64 = 0.60;
+const BATTEN: (f64, f64) = (0.022, 0.026);
+/// From stone to stone, metres.
+const STONES: f64 = 0.62;
+/// The steepest slope that stones lie on.
+const STEEPEST: f64 = 0.36;
+/// How far things reach into the slope, metres.
+const SUNK: f64 = 0.01;
+
+/// The most stones of a facet: some 750 square metres. A larger one is no roof that anybody laid stones on, and
+/// their number would grow with the square of two figures in a roof line.
+const MANY: f64 = 2000.0;
+
+/// The battens of a facet, and its stones where these are not too many.
+pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
+    if field.pitch() > STEEPEST {
+        return;
+    }
+    let (half, high) = BATTEN;
+    let profile = [(-half, -SUNK), (half, -SUNK), (half, high), (-half, high)];
+    let (lo, hi) = field.bounds();
+    let rows = ((hi.y - lo.y - 0.3) / APART).floor().clamp(0.0, 200.0) as u32;
+    let laid = f64::from(rows) * (hi.x - lo.x) <= MANY * STONES;
+    for row in 0..=rows {
+        let t = lo.y + 0.18 + APART * f64::from(row);
+        bodies.extend(field.bar(SurfaceId::named("cedar_silver"), t, &profile));
+        let Some((from, to)) = field.course(t).filter(|_| laid) else {
+            continue;
+        };
+        let shift = if row.is_multiple_of(2) {
+            0.0
+        } else {
+            0.5 * STONES
+        };
+        for (n, s) in places(from + 0.15, to - 0.15, STONES, shift).enumerate() {
+            let chance = |salt: u32| chance(n as u32, row, salt);
+            let s = s + 0.12 * (chance(0) - 0.5);
+            let size = 0.085 + 0.05 * chance(1);
+            bodies.extend(stone(field.point(s, t + half, high), size, 6.3 * chance(2)));
+        }
+    }
+}
+
+/// A flat round stone that lies on a point.
+fn stone(at: DVec3, size: f64, turn: f64) -> Option<Body> {
+    const SIDES: u32 = 6;
+    // Shares of its size: how wide and how high each ring lies.
+    let rings = [(0.55, -0.35), (1.0, 0.10), (0.62, 0.62)];
+    let ring = |(wide, up): (f64, f64)| -> Vec<DVec3> {
+        let corner = |i: u32| {
+            let angle = turn + std::f64::consts::TAU * f64::from(i) / f64::from(SIDES);
+            let long = if i.is_multiple_of(2) { 1.0 } else { 0.86 };
+            let radius = size * wide * long;
+            at + DVec3::new(
+                1.2 * radius * libm::cos(angle),
+                radius * libm::sin(angle),
+                size * up,
+            )
+        };
+        (0..SIDES).map(corner).collect()
+    };
+    let body = Body::loft(SurfaceId::named("stone"), &rings.map(ring));
+    body.map(Body::softly)
+}
+
+/// A number from 0 to 1 that belongs to a place.
+fn chance(n: u32, row: u32, salt: u32) -> f64 {
+    let mut word = n.wrapping_mul(0x9e37_79b9) ^ row.wrapping_mul(0x85eb_ca6b) ^ (salt << 7);
+    word = (word ^ (word >> 15)).wrapping_mul(0x2c1b_3c6d);
+    word = (word ^ (word >> 12)).wrapping_mul(0x297a_2d39);
+    f64::from(word >> 8) / f64::from(1_u32 << 24)
+}

@@ -1,0 +1,246 @@
+//! Detail 0: a storey as one mesh of flat walls, in bands of the colours that its parts have.
+//!
+//! Walls are open above and below, where roofs and the ground close them; nothing lies inside.
+
+use crate::building::Ring;
+use crate::catalog::Catalog;
+use crate::geometry::SHAKU;
+use crate::material::SurfaceId;
+use crate::program::{Content, Unit};
+use crate::scene::{MaterialId, Mesh, MeshId};
+use crate::tessellate::mesh::Soup;
+use crate::tessellate::store::{Share, primitive};
+use crate::tessellate::wall::{Line, Stand};
+use crate::tessellate::{Level, Walker, part, turn_of};
+use glam::{DVec3, dvec2};
+
+/// Height of the stones under a house, metres.
+const STONES: f64 = 0.285;
+
+/// Corners sharper than this many faces are not drawn out to their point.
+const LONGEST: f64 = 4.0;
+
+/// A level stripe of a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Band {
+    /// Foot and top above the storey's floor.
+    z: (f64, f64),
+    material: MaterialId,
+    /// Whether the material is a picture, once over the band.
+    picture: bool,
+}
+
+/// Neighbours that look alike.
+struct Stretch {
+    /// Metres from the wall's right end.
+    from: f64,
+    to: f64,
+    face: f64,
+    /// Heights at the right and left end.
+    tops: (f64, f64),
+    bands: Vec<Band>,
+}
+
+impl Walker<'_> {
+    /// The mesh of a storey's walls; `None` where it has none.
+    pub(in crate::tessellate) fn body(&mut self, level: Level<'_>) -> Option<MeshId> {
+        let mut soups: Vec<(MaterialId, Soup)> = vec![];
+        for ring in &level.storey.rings {
+            self.walls(level, ring, &mut soups);
+        }
+        soups.retain(|(_, soup)| !soup.indices.is_empty());
+        if soups.is_empty() {
+            return None;
+        }
+        let primitives = soups.into_iter().map(|(id, soup)| primitive(id, soup));
+        Some(self.store.push(Mesh {
+            name: format!("walls {}", level.storey.number),
+            primitives: primitives.collect(),
+        }))
+    }
+
+    fn walls(&mut self, level: Level<'_>, ring: &Ring, soups: &mut Vec<(MaterialId, Soup)>) {
+        let lines = self.lines(level, ring);
+        for (i, line) in lines.iter().enumerate() {
+            let (before, after) = Line::beside(&lines, i);
+            let first = before.map_or(0.0, |b| corner(b, line));
+            let last = after.map_or(0.0, |a| corner(line, a));
+            self.air = self.air_before(level, line);
+            let mut stretches = self.stretches(level, line);
+            self.air = None;
+            if let Some(stretch) = stretches.first_mut().filter(|s| s.from < 1e-6) {
+                stretch.from -= first;
+            }
+            if let Some(stretch) = stretches.last_mut().filter(|s| s.to > line.length - 1e-6) {
+                stretch.to += last;
+            }
+            let at = level.house.place(line.wall.from, 0.0);
+            let turn = turn_of(line.wall.direction);
+            let place = |x: f64, face: f64, z: f64| {
+                let flat = turn.rotate(dvec2(x, -face));
+                at + flat.extend(z)
+            };
+            for stretch in stretches {
+                draw(&stretch, place, soups);
+            }
+        }
+    }
+
+    /// The solid parts of a wall, neighbours of one look together.
+    fn stretches(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
+        let mut stretches: Vec<Stretch> = vec![];
+        let catalog = self.catalog;
+        let shown = |s: &&Stand<'_>| s.solid() && !shows_through(catalog, level, s);
+        for stand in line.stands.iter().filter(shown) {
+            let mut bands = vec![];
+            // One weather for the wall: neighbours of one look stay one face.
+            self.store.weather = self.frame((0.0, level.height));
+            self.bands(stand.unit, stand, (0.0, stand.top()), &mut bands);
+            if level.grounded() {
+                let stone = self.store.surface_at(SurfaceId::named("stone"), 0.0);
+                bands.push(Band {
+                    z: (-STONES, 0.0),
+                    material: stone,
+                    picture: false,
+                });
+            }
+            let end = stand.offset + stand.width;
+            let goes_on = stretches.last_mut().filter(|s| {
+                let level = (s.tops.0 - s.tops.1).abs() < 1e-6 && stand.tops == s.tops;
+                let near = (s.to - stand.offset).abs() < 1e-6 && s.face == stand.face;
+                level && near && s.bands == bands && bands.iter().all(|b| !b.picture)
+            });
+            match goes_on {
+                Some(stretch) => stretch.to = end,
+                None => stretches.push(Stretch {
+                    from: stand.offset,
+                    to: end,
+                    face: stand.face,
+                    tops: stand.tops,
+                    bands,
+                }),
+            }
+        }
+        stretches
+    }
+
+    /// The stripes of a unit from its foot to its top; of halves with several units the first one speaks for all.
+    fn bands(&mut self, unit: &Unit, stand: &Stand<'_>, z: (f64, f64), out: &mut Vec<Band>) {
+        let (z0, z1) = z;
+        let mut band =
+            |store: &mut crate::tessellate::Store, from: f64, to: f64, surface: SurfaceId| {
+                if to - from > 1e-3 {
+                    out.push(Band {
+                        z: (from, to),
+                        material: store.surface_at(surface, (from + to) / 2.0),
+                        picture: false,
+                    });
+                }
+            };
+        match &unit.content {
+            Content::Void => {}
+            Content::Picture(id) => out.push(Band {
+                z,
+                material: self.store.picture(id.0, Share::default()),
+                picture: true,
+            }),
+            Content::Split(split) => {
+                let middle = z1 - (z1 - z0) * split.ratio.clamp(0.0, 1.0);
+                if let Some(unit) = split.lower.first() {
+                    self.bands(unit, stand, (z0, middle), out);
+                }
+                if let Some(unit) = split.upper.first() {
+                    self.bands(unit, stand, (middle, z1), out);
+                }
+            }
+            Content::Part(id) => {
+                let definition = self.catalog.part(*id);
+                let main = part::main_surface(definition).unwrap_or(stand.around);
+                let fills_half = definition.fills && z != (0.0, stand.top());
+                let (foot, top) = match (definition.from, definition.to) {
+                    (Some(from), Some(to)) if !fills_half => {
+                        ((from * SHAKU).clamp(z0, z1), (to * SHAKU).clamp(z0, z1))
+                    }
+                    _ => z,
+                };
+                let (store, mut shown) = (&mut self.store, vec![]);
+                band(store, z0, foot, stand.around);
+                match unit.picture {
+                    Some(_) if top - foot <= 1e-3 => {}
+                    Some(id) => shown.push(Band {
+                        z: (foot, top),
+                        material: store.picture(id.0, Share::default()),
+                        picture: true,
+                    }),
+                    None => band(store, foot, top, main),
+                }
+                band(store, top, z1, stand.around);
+                out.extend(shown);
+            }
+        }
+    }
+}
+
+/// Whether a bay between posts that are drawn stands open.
+fn shows_through(catalog: &Catalog, level: Level<'_>, stand: &Stand<'_>) -> bool {
+    match &stand.unit.content {
+        Content::Part(id) => {
+            level.post().is_some() && crate::tessellate::wall::room::is_open(catalog.part(*id))
+        }
+        _ => false,
+    }
+}
+
+/// How far the outer faces of two walls reach beyond the corner between them; negative in reflex corners.
+fn corner(before: &Line<'_>, line: &Line<'_>) -> f64 {
+    let (Some(last), Some(first)) = (before.end(true), line.end(false)) else {
+        return 0.0;
+    };
+    let (a, b) = (turn_of(before.wall.direction), turn_of(line.wall.direction));
+    let (cos, sin) = (a.dot(b), b.perp_dot(a));
+    if sin.abs() < 1e-4 {
+        return 0.0;
+    }
+    // Both faces are taken as equally far out: corners of unlike walls differ by millimetres.
+    let face = (last.face + first.face) / 2.0;
+    (face * (1.0 - cos) / sin).clamp(-LONGEST * face, LONGEST * face)
+}
+
+/// The quads of a stretch.
+fn draw(
+    stretch: &Stretch,
+    place: impl Fn(f64, f64, f64) -> DVec3,
+    soups: &mut Vec<(MaterialId, Soup)>,
+) {
+    let (left, right) = (-stretch.to, -stretch.from);
+    let top = stretch.tops.0.min(stretch.tops.1);
+    for band in &stretch.bands {
+        let at = soups.iter().position(|(id, _)| *id == band.material);
+        let at = at.unwrap_or_else(|| {
+            soups.push((band.material, Soup::default()));
+            soups.len() - 1
+        });
+        let (z0, z1) = band.z;
+        // The highest one follows a sloping top.
+        let (high_left, high_right) = match (z1 - top).abs() < 1e-6 {
+            true => (stretch.tops.1, stretch.tops.0),
+            false => (z1, z1),
+        };
+        let corners = [
+            (left, z0),
+            (right, z0),
+            (right, high_right),
+            (left, high_left),
+        ];
+        let points = corners.map(|(x, z)| place(x, stretch.face, z));
+        let soup = &mut soups[at].1;
+        let first = soup.positions.len();
+        soup.face(&points, false);
+        // Pictures of walls go on along the wall; those of parts fill the band.
+        for (uv, (x, z)) in soup.uvs[first..].iter_mut().zip(corners) {
+            let whole = dvec2((x - left) / (right - left), (z - z0) / (z1 - z0));
+            let uv_of = if band.picture { whole } else { dvec2(x, z) };
+            *uv = uv_of.as_vec2().to_array();
+        }
+    }
+}

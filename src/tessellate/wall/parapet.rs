@@ -1,0 +1,99 @@
+//! The head of a one-piece front: it rises above the eaves and hides the roof behind it from the street.
+
+use crate::catalog::{Catalog, Stance};
+use crate::geometry::{SAME, SHAKU};
+use crate::material::SurfaceId;
+use crate::program::Content;
+use crate::scene::{Kind, NodeId};
+use crate::tessellate::mesh::Bodies;
+use crate::tessellate::store::{Key, Share, tenths};
+use crate::tessellate::wall::Line;
+use crate::tessellate::{Level, Walker};
+use glam::dvec3;
+
+/// Half its thickness, metres: that of a modern wall.
+const HALF: f64 = 0.075;
+
+/// How far it covers the post at a corner.
+const CORNER: f64 = 0.068;
+
+/// How far its metal cap reaches over it, and how thick that is.
+const CAP: (f64, f64) = (0.020, 0.030);
+
+/// Its number in [`Key::Member`].
+const NUMBER: u8 = 100;
+
+impl Walker<'_> {
+    /// Parapets over the runs of modern units in a wall of the highest storey, where one of them has a parapet.
+    pub(in crate::tessellate) fn parapet(
+        &mut self,
+        level: Level<'_>,
+        facade: NodeId,
+        line: &Line<'_>,
+    ) {
+        let highest = level.house.storeys.last();
+        if !level.framed() || highest.is_none_or(|s| s.number != level.storey.number) {
+            return;
+        }
+        let mut run: Option<(f64, f64, f64)> = None;
+        let wide = line.stands.iter().filter(|s| !s.is_post());
+        for stand in wide.map(Some).chain([None]) {
+            let own = stand.filter(|s| s.stance == Stance::Modern && s.top() == level.height);
+            if let Some(stand) = own {
+                let rise = rise(self.catalog, &stand.unit.content);
+                let (from, _, highest) = run.unwrap_or((stand.offset, 0.0, 0.0));
+                run = Some((from, stand.offset + stand.width, rise.max(highest)));
+            } else if let Some((from, to, rise)) = run.take().filter(|r| r.2 > 0.0) {
+                self.head(level, facade, line, (from, to), rise);
+            }
+        }
+    }
+
+    /// One parapet between two offsets along the wall.
+    fn head(
+        &mut self,
+        level: Level<'_>,
+        facade: NodeId,
+        line: &Line<'_>,
+        (from, to): (f64, f64),
+        rise: f64,
+    ) {
+        let from = if from < SAME { from - CORNER } else { from };
+        let to = if to > line.length - SAME {
+            to + CORNER
+        } else {
+            to
+        };
+        let length = tenths(to - from);
+        let key = Key::Member(NUMBER, length, [tenths(rise) as i32, 0]);
+        self.store.weather = self.frame((level.height, level.height + rise));
+        let mesh = self
+            .store
+            .bodies(key, ("parapet", Share::default(), None), || {
+                let mut bodies = Bodies::default();
+                let (left, (over, thick)) = (-f64::from(length) / 10_000.0, CAP);
+                let wall = (dvec3(left, -HALF, 0.0), dvec3(0.0, HALF, rise));
+                bodies.block(SurfaceId::named("mortar"), wall.0, wall.1);
+                let lo = dvec3(left - over, -HALF - over, rise);
+                let hi = dvec3(over, HALF + over, rise + thick);
+                bodies.block(SurfaceId::named("sheet_roof"), lo, hi);
+                bodies
+            });
+        let at = dvec3(-from, 0.0, level.height);
+        let node = self.node(Some(facade), Kind::Member, "parapet".into(), at);
+        node.mesh = Some(mesh);
+        node.storey = Some(level.storey.number);
+    }
+}
+
+/// How high a unit's parapet is, metres; 0 = none.
+fn rise(catalog: &Catalog, content: &Content) -> f64 {
+    match content {
+        Content::Part(id) => catalog.part(*id).parapet.map_or(0.0, |h| h * SHAKU),
+        Content::Split(split) => {
+            let units = split.upper.iter().chain(&split.lower);
+            units.map(|u| rise(catalog, &u.content)).fold(0.0, f64::max)
+        }
+        Content::Void | Content::Picture(_) => 0.0,
+    }
+}

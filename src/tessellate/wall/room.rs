@@ -1,0 +1,199 @@
+//! What one sees inside through open bays and clear glass: the floor of a storey and the ceiling over it.
+
+use crate::building::Ring;
+use crate::catalog::body::{Element, Shape};
+use crate::catalog::{Below, Era, PartDef, Stance};
+use crate::geometry::{SAME, area2};
+use crate::material::SurfaceId;
+use crate::program::{Content, Unit};
+use crate::scene::{Detail, Kind, MeshId};
+use crate::tessellate::mesh::{Axis, Bodies};
+use crate::tessellate::store::Share;
+use crate::tessellate::wall::{Line, Stand};
+use crate::tessellate::weather::Weather;
+use crate::tessellate::{Level, Walker};
+use glam::{DVec2, DVec3};
+use std::collections::HashMap;
+
+/// Top of a floor below the storey's zero, so that it lies in no plane with sills; metres.
+const UNDER: f64 = -0.004;
+
+/// Foot of a floor: on the ground the foundation's, else the thickness of boards and joists.
+const GROUND: f64 = -0.280;
+const BOARDS: f64 = -0.060;
+
+/// Foot and top of a ceiling below the storey's top.
+const CEILING: (f64, f64) = (-0.100, -0.075);
+
+/// Rooms that are made, by outline and surfaces. Nothing walks over them.
+#[derive(Debug, Default)]
+pub(in crate::tessellate) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
+
+impl Walker<'_> {
+    /// Floor and ceiling of a storey into which one can look.
+    pub(in crate::tessellate) fn interior(
+        &mut self,
+        level: Level<'_>,
+        lines: &[(&Ring, Vec<Line<'_>>)],
+    ) {
+        let stands = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.stands);
+        let seen = stands().find_map(|s| self.floor(level, s.unit));
+        let Some(floor) = seen.filter(|_| level.framed() && self.detail > Detail::Flat) else {
+            return;
+        };
+        let outlines = outlines(level, lines);
+        if outlines.is_empty() {
+            return;
+        }
+        // No ceiling over yards behind fences, and none that would stick out of a lean-to.
+        let own = |c: &&crate::building::Ceiling| c.storey == level.storey.number;
+        let covered = !level.ceilings.iter().any(|c| own(&c))
+            && stands().all(|s| s.stance != Stance::Fence && is_full(level, s));
+        let foot = if level.grounded() { GROUND } else { BOARDS };
+        let step = |metres: f64| (metres * 10_000.0).round() as i64;
+        let points = outlines.iter().flatten().flat_map(|p| [p.x, p.y]);
+        let mut key: Vec<i64> = points.map(step).collect();
+        let height = if covered { level.height } else { 0.0 };
+        key.extend([step(foot), step(height)]);
+        self.weather(|aged| aged.even("room", 0.0));
+        let key = (key, floor, self.store.weather);
+        let mesh = match self.rooms.0.get(&key) {
+            Some(mesh) => *mesh,
+            None => {
+                let mut bodies = Bodies::default();
+                for outline in &outlines {
+                    bodies.prism(floor, outline, Axis::Z, foot, UNDER);
+                    if covered {
+                        let (lo, hi) = (height + CEILING.0, height + CEILING.1);
+                        bodies.prism(SurfaceId::named("soffit"), outline, Axis::Z, lo, hi);
+                    }
+                }
+                let mesh = self.store.finish("room".into(), bodies, Share::default());
+                let mesh = self.store.push(mesh);
+                self.rooms.0.insert(key, mesh);
+                mesh
+            }
+        };
+        let node = self.node(Some(level.node), Kind::Member, "room".into(), DVec3::ZERO);
+        node.mesh = Some(mesh);
+        node.storey = Some(level.storey.number);
+    }
+
+    /// The floor that one sees through a unit; `None` where one sees nothing.
+    fn floor(&self, level: Level<'_>, unit: &Unit) -> Option<SurfaceId> {
+        match &unit.content {
+            Content::Part(id) => {
+                let part = self.catalog.part(*id);
+                let name = match (part.era, level.grounded(), is_open(part)) {
+                    _ if part.floor.is_some() => return part.floor,
+                    _ if !is_open(part) && !is_clear(part) => return None,
+                    (Era::Modern, ..) => "concrete",
+                    (_, true, true) => "earth",
+                    _ => "boards",
+                };
+                Some(SurfaceId::named(name))
+            }
+            Content::Split(split) => {
+                let mut both = split.lower.iter().chain(&split.upper);
+                both.find_map(|u| self.floor(level, u))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// Whether a stand reaches the storey's top.
+fn is_full(level: Level<'_>, stand: &Stand<'_>) -> bool {
+    stand.is_post() || (stand.top() - level.height).abs() < SAME
+}
+
+/// Whether a part is an opening with nothing in it, or only cloth.
+pub(in crate::tessellate) fn is_open(part: &PartDef) -> bool {
+    let closed = |e: &Element| !matches!(e.shape, Shape::Slab(_) | Shape::Cloth(_));
+    part.class() == 'A' && part.below == Below::Open && !part.body.iter().any(closed)
+}
+
+/// Whether a part has panes that let one look in, and nothing behind them.
+fn is_clear(part: &PartDef) -> bool {
+    let all = || {
+        part.body
+            .iter()
+            .flat_map(|e| std::iter::once(e).chain(&e.children))
+    };
+    let glass = |s: SurfaceId| s.surface().glass && s.surface().tint[3] < 0.6;
+    let clear = |e: &Element| match &e.shape {
+        Shape::Leaf(leaf) => glass(leaf.pane),
+        _ => glass(e.place.finish),
+    };
+    all().any(clear) && !all().any(|e| e.place.finish == SurfaceId::named("dark"))
+}
+
+/// The outlines of the storey in the house's frame, holes joined to them by a seam.
+fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2>> {
+    let outline = |lines: &[Line<'_>]| {
+        let from = lines.iter().map(|l| level.house.place(l.wall.from, 0.0));
+        let mut points: Vec<DVec2> = from.map(|p| p.truncate()).collect();
+        points.dedup_by(|a, b| a.distance(*b) < SAME);
+        points
+    };
+    let mut outer: Vec<Vec<DVec2>> = Vec::new();
+    for (_, lines) in lines.iter().filter(|(ring, _)| ring.closed && !ring.hole) {
+        let mut points = outline(lines);
+        if area2(&points) < 0.0 {
+            points.reverse();
+        }
+        if points.len() > 2 && area2(&points) > SAME {
+            outer.push(points);
+        }
+    }
+    for (_, lines) in lines.iter().filter(|(ring, _)| ring.hole) {
+        let mut hole = outline(lines);
+        if area2(&hole) > 0.0 {
+            hole.reverse();
+        }
+        let around = outer
+            .iter_mut()
+            .find(|o| hole.first().is_some_and(|p| holds(o, *p)));
+        if let Some(around) = around.filter(|_| hole.len() > 2) {
+            seam(around, &hole);
+        }
+    }
+    outer
+}
+
+/// Whether a polygon holds a point.
+fn holds(polygon: &[DVec2], p: DVec2) -> bool {
+    let next = polygon.iter().cycle().skip(1);
+    let crossed = polygon.iter().zip(next).filter(|(a, b)| {
+        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    });
+    crossed.count() % 2 == 1
+}
+
+/// Joins a hole to the polygon around it where two corners see each other, the nearest ones first.
+fn seam(around: &mut Vec<DVec2>, hole: &[DVec2]) {
+    let all = |n: usize| (0..n).map(move |i| (i, (i + 1) % n));
+    let crosses = |p: DVec2, q: DVec2| {
+        let here = all(around.len()).map(|(i, j)| (around[i], around[j]));
+        let there = all(hole.len()).map(|(i, j)| (hole[i], hole[j]));
+        here.chain(there).any(|(a, b)| {
+            let side = |o: DVec2, d: DVec2, x: DVec2| (d - o).perp_dot(x - o);
+            side(p, q, a) * side(p, q, b) < -1e-9 && side(a, b, p) * side(a, b, q) < -1e-9
+        })
+    };
+    let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+    for (i, p) in around.iter().enumerate() {
+        pairs.extend(hole.iter().enumerate().map(|(j, q)| (p.distance(*q), i, j)));
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let found = pairs
+        .iter()
+        .find(|(_, i, j)| !crosses(around[*i], hole[*j]));
+    let Some((_, i, j)) = found.copied() else {
+        return;
+    };
+    let ring = hole.iter().cycle().skip(j).take(hole.len() + 1).copied();
+    let back = around[i];
+    let there: Vec<DVec2> = ring.chain([back]).collect();
+    around.splice(i + 1..i + 1, there);
+}

@@ -1,0 +1,163 @@
+//! Things scattered or laid in rows: boards and tiles, grains, straws. All periodic.
+
+use crate::texture::color::smooth;
+use crate::texture::noise::{Period, floor, hash, wrap};
+use crate::texture::paint::Spot;
+
+/// A place within a row of equal pieces.
+#[derive(Clone, Copy)]
+pub(in crate::texture) struct Piece {
+    /// Number of the piece, 0 to n - 1.
+    pub(in crate::texture) index: i64,
+    /// Place within the piece, 0..1.
+    pub(in crate::texture) at: f64,
+    /// Width of the piece as a fraction of the repeat.
+    pub(in crate::texture) width: f64,
+}
+
+impl Piece {
+    /// Distance to the nearer end of the piece, as a fraction of the repeat.
+    pub(in crate::texture) fn edge(&self) -> f64 {
+        self.at.min(1.0 - self.at) * self.width
+    }
+}
+
+/// The piece at `t` (fraction of the repeat) where `n` equal ones fill the repeat.
+pub(in crate::texture) fn row(t: f64, n: u32) -> Piece {
+    let x = t * f64::from(n);
+    let low = floor(x);
+    Piece {
+        index: wrap(low, i64::from(n)),
+        at: x - low as f64,
+        width: 1.0 / f64::from(n),
+    }
+}
+
+/// As [`row`], but each joint is moved by up to `jitter` / 2 pieces (`jitter` < 1).
+pub(in crate::texture) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> Piece {
+    let x = t * f64::from(n);
+    let joint = |i: i64| i as f64 + jitter * (hash(wrap(i, i64::from(n)), 0, seed) - 0.5);
+    let mut low = floor(x);
+    if x < joint(low) {
+        low -= 1;
+    } else if x >= joint(low + 1) {
+        low += 1;
+    }
+    let (from, to) = (joint(low), joint(low + 1));
+    Piece {
+        index: wrap(low, i64::from(n)),
+        at: (x - from) / (to - from),
+        width: (to - from) / f64::from(n),
+    }
+}
+
+/// The nearest of scattered points (Worley, 1996).
+#[derive(Clone, Copy)]
+pub(in crate::texture) struct Grain {
+    /// Distance to the nearest point, in lattice cells.
+    pub(in crate::texture) near: f64,
+    /// How much farther the second nearest is; 0 on the border between two grains.
+    pub(in crate::texture) border: f64,
+    /// A number in 0..1 that belongs to the nearest point.
+    pub(in crate::texture) id: f64,
+}
+
+/// The grain at a point, one point scattered in each lattice cell.
+pub(in crate::texture) fn grain(u: f64, v: f64, period: Period, seed: u32) -> Grain {
+    let (nx, ny) = (i64::from(period.0), i64::from(period.1));
+    let (x, y) = (u * nx as f64, v * ny as f64);
+    let (cx, cy) = (floor(x), floor(y));
+    let (mut first, mut second, mut id) = (9.0_f64, 9.0_f64, 0.0);
+    for j in cy - 1..=cy + 1 {
+        for i in cx - 1..=cx + 1 {
+            let (wi, wj) = (wrap(i, nx), wrap(j, ny));
+            let dx = i as f64 + hash(wi, wj, seed) - x;
+            let dy = j as f64 + hash(wi, wj, seed ^ 0x51) - y;
+            let d = dx * dx + dy * dy;
+            if d < first {
+                second = first;
+                first = d;
+                id = hash(wi, wj, seed ^ 0xA7);
+            } else if d < second {
+                second = d;
+            }
+        }
+    }
+    Grain {
+        near: first.sqrt(),
+        border: second.sqrt() - first.sqrt(),
+        id,
+    }
+}
+
+/// A layer of scattered straws, hairs or reeds.
+#[derive(Clone, Copy)]
+pub(in crate::texture) struct Straws {
+    /// One straw in each lattice cell.
+    pub(in crate::texture) period: Period,
+    /// Half the length in metres; straws longer than a cell either way are cut.
+    pub(in crate::texture) reach: f64,
+    /// Thickness in metres.
+    pub(in crate::texture) width: f64,
+    /// Largest angle from upright, in radians.
+    pub(in crate::texture) spread: f64,
+    /// Bow at the ends in metres.
+    pub(in crate::texture) bow: f64,
+    /// Which random layer.
+    pub(in crate::texture) seed: u32,
+}
+
+/// The uppermost straw at a point.
+#[derive(Clone, Copy, Default)]
+pub(in crate::texture) struct Straw {
+    /// 0 beside every straw, 1 on one.
+    pub(in crate::texture) cover: f64,
+    /// A number in 0..1 that belongs to the straw; the highest lies on top.
+    pub(in crate::texture) id: f64,
+    /// Place along the straw, -1 at its foot, 1 at its head.
+    pub(in crate::texture) along: f64,
+    /// Place across it, -1..1.
+    pub(in crate::texture) across: f64,
+}
+
+impl Straws {
+    /// The uppermost straw at a spot.
+    pub(in crate::texture) fn at(&self, spot: Spot) -> Straw {
+        let (nx, ny) = (i64::from(self.period.0), i64::from(self.period.1));
+        let (cx, cy) = (floor(spot.u * nx as f64), floor(spot.v * ny as f64));
+        let mut top = Straw::default();
+        for j in cy - 1..=cy + 1 {
+            for i in cx - 1..=cx + 1 {
+                let straw = self.one(spot, i, j);
+                if straw.cover > 0.0 && (straw.id >= top.id || top.cover < 0.5) {
+                    top = straw;
+                }
+            }
+        }
+        top
+    }
+
+    /// The straw that belongs to one lattice cell.
+    fn one(&self, spot: Spot, i: i64, j: i64) -> Straw {
+        let (nx, ny) = (i64::from(self.period.0), i64::from(self.period.1));
+        let (wi, wj) = (wrap(i, nx), wrap(j, ny));
+        let random = |salt: u32| hash(wi, wj, self.seed.wrapping_mul(31).wrapping_add(salt));
+        let dx = (spot.u - (i as f64 + random(1)) / nx as f64) * spot.metres;
+        let dy = (spot.v - (j as f64 + random(2)) / ny as f64) * spot.metres;
+        let angle = self.spread * (2.0 * random(3) - 1.0);
+        let (sin, cos) = libm::sincos(angle);
+        let along = (dx * sin + dy * cos) / self.reach;
+        let bow = self.bow * (2.0 * random(4) - 1.0) * along * along;
+        let across = dx * cos - dy * sin - bow;
+        let half = self.width / 2.0;
+        let soft = spot.pixel * 0.6;
+        let cover = (1.0 - smooth(half - soft, half + soft, across.abs()))
+            * (1.0 - smooth(0.9, 1.0, along.abs()));
+        Straw {
+            cover,
+            id: random(5),
+            along,
+            across: (across / half).clamp(-1.0, 1.0),
+        }
+    }
+}

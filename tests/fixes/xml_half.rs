@@ -1,0 +1,25 @@
+//! Codes of XML, own parts and pictures that offer no mend, and why.
+
+pub(super) const WITHOUT_FIX: &[(u16, &str)] = &[
+    (213, "the name is the author's"),
+    (220, "the house is the author's"),
+    (230, "what stands in the half is the author's"),
+    (238, "the point is the author's"),
+    (240, "what to replace is the author's"),
+    (242, "what to repeat is the author's"),
+    (243, "the picture is not there"),
+    (255, "the numbers are the author's"),
+    (256, "which storey is meant is the author's"),
+    (264, "what the piece holds is the author's"),
+    (267, "the file is not there"),
+    (268, "the file is out of reach"),
+    (269, "what belongs into a third file is the author's"),
+    (270, "what to define is the author's"),
+    (271, "which of the names is too much is the author's"),
+    (272, "the picture is out of reach"),
+    (275, "what may be drawn is the author's"),
+    (324, "which of the parts has another base is the author's"),
+    (329, "which count to lower is the author's"),
+    (604, "the picture is not there"),
+    (902, "how to write it flatter is the author's"),
+];
