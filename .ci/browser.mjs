@@ -10,7 +10,7 @@ import { folder, load } from './modules.mjs';
 const { chromium } = load('playwright-core');
 const here = dirname(fileURLToPath(import.meta.url));
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.wasm': 'application/wasm' };
-const page_of = script => `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
+const pageOf = script => `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">
 <style>body { margin: 0 }</style>
 <script type="importmap">{ "imports": {
   "three": "/node_modules/three/build/three.module.js",
@@ -37,7 +37,7 @@ function serve(script, files) {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
     const model = path.match(/^\/models\/(\d+)$/);
     try {
-      const body = path === '/' ? page_of(script)
+      const body = path === '/' ? pageOf(script)
         : await readFile(model ? files[model[1]] : join(path.startsWith('/node_modules/') ? folder : here, path));
       response.setHeader('content-type', path === '/' ? types['.html'] : types[extname(path)] ?? 'application/octet-stream');
       response.end(body);
@@ -60,7 +60,7 @@ export function browser() {
  * Opens a script of this folder in a page of the given size and calls `use(page, problems)`, where `problems` collects the
  * warnings and errors of the console. The script sets `window.ready`.
  */
-export async function with_page({ script, files, width = 640, height = 480 }, use) {
+export async function withPage({ script, files, width = 640, height = 480 }, use) {
   const server = serve(script, files);
   await new Promise(done => server.once('listening', done));
   const running = await browser();

@@ -1,11 +1,11 @@
 // node load.mjs FILE.glb...
 // Loads each file with three.js in a browser and draws it once. Exits with 1 on console warnings or if a file shows nothing.
-import { with_page } from './browser.mjs';
+import { withPage } from './browser.mjs';
 
 const files = process.argv.slice(2);
 if (files.length === 0) throw new Error('no files');
 
-const bad = await with_page({ script: 'load_page.mjs', files, width: 320, height: 240 }, async (page, problems) => {
+const bad = await withPage({ script: 'load_page.mjs', files, width: 320, height: 240 }, async (page, problems) => {
   let bad = 0;
   for (const [index, file] of files.entries()) {
     const { triangles, textures, error } = await page.evaluate(n => window.show(n), index);

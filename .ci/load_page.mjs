@@ -1,11 +1,11 @@
 // Browser side of load.mjs: loads a model, draws it and counts triangles and textures.
 import * as THREE from 'three';
-import { model_loader } from './loader.mjs';
+import { modelLoader } from './loader.mjs';
 
 const renderer = new THREE.WebGLRenderer();
 renderer.setSize(320, 240);
 document.body.append(renderer.domElement);
-const loader = model_loader(renderer);
+const loader = modelLoader(renderer);
 const camera = new THREE.PerspectiveCamera(40, 4 / 3, 0.1, 10000);
 
 /** Frees the GPU resources of a mesh, so that models are counted separately. */

@@ -1,11 +1,11 @@
 // node site.mjs HSD OUT_DIR
-// The reference as a small static site in English and Japanese: the pages of grammar/, every element and attribute, every part with its
-// picture, every message. Everything it needs lies in its folder: no request goes to another host. Exit 1 if a link leads nowhere.
+// Builds the reference as a static site in English and Japanese: the pages of grammar/, all elements and attributes, all parts with their
+// images, all messages. The site is self-contained: no request goes to another host. Exits with 1 on broken links.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join, posix, resolve } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { folder as modules } from './modules.mjs';
-import { dead_links } from './site_links.mjs';
+import { deadLinks } from './site_links.mjs';
 import { reference } from './site_reference.mjs';
 
 const { Marked } = await import(pathToFileURL(join(modules, 'node_modules/marked/lib/marked.esm.js')));
@@ -14,7 +14,7 @@ const root = resolve(here, '..');
 const [hsd, out] = process.argv.slice(2);
 if (!out) throw new Error('usage: site.mjs HSD OUT_DIR');
 
-/** From a file of the repository to a page of the site. */
+/** Source files of the repository and their pages. */
 const pages = new Map([
   ['grammar/README.md', 'index.html'],
   ['grammar/README.ja.md', 'ja/language.html'],
@@ -29,15 +29,15 @@ for (const name of readdirSync(join(root, 'grammar/diagnostics')).filter(n => n.
   pages.set(`grammar/diagnostics/${name}`, `messages/${name.replace('.md', '.html')}`);
   pages.set(`grammar/diagnostics/ja/${name}`, `ja/messages/${name.replace('.md', '.html')}`);
 }
-/** Folders that a page stands for. */
+/** Folders and the pages that links to them lead to. */
 const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['grammar/diagnostics/ja', 'ja/messages/index.html'], ['grammar/pictures/legacy', 'legacy.html'], ['examples', 'readme.html']]);
 
 const menu = {
-  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy text'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Own parts'],
-    ['types.html', 'Types'], ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
+  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy form'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Custom parts'],
+    ['types.html', 'House types'], ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
   ja: [['ja/index.html', 'はじめに'], ['ja/language.html', '言語'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'],
-    ['ja/catalogs.html', '自分の部材'], ['ja/types.html', '家の類型'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根に載るもの'],
-    ['ja/partitions.html', '平面の分け方'], ['ja/materials.html', '材料'], ['ja/messages/index.html', 'メッセージ']],
+    ['ja/catalogs.html', '自作の部材'], ['ja/types.html', '家の類型'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根に載るもの'],
+    ['ja/partitions.html', '平面の分け方'], ['ja/materials.html', '材料'], ['ja/messages/index.html', '指摘']],
 };
 
 const relative = (from, to) => posix.relative(posix.dirname(from), to) || posix.basename(to);
@@ -53,8 +53,8 @@ const twin = page => {
   return page.startsWith('ja/') ? page.slice(3) : `ja/${page}`;
 };
 
-/** Codes of messages in a text as links to their pages. */
-function with_messages(page, language, html) {
+/** Turns the codes of messages into links to their pages. */
+function withMessages(page, language, html) {
   const folder = language === 'ja' ? 'ja/messages' : 'messages';
   let inside = 0;
   return html.split(/(<[^>]*>)/).map(piece => {
@@ -66,8 +66,8 @@ function with_messages(page, language, html) {
   }).join('');
 }
 
-/** What the search finds of a page: itself, and every place in it that has a name: title, link, words. */
-function found_by(page, title, body) {
+/** Search entries of a page and its anchors: title, link, text. */
+function foundBy(page, title, body) {
   const starts = [...body.matchAll(/<(h2|h3|tr|li) id="([^"]+)">/g)];
   const words = (from, to) => plain(body.slice(from, to)).trim().slice(0, 400);
   const names = { tr: (id, text) => `${id.replace('-', ' ')}: ${text.split(' ').slice(1).join(' ')}`, li: (id, text) => text };
@@ -84,11 +84,11 @@ function found_by(page, title, body) {
 /** Writes a page. */
 function write(page, title, body) {
   const language = page.startsWith('ja/') ? 'ja' : 'en';
-  written.set(page, { language, title, body: with_messages(page, language, body) });
-  entries[language].push(...found_by(page, title.replace(/`/g, ''), body));
+  written.set(page, { language, title, body: withMessages(page, language, body) });
+  entries[language].push(...foundBy(page, title.replace(/`/g, ''), body));
 }
 
-/** Copies a file of the repository into the site. */
+/** Copies a file of the repository into the site and returns its path. */
 function copied(path) {
   const to = posix.join('files', path);
   mkdirSync(dirname(join(out, to)), { recursive: true });
@@ -96,7 +96,7 @@ function copied(path) {
   return to;
 }
 
-/** Where a link of a file leads in the site; undefined = nowhere. */
+/** The target of a link in the site; undefined if it has none. */
 function target(source, page, href) {
   if (/^[a-z]+:/.test(href) || href.startsWith('#')) return href;
   const [file, hash] = href.split('#');
@@ -108,14 +108,14 @@ function target(source, page, href) {
   return there.isDirectory() ? undefined : relative(page, copied(path));
 }
 
-/** A text whose lines are joined where a space has no place: between Japanese signs, and behind their stops. */
+/** Joins lines where a line break must not become a space: between Japanese characters and after Japanese punctuation. */
 function joined(text) {
   const sign = '[\\p{Script=Han}\\p{Script=Hiragana}\\p{Script=Katakana}ー。、「」]';
   const breaks = new RegExp(`(?<=${sign})\\n *(?=${sign})|(?<=[。、])\\n *(?=[\`A-Za-z]|\\*\\*|\\d(?!\\d*\\. ))`, 'gu');
   return text.split(/(^```[^]*?^```)/m).map((piece, i) => i % 2 ? piece : piece.replace(breaks, '')).join('');
 }
 
-/** A page of Markdown. */
+/** Renders a Markdown file as a page. */
 function markdown(source, page) {
   const text = joined(readFileSync(join(root, source), 'utf8'));
   const used = new Map();
@@ -181,7 +181,7 @@ ${body}</main>
   writeFileSync(join(out, page), html);
 }
 
-const dead = dead_links(out);
+const dead = deadLinks(out);
 for (const line of dead) console.error(line);
 console.log(`${written.size} pages in ${out}, ${dead.length} dead links`);
 if (dead.length > 0) process.exit(1);

@@ -3,7 +3,7 @@ import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 
 /** Returns the problems with the links of all pages in a folder. */
-export function dead_links(folder) {
+export function deadLinks(folder) {
   const pages = readdirSync(folder, { recursive: true }).filter(n => n.endsWith('.html') && !n.startsWith('files'));
   const texts = new Map(pages.map(page => [join(folder, page), readFileSync(join(folder, page), 'utf8')]));
   const marks = new Map([...texts].map(([path, text]) => [path, new Set([...text.matchAll(/ id="([^"]*)"/g)].map(m => m[1]))]));

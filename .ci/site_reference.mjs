@@ -1,4 +1,4 @@
-// The pages that are made of tables: elements and attributes, parts with their pictures, messages, the legacy text.
+// Pages generated from tables: elements and attributes, parts with their images, messages, the legacy grammar.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -6,21 +6,21 @@ import { join } from 'node:path';
 
 const say = {
   en: {
-    elements: 'Elements and attributes', attribute: 'attribute', values: 'values', default: 'default', meaning: 'meaning', needed: 'needed', holds: 'Holds',
-    about: 'Of the XML form, made of the table that the reader goes by. An expression <code>{...}</code> may stand in every value.',
-    around: 'what may stand in the element round it', language: 'and elements of the language', nothing: 'nothing',
+    elements: 'Elements and attributes', attribute: 'attribute', values: 'values', default: 'default', meaning: 'meaning', needed: 'required', holds: 'Contains',
+    about: 'Elements of the XML form, generated from the parser\'s table. Every value may contain an expression <code>{...}</code>.',
+    around: 'the contents of the enclosing element', language: 'and control elements', nothing: 'nothing',
     parameters: 'All other attributes are parameters.', parts: 'Parts', units: 'U wide', made: 'of', messages: 'Messages',
-    code: '`code` may be called `texturecode` too.',
-    kinds: { text: 'text', number: 'number', whole: 'whole number', numbers: 'numbers', pair: 'one or two numbers', place: 'two numbers', 'pair of whole numbers': 'one or two whole numbers', choice: '', choices: 'some of', 'choice or number': 'or a number', positions: 'positions such as 2,5-7' },
+    code: '`texturecode` is an alias of `code`.',
+    kinds: { text: 'text', number: 'number', whole: 'whole number', numbers: 'numbers', pair: 'one or two numbers', place: 'two numbers', 'pair of whole numbers': 'one or two whole numbers', choice: '', choices: 'some of', 'choice or number': 'or a number', positions: 'positions, for example 2,5-7' },
     classes: { K: 'Walls', D: 'Doors', M: 'Windows' },
   },
   ja: {
     elements: '要素と属性', attribute: '属性', values: '値', default: '既定値', meaning: '意味', needed: '必須', holds: '中身',
-    about: 'XML 形式の要素です。読み取りに使う表から作っています。どの値にも式 <code>{...}</code> が書けます。',
-    around: '外側の要素に書けるもの', language: 'と、言語の要素', nothing: 'なし',
-    parameters: 'ほかの属性はすべて引数です。', parts: '部材', units: 'ユニット幅', made: '材料:', messages: 'メッセージ',
+    about: 'XML 形式の要素です。読み取りに使う表から生成しています。どの値にも式 <code>{...}</code> を書けます。',
+    around: '外側の要素に書けるもの', language: 'と、制御の要素', nothing: 'なし',
+    parameters: 'ほかの属性はすべて引数です。', parts: '部材', units: 'U 幅', made: '材料:', messages: '指摘',
     code: '`code` は `texturecode` とも書けます。',
-    kinds: { text: '文字', number: '数', whole: '整数', numbers: '数の列', pair: '数ひとつかふたつ', place: '数ふたつ', 'pair of whole numbers': '整数ひとつかふたつ', choice: '', choices: 'いくつか', 'choice or number': 'または数', positions: '2,5-7 のような位置' },
+    kinds: { text: '文字', number: '数', whole: '整数', numbers: '数の列', pair: '数 1 つまたは 2 つ', place: '数 2 つ', 'pair of whole numbers': '整数 1 つまたは 2 つ', choice: '', choices: 'いくつか', 'choice or number': 'または数', positions: '2,5-7 のような位置' },
     classes: {},
   },
 };
@@ -29,21 +29,21 @@ const say = {
 export function reference(site) {
   const table = JSON.parse(readFileSync(join(site.root, 'grammar/schema/elements.json'), 'utf8'));
   const parts = JSON.parse(execFileSync(site.hsd, ['parts', '--format', 'json'], { encoding: 'utf8', maxBuffer: 1 << 26 }));
-  const pictures = pictures_of_parts(site);
+  const pictures = picturesOfParts(site);
   for (const language of ['en', 'ja']) {
     const folder = language === 'ja' ? 'ja/' : '';
     elements(site, table.elements, language, `${folder}elements.html`);
     catalogue(site, parts, pictures, language, `${folder}catalogue.html`);
     messages(site, language, `${folder}messages/index.html`);
   }
-  legacy(site, 'legacy.html', 'Grammar of the legacy text');
+  legacy(site, 'legacy.html', 'Grammar of the legacy form');
   legacy(site, 'ja/legacy.html', '旧形式の文法');
-  japanese_start(site);
+  japaneseStart(site);
 }
 
 function values(attribute, words, escape) {
   const list = attribute.words.map(w => `<code>${escape(w)}</code>`).join(' ');
-  // Bounds that only keep nonsense out tell a reader nothing.
+  // Technical limits are not shown.
   const [least, most] = (attribute.range ?? [null, null]).map(n => n === null || Math.abs(n) >= 1e5 ? '' : n);
   const range = least !== '' || most !== ''
     ? ` ${least} … ${most}`
@@ -75,8 +75,8 @@ function elements({ write, escape }, all, language, page) {
   write(page, words.elements, body);
 }
 
-/** The pictures of all parts by their codes, taken out of the sheet that hsd makes. */
-function pictures_of_parts({ hsd, out }) {
+/** The images of all parts by code, extracted from the parts sheet. */
+function picturesOfParts({ hsd, out }) {
   const folder = mkdtempSync(join(tmpdir(), 'hsd-site-'));
   const sheet = join(folder, 'parts.html');
   execFileSync(hsd, ['parts', '--sheet', sheet], { stdio: 'ignore' });
@@ -97,7 +97,7 @@ function catalogue({ write, escape, relative }, parts, pictures, language, page)
   let body = `<h1>${words.parts}</h1>\n<ul class="parts">\n`;
   for (const part of parts.filter(p => p.code.trim())) {
     const picture = pictures.get(part.code);
-    if (!picture) throw new Error(`no picture of ${part.code}`);
+    if (!picture) throw new Error(`no image of ${part.code}`);
     const [first, second] = language === 'ja' ? [part.ja, part.en] : [part.en, part.ja];
     body += `<li id="${part.code.trim().replaceAll(' ', '_')}"><img src="${relative(page, picture)}" alt="${escape(first)}" loading="lazy"><code>${escape(part.code)}</code> ${escape(first)}<br>`;
     body += `<small>${escape(second)}, <i>${escape(part.romaji)}</i>; ${part.width} ${words.units}; ${words.made} ${escape(part.made)}</small></li>\n`;
@@ -116,13 +116,13 @@ function messages({ root, write, escape, messages }, language, page) {
   write(page, say[language].messages, `${body}</ul>\n`);
 }
 
-/** The grammar of the legacy text, with the pictures of its rules where they are. */
+/** The grammar of the legacy form, with the diagrams of its rules if they exist. */
 function legacy({ root, out, write, escape, relative }, page, title) {
   const text = readFileSync(join(root, 'grammar/legacy.ebnf'), 'utf8');
   let pictures = [];
   try {
     pictures = readdirSync(join(root, 'grammar/pictures/legacy')).filter(n => n.endsWith('.svg'));
-  } catch { /* without pictures */ }
+  } catch { /* no diagrams */ }
   const order = name => text.search(new RegExp(`^${name.replace('.svg', '')} `, 'm'));
   let body = `<h1>${title}</h1>\n`;
   for (const name of pictures.sort((a, b) => order(a) - order(b))) {
@@ -136,20 +136,20 @@ function legacy({ root, out, write, escape, relative }, page, title) {
   write(page, title, `${body}<h2>EBNF</h2>\n<pre><code>${escape(text)}</code></pre>\n`);
 }
 
-function japanese_start({ write }) {
+function japaneseStart({ write }) {
   write('ja/index.html', 'hsd リファレンス', `<h1>hsd リファレンス</h1>
-<p>家の壁を文字で書くと、屋根の架かった立体模型になります。</p>
+<p>家の壁をテキストで書くと、屋根の架かった立体モデルになります。</p>
 <ul>
 <li><a href="tutorial.html">チュートリアル</a>: 何もないところから町並みまで</li>
 <li><a href="readme.html">hsd とは、使い方、作例</a></li>
 <li><a href="elements.html">XML 形式の要素と属性</a></li>
 <li><a href="legacy.html">旧形式の文法</a></li>
-<li><a href="catalogue.html">部材</a>: 絵とコード</li>
-<li><a href="messages/index.html">メッセージ</a>: 原因、例、直し方</li>
+<li><a href="catalogue.html">部材</a>: 画像とコード</li>
+<li><a href="messages/index.html">指摘</a>: 原因、例、対処</li>
 <li><a href="language.html">言語</a>: 壁の歩き方、旧形式、XML 形式</li>
 <li><a href="types.html">家の類型</a>、<a href="roofs.html">屋根</a>、<a href="dressing.html">屋根に載るもの</a>、<a href="partitions.html">平面の分け方</a></li>
 <li><a href="parts.html">部材の形</a>、<a href="xml.html">XML の範囲</a></li>
-<li><a href="catalogs.html">自分の部材とテクスチャー</a>、<a href="materials.html">材料</a></li>
+<li><a href="catalogs.html">自作の部材とテクスチャー</a>、<a href="materials.html">材料</a></li>
 <li><a href="../index.html">細かな取り決め (英語)</a></li>
 </ul>
 `);

@@ -9,7 +9,7 @@ const files = process.argv.slice(2);
 if (files.length === 0) throw new Error('no files');
 
 /** Returns a filter for the validator's messages that drops those about KTX2, which it does not support. */
-function of_the_core(messages) {
+function ofTheCore(messages) {
   const ktx2 = messages.filter(m => m.code === 'VALUE_NOT_IN_LIST' && m.message.includes("'image/ktx2'"));
   const images = new Set(ktx2.map(m => m.pointer.replace('/mimeType', '')));
   return m => !ktx2.includes(m) && !(m.code === 'IMAGE_UNRECOGNIZED_FORMAT' && images.has(m.pointer));
@@ -24,7 +24,7 @@ for (const file of files) {
     externalResourceFunction: async uri => new Uint8Array(await readFile(resolve(dirname(file), decodeURIComponent(uri)))),
   });
   const { numErrors, numInfos, numHints } = report.issues;
-  const messages = report.issues.messages.filter(of_the_core(report.issues.messages));
+  const messages = report.issues.messages.filter(ofTheCore(report.issues.messages));
   const numWarnings = messages.filter(m => m.severity === 1).length;
   const { drawCallCount = 0, totalTriangleCount = 0 } = report.info ?? {};
   console.log(`${file}: ${numErrors} errors, ${numWarnings} warnings, ${numInfos} notes, ${numHints} hints; `

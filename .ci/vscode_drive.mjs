@@ -2,7 +2,7 @@
 // files are checked on disk after saving.
 import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { until, with_window } from './vscode_window.mjs';
+import { until, withWindow } from './vscode_window.mjs';
 
 /** Files with an error each, an unformatted one, an unfinished one. */
 const texts = {
@@ -163,7 +163,7 @@ export async function drive({ program, repository, out, only, took, serve }) {
   const write = now => {
     for (const part of ['User', 'Machine']) writeFileSync(join(data, 'data', part, 'settings.json'), JSON.stringify(now));
   };
-  await serve(data, settings, url => with_window(url, folder, async window => {
+  await serve(data, settings, url => withWindow(url, folder, async window => {
     const picture = name => window.picture(join(out, `${name}.png`));
     const lost = () => without(window, settings, write, picture);
     const steps = { colours, legacy, xml, completion, hover, layout, forms, lost };

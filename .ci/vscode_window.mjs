@@ -6,7 +6,7 @@ import { browser } from './browser.mjs';
 const TIMEOUT = 30000;
 
 /** Opens a window on a folder and calls `use(window)`. */
-export async function with_window(url, folder, use) {
+export async function withWindow(url, folder, use) {
   const running = await browser();
   try {
     const page = await running.newPage({ viewport: { width: 1280, height: 800 } });
@@ -65,7 +65,7 @@ class Window {
   }
 
   /** Opens the quick input with a key. */
-  async ask_for(key) {
+  async askFor(key) {
     const input = this.page.locator('.quick-input-widget input').first();
     await insist(`the quick input for ${key}`, async () => {
       if (!await input.isVisible()) await this.keys.press(key);
@@ -75,7 +75,7 @@ class Window {
 
   /** Moves the cursor to a position, counted from 1. */
   async go(line, column) {
-    const input = await this.ask_for('Control+g');
+    const input = await this.askFor('Control+g');
     await input.fill(`:${line}:${column}`);
     await this.keys.press('Enter');
     await input.waitFor({ state: 'hidden' });
@@ -101,7 +101,7 @@ class Window {
 
   /** Runs a command from the command palette. */
   async command(name) {
-    const input = await this.ask_for('F1');
+    const input = await this.askFor('F1');
     await input.fill(`>${name}`);
     const row = this.page.locator('.quick-input-list .monaco-list-row').filter({ hasText: name }).first();
     await row.click();

@@ -1,8 +1,8 @@
-;;; emacs.el --- Emacs and eglot with houses  -*- lexical-binding: t; -*-
+;;; emacs.el --- Tests of hsd-mode and eglot  -*- lexical-binding: t; -*-
 
 ;; emacs --batch -l emacs.el, with HSD, HSD_ROOT and HSD_WORK in the environment.
-;; Emacs as an author has it, with editors/emacs/hsd-mode.el and eglot: the mode without a warning of the byte compiler, its
-;; colours, and the language server at work.  Exit 1 if anything is not as it should be.
+;; Tests editors/emacs/hsd-mode.el with eglot: byte compilation without warnings, highlighting, and the language server.
+;; Exits with 1 on failure.
 
 ;;; Code:
 
@@ -39,7 +39,7 @@
   </Storey>
 </House>
 "))
-  "A broken text of each form: its name, the mistake in it, what mends that.
+  "A broken file of each form: name, error, fix.
 Signs have one, three and four bytes, one and two code units.")
 
 (defun check (truth &rest what)
@@ -47,53 +47,53 @@ Signs have one, three and four bytes, one and two code units.")
   (unless truth (error "%s" (apply #'format what))))
 
 (defvar check-published (make-hash-table :test #'equal)
-  "How often something was published of a file, and what the last time.")
+  "For each file, the number of publications and the last diagnostics.")
 
 (cl-defmethod eglot-handle-notification :after
   (_server (_method (eql textDocument/publishDiagnostics)) &key uri diagnostics &allow-other-keys)
-  "Count what is published of URI: DIAGNOSTICS."
+  "Record the DIAGNOSTICS published for URI."
   (let ((before (gethash uri check-published '(0))))
     (puthash uri (cons (1+ (car before)) diagnostics) check-published)))
 
-(defun check-said ()
-  "What was published of this buffer's file: a count and the diagnostics."
+(defun check-diagnostics ()
+  "The number of publications for this buffer's file and the last diagnostics."
   (gethash (eglot--path-to-uri buffer-file-name) check-published '(0)))
 
 (defun check-wait (what test)
-  "Wait until TEST holds; WHAT is what it is."
+  "Wait until TEST holds; WHAT describes it."
   (let ((end (+ (float-time) 20)))
     (while (and (not (funcall test)) (< (float-time) end))
       (accept-process-output nil 0.02))
-    (check (funcall test) "in vain waited for %s" what)))
+    (check (funcall test) "timeout: %s" what)))
 
 (defun check-open (file)
-  "Open FILE with its server, and wait for what that has to say."
+  "Open FILE with its server and wait for the diagnostics."
   (find-file file)
   (check (eq major-mode 'hsd-mode) "the mode of %s" file)
   (if (eglot-current-server)
       (eglot--maybe-activate-editing-mode)
     (apply #'eglot--connect (eglot--guess-contact)))
   (check (eglot-managed-p) "%s is managed" file)
-  (check-wait (concat "diagnostics of " file) (lambda () (> (car (check-said)) 0))))
+  (check-wait (concat "diagnostics of " file) (lambda () (> (car (check-diagnostics)) 0))))
 
 (defun check-after (change)
-  "Do CHANGE, and wait for what the server says of the text then."
-  (let ((before (car (check-said))))
+  "Call CHANGE and wait for the new diagnostics."
+  (let ((before (car (check-diagnostics))))
     (funcall change)
     (eglot--signal-textDocument/didChange)
-    (check-wait "diagnostics of the changed text" (lambda () (> (car (check-said)) before)))))
+    (check-wait "diagnostics of the changed buffer" (lambda () (> (car (check-diagnostics)) before)))))
 
 (defun check-ask (method &rest more)
   "Ask the server for METHOD at point, with MORE parameters."
   (jsonrpc-request (eglot-current-server) method (append (eglot--TextDocumentPositionParams) more)))
 
 (defun check-go (before)
-  "Go behind the first BEFORE."
+  "Move point after the first BEFORE."
   (goto-char (point-min))
   (search-forward before))
 
 (defun check-mode ()
-  "The mode by itself."
+  "Check the mode without a server."
   (let ((byte-compile-error-on-warn t)
         (byte-compile-dest-file-function (lambda (_) (expand-file-name "hsd-mode.elc" check-work))))
     (check (byte-compile-file (expand-file-name "editors/emacs/hsd-mode.el" check-root))
@@ -116,7 +116,7 @@ Signs have one, three and four bytes, one and two code units.")
       (kill-buffer))))
 
 (defun check-blanks ()
-  "Blanks at line ends are columns, and go to the file."
+  "Check that trailing blanks are saved."
   (add-hook 'before-save-hook #'delete-trailing-whitespace)
   (let ((file (expand-file-name "blanks.hsd" check-work)) (text "0 0 180\n9.5\n\nKSK  TSH 2     \nKSK\n"))
     (with-current-buffer (find-file-noselect file)
@@ -125,17 +125,17 @@ Signs have one, three and four bytes, one and two code units.")
       (kill-buffer))
     (with-temp-buffer
       (insert-file-contents file)
-      (check (equal (buffer-string) text) "blanks at line ends are kept")))
+      (check (equal (buffer-string) text) "trailing blanks are kept")))
   (remove-hook 'before-save-hook #'delete-trailing-whitespace))
 
 (defun check-examples ()
-  "The examples are right."
+  "Check that the examples have no diagnostics."
   (dolist (file (directory-files (expand-file-name "examples" check-root) t "\\.hsd\\'"))
     (check-open file)
-    (check (zerop (length (cdr (check-said)))) "%s is right: %S" file (cdr (check-said)))))
+    (check (zerop (length (cdr (check-diagnostics)))) "%s has no diagnostics: %S" file (cdr (check-diagnostics)))))
 
-(defun check-mend (name word mend text)
-  "The mistake WORD in the file NAME with TEXT stands where it is, and becomes MEND."
+(defun check-fix (name word fix text)
+  "Check that the error WORD in the file NAME with TEXT is marked and becomes FIX."
   (let ((file (expand-file-name name check-work)))
     (with-temp-file file (insert text))
     (check-open file)
@@ -144,23 +144,23 @@ Signs have one, three and four bytes, one and two code units.")
     (let* ((mark (car (flymake-diagnostics)))
            (from (flymake-diagnostic-beg mark))
            (to (flymake-diagnostic-end mark)))
-      (check (equal (buffer-substring-no-properties from to) word) "the mistake is marked: %d to %d" from to)
+      (check (equal (buffer-substring-no-properties from to) word) "the error is marked: %d to %d" from to)
       (let* ((actions (eglot-code-actions from to "quickfix"))
              (action (car actions)))
         (check action "a fix is offered")
         (unless (plist-get action :edit)
           (setq action (jsonrpc-request (eglot-current-server) :codeAction/resolve action)))
         (check-after (lambda () (eglot--apply-workspace-edit (plist-get action :edit))))
-        (check (equal (buffer-string) (string-replace word mend text)) "the fix does what it says")
-        (check (zerop (length (cdr (check-said)))) "nothing is wrong any more")))))
+        (check (equal (buffer-string) (string-replace word fix text)) "the fix is applied")
+        (check (zerop (length (cdr (check-diagnostics)))) "no diagnostics are left")))))
 
 (defun check-answers ()
-  "Hover, completion and layout."
+  "Check hover, completion and formatting."
   (check-go "<Row>KKS  T")
   (let ((card (format "%S" (check-ask :textDocument/hover))))
-    (check (string-match-p "格子" card) "the card of TKD has its name: %s" card))
+    (check (string-match-p "格子" card) "the hover of TKD contains its name: %s" card))
   (let ((whole (buffer-string)))
-    ;; Somebody takes the code out and begins it anew.
+    ;; Replace a code by the beginning of it.
     (check-go "TKD 2")
     (delete-region (match-beginning 0) (match-end 0))
     (insert "TK")
@@ -169,7 +169,7 @@ Signs have one, three and four bytes, one and two code units.")
            (items (append (if (vectorp list) list (plist-get list :items)) nil))
            (item (cl-find "TKD 2" items :key (lambda (i) (string-trim (or (plist-get (plist-get i :textEdit) :newText) "")))
                           :test #'equal)))
-      (check item "TKD 2 is proposed with its place")
+      (check item "TKD 2 is offered with a range")
       (let ((edit (plist-get item :textEdit)))
         (eglot--apply-text-edits (vector (list :range (or (plist-get edit :range) (plist-get edit :insert))
                                                :newText (plist-get edit :newText))))))
@@ -180,15 +180,15 @@ Signs have one, three and four bytes, one and two code units.")
                    (prog1 (let ((table (nth 2 (eglot-completion-at-point))))
                             (all-completions "TK" table))
                      (insert "D 2")))))
-      (check (cl-some (lambda (c) (string-prefix-p "TKD" c)) found) "eglot proposes it too: %S" found))
+      (check (cl-some (lambda (c) (string-prefix-p "TKD" c)) found) "eglot offers it too: %S" found))
     (check-go "    <Row>KSK  MRE")
     (replace-match "  <Row>KSK  MRE" t t)
     (eglot-format-buffer)
-    (check (equal (buffer-string) whole) "the layout is put right: %s" (buffer-string)))
+    (check (equal (buffer-string) whole) "the buffer is formatted: %s" (buffer-string)))
   (set-buffer-modified-p nil))
 
 (defun check-rename ()
-  "A parameter gets another name wherever it is used."
+  "Check that a parameter is renamed in all its uses."
   (let ((file (expand-file-name "param-machiya.hsd" check-work)))
     (copy-file (expand-file-name "examples/param-machiya.hsd" check-root) file t)
     (check-open file)
@@ -200,7 +200,7 @@ Signs have one, three and four bytes, one and two code units.")
       (check-go "\"{fronta")
       (check-after (lambda () (let ((eglot-confirm-server-initiated-edits nil)) (eglot-rename "間口"))))
       (check (equal (buffer-substring-no-properties (point-min) (point-max)) expected) "every use is renamed")
-      (check-wait "the renamed text to be right" (lambda () (zerop (length (cdr (check-said)))))))
+      (check-wait "no diagnostics after renaming" (lambda () (zerop (length (cdr (check-diagnostics)))))))
     (set-buffer-modified-p nil)))
 
 (let ((failed nil))
@@ -210,13 +210,13 @@ Signs have one, three and four bytes, one and two code units.")
         (check-blanks)
         (check-examples)
         (dolist (case check-broken)
-          (apply #'check-mend case))
+          (apply #'check-fix case))
         (check-answers)
         (check-rename))
     (error (setq failed problem)))
   (dolist (server (delete-dups (delq nil (mapcar (lambda (b) (with-current-buffer b (eglot-current-server))) (buffer-list)))))
     (ignore-errors (eglot-shutdown server nil 5)))
-  (princ (format "Emacs %s, eglot: %s\n" emacs-version (if failed (error-message-string failed) "well")))
+  (princ (format "Emacs %s, eglot: %s\n" emacs-version (if failed (error-message-string failed) "passed")))
   (kill-emacs (if failed 1 0)))
 
 ;;; emacs.el ends here

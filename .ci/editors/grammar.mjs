@@ -1,7 +1,7 @@
 // node grammar.mjs TREE-SITTER
-// The tree-sitter grammar: its parser is what grammar.js generates, its own tests hold, random edits leave the tree that a fresh
-// parse gives, and every example and every type of house is read without a mistake, whatever its line ends, with a colour
-// for each character that is no blank.
+// Tests the tree-sitter grammar: the parser is up to date with grammar.js, its own tests pass, incremental parsing after random edits
+// gives the same tree as a fresh parse, and all examples and library files are parsed without errors, with any line endings, and with
+// a highlight for each character that is not blank.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -15,7 +15,7 @@ const grammar = join(root, 'grammar/tree-sitter-hsd');
 const work = mkdtempSync(join(tmpdir(), 'hsd-grammar-'));
 process.on('exit', () => rmSync(work, { recursive: true, force: true }));
 
-// Neither a configuration nor parsers of this machine.
+// Ignores the user's configuration and parsers.
 writeFileSync(join(work, 'config.json'), '{"parser-directories":[]}');
 const env = { ...process.env, TREE_SITTER_DIR: work, XDG_CACHE_HOME: join(work, 'cache') };
 
@@ -28,21 +28,21 @@ function fail(message) {
   process.exit(1);
 }
 
-/** What `grammar.js` generates is what lies in `src`. */
+/** Checks that `src` is up to date with `grammar.js`. */
 function generated() {
   const folder = join(work, 'generated');
   mkdirSync(folder);
   for (const name of ['grammar.js', 'tree-sitter.json', 'package.json']) cpSync(join(grammar, name), join(folder, name));
-  // ABI 14 is the newest that Neovim 0.7 reads.
+  // ABI 14 is the newest that Neovim 0.7 supports.
   execFileSync(program, ['generate', '--abi', '14'], { cwd: folder, env, stdio: 'pipe' });
   for (const name of ['parser.c', 'grammar.json', 'node-types.json']) {
     if (!readFileSync(join(folder, 'src', name)).equals(readFileSync(join(grammar, 'src', name)))) {
-      fail(`src/${name} is old: run \`tree-sitter generate --abi 14\` in grammar/tree-sitter-hsd`);
+      fail(`src/${name} is out of date: run \`tree-sitter generate --abi 14\` in grammar/tree-sitter-hsd`);
     }
   }
 }
 
-/** The tests of test/corpus and test/highlight, then random edits of the first. */
+/** Runs the tests of test/corpus and test/highlight, then random edits of the corpus. */
 function tested() {
   const test = spawnSync(program, ['test'], { cwd: grammar, env, encoding: 'utf8' });
   if (test.status !== 0) fail(test.stdout + test.stderr);
@@ -51,7 +51,7 @@ function tested() {
   if (fuzz.status !== 0) fail(fuzz.stdout + fuzz.stderr);
 }
 
-/** Every text of the repository that has to be read without a mistake. */
+/** All files of the repository that must be parsed without errors. */
 function texts() {
   const found = [];
   for (const folder of ['examples', 'library']) {
@@ -62,7 +62,7 @@ function texts() {
   return found.sort();
 }
 
-/** The trees of files, without places. */
+/** The syntax trees of files, without positions. */
 function trees(files) {
   const output = run('parse', '--no-ranges', ...files);
   if (/\((ERROR|MISSING|UNEXPECTED|unclosed)/.test(output)) {
@@ -71,8 +71,8 @@ function trees(files) {
   return output;
 }
 
-/** The same texts with other line ends, with and without the last one, and with lost and surplus blanks. */
-function same_trees(files) {
+/** Checks that other line endings, a missing last line ending and a byte order mark do not change the trees. */
+function sameTrees(files) {
   const expected = trees(files);
   const changes = {
     crlf: text => text.replaceAll('\n', '\r\n'),
@@ -86,11 +86,11 @@ function same_trees(files) {
       writeFileSync(copy, change(readFileSync(file, 'utf8')));
       return copy;
     });
-    if (trees(copies) !== expected) fail(`trees differ with line ends changed to ${name}`);
+    if (trees(copies) !== expected) fail(`trees differ for the variant ${name}`);
   }
 }
 
-/** Every character that is no blank lies in a capture of queries/highlights.scm. */
+/** Checks that every character that is not blank has a capture of queries/highlights.scm. */
 function coloured(files) {
   const bare = [];
   for (const file of files) {
@@ -107,7 +107,7 @@ function coloured(files) {
     }
     open.forEach((columns, row) => {
       const column = columns.indexOf(true);
-      if (column >= 0) bare.push(`${relative(root, file)}:${row + 1}:${column + 1} has no colour`);
+      if (column >= 0) bare.push(`${relative(root, file)}:${row + 1}:${column + 1} has no highlight`);
     });
   }
   if (bare.length > 0) fail(bare.join('\n'));
@@ -116,7 +116,7 @@ function coloured(files) {
 generated();
 tested();
 const files = texts();
-same_trees(files);
+sameTrees(files);
 coloured(files);
 for (const query of readdirSync(join(grammar, 'queries'))) run('query', `queries/${query}`, files[0]);
-console.log(`${files.length} texts read without a mistake and coloured whole`);
+console.log(`${files.length} files parsed without errors and fully highlighted`);

@@ -1,9 +1,8 @@
 -- nvim --headless -u NONE -c 'luafile neovim.lua', with HSD, HSD_ROOT and HSD_WORK in the environment.
--- Neovim as an author has it, with editors/neovim and nothing else: kind of file, colours, and the language server at work.
--- Exit 1 if anything is not as it should be.
+-- Tests editors/neovim: file type, highlighting, and the language server. Exits with 1 on failure.
 local hsd, root, work = os.getenv('HSD'), os.getenv('HSD_ROOT'), os.getenv('HSD_WORK')
 
--- A broken text of each form, and the mistake in it: signs of one, three and four bytes, of one and two code units.
+-- A broken file of each form with one error; characters of one, three and four bytes, of one and two UTF-16 units.
 local broken = {
   {
     name = '長屋.hsd',
@@ -11,7 +10,7 @@ local broken = {
       .. 'KKS  TKD 2MRE\nKSK  ＭＲＥ  KSK\nKKS  TIT 2KKS\nKSK  KSK  KSK',
     line = 6,
     word = 'ＭＲＥ',
-    mend = 'MRE',
+    fix = 'MRE',
   },
   {
     name = '町家.hsd',
@@ -20,7 +19,7 @@ local broken = {
       .. '    <Row>KSK  KSK  KSK</Row>\n  </Storey>\n</House>',
     line = 1,
     word = 'stret',
-    mend = 'street',
+    fix = 'street',
   },
 }
 
@@ -35,10 +34,10 @@ local function check(truth, what)
 end
 
 local function wait(what, test)
-  check(vim.wait(20000, test, 20), 'in vain waited for ' .. what)
+  check(vim.wait(20000, test, 20), 'timeout: ' .. what)
 end
 
--- Every publication is counted, since nothing said and nothing wrong look the same.
+-- Counts publications, to distinguish no answer yet from no diagnostics.
 local published = {}
 local publish = vim.lsp.handlers['textDocument/publishDiagnostics']
 vim.lsp.handlers['textDocument/publishDiagnostics'] = function(err, result, context, config)
@@ -71,7 +70,7 @@ local function text()
   return table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\n')
 end
 
--- The range of bytes in a line, as the protocol has it.
+-- The protocol's range of a byte range in a line.
 local function place(row, column)
   vim.api.nvim_win_set_cursor(0, { row, column })
   return vim.lsp.util.make_position_params(0, client().offset_encoding)
@@ -90,11 +89,11 @@ local function colours()
     { 'param-machiya.hsd', { { 'tag_name', 'House' }, { 'identifier', 'n' }, { 'part', 'GSI' } } },
   }) do
     edit(root .. '/examples/' .. case[1])
-    check(vim.bo.filetype == 'hsd', 'the kind of file is hsd')
+    check(vim.bo.filetype == 'hsd', 'the file type is hsd')
     local buffer = vim.api.nvim_get_current_buf()
-    check(vim.treesitter.highlighter.active[buffer], 'tree-sitter colours ' .. case[1])
+    check(vim.treesitter.highlighter.active[buffer], 'tree-sitter highlights ' .. case[1])
     local tree = vim.treesitter.get_parser(buffer, 'hsd'):parse()[1]:root()
-    check(not tree:has_error(), case[1] .. ' is read without a mistake')
+    check(not tree:has_error(), case[1] .. ' is parsed without errors')
     local get = vim.treesitter.query.get or vim.treesitter.query.get_query
     local seen, query = {}, get('hsd', 'highlights')
     for _, node in query:iter_captures(tree, buffer, 0, -1) do
@@ -105,12 +104,12 @@ local function colours()
       end
     end
     for _, pair in ipairs(case[2]) do
-      check(seen[pair[1] .. ' ' .. pair[2]], 'no colour for ' .. pair[2])
+      check(seen[pair[1] .. ' ' .. pair[2]], 'no highlight for ' .. pair[2])
     end
   end
 end
 
--- Blanks at line ends are columns, and go to the file.
+-- Trailing blanks are significant and must be saved.
 local function blanks()
   local path = work .. '/blanks.hsd'
   write(path, '0 0 180\n9.5\n\nKSK  TSH 2     \nKSK')
@@ -118,7 +117,7 @@ local function blanks()
   vim.api.nvim_buf_set_lines(0, 4, 5, false, { 'KSK  TSH 2     ' })
   vim.cmd('silent write')
   local kept = vim.fn.readfile(path)
-  check(kept[4] == 'KSK  TSH 2     ' and kept[5] == kept[4], 'blanks at line ends are kept')
+  check(kept[4] == 'KSK  TSH 2     ' and kept[5] == kept[4], 'trailing blanks are kept')
 end
 
 local function clean_examples()
@@ -127,21 +126,21 @@ local function clean_examples()
     wait('diagnostics of ' .. path, function()
       return published[uri()]
     end)
-    check(#published[uri()].diagnostics == 0, path .. ' is right: ' .. vim.inspect(published[uri()].diagnostics))
+    check(#published[uri()].diagnostics == 0, path .. ' has no diagnostics: ' .. vim.inspect(published[uri()].diagnostics))
   end
 end
 
--- Sees the mistake of a broken text at its place, and mends it.
-local function mends(case)
+-- Checks the position of the error in a broken file and applies its fix.
+local function check_fix(case)
   local path = work .. '/' .. case.name
   write(path, case.text)
   edit(path)
   wait('a diagnostic', function()
     return #vim.diagnostic.get(0) == 1
   end)
-  local said = vim.diagnostic.get(0)[1]
-  local line = vim.api.nvim_buf_get_lines(0, said.lnum, said.lnum + 1, false)[1]
-  check(said.lnum == case.line and line:sub(said.col + 1, said.end_col) == case.word, 'the mistake is marked: ' .. vim.inspect(said))
+  local diagnostic = vim.diagnostic.get(0)[1]
+  local line = vim.api.nvim_buf_get_lines(0, diagnostic.lnum, diagnostic.lnum + 1, false)[1]
+  check(diagnostic.lnum == case.line and line:sub(diagnostic.col + 1, diagnostic.end_col) == case.word, 'the error is marked: ' .. vim.inspect(diagnostic))
   local raw = published[uri()].diagnostics
   local actions = request('textDocument/codeAction', {
     textDocument = { uri = uri() }, range = raw[1].range, context = { diagnostics = raw },
@@ -152,8 +151,8 @@ local function mends(case)
     action = request('codeAction/resolve', action)
   end
   vim.lsp.util.apply_workspace_edit(action.edit, client().offset_encoding)
-  local mended = case.text:gsub(case.word, case.mend)
-  check(text() == mended, 'the fix does what it says: ' .. text())
+  local fixed = case.text:gsub(case.word, case.fix)
+  check(text() == fixed, 'the fix is applied: ' .. text())
   wait('nothing to be wrong any more', function()
     return #vim.diagnostic.get(0) == 0
   end)
@@ -161,9 +160,9 @@ end
 
 local function answers()
   local hover = vim.inspect(request('textDocument/hover', place(4, #'    <Row>KKS  T')))
-  check(hover:find('格子'), 'the card of TKD has its name: ' .. hover)
+  check(hover:find('格子'), 'the hover of TKD contains its name: ' .. hover)
 
-  -- Somebody takes the code out and begins it anew.
+  -- Replaces a code by the beginning of it.
   local whole = text()
   vim.api.nvim_buf_set_lines(0, 3, 4, false, { '    <Row>KKS  TKMRE</Row>' })
   local list = request('textDocument/completion', place(4, #'    <Row>KKS  TK'))
@@ -182,7 +181,7 @@ local function answers()
   vim.api.nvim_buf_set_lines(0, 4, 5, false, { '  <Row>KSK  MRE  KSK</Row>' })
   local edits = request('textDocument/formatting', vim.lsp.util.make_formatting_params())
   vim.lsp.util.apply_text_edits(edits, vim.api.nvim_get_current_buf(), client().offset_encoding)
-  check(text() == whole, 'the layout is put right: ' .. text())
+  check(text() == whole, 'the buffer is formatted: ' .. text())
 end
 
 local function renames()
@@ -202,7 +201,7 @@ local function renames()
   wait('diagnostics of the renamed text', function()
     return published[uri()].count > count and #published[uri()].diagnostics == 0
   end)
-  check(#vim.diagnostic.get(0) == 0, 'the renamed text is right')
+  check(#vim.diagnostic.get(0) == 0, 'no diagnostics after renaming')
 end
 
 local ok, message = xpcall(function()
@@ -215,7 +214,7 @@ local ok, message = xpcall(function()
   blanks()
   clean_examples()
   for _, case in ipairs(broken) do
-    mends(case)
+    check_fix(case)
   end
   answers()
   renames()

@@ -1,5 +1,4 @@
-// A client of the language server that does nothing but the protocol (vscode-languageserver-protocol): files as a client holds
-// them, and one run of a server.
+// A minimal client of the language server, on vscode-languageserver-protocol: open files, and one run of a server.
 import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { pathToFileURL } from 'node:url';
@@ -8,25 +7,25 @@ import { read } from './texts.mjs';
 
 const { createProtocolConnection, StreamMessageReader, StreamMessageWriter } = load('vscode-languageserver-protocol/node');
 
-/** How many units of an encoding a text takes. */
+/** Length of a text in the units of an encoding. */
 const width = {
   'utf-8': text => Buffer.byteLength(text),
   'utf-16': text => text.length,
   'utf-32': text => [...text].length,
 };
 
-/** A file as a client holds it: its text, its version, and places in it. */
+/** An open file: text, version and positions. */
 export class File {
   constructor(path, text, encoding) {
     Object.assign(this, { uri: pathToFileURL(path).href, text, encoding, version: 1 });
   }
 
-  /** The position of a byte-exact place: behind `before` in line `line`. */
+  /** The position after `before` in a line. */
   position(line, before) {
     return { line, character: width[this.encoding](before) };
   }
 
-  /** The offset in the text of a position. */
+  /** The offset of a position in the text. */
   offset({ line, character }) {
     const lines = this.text.split('\n');
     const start = lines.slice(0, line).reduce((sum, l) => sum + l.length + 1, 0);
@@ -36,16 +35,16 @@ export class File {
       taken += width[this.encoding](sign);
       at += sign.length;
     }
-    assert.equal(taken, character, `a position stands within a character or behind line ${line + 1}`);
+    assert.equal(taken, character, `a position lies inside a character or after the end of line ${line + 1}`);
     return start + at;
   }
 
-  /** What a range covers. */
+  /** The text of a range. */
   covered({ start, end }) {
     return this.text.slice(this.offset(start), this.offset(end));
   }
 
-  /** The text with edits done, none of which may overlap. */
+  /** The text after applying edits, which must not overlap. */
   edited(edits) {
     const places = edits.map(e => [this.offset(e.range.start), this.offset(e.range.end), e.newText]);
     places.sort((a, b) => b[0] - a[0] || b[1] - a[1]);
@@ -69,13 +68,13 @@ export class Session {
       new StreamMessageReader(this.process.stdout), new StreamMessageWriter(this.process.stdin));
     this.published = new Map();
     this.waiting = [];
-    this.connection.onNotification('textDocument/publishDiagnostics', said => {
-      this.published.set(said.uri, said);
+    this.connection.onNotification('textDocument/publishDiagnostics', params => {
+      this.published.set(params.uri, params);
       this.waiting = this.waiting.filter(test => !test());
     });
-    // What servers ask of clients: each name leads to what answers it.
-    this.asked = { 'workspace/configuration': params => params.items.map(() => null) };
-    this.connection.onRequest((method, params) => this.asked[method]?.(params) ?? null);
+    // Handlers of the server's requests, by method.
+    this.handlers = { 'workspace/configuration': params => params.items.map(() => null) };
+    this.connection.onRequest((method, params) => this.handlers[method]?.(params) ?? null);
     this.connection.listen();
   }
 
@@ -120,7 +119,7 @@ export class Session {
     return file;
   }
 
-  /** Replaces a range, as an editor does while somebody types. */
+  /** Replaces a range, as an editor does during typing. */
   async change(file, range, text) {
     const next = file.edited([{ range, newText: text }]);
     file.version += 1;
@@ -138,15 +137,15 @@ export class Session {
     return this.change(file, { start: { line: 0, character: 0 }, end }, text);
   }
 
-  /** What is said of a file's last version. */
+  /** The diagnostics of the current version of a file. */
   diagnostics(file) {
     const now = () => {
-      const said = this.published.get(file.uri);
-      return said && (said.version ?? file.version) === file.version ? said.diagnostics : undefined;
+      const last = this.published.get(file.uri);
+      return last && (last.version ?? file.version) === file.version ? last.diagnostics : undefined;
     };
     return new Promise((done, fail) => {
       if (now()) return done(now());
-      const timer = setTimeout(fail, 20_000, new Error(`nothing is said of ${file.uri} version ${file.version}`));
+      const timer = setTimeout(fail, 20_000, new Error(`no diagnostics for ${file.uri} version ${file.version}`));
       this.waiting.push(() => {
         if (!now()) return false;
         clearTimeout(timer);
@@ -159,12 +158,12 @@ export class Session {
   async stop() {
     await this.ask('shutdown');
     await this.tell('exit');
-    assert.equal(await this.ended, 0, 'the server ends well');
+    assert.equal(await this.ended, 0, 'the server exits with 0');
   }
 }
 
-/** The edits of a workspace edit that concern a file. */
-export function edits_of(edit, file) {
+/** The edits of a workspace edit to one file. */
+export function editsOf(edit, file) {
   const changes = edit.documentChanges?.map(c => [c.textDocument.uri, c.edits]) ?? Object.entries(edit.changes ?? {});
   return changes.filter(([uri]) => uri === file.uri).flatMap(([, edits]) => edits);
 }

@@ -1,10 +1,10 @@
-// The texts that the protocol's client opens: right ones, and broken ones with what must be said of them. neovim.lua and emacs.el
-// have the same.
+// The source files that client.mjs opens: the examples, and broken files with the expected diagnostics. neovim.lua and emacs.el use
+// the same.
 import { execFileSync } from 'node:child_process';
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 
-/** A broken text of each form, and the one mistake in it: signs of one, three and four bytes, of one and two code units. */
+/** A broken file of each form with one error; characters of one, three and four bytes, of one and two UTF-16 units. */
 export const broken = [
   {
     name: '長屋.hsd',
@@ -18,7 +18,7 @@ KSK  ＭＲＥ  KSK
 KKS  TIT 2KKS
 KSK  KSK  KSK
 `,
-    code: 'HSD0122', line: 6, word: 'ＭＲＥ', mend: 'MRE',
+    code: 'HSD0122', line: 6, word: 'ＭＲＥ', fix: 'MRE',
   },
   {
     name: '町家.hsd',
@@ -32,16 +32,16 @@ KSK  KSK  KSK
   </Storey>
 </House>
 `,
-    code: 'HSD0222', line: 1, word: 'stret', mend: 'street',
+    code: 'HSD0222', line: 1, word: 'stret', fix: 'street',
   },
 ];
 
-/** What `hsd fmt` makes of a text. */
-export function laid_out(hsd, text) {
+/** The output of `hsd fmt` for a text. */
+export function laidOut(hsd, text) {
   return execFileSync(hsd, ['fmt', '-'], { encoding: 'utf8', input: text });
 }
 
-/** The examples. */
+/** Paths of the examples. */
 export function examples(root) {
   const folder = join(root, 'examples');
   return readdirSync(folder).filter(name => name.endsWith('.hsd')).map(name => join(folder, name));

@@ -1,11 +1,11 @@
 /**
- * The language of houses, in both its forms: lines of five-column codes, and XML.
+ * Tree-sitter grammar of HSD in both forms: lines of five-column codes, and XML.
  *
- * What a line of the first form is can only be told from the lines before it, and its codes are cut by columns, blanks
- * included; both is done in src/scanner.c. All else is here. The parser takes a little more than `hsd` does, so that a
- * slip, about which the compiler has more to say, does not take the colours from its surroundings.
+ * The kind of a line of codes depends on the lines before it, and codes are split by columns, including blanks: src/scanner.c does
+ * both. Everything else is here. The grammar accepts slightly more than the compiler, so that an error does not affect the
+ * highlighting around it.
  *
- * @file The language of houses
+ * @file Tree-sitter grammar of HSD
  * @license MIT OR Apache-2.0
  */
 
@@ -14,25 +14,25 @@
 
 const RANK = { or: 1, and: 2, not: 3, compare: 4, add: 5, multiply: 6, sign: 7 };
 
-/** A word in capitals or not: the compiler takes both in roof lines, with a warning. */
+/** A word in upper or lower case: the compiler accepts both in roof lines, with a warning. */
 const anyCase = (/** @type {string[]} */ ...words) =>
   token(new RegExp(words.map((w) => [...w].map((c) => `[${c}${c.toLowerCase()}]`).join('')).join('|')));
 
-/** A line of the first form. */
+/** A line of the legacy form. */
 const line = (/** @type {any} */ $, /** @type {any} */ rule) => seq(rule, $._eol);
 
-/** The first few of some rules. */
+/** Any prefix of a sequence of rules. */
 const upTo = (/** @type {any[]} */ ...rules) =>
   rules.reduceRight((rest, rule) => optional(rest === null ? rule : seq(rule, rest)), null);
 
-/** Operands with an operator between them. */
+/** A left-associative binary expression. */
 const chain = (/** @type {number} */ rank, /** @type {any} */ $, /** @type {any} */ ...signs) =>
   prec.left(rank, seq(field('left', $._operand), field('operator', signs.length > 1 ? choice(...signs) : signs[0]), field('right', $._operand)));
 
 export default grammar({
   name: 'hsd',
 
-  // The order is that of `enum Token` in src/scanner.c.
+  // In the order of `enum Token` in src/scanner.c.
   externals: ($) => [
     $._xml,
     $._number_line,
@@ -110,7 +110,7 @@ export default grammar({
       ),
     _name_setting: ($) => seq(field('key', alias('name', $.key)), field('value', alias($._free_text, $.text))),
 
-    // A key that is misspelled, or not finished yet.
+    // A misspelled or unfinished key.
     _other_setting: ($) =>
       seq(field('key', alias(/[\p{L}_][^ \t\f\r\n]*/, $.unknown)), optional(field('value', alias($._free_text, $.text)))),
 
@@ -123,7 +123,7 @@ export default grammar({
     code: ($) => choice(alias($._whole, $.part), seq(alias($._name, $.part), $.width)),
 
     roofs: ($) => prec.right(seq(line($, $.roof), repeat(choice(line($, $.roof), $._setting_line_)))),
-    // All from the height on may be missing, as it is while the line is typed.
+    // Everything from the height on is optional while the line is being typed.
     roof: ($) =>
       seq(
         $._roof_line,

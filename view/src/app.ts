@@ -68,10 +68,10 @@ export class App {
   /** Shows a location in the source pane. */
   showSource: (location: SourceLocation) => void = () => {};
   #listeners = new Map<AppEvent, (() => void)[]>();
-  #turn = 0;
+  #request = 0;
   /** The newest revision that the server has announced. */
   #latestRevision = 0;
-  #stop: () => void = () => {};
+  #unsubscribe: () => void = () => {};
 
   constructor(canvas: HTMLCanvasElement) {
     this.viewport = new Viewport(canvas);
@@ -99,26 +99,26 @@ export class App {
 
   /** Opens a file of the workspace. */
   async openFile(file: string) {
-    this.#stop();
+    this.#unsubscribe();
     this.file = file;
     this.state = this.model = null;
     this.hidden.clear();
     this.viewport.show(buildModel(new THREE.Group())); // The previous file's model must not stay under the new file's name.
     this.measure.clear();
     this.select(null);
-    this.#point(null);
+    this.#setCursor(null);
     this.emit('files');
     void this.#loadPartNames(file);
     this.#latestRevision = 0;
-    this.#stop = listen(file, {
+    this.#unsubscribe = listen(file, {
       state: revision => {
         this.#latestRevision = revision;
         if (this.state) void this.reload(revision); // The first load is already under way.
       },
-      cursor: cursor => this.#point(cursor),
-      files: () => void this.#list(),
+      cursor: cursor => this.#setCursor(cursor),
+      files: () => void this.#refreshFiles(),
       lost: () => this.#connection(true),
-      found: () => { if (this.lost) { this.#connection(false); void this.reload(); void this.#list(); } },
+      found: () => { if (this.lost) { this.#connection(false); void this.reload(); void this.#refreshFiles(); } },
     });
     await this.reload();
     if (this.file === file && this.#latestRevision > this.revision) await this.reload(this.#latestRevision);
@@ -130,7 +130,7 @@ export class App {
   async reload(revision?: number): Promise<void> {
     const { file, model: before } = this, begun = performance.now();
     if (file === null || revision !== undefined && revision === this.state?.revision) return;
-    const turn = ++this.#turn;
+    const request = ++this.#request;
     try {
       // With a known revision, the model is requested in parallel with the state.
       const early = revision === undefined ? null : this.loader.fetch(file, revision, before);
@@ -138,16 +138,16 @@ export class App {
       const now = await fetchState(file);
       const answer = await (early && now.revision === revision ? early : this.loader.fetch(file, now.revision, before));
       const fetched = performance.now() - begun;
-      if (turn !== this.#turn || file !== this.file) return;
+      if (request !== this.#request || file !== this.file) return;
       let model: Model | null = null;
       try {
         model = answer && await this.loader.load(answer, file, now);
-        if (!model && turn === this.#turn && file === this.file) return await this.reload(); // A newer revision exists.
+        if (!model && request === this.#request && file === this.file) return await this.reload(); // A newer revision exists.
       } catch (error) {
         if (!(error instanceof InvalidModelError)) throw error;
         now.diagnostics.push(invalidModel(file, error));
       }
-      if (turn !== this.#turn || file !== this.file) return;
+      if (request !== this.#request || file !== this.file) return;
       this.#apply(now, model, { revision: now.revision, fetched, parsed: performance.now() - begun, painted: 0 }, begun);
     } catch (error) {
       this.announce(strings.failed + (error as Error).message);
@@ -218,7 +218,7 @@ export class App {
   }
 
   cursor: Cursor | null = null;
-  #point(cursor: Cursor | null) {
+  #setCursor(cursor: Cursor | null) {
     this.cursor = cursor;
     this.highlight(cursor);
   }
@@ -317,7 +317,7 @@ export class App {
     this.emit('select');
   }
 
-  async #list() {
+  async #refreshFiles() {
     try {
       const { file } = this, there = (info: ServerInfo) => info.files.some(({ path }) => path === file), before = there(this.serverInfo);
       this.serverInfo = { ...await fetchServerInfo(), file: this.serverInfo.file };

@@ -45,7 +45,7 @@ test('clipping keeps the part in front of the plane', () => {
   const half = clip(square, new THREE.Plane(v(1, 0, 0), -1));
   assert.equal(half.length, 4);
   assert.deepEqual([...new Set(half.map(p => p.x))].sort(), [1, 2]);
-  assert.equal(clip(square, new THREE.Plane(v(1, 0, 0), 0)).length, 4, 'touching is before');
+  assert.equal(clip(square, new THREE.Plane(v(1, 0, 0), 0)).length, 4, 'touching counts as in front');
   assert.equal(clip(square, new THREE.Plane(v(1, 0, 0), -3)).length, 0);
   const corner = clip(square, new THREE.Plane(v(-1, -1, 0).normalize(), 3 / Math.SQRT2));
   assert.equal(corner.length, 5, 'a corner is cut off');
@@ -123,7 +123,7 @@ test('images in the atlas do not overlap and share one scale', () => {
   }
   assert.deepEqual(whole.map(({ width, height }) => ({ width, height })), sizes);
   assert.equal(packShelves([{ width: 300, height: 5 }], 256), null);
-  assert.equal(pack([[{ width: 9e6, height: 5 }]], 256), null, 'too much at any scale');
+  assert.equal(pack([[{ width: 9e6, height: 5 }]], 256), null, 'too large at any scale');
 });
 
 /** A model with panes of glass: [facade, share, x, y, depth]. */
@@ -152,7 +152,7 @@ function model(panes: [facade: number, share: number, x: number, y: number, z: n
 test('panes are grouped by wall and depth, across facades', () => {
   const town = model([[1, 0.7, 0, 0, 0.05], [1, 0.3, 1, 0, 0.03], [2, 0.7, 0, 1, 0.05], [3, 0.7, 30, 0, 0.05], [4, 0, 3, 0, 0.05]]);
   const walls = findWalls(town);
-  assert.deepEqual(walls.map(wall => wall.layers.length).sort(), [1, 2], 'storeys of a wall join, far walls do not, and what mirrors nothing is left out');
+  assert.deepEqual(walls.map(wall => wall.layers.length).sort(), [1, 2], 'storeys of a wall are joined, distant walls are not, and non-reflective glass is skipped');
   const [high] = walls.filter(wall => wall.layers.length === 2);
   const [outer, inner] = high!.layers;
   assert(Math.abs(inner!.plane.constant - outer!.plane.constant - 0.02) < 1e-6, 'the outermost first');
@@ -161,7 +161,7 @@ test('panes are grouped by wall and depth, across facades', () => {
   near(size, v(1, 2, 0), 1e-6);
   for (const { mesh: { geometry } } of town.chunks) {
     const layer = geometry.getAttribute(ATTRIBUTE), normal = geometry.getAttribute('normal');
-    for (let i = 0; i < layer.count; i++) if (normal.getZ(i) < 0.5) assert.equal(layer.getX(i), -1, 'only what faces outside mirrors');
+    for (let i = 0; i < layer.count; i++) if (normal.getZ(i) < 0.5) assert.equal(layer.getX(i), -1, 'only outward faces reflect');
   }
   assert.equal(town.chunks.flatMap(({ mesh: { geometry } }) => [...geometry.getAttribute(ATTRIBUTE).array]).filter(n => n >= 0).length, 4 * 4);
 });
@@ -207,7 +207,7 @@ test('a reflection is aligned with its pane on the screen, cropped and clipped a
     const [view] = viewsOf(walls, town, camera).views, { rect } = view!;
     const own = new THREE.Camera();
     placeCamera(own, view!, camera.projectionMatrix, SIZE, 300);
-    assert(own.matrixWorld.determinant() > 0, 'no triangle turns its back');
+    assert(own.matrixWorld.determinant() > 0, 'the winding of triangles is kept');
     const screen = new THREE.Matrix4().multiplyMatrices(own.projectionMatrix, own.matrixWorldInverse), roll = dice(6);
     for (let i = 0; i < 40; i++) {
       const point = v(roll() * 4 - 2, roll() * 4 - 2, roll() * 6 + 1e-3), image = point.clone().applyMatrix4(reflection(view!.plane));
@@ -217,7 +217,7 @@ test('a reflection is aligned with its pane on the screen, cropped and clipped a
       assert(Math.abs((1 + drawn.y) / 2 * (rect.y1 - rect.y0) + rect.y0 - y) < 1e-6);
       if (Math.abs(drawn.x) < 1 && Math.abs(drawn.y) < 1) assert(drawn.z > -1 && drawn.z < 1, `depth ${drawn.z}`);
       const behind = point.setZ(-0.01 - roll()).applyMatrix4(screen);
-      assert(behind.z < -1, 'what is behind the pane is cut off');
+      assert(behind.z < -1, 'everything behind the pane is clipped');
     }
   }
 });

@@ -1,5 +1,5 @@
-; No two patterns catch the same node, since editors differ in which of them wins. Patterns with #match? and #not-match?
-; exclude each other.
+; No two patterns match the same node, since editors differ in which one wins. Patterns with #match? and #not-match? are mutually
+; exclusive.
 
 (comment) @comment
 
@@ -104,7 +104,7 @@
 (boolean) @constant.builtin
 (string) @string
 
-; Every place of an operand but that of a function's name.
+; All operands except function names.
 (expression (identifier) @variable)
 (parentheses (identifier) @variable)
 (binary left: (identifier) @variable)

@@ -1,4 +1,4 @@
-; Captures of Neovim and of Helix side by side; each passes over those of the other.
+; Captures for Neovim and Helix; each ignores those of the other.
 (element (start_tag)) @indent.begin @indent
 (start_tag (attribute)) @indent.begin @indent
 (self_closing_tag) @indent.begin @indent

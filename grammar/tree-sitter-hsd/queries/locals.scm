@@ -1,7 +1,7 @@
 (document) @local.scope
 (element (start_tag)) @local.scope
 
-; Param and let name a value; define names a piece, and its attributes are the parameters of that.
+; Param and let define values; define names a definition, and its attributes are its parameters.
 ((self_closing_tag
   (tag_name) @_tag
   (attribute

@@ -1,4 +1,4 @@
-; Captures of Neovim (outer, inner) and of Helix (around, inside) side by side.
+; Captures for Neovim (outer, inner) and Helix (around, inside).
 (storey) @class.outer @class.around
 (row) @function.outer @function.around
 (code) @parameter.outer @parameter.around

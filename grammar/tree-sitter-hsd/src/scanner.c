@@ -1,10 +1,10 @@
-// What a grammar without memory and columns cannot tell.
+// External scanner for what depends on columns or on previous lines.
 //
-// Of the legacy form: what a line is (that follows from the lines before it and from its own form, by the rules of
-// src/parse/legacy.rs), codes of five columns, and what stands at the end of a wall. Of XML: which tags are open, so that
-// one that is missing is closed where the next one needs it, and the codes in its texts, which are cut anew in every line.
+// Legacy form: the kind of a line (from the lines before it and its own form, by the rules of the compiler's parser), codes of five
+// columns, and the turns at the ends of walls. XML: the open tags, so that a missing end tag is implied where the next tag requires
+// it, and the codes in text, which are split into columns line by line.
 //
-// All loops end at the end of the file, and no token is empty but those of lines, of what is left open and of the file's end.
+// All loops terminate at the end of the file. Only the tokens for lines, implied end tags and the end of the file are empty.
 
 #include "tree_sitter/alloc.h"
 #include "tree_sitter/parser.h"
@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <string.h>
 
-// The order is that of `externals` in grammar.js.
+// In the order of `externals` in grammar.js.
 enum Token {
     XML,
     NUMBER_LINE,
@@ -47,11 +47,11 @@ enum Section { HEADER, WALLS, ROOFS };
 typedef struct {
     uint8_t form;
     uint8_t section;
-    // Of the header: whether a line of it was read. Of all: whether a blank line came after the last one.
+    // True if a line of the header was read; true if a blank line follows the last line.
     uint8_t begun, blank;
-    // Whether a comment was read whose line has not ended yet.
+    // True if a comment was read whose line has not ended yet.
     uint8_t comment;
-    // Open tags, by a hash of their names. Those beyond the deepest are counted only.
+    // Hashes of the names of open tags. Tags beyond the maximum depth are only counted.
     uint16_t depth;
     uint16_t tags[DEEPEST];
 } Scanner;
@@ -78,9 +78,9 @@ static bool found(TSLexer *lexer, enum Token token) {
     return true;
 }
 
-// ---- What a line is.
+// ---- Kinds of lines.
 
-// The beginning of a line: its first characters, those beyond ASCII as 0x7f.
+// The first characters of a line, with 0x7f for those outside ASCII.
 typedef struct {
     char text[LINE + 1];
     int length;
@@ -110,7 +110,7 @@ static bool is_number(Word w) {
     return digits > 0 && i == w.length;
 }
 
-// Whether a word begins as numbers do.
+// Returns true if a word begins like a number.
 static bool is_numeric(Word w) {
     int i = 0;
     while (i < w.length && (w.text[i] == '+' || w.text[i] == '-')) i++;
@@ -120,7 +120,7 @@ static bool is_numeric(Word w) {
 
 static char lower(char c) { return is_upper(c) ? (char)(c + 32) : c; }
 
-// Whether a word is the key of a setting; `exact` = written as it should be.
+// Returns true if a word is the key of a setting; `exact` is set if it is spelled correctly.
 static bool is_key(Word w, bool exact) {
     static const char *const keys[] = {"unit", "seed", "roofs", "method", "street", "name", "age", "era"};
     int length = 0;
@@ -143,8 +143,8 @@ static bool is_shape(Word w) {
     return false;
 }
 
-// A letter and a short field, or a shape and two numbers in a row. Codes have their letters first, so numbers never follow
-// each other.
+// A letter and a short field, or a shape and two consecutive numbers. Codes begin with letters, so numbers never follow each
+// other in them.
 static bool is_like_roof(const char *text) {
     Word before[2] = {{0, 0}, {0, 0}};
     bool letter = false, field = false;
@@ -161,14 +161,14 @@ static bool is_like_roof(const char *text) {
     return false;
 }
 
-// Two capitals, points, a control letter, or whole voids before them.
+// Two upper-case letters, dots, a control letter, optionally after voids.
 static bool is_like_codes(const char *text) {
     Word w = next_word(&text);
     if (w.length == 1) return w.text[0] == '^' || lower(w.text[0]) == 'l' || lower(w.text[0]) == 'r';
     return (is_upper(w.text[0]) && is_upper(w.text[1])) || (w.text[0] == '.' && w.text[1] == '.');
 }
 
-// A word that is no code and no number: a key that is misspelled, as long as no blank line has ended the header.
+// A word that is neither a code nor a number is a misspelled key, until a blank line ends the header.
 static bool is_strange(Word w) {
     bool small = false;
     for (int i = 0; i < w.length; i++) {
@@ -194,7 +194,7 @@ static enum Token kind_of(Scanner *s, const char *text) {
     return is_like_codes(text) && !roof ? WALL_LINE : ROOF_LINE;
 }
 
-// Reads the beginning of the line, which no token covers.
+// Looks ahead at the beginning of the line, without adding it to a token.
 static void read_start(TSLexer *lexer, Start *start) {
     start->length = 0;
     while (start->length < LINE && !lexer->eof(lexer) && !is_break(lexer->lookahead)) {
@@ -205,7 +205,7 @@ static void read_start(TSLexer *lexer, Start *start) {
     start->text[start->length] = 0;
 }
 
-// What begins a comment in other languages does so here, since the compiler takes it for one, with a word about it.
+// Comment markers of other languages are accepted as well; the compiler warns about them.
 static bool is_comment(const char *text) {
     return text[0] == '#' || text[0] == ';' || (text[0] == '/' && (text[1] == '/' || text[1] == '*'));
 }
@@ -226,7 +226,7 @@ static bool line_start(Scanner *s, TSLexer *lexer, const bool *valid) {
         read_start(lexer, &start);
         for (text = start.text; *text == ' '; text++) {}
         if (*text != 0) break;
-        // Nothing, or more blanks than were read at once.
+        // Nothing, or more blanks than fit the buffer.
         if (lexer->eof(lexer)) {
             lexer->mark_end(lexer);
             return passed && found(lexer, SPACE);
@@ -267,7 +267,7 @@ static bool line_start(Scanner *s, TSLexer *lexer, const bool *valid) {
 
 static bool ends_line(TSLexer *lexer) { return lexer->eof(lexer) || is_break(lexer->lookahead); }
 
-// Passes a reference of XML, which is one column.
+// Skips an XML reference, which is one column wide.
 static void reference(TSLexer *lexer) {
     advance(lexer);
     int letters = 0;
@@ -278,7 +278,7 @@ static void reference(TSLexer *lexer) {
     if (lexer->lookahead == ';') advance(lexer);
 }
 
-// A code or void of up to five columns. Of those `count` were read: blanks, or one letter. `tags` = in a text of XML.
+// A code or void of up to five columns, of which `count` have been read: blanks, or one letter. `tags` is true in XML text.
 static bool cell(TSLexer *lexer, bool tags, int count, bool letter) {
     int last = letter ? 1 : 0, points = 0;
     int32_t before = letter ? 'L' : ' ';
@@ -286,7 +286,7 @@ static bool cell(TSLexer *lexer, bool tags, int count, bool letter) {
         int32_t c = lexer->lookahead;
         if (tags ? c == '<' || c == '{' : c == '^') break;
         if (!tags && c == '#' && count > 0 && is_blank(before)) break;
-        // The width is a token of its own.
+        // The width is a separate token.
         if (count == COLUMNS - 1 && last > 0 && (is_digit(c) || (c == 'h' && is_blank(before)))) {
             return found(lexer, NAME);
         }
@@ -295,7 +295,7 @@ static bool cell(TSLexer *lexer, bool tags, int count, bool letter) {
         } else {
             advance(lexer);
         }
-        // A turn that stands off its column.
+        // A misaligned turn.
         bool turn = !tags && last > 0 && (c == 'L' || c == 'R') && is_blank(before);
         if (turn && (ends_line(lexer) || lexer->lookahead == '^')) break;
         before = c;
@@ -306,7 +306,7 @@ static bool cell(TSLexer *lexer, bool tags, int count, bool letter) {
     }
     if (points == COLUMNS) return found(lexer, VOID);
     if (last > 0) return found(lexer, WHOLE);
-    // Five blanks are a void where something follows in the line; else they only end it.
+    // Five blanks are a void if the line continues, else trailing blanks.
     while (is_blank(lexer->lookahead)) advance(lexer);
     if (ends_line(lexer)) return false;
     if (tags && (lexer->lookahead == '<' || lexer->lookahead == '{')) {
@@ -329,7 +329,7 @@ static bool line_end(TSLexer *lexer) {
     return found(lexer, LINE_END);
 }
 
-// What stands in a wall line.
+// Tokens of a wall line.
 static bool wall(TSLexer *lexer, const bool *valid) {
     int32_t first = lexer->lookahead;
     if (first == '#') return comment(lexer);
@@ -343,13 +343,13 @@ static bool wall(TSLexer *lexer, const bool *valid) {
     if (letter) {
         advance(lexer);
         lexer->mark_end(lexer);
-        // Alone it is a turn, and not only at the end of the line: that others follow is for the compiler to say.
+        // A single letter is a turn anywhere in the line; the compiler reports what follows it.
         if (ends_line(lexer) || is_blank(lexer->lookahead) || lexer->lookahead == '^') {
             return valid[TURN] && found(lexer, TURN);
         }
     }
     if (valid[WHOLE] && !ends_line(lexer) && cell(lexer, false, letter ? 1 : 0, letter)) return true;
-    // Behind the last code: blanks that nobody needs, which go with the end of the line.
+    // Trailing blanks after the last code are part of the line ending.
     while (is_blank(lexer->lookahead)) advance(lexer);
     return ends_line(lexer) && valid[LINE_END] && line_end(lexer);
 }
@@ -361,7 +361,7 @@ static bool width(TSLexer *lexer) {
     return found(lexer, WIDTH);
 }
 
-// The rest of the line without the blanks round it.
+// The rest of the line without surrounding blanks.
 static bool free_text(TSLexer *lexer) {
     while (is_blank(lexer->lookahead)) skip(lexer);
     bool any = false;
@@ -394,7 +394,7 @@ static bool legacy(Scanner *s, TSLexer *lexer, const bool *valid) {
 
 // ---- Tags.
 
-// A hash of the name at hand, which is read; 0 = none.
+// Reads a name and returns its hash; 0 if there is none.
 static uint16_t name(TSLexer *lexer) {
     uint32_t hash = 2166136261u;
     bool any = false;
@@ -427,7 +427,7 @@ static bool is_open(Scanner *s, uint16_t tag) {
     return false;
 }
 
-// A comment, or the end of an element or a tag that was left open. `<` is next.
+// A comment, or an implied end of an open element or tag. `<` is next.
 static bool angle(Scanner *s, TSLexer *lexer, const bool *valid) {
     lexer->mark_end(lexer);
     if (valid[CUT] && !valid[RECOVERING]) return found(lexer, CUT);
@@ -476,7 +476,7 @@ static bool tags(Scanner *s, TSLexer *lexer, const bool *valid) {
         pop(s);
         return found(lexer, same ? END_TAG_NAME : OTHER_END_TAG_NAME);
     }
-    // Blanks before a code on the line of its tag are columns; those that begin a further line are not.
+    // Blanks before a code are columns on the line of its tag, but indentation on later lines.
     lexer->mark_end(lexer);
     int blanks = 0;
     while (is_blank(lexer->lookahead) && blanks < COLUMNS) {
@@ -518,7 +518,7 @@ static bool tags(Scanner *s, TSLexer *lexer, const bool *valid) {
     return cell(lexer, true, blanks, false);
 }
 
-// ---- The interface.
+// ---- Interface to tree-sitter.
 
 void *tree_sitter_hsd_external_scanner_create(void) { return ts_calloc(1, sizeof(Scanner)); }
 

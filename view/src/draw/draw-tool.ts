@@ -25,14 +25,14 @@ export class DrawTool {
   #palette: Palette;
   #walls: WallTool;
   #outline: OutlineTool;
-  #units: PartTool;
-  #how = h('p', { class: 'quiet' });
+  #parts: PartTool;
+  #help = h('p', { class: 'quiet' });
   #house = h('select', { onchange: () => this.#fill() });
   #houses = field(strings.planHouse, this.#house);
   #height = h('input', { type: 'number', min: 1, max: 100, step: 0.1, onkeydown: (event: KeyboardEvent) => { if (event.key === 'Enter') this.#setHeight(); } });
-  #all = checkbox(strings.allStoreys, false, on => { this.#walls.all = on; });
+  #allStoreys = checkbox(strings.allStoreys, false, on => { this.#walls.all = on; });
   /** Id of the pointer that is drawing. */
-  #finger: number | null = null;
+  #pointerId: number | null = null;
   /** True if the pointer has moved since it was pressed. */
   #dragged = false;
   #bar: HTMLElement;
@@ -44,7 +44,7 @@ export class DrawTool {
     this.#palette = new Palette(app);
     this.#walls = new WallTool(app, plan, this.session);
     this.#outline = new OutlineTool(app, plan, this.session);
-    this.#units = new PartTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
+    this.#parts = new PartTool(plan, this.session, () => this.#palette.chosen?.code ?? null);
     this.#palette.changed = () => this.session.report(strings.partChosen(partName(this.#palette.chosen!)));
     const name = newId();
     this.#bar = h('div', { class: 'draw', hidden: true },
@@ -53,23 +53,23 @@ export class DrawTool {
       h('div', { class: 'buttons' },
         button(strings.undo, () => void this.session.undo(), { 'data-do': 'undo', title: 'Ctrl+Z' }),
         button(strings.redo, () => void this.session.redo(), { 'data-do': 'redo', title: 'Ctrl+Shift+Z' })),
-      this.#all, this.#how, this.#palette.element, this.#houses,
+      this.#allStoreys, this.#help, this.#palette.element, this.#houses,
       h('div', { class: 'buttons' },
-        button(strings.addStorey, () => void this.#add(), { 'data-do': 'add-storey' }),
-        button(strings.removeStorey, () => void this.#remove(), { 'data-do': 'remove-storey' }),
-        button(strings.removeHouse, () => void this.session.send({ do: 'remove-house', house: this.#at() }), { 'data-do': 'remove-house' }),
+        button(strings.addStorey, () => void this.#addStorey(), { 'data-do': 'add-storey' }),
+        button(strings.removeStorey, () => void this.#removeStorey(), { 'data-do': 'remove-storey' }),
+        button(strings.removeHouse, () => void this.session.send({ do: 'remove-house', house: this.#houseIndex() }), { 'data-do': 'remove-house' }),
         field(strings.height, this.#height, button(strings.setHeight, () => this.#setHeight(), { 'data-do': 'set-height' }))),
       this.session.status);
     plan.element.querySelector('.bar')!.append(this.#switch);
     plan.tools.append(this.#bar);
     // A click at the end of a drag is ignored.
-    plan.onUnitClick = shape => this.#dragged || this.on && this.tool === 'part' && this.#units.choose(shape);
+    plan.onUnitClick = shape => this.#dragged || this.on && this.tool === 'part' && this.#parts.choose(shape);
     plan.onRedraw = () => {
       this.session.clear(); // The preview of an edit belongs to the previous drawing.
       this.#fill();
       this.#enable();
     };
-    plan.isDragging = () => this.#finger !== null;
+    plan.isDragging = () => this.#pointerId !== null;
     plan.sheet.moves = target => !this.on || this.tool === 'part' || this.tool !== 'outline' && !target.closest('.run');
     app.on('files', () => {
       this.#switch.disabled = !app.serverInfo.writes;
@@ -96,8 +96,8 @@ export class DrawTool {
     this.tool = tool;
     this.#walls.breaks = tool === 'break';
     this.#palette.element.hidden = tool !== 'part';
-    this.#all.hidden = tool !== 'wall';
-    this.#how.textContent = strings.toolHelp[tool];
+    this.#allStoreys.hidden = tool !== 'wall';
+    this.#help.textContent = strings.toolHelp[tool];
     this.#plan.element.dataset.tool = tool;
     this.#walls.release();
     this.#outline.release();
@@ -105,8 +105,8 @@ export class DrawTool {
   }
 
   /** Cancels a drag. */
-  #letGo() {
-    this.#finger = null;
+  #cancelDrag() {
+    this.#pointerId = null;
     this.#walls.release();
     this.#outline.release();
     this.session.report('');
@@ -115,44 +115,44 @@ export class DrawTool {
 
   #enable() {
     this.#walls.enable(this.on && (this.tool === 'wall' || this.tool === 'break'));
-    this.#units.enable(this.on && this.tool === 'part');
+    this.#parts.enable(this.on && this.tool === 'part');
   }
 
   #attend() {
     const plan = this.#plan, { svg } = plan.sheet;
-    const held = () => this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
+    const activeTool = () => this.tool === 'outline' ? this.#outline : this.tool === 'part' ? null : this.#walls;
     svg.addEventListener('pointerdown', event => {
       this.#dragged = false;
       if (!this.on || event.button !== 0) return;
       // A second finger pinches to zoom.
-      if (this.#finger !== null) { this.#letGo(); return; }
-      if (!held()?.down(event)) return;
-      this.#finger = event.pointerId;
+      if (this.#pointerId !== null) { this.#cancelDrag(); return; }
+      if (!activeTool()?.down(event)) return;
+      this.#pointerId = event.pointerId;
       event.preventDefault();
     });
-    const own = ({ pointerId }: PointerEvent) => this.on && pointerId === this.#finger;
+    const isActive = ({ pointerId }: PointerEvent) => this.on && pointerId === this.#pointerId;
     window.addEventListener('pointermove', event => {
-      if (!own(event)) return;
+      if (!isActive(event)) return;
       this.#dragged = true;
-      held()?.move(event);
+      activeTool()?.move(event);
     });
     window.addEventListener('pointerup', event => {
-      if (!own(event)) return;
-      this.#finger = null;
-      void held()?.up();
+      if (!isActive(event)) return;
+      this.#pointerId = null;
+      void activeTool()?.up();
       plan.update();
     });
-    window.addEventListener('pointercancel', event => { if (own(event)) this.#letGo(); });
+    window.addEventListener('pointercancel', event => { if (isActive(event)) this.#cancelDrag(); });
     window.addEventListener('keydown', event => {
-      if (event.key !== 'Escape' || this.#finger === null) return;
-      this.#letGo();
+      if (event.key !== 'Escape' || this.#pointerId === null) return;
+      this.#cancelDrag();
       event.preventDefault();
       event.stopPropagation();
     }, { capture: true });
     // Captured before the sheet uses the same keys for panning.
     svg.addEventListener('keydown', event => {
       if (!this.on || event.ctrlKey || event.metaKey) return;
-      if ((held() ?? this.#units).key(event)) event.preventDefault();
+      if ((activeTool() ?? this.#parts).key(event)) event.preventDefault();
     }, { capture: true });
     window.addEventListener('keydown', event => {
       const { key, ctrlKey, metaKey, shiftKey } = event;
@@ -171,31 +171,31 @@ export class DrawTool {
     this.#houses.hidden = houses.length < 2;
     const now = Number(this.#house.value || 0);
     this.#house.replaceChildren(...houses.map(({ name }, i) => h('option', { value: i, selected: i === now }, name || `${i + 1}`)));
-    const height = houses[this.#at()]?.storeys[this.#storey()]?.height;
+    const height = houses[this.#houseIndex()]?.storeys[this.#storeyIndex()]?.height;
     if (height !== undefined && document.activeElement !== this.#height) this.#height.value = `${Number(height.toFixed(2))}`;
   }
 
-  #at(): number { return Math.max(0, Number(this.#house.value || 0)); }
+  #houseIndex(): number { return Math.max(0, Number(this.#house.value || 0)); }
 
   /** Index of the shown storey in the house, as edits count them. */
-  #storey(): number {
-    const storeys = this.#app.state?.plan.houses[this.#at()]?.storeys ?? [];
+  #storeyIndex(): number {
+    const storeys = this.#app.state?.plan.houses[this.#houseIndex()]?.storeys ?? [];
     return storeys.findIndex(({ storey, kind }) => storey === this.#plan.storey && kind === 'storey');
   }
 
-  async #add() {
-    const house = this.#app.state?.plan.houses[this.#at()], why = this.session.reason(house?.fixed);
+  async #addStorey() {
+    const house = this.#app.state?.plan.houses[this.#houseIndex()], why = this.session.reason(house?.fixed);
     if (why) this.session.refuse(why);
-    else if (house && await this.session.send({ do: 'add-storey', house: this.#at() })) this.#plan.showWhenReady(Math.max(...house.storeys.map(s => s.storey)) + 1);
+    else if (house && await this.session.send({ do: 'add-storey', house: this.#houseIndex() })) this.#plan.showWhenReady(Math.max(...house.storeys.map(s => s.storey)) + 1);
   }
 
-  async #remove() {
-    await this.session.send({ do: 'remove-storey', house: this.#at(), storey: this.#storey() });
+  async #removeStorey() {
+    await this.session.send({ do: 'remove-storey', house: this.#houseIndex(), storey: this.#storeyIndex() });
   }
 
   #setHeight() {
     const height = this.#height.valueAsNumber, { min, max } = this.#height;
     if (!(height >= Number(min) && height <= Number(max))) this.session.refuse(strings.heightBounds(min, max));
-    else void this.session.send({ do: 'set-height', house: this.#at(), storey: this.#storey(), height });
+    else void this.session.send({ do: 'set-height', house: this.#houseIndex(), storey: this.#storeyIndex(), height });
   }
 }

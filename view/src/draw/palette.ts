@@ -12,11 +12,11 @@ const MAX_REQUESTS = 2;
 /** Fetches images as they scroll into view. */
 class ImageQueue {
   #waiting: HTMLImageElement[] = [];
-  #coming = 0;
-  #sight = new IntersectionObserver(seen => {
-    for (const { isIntersecting, target } of seen) {
+  #loading = 0;
+  #observer = new IntersectionObserver(entries => {
+    for (const { isIntersecting, target } of entries) {
       if (!isIntersecting) continue;
-      this.#sight.unobserve(target);
+      this.#observer.unobserve(target);
       this.#waiting.push(target as HTMLImageElement);
     }
     this.#next();
@@ -25,18 +25,18 @@ class ImageQueue {
   /** Creates an image that loads its URL later. */
   of(address: string): HTMLImageElement {
     const image = h('img', { alt: '', width: 40, height: 40, 'data-from': address });
-    const come = () => { this.#coming--; this.#next(); };
-    image.addEventListener('load', come);
-    image.addEventListener('error', () => { image.classList.add('none'); come(); }); // Voids have no image.
-    this.#sight.observe(image);
+    const done = () => { this.#loading--; this.#next(); };
+    image.addEventListener('load', done);
+    image.addEventListener('error', () => { image.classList.add('none'); done(); }); // Voids have no image.
+    this.#observer.observe(image);
     return image;
   }
 
   #next() {
-    while (this.#coming < MAX_REQUESTS && this.#waiting.length) {
+    while (this.#loading < MAX_REQUESTS && this.#waiting.length) {
       const image = this.#waiting.shift()!;
       if (!image.isConnected) continue; // Its list is no longer shown.
-      this.#coming++;
+      this.#loading++;
       image.src = image.dataset.from!;
     }
   }

@@ -17,7 +17,7 @@ export class EditSession {
   readonly #app: App;
   readonly #plan: PlanView;
   /** Settles when all edits so far have been applied and shown. */
-  #turn: Promise<unknown> = Promise.resolve();
+  #queue: Promise<unknown> = Promise.resolve();
 
   constructor(app: App, plan: PlanView) {
     this.#app = app;
@@ -25,33 +25,33 @@ export class EditSession {
   }
 
   /** Applies an edit after those before it; the preview stays until the server answers. */
-  send(what: Edit): Promise<boolean> {
-    const meant = this.#plan.state;
-    return this.#ask(file => {
+  send(edit: Edit): Promise<boolean> {
+    const intended = this.#plan.state;
+    return this.#enqueue(file => {
       const { state, revision } = this.#app;
-      // An earlier edit may have moved the place that this one was meant for.
-      if (!meant || !state || !sameTarget(what, meant, state)) return Promise.resolve({ refused: strings.changedMeanwhile });
-      return applyEdit(file, revision, what);
+      // An earlier edit may have moved the place that this one was intended for.
+      if (!intended || !state || !sameTarget(edit, intended, state)) return Promise.resolve({ refused: strings.changedMeanwhile });
+      return applyEdit(file, revision, edit);
     }, strings.drawn);
   }
 
-  undo() { return this.#ask(undo, strings.undone, why => this.report(why)); }
-  redo() { return this.#ask(redo, strings.redone, why => this.report(why)); }
+  undo() { return this.#enqueue(undo, strings.undone, why => this.report(why)); }
+  redo() { return this.#enqueue(redo, strings.redone, why => this.report(why)); }
 
-  #ask(send: (file: string) => Promise<EditResult>, done: string, refuse = (why: string) => this.refuse(why)): Promise<boolean> {
+  #enqueue(send: (file: string) => Promise<EditResult>, done: string, refuse = (why: string) => this.refuse(why)): Promise<boolean> {
     const { file } = this.#app;
-    const asked = this.#turn.then(() => file !== null && file === this.#app.file && this.#asked(() => send(file), done, refuse));
-    this.#turn = asked;
-    return asked;
+    const result = this.#queue.then(() => file !== null && file === this.#app.file && this.#run(() => send(file), done, refuse));
+    this.#queue = result;
+    return result;
   }
 
-  async #asked(send: () => Promise<EditResult>, done: string, refuse: (why: string) => void): Promise<boolean> {
+  async #run(send: () => Promise<EditResult>, done: string, refuse: (why: string) => void): Promise<boolean> {
     try {
       const { refused, revision } = await send();
       if (refused !== undefined) refuse(refused);
       else {
         this.report(done);
-        await this.#shown(revision!);
+        await this.#waitFor(revision!);
       }
       return refused === undefined;
     } catch (error) {
@@ -63,7 +63,7 @@ export class EditSession {
   }
 
   /** Waits until the page shows a revision. */
-  async #shown(revision: number) {
+  async #waitFor(revision: number) {
     await this.#app.reload(revision);
     for (const end = performance.now() + TIMEOUT; this.#app.revision < revision && performance.now() < end;) {
       await new Promise(done => setTimeout(done, 10)); // The revision was announced earlier and is still loading.

@@ -59,7 +59,7 @@ export class Viewport {
   #lowResolution: LowResolutionPass;
   #sharpen = 0;
   #shadowsPending = false;
-  #after: (() => void)[] = [];
+  #afterFrame: (() => void)[] = [];
   #disposable: THREE.Material[] = [];
   #dimmed = new WeakSet<THREE.Material>();
 
@@ -77,13 +77,13 @@ export class Viewport {
     this.scene.add(this.environment.group, this.marks);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.zoomToCursor = true;
-    this.controls.addEventListener('change', () => { this.#stayAbove(); this.draw(); });
+    this.controls.addEventListener('change', () => { this.#keepAboveGround(); this.draw(); });
     canvas.addEventListener('webglcontextrestored', () => {
       for (const then of this.onRestored) then();
       this.updateShadows();
     });
-    new ResizeObserver(() => this.#fit()).observe(canvas);
-    this.#fit();
+    new ResizeObserver(() => this.#resize()).observe(canvas);
+    this.#resize();
   }
 
   get canvas() { return this.renderer.domElement; }
@@ -116,7 +116,7 @@ export class Viewport {
   }
 
   /** Keeps the camera above the ground and limits its downward angle. */
-  #stayAbove() {
+  #keepAboveGround() {
     const { controls, camera: { position }, model } = this, { target } = controls;
     const low = Math.min(0, model?.box.min.y ?? 0) + MIN_EYE_HEIGHT, rise = Math.max(0, low - position.y);
     position.y += rise;
@@ -127,7 +127,7 @@ export class Viewport {
   /** Points the camera at a target from its position. */
   lookAt(target: THREE.Vector3) {
     this.controls.target.copy(target);
-    this.#stayAbove();
+    this.#keepAboveGround();
     this.controls.update();
     this.draw();
   }
@@ -151,7 +151,7 @@ export class Viewport {
 
   /** Requests a frame; `after` is called when it has been drawn. */
   draw(after?: () => void) {
-    if (after) this.#after.push(after);
+    if (after) this.#afterFrame.push(after);
     if (this.#wanted) return;
     this.#wanted = true;
     requestAnimationFrame(() => this.frame(true));
@@ -183,8 +183,8 @@ export class Viewport {
     }
     stats.ms = performance.now() - begun;
     stats.frames++;
-    for (const material of this.#disposable.splice(0)) release(material);
-    for (const then of this.#after.splice(0)) then();
+    for (const material of this.#disposable.splice(0)) disposeMaterial(material);
+    for (const then of this.#afterFrame.splice(0)) then();
     for (const then of this.onFrame) then();
   }
 
@@ -197,7 +197,7 @@ export class Viewport {
     this.#waited = true;
   }
 
-  #fit() {
+  #resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -212,7 +212,7 @@ export class Viewport {
 }
 
 /** Frees the GPU resources of a material, except textures that the loader keeps. */
-function release(material: THREE.Material) {
+function disposeMaterial(material: THREE.Material) {
   for (const value of Object.values(material)) {
     if (!(value instanceof THREE.Texture) || value.userData['kept']) continue;
     value.dispose();

@@ -215,31 +215,31 @@ export const undo = (file: string) => post<EditResult>('/api/undo', { file });
 export const redo = (file: string) => post<EditResult>('/api/redo', { file });
 
 /** Subscribes to the server's events; returns a function that unsubscribes. Reconnects every second after a failure. */
-export function listen(file: string, hear: {
+export function listen(file: string, handlers: {
   state: (revision: number) => void;
   cursor: (cursor: Cursor | null) => void;
   files: () => void;
   lost: () => void;
   found: () => void;
 }): () => void {
-  let events: EventSource, again = 0;
-  const begin = () => {
+  let events: EventSource, timer = 0;
+  const connect = () => {
     events = new EventSource(`/api/events?${fileQuery(file)}`);
     const on = (name: string, then: (data: never) => void) =>
       events.addEventListener(name, event => then(JSON.parse((event as MessageEvent<string>).data) as never));
-    on('state', ({ revision }: { revision: number }) => hear.state(revision));
-    on('cursor', hear.cursor);
-    on('files', hear.files);
-    events.addEventListener('open', hear.found);
+    on('state', ({ revision }: { revision: number }) => handlers.state(revision));
+    on('cursor', handlers.cursor);
+    on('files', handlers.files);
+    events.addEventListener('open', handlers.found);
     events.addEventListener('error', () => {
-      hear.lost();
+      handlers.lost();
       events.close();
-      again = window.setTimeout(begin, 1000);
+      timer = window.setTimeout(connect, 1000);
     });
   };
-  begin();
+  connect();
   return () => {
-    clearTimeout(again);
+    clearTimeout(timer);
     events.close();
   };
 }

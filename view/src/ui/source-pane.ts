@@ -18,9 +18,9 @@ export class SourcePane {
   #app: App;
   #id = 0;
   #lines = h('div', { class: 'lines', tabindex: 0, role: 'region', 'aria-label': strings.sourceText });
-  #chooser = h('select', { onchange: () => { this.#id = Number(this.#chooser.value); this.#fill(); } });
+  #chooser = h('select', { onchange: () => { this.#id = Number(this.#chooser.value); this.#render(); } });
   /** Appearance of each shown line. */
-  #looks: string[] = [];
+  #keys: string[] = [];
   #codes: { start: number; end: number; span: ByteRange }[] = [];
   #location: SourceLocation | null = null;
 
@@ -29,13 +29,13 @@ export class SourcePane {
     this.element = h('section', { class: 'pane text', 'aria-label': strings.text, hidden: true },
       h('div', { class: 'bar' }, field(strings.source, this.#chooser)), this.#lines);
     this.#lines.addEventListener('click', event => {
-      const piece = (event.target as Element).closest<HTMLElement>('[data-start]');
-      const line = piece?.closest<HTMLElement>('[data-line]');
+      const run = (event.target as Element).closest<HTMLElement>('[data-start]');
+      const line = run?.closest<HTMLElement>('[data-line]');
       const from = this.#app.offsets.get(this.#id)?.lines[Number(line?.dataset.line) - 1];
-      if (from !== undefined) this.#choose(from + Number(piece!.dataset.start));
+      if (from !== undefined) this.#selectAt(from + Number(run!.dataset.start));
     });
     this.#lines.addEventListener('keydown', event => this.#key(event));
-    app.on('state', () => { this.#location = null; this.#choosers(); this.update(); });
+    app.on('state', () => { this.#location = null; this.#updateChooser(); this.update(); });
     app.on('model', () => this.update());
     app.on('select', () => { this.#location = null; this.update(); this.#reveal(app.selection === null ? null : app.locationOf(app.selection)); });
     app.on('cursor', () => { this.update(); this.#reveal(app.cursor); });
@@ -45,12 +45,12 @@ export class SourcePane {
   show(location: SourceLocation) {
     this.#id = location.id;
     this.#location = location;
-    this.#choosers();
+    this.#updateChooser();
     this.update();
     this.#reveal(location);
   }
 
-  #choosers() {
+  #updateChooser() {
     const { sources } = this.#app.state!;
     if (!sources.some(source => source.id === this.#id)) this.#id = sources[0]?.id ?? 0;
     this.#chooser.replaceChildren(...sources.map(source => h('option', { value: source.id, selected: source.id === this.#id }, displayName(source))));
@@ -59,12 +59,12 @@ export class SourcePane {
   /** Redraws the text if the pane is visible. */
   update() {
     if (this.element.hidden || !this.#app.state) return;
-    this.#fill();
+    this.#render();
   }
 
-  #fill() {
+  #render() {
     const { state, model, selection, pointed, offsets } = this.#app, here = offsets.get(this.#id);
-    if (!here || !state) { this.#draw([]); return; }
+    if (!here || !state) { this.#show([]); return; }
     const marks: Mark[] = [];
     const mark = (span: ByteRange, name: string) => {
       const [start, end] = here.range(span);
@@ -91,31 +91,31 @@ export class SourcePane {
     lit(selection === null ? [] : [selection], 'selected');
     lit(pointed.parts, 'pointed');
     if (this.#location?.id === this.#id) mark(this.#location.span, 'spot');
-    this.#draw(piecesOf(here.text, here.lines, marks));
+    this.#show(runsOf(here.text, here.lines, marks));
   }
 
   /** Replaces the lines whose appearance has changed. */
-  #draw(lines: Piece[][]) {
-    const old = this.#looks, looks = lines.map(lookOf), root = this.#lines, { scrollTop } = root;
-    const both = Math.min(old.length, looks.length);
+  #show(lines: Run[][]) {
+    const old = this.#keys, keys = lines.map(lineKey), root = this.#lines, { scrollTop } = root;
+    const both = Math.min(old.length, keys.length);
     let same = 0, behind = 0;
-    while (same < both && old[same] === looks[same]) same++;
-    while (behind < both - same && old[old.length - 1 - behind] === looks[looks.length - 1 - behind]) behind++;
-    if (same === looks.length && same === old.length) return;
-    if (old.length === looks.length) {
+    while (same < both && old[same] === keys[same]) same++;
+    while (behind < both - same && old[old.length - 1 - behind] === keys[keys.length - 1 - behind]) behind++;
+    if (same === keys.length && same === old.length) return;
+    if (old.length === keys.length) {
       // The number of lines is unchanged: highlights may change in distant places at once.
-      for (let i = same; i < looks.length - behind; i++) {
-        if (old[i] !== looks[i]) root.children[i]!.replaceChildren(...lineOf(lines[i]!).childNodes);
+      for (let i = same; i < keys.length - behind; i++) {
+        if (old[i] !== keys[i]) root.children[i]!.replaceChildren(...lineElement(lines[i]!).childNodes);
       }
     } else {
       const gone = [...root.children].slice(same, old.length - behind), next = root.children[old.length - behind] ?? null;
       for (const line of gone) line.remove();
       const fresh = document.createDocumentFragment();
-      fresh.append(...lines.slice(same, looks.length - behind).map(lineOf));
+      fresh.append(...lines.slice(same, keys.length - behind).map(lineElement));
       root.insertBefore(fresh, next);
-      for (let i = same; i < looks.length; i++) (root.children[i] as HTMLElement).dataset.line = `${i + 1}`;
+      for (let i = same; i < keys.length; i++) (root.children[i] as HTMLElement).dataset.line = `${i + 1}`;
     }
-    this.#looks = looks;
+    this.#keys = keys;
     root.scrollTop = scrollTop;
   }
 
@@ -130,7 +130,7 @@ export class SourcePane {
     if (top < scrollTop || top > scrollTop + clientHeight - 40) this.#lines.scrollTop = top - clientHeight / 3;
   }
 
-  #choose(char: number) {
+  #selectAt(char: number) {
     const code = this.#codes.find(({ start, end }) => start <= char && char < end);
     if (code) this.#app.selectAt({ id: this.#id, span: code.span });
   }
@@ -150,7 +150,7 @@ export class SourcePane {
 }
 
 /** A run of a line with uniform appearance. */
-interface Piece {
+interface Run {
   /** Offset in the line, characters. */
   start: number;
   text: string;
@@ -158,7 +158,7 @@ interface Piece {
 }
 
 /** Splits each line into runs. */
-function piecesOf(text: string, starts: number[], marks: Mark[]): Piece[][] {
+function runsOf(text: string, starts: number[], marks: Mark[]): Run[][] {
   const sorted = [...marks].sort((a, b) => a.start - b.start);
   let first = 0;
   return starts.map((from, i) => {
@@ -168,19 +168,19 @@ function piecesOf(text: string, starts: number[], marks: Mark[]): Piece[][] {
     for (let k = first; k < sorted.length && sorted[k]!.start <= to; k++) if (sorted[k]!.end > from) here.push(sorted[k]!);
     const edges = [...new Set([from, to, ...here.flatMap(m => [m.start, m.end])])].filter(c => c >= from && c <= to).sort((a, b) => a - b);
     const names = (of: Mark[]) => [...new Set(of.map(m => m.name))].join(' ');
-    const pieces = edges.slice(1).map((end, k) => {
+    const runs = edges.slice(1).map((end, k) => {
       const start = edges[k]!;
       return { start: start - from, text: text.slice(start, end), names: names(here.filter(m => m.start <= start && m.end >= end)) };
     });
     // A diagnostic at the end of a line needs a visible mark.
     const behind = here.filter(m => m.start >= to && m.name !== 'code');
-    if (behind.length) pieces.push({ start: to - from, text: ' ', names: names(behind) });
-    return pieces;
+    if (behind.length) runs.push({ start: to - from, text: ' ', names: names(behind) });
+    return runs;
   });
 }
 
-const lineOf = (pieces: Piece[]) => h('div', { class: 'source-line' },
-  ...pieces.map(({ start, text, names }) => names ? h('span', { class: names, 'data-start': start }, text) : text));
+const lineElement = (runs: Run[]) => h('div', { class: 'source-line' },
+  ...runs.map(({ start, text, names }) => names ? h('span', { class: names, 'data-start': start }, text) : text));
 
 /** A key that equal-looking lines share. */
-const lookOf = (pieces: Piece[]) => pieces.map(({ text, names }) => `${names}\t${text}`).join('\n');
+const lineKey = (runs: Run[]) => runs.map(({ text, names }) => `${names}\t${text}`).join('\n');

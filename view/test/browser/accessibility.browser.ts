@@ -52,7 +52,7 @@ for (const [layout, language, colorScheme] of LOOKS) {
     await page.locator('.legend summary').click();
     assert.deepEqual(await violations(page), [], 'plan');
     await does(page, 'draw').click();
-    await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
+    await until(async () => await page.locator('.palette button').count() > 50, 'the palette is loaded');
     for (const tool of ['part', 'wall', 'break', 'outline']) {
       await page.locator(`.tools input[value=${tool}]`).check();
       assert.deepEqual(await violations(page), [], `drawing, ${tool}`);
@@ -70,11 +70,11 @@ test('the Japanese page has no English strings', async () => {
   await does(page, 'plan').click();
   await does(page, 'draw').click();
   await page.evaluate(() => hsd.select(hsd.find('GDE 2')[0]!));
-  const said = await page.evaluate(() => document.body.innerText);
+  const text = await page.evaluate(() => document.body.innerText);
   const flat = (of: object): string[] => Object.values(of).flatMap(v => typeof v === 'string' ? [v] : typeof v === 'object' ? flat(v as object) : []);
-  const english = flat(translations.en).filter(word => /[a-z]{4}/.test(word) && new RegExp(`(^|\\n)${word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')}($|\\n)`).test(said));
+  const english = flat(translations.en).filter(word => /[a-z]{4}/.test(word) && new RegExp(`(^|\\n)${word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')}($|\\n)`).test(text));
   assert.deepEqual(english, []);
-  for (const word of [translations.ja.section, translations.ja.sun, translations.ja.measure, translations.ja.toolName.wall, translations.ja.storey(1)]) assert.ok(said.includes(word), word);
+  for (const word of [translations.ja.section, translations.ja.sun, translations.ja.measure, translations.ja.toolName.wall, translations.ja.storey(1)]) assert.ok(text.includes(word), word);
   await page.context().close();
 });
 
@@ -109,7 +109,7 @@ test('every control is reachable by Tab, shows its focus, and has a name', async
   await does(page, 'plan').click();
   await does(page, 'text').click();
   await does(page, 'draw').click();
-  await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
+  await until(async () => await page.locator('.palette button').count() > 50, 'the palette is loaded');
   await page.evaluate(() => { hsd.select(hsd.find('GDE 2')[0]!); (document.activeElement as HTMLElement).blur(); });
   // All focusable elements; Tab reaches one element of a tree, of a radio group and of the plan's units.
   const all = await page.evaluate(() => [...document.querySelectorAll<HTMLElement>('button, input, select, summary, canvas, [tabindex="0"]')]
@@ -177,4 +177,4 @@ test('a session by keyboard: choose a file, hide a roof, cut, set the sun, measu
   await page.context().close();
 });
 
-test('no requests to other hosts, no errors', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.assertClean());

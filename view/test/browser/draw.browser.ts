@@ -27,7 +27,7 @@ before(async () => {
   await does(page, 'plan').click();
   await does(page, 'draw').click();
   await page.locator('.toolbar [data-do=model]').click(); // Makes room for the plan.
-  await until(async () => await page.locator('.palette button').count() > 50, 'the palette is there');
+  await until(async () => await page.locator('.palette button').count() > 50, 'the palette is loaded');
 });
 after(async () => { await preview?.close(); });
 beforeEach(async () => {
@@ -38,13 +38,13 @@ beforeEach(async () => {
 
 /** Waits until the plan is up to date with the model. */
 const drawn = () => until(() => page.evaluate(() => hsd.plan.drawn.walls.size > 0 && document.documentElement.dataset.revision === `${hsd.revision}`), 'the plan is drawn');
-const said = () => page.locator('.status').textContent();
+const status = () => page.locator('.status').textContent();
 const tool = (name: string) => page.locator(`.tools input[value=${name}]`).check();
 const text = () => preview.read('plain.hsd');
 
 /** Waits for the effect of an edit on the source file. */
 async function becomes(holds: (text: string) => boolean, what: string) {
-  await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await said()}`); });
+  await until(() => holds(text()), what).catch(async error => { throw new Error(`${(error as Error).message}; ${await status()}`); });
   const now = text();
   await until(() => page.evaluate(now => hsd.app.state?.sources[0]?.text === now && hsd.reload?.revision === hsd.revision, now), 'the page shows it');
   await page.waitForTimeout(60);
@@ -72,7 +72,7 @@ test('the palette shows parts with images and finds them by name', async () => {
   const buttons = page.locator('.palette button');
   const all = await buttons.count();
   const picture = buttons.filter({ hasText: 'KSK' }).first().locator('img');
-  await until(() => picture.evaluate(e => (e as HTMLImageElement).complete && (e as HTMLImageElement).naturalWidth > 0), 'a picture is there');
+  await until(() => picture.evaluate(e => (e as HTMLImageElement).complete && (e as HTMLImageElement).naturalWidth > 0), 'an image is loaded');
   await page.getByLabel('Find a part').fill('格子');
   const found = await buttons.count();
   assert.ok(found > 0 && found < all, `${found} of ${all}`);
@@ -84,19 +84,19 @@ test('the palette shows parts with images and finds them by name', async () => {
 
 test('a part is placed with two clicks, undone and redone', async () => {
   await page.locator('.palette button[data-code="KTU  "]').click();
-  assert.match(await said() ?? '', /now choose/);
+  assert.match(await status() ?? '', /now choose/);
   await page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
   await becomes(t => t.includes('KTU  KSK  TKD 2KSK  KSK'), 'the first unit is KTU');
   assert.equal(text(), HOUSE.replace('KSK  KSK  TKD', 'KTU  KSK  TKD'), 'nothing else has changed');
   assert.equal(await page.evaluate(() => hsd.find('KSK').length), 3);
   await does(page, 'undo').click();
-  await becomes(t => t === HOUSE, 'taken back');
+  await becomes(t => t === HOUSE, 'undone');
   await does(page, 'redo').click();
-  await becomes(t => t !== HOUSE, 'set again');
+  await becomes(t => t !== HOUSE, 'redone');
   await page.keyboard.press('Control+z');
-  await becomes(t => t === HOUSE, 'taken back by keys');
+  await becomes(t => t === HOUSE, 'undone by keyboard');
   await page.keyboard.press('Control+Shift+Z');
-  await becomes(t => t !== HOUSE, 'set again by keys');
+  await becomes(t => t !== HOUSE, 'redone by keyboard');
 });
 
 test('a part is placed by keyboard', async () => {
@@ -121,7 +121,7 @@ test('a wall is dragged along its normal with a ghost and its units, and the adj
   assert.ok(text().startsWith(HOUSE.slice(0, HOUSE.indexOf('KSK'))), 'comments stay');
   assert.equal(await page.locator('.ghost').count(), 0);
   await does(page, 'undo').click();
-  await becomes(t => t === HOUSE, 'taken back');
+  await becomes(t => t === HOUSE, 'undone');
 });
 
 test('a wall is moved by keyboard', async () => {
@@ -143,9 +143,9 @@ test('an impossible edit is refused with a reason, and nothing changes', async (
   await tool('wall');
   await drag([2.5, 4], [2.5, -3]);
   await page.mouse.up();
-  await until(async () => /^Not applied: .{10,}/.test(await said() ?? ''), 'it is refused');
+  await until(async () => /^Not applied: .{10,}/.test(await status() ?? ''), 'it is refused');
   assert.ok(await page.locator('.status.refused').isVisible());
-  assert.equal(await page.locator('.ghost').count(), 0, 'it snaps back');
+  assert.equal(await page.locator('.ghost').count(), 0, 'the ghost is removed');
   assert.equal(text(), HOUSE);
 });
 
@@ -238,14 +238,14 @@ test('edits in quick succession are all applied in order', async () => {
   });
   await becomes(t => !t.includes('KSK'), `${count} units are set`);
   for (let i = 0; i < count; i++) await page.keyboard.press('Control+z');
-  await becomes(t => t === HOUSE, 'all are taken back');
+  await becomes(t => t === HOUSE, 'all are undone');
 });
 
 test('a change saved during a drag is kept, and the edit is applied if its target still exists', async () => {
   await tool('wall');
   await drag([2.5, 4], [2.5, 6.2]);
   await preview.save(page, 'plain.hsd', `# Written meanwhile.\n${HOUSE}`);
-  assert.equal(await page.locator('.ghost').count(), 1, 'it is still held');
+  assert.equal(await page.locator('.ghost').count(), 1, 'the drag continues');
   await page.mouse.up();
   await becomes(t => t.startsWith('# Written meanwhile.') && t.length > HOUSE.length + 25, 'both are there');
   assert.deepEqual(await corners(), [[0, 0], [6, 0], [6, 6], [0, 6]]);
@@ -255,7 +255,7 @@ test('a change saved during a drag is kept, and the edit is applied if its targe
   const deeper = HOUSE.replaceAll('KTU  KTU  MRE  KTU', 'KTU  KTU  MRE  KTU  KTU').replace('\nKTU  KTU  KTU  KTU\n', '\nKTU  KTU  KTU  KTU  KTU\n');
   await preview.save(page, 'plain.hsd', deeper);
   await page.mouse.up();
-  await until(async () => (await said() ?? '').includes('changed in the meantime'), 'it is refused');
+  await until(async () => (await status() ?? '').includes('changed in the meantime'), 'it is refused');
   assert.equal(text(), deeper);
   assert.equal(await page.locator('.ghost').count(), 0);
 });
@@ -265,7 +265,7 @@ test('heights are limited to numbers within bounds', async () => {
   for (const wrong of ['-3', '', '500', '0.2']) {
     await height.fill(wrong);
     await does(page, 'set-height').click();
-    assert.match(await said() ?? '', /Not applied: the height must be a number from 1 to 100/);
+    assert.match(await status() ?? '', /Not applied: the height must be a number from 1 to 100/);
   }
   assert.equal(text(), HOUSE);
 });
@@ -276,8 +276,8 @@ test('a first house can be drawn in an empty file', async () => {
   for (const file of ['empty.hsd', 'remark.hsd']) {
     await page.locator('.files button').filter({ hasText: file.split('.')[0]! }).click();
     await until(() => page.evaluate(file => hsd.app.state?.file === file && hsd.reload !== null, file), 'it is shown');
-    const said = await page.evaluate(() => hsd.app.state!.diagnostics.map(d => d.code));
-    await until(async () => await page.locator('.messages .message').count() === said.length, 'messages are shown');
+    const status = await page.evaluate(() => hsd.app.state!.diagnostics.map(d => d.code));
+    await until(async () => await page.locator('.messages .message').count() === status.length, 'messages are shown');
     await page.waitForTimeout(150);
     await tool('outline');
     const { x, y, width, height } = (await page.locator('.sheet').boundingBox())!;
@@ -285,7 +285,7 @@ test('a first house can be drawn in an empty file', async () => {
     await page.mouse.down();
     await page.mouse.move(x + width * 0.65, y + height * 0.65, { steps: 4 });
     await page.mouse.up();
-    await until(() => page.evaluate(() => hsd.app.state!.plan.houses.length === 1 && hsd.app.model!.triangles > 0), 'the house stands');
+    await until(() => page.evaluate(() => hsd.app.state!.plan.houses.length === 1 && hsd.app.model!.triangles > 0), 'the house is shown');
     await does(page, 'remove-house').click();
     await until(async () => (await page.locator('.status').textContent() ?? '').includes('the only house'), 'it is refused');
     assert.equal(await page.evaluate(() => hsd.app.state!.diagnostics.length), 0, preview.read(file));
@@ -300,13 +300,13 @@ test('a read-only or missing file is reported', async () => {
   const set = () => page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
   chmodSync(path, 0o444);
   await set();
-  await until(async () => (await said() ?? '').includes('Not applied: the file, or its folder, may not be written to'), 'it is protected');
+  await until(async () => (await status() ?? '').includes('Not applied: the file, or its folder, may not be written to'), 'the edit of a read-only file is refused');
   chmodSync(path, 0o644);
   assert.equal(text(), HOUSE);
   rmSync(path);
-  await until(async () => /plain\.hsd has been removed/.test(await page.locator('.live').textContent() ?? ''), 'it is told');
+  await until(async () => /plain\.hsd has been removed/.test(await page.locator('.live').textContent() ?? ''), 'the removal is reported');
   await set();
-  await until(async () => (await said() ?? '').includes('Not applied: the file is no longer there'), 'it is gone');
+  await until(async () => (await status() ?? '').includes('Not applied: the file is no longer there'), 'the edit is refused');
   preview.write('plain.hsd', HOUSE);
 });
 
@@ -316,10 +316,10 @@ test('drawing is disabled where files may not be edited', async () => {
     const there = await closed.open('?file=plain.hsd');
     await does(there, 'plan').click();
     assert.ok(await does(there, 'draw').isDisabled());
-    closed.blameless();
+    closed.assertClean();
   } finally {
     await closed.close();
   }
 });
 
-test('no requests to other hosts, no errors', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.assertClean());

@@ -14,7 +14,7 @@ const changed = (change: (list: string[]) => string[]) => `<Houses>\n${change([.
 
 /** Moves a house, metres. */
 const moved = (x: number, y: number) => (house: string) =>
-  house.replace(/ x="([^"]*)" y="([^"]*)"/, (_, from_x, from_y) => ` x="${Number(from_x) + x}" y="${Number(from_y) + y}"`);
+  house.replace(/ x="([^"]*)" y="([^"]*)"/, (_, fromX, fromY) => ` x="${Number(fromX) + x}" y="${Number(fromY) + y}"`);
 
 /** Rendering is compared only in the last test. */
 const SMALL = { viewport: { width: 640, height: 360 } };
@@ -162,7 +162,7 @@ test('a lower level of detail is shown on request', async () => {
     await saved(changed(list => list.with(1, list[1]!.replace('KTU  KTU  TKD 2', 'KTU  MRE  TKD 2'))), [coarse, far]);
     const { kept, of } = await saved(changed(list => list.with(1, list[1]!.replace('KTU  KTU  TKD 2', 'KTU  MRE  TKD 2')).toSpliced(7, 1)), [coarse, far]);
     assert.equal(kept, of);
-    coarse.blameless();
+    coarse.assertClean();
   } finally {
     await coarse.close();
   }
@@ -200,5 +200,5 @@ test('many changes leak nothing and look like a fresh page', async () => {
     looks.push(await brightness(one));
   }
   assert.ok(differ(looks[0]!, looks[1]!, 0.06) < 0.02, `${differ(looks[0]!, looks[1]!, 0.06)} of the places differ`);
-  preview.blameless();
+  preview.assertClean();
 });

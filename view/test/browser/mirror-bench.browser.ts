@@ -79,7 +79,7 @@ test('the cost of reflections depends on what their beams contain, not on the si
     for (const what of ['drawn', 'calls', 'triangles', 'chunks', 'pixels'] as const) {
       assert.equal(large.stats[what], small.stats[what], `${what} of ${glass} facades`);
     }
-    assert(large.stats.tested < small.stats.tested * 1.5, 'more boxes make the tree a little higher');
+    assert(large.stats.tested < small.stats.tested * 1.5, 'more boxes make the tree slightly deeper');
   }
 });
 

@@ -49,7 +49,7 @@ async function drawn(shot: Shot, settled = false): Promise<{ drawn: Drawn; pixel
     const { it } = window as unknown as { it: ReturnType<Window['page']> };
     return { drawn: settled ? await it.settle(shot) : it.draw(shot), text: it.pixels(), errors: it.errors() };
   }, [shot, settled] as const);
-  assert.deepEqual(errors, [], 'the card has nothing to complain of');
+  assert.deepEqual(errors, [], 'no WebGL errors');
   return { ...rest, pixels: new Uint8Array(Buffer.from(text, 'base64')) };
 }
 
@@ -115,7 +115,7 @@ test('occluded glass is not mirrored until the camera rises above the house', as
   const behind: Eye = { eye: [-5, 1.5, 12], target: [-5, 1.5, 0], fov: 50 }, above: Eye = { ...behind, eye: [-5, 7, 13] };
   const options = { ...EXACT, cullOccluded: true, depth: 1 };
   const first = await drawn({ ...behind, ...SIZE, options });
-  assert(first.drawn.stats.drawn > 0, 'nothing is known yet');
+  assert(first.drawn.stats.drawn > 0, 'occlusion is not known yet');
   const hidden = await drawn({ ...behind, ...SIZE, options }, true);
   assert.equal(hidden.drawn.stats.drawn, 0);
   assert.equal(hidden.drawn.stats.calls, 0);
@@ -188,7 +188,7 @@ test('a perfect mirror shows the light and shadows that an eye behind it would s
     }
   }
   t.diagnostic(`${(100 * same / all).toFixed(2)} % of ${all} agree`);
-  assert(all > 5000, 'enough of ground and neighbour is to be seen');
+  assert(all > 5000, 'enough of the ground and the neighbour is visible');
   assert(same / all >= 0.985, `${same / all}`);
 });
 

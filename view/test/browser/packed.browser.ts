@@ -33,7 +33,7 @@ test('a compressed model looks like its source', async t => {
   const textures = await page.evaluate(() => hsd.app.model!.chunks.filter(c => (c.mesh.material.map as { isCompressedTexture?: boolean } | null)?.isCompressedTexture).length);
   assert.ok(textures > 5, `${textures} chunks with compressed textures`);
   assert.ok(differ(seen, await brightness(page), 0.08) < 0.02, 'both look alike');
-  preview.blameless();
+  preview.assertClean();
 });
 
 test('an uncompressed model does not load the decoders', async t => {
@@ -41,5 +41,5 @@ test('an uncompressed model does not load the decoders', async t => {
   const page = await preview.open('?file=machiya.hsd');
   const fetched = await page.evaluate(() => performance.getEntriesByType('resource').map(entry => new URL(entry.name).pathname));
   assert.deepEqual(fetched.filter(path => /decoders|unpack|wasm/.test(path)), []);
-  preview.blameless();
+  preview.assertClean();
 });

@@ -66,7 +66,7 @@ test('the section plane cuts on each axis, on either side, and bodies look solid
   await section.getByLabel('Position').fill('0.3');
   assert.ok(await kept(0.5, 0.2, 0.5));
   assert.ok(!await kept(0.5, 0.4, 0.5));
-  assert.ok(differ(whole, await brightness(page)) > 0.1, 'the upper part is gone');
+  assert.ok(differ(whole, await brightness(page)) > 0.1, 'the upper part is hidden');
   // The flat colour of cut bodies is visible.
   const caps = () => page.evaluate(() => {
     const { clientWidth: w, clientHeight: h } = hsd.viewport.canvas, places: [number, number][] = [];
@@ -100,8 +100,8 @@ test('the sun follows date and hour in Kyoto, with its shadows; nights are dim',
     await sky.getByLabel('Hour in Kyoto').fill(`${hour}`);
     const [year, month, day] = date.split('-').map(Number) as [number, number, number];
     const { azimuth, altitude } = sunPosition({ year, month, day }, hour, KYOTO);
-    const said = await sky.locator('p[role=status]').textContent();
-    assert.ok(said!.includes(`${azimuth.toFixed(1)}°`) && said!.includes(`${altitude.toFixed(1)}°`), `${said}`);
+    const text = await sky.locator('p[role=status]').textContent();
+    assert.ok(text!.includes(`${azimuth.toFixed(1)}°`) && text!.includes(`${altitude.toFixed(1)}°`), `${text}`);
     // The direction of the light: x east, y up, z south.
     const way = await page.evaluate(() => { const { sun } = hsd.viewport; return sun.position.clone().sub(sun.target.position).normalize().toArray(); });
     if (altitude > 0) {
@@ -222,7 +222,7 @@ test('preset views have their direction and show the whole house', async () => {
   assert.ok(top.y > 5 && Math.hypot(top.x, top.z) < 0.2 && top.inside);
   await page.locator('canvas.viewport').focus();
   await page.keyboard.press('ArrowLeft');
-  assert.equal(await does(page, 'view').inputValue(), '', 'the view is left when the eye moves');
+  assert.equal(await does(page, 'view').inputValue(), '', 'moving the camera leaves the preset');
   const eye = await page.evaluate(() => { hsd.camera = [2, -6, 30, 0, 12, 0]; return hsd.camera[1]!; });
   assert.ok(eye > 0 && eye < 1, `it stays above the ground: ${eye}`);
   // Pan down, then zoom towards a point below the ground.
@@ -284,4 +284,4 @@ test('statistics show the cost of a frame', async () => {
   assert.match(await stats.textContent() ?? '', /Frame[\d.]+ ms.*Reload\d+ ms.*Compile: read[\d.]+ ms/);
 });
 
-test('no requests to other hosts, no errors', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.assertClean());

@@ -17,8 +17,8 @@ export class Preview {
   readonly folder = temporaryFolder();
   url = '';
   /** Requests to other hosts, and console messages. */
-  readonly strays: string[] = [];
-  readonly complaints: string[] = [];
+  readonly foreignRequests: string[] = [];
+  readonly consoleMessages: string[] = [];
   /** Runs in each page before its own scripts. */
   script = '';
   #server: ChildProcess | null = null;
@@ -51,10 +51,10 @@ export class Preview {
     if (options.length) this.#options = options;
     const server = this.#server = spawn(hsd, ['view', this.folder, '--no-open', '--port', port, ...this.#options], { stdio: ['ignore', 'pipe', 'inherit'] });
     this.url = await new Promise<string>((done, fail) => {
-      let said = '';
+      let output = '';
       server.stdout!.on('data', data => {
-        said += data;
-        const url = said.match(/http:\S+/)?.[0];
+        output += data;
+        const url = output.match(/http:\S+/)?.[0];
         if (url) done(url);
       });
       server.on('exit', code => fail(new Error(`hsd view ended with ${code}`)));
@@ -83,16 +83,16 @@ export class Preview {
     page.setDefaultTimeout(20_000);
     page.on('request', request => {
       const url = request.url();
-      if (!url.startsWith(own) && !url.startsWith('blob:') && !url.startsWith('data:')) this.strays.push(url);
+      if (!url.startsWith(own) && !url.startsWith('blob:') && !url.startsWith('data:')) this.foreignRequests.push(url);
     });
     page.on('console', message => {
       const text = message.text();
-      if (message.type() === 'error' && !/Failed to load resource|net::ERR/.test(text)) this.complaints.push(text);
+      if (message.type() === 'error' && !/Failed to load resource|net::ERR/.test(text)) this.consoleMessages.push(text);
     });
-    page.on('pageerror', error => this.complaints.push(error.stack ?? error.message));
+    page.on('pageerror', error => this.consoleMessages.push(error.stack ?? error.message));
     await page.addInitScript('globalThis.__name = f => f'); // A helper that tsx inserts into functions sent to the page.
     if (this.script) await page.addInitScript(this.script);
-    if (process.env['HSD_DIST']) await from_dist(page, own);
+    if (process.env['HSD_DIST']) await fromDist(page, own);
     await page.goto(this.url + query);
     if (wait) await page.waitForSelector('html[data-revision]', { state: 'attached' });
     if (wait) await page.evaluate(() => hsd.settled());
@@ -127,14 +127,14 @@ export class Preview {
   }
 
   /** Asserts that no request left the machine and nothing failed. */
-  blameless() {
-    assert.deepEqual(this.strays, [], 'requests that leave the preview');
-    assert.deepEqual(this.complaints, [], 'what consoles complain of');
+  assertClean() {
+    assert.deepEqual(this.foreignRequests, [], 'requests to other hosts');
+    assert.deepEqual(this.consoleMessages, [], 'console messages');
   }
 }
 
 /** Serves the page from dist/, so that the program need not be rebuilt while working on the page. */
-async function from_dist(page: Page, own: string) {
+async function fromDist(page: Page, own: string) {
   const { gunzipSync } = await import('node:zlib');
   await page.route(url => url.origin === own && !url.pathname.startsWith('/api/'), async route => {
     const name = new URL(route.request().url()).pathname.slice(1) || 'index.html';

@@ -40,7 +40,7 @@ test('after a save, camera, toggles, section and selection stay', async () => {
   assert.ok(await page.evaluate(() => hsd.app.section.cut.on && hsd.app.section.cut.at === 0.8 && hsd.app.section.caps > 0));
   assert.ok(await page.evaluate(() => hsd.app.model!.chunks.every(c => c.mesh.visible !== (hsd.app.layerOf(c) === 'roof 2'))));
   assert.equal((await page.locator('.source-line .selected').textContent())?.trim(), 'TOD');
-  assert.ok(await page.evaluate(() => hsd.viewport.renderer.info.memory.textures) <= pictures + 3, 'pictures are kept');
+  assert.ok(await page.evaluate(() => hsd.viewport.renderer.info.memory.textures) <= pictures + 3, 'textures are kept');
   assert.match(await page.locator('.live').textContent() ?? '', /reloaded, revision/);
   await does(page, 'reset').click();
 });
@@ -98,7 +98,7 @@ test('missing textures are reported, and the model is shown without them', async
   assert.ok(await page.evaluate(() => hsd.viewport.model!.triangles) > 100);
   assert.match(await page.locator('.live').textContent() ?? '', /reloaded.* 1 warning/);
   writeFileSync(join(pictures, lost), kept);
-  await until(async () => await message.count() === 0, 'it is there again');
+  await until(async () => await message.count() === 0, 'the texture is back');
   await page.close();
 });
 
@@ -106,10 +106,10 @@ test('a low-resolution frame shows the same image', async () => {
   const whole = await brightness(page), frameTime = await page.evaluate(() => hsd.viewport.frameTime);
   await page.evaluate(() => { hsd.viewport.frameTime = 300; });
   const quick = await brightness(page, true);
-  assert.ok(differ(whole, quick) > 0, 'it is another one');
+  assert.ok(differ(whole, quick) > 0, 'the frame differs');
   assert.ok(differ(whole, quick, 0.1) < 0.1, `${differ(whole, quick, 0.1)} of the places differ`);
   assert.ok(Math.abs(mean(whole) - mean(quick)) < 0.01, `${mean(whole)} and ${mean(quick)}`);
-  await until(() => page.evaluate(() => !hsd.viewport.coarse), 'it is drawn in full');
+  await until(() => page.evaluate(() => !hsd.viewport.coarse), 'a full frame is drawn');
   assert.equal(differ(whole, await brightness(page)), 0);
   await page.evaluate(frameTime => { hsd.viewport.frameTime = frameTime; }, frameTime);
 });
@@ -131,24 +131,24 @@ test('with errors that leave no house the last model stays, and messages link to
   await page.evaluate(() => hsd.settled());
   const seen = await brightness(page), parts = await page.evaluate(() => hsd.app.model!.parts.length);
   await preview.save(page, 'machiya.hsd', '<Houses><House name="x"/>\n<Haus/></Houses>\n');
-  await until(async () => /last model stays/.test(await page.locator('.live').textContent() ?? ''), 'it is said');
+  await until(async () => /last model stays/.test(await page.locator('.live').textContent() ?? ''), 'the message is shown');
   assert.equal(await page.evaluate(() => hsd.app.model!.parts.length), parts);
   assert.equal(differ(seen, await brightness(page)), 0);
   const messages = page.locator('.message');
-  const said = await page.evaluate(() => hsd.app.state!.diagnostics);
-  assert.equal(await messages.count(), said.length);
-  const index = said.findIndex(d => d.severity === 'error' && d.line === 2);
+  const diagnostics = await page.evaluate(() => hsd.app.state!.diagnostics);
+  assert.equal(await messages.count(), diagnostics.length);
+  const index = diagnostics.findIndex(d => d.severity === 'error' && d.line === 2);
   assert.ok(index >= 0);
   const row = await messages.nth(index).textContent() ?? '';
-  assert.ok(row.includes('error') && row.includes(said[index]!.code) && row.includes('line 2') && row.includes(said[index]!.message), row);
-  if (said[index]!.help) assert.ok(row.includes(said[index]!.help!));
+  assert.ok(row.includes('error') && row.includes(diagnostics[index]!.code) && row.includes('line 2') && row.includes(diagnostics[index]!.message), row);
+  if (diagnostics[index]!.help) assert.ok(row.includes(diagnostics[index]!.help!));
   await messages.nth(index).click();
   assert.equal(await page.locator('.source-line:has(.spot)').getAttribute('data-line'), '2');
   assert.ok(await page.locator('.source-line .error').count() > 0, 'it is underlined');
   const [file, line, column] = await preview.sent();
-  assert.deepEqual([file, line, column], ['machiya.hsd', 2, said[index]!.column]);
+  assert.deepEqual([file, line, column], ['machiya.hsd', 2, diagnostics[index]!.column]);
   await preview.save(page, 'machiya.hsd', text);
-  await until(async () => await messages.count() === 0, 'messages go');
+  await until(async () => await messages.count() === 0, 'the messages disappear');
 });
 
 test('a lost connection is reported and restored, with files saved in the meantime', async () => {
@@ -160,9 +160,9 @@ test('a lost connection is reported and restored, with files saved in the meanti
     assert.match(await alert.textContent() ?? '', /is not responding/);
     preview.write('machiya.hsd', text.replace('KKS', code).replace('GSI  GSI', `${code}  GSI`));
     await preview.serve();
-    await until(() => alert.isHidden(), 'it answers again');
+    await until(() => alert.isHidden(), 'the connection is restored');
     await until(() => page.evaluate(code => hsd.find('KKS').length === 0 && hsd.app.state!.sources[0]!.text.includes(`${code}  GSI`), code), `${code} is shown`);
   }
 });
 
-test('no requests to other hosts, no errors', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.assertClean());

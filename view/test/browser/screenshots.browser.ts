@@ -23,16 +23,16 @@ test('screenshots are rendered and posted, then the end is reported', async () =
   });
   await page.route('**/api/rendered', route => { ends.push(route.request().postData()!); return route.fulfill({ json: {} }); });
   await page.goto(`${preview.url}?file=machiya.hsd&render=front,above&size=320x200&samples=3`);
-  await until(() => ends.length > 0, 'the end is told', 60_000);
+  await until(() => ends.length > 0, 'the end is reported', 60_000);
   assert.deepEqual(ends.map(end => JSON.parse(end)), [{ errors: [] }]);
   assert.deepEqual([...pictures.keys()], ['front', 'above']);
   for (const bytes of pictures.values()) {
     assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
     assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], [320, 200]);
-    assert.ok(bytes.length > 20_000, 'there is something in it');
+    assert.ok(bytes.length > 20_000, 'the image is not empty');
   }
   await page.goto(`${preview.url}?file=machiya.hsd&render=nowhere`);
-  await until(() => ends.length > 1, 'a failure is told');
+  await until(() => ends.length > 1, 'the failure is reported');
   assert.match(JSON.parse(ends[1]!).errors[0], /nowhere/);
   await page.context().close();
 });
@@ -47,13 +47,13 @@ test('reflections can be switched, with a chosen depth', async () => {
     await page.evaluate(() => hsd.settled());
     if (await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0)) break;
   }
-  assert.ok(await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0), 'mirrors in sight');
+  assert.ok(await page.evaluate(() => hsd.app.mirrors.stats.drawn > 0), 'visible mirrors');
   const mirrored = await brightness(page), calls = await page.evaluate(() => hsd.stats.calls);
   await glass.getByLabel('Reflect neighbouring buildings').uncheck();
   const plain = await brightness(page);
   assert.equal(await page.evaluate(() => hsd.app.mirrors.stats.drawn), 0);
-  assert.ok(await page.evaluate(() => hsd.stats.calls) < calls, 'less is drawn');
-  assert.ok(differ(mirrored, plain, 0.01) > 0, 'the picture is another');
+  assert.ok(await page.evaluate(() => hsd.stats.calls) < calls, 'fewer draw calls');
+  assert.ok(differ(mirrored, plain, 0.01) > 0, 'the image changes');
   await glass.getByLabel('Reflect neighbouring buildings').check();
   assert.equal(differ(mirrored, await brightness(page), 0.01), 0);
   await glass.getByLabel('Reflection depth').fill('3');
@@ -61,7 +61,7 @@ test('reflections can be switched, with a chosen depth', async () => {
   await does(page, 'reset').click();
   assert.equal(await page.evaluate(() => hsd.app.mirrors.options.depth), 1);
   const stats = await unfold(page, 'stats');
-  await until(async () => /Mirrors in sight\d+ \/ \d+/.test(await stats.textContent() ?? ''), 'statistics of mirrors');
+  await until(async () => /Visible mirrors\d+ \/ \d+/.test(await stats.textContent() ?? ''), 'statistics of mirrors');
   await page.context().close();
 });
 
@@ -77,4 +77,4 @@ test('a model file is shown without a source', async () => {
   await page.context().close();
 });
 
-test('no requests to other hosts, no errors', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.assertClean());

@@ -28,19 +28,19 @@ test('a click on a part shows its details and source, and opens it in the editor
     }
     return null;
   });
-  assert.ok(found, 'a slit window is in sight');
+  assert.ok(found, 'a slit window is visible');
   await page.locator('canvas.viewport').click({ position: found! });
   assert.equal((await selection())?.code, 'MMU 2');
   const card = page.locator('.card');
   assert.equal(await card.locator('h2').textContent(), 'MMU 2');
-  const said = await card.textContent() ?? '', line = lineOf('MMU 2MMU 2');
-  assert.match(said, /Storey 2/);
-  assert.match(said, /Wall 1/);
-  assert.ok(said.includes(`Line${line}`), said);
+  const details = await card.textContent() ?? '', line = lineOf('MMU 2MMU 2');
+  assert.match(details, /Storey 2/);
+  assert.match(details, /Wall 1/);
+  assert.ok(details.includes(`Line${line}`), details);
   assert.equal(await card.locator('pre').textContent(), preview.read('machiya.hsd').split('\n')[line - 1]);
   assert.equal(await page.locator('.source-line .selected').textContent(), 'MMU 2');
   assert.equal(await page.locator('.source-line:has(.selected)').getAttribute('data-line'), `${line}`);
-  assert.ok(await page.evaluate(() => hsd.app.selected.drawn) > 0, 'it is lit in the model');
+  assert.ok(await page.evaluate(() => hsd.app.selected.drawn) > 0, 'it is highlighted in the model');
   assert.match(await page.locator('.live').textContent() ?? '', /Selected: Part, MMU 2, Storey 2/);
   await does(page, 'open').click();
   const text = preview.read('machiya.hsd'), begun = text.split('\n').slice(0, line - 1).join('\n').length + 1;
@@ -87,7 +87,7 @@ test('every part is reachable in the tree by keyboard', async () => {
   assert.match(await focus() ?? '', /^Wall/);
   await into();
   assert.equal(await focus(), 'GSI');
-  assert.deepEqual(await page.evaluate(() => hsd.lit), ['GSI'], 'what has the focus is lit');
+  assert.deepEqual(await page.evaluate(() => hsd.lit), ['GSI'], 'the focused part is highlighted');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Enter');
@@ -205,15 +205,15 @@ test('the plan of automatic roofs has their regions, ridges and courts', async (
 test('the editor\'s cursor highlights its part', async () => {
   const other = await preview.open('', {}, false);
   const text = preview.read('machiya.hsd'), at = text.indexOf('GDE 2') + 1;
-  let told = false;
+  let sent = false;
   await other.route('**/api/events**', route => {
     // The previous page may still send requests.
-    if (told || !route.request().frame().url().includes('?file=')) return route.continue();
-    told = true;
+    if (sent || !route.request().frame().url().includes('?file=')) return route.continue();
+    sent = true;
     return route.fulfill({ contentType: 'text/event-stream', body: `event: cursor\ndata: {"id":0,"span":[${at},${at}]}\n\n` });
   });
   await other.goto(`${preview.url}?file=machiya.hsd`);
-  await until(() => other.evaluate(() => globalThis.hsd?.lit.join() === 'GDE 2'), 'the part at the cursor is lit');
+  await until(() => other.evaluate(() => globalThis.hsd?.lit.join() === 'GDE 2'), 'the part at the cursor is highlighted');
   assert.ok(await other.evaluate(() => hsd.app.pointed.drawn) > 0);
   await does(other, 'text').click();
   assert.equal(await other.locator('.source-line .pointed').textContent(), 'GDE 2');
@@ -222,4 +222,4 @@ test('the editor\'s cursor highlights its part', async () => {
   await other.context().close();
 });
 
-test('no requests to other hosts, no errors', () => preview.blameless());
+test('no requests to other hosts, no errors', () => preview.assertClean());
