@@ -1,5 +1,9 @@
-//! How many megabytes of text a second: reading alone, expanding alone, and everything that `hsd check` does.
+//! How many megabytes of source files a second: reading alone, expanding alone, and everything that `hsd check` does; and how
+//! long a mebibyte of anything takes, which has to be less than a second (language.md 7).
 
+#[path = "../tests/robust/heaps.rs"]
+#[expect(dead_code)] // the tests use the rest
+mod heaps;
 mod texts;
 
 use divan::counter::BytesCount;
@@ -53,4 +57,16 @@ fn check_a_megabyte(bencher: Bencher<'_, '_>) {
     bencher
         .counter(BytesCount::of_str(&text))
         .bench_local(|| texts::check(black_box(&text)));
+}
+
+#[divan::bench(args = heaps::heaps().iter().map(|heap| heap.name), sample_count = 3)]
+fn compile_a_mebibyte(bencher: Bencher<'_, '_>, name: &str) {
+    let heap = heaps::heaps().into_iter().find(|heap| heap.name == name);
+    let bytes = heap.expect("has a name").of(1 << 20);
+    let source = Source::new(FileId(0), "bench.hsd", &bytes);
+    let options = Options::default();
+    bencher.bench_local(|| {
+        let mut out = Diagnostics::new();
+        hsd::compile(&[black_box(&source)], &NoFiles, &options, &mut out)
+    });
 }

@@ -1,5 +1,4 @@
 //! All tests of the program as one, which is compiled and linked once: `cargo test --release roof_shapes` runs those of a file.
-//! What measures time is left out until it is asked for: `cargo test --release -- --ignored --test-threads=1`.
 
 #![allow(missing_docs, unreachable_pub)] // modules of one program
 #![allow(clippy::unwrap_used)] // a test that panics has failed
@@ -14,6 +13,7 @@ mod catalog;
 mod catalogs;
 mod cli;
 mod close_by;
+mod company;
 mod convert;
 mod corpus;
 mod detail;

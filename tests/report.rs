@@ -1,5 +1,6 @@
 //! Reports on small Japanese texts, and on large ones.
 
+use crate::support::cpu::assert_linear;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Edit, Language};
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source, Span};
@@ -145,17 +146,19 @@ fn tall_marks_show_their_first_line() {
 
 #[test]
 fn long_lines_are_cut_round_the_marks() {
-    let text = format!(
-        "{}外{}WIN01{}\n",
-        "KTU  ".repeat(100_000),
-        " ".repeat(300),
-        "x".repeat(9999)
-    );
-    let source = source(&text);
-    let d = Diagnostic::error(104, find(&source, "WIN01"), "m").label(find(&source, "外"), "here");
-    let start = std::time::Instant::now();
-    let report = written(&[source], &[d], Format::Human);
-    assert!(start.elapsed().as_millis() < 1000, "{:?}", start.elapsed());
+    let long = |count: usize| {
+        let (before, between) = ("KTU  ".repeat(count), " ".repeat(300));
+        let source = source(&format!("{before}外{between}WIN01{}\n", "x".repeat(9999)));
+        let d =
+            Diagnostic::error(104, find(&source, "WIN01"), "m").label(find(&source, "外"), "here");
+        (source, d)
+    };
+    let report = |(source, d): &(Source, Diagnostic)| {
+        let (source, d) = (source.clone(), d.clone());
+        written(&[source], &[d], Format::Human)
+    };
+    assert_linear("a report", 100_000, long, report);
+    let report = report(&long(100_000));
     let line = report.lines().find(|l| l.contains("WIN01")).unwrap();
     assert!(line.starts_with(" 1 │ …") && line.ends_with("x…") && line.chars().count() < 300);
     assert_eq!(line.matches('…').count(), 3, "{line}");
@@ -332,18 +335,18 @@ fn sarif_offers_fixes_as_fixes() {
 
 #[test]
 fn many_messages_on_one_line_take_linear_time() {
-    let count = 100_000;
-    let source = source(&"家GSI  ".repeat(count));
-    let span = |i: usize| source.span(8 * i..8 * i + 3);
-    let list: Vec<_> = (0..count)
-        .map(|i| Diagnostic::error(104, span(i), "m"))
-        .collect();
-    let sources = [source.clone()];
-    let start = std::time::Instant::now();
+    let many = |count: usize| {
+        let source = source(&"家GSI  ".repeat(count));
+        let span = |i: usize| source.span(8 * i..8 * i + 3);
+        let list = (0..count).map(|i| Diagnostic::error(104, span(i), "m"));
+        let list: Vec<_> = list.collect();
+        ([source], list)
+    };
     for format in [Format::Human, Format::Short, Format::Json, Format::Sarif] {
-        written(&sources, &list, format);
+        let report =
+            |(sources, list): &([Source; 1], Vec<Diagnostic>)| written(sources, list, format).len();
+        assert_linear(&format!("{format:?}"), 10_000, many, report);
     }
-    assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Many houses of one text: alike where nothing is drawn, each what its seed makes of it, in rows apart.
 
 use crate::support::assert_none;
-use crate::support::clock::{OPTIMISED, slowness, worked};
+use crate::support::cpu::assert_linear;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::Compiled;
 use hsd::render::sheet::sheet;
@@ -11,10 +11,6 @@ use hsd::templates::Template;
 use hsd::{Options, backend};
 use std::collections::BTreeSet;
 use std::num::NonZeroU32;
-use std::time::{Duration, Instant};
-
-/// Processor time of a thousand variants of one town house, from text to scene with all joinery.
-const BOUND: Duration = Duration::from_secs(1);
 
 fn built(text: &str, seed: Option<u64>, variants: Option<u32>) -> Compiled {
     let mut out = Diagnostics::new();
@@ -190,29 +186,18 @@ fn a_contact_sheet_shows_every_variant() {
 }
 
 #[test]
-#[ignore = "measures time, which needs the machine for itself"]
-fn a_thousand_variants_take_less_than_a_second() {
+fn variants_take_linear_time() {
     let text = Template::named("chu-nikai").expect("is a type").text();
     let source = Source::new(FileId(0), "variants.hsd", text.as_bytes());
-    let count = if OPTIMISED { 1000 } else { 10 };
-    let options = Options {
-        variants: NonZeroU32::new(count),
+    let make = |count: usize| Options {
+        variants: NonZeroU32::new(count as u32),
         ..Options::default()
     };
-    let begun = Instant::now();
-    let before = worked(begun);
-    let made = hsd::compile(&[&source], &NoFiles, &options, &mut Diagnostics::new());
-    let took = worked(begun).saturating_sub(before);
-    assert_eq!(made.building.shell.houses.len(), count as usize);
-    let steps = made.times;
-    if OPTIMISED && took > BOUND {
-        let slowness = slowness();
-        let bound = BOUND.mul_f64(slowness);
-        assert!(
-            took < bound,
-            "{took:?}, on a machine {slowness:.2} times slower; {steps:?}"
-        );
-    }
+    assert_linear("variants", 50, make, |options| {
+        let made = hsd::compile(&[&source], &NoFiles, options, &mut Diagnostics::new());
+        let houses = made.building.shell.houses.len();
+        assert_eq!(Some(houses), options.variants.map(|n| n.get() as usize));
+    });
 }
 
 #[test]

@@ -323,7 +323,7 @@ fn only_the_page_is_answered_and_only_files_of_the_folder() {
 }
 
 #[test]
-fn files_of_the_page_may_do_what_they_need_and_no_more() {
+fn only_files_of_the_page_are_served() {
     let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
     for other in [
         "/Cargo.toml",
@@ -333,9 +333,12 @@ fn files_of_the_page_may_do_what_they_need_and_no_more() {
     ] {
         assert_eq!(shown.web.get(other).status, 404, "{other}");
     }
-    if !hsd::view::there() {
-        return;
-    }
+}
+
+#[test]
+#[ignore = "needs the built page"]
+fn files_of_the_page_may_do_what_they_need_and_no_more() {
+    let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
     let policy = |path: &str| {
         let answer = shown.web.get(path);
         assert_eq!(answer.status, 200, "{path}");

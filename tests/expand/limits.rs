@@ -1,17 +1,16 @@
-//! Careless numbers cost no time and no memory.
+//! Careless numbers cost no time and no memory: what they ask for is counted before it is made. Made first, a billion of
+//! anything would not end.
 
 use crate::expand::build::*;
+use crate::support::cpu::assert_linear;
 use hsd::ast::{Item, Piece};
 use hsd::expand::Options;
 use hsd::source::{Limits, NoFiles};
-use std::time::Instant;
 
 fn assert_too_many(house: hsd::ast::House) {
-    let start = Instant::now();
     let (program, said) = run(house);
     assert_eq!(numbers(&said), [904]);
     assert!(program.houses.is_empty());
-    assert!(start.elapsed().as_secs_f64() < 8.0, "{:?}", start.elapsed());
 }
 
 #[test]
@@ -56,17 +55,17 @@ fn the_sum_counts_as_well() {
 }
 
 #[test]
-fn operations_on_many_parts_end() {
+fn operations_on_many_parts_are_counted() {
     let mut pieces = vec![repeat(100_000, vec![part("KTU")])];
     pieces.extend((0..20_000).map(|_| replace("KTU", "KTU")));
     assert_too_many(one_row(pieces));
 }
 
 #[test]
-fn long_lists_are_quick() {
-    let start = Instant::now();
-    let list = vec!["KTU"; 100_000].join(",");
-    let slots = vec![repeat(200_000, vec![random(&list)])];
-    clean(one_row(slots));
-    assert!(start.elapsed().as_secs_f64() < 8.0, "{:?}", start.elapsed());
+fn long_lists_take_linear_time() {
+    let row = |length: usize| {
+        let list = vec!["KTU"; length].join(",");
+        one_row(vec![repeat(2 * length as u32, vec![random(&list)])])
+    };
+    assert_linear("a long list", 25_000, row, |row| clean(row.clone()));
 }

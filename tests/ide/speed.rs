@@ -1,11 +1,11 @@
-//! How long an editor waits: with `--nocapture` the times are printed.
+//! How the time that an editor waits grows with the text. The times themselves: `cargo bench --bench ide`.
 
 use crate::ide::analysis;
+use crate::support::cpu::assert_linear;
 use hsd::diagnostic::Language;
 use hsd::ide::{
     Analysis, complete, folding, format, hover, inlay, names, selection, symbols, tokens,
 };
-use std::time::{Duration, Instant};
 
 /// A street of houses of 20 lines in the legacy form.
 fn legacy(lines: usize) -> String {
@@ -24,18 +24,6 @@ fn xml(lines: usize) -> String {
                  <use name=\"側\"/>\n<Row>KTU  MMU 2MMU 2KTU</Row>\n<use name=\"側\" n=\"3\"/>\n</Storey>\n\n\
                  <!-- 次 -->\n</House>\n";
     format!("<Houses>\n{}</Houses>\n", house.repeat(lines / 20))
-}
-
-/// The shortest time of some runs of a thing that is worked out anew each time.
-fn timed(text: &str, ask: &dyn Fn(&Analysis)) -> Duration {
-    let runs = (0..3).map(|_| {
-        let a = analysis("a.hsd", text, &[]);
-        a.outline();
-        let start = Instant::now();
-        ask(&a);
-        start.elapsed()
-    });
-    runs.min().unwrap()
 }
 
 type Ask = (&'static str, Box<dyn Fn(&Analysis)>);
@@ -87,46 +75,35 @@ fn asks(text: &str) -> Vec<Ask> {
 }
 
 #[test]
-#[ignore = "measures time, which needs the machine for itself"]
-#[allow(clippy::print_stdout)] // for those who look at the times
-fn answers_come_within_a_blink() {
-    for (form, text) in [("legacy", legacy as fn(usize) -> String), ("xml", xml)] {
-        for lines in [2_000, 20_000] {
+fn answers_take_linear_time() {
+    for (form, text) in [("legacy", legacy as fn(usize) -> String), ("XML", xml)] {
+        let make = |lines| {
             let text = text(lines);
-            let start = Instant::now();
             let a = analysis("a.hsd", &text, &[]);
-            println!("{form:>6} {lines:>6} analysis   {:?}", start.elapsed());
-            let start = Instant::now();
             a.outline();
-            println!("{form:>6} {lines:>6} outline    {:?}", start.elapsed());
-            for (name, ask) in asks(&text) {
-                let time = timed(&text, &ask);
-                println!("{form:>6} {lines:>6} {name:<10} {time:?}");
-                // Ten times what is asked of a release build: other work may go on beside this.
-                let most = Duration::from_millis(lines as u64 / 100);
-                let layout = name == "layout"; // it reads the text twice
-                assert!(layout || time < most, "{form} {lines} {name}: {time:?}");
-            }
+            (a, asks(&text))
+        };
+        assert_linear(&format!("{form}: analysis"), 500, text, |text| {
+            analysis("a.hsd", text, &[]).outline();
+        });
+        for (k, (name, _)) in asks(&text(20)).iter().enumerate() {
+            let ask = |(a, asks): &(Analysis, Vec<Ask>)| asks[k].1(a);
+            assert_linear(&format!("{form}: {name}"), 500, make, ask);
         }
     }
 }
 
 #[test]
-#[ignore = "measures time, which needs the machine for itself"]
-#[allow(clippy::print_stdout)] // for those who look at the times
-fn pictures_of_parts_come_within_a_blink() {
+fn every_part_has_a_page_with_its_image() {
     let a = analysis("a.hsd", "0 0 180\n9\n\nGSI  KSK\n", &[]);
-    let (mut all, mut worst) = (Duration::ZERO, (Duration::ZERO, String::new()));
-    let parts = hsd::parse::builtin().parts();
-    for part in parts {
+    for part in hsd::parse::builtin().parts() {
+        if part.code().trim_matches('.').is_empty() {
+            continue; // a void has nothing to show
+        }
         let code = part.code().to_owned();
-        let start = Instant::now();
         let key = complete::PartKey { code: code.clone() };
-        assert!(complete::documentation(&a, &key, Language::English, true).is_some());
-        let time = start.elapsed();
-        all += time;
-        worst = worst.max((time, code));
+        let page = complete::documentation(&a, &key, Language::English, true);
+        let page = page.unwrap_or_else(|| panic!("{code} has no page"));
+        assert!(page.contains("data:image/"), "{code}: {page}");
     }
-    let each = all / parts.len() as u32;
-    println!("pictures: {each:?} each, at most {worst:?}");
 }

@@ -1,8 +1,7 @@
 //! After each of many random edits the server says of a text what `hsd check` says of it.
 
 use crate::lsp::client::{Client, position, range};
-use crate::support::clock::OPTIMISED;
-use crate::support::{Numbers, number, root, texts};
+use crate::support::{Numbers, OPTIMISED, number, root, texts};
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::driver::{self, Options};
 use hsd::fs::FolderWorld;

@@ -1,6 +1,7 @@
 //! From hello to good-bye: requests in any order, cancelled ones, nonsense.
 
 use crate::lsp::client::Client;
+use crate::lsp::program::Program;
 use lsp_server::{Message, Notification, Request, RequestId};
 use serde_json::{Value, json};
 
@@ -39,11 +40,19 @@ fn requests_before_hello_and_after_good_bye_are_refused() {
 }
 
 #[test]
-fn good_bye_without_a_word_before_is_noticed() {
-    let client = Client::start("utf-16");
-    client.notify("exit", Value::Null);
-    let client = Client::raw(vec![note("exit", Value::Null)]);
-    drop(client);
+fn exit_codes_report_a_missing_shutdown() {
+    for (shutdown, code) in [(false, 1), (true, 0)] {
+        let mut program = Program::start();
+        program.open("file:///a.hsd", TEXT);
+        if shutdown {
+            program.ask(2, "shutdown", Value::Null);
+        }
+        program.notify("exit", Value::Null);
+        assert_eq!(program.end(), Some(code), "shutdown: {shutdown}");
+    }
+    let mut program = Program::start();
+    program.notify("exit", Value::Null);
+    assert_eq!(program.end(), Some(1), "before any hello");
 }
 
 #[test]

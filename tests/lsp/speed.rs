@@ -1,15 +1,19 @@
-//! How long a key takes and what memory it leaves behind; measured where the program is optimized. `cargo bench --bench
-//! lsp` tells more.
+//! Processor time that a key takes, compared with a whole check of the same text, and memory that keys leave behind. The times
+//! themselves: `cargo bench --bench lsp`.
 
 use crate::lsp::program::Program;
-use crate::support::clock::{OPTIMISED, slowness};
+use crate::support::OPTIMISED;
+use crate::support::cpu::spent;
+use hsd::diagnostic::Diagnostics;
+use hsd::driver::{self, Options};
+use hsd::source::{FileId, NoFiles, Source};
 use serde_json::{Value, json};
 use std::time::Duration;
 
 const URI: &str = "file:///speed.hsd";
 const HOUSE: &str = include_str!("../../examples/machiya.hsd");
 
-/// Types so many keys into a text, and waits for the diagnostics of each.
+/// Types keys number `first` and following into a text, and waits for the diagnostics of each.
 fn keys(program: &mut Program, first: usize, count: usize, lines: usize) {
     for key in first..first + count {
         let line = 8 + (key / 2 * 7919) % (lines / 21) * 21;
@@ -22,10 +26,14 @@ fn keys(program: &mut Program, first: usize, count: usize, lines: usize) {
     }
 }
 
+/// A street of the house in a number of lines.
+fn text(lines: usize) -> String {
+    vec![HOUSE.trim_end(); lines / 21].join("\n%\n")
+}
+
 fn open(lines: usize) -> Program {
-    let text = vec![HOUSE.trim_end(); lines / 21].join("\n%\n");
     let mut program = Program::start();
-    program.open(URI, &text);
+    program.open(URI, &text(lines));
     program
 }
 
@@ -35,43 +43,44 @@ fn close(mut program: Program) {
     assert_eq!(program.end(), Some(0));
 }
 
+/// Processor time in this process for everything that `hsd check` does with the text of [`open`].
+fn check(lines: usize) -> Duration {
+    let source = Source::new(FileId(0), "speed.hsd", text(lines).as_bytes());
+    let once = || {
+        let (options, mut out) = (Options::default(), Diagnostics::new());
+        driver::check(&[&source], &NoFiles, &options, &mut out);
+    };
+    let times = (0..5).map(|_| spent(once).1);
+    times.min().expect("some checks")
+}
+
 #[test]
-#[ignore = "measures time, which needs the machine for itself"]
-fn a_key_takes_milliseconds() {
-    if !OPTIMISED {
-        return;
-    }
-    for (lines, bound) in [(2_000, 10), (20_000, 50)] {
+#[cfg_attr(not(target_os = "linux"), ignore = "reads /proc")]
+fn a_key_takes_no_longer_than_checking_the_text() {
+    for (lines, count) in [(2_000, 200), (20_000, 40)] {
         let mut program = open(lines);
-        let Some((before, _)) = program.used() else {
-            return;
-        };
-        let count = 200;
+        let (before, _) = program.used().expect("/proc is there");
         keys(&mut program, 0, count, lines);
-        let (after, _) = program.used().expect("was told before");
-        let each = (after - before) / count as u32;
-        let bound = Duration::from_millis(bound).mul_f64(slowness());
+        let (after, _) = program.used().expect("/proc is there");
+        let (each, check) = ((after - before) / count as u32, check(lines));
         assert!(
-            each < bound,
-            "{lines} lines: {each:?} of processor time a key, more than {bound:?}"
+            each < 2 * check,
+            "{lines} lines: {each:?} of processor time a key, {check:?} for `hsd check`"
         );
         close(program);
     }
 }
 
 #[test]
+#[cfg_attr(not(target_os = "linux"), ignore = "reads /proc")]
 fn ten_thousand_keys_leave_no_memory_behind() {
-    if !OPTIMISED {
-        return;
-    }
     let lines = 210;
     let mut program = open(lines);
     keys(&mut program, 0, 1000, lines);
-    let Some((_, before)) = program.used() else {
-        return;
-    };
-    keys(&mut program, 1000, 10_000, lines);
-    let (_, after) = program.used().expect("was told before");
+    let (_, before) = program.used().expect("/proc is there");
+    let count = if OPTIMISED { 10_000 } else { 1_000 };
+    keys(&mut program, 1000, count, lines);
+    let (_, after) = program.used().expect("/proc is there");
     assert!(after < before + 8 * 1024, "{before} KiB became {after} KiB");
     close(program);
 }

@@ -1,4 +1,4 @@
-//! Texts that are large for what they say, or say more than anybody builds.
+//! Source files that are large for their content, or ask for more than can be built.
 
 /// A storey of so many teeth in a row.
 pub(crate) fn comb(teeth: usize) -> Vec<u8> {
@@ -15,12 +15,12 @@ pub(crate) fn stair(steps: usize, higher: usize) -> String {
     format!("0 0\n{height}\n\n{front}\nKSK  \n{side}KSK  \n{front}\n%\n")
 }
 
-/// 1 MiB of such houses, no two of one plan.
-pub(crate) fn unlike_stairs(steps: usize) -> Vec<u8> {
+/// Such houses up to a number of bytes, no two of one plan.
+pub(crate) fn unlike_stairs(steps: usize, bytes: usize) -> Vec<u8> {
     let mut text = String::new();
     for higher in 0.. {
         let next = stair(steps, higher);
-        if text.len() + next.len() > 1 << 20 {
+        if text.len() + next.len() > bytes {
             break;
         }
         text += &next;
@@ -39,12 +39,101 @@ pub(crate) fn pile_of_roofs() -> Vec<u8> {
     format!("0 0\n9\n\n{wall}\n{wall}\n{wall}\n{wall}\n\n{lines}").into_bytes()
 }
 
-pub(crate) fn text_of(bytes: Vec<u8>) -> String {
-    String::from_utf8(bytes).expect("codes are ASCII")
+/// One piece again and again.
+pub(crate) struct Heap {
+    pub(crate) name: &'static str,
+    head: String,
+    piece: Vec<u8>,
 }
 
-/// A text of 1 MiB made of one piece again and again.
-pub(crate) fn mebibyte(head: &str, piece: &str) -> Vec<u8> {
-    let count = ((1 << 20) - head.len()) / piece.len();
-    format!("{head}{}", piece.repeat(count)).into_bytes()
+impl Heap {
+    /// As much of it as fits into a number of bytes.
+    pub(crate) fn of(&self, bytes: usize) -> Vec<u8> {
+        let count = bytes.saturating_sub(self.head.len()) / self.piece.len();
+        [self.head.as_bytes(), &self.piece.repeat(count)].concat()
+    }
+}
+
+/// Heaps of everything that either form of the language knows, and of what neither does.
+pub(crate) fn heaps() -> Vec<Heap> {
+    let walls = "0 0\n9\n\nKSK  \nKSK  \nKSK  \nKSK  \n";
+    let house = "<House><Storey><Row>";
+    let roofed = format!("{walls}\n");
+    let long_row = format!("{house}{}", "KSK  ".repeat(1_000));
+    let text = |name: &'static str, head: &str, piece: &str| Heap {
+        name,
+        head: head.to_owned(),
+        piece: piece.as_bytes().to_vec(),
+    };
+    let bytes = |name, piece: &[u8]| Heap {
+        name,
+        head: String::new(),
+        piece: piece.to_vec(),
+    };
+    vec![
+        text("codes in one line", "0 0\n9\n\n", "KSK  "),
+        text("lines", "0 0\n9\n\n", "KSK  \n"),
+        text("zigzag", "0 0\n9\n\n", "KSK  \nKSK  L\n"),
+        text("unknown codes", "0 0\n9\n\n", "XXXXX\n"),
+        text("full-width blanks", "0 0\n9\n\n", "\u{3000}"),
+        text("tabs", "0 0\n9\n\n", "KSK\t\n"),
+        text("storeys", "0 0\n9\n\n", "KSK  ^\n"),
+        text("houses", "", &format!("{walls}%\n")),
+        text("empty houses", "", "%\n"),
+        text("stairs of 10", "", &stair(10, 0)),
+        text("stairs of 100", "", &stair(100, 0)),
+        text("stairs of 300", "", &stair(300, 0)),
+        text("stairs of 1000", "", &stair(1000, 0)),
+        bytes("combs of 15", &[comb(15), b"%\n".to_vec()].concat()),
+        text("heights", "0 0\n", "9 "),
+        text("roof lines", &roofed, "K X * KIR 0 0 1 1\n"),
+        text("broken roof lines", &roofed, "K X\n"),
+        text("NUL", "", "\0"),
+        bytes("0xff", b"\xff"),
+        bytes("kana of Shift_JIS", b"\x83\x41"),
+        text("angle brackets", "", "<"),
+        text("open rows", house, "<Row>"),
+        text("open attributes", house, "<Part code=\""),
+        text("empty elements", house, "<Part/>"),
+        text("unknown elements", house, "<X/>"),
+        text("attributes", "<House ", "a=\"1\" "),
+        text("text", house, "KSK  "),
+        text("unknown text", house, "XXXXX"),
+        text("ampersands", house, "&"),
+        text("entities", house, "&lol;"),
+        text("expressions", house, "{1}"),
+        text("wrong expressions", house, "{(}"),
+        text("one long expression", "<House unit=\"{1", "+1"),
+        text("one long sum", "<House><let name=\"a\" value=\"{1", "-(1)"),
+        text("comments", "<House>", "<!-- -->"),
+        text("comment openings", "<House>", "<!--"),
+        text("draws", house, "<random code=\"KSK, KTU\"/>"),
+        text(
+            "substitutions",
+            house,
+            "<replace code=\"KSK\" with=\"KTU\"/>",
+        ),
+        text(
+            "edits of a long row",
+            &long_row,
+            "<replace code=\"KSK\" with=\"KTU\"/>",
+        ),
+        text(
+            "loops",
+            "<House><Storey>",
+            "<Loop hole=\"yes\"><Row>KSK</Row></Loop>",
+        ),
+        text(
+            "pagodas",
+            "<Houses>",
+            "<House><Pagoda storeys=\"15\" bays=\"9\"/></House>",
+        ),
+        text("shrines", "<Houses>", "<House><Shrine/></House>"),
+        text("lets", "<House>", "<let name=\"a\" value=\"1\"/>"),
+        text(
+            "facades",
+            "<Structure><Facades>",
+            "<Facade><Floor>KSK</Floor></Facade>",
+        ),
+    ]
 }

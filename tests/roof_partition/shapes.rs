@@ -38,6 +38,32 @@ const A: Option<Ridge> = Some(Ridge::A);
 const B: Option<Ridge> = Some(Ridge::B);
 const ALL: [Method; 3] = [Method::Kd, Method::LeastCut, Method::BranchCut];
 
+/// The span decides how high a roof rises: a lean-to reaches as high as a gable of twice its depth.
+#[test]
+fn the_span_of_a_lean_to_is_twice_its_depth() {
+    let like = |ridge, fall| Region {
+        cell: cell([2, 3, 12, 7]),
+        ridge,
+        fall,
+        role: Role::Main,
+        over: None,
+        street: false,
+        against_wall: None,
+        joins: None,
+        through: None,
+    };
+    assert_eq!(like(A, None).span(), 4);
+    assert_eq!(like(B, None).span(), 10);
+    for (fall, span) in [
+        (Side::Front, 8),
+        (Side::Back, 8),
+        (Side::Left, 20),
+        (Side::Right, 20),
+    ] {
+        assert_eq!(like(None, Some(fall)).span(), span, "{fall:?}");
+    }
+}
+
 #[test]
 fn l_the_square_wing_runs_into_the_trunk() {
     for method in ALL {

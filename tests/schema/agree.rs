@@ -38,9 +38,7 @@ enum Verdict {
 }
 
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
-    let Ok(entries) = fs::read_dir(folder) else {
-        return;
-    };
+    let entries = fs::read_dir(folder).expect("the folder is there");
     for entry in entries.flatten() {
         let path = entry.path();
         if path.is_dir() {
@@ -103,12 +101,8 @@ fn valid(option: &str, text: &str, texts: &[PathBuf]) -> BTreeSet<PathBuf> {
 }
 
 #[test]
-#[allow(clippy::print_stdout)] // says what is left out
+#[ignore = "needs xmllint (Debian: libxml2-utils)"]
 fn xmllint_agrees_with_the_reader() {
-    if Command::new("xmllint").arg("--version").output().is_err() {
-        println!("left out: xmllint is not there (Debian: libxml2-utils)");
-        return;
-    }
     let mut texts = vec![];
     for folder in FOLDERS {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);

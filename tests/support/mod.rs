@@ -14,10 +14,14 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-pub mod clock;
+pub mod cpu;
 pub mod depths;
 pub mod shapes;
 pub mod view;
+
+/// Whether the program is optimised. If not, tests that try many inputs are content with fewer. It may assert all the same:
+/// `.ci/run` can have both.
+pub const OPTIMISED: bool = matches!(env!("HSD_OPT_LEVEL").as_bytes(), b"3");
 
 /// So many samples for a property, the same ones in every run, that a change which broke nothing is not stopped by
 /// chance; `PROPTEST_RNG_SEED` and `PROPTEST_CASES` look elsewhere and longer.

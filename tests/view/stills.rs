@@ -1,13 +1,12 @@
 //! Pictures for documents: who may hand them over, and to whom.
 
-use super::web::Web;
+use super::web::{PATIENCE, Web};
 use super::{Files, HOUSE};
 use hsd::diagnostic::Language;
 use hsd::view::{Preview, Show, Still};
 use serde_json::json;
 use std::path::Path;
 use std::sync::mpsc;
-use std::time::Duration;
 
 fn shown(folder: &Path) -> Show {
     Show {
@@ -39,13 +38,14 @@ fn pictures_are_taken_where_somebody_wants_them() {
             .status,
         200
     );
-    let heard: Vec<Still> =
-        std::iter::from_fn(|| stills.recv_timeout(Duration::from_millis(200)).ok()).collect();
+    let next = || stills.recv_timeout(PATIENCE).expect("is handed over");
+    let heard = [next(), next()];
     let front = Still::Picture {
         view: "front".to_owned(),
         png: b"7".to_vec(),
     };
     assert_eq!(heard, [front, Still::Done(vec!["no".to_owned()])]);
+    assert!(stills.try_recv().is_err(), "nothing else is handed over");
     drop(stills);
     assert_eq!(
         web.post("/api/rendered", &json!({ "errors": [] })).status,

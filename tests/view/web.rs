@@ -6,8 +6,8 @@ use std::net::TcpStream;
 use std::sync::mpsc::{self, Receiver};
 use std::time::Duration;
 
-/// Longer than any answer takes.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// After this a test that waits for another thread or process is taken for dead, not for slow.
+pub const PATIENCE: Duration = Duration::from_secs(60);
 
 pub struct Web {
     /// `127.0.0.1:4000`.

@@ -23,7 +23,10 @@ fn ranks_and_functions() {
         ("depth / 2 + 間口", 9.0),
         ("min(3, 1, 2) + max(1)", 2.0),
         ("clamp(9, 1, 4) + floor(-0.5) + ceil(0.5)", 4.0),
-        ("round(2.5) + round(-2.5) + abs(-1)", 1.0),
+        ("round(0.5)", 1.0), // halves away from 0, both ways
+        ("round(2.5)", 3.0),
+        ("round(-2.5)", -3.0),
+        ("round(2.4) + round(-2.6) + abs(-1)", 0.0),
         (".5e1", 5.0),
     ];
     for (text, wanted) in cases {

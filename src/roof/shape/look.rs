@@ -256,6 +256,14 @@ mod tests {
         assert_eq!(Look::gable(None, &own, 32.0, 0.909).pitch, 0.35);
     }
 
+    /// The table of domain.md 4.3 goes by the length of the slope, which is longer than its plan.
+    #[test]
+    fn the_pitch_of_tiles_goes_by_the_length_of_the_slope() {
+        for (run, pitch) in [(7.40, 0.40), (7.50, 0.45), (9.10, 0.45), (9.15, 0.50)] {
+            assert_eq!(raised(run), pitch, "{run} m in plan");
+        }
+    }
+
     #[test]
     fn another_covering_does_not_take_the_pitch_of_the_house() {
         let (house, line) = (

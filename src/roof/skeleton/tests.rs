@@ -24,6 +24,27 @@ fn inner(skeleton: &Skeleton) -> Vec<(f64, f64, f64)> {
     nodes
 }
 
+/// The meeting point of two lines that move inwards at speed 1 moves at speed 1 along both normals, however sharp the
+/// corner: at 1e-6 rad the sum of the normals has lost half of its digits.
+#[test]
+fn corners_move_with_both_of_their_edges() {
+    for turn in [0.0, 0.3, 1.9, 3.7, 5.2] {
+        let left = DVec2::from_angle(turn);
+        for angle in [1e-6, 1e-5, 1e-3, 0.1, 1.0, 1.5, 2.0, 3.0] {
+            for side in [-1.0, 1.0] {
+                let right = DVec2::from_angle(turn + side * (std::f64::consts::PI - angle));
+                let velocity = wave::velocity(left, right).expect("the lines meet");
+                for normal in [left, right] {
+                    let speed = velocity.dot(normal);
+                    assert!((speed - 1.0).abs() < 1e-8, "{turn} {angle} {side}: {speed}");
+                }
+            }
+        }
+        assert_eq!(wave::velocity(left, left), Some(left));
+        assert_eq!(wave::velocity(left, -left), None);
+    }
+}
+
 #[test]
 fn a_rectangle_has_a_ridge_as_long_as_its_sides_differ() {
     let skeleton = of(&[(0.0, 0.0), (10.0, 0.0), (10.0, 4.0), (0.0, 4.0)], &[]);

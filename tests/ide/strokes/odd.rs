@@ -1,13 +1,14 @@
-//! Texts of other encodings and line ends, strokes that nobody would draw, and how long a stroke takes.
+//! Texts of other encodings and line ends, strokes that make no sense, and how the time of a stroke grows.
 
 use super::bench::{Board, walls};
 use crate::support;
+use crate::support::cpu::assert_linear;
 use hsd::diagnostic::Language;
+use hsd::ide::Analysis;
 use hsd::ide::plan::Plan;
 use hsd::ide::stroke::{self, Stroke};
 use proptest::prelude::*;
 use serde_json::{Value, json};
-use std::time::Instant;
 
 const TEXT: &str = "# 町家 大戸と格子\n0 0 180\n9.0\nname 家\n\nGSI  大戸  GDE 2KSK\n# 側\nAPW  APW  APW\n\
                     KTU  KTU  KTU  KTU  KTU\nAPW　APW　APW\n\n# 屋根\nK X * KIR 0 0 5 3 P4.0\n";
@@ -211,48 +212,40 @@ fn street(lines: usize, xml: bool) -> String {
 }
 
 #[test]
-#[allow(clippy::print_stdout)] // for those who look at the times
-fn strokes_come_within_a_blink() {
+fn strokes_take_linear_time() {
     for xml in [false, true] {
-        for lines in [2_000, 20_000] {
+        let make = |lines| {
             let board = Board::new(&street(lines, xml));
-            let a = board.analysis();
-            a.outline();
-            let last = a.checked.building.shell.houses.len() - 1;
-            let strokes = [
-                json!({"do": "set-part", "house": last, "storey": 0, "ring": 0, "wall": 0, "unit": 0, "part": "MRE"}),
-                json!({"do": "move-wall", "house": last / 2, "storey": 0, "ring": 0, "wall": 2, "by": 1, "storeys": "all"}),
-                json!({"do": "break-wall", "house": last / 2, "storey": 1, "ring": 0, "wall": 2, "from": 1, "to": 3, "by": 1}),
-                json!({"do": "add-storey", "house": last}),
-                json!({"do": "set-height", "house": 0, "storey": 0, "height": 10}),
-                json!({"do": "draw-house", "house": 0, "outline": [[0, 0], [6, 0], [6, 8], [0, 8]]}),
-            ];
-            for stroke in strokes {
-                let read: Stroke = serde_json::from_value(stroke.clone()).unwrap();
-                let runs = (0..5).map(|_| {
-                    let start = Instant::now();
-                    let edits = stroke::edits(&a, &read).unwrap();
-                    stroke::apply(&a.source, &board.bytes, &edits);
-                    start.elapsed()
-                });
-                let time = runs.min().unwrap();
-                println!(
-                    "xml {xml:>5} {lines:>6} {:<12} {time:?}",
-                    stroke["do"].as_str().unwrap()
-                );
-                assert!(
-                    time.as_millis() < 10 + lines as u128 / 20,
-                    "{stroke}: {time:?}"
-                );
-            }
-            let start = Instant::now();
-            let plan = serde_json::to_string(&Plan::of(&a, Language::English)).unwrap();
-            let time = start.elapsed();
-            println!(
-                "xml {xml:>5} {lines:>6} plan         {time:?}, {} kB",
-                plan.len() / 1000
+            let analysis = board.analysis();
+            analysis.outline();
+            (board, analysis)
+        };
+        let strokes: [fn(usize) -> Value; 6] = [
+            |last| json!({"do": "set-part", "house": last, "storey": 0, "ring": 0, "wall": 0, "unit": 0, "part": "MRE"}),
+            |last| json!({"do": "move-wall", "house": last / 2, "storey": 0, "ring": 0, "wall": 2, "by": 1, "storeys": "all"}),
+            |last| json!({"do": "break-wall", "house": last / 2, "storey": 1, "ring": 0, "wall": 2, "from": 1, "to": 3, "by": 1}),
+            |last| json!({"do": "add-storey", "house": last}),
+            |_| json!({"do": "set-height", "house": 0, "storey": 0, "height": 10}),
+            |_| json!({"do": "draw-house", "house": 0, "outline": [[0, 0], [6, 0], [6, 8], [0, 8]]}),
+        ];
+        for stroke in strokes {
+            let draw = |(board, a): &(Board, Analysis)| {
+                let last = a.checked.building.shell.houses.len() - 1;
+                let stroke: Stroke = serde_json::from_value(stroke(last)).unwrap();
+                let edits = stroke::edits(a, &stroke).unwrap();
+                stroke::apply(&a.source, &board.bytes, &edits)
+            };
+            assert_linear(
+                &format!("xml {xml}: {}", stroke(0)["do"]),
+                1_000,
+                make,
+                draw,
             );
         }
+        let plan = |(_, a): &(Board, Analysis)| {
+            serde_json::to_string(&Plan::of(a, Language::English)).unwrap()
+        };
+        assert_linear(&format!("xml {xml}: plan"), 1_000, make, plan);
     }
 }
 

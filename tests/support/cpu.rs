@@ -1,0 +1,71 @@
+//! Processor time of pieces of work, compared with other work of the same run: never with a clock, since the machine may be
+//! busy, slow, or run a program that is optimised less.
+
+use cpu_time::ThreadTime;
+use std::time::Duration;
+
+/// The most that work on four times the input may take, as a multiple: linear growth takes 4, quadratic 16.
+const LINEAR: u32 = 8;
+
+/// Measurements of each size before growth is called more than linear; the least of each counts, since whatever disturbs
+/// a measurement makes it longer.
+const ROUNDS: u32 = 10;
+
+/// Smaller differences are the machine's.
+const NOISE: Duration = Duration::from_micros(200);
+
+/// The processor time that this thread takes for a piece of work.
+pub fn spent<T>(work: impl FnOnce() -> T) -> (T, Duration) {
+    let begun = ThreadTime::now();
+    let result = work();
+    (result, begun.elapsed())
+}
+
+/// Reports work that grows faster than its input. `make` makes an input of the size that it is given, which takes no
+/// part in the measurement.
+pub fn growth<I, T>(
+    size: usize,
+    make: impl Fn(usize) -> I,
+    work: impl Fn(&I) -> T,
+) -> Option<String> {
+    let (small, large) = (make(size), make(4 * size));
+    let time = |input| spent(|| work(input)).1;
+    let (mut least, mut most) = (time(&small), Duration::MAX);
+    for _ in 0..ROUNDS {
+        least = least.min(time(&small));
+        most = most.min(time(&large));
+        if most <= least * LINEAR + NOISE {
+            return None;
+        }
+    }
+    let times = most.as_secs_f64() / least.as_secs_f64().max(1e-9);
+    Some(format!(
+        "takes {times:.1} times as long for four times as much: {least:?}, then {most:?}"
+    ))
+}
+
+/// Fails where work grows faster than its input, as [`growth`] reports it.
+pub fn assert_linear<I, T>(
+    name: &str,
+    size: usize,
+    make: impl Fn(usize) -> I,
+    work: impl Fn(&I) -> T,
+) {
+    let faster = growth(size, make, work);
+    assert!(faster.is_none(), "{name} {}", faster.unwrap_or_default());
+}
+
+#[test]
+fn quadratic_work_is_noticed() {
+    let list = |size| (0..size as u64).collect::<Vec<_>>();
+    let linear = |list: &Vec<u64>| {
+        list.iter()
+            .fold(7u64, |sum, n| std::hint::black_box(sum ^ n))
+    };
+    let quadratic = |list: &Vec<u64>| {
+        let pairs = list.iter().map(|_| linear(list));
+        pairs.fold(0, |sum, n| sum ^ n)
+    };
+    assert_eq!(growth(500_000, list, linear), None);
+    assert!(growth(1_500, list, quadratic).is_some());
+}
