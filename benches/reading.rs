@@ -59,7 +59,7 @@ fn check_a_megabyte(bencher: Bencher<'_, '_>) {
         .bench_local(|| texts::check(black_box(&text)));
 }
 
-#[divan::bench(args = heaps::heaps().iter().map(|heap| heap.name), sample_count = 3)]
+#[divan::bench(args = heaps::heaps().into_iter().map(|heap| heap.name), sample_count = 3)]
 fn compile_a_mebibyte(bencher: Bencher<'_, '_>, name: &str) {
     let heap = heaps::heaps().into_iter().find(|heap| heap.name == name);
     let bytes = heap.expect("has a name").of(1 << 20);

@@ -2,7 +2,7 @@
 
 #![allow(missing_docs, unreachable_pub)] // modules of one program
 #![allow(clippy::unwrap_used)] // a test that panics has failed
-#![allow(clippy::print_stdout, clippy::print_stderr)] // whoever runs them should know what was skipped
+#![allow(clippy::print_stdout, clippy::print_stderr)] // for those who read along with `--nocapture`
 
 mod support;
 
