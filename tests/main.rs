@@ -16,6 +16,7 @@ mod close_by;
 mod company;
 mod convert;
 mod corpus;
+mod data;
 mod detail;
 mod determinism;
 mod diagnostics;

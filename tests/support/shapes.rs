@@ -294,12 +294,12 @@ pub fn written(code: &str, word: &str) -> Vec<BTreeMap<String, String>> {
     .collect()
 }
 
-/// The row of a part in the sheet of parts, where it lies beside the repository.
-pub fn sheet_row(code: &str) -> Option<String> {
+/// The row of a part in the sheet of parts that lies beside the repository.
+pub fn sheet_row(code: &str) -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared/spec/parts.csv");
-    let sheet = std::fs::read_to_string(path).ok()?;
+    let sheet = std::fs::read_to_string(path).expect("the sheet is there");
     let row = sheet.lines().find(|l| l.starts_with(&format!("{code:5},")));
-    row.map(str::to_owned)
+    row.unwrap_or_else(|| panic!("no row of {code}")).to_owned()
 }
 
 /// What is wrong with the parts of some classes in storeys of three heights, and which have more than `most`
