@@ -80,7 +80,7 @@ pub struct House {
     pub parts: Vec<PartEntry>,
 }
 
-/// Values that hold for a whole house; `None` means the default of language.md.
+/// Values that hold for a whole house; `None` means the default of docs/contract.md.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Settings {
     /// East of the house's origin, metres.

@@ -177,7 +177,7 @@ pub struct HouseRoofs {
     pub soffits: Vec<Soffit>,
 }
 
-/// The automatic regions of one storey (language.md 5, `dump --stage regions`).
+/// The automatic regions of one storey (docs/contract.md 5, `dump --stage regions`).
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct StoreyPlan {
     /// Counted from 1.

@@ -79,7 +79,7 @@ pub struct PartDef {
     pub made: Box<str>,
     /// When it was built.
     pub era: Era,
-    /// Weathering classes joined by `+` (domain.md 4.9).
+    /// Weathering classes joined by `+` (docs/evidence.md 4.9).
     pub weathering: Box<str>,
     /// What small walls above and below its neighbours look like; only walls have one.
     pub(crate) finish: Option<SurfaceId>,

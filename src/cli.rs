@@ -1,6 +1,6 @@
 //! The command line. One file a subcommand; what they share lies beside them.
 //!
-//! Exit status (language.md 5): 0 done, 1 the input has errors, 2 wrong usage, 3 input or output failed. A
+//! Exit status (docs/contract.md 5): 0 done, 1 the input has errors, 2 wrong usage, 3 input or output failed. A
 //! reader that closes its end of a pipe is no failure.
 
 mod files;

@@ -1,6 +1,6 @@
 //! Shared geometry: headings with exact right angles, named tolerances, exact plan numbers.
 //!
-//! Two plan frames (language.md 1): the author frame (a, b) in U, a to the LEFT along the first line and
+//! Two plan frames (docs/contract.md 1): the author frame (a, b) in U, a to the LEFT along the first line and
 //! b BACK into the plot; and the house frame in metres, east = -a, north = +b, turned by the azimuth only
 //! in the scene. Walking with the interior on the right is clockwise from above; in (a, b) read as
 //! (x, y) the same walk turns counter-clockwise, so its signed area is positive.

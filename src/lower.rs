@@ -1,6 +1,6 @@
 //! Follows the steps of a program and places its walls: [`Program`] to [`Shell`]. After it there is no
 //! turn and no row; a ring that is `closed` returns to its start and crosses and touches nothing
-//! (C1 to C5 of domain.md 2.3).
+//! (C1 to C5 of docs/evidence.md 2.3).
 //!
 //! - [`walk`]: one loop to walls, one after another;
 //! - [`close`]: does the walk close, and which line would close it;

@@ -1,7 +1,7 @@
 //! From a source to a document, whatever the syntax.
 //!
 //! The first character that is no white space decides: `<` opens the XML form, everything else is
-//! legacy text (language.md 2 and 3). What concerns a file as a whole is said here, once for both
+//! legacy text (docs/contract.md 2 and 3). What concerns a file as a whole is said here, once for both
 //! readers: its size, its encoding, bytes without a meaning, a file that is no text at all.
 //!
 //! Reading never fails. A reader reports what it cannot take, reads on as if the mend it proposes had

@@ -45,7 +45,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The form of a text: its first character that is no white space decides (language.md 2).
+    /// The form of a text: its first character that is no white space decides (docs/contract.md 2).
     pub fn of(source: &Source) -> Form {
         match source.text().trim_start().starts_with(['<', '＜']) {
             true => Form::Xml,

@@ -28,7 +28,7 @@ pub enum Format {
     Human,
     /// A line each: `file:line:column: error[HSD0104]: message (help: ...)`.
     Short,
-    /// One array (language.md 5).
+    /// One array (docs/contract.md 5).
     Json,
     /// SARIF 2.1.0.
     Sarif,

@@ -13,7 +13,7 @@ pub(crate) use reference::reference;
 
 use std::ops::Range;
 
-/// Bounds on what a build takes in (language.md 7), each with a flag to raise it.
+/// Bounds on what a build takes in (docs/contract.md 7), each with a flag to raise it.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Bytes of one file.
@@ -187,7 +187,7 @@ enum Offsets {
 
 impl Source {
     /// Decodes a file. A byte order mark decides; then an XML declaration's label; then whatever is
-    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS or EUC-JP, whichever makes sense (domain.md 2.6, A13).
+    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS or EUC-JP, whichever makes sense (docs/evidence.md 2.6, A13).
     pub fn new(id: FileId, name: impl Into<String>, bytes: &[u8]) -> Source {
         let (encoding, bom) = detect(bytes);
         let utf8 = (encoding == encoding_rs::UTF_8).then(|| std::str::from_utf8(&bytes[bom..]));

@@ -44,7 +44,7 @@ pub struct Maps {
 pub struct Look {
     /// Lower-case name, unique among the looks of all surfaces, the stem of its colour file.
     pub name: &'static str,
-    /// Its mean colour as a web number, such as 0xF2EFE6, where one is known (domain.md 4.9).
+    /// Its mean colour as a web number, such as 0xF2EFE6, where one is known (docs/evidence.md 4.9).
     pub mean: Option<u32>,
 }
 

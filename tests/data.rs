@@ -3,8 +3,8 @@
 use crate::support::root;
 use glam::{DVec2, dvec2};
 use hsd::check::solid_flaws;
-use hsd::roof::hipped::over;
-use hsd::roof::look::Look;
+use hsd::roof::shape::hipped::over;
+use hsd::roof::shape::look::Look;
 use quick_xml::events::Event;
 use serde_json::Value;
 use std::fs;

@@ -12,6 +12,7 @@ mod bake;
 mod catalog;
 mod catalogs;
 mod cli;
+mod citations;
 mod close_by;
 mod company;
 mod convert;

@@ -7,7 +7,7 @@ use std::path::Path;
 
 mod fixes;
 
-/// The example of domain.md 2.6.
+/// The example of docs/evidence.md 2.6.
 const TOWN_HOUSE: &str = "\
 0 0 180
 9.0 5.0

@@ -5,7 +5,7 @@ use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::source::{FileId, Limits, Source};
 use std::time::Duration;
 
-/// The example of domain.md 2.6.
+/// The example of docs/evidence.md 2.6.
 const TOWN_HOUSE: &str = "\
 0 0 180
 9.0 5.0

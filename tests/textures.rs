@@ -147,7 +147,7 @@ fn looks_have_the_colours_they_are_known_by() {
 
 #[test]
 fn weathering_has_the_colours_of_the_evidence() {
-    // domain.md 4.9; where joints and shadows darken a picture, its face is told by the brighter half.
+    // docs/evidence.md 4.9; where joints and shadows darken a picture, its face is told by the brighter half.
     let known = [
         ("cedar_fresh", 0xD9_B48A),
         ("cedar_brown", 0x8A_6A4A),

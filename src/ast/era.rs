@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-/// When a part or a house was built (domain.md 5).
+/// When a part or a house was built (docs/evidence.md 5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Era {
     /// Any time.

@@ -1,6 +1,6 @@
 //! What stands at a house and is neither wall nor roof: platform, posts, veranda, bracket complexes, and what crowns
 //! the roof. Lengths in shaku. Values that nobody wrote are those of [`Default`], or `None` where they follow from
-//! the house; `domain.md` 4.8 and 7.10 say what monuments have.
+//! the house; `docs/evidence.md` 4.8 and 7.10 say what monuments have.
 
 use crate::source::{Span, Spanned};
 use serde::Serialize;

@@ -1,5 +1,5 @@
 //! Houses written short: a pagoda, a gate, a hall, a shrine by its measures alone. `expand` makes storeys, posts,
-//! brackets and roofs of them; what no attribute says follows from the others (`domain.md` 4.8, 7.10).
+//! brackets and roofs of them; what no attribute says follows from the others (`docs/evidence.md` 4.8, 7.10).
 //! Lengths in shaku, shares without unit.
 
 use super::fittings::Paint;

@@ -1,4 +1,4 @@
-//! The roof section of a house (`domain.md` 6).
+//! The roof section of a house (`docs/evidence.md` 6).
 
 use crate::source::{Span, Spanned};
 use serde::Serialize;
@@ -13,7 +13,7 @@ pub enum RoofMode {
     Explicit,
 }
 
-/// How a plan is divided into roofs (language.md 4).
+/// How a plan is divided into roofs (docs/contract.md 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum RoofMethod {
     /// Least roof is cut.
@@ -52,7 +52,7 @@ pub struct Roofs {
     pub lines: Vec<RoofLine>,
 }
 
-/// What covers a roof (`domain.md` 6, column 1).
+/// What covers a roof (`docs/evidence.md` 6, column 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum RoofKind {
     /// K, sangawara-buki: pantiles.
@@ -71,7 +71,7 @@ pub enum RoofKind {
     Metal,
 }
 
-/// The form of a roof (`domain.md` 6).
+/// The form of a roof (`docs/evidence.md` 6).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum RoofShape {
     /// KIR, kirizuma: gable.

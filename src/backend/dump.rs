@@ -77,7 +77,7 @@ pub fn scene(scene: &Scene) -> serde_json::Result<String> {
     line(scene)
 }
 
-/// `--stage regions`: the automatic roofs in plan (language.md 5), in U.
+/// `--stage regions`: the automatic roofs in plan (docs/contract.md 5), in U.
 ///
 /// # Errors
 /// See [`ast`].

@@ -25,7 +25,7 @@ pub struct Trim {
 
 impl Trim {
     /// How far a ridge stands above the line where its slopes meet, metres: dai, courses of 35 mm and a cap of
-    /// 80 mm with tiles (domain.md 4.4), the like with other coverings.
+    /// 80 mm with tiles (docs/evidence.md 4.4), the like with other coverings.
     pub fn ridge_height(&self, kind: RoofKind) -> f64 {
         match kind {
             RoofKind::Tiles | RoofKind::CoverTiles => 0.015 + 0.035 * f64::from(self.noshi) + 0.08,

@@ -1,5 +1,5 @@
 //! What `random` and `replace` have in common as edits: they run over the fully expanded row of the
-//! enclosing element, into the halves of splits, and change what stands there (language.md 3).
+//! enclosing element, into the halves of splits, and change what stands there (docs/contract.md 3).
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};

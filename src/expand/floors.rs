@@ -1,5 +1,5 @@
 //! The base row of a facade's floor: its own parts, else those of the floor of the same id elsewhere,
-//! else the part pictures `f{facade}f{floor}f{n}` (003-15, `domain.md` 8).
+//! else the part pictures `f{facade}f{floor}f{n}` (003-15, `docs/evidence.md` 8).
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};

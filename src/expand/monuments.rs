@@ -1,4 +1,4 @@
-//! Houses written short (`domain.md` 4.8, 7.10): a pagoda, a gate, a hall or a shrine becomes storeys of bays, posts,
+//! Houses written short (`docs/evidence.md` 4.8, 7.10): a pagoda, a gate, a hall or a shrine becomes storeys of bays, posts,
 //! verandas, brackets, a platform and roofs, as an author could write them out. What stands beside the element in its
 //! house (`Platform`, `Posts`, `Brackets`, `Finial`, `Roofs`) takes the place of what it would have made.
 //!

@@ -58,7 +58,7 @@ impl Cell {
         ]
     }
 
-    /// Sorting key of regions: (b0, a0, b1, a1), `language.md` 4.
+    /// Sorting key of regions: (b0, a0, b1, a1), `docs/contract.md` 4.
     pub fn key(&self) -> (i64, i64, i64, i64) {
         (self.b0, self.a0, self.b1, self.a1)
     }

@@ -1,4 +1,4 @@
-//! Does a walk close (C1, C2 of domain.md 2.3)? If not: which line, or which turn, would close it?
+//! Does a walk close (C1, C2 of docs/evidence.md 2.3)? If not: which line, or which turn, would close it?
 
 use super::text;
 use super::walk::Walk;
@@ -9,7 +9,7 @@ use crate::source::Span;
 use glam::{DVec2, dvec2};
 use std::ops::Range;
 
-/// A closing error up to this share of the length is spread over a ring of facades (language.md 3).
+/// A closing error up to this share of the length is spread over a ring of facades (docs/contract.md 3).
 const RING_ERROR: f64 = 0.01;
 /// The same for walks with odd angles, whose corners nobody can write exactly.
 const ODD_ERROR: f64 = 0.001;

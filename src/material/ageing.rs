@@ -1,4 +1,4 @@
-//! How materials age: the weathering classes of domain.md 4.9, and for each material its looks, the youngest
+//! How materials age: the weathering classes of docs/evidence.md 4.9, and for each material its looks, the youngest
 //! first, with the years in full rain and sun after which each shows.
 
 /// A weathering class.

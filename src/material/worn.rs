@@ -1,4 +1,4 @@
-//! What weather and years make of the surfaces of the table (domain.md 4.9).
+//! What weather and years make of the surfaces of the table (docs/evidence.md 4.9).
 //!
 //! Looks are few: a material is at one of its stages, and one of some shades darker. So a street of old houses shares its
 //! materials, and parts whose surfaces have come to the same share their meshes.

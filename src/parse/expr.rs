@@ -1,4 +1,4 @@
-//! Expressions (language.md 3): what stands between braces, as a tree with places.
+//! Expressions (docs/contract.md 3): what stands between braces, as a tree with places.
 //!
 //! From the loosest to the tightest: `or`, `and`, `not`, one comparison, `+ -`, `* / %`, the sign. Chains of equal
 //! operators are lists, so that only parentheses nest, and those at most [`DEEPEST`] deep: no expression is too

@@ -1,4 +1,4 @@
-//! Reads the legacy text: header, walls, roofs (language.md 2; 001-05 to 001-11).
+//! Reads the legacy text: header, walls, roofs (docs/contract.md 2; 001-05 to 001-11).
 //!
 //! A file is read line by line, once. A house is a small machine with three states: the header up to the
 //! first line of codes, the walls up to a blank line, the roofs up to `%` or the end of the file. What

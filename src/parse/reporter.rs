@@ -1,7 +1,7 @@
 //! Where the readers' messages go: spans are made here, and a flood of them ends here.
 //!
 //! A file of a million broken lines, or one that is no XML at all, can hold a fault a byte. Nobody reads a million
-//! messages, and keeping them would take more memory than a file is allowed to (language.md 7); so after [`ENOUGH`]
+//! messages, and keeping them would take more memory than a file is allowed to (docs/contract.md 7); so after [`ENOUGH`]
 //! the rest is counted only, and the last message says how many there were.
 
 use crate::diagnostic::messages::file;

@@ -1,4 +1,4 @@
-//! The XML form (language.md 3), in three steps: [`tree`] reads the elements of any file, however broken, with their
+//! The XML form (docs/contract.md 3), in three steps: [`tree`] reads the elements of any file, however broken, with their
 //! places; [`language`] works out what is computed in it; the rest turns that tree into the document by the tables of
 //! [`schema`].
 //!

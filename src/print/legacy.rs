@@ -7,7 +7,7 @@
 //! - a void is `.....`, wherever five blanks say it;
 //! - fields of header lines stand one blank apart; numbers keep their spelling, but the height of a roof has a
 //!   decimal;
-//! - the fields of roof lines stand in the columns of `domain.md` 6, numbers to the right; where one is too long, the
+//! - the fields of roof lines stand in the columns of `docs/evidence.md` 6, numbers to the right; where one is too long, the
 //!   column is as much wider in all roof lines of the house;
 //! - blank lines stand where the author put them, one for several, none at both ends of the file.
 

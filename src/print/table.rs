@@ -1,4 +1,4 @@
-//! The columns of roof lines (`domain.md` 6): letters to the left, numbers to the right, each field below the same
+//! The columns of roof lines (`docs/evidence.md` 6): letters to the left, numbers to the right, each field below the same
 //! field of the line above.
 
 use super::legacy::words;

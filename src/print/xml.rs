@@ -7,7 +7,7 @@
 //! - blank lines stand where the author put them, one for several, none at the ends of an element;
 //! - a comment behind something stays on its line, others get lines of their own; further lines of a comment are
 //!   moved with the first;
-//! - in and below elements with codes the author's line breaks are kept, since every one divides codes (language.md 3),
+//! - in and below elements with codes the author's line breaks are kept, since every one divides codes (docs/contract.md 3),
 //!   and blanks that are columns stay; only the indentation is made anew. Where such an element holds no text and is
 //!   too long for a line, each child gets one.
 

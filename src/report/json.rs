@@ -1,4 +1,4 @@
-//! One JSON array, an object a line (language.md 5). Beyond the contract a label has a line and a column too.
+//! One JSON array, an object a line (docs/contract.md 5). Beyond the contract a label has a line and a column too.
 
 use super::{Report, word};
 use crate::diagnostic::Diagnostic;

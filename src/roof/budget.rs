@@ -1,4 +1,4 @@
-//! How much search for the best cuts one run may take (`language.md` 7).
+//! How much search for the best cuts one run may take (`docs/contract.md` 7).
 //!
 //! A plan of thirty coordinates on an axis takes some milliseconds, of which a text of 1 MiB can ask for
 //! thousands. Work is counted in steps, never in time, so that the same input gives the same roofs anywhere.

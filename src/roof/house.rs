@@ -1,5 +1,5 @@
 //! The roofs of one house, storey by storey: what the storey above leaves open is roofed at the top
-//! (domain.md 3.8), roof lines first, automatic regions for the rest.
+//! (docs/evidence.md 3.8), roof lines first, automatic regions for the rest.
 
 use super::partition::{Method, partition_within};
 use crate::ast::{RoofMethod, RoofMode, RoofShape};
@@ -95,7 +95,7 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
     }
 }
 
-/// The rectangle of the pent roof that a two-storeyed street house gets by itself (domain.md 4.5).
+/// The rectangle of the pent roof that a two-storeyed street house gets by itself (docs/evidence.md 4.5).
 fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
     let hisashi =
         |l: &crate::ast::RoofLine| l.style.shape.is_some_and(|s| s.value == RoofShape::Pent);

@@ -1,4 +1,4 @@
-//! A region to rectangles: cut by a method, then merge (domain 3.2; `language.md` 4).
+//! A region to rectangles: cut by a method, then merge (domain 3.2; `docs/contract.md` 4).
 //!
 //! The rectangles cover the region exactly and never overlap.
 

@@ -1,7 +1,7 @@
 //! What a roof wears beyond its solids: ridge tiles, end tiles, eaves and verge tiles, barge boards, rafters.
 //!
 //! The lines to be dressed are read off the finished solids ([`seams`]), so that they are right after every
-//! junction and for every shape; sizes come from `domain.md` 4.4 and the few wishes of [`Trim`]. All of it are
+//! junction and for every shape; sizes come from `docs/evidence.md` 4.4 and the few wishes of [`Trim`]. All of it are
 //! closed bodies that reach a little into what carries them, so that no face lies in another's plane.
 //!
 //! | detail | shows |

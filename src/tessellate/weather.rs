@@ -1,4 +1,4 @@
-//! What the weather has done to a mesh (domain.md 4.9): which surface each of its triangles has by now.
+//! What the weather has done to a mesh (docs/evidence.md 4.9): which surface each of its triangles has by now.
 //!
 //! A mesh is made as if new. Its triangles then go over to the surfaces that theirs have become, by how high they lie,
 //! or on roofs by which way they face. Everything in a [`Weather`] is quantised, and those that come to the same surfaces

@@ -4,7 +4,7 @@ use crate::expand::build::*;
 use hsd::ast::{Item, Loop, RoofMode, Row};
 use hsd::program::Content;
 
-/// The example of `domain.md` 2.6: 6 x 8 units, two storeys.
+/// The example of `docs/evidence.md` 2.6: 6 x 8 units, two storeys.
 #[test]
 fn the_legacy_example() {
     let deep = "APW  ".repeat(8);

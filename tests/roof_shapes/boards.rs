@@ -1,4 +1,4 @@
-//! The slabs of gable roofs against the boards of paper 004, as `domain.md` 7.2 corrects them.
+//! The slabs of gable roofs against the boards of paper 004, as `docs/evidence.md` 7.2 corrects them.
 
 use crate::roof_shapes::common::*;
 use crate::roof_shapes::random::Draws;

@@ -1,5 +1,5 @@
 //! Every shape over thin, square, deep, tiny and huge rectangles, gentle and steep, straight and curved: closed,
-//! outward, without slivers, and as high as the closed forms of `domain.md` 7.10 say.
+//! outward, without slivers, and as high as the closed forms of `docs/evidence.md` 7.10 say.
 
 use crate::roof_shapes::common::*;
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! Where roofs of one house meet: what one of them is made of stands in no other (domain.md 3.7, 3.9).
+//! Where roofs of one house meet: what one of them is made of stands in no other (docs/evidence.md 3.7, 3.9).
 //!
 //! Upright lines through random places are followed through all solids: where two roofs are both solid over more
 //! than a joint's depth, a gable, an eaves or a verge of one sticks in the other.

@@ -1,4 +1,4 @@
-//! Massive roofs: one closed solid for roofs that meet, with nothing hidden inside (domain.md 3.7 to 3.9), and the same
+//! Massive roofs: one closed solid for roofs that meet, with nothing hidden inside (docs/evidence.md 3.7 to 3.9), and the same
 //! from outside as the sheets and gable walls it is made from.
 
 use crate::roof_shapes::common::*;

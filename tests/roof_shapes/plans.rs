@@ -5,7 +5,7 @@ use hsd::building::{Building, Ring};
 
 type Corners = Vec<(f64, f64)>;
 
-/// Names, outlines and courts (domain.md 3.6).
+/// Names, outlines and courts (docs/evidence.md 3.6).
 fn shapes() -> Vec<(&'static str, Corners, Option<Corners>)> {
     let z = vec![
         (0.0, 0.0),

@@ -1,4 +1,4 @@
-//! Skirts: hipped roofs of storeys that carry a smaller one, cut by its walls (domain.md 7.10).
+//! Skirts: hipped roofs of storeys that carry a smaller one, cut by its walls (docs/evidence.md 7.10).
 
 use crate::roof_shapes::common::*;
 use crate::roof_shapes::halls::{close, covering, extent};

@@ -28,7 +28,7 @@ pub(super) struct Node<'a> {
     translation: Option<[Number; 3]>,
 }
 
-/// language.md 6.
+/// docs/contract.md 6.
 #[derive(Serialize)]
 struct Extras<'a> {
     kind: &'static str,

@@ -1,5 +1,5 @@
 //! `<Gate>`: a gate house of one or two storeys. The ground storey stands open, its doors hang in the middle row of
-//! columns; upstairs a veranda runs round. Defaults after Suzakumon (`domain.md` 4.8, S30): bays of 17 shaku, eaves of
+//! columns; upstairs a veranda runs round. Defaults after Suzakumon (`docs/evidence.md` 4.8, S30): bays of 17 shaku, eaves of
 //! 12, set back a little upstairs; heights as shares of the bay.
 
 use super::draft::{Draft, Level, Usual, WALL, bays};

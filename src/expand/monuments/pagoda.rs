@@ -1,5 +1,5 @@
 //! `<Pagoda>`: square storeys that taper by a share (逓減率 teigen-ritsu), a skirt of roof round each, a pyramid on top,
-//! and the mast on it. Rules after Horyu-ji's (`domain.md` 4.8, S54 and S55), as shares of widths: they give its
+//! and the mast on it. Rules after Horyu-ji's (`docs/evidence.md` 4.8, S54 and S55), as shares of widths: they give its
 //! documented height, and To-ji's, from the width and the taper alone.
 
 use super::draft::{Bay, Draft, Usual, WALL};

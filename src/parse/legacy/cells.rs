@@ -1,6 +1,6 @@
 //! Cuts a wall line into codes of five columns.
 //!
-//! Only the form is known here: a code begins with one of the class letters (domain.md 5.1), five blanks
+//! Only the form is known here: a code begins with one of the class letters (docs/evidence.md 5.1), five blanks
 //! or five points are a void. Where the columns of a line are out of step, every code after the slip
 //! would be unknown; so the words are looked at once, and one message proposes the line as it was meant.
 
@@ -137,7 +137,7 @@ fn leading_shift(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>
     shift
 }
 
-/// What is left after the last whole cell (language.md 2, remainders).
+/// What is left after the last whole cell (docs/contract.md 2, remainders).
 fn remainder(
     line: &Line<'_>,
     range: Range<usize>,
@@ -186,7 +186,7 @@ fn point_voids(
     }
 }
 
-/// Voids at a line end that an editor may trim away (domain.md 2.6, A4).
+/// Voids at a line end that an editor may trim away (docs/evidence.md 2.6, A4).
 fn trailing_voids(line: &Line<'_>, text: &str, at: usize, faults: &mut Reporter<'_>) {
     let written = text.trim_end_matches(' ');
     let missing = (CELL - columns(written) % CELL) % CELL;

@@ -13,7 +13,7 @@ const KEYS: [&str; 8] = [
     "unit", "seed", "roofs", "method", "street", "name", "age", "era",
 ];
 
-/// Height of a storey whose own cannot be read, shaku (language.md 1).
+/// Height of a storey whose own cannot be read, shaku (docs/contract.md 1).
 const HEIGHT: f64 = 9.0;
 
 /// Least heights of a ground storey and of an upper one, shaku. Nobody stands upright below them, but a

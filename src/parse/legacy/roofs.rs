@@ -1,4 +1,4 @@
-//! Roof lines: kind, direction, height, shape, two corners, options (domain.md 6).
+//! Roof lines: kind, direction, height, shape, two corners, options (docs/evidence.md 6).
 
 use super::line::Line;
 use super::roof_words::{KIND_NAMES, OPTIONS, SHAPE_NAMES, named};

@@ -1,4 +1,4 @@
-//! What is computed in a file (language.md 3), worked out on its elements: from a tree with expressions, parameters,
+//! What is computed in a file (docs/contract.md 3), worked out on its elements: from a tree with expressions, parameters,
 //! conditions, named pieces and other files to a tree without any of them, which the rest of the reader then reads
 //! like any other. So every attribute of every element can be an expression, and no later pass knows of them.
 //!

@@ -1,4 +1,4 @@
-//! The elements of the language: what each may bear and hold (language.md 3). Everything that the reader says about
+//! The elements of the language: what each may bear and hold (docs/contract.md 3). Everything that the reader says about
 //! unknown words, wrong places and values comes from these tables; the schemas in `grammar/schema` and the reference
 //! are made of them.
 
@@ -353,7 +353,7 @@ pub(super) static PIECES: Content = Content {
     text: true,
     again: None,
 };
-/// A floor may hold its base row as a `Row` too (domain.md 8).
+/// A floor may hold its base row as a `Row` too (docs/evidence.md 8).
 pub(super) static FLOOR: Content = Content {
     name: "floor",
     tags: &[

@@ -1,4 +1,4 @@
-//! Where roofs of one height meet: each keeps what it covers highest (domain.md 3.7).
+//! Where roofs of one height meet: each keeps what it covers highest (docs/evidence.md 3.7).
 //!
 //! Eaves vanish inside a neighbour, branches die in their trunk's slope, valleys run where two
 //! slopes cross; what remains of each roof is still a closed solid of its own, and no two overlap.

@@ -1,5 +1,5 @@
 //! `least-cut`: the best guillotine tree, exactly, by dynamic programming over all
-//! rectangles of grid lines (`language.md` 4; `opt` in domain 3.5).
+//! rectangles of grid lines (`docs/contract.md` 4; `opt` in domain 3.5).
 //!
 //! Least roof cut, then fewest roofs, then the largest sum of squared areas: sums over the
 //! halves, so the best tree of a rectangle is made of best trees. So is the last criterion,

@@ -89,7 +89,7 @@ pub(in crate::roof) fn first_line(storey: &Storey) -> Option<(Point, Point)> {
 }
 
 /// Whether a walk is a facade of its own, not a ring that fails to close: it turns by no more than
-/// half a circle (language.md 2).
+/// half a circle (docs/contract.md 2).
 pub(in crate::roof) fn is_facade(ring: &Ring) -> bool {
     let turn = |w: &[crate::building::Wall]| {
         let (p, q) = (w[0].direction, w[1].direction);

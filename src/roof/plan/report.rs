@@ -1,4 +1,4 @@
-//! What `dump --stage regions` shows of a storey (language.md 5).
+//! What `dump --stage regions` shows of a storey (docs/contract.md 5).
 
 use crate::ast::RoofShape;
 use crate::building::{PlanRegion, Ring, StoreyPlan, rect_of};

@@ -1,4 +1,4 @@
-//! Street rule: the building along the street is a region of its own (`language.md` 4;
+//! Street rule: the building along the street is a region of its own (`docs/contract.md` 4;
 //! domain 3.6 L2, 3.7).
 
 use crate::geometry::plan::slabs;

@@ -1,4 +1,4 @@
-//! The boards of a gable roof by the formulas of paper 004 (004-03 to 004-13), as `domain.md` 7.2 corrects
+//! The boards of a gable roof by the formulas of paper 004 (004-03 to 004-13), as `docs/evidence.md` 7.2 corrects
 //! them (F1 to F9).
 //!
 //! Two boxes lie on the slopes of a prism over a rectangle of walls. Each is made flat, turned about x by the

@@ -1,4 +1,4 @@
-//! Raised corners: the eaves of hipped roofs with sori rise towards the corners (domain.md 7.10).
+//! Raised corners: the eaves of hipped roofs with sori rise towards the corners (docs/evidence.md 7.10).
 //!
 //! The lift grows with the square of the way to the corner, from where half the span is left, and dies out
 //! up the slope at the wall line, so that no gap opens over the plate: its triangles lie along rays from

@@ -8,7 +8,7 @@
 use crate::ast::RoofShape;
 use crate::roof::shape::look::Look;
 
-/// The place of an irimoya's gable and the height of a half-hip, shares of the span (domain.md 6).
+/// The place of an irimoya's gable and the height of a half-hip, shares of the span (docs/evidence.md 6).
 const GABLE_AT: f64 = 0.25;
 const HALF_HIP: f64 = 0.2;
 /// The steepest end slope.

@@ -1,7 +1,7 @@
 //! Hipped roofs over any outline: one slope over each wall, all of one pitch, from the straight skeleton.
 //!
 //! As with gables the LOWER surface passes through the wall plate, the upper one lies one drop higher. Every slope is
-//! z = plate + pitch * distance from its wall, inside and out, so that a rectangle gets the yosemune of `domain.md`
+//! z = plate + pitch * distance from its wall, inside and out, so that a rectangle gets the yosemune of `docs/evidence.md`
 //! 7.10, a square its hogyo, and any other outline what a carpenter would make of equal slopes.
 
 use crate::ast::RoofShape;

@@ -1,4 +1,4 @@
-//! What one roof looks like: the author's options, and `domain.md` 4.3 and 4.4 for the rest.
+//! What one roof looks like: the author's options, and `docs/evidence.md` 4.3 and 4.4 for the rest.
 
 use crate::ast::{RoofKind, RoofShape, RoofStyle};
 use crate::building::{Finish, Trim};
@@ -36,7 +36,7 @@ pub struct Look {
     pub ends: bool,
 }
 
-/// Slope lengths in metres up to which tiles keep the rain out at a pitch (domain.md 4.3, S20).
+/// Slope lengths in metres up to which tiles keep the rain out at a pitch (docs/evidence.md 4.3, S20).
 const TILE_PITCHES: [(f64, f64); 5] = [
     (8.0, 0.40),
     (10.0, 0.45),
@@ -45,7 +45,7 @@ const TILE_PITCHES: [(f64, f64); 5] = [
     (17.0, 0.60),
 ];
 
-/// What a temple has by itself: the gentlest tiles and its sori (domain.md 4.3), eaves by the span and their
+/// What a temple has by itself: the gentlest tiles and its sori (docs/evidence.md 4.3), eaves by the span and their
 /// bounds in metres (4.4: 8 to 12 shaku on great ones), and how far its barge boards stand out (7.10).
 const TEMPLE_PITCH: f64 = 0.5;
 const TEMPLE_SORI: f64 = 4.0;
@@ -54,7 +54,7 @@ const TEMPLE_BARGE: f64 = 0.5;
 /// How far the barge boards of other irimoya stand out, metres.
 const BARGE: f64 = 0.4;
 
-/// The gentlest default of lean-tos (domain.md 4.3: geya 3 sun).
+/// The gentlest default of lean-tos (docs/evidence.md 4.3: geya 3 sun).
 const LEAN_TO_PITCH: f64 = 0.3;
 
 impl Look {
@@ -198,7 +198,7 @@ fn wish<T: Copy>(
         .map(|s| s.value)
 }
 
-/// Pitch and thickness by covering (domain.md 6 and 4.4).
+/// Pitch and thickness by covering (docs/evidence.md 6 and 4.4).
 fn defaults(kind: RoofKind) -> (f64, f64) {
     match kind {
         RoofKind::Tiles => (0.40, 0.12),
@@ -220,7 +220,7 @@ fn raised(run: f64) -> f64 {
     fits.map_or(0.60, |(_, pitch)| *pitch)
 }
 
-/// Pitches in sun that suit a covering (domain.md 4.3, with room for the unusual).
+/// Pitches in sun that suit a covering (docs/evidence.md 4.3, with room for the unusual).
 pub fn band(kind: RoofKind) -> (f64, f64) {
     match kind {
         RoofKind::Tiles => (2.5, 10.0),

@@ -1,4 +1,4 @@
-//! Pent roof (hisashi, HIS; domain.md 4.5): a slope outside the walls, hung on them without posts.
+//! Pent roof (hisashi, HIS; docs/evidence.md 4.5): a slope outside the walls, hung on them without posts.
 //!
 //! The rectangle is the whole roof: no eaves, no verges. Its height is that of the UPPER surface at
 //! the low edge, so that the high edge meets the foot of the upper wall exactly.

@@ -2,7 +2,7 @@
 //!
 //! Heights are those of the LOWER surface over the wall plate, as a function of the distance inward from
 //! the wall line. Every line passes through the plate (0 at 0) and reaches pitch * run at its top, curved
-//! or not (domain.md 7.10): sori hangs below the straight line between them and lifts the eaves, mukuri
+//! or not (docs/evidence.md 7.10): sori hangs below the straight line between them and lifts the eaves, mukuri
 //! bulges over it. A curve is cut into straight strips, so that hips of equal slopes stay straight in plan.
 
 use crate::ast::RoofShape;

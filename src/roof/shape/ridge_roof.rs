@@ -1,6 +1,6 @@
 //! Two-sloped roofs: gable (kirizuma, KIR, 001-20), hip (yosemune), hip and gable (irimoya), pyramid
 //! (hogyo), half-hip (hakama-goshi) and karahafu are one recipe, an [`End`] treatment at each end of a ridge
-//! (domain.md 7.10).
+//! (docs/evidence.md 7.10).
 //!
 //! The LOWER surface passes through the wall plate (z = base at the wall line), the upper one lies one drop
 //! higher, so that walls fill up to the roof whatever its thickness. Eaves are cut upright. Slopes are

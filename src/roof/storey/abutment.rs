@@ -1,4 +1,4 @@
-//! Where branches end: in the slope of their trunk, whatever side of it they lie on (domain.md 3.7).
+//! Where branches end: in the slope of their trunk, whatever side of it they lie on (docs/evidence.md 3.7).
 
 use crate::roof::plan::ridge::Side;
 use crate::roof::shape::end::{Cap, End};
@@ -66,7 +66,7 @@ impl Automatic<'_, '_> {
     }
 
     /// The end of branch `n` that lies with `side` on its trunk: the ridge runs on until it dies in
-    /// the trunk's slope (domain.md 3.7). Where it stands higher than the trunk, it ends over the
+    /// the trunk's slope (docs/evidence.md 3.7). Where it stands higher than the trunk, it ends over the
     /// trunk's ridge in a gable of its own.
     pub(in crate::roof) fn run_in(&self, n: usize, trunk: usize, side: Side, plain: End) -> End {
         let (own, other) = (&self.looks[n], &self.looks[trunk]);

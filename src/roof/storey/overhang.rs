@@ -1,4 +1,4 @@
-//! Storeys that stand out over the one below (domain.md 3.8): how far, and what closes them from below.
+//! Storeys that stand out over the one below (docs/evidence.md 3.8): how far, and what closes them from below.
 //!
 //! Boards lie under the rooms, a beam (dashigeta) runs under the walls that stand over nothing, and brackets
 //! (udegi) reach out to it from the walls below, a unit apart.

@@ -1,6 +1,6 @@
 //! Skirts (mokoshi, the lower roof of a gate or a pagoda's storey): a storey that carries a smaller one is
 //! roofed as a whole where its shape is hipped, and the walls of the upper storey cut the slopes
-//! (domain.md 7.10: planes from -h to +c between two wall rectangles).
+//! (docs/evidence.md 7.10: planes from -h to +c between two wall rectangles).
 
 use crate::ast::{RoofShape, RoofStyle};
 use crate::building::Storey;

@@ -1,5 +1,5 @@
 //! Ridges and hips of tiles: a bed, courses of flat tiles (noshi) that step in as they rise, round caps (kanmuri)
-//! and end tiles. Sizes from domain.md 4.4.
+//! and end tiles. Sizes from docs/evidence.md 4.4.
 
 pub(in crate::tessellate::trim) mod onigawara;
 pub(in crate::tessellate::trim) mod finial;

@@ -1,4 +1,4 @@
-//! Board roofs held down by battens and stones (ishi-oki, domain.md 4.3): only gentle ones, since stones roll.
+//! Board roofs held down by battens and stones (ishi-oki, docs/evidence.md 4.3): only gentle ones, since stones roll.
 
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;

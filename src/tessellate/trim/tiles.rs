@@ -1,5 +1,5 @@
 //! The edges of a tiled slope: eaves tiles with a hanging front, flat (ichimonji) on the street side and with small
-//! discs (manju) elsewhere, and verge tiles that lap over the barge. Sizes from domain.md 4.4.
+//! discs (manju) elsewhere, and verge tiles that lap over the barge. Sizes from docs/evidence.md 4.4.
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -25,7 +25,7 @@ const OVER: f64 = 0.028;
 /// Verge tiles: how far they lap over the slope, down its edge, and how thick they are, metres.
 const LAP: (f64, f64, f64) = (0.10, 0.09, 0.022);
 
-/// The street is before the first line: fronts that look there are flat (domain.md 4.4, S34).
+/// The street is before the first line: fronts that look there are flat (docs/evidence.md 4.4, S34).
 const STREET: DVec2 = DVec2::NEG_Y;
 
 /// The front of the eaves.

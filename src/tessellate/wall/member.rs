@@ -12,7 +12,7 @@ use crate::tessellate::wall::{Line, Stand};
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
-/// Side of a post: four sun (domain.md 5).
+/// Side of a post: four sun (docs/evidence.md 5).
 pub(in crate::tessellate) const POST: f64 = 0.1212;
 
 /// Side of a through post: four and a half sun.

@@ -1,4 +1,4 @@
-//! Runs of text as codes of five columns (language.md 3, "Codes").
+//! Runs of text as codes of five columns (docs/contract.md 3, "Codes").
 //!
 //! A run is what stands between two children. Line breaks and the white space round them go; each line is cut into
 //! fives for itself and its last code padded, since the blanks that end a code before a line break are gone with

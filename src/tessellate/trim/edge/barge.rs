@@ -1,5 +1,5 @@
 //! Barge boards (hafu): boards under the edge of a verge, bent as it is, deeper at the apex and at the foot
-//! (domain.md 4.4: 0.18-0.24 deep on houses, 0.03 thick), and the pendant (gegyo) where they meet.
+//! (docs/evidence.md 4.4: 0.18-0.24 deep on houses, 0.03 thick), and the pendant (gegyo) where they meet.
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;

@@ -1,5 +1,5 @@
 //! Gegyo: the carved pendant under the apex of a gable, 1.0 to 1.5 times as high as the barge boards are deep
-//! (domain.md 4.4). The plain turnip (kabura) with its hexagonal boss (rokuyo).
+//! (docs/evidence.md 4.4). The plain turnip (kabura) with its hexagonal boss (rokuyo).
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;

@@ -1,6 +1,6 @@
 //! Plastered eaves and verges (漆喰塗込め shikkui nurigome) of storehouses and other houses whose walls are plastered
 //! over their posts: instead of rafters and barge boards stepped bands of plaster (鉢巻 hachimaki) run round under
-//! the tiles, so that no timber shows that could catch fire (domain.md 4.6, 4.7).
+//! the tiles, so that no timber shows that could catch fire (docs/evidence.md 4.6, 4.7).
 
 use crate::ast::RoofShape;
 use crate::material::SurfaceId;

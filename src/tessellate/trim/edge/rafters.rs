@@ -1,4 +1,4 @@
-//! Rafters (taruki) under the eaves, 55 x 45 mm every 455 mm (domain.md 4.4), parallel on every slope, as is the
+//! Rafters (taruki) under the eaves, 55 x 45 mm every 455 mm (docs/evidence.md 4.4), parallel on every slope, as is the
 //! custom of wayo; under hips the hip rafter. Temples have two rows, the upper one (hien-daruki) standing out over
 //! the lower. A board (hirokomai) runs over their ends.
 

@@ -1,4 +1,4 @@
-//! Onigawara: the tile that closes a ridge or a hip, 0.05 to 0.15 m higher than it (domain.md 4.4). A shield with
+//! Onigawara: the tile that closes a ridge or a hip, 0.05 to 0.15 m higher than it (docs/evidence.md 4.4). A shield with
 //! a brow and feet that curl out, a boss before it; on cover-tile roofs a round bar (toribusuma) points upwards.
 
 use crate::material::SurfaceId;

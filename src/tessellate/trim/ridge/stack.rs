@@ -1,4 +1,4 @@
-//! Thick edges: the stack of shingles or bark at the eaves (nokizuke, domain.md 4.4: 0.10-0.15 m with kokera, some
+//! Thick edges: the stack of shingles or bark at the eaves (nokizuke, docs/evidence.md 4.4: 0.10-0.15 m with kokera, some
 //! tens of centimetres with bark), and the rounded edge of thatch.
 
 use crate::ast::RoofKind;
