@@ -1,5 +1,5 @@
 //! How many megabytes of source files a second: reading alone, expanding alone, and everything that `hsd check` does; and how
-//! long a mebibyte of anything takes, which has to be less than a second (language.md 7).
+//! long a mebibyte of anything takes, which has to be less than a second (docs/contract.md 7).
 
 #[path = "../tests/robust/heaps.rs"]
 #[expect(dead_code)] // the tests use the rest

@@ -1,4 +1,4 @@
-//! Bad input: nothing panics, every error has its place, nothing takes long (language.md 7). How long is compared with the
+//! Bad input: nothing panics, every error has its place, nothing takes long (docs/contract.md 7). How long is compared with the
 //! examples and with smaller inputs; the seconds of a mebibyte are shown by `cargo bench --bench reading`.
 
 pub(crate) mod heaps;

@@ -2,6 +2,7 @@
 
 pub(in crate::tessellate) mod massing;
 pub(in crate::tessellate) mod ceiling;
+mod finish;
 pub(in crate::tessellate) mod index;
 pub(in crate::tessellate) mod corner;
 pub(in crate::tessellate) mod parapet;
@@ -9,7 +10,7 @@ pub(in crate::tessellate) mod room;
 pub(in crate::tessellate) mod member;
 
 use crate::building::Wall;
-use crate::catalog::{Catalog, Era, PartDef, PartId, Stance};
+use crate::catalog::{Catalog, PartDef, PartId, Stance};
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::program::{Content, PictureId, Split, Unit};
@@ -17,6 +18,7 @@ use crate::scene::{Kind, Mesh, MeshId, NodeId};
 use crate::tessellate::part::bay::Layer;
 use crate::tessellate::part::wall_layer;
 use crate::tessellate::store::{Key, PartKey, Share, tenths};
+use crate::tessellate::wall::finish::{default_finish, finish_of};
 use crate::tessellate::wall::member::LintelRoom;
 use crate::tessellate::{Level, Walker, part, turn_of};
 use compact_str::{CompactString, ToCompactString, format_compact};
@@ -170,32 +172,6 @@ fn stance(catalog: &Catalog, content: &Content) -> (Stance, f64) {
                 .unwrap_or((Stance::Free, 0.0))
         }
     }
-}
-
-/// The finish that a wall gives to small walls beside it.
-pub(super) fn finish_of(catalog: &Catalog, content: &Content) -> Option<SurfaceId> {
-    match content {
-        Content::Part(id) => catalog.part(*id).finish,
-        _ => None,
-    }
-}
-
-/// The default of small walls by era.
-pub(super) fn default_finish(catalog: &Catalog, content: &Content) -> SurfaceId {
-    let era = match content {
-        Content::Part(id) => catalog.part(*id).era,
-        Content::Split(split) => match split.lower.first() {
-            Some(unit) => return default_finish(catalog, &unit.content),
-            None => Era::All,
-        },
-        _ => Era::All,
-    };
-    let name = if era == Era::Modern {
-        "mortar"
-    } else {
-        "plaster"
-    };
-    SurfaceId::named(name)
 }
 
 /// Gives each unit the finish of the nearest wall part, the left one of two equally near.

@@ -256,7 +256,7 @@ mod tests {
         assert_eq!(Look::gable(None, &own, 32.0, 0.909).pitch, 0.35);
     }
 
-    /// The table of domain.md 4.3 goes by the length of the slope, which is longer than its plan.
+    /// The table of docs/evidence.md 4.3 goes by the length of the slope, which is longer than its plan.
     #[test]
     fn the_pitch_of_tiles_goes_by_the_length_of_the_slope() {
         for (run, pitch) in [(7.40, 0.40), (7.50, 0.45), (9.10, 0.45), (9.15, 0.50)] {

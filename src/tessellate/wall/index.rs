@@ -5,7 +5,7 @@ use crate::building::{House, Solid, Storey, Wall};
 use crate::catalog::{Catalog, Stance};
 use crate::material::SurfaceId;
 use crate::program::Content;
-use crate::tessellate::wall::{default_finish, finish_of};
+use crate::tessellate::wall::finish::{default_finish, finish_of};
 use glam::DVec2;
 use std::cell::OnceCell;
 
