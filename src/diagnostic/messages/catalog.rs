@@ -1,4 +1,4 @@
-//! Messages about own parts (HSD0323 and following).
+//! Messages about custom parts (HSD0323 and on).
 
 use super::words::{all_of, any_of, quote, short};
 use super::xml::offer;
@@ -12,12 +12,12 @@ const MARKED: usize = 6;
 /// Words that are offered one by one.
 const FEW: usize = 8;
 
-/// A base that is no part.
+/// A base that is not a part.
 #[cold]
 pub fn unknown_base(span: Span, code: &str, near: &[String]) -> Diagnostic {
     let code = quote(code);
     let message = text!(
-        "the base {code} is no part",
+        "there is no part {code} to be the base",
         "base の {code} という部材はありません"
     );
     let any = any_of(near);
@@ -89,7 +89,7 @@ pub fn part_twice(span: Span, code: &str, first: Span, whole: Option<Span>) -> D
     }
 }
 
-/// An attribute of a part or a body that says nothing it could mean; `offers` = words that it may be.
+/// An attribute of a part or a body with a value that it cannot have; `offers` = words that it may be.
 #[cold]
 pub fn wrong_value(span: Span, name: &str, value: &str, form: Noun, offers: &[&str]) -> Diagnostic {
     let value = quote(value);
@@ -104,7 +104,7 @@ pub fn wrong_value(span: Span, name: &str, value: &str, form: Noun, offers: &[&s
     offer(found, span, offers.iter().copied())
 }
 
-/// A code whose fifth column tells another width; `own` = where the width is written.
+/// A code whose fifth column gives another width; `own` = where the width is written.
 #[cold]
 pub fn width_column(
     span: Span,
@@ -115,12 +115,12 @@ pub fn width_column(
 ) -> Diagnostic {
     let (code, width, column) = (quote(code), short(width), short(column));
     let message = text!(
-        "{code} is {width} U wide, but its fifth column says {column}",
+        "{code} is {width} U wide, but its fifth column means {column}",
         "{code} の幅は {width} U ですが、五桁目は {column} を表しています"
     );
     let found = Diagnostic::warning(327, span, message).help(text!(
-        "end the code with the width: a blank for 1, `h` for a half, a digit for others; or use a name of six letters or more, or write the width {column}",
-        "コードの最後に幅を書いてください。1 は空白、半分は `h`、そのほかは数字です。六文字以上の名前を使うか、幅を {column} としてもかまいません"
+        "end the code with the width: a blank for 1, `h` for a half, a digit for others; use a code of six letters or more, or write the width {column}",
+        "コードの最後に幅を書いてください。1 は空白、半分は `h`、そのほかは数字です。六文字以上のコードを使うか、幅を {column} としてもかまいません"
     ));
     let title = text!("Write the width {column}", "幅を {column} とする");
     match own {
@@ -129,7 +129,7 @@ pub fn width_column(
     }
 }
 
-/// A change of something that the base has not; `other` = another word in its place would do.
+/// A change of something that the base does not have; `other` = another word in its place is possible.
 #[cold]
 pub fn nothing_to_change(span: Span, word: &str, words: &[String], other: bool) -> Diagnostic {
     let word = quote(word);
@@ -153,21 +153,21 @@ pub fn nothing_to_change(span: Span, word: &str, words: &[String], other: bool) 
     offer(found, span, few.iter().map(String::as_str))
 }
 
-/// A part of more shapes than anybody could see.
+/// A part made of too many bodies.
 #[cold]
 pub fn too_fine(span: Span, code: &str, count: f64, limit: f64) -> Diagnostic {
     let code = quote(code);
     let message = text!(
-        "{code} would be made of {count} pieces, more than {limit}",
-        "{code} は {count} 個の部分からなり、上限の {limit} 個を超えます"
+        "{code} would have {count} bodies, more than the limit of {limit}",
+        "{code} は {count} 個の形からなり、上限の {limit} 個を超えます"
     );
     Diagnostic::error(329, span, message).help(text!(
-        "lower the counts, or show the fine ones by a texture",
+        "lower the counts, or show the finest by a texture",
         "個数を減らすか、細かいものはテクスチャーで表してください"
     ))
 }
 
-/// A file of parts in which none are.
+/// A catalogue file without parts.
 #[cold]
 pub fn no_parts(span: Span) -> Diagnostic {
     let message = text!(
@@ -180,7 +180,7 @@ pub fn no_parts(span: Span) -> Diagnostic {
     ))
 }
 
-/// More parts than numbers for them.
+/// More parts than ids.
 #[cold]
 pub fn too_many_parts(span: Span, limit: usize) -> Diagnostic {
     let message = text!(

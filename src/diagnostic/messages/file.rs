@@ -17,15 +17,15 @@ pub fn no_house(span: Span) -> Diagnostic {
     ))
 }
 
-/// What is to be done about an encoding.
+/// Advice on an encoding that was recognized.
 fn leave_or_save() -> Text {
     text!(
-        "nothing has to be done; save it as UTF-8 if you like (positions count the bytes of the file as it is)",
+        "nothing needs to be done; save it as UTF-8 if you like (positions count bytes of the file on disk)",
         "このままでかまいません。必要なら UTF-8 で保存してください (位置は元のファイルのバイト数で数えます)"
     )
 }
 
-/// The bytes are no UTF-8 but make sense as Shift_JIS.
+/// The bytes are not UTF-8 but valid Shift_JIS.
 #[cold]
 pub fn shift_jis(span: Span) -> Diagnostic {
     let message = text!(
@@ -35,7 +35,7 @@ pub fn shift_jis(span: Span) -> Diagnostic {
     Diagnostic::note(2, span, message).help(leave_or_save())
 }
 
-/// A byte order mark or a declaration names another encoding, or the bytes make sense in no other.
+/// A byte order mark or a declaration names another encoding, or no other fits the bytes.
 #[cold]
 pub fn other_encoding(span: Span, encoding: &str) -> Diagnostic {
     let message = text!(
@@ -45,17 +45,17 @@ pub fn other_encoding(span: Span, encoding: &str) -> Diagnostic {
     Diagnostic::note(3, span, message).help(leave_or_save())
 }
 
-/// Some bytes mean nothing in the encoding.
+/// Bytes that are invalid in the encoding.
 #[cold]
 pub fn malformed(span: Span, encoding: &str, count: usize) -> Diagnostic {
     let more = count.saturating_sub(1);
     let message = match more {
         0 => text!(
-            "the bytes here are no {encoding} text",
+            "these bytes are not valid {encoding}",
             "ここのバイト列は {encoding} の文字ではありません"
         ),
         _ => text!(
-            "the bytes here and in {more} more places are no {encoding} text",
+            "these bytes, and those in {more} more places, are not valid {encoding}",
             "ここと、ほか{more}か所のバイト列は {encoding} の文字ではありません"
         ),
     };
@@ -69,16 +69,16 @@ pub fn malformed(span: Span, encoding: &str, count: usize) -> Diagnostic {
 #[cold]
 pub fn not_a_text(span: Span) -> Diagnostic {
     let message = text!(
-        "this is not a text file: it holds NUL characters",
+        "this is not a text file: it contains NUL characters",
         "テキストファイルではありません。NUL 文字が含まれています"
     );
     Diagnostic::error(5, span, message).help(text!(
-        "name the text of a house, not a picture or a model; a text in UTF-16 without a byte order mark must be saved as UTF-8",
-        "画像やモデルではなく、家を書いたテキストを指定してください。バイト順マークのない UTF-16 は UTF-8 で保存し直してください"
+        "name a house file, not an image or a model; save a UTF-16 file without a byte order mark as UTF-8",
+        "画像やモデルではなく、家のファイルを指定してください。バイト順マークのない UTF-16 は UTF-8 で保存し直してください"
     ))
 }
 
-/// A character that steers a terminal, in the middle of a text.
+/// A character that controls a terminal.
 #[cold]
 pub fn control_character(span: Span, character: char) -> Diagnostic {
     let number = u32::from(character);
@@ -88,11 +88,11 @@ pub fn control_character(span: Span, character: char) -> Diagnostic {
     );
     Diagnostic::error(6, span, message)
         .help(text!(
-            "delete it, or put a blank in its place",
+            "delete it, or replace it by a blank",
             "削除するか、空白に置き換えてください"
         ))
         .fix(
-            text!("Put a blank in its place", "空白に置き換える"),
+            text!("Replace it by a blank", "空白に置き換える"),
             span,
             " ",
         )
@@ -106,12 +106,12 @@ pub fn old_line_ends(span: Span) -> Diagnostic {
         "改行が CR だけです (ごく古い Macintosh の形式)"
     );
     Diagnostic::note(7, span, message).help(text!(
-        "nothing has to be done; save the file with line feeds so that line numbers agree with your editor",
+        "nothing needs to be done; save the file with line feeds so that line numbers agree with your editor",
         "このままでかまいません。改行を LF にして保存すると、行番号がエディターと一致します"
     ))
 }
 
-/// A file that was named is not there, or not for us.
+/// A file that does not exist or may not be read.
 #[cold]
 pub fn unreadable(span: Span, why: impl Into<Text>) -> Diagnostic {
     let why = why.into();
@@ -120,7 +120,7 @@ pub fn unreadable(span: Span, why: impl Into<Text>) -> Diagnostic {
         "ファイルを読めません: {why}"
     );
     Diagnostic::error(8, span, message).help(text!(
-        "see that its name is spelled right, that it is a text file, and that you may read it",
+        "check that its name is spelled right, that it is a text file, and that you may read it",
         "名前が正しいか、テキストファイルか、読み取りが許可されているかを確かめてください"
     ))
 }
@@ -133,22 +133,22 @@ pub fn too_large(span: Span, size: usize, limit: usize) -> Diagnostic {
         "ファイルが {size} バイトあり、上限の {limit} バイトを超えています"
     );
     Diagnostic::error(901, span, message).help(text!(
-        "divide it into several files, or raise the limit on the command line",
-        "いくつかのファイルに分けるか、コマンドラインで上限を上げてください"
+        "split it into several files, or raise the limit with `--max-bytes`",
+        "いくつかのファイルに分けるか、`--max-bytes` で上限を上げてください"
     ))
 }
 
-/// A reader has said enough about one file.
+/// The limit of diagnostics of one file is reached.
 #[cold]
 pub fn more_messages(span: Span, count: usize, worst: Severity) -> Diagnostic {
     let message = text!(
-        "{count} more messages on this file are not shown",
+        "{count} more diagnostics of this file are not shown",
         "このファイルへの指摘がほかに{count}件ありますが、表示しません"
     );
-    let mut told = Diagnostic::error(909, span, message).help(text!(
-        "mend the ones above and check again; if there are very many, the file may not be the text of a house",
-        "上の指摘を直してから、もう一度調べてください。指摘があまりに多いときは、家のテキストではないかもしれません"
+    let mut found = Diagnostic::error(909, span, message).help(text!(
+        "fix those above and check again; if there are very many, this may not be a house file",
+        "上の指摘を直してから、もう一度調べてください。指摘があまりに多いときは、家のファイルではないかもしれません"
     ));
-    told.severity = worst;
-    told
+    found.severity = worst;
+    found
 }

@@ -1,14 +1,14 @@
-//! Messages about what stands at a house (HSD07xx): platforms, verandas, finials, and houses written short.
+//! Messages about platforms, verandas, finials and monuments (HSD07xx).
 
 use crate::diagnostic::{Diagnostic, Edit};
 use crate::source::Span;
 use crate::text;
 
-/// A platform or a veranda round walls that do not close; `name` = the element.
+/// A platform or a veranda around walls that do not close; `name` = the element.
 #[cold]
 pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
     let message = text!(
-        "there are no closed walls for this `{name}` to lie round",
+        "there are no closed walls for this `{name}` to surround",
         "この `{name}` が囲む閉じた壁がありません"
     );
     let help = text!(
@@ -27,24 +27,24 @@ pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
 pub fn no_roof_below(span: Span) -> Diagnostic {
     let message = text!(
         "there is no roof below this finial",
-        "この棟飾りの下に屋根がありません"
+        "この屋根飾りの下に屋根がありません"
     );
     let help = text!(
-        "write a roof under it, or remove `at` so that it stands on the highest roof",
+        "write a roof under it, or remove `at` to set it on the highest roof",
         "その下に屋根を書くか、`at` を取り除いて最も高い屋根に載せてください"
     );
     Diagnostic::warning(702, span, message).help(help)
 }
 
-/// Storeys beside a house written short: the first, and the places of all.
+/// Storeys next to a monument: the first, and the places of all.
 #[cold]
 pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> Diagnostic {
     let message = text!(
-        "`{name}` is a whole house; the storeys beside it are left out",
-        "`{name}` は一棟の全体です。並んで書かれた階は使われません"
+        "`{name}` is a whole house; the storeys next to it are ignored",
+        "`{name}` だけで一棟の建物になります。並べて書いた階は使いません"
     );
     let help = text!(
-        "remove the storeys, or write them all out instead of `{name}`",
+        "remove the storeys, or write all storeys instead of `{name}`",
         "階を取り除くか、`{name}` の代わりにすべての階を書いてください"
     );
     let label = text!("the storeys begin here", "階はここから始まります");
@@ -61,17 +61,17 @@ pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> D
         )
 }
 
-/// Measures that leave no room for the columns of a storey.
+/// Dimensions that leave no room for the columns of a storey.
 #[cold]
 pub fn no_room(span: Span, storey: Scarce, has: f64, takes: f64) -> Diagnostic {
     let (en, ja) = storey.words();
     let (has, takes) = (format!("{has:.1}"), format!("{takes:.1}"));
     let message = text!(
-        "{en} has {has} shaku left for its columns; {takes} are taken",
-        "{ja}の柱に残る高さは {has} 尺です。{takes} 尺とします"
+        "{en} leaves {has} shaku for its columns; {takes} shaku are used",
+        "{ja}の柱に残る高さは {has} 尺しかないため、{takes} 尺とします"
     );
     let help = text!(
-        "let the storeys taper less, set them back less, or make them higher",
+        "make the storeys taper less, set them back less, or make them higher",
         "逓減や後退を小さくするか、階を高くしてください"
     );
     Diagnostic::warning(704, span, message).help(help)
@@ -86,17 +86,17 @@ pub enum Scarce {
     Ground,
     /// The upper storey of a gate.
     Upper,
-    /// The core of a hall above the roof of its aisle.
+    /// The core of a hall above its mokoshi roof.
     Core,
 }
 
 impl Scarce {
     fn words(self) -> (&'static str, &'static str) {
         match self {
-            Scarce::Tier => ("a storey of the pagoda", "塔の層"),
-            Scarce::Ground => ("the ground storey", "初層"),
+            Scarce::Tier => ("a storey of the pagoda", "塔の重"),
+            Scarce::Ground => ("the lower storey", "下層"),
             Scarce::Upper => ("the upper storey", "上層"),
-            Scarce::Core => ("the core above its aisle", "裳階の上の身舎"),
+            Scarce::Core => ("the core above its pent-roof enclosure", "裳階の上の身舎"),
         }
     }
 }

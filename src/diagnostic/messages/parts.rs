@@ -12,7 +12,7 @@ fn units(width: f64) -> String {
     format!("{rounded} U")
 }
 
-/// The title of a mend that puts a code in the place of another.
+/// The title of a fix that replaces a code.
 fn written(code: &str) -> Text {
     text!("Write `{code}`", "`{code}` と書く")
 }
@@ -25,17 +25,17 @@ fn in_cells(place: Span, code: &str) -> &str {
     }
 }
 
-/// A code is neither a part nor a picture.
+/// A code that is neither a part nor a part texture.
 #[cold]
 pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
     let message = text!(
-        "`{code}` is neither a part nor a part picture",
-        "`{code}` という部材も部材画像もありません"
+        "`{code}` is neither a part nor a part texture",
+        "`{code}` という部材も部材のテクスチャーもありません"
     );
     let any = any_of(near);
     let help = if near.is_empty() {
         text!(
-            "put the picture `{code}.png` into the folder of this file or its `textures` folder, or name another folder by --textures",
+            "put the image `{code}.png` into the folder of this file or its `textures` folder, or name another folder with --textures",
             "画像 `{code}.png` をこのファイルのフォルダーかその中の `textures` フォルダーに置くか、--textures で別のフォルダーを指定してください"
         )
     } else {
@@ -44,20 +44,20 @@ pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
             "{any} ではありませんか。部材の一覧は `hsd parts` で見られます"
         )
     };
-    let mut told = Diagnostic::error(301, span, message).help(help);
+    let mut found = Diagnostic::error(301, span, message).help(help);
     // A part of another width would open the walls.
     let width = |code: &str| code.chars().nth(4).unwrap_or(' ');
     for meant in near.iter().filter(|n| width(n) == width(code)) {
         let meant_here = in_cells(span, meant);
         let whole = span.end - span.start >= 5 || !meant_here.contains(' ');
         if whole && !code.contains('_') {
-            told = told.fix(written(meant), span, meant_here);
+            found = found.fix(written(meant), span, meant_here);
         }
     }
-    told
+    found
 }
 
-/// The name of a part where its code should stand; `cells` has the blanks that fill it up.
+/// The name of a part in place of its code; `cells` has the blanks that fill it up.
 #[cold]
 pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic {
     let message = text!(
@@ -72,21 +72,21 @@ pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic 
         .fix(written(code), cells, in_cells(cells, code))
 }
 
-/// A control letter slipped into a code whose blanks were lost; `ends` tells that a turn may stand there.
+/// A turn letter that slipped into a code whose blanks were lost; `ends`: a turn may be written there.
 #[cold]
 pub fn lost_blanks(span: Span, text: &str, code: &str, control: char, ends: bool) -> Diagnostic {
     let message = text!(
-        "`{text}` is not a part; the blanks before `{control}` seem to be lost",
+        "`{text}` is not a part; the blanks before `{control}` seem to be missing",
         "`{text}` という部材はありません。`{control}` の前の空白が抜けたようです"
     );
     let fixed = format!("{code:<5}{control}");
-    let told = Diagnostic::error(302, span, message).help(text!(
-        "did you mean `{fixed}`? A code fills five columns, the turn follows it",
+    let found = Diagnostic::error(302, span, message).help(text!(
+        "did you mean `{fixed}`? A code fills five columns, and the turn follows it",
         "`{fixed}` ではありませんか。部材コードは五桁を占め、曲がりはその次に書きます"
     ));
     match ends {
-        true => told.fix(written(&fixed), span, &*fixed),
-        false => told,
+        true => found.fix(written(&fixed), span, &*fixed),
+        false => found,
     }
 }
 
@@ -110,13 +110,13 @@ pub fn lower_case(span: Span, text: &str, code: &str) -> Diagnostic {
 #[cold]
 pub fn empty_code(span: Span, comma: Option<Span>) -> Diagnostic {
     let message = text!("a code is missing here", "ここに部材コードがありません");
-    let told = Diagnostic::error(304, span, message).help(text!(
-        "write a code, or take the comma away; an open bay is written `.....`",
-        "部材コードを書くか、コンマを取ってください。吹放しは `.....` と書きます"
+    let found = Diagnostic::error(304, span, message).help(text!(
+        "write a code, or remove the comma; a void is written `.....`",
+        "部材コードを書くか、コンマを削除してください。空きは `.....` と書きます"
     ));
     match comma {
-        Some(comma) => told.fix(text!("Take the comma away", "コンマを取る"), comma, ""),
-        None => told,
+        Some(comma) => found.fix(text!("Remove the comma", "コンマを削除する"), comma, ""),
+        None => found,
     }
 }
 
@@ -127,33 +127,33 @@ pub fn weight_count(span: Span, weights: usize, codes: usize, all: Option<Span>)
         "{weights} weights for {codes} codes",
         "部材コード{codes}個に対して重みが{weights}個あります"
     );
-    let told = Diagnostic::error(305, span, message).help(text!(
+    let found = Diagnostic::error(305, span, message).help(text!(
         "give {codes} weights, one for each code, or none",
         "重みは部材コードごとにひとつ、あわせて{codes}個書くか、すべて省いてください"
     ));
     match all {
-        Some(all) => told.fix(text!("Delete the weights", "重みを省く"), all, ""),
-        None => told,
+        Some(all) => found.fix(text!("Delete the weights", "重みを省く"), all, ""),
+        None => found,
     }
 }
 
-/// A draw that would move the rest of the wall.
+/// A random choice that would move the rest of the wall.
 #[cold]
 pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnostic {
     let (width, usual) = (units(width), units(usual));
     let message = text!(
-        "the codes of this draw differ in width: {usual} and {width}",
+        "the codes of this random choice differ in width: {usual} and {width}",
         "抽選する部材の幅が揃っていません: {usual} と {width}"
     );
     let label = text!(
-        "{usual} wide; this width counts",
+        "{usual} wide; this width is used",
         "幅 {usual}。この幅を使います"
     );
     Diagnostic::error(306, span, message)
         .label(first, label)
         .help(text!(
-            "choose codes of one width, so that the outline does not depend on the draw",
-            "外周が抽選に左右されないよう、同じ幅の部材を選んでください"
+            "use codes of one width, so that the outline does not depend on the choice",
+            "外周が抽選で変わらないよう、同じ幅の部材を選んでください"
         ))
 }
 
@@ -162,26 +162,26 @@ pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnost
 pub fn replaced_width(span: Span, code: &str, new: f64, there: Span, old: f64) -> Diagnostic {
     let (new, old) = (units(new), units(old));
     let message = text!(
-        "`{code}` is {new} wide, but the part it replaces {old}",
+        "`{code}` is {new} wide, but the part it replaces is {old} wide",
         "`{code}` の幅は {new} ですが、置き換えられる部材の幅は {old} です"
     );
     Diagnostic::error(307, span, message)
         .label(there, text!("{old} wide", "幅 {old}"))
         .help(text!(
-            "choose a part of {old}, so that the outline stays closed",
+            "use a part {old} wide, so that the outline stays closed",
             "外周が閉じたままになるよう、幅 {old} の部材を選んでください"
         ))
 }
 
-/// A draw that finds nothing to draw again.
+/// A `random` that finds no code to choose again.
 #[cold]
 pub fn idle_random(span: Span) -> Diagnostic {
     let message = text!(
-        "no code of this `random` stands in its element, so nothing is drawn",
+        "no code of this `random` occurs in its element, so nothing is chosen",
         "この `random` の部材コードが要素の中にないため、抽選されません"
     );
     Diagnostic::warning(308, span, message).help(text!(
-        "beside parts, `random` draws again where a code of its list stands: put one of its codes where the draw shall be",
+        "next to parts, `random` chooses again wherever a code of its list is written: write one of its codes where the choice should be made",
         "部材と並ぶ `random` は、その一覧にある部材コードの場所を抽選し直します。抽選したい場所に一覧のコードをひとつ置いてください"
     ))
 }
@@ -190,11 +190,11 @@ pub fn idle_random(span: Span) -> Diagnostic {
 #[cold]
 pub fn idle_replace(span: Span) -> Diagnostic {
     let message = text!(
-        "nothing in its element fits this `replace`, so nothing is replaced",
+        "nothing in its element matches this `replace`, so nothing is replaced",
         "この `replace` に当てはまるものが要素の中になく、何も置き換わりません"
     );
     Diagnostic::warning(309, span, message).help(text!(
-        "`code` names what stands there now, `with` what shall come instead",
+        "`code` is the code to be replaced, `with` the code that replaces it",
         "`code` には今ある部材コード、`with` には置き換える部材コードを書きます"
     ))
 }
@@ -203,7 +203,7 @@ pub fn idle_replace(span: Span) -> Diagnostic {
 #[cold]
 pub fn beyond_the_row(span: Span, position: u32, longest: usize) -> Diagnostic {
     let message = text!(
-        "position {position} lies beyond the row, which has {longest} parts",
+        "position {position} is beyond the end of the row, which has {longest} parts",
         "位置 {position} は行の外です。この行の部材は{longest}個です"
     );
     Diagnostic::warning(310, span, message).help(text!(
@@ -218,40 +218,40 @@ pub fn unequal_halves(span: Span, halves: (Span, Span), upper: f64, lower: f64) 
     let (above, below) = (units(upper), units(lower));
     let wide = units(upper.max(lower));
     let message = text!(
-        "the upper half of this split is {above} wide, the lower half {below}",
+        "the upper half of this split is {above} wide, the lower half {below} wide",
         "この `split` は上段の幅が {above}、下段の幅が {below} です"
     );
     Diagnostic::error(311, span, message)
         .label(halves.0, text!("{above} wide", "幅 {above}"))
         .label(halves.1, text!("{below} wide", "幅 {below}"))
         .help(text!(
-            "give both halves parts of {wide} in all",
+            "make the parts of both halves {wide} wide in total",
             "上段も下段も、部材の幅の合計を {wide} にしてください"
         ))
 }
 
-/// Nobody says what stands in a floor.
+/// A floor without parts and without textures.
 #[cold]
 pub fn floor_without_parts(span: Span, id: &str, picture: &str) -> Diagnostic {
     let message = text!(
-        "floor `{id}` has no parts, no other floor `{id}` has any, and there is no picture `{picture}.png`",
+        "floor `{id}` has no parts, no other floor `{id}` has any, and there is no image `{picture}.png`",
         "`Floor` の `{id}` に部材がなく、同じ名前のほかの `Floor` にも部材がなく、画像 `{picture}.png` もありません"
     );
     Diagnostic::error(312, span, message).help(text!(
-        "write parts into the floor, or put `{picture}.png` and its neighbours into the folder of this file, its `textures` folder, or the one named by --textures",
-        "`Floor` に部材を書くか、`{picture}.png` とその仲間の画像を、このファイルのフォルダー、その中の `textures` フォルダー、または --textures で指定したフォルダーに置いてください"
+        "write parts into the floor, or put `{picture}.png` and the images that belong to it into the folder of this file, its `textures` folder, or the one named with --textures",
+        "`Floor` に部材を書くか、`{picture}.png` と対になる画像を、このファイルのフォルダー、その中の `textures` フォルダー、または --textures で指定したフォルダーに置いてください"
     ))
 }
 
-/// Nobody can guess where a courtyard lies.
+/// A courtyard without a place.
 #[cold]
 pub fn hole_without_start(span: Span) -> Diagnostic {
     let message = text!(
-        "a hole must say where its walk starts",
-        "中庭には始点の指定が必要です"
+        "this courtyard needs `start`, the place where its walk begins",
+        "位置の指定がないため、この中庭は作りません"
     );
     Diagnostic::error(313, span, message).help(text!(
-        "give the corner at its right and back, for example start=\"2 5\": a to the left and b to the back, in units from the house's origin",
+        "give its right rear corner, for example start=\"2 5\": a to the left and b to the back, in U from the origin of the house",
         "中庭の右奥の隅を start=\"2 5\" のように書いてください。家の原点から左へ a、奥へ b を U で数えます"
     ))
 }
@@ -260,11 +260,11 @@ pub fn hole_without_start(span: Span) -> Diagnostic {
 #[cold]
 pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagnostic {
     let message = text!(
-        "this floor is {height} shaku high, its storey elsewhere {other}",
-        "ここの階高は {height} 尺ですが、同じ階のほかの立面では {other} 尺です"
+        "this floor is {height} shaku high, but {other} shaku in another facade of the storey",
+        "ここの階高は {height} 尺ですが、同じ階のほかの壁面では {other} 尺です"
     );
     let label = text!(
-        "{other} shaku; the largest height counts",
+        "{other} shaku; the largest height is used",
         "{other} 尺。最も大きい階高を使います"
     );
     let (largest, place) = match height > other {
@@ -284,34 +284,34 @@ pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagno
         .fix(title, place, largest.to_string())
 }
 
-/// A turn that looks like the angle between two walls.
+/// A turn that is probably the angle between two walls.
 #[cold]
 pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
     let interior = 180.0 - angle.abs();
     let message = text!(
-        "the walk turns by {angle} degrees here, nearly back to where it came from",
+        "the walls turn by {angle} degrees here, almost back the way they came",
         "ここで {angle} 度曲がり、ほとんど来た方へ折り返しています"
     );
     let meant = interior.copysign(angle).to_string();
     Diagnostic::note(316, span, message).help(text!(
-        "`angle` is the turn from the facade before; if {angle} is the angle between the two walls, write {interior}",
-        "`angle` は前の立面から曲がる角度です。{angle} が二つの壁のなす角なら {interior} と書いてください"
+        "`angle` is the turn from the previous facade; if {angle} is the angle between the two walls, write {interior}",
+        "`angle` は前の壁面から曲がる角度です。{angle} が二つの壁のなす角なら {interior} と書いてください"
     ))
     .fix(written(&meant), span, meant)
 }
 
-/// Gloss for nothing.
+/// A `Texture` of no part.
 #[cold]
 pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
     let message = text!(
-        "no part of this house is called `{code}`",
+        "no part of this house has the code `{code}`",
         "この家に `{code}` という部材はありません"
     );
     let any = any_of(near);
-    let mut told = Diagnostic::warning(317, span, message).help(if near.is_empty() {
+    let mut found = Diagnostic::warning(317, span, message).help(if near.is_empty() {
         text!(
-            "name a part or a part picture that stands in the house",
-            "家の中にある部材か部材画像を指定してください"
+            "name a part or a part texture that the house uses",
+            "家の中にある部材か部材のテクスチャーを指定してください"
         )
     } else {
         text!([any] "did you mean {any}?", "{any} ではありませんか")
@@ -319,33 +319,33 @@ pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
     for meant in near {
         // Blanks would divide a list.
         let meant = meant.trim_end().replace(' ', "_");
-        told = told.fix(written(&meant), span, meant);
+        found = found.fix(written(&meant), span, meant);
     }
-    told
+    found
 }
 
-/// A house of nothing.
+/// A house without content.
 #[cold]
 pub fn empty_house(span: Span) -> Diagnostic {
     let message = text!(
         "this house has no storey and no facade",
-        "この家には階も立面もありません"
+        "この家には階も壁面もありません"
     );
     Diagnostic::error(318, span, message).help(text!(
-        "give it a Storey with Rows, or a Structure with Facades",
+        "write a `Storey` with `Row`s, or a `Structure` with `Facade`s",
         "`Row` の入った `Storey` か、`Facade` の入った `Structure` を書いてください"
     ))
 }
 
-/// Upper pictures without lower ones.
+/// Upper textures without lower ones.
 #[cold]
 pub fn no_lower_picture(span: Span, name: &str) -> Diagnostic {
     let message = text!(
-        "there is a picture `{name}u1.png` but no `{name}l1.png`: the upper pieces fill the whole height",
+        "there is an image `{name}u1.png` but no `{name}l1.png`: the upper textures fill the whole height",
         "画像 `{name}u1.png` はありますが `{name}l1.png` がないため、上段の画像を全高に貼ります"
     );
     Diagnostic::note(319, span, message).help(text!(
-        "add `{name}l1.png` for what is below, or call the picture `{name}.png` if it is undivided",
+        "add `{name}l1.png` for the lower half, or name the image `{name}.png` if it is not divided",
         "下段の画像 `{name}l1.png` を加えるか、上下に分けないなら画像の名前を `{name}.png` にしてください"
     ))
 }
@@ -354,11 +354,11 @@ pub fn no_lower_picture(span: Span, name: &str) -> Diagnostic {
 #[cold]
 pub fn facade_without_floors(span: Span) -> Diagnostic {
     let message = text!(
-        "this facade has no floor; its side stays open",
-        "この立面には `Floor` がなく、この面は開いたままになります"
+        "this facade has no `Floor`; its side stays open",
+        "この壁面には `Floor` がなく、この面は開いたままになります"
     );
     Diagnostic::warning(320, span, message).help(text!(
-        "write a Floor for each storey",
+        "write a `Floor` for each storey",
         "階ごとに `Floor` を書いてください"
     ))
 }
@@ -367,8 +367,8 @@ pub fn facade_without_floors(span: Span) -> Diagnostic {
 #[cold]
 pub fn storeys_and_structure(span: Span, storey: Span) -> Diagnostic {
     let message = text!(
-        "a house is written by storeys or by facades, not both; the facades are left out",
-        "家は階で書くか立面で書くかのどちらかです。立面の方は読みません"
+        "a house is written in storeys or in facades, not both; the facades are ignored",
+        "家は階で書くか壁面で書くかのどちらかです。壁面の方は読みません"
     );
     Diagnostic::error(321, span, message)
         .label(
@@ -376,8 +376,8 @@ pub fn storeys_and_structure(span: Span, storey: Span) -> Diagnostic {
             text!("the storeys begin here", "階はここから始まります"),
         )
         .help(text!(
-            "make two houses of it, or write the facades as Rows",
-            "二軒の家に分けるか、立面を `Row` で書いてください"
+            "split it into two houses, or write the facades as `Row`s",
+            "二軒の家に分けるか、壁面を `Row` で書いてください"
         ))
 }
 
@@ -385,7 +385,7 @@ pub fn storeys_and_structure(span: Span, storey: Span) -> Diagnostic {
 #[cold]
 pub fn several_withs(span: Span) -> Diagnostic {
     let message = text!(
-        "`with` takes one code; the first counts",
+        "`with` takes one code; the first is used",
         "`with` に書ける部材コードはひとつです。最初のものを使います"
     );
     Diagnostic::error(322, span, message).help(text!(
@@ -394,17 +394,17 @@ pub fn several_withs(span: Span) -> Diagnostic {
     ))
 }
 
-/// A code that white space tore in two.
+/// A code that is divided by its blanks.
 #[cold]
 pub fn torn_code(span: Span, code: &str) -> Diagnostic {
     let joined = code.replace(' ', "_");
     let message = text!(
-        "white space divides this list, so `{code}` falls in two",
+        "blanks separate the codes of this list, so `{code}` is read as two",
         "この一覧は空白で区切られるため、`{code}` が二つに分かれてしまいます"
     );
     let title = written(&joined);
     Diagnostic::error(314, span, message).help(text!(
-        "put commas between the codes, or write the blanks in a code as `_`: `{joined}`",
+        "separate the codes by commas, or write the blanks in a code as `_`: `{joined}`",
         "部材コードをコンマで区切るか、コードの中の空白を `_` にして `{joined}` と書いてください"
     ))
     .fix(title, span, joined)
@@ -414,37 +414,37 @@ pub fn torn_code(span: Span, code: &str) -> Diagnostic {
 #[cold]
 pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
     let message = text!(
-        "this house would exceed {limit} parts, or too much work on them",
+        "this house would exceed the limit of {limit} parts, or of operations on them",
         "この家は部材数か処理量の上限 ({limit}) を超えます"
     );
     Diagnostic::error(904, span, message).help(text!(
-        "repeat less often, make several houses of it, or raise the limit for parts",
-        "繰り返しを減らすか、何軒かに分けるか、部材数の上限を上げてください"
+        "repeat less often, split it into several houses, or raise the limit with `--max-parts`",
+        "繰り返しを減らすか、何軒かに分けるか、`--max-parts` で上限を上げてください"
     ))
 }
 
-/// Too many storeys of houses that are written short.
+/// Too many storeys of monuments.
 #[cold]
 pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {
     let message = text!(
-        "houses written short come to more than {limit} storeys; this one and those after it are left out",
-        "短い書き方の建物の階が合わせて {limit} を超えます。これ以降の建物は作りません"
+        "the monuments have more than {limit} storeys in total; this one and those after it are left out",
+        "モニュメントの階が合わせて {limit} を超えます。これ以降の建物は作りません"
     );
     Diagnostic::error(904, span, message).help(text!(
-        "divide the file, or raise the limit by `--max-parts`: a storey takes 1250 parts of it",
+        "split the file, or raise the limit with `--max-parts`: a storey counts as 1250 parts",
         "ファイルを分けるか、`--max-parts` で上限を上げてください。一階につき部材 1250 個分です"
     ))
 }
 
-/// An era of a house of which nobody says how old it is.
+/// An era of a house without an age.
 #[cold]
 pub fn era_without_age(span: Span) -> Diagnostic {
     let message = text!(
-        "`era` changes nothing without `age`",
-        "`age` のない `era` には働きがありません"
+        "`era` has no effect without `age`",
+        "`age` がなければ `era` には効果がありません"
     );
     Diagnostic::warning(332, span, message).help(text!(
-        "say how many years ago the house was built, as in `age=\"80\"`",
+        "give the years since the house was built, as in `age=\"80\"`",
         "`age=\"80\"` のように、建ってからの年数を書いてください"
     ))
 }

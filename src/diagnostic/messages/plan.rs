@@ -9,11 +9,10 @@ use glam::DVec2;
 /// A number of units without needless decimals.
 fn units(n: f64) -> Text {
     let n = (n * 1000.0).round() / 1000.0;
-    let plural = if n == 1.0 { "" } else { "s" };
-    text!("{n} unit{plural}", "{n} U")
+    text!("{n} U", "{n} U")
 }
 
-/// A gap as "2 units to the left and 1 unit to the front".
+/// A gap as "2 U to the left and 1 U to the front".
 fn gap_words(gap: DVec2) -> Text {
     let across = if gap.x > 0.0 {
         text!("to the left", "左")
@@ -43,7 +42,7 @@ fn joined(words: &[Text], between: &str, between_ja: &str) -> Text {
     Text::both(en.join(between), ja.join(between_ja))
 }
 
-/// What a line needs: "the line of 3 units 1 unit longer", and "1 unit longer".
+/// The change of a line: "the line of 3 U 1 U longer", and "1 U longer".
 fn change(fix: &ClosingFix) -> (Text, Text) {
     let (by, length) = (units(fix.by.abs()), units(fix.length));
     let words = if fix.by > 0.0 {
@@ -57,7 +56,7 @@ fn change(fix: &ClosingFix) -> (Text, Text) {
 }
 
 /// Offers to change one line for each direction of the gap: the first that serve, then the second.
-fn closing(mut told: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
+fn closing(mut found: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
     let most = axes.iter().map(Vec::len).max().unwrap_or(0);
     for n in 0..most {
         let lines = axes
@@ -70,10 +69,10 @@ fn closing(mut told: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
             let (words, edits): (Vec<Text>, Vec<Edit>) = chosen.into_iter().unzip();
             let lines = joined(&words, " and ", "、");
             let title = text!([lines] "Make {lines}", "{lines}する");
-            told = told.fix_all(title, edits);
+            found = found.fix_all(title, edits);
         }
     }
-    told
+    found
 }
 
 /// The walk ends beside its start; `axes` are the lines that could change, for each direction of the gap.
@@ -81,7 +80,7 @@ fn closing(mut told: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
 pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<ClosingFix>]) -> Diagnostic {
     let away = gap_words(gap);
     let message = text!([away]
-        "the walls do not close: they end {away} of where they began",
+        "the walls do not close: they end {away} of their start",
         "外周が閉じていません。壁の終点が始点から{away} ずれています"
     );
     let mut diagnostic = Diagnostic::error(401, last, message);
@@ -92,7 +91,7 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<ClosingFix>]) -
         if fix.line != last {
             diagnostic = diagnostic.label(
                 fix.line,
-                text!([words] "{words} here would close it", "ここを {words}すると閉じます"),
+                text!([words] "{words} here would close them", "ここを {words}すると閉じます"),
             );
         }
     }
@@ -101,12 +100,12 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<ClosingFix>]) -
     let diagnostic = closing(diagnostic, axes);
     diagnostic.help(if advice.is_empty() {
         text!(
-            "lengthen or shorten a line that runs in the direction of the gap",
+            "lengthen or shorten a line in the direction of the gap",
             "ずれの方向に延びる行を長くするか短くしてください"
         )
     } else if both {
         text!([lines]
-            "one line for each direction must change: make {lines}",
+            "change one line for each direction: make {lines}",
             "それぞれの方向で行をひとつ直します。{lines}してください"
         )
     } else {
@@ -123,8 +122,8 @@ pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
     let (message, help) = if missing > 0.0 {
         (
             text!(
-                "the turns do not go once round the house: about {count} too many to the left",
-                "曲がりが家をちょうど一周していません。左折がおよそ{count}回多すぎます"
+                "the turns do not make one full circle: about {count} too many to the left",
+                "曲がりの合計がちょうど一周になっていません。左折がおよそ{count}回多すぎます"
             ),
             text!(
                 "a closed storey has four right turns more than left turns; look for an `L` that should not be there",
@@ -134,8 +133,8 @@ pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
     } else {
         (
             text!(
-                "the turns do not go once round the house: about {count} too many to the right",
-                "曲がりが家をちょうど一周していません。右折がおよそ{count}回多すぎます"
+                "the turns do not make one full circle: about {count} too many to the right",
+                "曲がりの合計がちょうど一周になっていません。右折がおよそ{count}回多すぎます"
             ),
             text!(
                 "a closed storey has four right turns more than left turns; look for a line end (right turn) without its `L` that should not be there",
@@ -146,7 +145,7 @@ pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
     Diagnostic::error(402, span, message).help(help)
 }
 
-/// An open walk may be meant so; what would close it is only a warning there.
+/// A walk may be open on purpose; what would close it is only a warning then.
 fn graded(open: bool) -> fn(u16, Span, Text) -> Diagnostic {
     if open {
         Diagnostic::warning
@@ -155,11 +154,11 @@ fn graded(open: bool) -> fn(u16, Span, Text) -> Diagnostic {
     }
 }
 
-/// The message with a mend, if there is any.
-fn offering(told: Diagnostic, title: Text, fix: Vec<Edit>) -> Diagnostic {
+/// The diagnostic with a fix, if there is one.
+fn offering(found: Diagnostic, title: Text, fix: Vec<Edit>) -> Diagnostic {
     match fix.is_empty() {
-        true => told,
-        false => told.fix_all(title, fix),
+        true => found,
+        false => found.fix_all(title, fix),
     }
 }
 
@@ -173,8 +172,8 @@ pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool, fix: Option<Ed
                 "`L` がひとつ多く、外周が閉じません"
             ),
             text!(
-                "remove the `L` at the end of this line: with this one turn the other way the walls close exactly",
-                "この行の末尾の `L` を取ってください。ここを右折にすると外周がちょうど閉じます"
+                "remove the `L` at the end of this line: with that turn to the right the walls close exactly",
+                "この行の末尾の `L` を削除してください。ここを右折にすると外周がちょうど閉じます"
             ),
         )
     } else {
@@ -184,13 +183,13 @@ pub(crate) fn turn_to_flip(line: Span, is_left: bool, open: bool, fix: Option<Ed
                 "`L` がひとつ足りず、外周が閉じません"
             ),
             text!(
-                "write `L` at the end of this line: with this one turn the other way the walls close exactly",
+                "write `L` at the end of this line: with that turn to the left the walls close exactly",
                 "この行の末尾に `L` と書いてください。ここを左折にすると外周がちょうど閉じます"
             ),
         )
     };
     let title = if is_left {
-        text!("Remove the `L`", "`L` を取る")
+        text!("Remove the `L`", "`L` を削除する")
     } else {
         text!("Write `L` at the end of the line", "行末に `L` と書く")
     };
@@ -224,17 +223,17 @@ pub(crate) fn turn_to_move(
         (next, line, help)
     };
     let message = text!(
-        "the `L` stands at the wrong line: the walls do not close",
+        "the `L` is at the wrong line: the walls do not close",
         "`L` のある行が違うため、外周が閉じません"
     );
     let label = text!(
         "with the `L` here the walls close exactly",
         "`L` がここにあれば外周がちょうど閉じます"
     );
-    let told = graded(open)(418, here, message)
+    let found = graded(open)(418, here, message)
         .label(there, label)
         .help(help);
-    offering(told, text!("Move the `L`", "`L` を移す"), fix)
+    offering(found, text!("Move the `L`", "`L` を移す"), fix)
 }
 
 /// A facade that stands alone.
@@ -242,11 +241,11 @@ pub(crate) fn turn_to_move(
 pub(crate) fn open_facade(span: Span, gap: DVec2) -> Diagnostic {
     let away = gap_words(gap);
     let message = text!([away]
-        "an open facade: the walls end {away} of where they began",
-        "閉じていない立面です。壁の終点が始点から{away} 離れています"
+        "an open facade: the walls end {away} of their start",
+        "閉じていない壁面です。壁の終点が始点から{away} 離れています"
     );
     Diagnostic::note(404, span, message).help(text!(
-        "it gets no roof; to make it a house, go on until the walls close",
+        "it gets no roof; to make it a house, continue until the walls close",
         "屋根は架かりません。家にするには、外周が閉じるまで壁を続けてください"
     ))
 }
@@ -270,16 +269,16 @@ pub(crate) fn walls_meet(second: Span, first: Span, crossing: bool) -> Diagnosti
     Diagnostic::error(code, second, message)
         .label(first, text!("the other wall", "相手の壁"))
         .help(text!(
-            "an outline may meet itself nowhere: check the lengths and turns between these two lines",
+            "an outline must not touch itself: check the lengths and turns between these two lines",
             "外周は自分自身と交わることも接することもできません。この二行のあいだの長さと曲がりを確かめてください"
         ))
 }
 
-/// A courtyard that lies in no house.
+/// A courtyard outside the walls.
 #[cold]
 pub(crate) fn hole_outside(span: Span) -> Diagnostic {
     let message = text!(
-        "this courtyard does not lie inside the walls",
+        "this courtyard is not inside the walls",
         "この中庭は外周の内側にありません"
     );
     Diagnostic::error(407, span, message).help(text!(
@@ -292,7 +291,7 @@ pub(crate) fn hole_outside(span: Span) -> Diagnostic {
 #[cold]
 pub(crate) fn loop_inside(span: Span) -> Diagnostic {
     let message = text!(
-        "this loop lies inside another one",
+        "this loop is inside another one",
         "この外周は別の外周の内側にあります"
     );
     Diagnostic::error(408, span, message).help(text!(
@@ -307,18 +306,18 @@ pub(crate) fn ring_open(span: Span, last: Span, percent: f64, gap: f64) -> Diagn
     let share = (percent * 10.0).round() / 10.0;
     let missing = units(gap);
     let message = text!([missing]
-        "the ring of facades does not close: {missing} are missing, {share} % of its length",
-        "立面が一周して閉じていません。{missing} (全長の {share} %) 足りません"
+        "the ring of facades does not close: a gap of {missing} remains, {share} % of its length",
+        "壁面が一周して閉じていません。{missing} (全長の {share} %) ずれています"
     );
     let label = text!(
-        "the last facade ends away from the first",
-        "最後の立面が最初の立面に届いていません"
+        "the last facade does not reach the first",
+        "最後の壁面が最初の壁面に届いていません"
     );
     Diagnostic::error(409, span, message)
         .label(last, label)
         .help(text!(
-            "at most 1 % is spread over the ring; correct a `ratio` or an `angle` (the turns of a closed ring add up to 360)",
-            "1 % までのずれは全体に割り振ります。`ratio` か `angle` を直してください (閉じた一周の曲がりの和は 360 度です)"
+            "only up to 1 % is distributed over the ring; correct a `ratio` or an `angle` (the turns of a closed ring add up to 360)",
+            "全体に割り振るのは 1 % までで、ずれがこれを超えています。`ratio` か `angle` を直してください (閉じた一周の曲がりの和は 360 度です)"
         ))
 }
 
@@ -327,11 +326,11 @@ pub(crate) fn ring_open(span: Span, last: Span, percent: f64, gap: f64) -> Diagn
 pub(crate) fn no_wall(span: Span) -> Diagnostic {
     let message = text!(
         "nothing is built here: the walk has no part with a width",
-        "ここには何も建ちません。幅のある部材がひとつもありません"
+        "幅のある部材がないため、ここには何もできません"
     );
     Diagnostic::error(410, span, message).help(text!(
         "write at least one part such as `KSK  `, or remove it",
-        "`KSK  ` のような部材を少なくともひとつ書くか、取り除いてください"
+        "`KSK  ` のような部材を少なくともひとつ書くか、削除してください"
     ))
 }
 
@@ -339,13 +338,13 @@ pub(crate) fn no_wall(span: Span) -> Diagnostic {
 #[cold]
 pub(crate) fn turns_back(line: Span, next: Span) -> Diagnostic {
     let message = text!(
-        "this wall runs back along the one before",
+        "this wall runs back along the previous one",
         "この壁は直前の壁に沿って折り返しています"
     );
     Diagnostic::error(411, next, message)
-        .label(line, text!("the wall before", "直前の壁"))
+        .label(line, text!("the previous wall", "直前の壁"))
         .help(text!(
-            "between two lines with parts one turn of 90 degrees is usual; a lone `R` or `L` adds another",
+            "between two lines with parts there is usually one turn of 90 degrees; a line with `R` or `L` alone adds another",
             "部材のある二行のあいだの曲がりはふつう 90 度一回です。`R` や `L` だけの行は、もう一回曲げます"
         ))
 }
@@ -355,11 +354,11 @@ pub(crate) fn turns_back(line: Span, next: Span) -> Diagnostic {
 pub(crate) fn wrong_way_round(span: Span, hole: bool, fix: Vec<Edit>) -> Diagnostic {
     if hole {
         let message = text!(
-            "the courtyard is walked the wrong way round",
+            "the walls of this courtyard run the wrong way round",
             "中庭を回る向きが逆です"
         );
         return Diagnostic::error(417, span, message).help(text!(
-            "walk a courtyard with its walls' house on the right: its corners turn left (`turn=\"L\"`)",
+            "the walls of a courtyard run with the house on their right: turn left at its corners (`turn=\"L\"`)",
             "中庭は家を右に見て回ります。隅は左折 (`turn=\"L\"`) にしてください"
         ));
     }
@@ -367,12 +366,12 @@ pub(crate) fn wrong_way_round(span: Span, hole: bool, fix: Vec<Edit>) -> Diagnos
         "the walls run the wrong way round: the house lies on their left",
         "外周を回る向きが逆です。家が進行方向の左側にあります"
     );
-    let told = Diagnostic::error(412, span, message).help(text!(
-        "parts follow each other to the LEFT as seen from outside and corners turn right: remove the `L`s",
-        "部材は外から見て左へ並び、隅では右折します。`L` を取ってください"
+    let found = Diagnostic::error(412, span, message).help(text!(
+        "parts are written from right to left as seen from outside, and corners turn right: remove the `L`s",
+        "部材は外から見て左へ並び、隅では右折します。`L` を削除してください"
     ));
     offering(
-        told,
+        found,
         text!(
             "Turn the other way at each corner",
             "すべての隅を逆に曲げる"
@@ -381,11 +380,11 @@ pub(crate) fn wrong_way_round(span: Span, hole: bool, fix: Vec<Edit>) -> Diagnos
     )
 }
 
-/// A plan beyond all measure.
+/// A plan that is too large.
 #[cold]
 pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
     let message = text!(
-        "this wall ends more than {largest} units from the start",
+        "this wall ends more than {largest} U from the start",
         "この壁の終点は始点から {largest} U より遠くにあります"
     );
     Diagnostic::error(413, line, message).help(text!(

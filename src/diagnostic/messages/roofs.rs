@@ -8,52 +8,49 @@ use crate::text;
 /// The name and the letter of a covering.
 fn covering(kind: char) -> Noun {
     match kind {
-        'K' => noun("tiles (K)", "桟瓦葺 (K)"),
+        'K' => noun("pantiles (K)", "桟瓦葺 (K)"),
+        'G' => noun("hon-gawara tiles (G)", "本瓦葺 (G)"),
         'I' => noun("boards (I)", "板葺 (I)"),
-        'S' => noun("shingles (S)", "柿葺 (S)"),
+        'S' => noun("shingles (S)", "杮葺 (S)"),
         'H' => noun("bark (H)", "檜皮葺 (H)"),
         'Y' => noun("thatch (Y)", "茅葺 (Y)"),
-        _ => noun("metal (T)", "金属板葺 (T)"),
+        _ => noun("sheet metal (T)", "金属板葺 (T)"),
     }
 }
 
-/// A length in units: "1 unit", "1.5 units".
+/// A length: "1.5 U".
 fn units(value: f64) -> Text {
     let number = short(value);
-    let ending = if number == "1" { "" } else { "s" };
-    text!("{number} unit{ending}", "{number} U")
+    text!("{number} U", "{number} U")
 }
 
-/// The title of a mend that puts a word in the place of another.
+/// The title of a fix that replaces a word.
 fn written(word: &str) -> Text {
     text!("Write `{word}`", "`{word}` と書く")
 }
 
-/// Roofs over walls that bound nothing; `all` are their places.
+/// Roofs over walls that do not close; `all` are their places.
 #[cold]
 pub fn open_facade(wished: Span, walk: Span, storey: u32, all: Vec<Span>) -> Diagnostic {
     let message = text!(
-        "a roof is asked for, but storey {storey} is an open facade that bounds no area",
-        "屋根の指定がありますが、{storey}階は閉じていない立面で、囲む面積がありません"
+        "a roof is written, but storey {storey} is an open facade that encloses no area",
+        "屋根の指定がありますが、{storey}階は閉じていない壁面で、囲む面積がありません"
     );
     let label = text!(
-        "this walk does not come back to its start",
-        "この外周は始点に戻っていません"
+        "this walk does not return to its start",
+        "この壁は始点に戻っていません"
     );
     let none = all.is_empty();
     let edits = all.into_iter().map(|span| Edit::new(span, ""));
-    let told = Diagnostic::error(501, wished, message)
+    let found = Diagnostic::error(501, wished, message)
         .help(text!(
-            "close the walk back to its start, or take the roofs out; a facade stands without them",
-            "外周を始点まで戻して閉じるか、屋根を取り除いてください。立面だけなら屋根は要りません"
+            "close the walk, or remove the roofs; an open facade needs none",
+            "外周を始点まで戻して閉じるか、屋根を削除してください。閉じていない壁面に屋根は要りません"
         ))
         .label(walk, label);
     match none {
-        true => told,
-        false => told.fix_all(
-            text!("Take the roofs out", "屋根を取り除く"),
-            edits.collect(),
-        ),
+        true => found,
+        false => found.fix_all(text!("Remove the roofs", "屋根を削除する"), edits.collect()),
     }
 }
 
@@ -61,11 +58,11 @@ pub fn open_facade(wished: Span, walk: Span, storey: u32, all: Vec<Span>) -> Dia
 #[cold]
 pub fn over_no_wall(line: Span, shape: &str) -> Diagnostic {
     let message = text!(
-        "this {shape} roof stands over no wall of its storey",
+        "there is no wall of its storey below this {shape} roof",
         "この {shape} の屋根の下に、その階の壁がありません"
     );
     Diagnostic::warning(502, line, message).help(text!(
-        "give the rectangle in units from the house's origin: a to the left along the first line, b back from it; a roof outside the walls is HIS, KAT or KAR",
+        "give the rectangle in U from the origin of the house: a to the left along the first line, b back from it; a roof outside the walls is HIS, KAT or KAR",
         "矩形は家の原点から U で書いてください。a は最初の行に沿って左へ、b は奥へ測ります。壁の外に架ける屋根は HIS、KAT、KAR です"
     ))
 }
@@ -79,12 +76,12 @@ pub fn partly_outside(line: Span, share: f64) -> Diagnostic {
         "この屋根の矩形の {share} % が壁の外に出ています"
     );
     Diagnostic::warning(503, line, message).help(text!(
-        "the rectangle is that of the walls; eaves come on top of it by E, verges by G",
-        "矩形には壁の範囲を書いてください。軒の出は E、螻羽の出は G で加わります"
+        "give the rectangle of the walls; E adds the eaves to it, G the verges",
+        "矩形には壁の範囲を書いてください。軒の出は E、けらばの出は G で加わります"
     ))
 }
 
-/// Two roof lines over each other at one height.
+/// Two roof lines that overlap at one height.
 #[cold]
 pub fn overlapping(line: Span, other: Span) -> Diagnostic {
     let message = text!(
@@ -93,112 +90,112 @@ pub fn overlapping(line: Span, other: Span) -> Diagnostic {
     );
     Diagnostic::note(504, line, message)
         .help(text!(
-            "where both stand, the higher one shows; change one rectangle if that is not meant",
+            "where they overlap, the higher one shows; change one rectangle if that is not intended",
             "重なるところでは高い方の屋根が見えます。意図と違うときは一方の矩形を直してください"
         ))
         .label(other, text!("the other roof", "もう一方の屋根"))
 }
 
-/// An upper storey that stands out far over the lower one.
+/// An upper storey that projects far beyond the lower one.
 #[cold]
 pub fn overhang(upper: Span, lower: Span, number: u32, by: f64) -> Diagnostic {
     let (above, by) = (number + 1, units(by));
     let message = text!([by]
-        "storey {above} stands out by {by} beyond storey {number} below it, over nothing",
+        "storey {above} projects {by} beyond storey {number}, with nothing below it",
         "{above}階が{number}階より {by} 張り出し、下に何もありません"
     );
     Diagnostic::warning(505, upper, message)
         .help(text!(
-            "set the upper storey's start point, by leading blanks or start=\"a b\", or mend the length of its lines",
+            "set the start of the upper storey with leading voids or start=\"a b\", or correct the length of its lines",
             "上の階の始点を行頭の空きか start=\"a b\" で決めるか、行の長さを直してください"
         ))
         .label(lower, text!("storey {number}", "{number}階"))
 }
 
-/// An upper storey that stands out a little (degoshi, dashigeta).
+/// An upper storey that projects a little (dashibari-zukuri).
 #[cold]
 pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
     let (above, by) = (number + 1, units(by));
     let message = text!([by]
-        "storey {above} juts out by {by} beyond storey {number}",
+        "storey {above} projects {by} beyond storey {number}",
         "{above}階が{number}階より {by} 張り出しています"
     );
     Diagnostic::note(506, upper, message).help(text!(
         "up to one unit is common (degoshi, dashigeta); boards and brackets close it from below",
-        "1 U までの張り出しはよくあります (出格子、出桁)。下は板と腕木で塞ぎます"
+        "二階が 1 U まで張り出すことはよくあります (出梁造など)。下は板と腕木で塞ぎます"
     ))
 }
 
-/// A pitch that the covering does not bear.
+/// A pitch that does not suit the covering.
 #[cold]
 pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagnostic {
     let (pitch_text, least, most) = (short(pitch), short(band.0), short(band.1));
     let kind = covering(kind);
     let message = if pitch < band.0 {
         text!([kind]
-            "a pitch of {pitch_text} sun for {kind} is too gentle: rain comes in",
+            "a pitch of {pitch_text} sun is too low for {kind}: rain gets in",
             "{kind} に {pitch_text} 寸勾配は緩すぎて雨が漏ります"
         )
     } else {
         text!([kind]
-            "a pitch of {pitch_text} sun for {kind} is too steep: it slides off",
-            "{kind} に {pitch_text} 寸勾配は急すぎて葺材が滑り落ちます"
+            "a pitch of {pitch_text} sun is too steep for {kind}: the covering slides off",
+            "{kind} に {pitch_text} 寸勾配は急すぎて葺き材が滑り落ちます"
         )
     };
     Diagnostic::warning(507, span, message).help(text!(
-        "choose between {least} and {most} sun",
-        "{least} 寸から {most} 寸のあいだにしてください"
+        "write a pitch from {least} to {most} sun",
+        "{least} 寸から {most} 寸までの勾配にしてください"
     ))
 }
 
-/// A ridge across a wide roof, and the other letter.
+/// A roof with too wide a span, and the other direction letter.
 #[cold]
 pub fn long_span(direction: Span, span: f64, other: &str) -> Diagnostic {
     let wide = short(span);
     let message = text!(
-        "with this ridge the roof spans {wide} units, more than beams of 3 ken bear",
+        "with this ridge the roof spans {wide} U, too far for beams of 3 ken",
         "この棟の向きでは梁間が {wide} U になり、三間梁では支えられません"
     );
-    let told = Diagnostic::note(508, direction, message).help(text!(
-        "turn the ridge (X or Y), or divide the roof; halls of palaces and temples do span more",
+    let found = Diagnostic::note(508, direction, message).help(text!(
+        "turn the ridge (X or Y), or divide the roof; only halls of palaces and temples span more",
         "棟の向き (X か Y) を変えるか、屋根を分けてください。御殿や寺の堂にはこれを超えるものもあります"
     ));
     // Glued to the kind, the direction has no place of its own.
     match direction.end - direction.start {
-        1 => told.fix(written(other), direction, other),
-        _ => told,
+        1 => found.fix(written(other), direction, other),
+        _ => found,
     }
 }
 
-/// A roof in the air.
+/// A roof far from the top of every storey.
 #[cold]
 pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnostic {
     let (shaku, top) = (short(shaku), short(top));
     let message = text!(
-        "this roof stands at {shaku} shaku, far from the nearest storey's top: storey {storey} ends at {top}",
+        "this roof is at {shaku} shaku, far from the top of the nearest storey: storey {storey} ends at {top}",
         "この屋根は {shaku} 尺の高さにあり、最も近い{storey}階の上端 ({top} 尺) から離れています"
     );
     let title = written(&top);
     Diagnostic::warning(509, height, message)
         .help(text!(
-            "write {top} or `*`; heights are shaku above the ground, not above the storey",
-            "{top} か `*` と書いてください。高さは階の床からではなく、地面から尺で測ります"
+            "write {top} or `*`; heights are in shaku above the ground sill, not above the storey",
+            "{top} か `*` と書いてください。高さは階の床からではなく、土台から尺で測ります"
         ))
         .fix(title, height, top)
         .fix(written("*"), height, "*")
 }
 
-/// A skirt that would rise over the storey it surrounds.
+/// A lower roof that would rise above the storey it surrounds.
 #[cold]
 pub fn high_skirt(span: Span, rise: f64, storey: u32, top: f64, pitch: f64) -> Diagnostic {
     let (rise, top, pitch) = (short(rise), short(top), short(pitch));
     let message = text!(
-        "this roof would rise to {rise} shaku round storey {storey}, which leaves it room up to {top}, so it is built with {pitch} sun",
-        "この屋根は{storey}階の周りで {rise} 尺まで上がりますが、そこには {top} 尺までの余地しかないため、{pitch} 寸勾配にしました"
+        "this lower roof would rise to {rise} shaku around storey {storey}, where there is room up to {top}, so its pitch is reduced to {pitch} sun",
+        "この下層の屋根は{storey}階の周りで {rise} 尺まで上がりますが、納まる高さは {top} 尺までなので、{pitch} 寸勾配にしました"
     );
     Diagnostic::warning(510, span, message).help(text!(
-        "make the storey above higher, let its walls stand back less, or write a gentler pitch",
-        "上の階を高くするか、その壁の後退を小さくするか、緩い勾配を書いてください"
+        "make the storey above higher, set its walls back less, or write a lower pitch",
+        "上の階を高くするか、その壁の後退を小さくするか、緩い勾配にしてください"
     ))
 }
 
@@ -207,16 +204,16 @@ pub fn high_skirt(span: Span, rise: f64, storey: u32, top: f64, pitch: f64) -> D
 pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
     let left = short(left);
     let message = text!(
-        "a lean-to on storey {number} would leave its outer wall only {left} m high, so a gable is built",
+        "a lean-to on storey {number} would leave its outer wall only {left} m high, so it gets a gable roof",
         "{number}階に下屋を架けると外壁の高さが {left} m しか残らないため、切妻にしました"
     );
     Diagnostic::warning(511, storey, message).help(text!(
-        "make the storey higher or the strip shallower, or give the strip a roof line of its own",
-        "階高を上げるか、下屋の奥行を浅くするか、そこに屋根の行を書いてください"
+        "make the storey higher or the lean-to shallower, or write a roof line for it",
+        "階高を上げるか、下屋を浅くするか、その屋根の行を書いてください"
     ))
 }
 
-/// A pent roof away from every wall.
+/// A pent roof that touches no wall.
 #[cold]
 pub fn pent_in_the_air(line: Span) -> Diagnostic {
     let message = text!(
@@ -224,7 +221,7 @@ pub fn pent_in_the_air(line: Span) -> Diagnostic {
         "この庇 (HIS) は取り付く壁に接していません"
     );
     Diagnostic::warning(512, line, message).help(text!(
-        "let one side of its rectangle lie on a wall line: b from 0 to -1 along the first line",
+        "put one side of its rectangle on a wall line: b from 0 to -1 along the first line",
         "矩形の一辺を壁の線に重ねてください。最初の行に沿う庇なら b は 0 から -1 です"
     ))
 }
@@ -235,14 +232,14 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagno
     let (upper, top) = (short(upper), short(top));
     let fitting = short((fitting * 100.0).floor() / 100.0);
     let message = text!(
-        "the upper edge of this pent roof lies at {upper} shaku, above the walls, which end at {top}",
+        "the upper edge of this pent roof is at {upper} shaku, above the top of the walls at {top}",
         "この庇の上端は {upper} 尺で、壁の上端 ({top} 尺) より高くなっています"
     );
     let title = written(&fitting);
     Diagnostic::warning(513, height, message)
         .help(text!(
-            "the height is that of the low edge; {fitting} or less fits this wall, depth and pitch",
-            "高さは軒先で測ります。この壁と出と勾配なら {fitting} 以下にしてください"
+            "the height is that of the eaves edge; {fitting} or less fits this wall, depth and pitch",
+            "高さは軒先の高さです。この壁と出と勾配なら {fitting} 以下にしてください"
         ))
         .fix(title, height, fitting)
 }
@@ -251,78 +248,78 @@ pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagno
 #[cold]
 pub fn pent_over_rooms(place: Span) -> Diagnostic {
     let message = text!(
-        "this pent roof (HIS) lies over the rooms instead of outside the walls",
-        "この庇 (HIS) は壁の外ではなく部屋の上にあります"
+        "this pent roof (HIS) is over the rooms instead of outside the walls",
+        "この庇 (HIS) の矩形が、壁の外ではなく室内にかかっています"
     );
     Diagnostic::warning(517, place, message).help(text!(
-        "its rectangle is the strip outside the wall: along a front of 6 units, `0 0 6 -1`; units, not shaku",
+        "its rectangle is the strip outside the wall: along a front of 6 U, `0 0 6 -1` (U, not shaku)",
         "矩形には壁の外の帯を書きます。間口 6 U の正面なら `0 0 6 -1` です (尺ではなく U)"
     ))
 }
 
-/// A pent roof that slopes towards its wall, or along it.
+/// A pent roof that slopes towards its wall or along it.
 #[cold]
 pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
     let message = text!(
-        "this pent roof (HIS) does not fall away from the wall it hangs on",
+        "this pent roof (HIS) does not slope away from the wall it hangs on",
         "この庇 (HIS) は取り付く壁から外へ流れていません"
     );
-    let told = Diagnostic::warning(518, direction, message).help(text!(
-        "F falls to the front, B to the back, L to the left, R to the right; `*` leaves it to the wall",
+    let found = Diagnostic::warning(518, direction, message).help(text!(
+        "F slopes to the front, B to the back, L to the left, R to the right; `*` follows the wall",
         "F は正面、B は背面、L は左、R は右へ流れます。`*` なら壁に合わせます"
     ));
     match direction.end - direction.start {
-        1 => told.fix(written("*"), direction, "*"),
-        _ => told,
+        1 => found.fix(written("*"), direction, "*"),
+        _ => found,
     }
 }
 
-/// Pent roofs asked for over a whole storey.
+/// Pent roofs as the automatic roofs of a storey.
 #[cold]
 pub fn automatic_pent(shape: Span, number: u32) -> Diagnostic {
     let message = text!(
-        "a pent roof (HIS) hangs before a wall and covers no storey: storey {number} gets gables",
+        "a pent roof (HIS) hangs on a wall and cannot cover a storey: storey {number} gets gable roofs",
         "庇 (HIS) は壁の外に付くもので階を覆えないため、{number}階は切妻にしました"
     );
     Diagnostic::warning(519, shape, message).help(text!(
-        "give the pent roof a line of its own with its rectangle before the wall, and the storey another shape: KIR, or KAT for a single slope",
+        "write the pent roof as a roof line with its rectangle outside the wall, and another shape for the storey: KIR, or KAT for a shed roof",
         "庇は壁の外の矩形を持つ屋根の行として書き、この階には別の形を指定してください。切妻なら KIR、片流れなら KAT です"
     ))
     .fix(written("KIR"), shape, "KIR")
     .fix(written("KAT"), shape, "KAT")
 }
 
-/// Single slopes asked for over a plan whose roofs run into each other.
+/// Shed roofs as automatic roofs that join each other.
 #[cold]
 pub fn joined_slopes(shape: Span, number: u32) -> Diagnostic {
     let message = text!(
-        "roofs of storey {number} run into each other, which single slopes (KAT) cannot: those get gables",
-        "{number}階の屋根は互いに食い込むため、その部分は片流れ (KAT) にできず、切妻にしました"
+        "roofs of storey {number} join each other, which shed roofs (KAT) cannot: those become gable roofs",
+        "{number}階では屋根どうしが取り合うため、その部分は片流れ (KAT) にできず、切妻にしました"
     );
     Diagnostic::warning(519, shape, message).help(text!(
-        "write a roof line for each part, with the side it falls to and its height",
+        "write a roof line for each part, with the side it slopes to and its height",
         "部分ごとに屋根の行を書き、流れる側と高さを指定してください"
     ))
 }
 
-/// A fall for a two-sided roof, or a ridge for a single slope.
+/// A slope direction for a roof with a ridge, or a ridge direction for a shed roof.
 #[cold]
 pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnostic {
     let (message, help) = if one_sided {
         (
             text!(
-                "{shape} has one slope and no ridge to turn",
+                "{shape} has one slope and no ridge",
                 "{shape} は片流れで、向きを決める棟がありません"
             ),
             text!(
-                "write the side it falls to: F, B, L or R",
+                "write the side it slopes to: F, B, L or R",
                 "流れる側を F、B、L、R のどれかで書いてください"
             ),
         )
     } else {
         (
             text!(
-                "{shape} has a ridge and falls to both sides",
+                "{shape} has a ridge and slopes to both sides",
                 "{shape} は棟があり、両側へ流れます"
             ),
             text!(
@@ -331,77 +328,77 @@ pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnosti
             ),
         )
     };
-    let mut told = Diagnostic::warning(514, direction, message).help(help);
+    let mut found = Diagnostic::warning(514, direction, message).help(help);
     let letters: &[&str] = match one_sided {
         true => &["F", "B", "L", "R"],
         false => &["X", "Y"],
     };
     for letter in letters {
-        told = told.fix(written(letter), direction, *letter);
+        found = found.fix(written(letter), direction, *letter);
     }
-    told
+    found
 }
 
-/// A shape over rectangles wished for a roof over a whole outline.
+/// A shape for rectangles as the roof of a whole outline.
 #[cold]
 pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
     let message = text!(
-        "{shape} needs rectangles: over a whole outline the roof is hipped (YOS)",
+        "{shape} needs rectangles: a whole outline gets a hip roof (YOS)",
         "{shape} には矩形が要ります。平面全体に架ける屋根は寄棟 (YOS) です"
     );
     Diagnostic::note(515, span, message).help(text!(
-        "write YOS if a hipped roof is meant, RIK for a flat one, or roof lines for rectangles",
+        "write YOS for a hip roof, RIK for a flat roof, or roof lines for rectangles",
         "寄棟でよければ YOS、陸屋根なら RIK と書き、そうでなければ矩形ごとに屋根の行を書いてください"
     ))
     .fix(written("YOS"), span, "YOS")
     .fix(written("RIK"), span, "RIK")
 }
 
-/// A roof line inside the storey above; `height` is where its height stands.
+/// A roof line inside the storey above; `height` is the place of its height.
 #[cold]
 pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) -> Diagnostic {
     let above = storey + 1;
     let message = text!(
-        "this roof lies wholly inside storey {above}: nothing of it is built",
-        "この屋根は全体が{above}階の中にあるため、造られません"
+        "this roof is entirely inside storey {above} and is not built",
+        "この屋根は全体が{above}階の中にあるため、架けません"
     );
-    let told = Diagnostic::warning(516, line, message)
+    let found = Diagnostic::warning(516, line, message)
         .help(text!(
-            "give it the height of the topmost storey there, or `*`",
+            "write the height of the topmost storey there, or `*`",
             "そこで最も上の階の高さか `*` を書いてください"
         ))
         .label(
             upper,
-            text!("this storey stands there", "ここにこの階があります"),
+            text!("this storey is there", "ここにこの階があります"),
         );
     match height {
-        Some(height) => told.fix(written("*"), height, "*"),
-        None => told,
+        Some(height) => found.fix(written("*"), height, "*"),
+        None => found,
     }
 }
 
-/// More roof lines than anybody means.
+/// Too many roof lines.
 #[cold]
 pub fn too_many_lines(first: Span, count: usize, limit: usize) -> Diagnostic {
     let message = text!(
-        "the house has {count} roof lines; those after the first {limit} are left out",
+        "the house has {count} roof lines; those after the first {limit} are ignored",
         "この家には屋根の行が{count}行あります。{limit}行より後は読みません"
     );
     Diagnostic::warning(906, first, message).help(text!(
-        "make one roof of what lies side by side, or several houses",
+        "join adjacent roofs into one, or split the house into several",
         "並んだ屋根をひとつにまとめるか、何軒かに分けてください"
     ))
 }
 
-/// Roofs piled into each other.
+/// Too many roofs that meet.
 #[cold]
 pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
     let message = text!(
-        "so many roofs of storey {storey} stand in each other's way that no valleys are made between them",
-        "{storey}階の屋根が多く入り組んでいるため、取り合いの谷を作りません"
+        "too many roofs of storey {storey} meet, so no valleys are made between them",
+        "{storey}階で取り合う屋根が多すぎるため、谷を作りません"
     );
     Diagnostic::warning(906, place, message).help(text!(
-        "write one roof line for each rectangle, beside each other rather than one in another",
+        "write one roof line for each rectangle, side by side without overlaps",
         "屋根の行は矩形ごとにひとつ、重ねずに並べて書いてください"
     ))
 }
@@ -410,27 +407,27 @@ pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
 #[cold]
 pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize) -> Diagnostic {
     let message = text!(
-        "storey {number} has {corners} corners to be roofed, more than {limit}: it gets a flat roof",
+        "storey {number} has {corners} corners under its roof, more than the limit of {limit}: it gets a flat roof",
         "{number}階は屋根を架ける外周の隅が{corners}か所あり、上限の{limit}か所を超えるため陸屋根にします"
     );
     Diagnostic::warning(906, storey, message).help(text!(
-        "divide the house into several, or give it fewer corners",
+        "split the house into several, or give it fewer corners",
         "何軒かに分けるか、隅を減らしてください"
     ))
 }
 
-/// An outline that no hipped roof was found for; `touching` = since walls of it touch.
+/// An outline without a hip roof; `touching`: because its walls touch.
 #[cold]
 pub fn no_hipped_roof(storey: Span, number: u32, touching: bool) -> Diagnostic {
     let message = if touching {
         text!(
-            "storey {number} gets a flat roof instead of a hipped one: walls of it touch each other",
-            "{number} 階は壁どうしが接しているため、寄棟ではなく陸屋根になります"
+            "storey {number} gets a flat roof instead of a hip roof: its walls touch each other",
+            "{number}階は壁どうしが接しているため、寄棟ではなく陸屋根になります"
         )
     } else {
         text!(
-            "storey {number} gets a flat roof instead of a hipped one: its outline is too small or too intricate",
-            "{number} 階は平面が小さすぎるか入り組みすぎているため、寄棟ではなく陸屋根になります"
+            "storey {number} gets a flat roof instead of a hip roof: its outline is too small or too intricate",
+            "{number}階は平面が小さすぎるか入り組みすぎているため、寄棟ではなく陸屋根になります"
         )
     };
     Diagnostic::warning(906, storey, message).help(text!(
@@ -439,28 +436,28 @@ pub fn no_hipped_roof(storey: Span, number: u32, touching: bool) -> Diagnostic {
     ))
 }
 
-/// The search for the best cuts of a run is used up.
+/// The search budget is used up.
 #[cold]
 pub fn too_much_search(storey: Span, number: u32) -> Diagnostic {
     let message = text!(
-        "the best cuts of storey {number} would take longer than is left to search: its roofs, and those of plans like it from here on, are divided by a quicker rule",
-        "{number}階の最良の分割を探す手間が残りの枠を超えるため、これ以降の同様の平面も含めて、屋根を速い規則で分割します"
+        "the search budget does not suffice for the best partition of storey {number}: this plan, and similar ones from here on, are divided by a faster rule",
+        "{number}階の平面の最良の分割は探索の上限を超えるため、これ以降の同様の平面も含めて、速い規則で分割します"
     );
     Diagnostic::warning(906, storey, message).help(text!(
-        "give the plans fewer corners, write their roofs, or compile fewer of them at once",
-        "平面の隅を減らすか、屋根を書くか、一度に扱う家を減らしてください"
+        "give the plans fewer corners, write their roofs, or compile fewer houses at once",
+        "平面の隅を減らすか、屋根を書くか、一度にコンパイルする家を減らしてください"
     ))
 }
 
-/// A storey, the one above and the roof lines cut each other into too many fields.
+/// A storey cut into too many pieces by the storey above and the roof lines.
 #[cold]
 pub fn too_intricate(storey: Span, number: u32) -> Diagnostic {
     let message = text!(
-        "what is open of storey {number} falls into too many pieces: it gets no automatic roof",
+        "the open part of storey {number} consists of too many pieces: it gets no automatic roof",
         "{number}階の屋根を架ける部分が細かく分かれすぎるため、自動では屋根を架けません"
     );
     Diagnostic::warning(906, storey, message).help(text!(
-        "let the walls of the storey above, and the roof lines, stand over walls of this storey",
+        "align the walls of the storey above, and the roof lines, with the walls of this storey",
         "上の階の壁と屋根の行を、この階の壁の上に揃えてください"
     ))
 }

@@ -1,11 +1,11 @@
-//! Messages about the header, the sections and the heights of the legacy text.
+//! Messages about the header, the sections and the heights of the legacy form.
 
 use crate::diagnostic::messages::words::{any_of, quote};
 use crate::diagnostic::{Diagnostic, Edit, Noun, Text};
 use crate::source::Span;
 use crate::text;
 
-/// Codes or roofs stand where the place of the house should.
+/// Codes or roofs in place of the header.
 #[cold]
 pub fn no_header(span: Span, line_end: &str) -> Diagnostic {
     let message = text!(
@@ -14,7 +14,7 @@ pub fn no_header(span: Span, line_end: &str) -> Diagnostic {
     );
     let header = ["0 0 180", "9.0", "", ""].join(line_end);
     let title = text!(
-        "Put a header before the walls: `0 0 180` and `9.0`",
+        "Insert a header before the walls: `0 0 180` and `9.0`",
         "壁の前にヘッダー (`0 0 180` と `9.0`) を入れる"
     );
     Diagnostic::error(101, span, message).help(text!(
@@ -24,7 +24,7 @@ pub fn no_header(span: Span, line_end: &str) -> Diagnostic {
     .fix(title, span, header)
 }
 
-/// A number that must be there is not.
+/// A required number is missing.
 #[cold]
 pub fn missing_number(span: Span, what: impl Into<Text>) -> Diagnostic {
     let what = what.into();
@@ -48,20 +48,20 @@ pub fn not_a_number(
 ) -> Diagnostic {
     let (quoted, what) = (quote(text), what.into());
     let message = text!([what]
-        "{quoted} is no number for {what}",
+        "{quoted} is not a number for {what}",
         "{quoted} は{what}の数値として読めません"
     );
-    let told = Diagnostic::error(103, span, message).help(text!(
-        "write digits with a point for the fraction, without a unit, and part numbers by blanks: `9.0 5.5`",
+    let found = Diagnostic::error(103, span, message).help(text!(
+        "write digits with a decimal point, without a unit, and separate numbers by blanks: `9.0 5.5`",
         "数字と小数点だけで単位を付けずに書き、数値どうしは空白で区切ってください: `9.0 5.5`"
     ));
     match fix {
-        Some((place, meant)) => told.fix(written(meant), place, meant),
-        None => told,
+        Some((place, meant)) => found.fix(written(meant), place, meant),
+        None => found,
     }
 }
 
-/// A number that no house has.
+/// A number out of range.
 #[cold]
 pub fn out_of_range(
     span: Span,
@@ -77,12 +77,12 @@ pub fn out_of_range(
         "{quoted} は{what}の範囲を外れています"
     );
     Diagnostic::error(104, span, message).help(text!([unit]
-        "give a number from {least} to {most} {unit}",
+        "write a number from {least} to {most} {unit}",
         "{least} から {most} まで ({unit}) の数値を書いてください"
     ))
 }
 
-/// A line of the header that begins with no known key; `glued` is what its first word has from `=` or `:` on.
+/// A header line that does not begin with a known key; `glued` is the rest of its first word from `=` or `:` on.
 #[cold]
 pub fn unknown_key(
     span: Span,
@@ -93,7 +93,7 @@ pub fn unknown_key(
 ) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
-        "{quoted} is no key of the header",
+        "{quoted} is not a header key",
         "{quoted} というヘッダーの項目はありません"
     );
     let all = any_of(keys);
@@ -104,23 +104,23 @@ pub fn unknown_key(
         ),
         None => text!([all]
             "write one of {all}; a comment begins with `#` in the first column",
-            "{all} のどれかを書いてください。注釈は一桁目の `#` で始めます"
+            "{all} のどれかを書いてください。コメントは一桁目の `#` で始めます"
         ),
     };
-    let told = Diagnostic::error(105, span, message).help(help);
-    let Some(key) = near else { return told };
+    let found = Diagnostic::error(105, span, message).help(help);
+    let Some(key) = near else { return found };
     let value = glued.trim_start_matches(['=', ':']);
     let meant = match value {
         "" => key.to_owned(),
         value => format!("{key} {value}"),
     };
-    told.fix(written(&meant), span, meant)
+    found.fix(written(&meant), span, meant)
 }
 
-/// So many words of a choice are offered one by one.
+/// Words of a choice that are offered one by one.
 const FEW: usize = 4;
 
-/// The title of a mend that puts a word in the place of another.
+/// The title of a fix that replaces a word.
 fn written(word: &str) -> Text {
     let quoted = quote(word);
     text!("Write {quoted}", "{quoted} と書く")
@@ -145,7 +145,7 @@ pub fn bad_choice(
         Some(word) => text!("write `{key} {word}`", "`{key} {word}` と書いてください"),
         None => text!([all] "write {all} after `{key}`", "`{key}` の後に {all} と書いてください"),
     };
-    let mut told = Diagnostic::error(106, span, message).help(help);
+    let mut found = Diagnostic::error(106, span, message).help(help);
     let meant = match &near {
         Some(word) => std::slice::from_ref(word),
         None if choices.len() <= FEW => choices,
@@ -153,10 +153,10 @@ pub fn bad_choice(
     };
     for word in meant {
         if let Some(place) = place {
-            told = told.fix(written(word), place, *word);
+            found = found.fix(written(word), place, *word);
         }
     }
-    told
+    found
 }
 
 /// More words than a line takes; `all` has the blanks before them.
@@ -164,25 +164,25 @@ pub fn bad_choice(
 pub fn surplus(span: Span, all: Span, what: impl Into<Text>) -> Diagnostic {
     let what = what.into();
     let message = text!([what]
-        "there is more after {what} than the line can hold",
+        "there is something left after {what}",
         "{what} の後に余分なものがあります"
     );
     Diagnostic::error(107, span, message)
         .help(text!(
-            "delete it; a comment needs a line of its own that begins with `#`",
-            "削除してください。注釈は `#` で始まる独立した行に書きます"
+            "delete it; a comment goes on a separate line that begins with `#`",
+            "削除してください。コメントは `#` で始まる独立した行に書きます"
         ))
         .fix(text!("Delete it", "削除する"), all, "")
 }
 
-/// A key or option that was given before; `places` are what goes with the first and with this one.
+/// A key or option that was given before; `places` are what to delete with the first and with this one.
 #[cold]
 pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> Diagnostic {
     let message = text!(
-        "`{key}` is given twice; this one counts",
+        "`{key}` is given twice; this one is used",
         "`{key}` が二度書かれています。後の方を使います"
     );
-    let mut told = Diagnostic::warning(108, span, message)
+    let mut found = Diagnostic::warning(108, span, message)
         .help(text!(
             "delete one of the two",
             "どちらか一方を削除してください"
@@ -194,10 +194,10 @@ pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> 
     ];
     for (title, place) in titles.into_iter().zip(places) {
         if let Some(place) = place {
-            told = told.fix(title, place, "");
+            found = found.fix(title, place, "");
         }
     }
-    told
+    found
 }
 
 /// A line of the header after the walls have begun.
@@ -207,13 +207,13 @@ pub fn late_key(span: Span, key: &str, fix: Vec<Edit>) -> Diagnostic {
         "`{key}` belongs in the header",
         "`{key}` はヘッダーに書くものです"
     );
-    let told = Diagnostic::error(109, span, message).help(text!(
+    let found = Diagnostic::error(109, span, message).help(text!(
         "move the line up, before the blank line that begins the walls",
         "この行を、壁の前の空行より上へ移してください"
     ));
     match fix.is_empty() {
-        true => told,
-        false => told.fix_all(
+        true => found,
+        false => found.fix_all(
             text!("Move the line into the header", "ヘッダーへ移す"),
             fix,
         ),
@@ -229,17 +229,17 @@ pub fn no_blank_line(span: Span, before: Noun, after: Noun, line_end: &str) -> D
     );
     Diagnostic::warning(110, span, message)
         .help(text!(
-            "put a blank line before this one",
+            "insert a blank line before this one",
             "この行の前に空行を入れてください"
         ))
-        .fix(text!("Put a blank line", "空行を入れる"), span, line_end)
+        .fix(text!("Insert a blank line", "空行を入れる"), span, line_end)
 }
 
 /// A line of numbers after the heights.
 #[cold]
 pub fn third_numbers(span: Span, heights: Span, line: Span, more: String) -> Diagnostic {
     let message = text!(
-        "the header has two lines of numbers: the place, and the storey heights",
+        "the header has only two lines of numbers: the place, and the storey heights",
         "ヘッダーの数値の行は、位置と階高の二行だけです"
     );
     Diagnostic::error(111, span, message)
@@ -261,7 +261,7 @@ pub fn third_numbers(span: Span, heights: Span, line: Span, more: String) -> Dia
 #[cold]
 pub fn surplus_heights(span: Span, all: Span, heights: usize, storeys: usize) -> Diagnostic {
     let message = text!(
-        "there are {heights} storey heights, but the walls of {storeys}",
+        "there are {heights} storey heights, but walls for only {storeys}",
         "階高は{heights}階分ありますが、壁は{storeys}階分しかありません"
     );
     Diagnostic::warning(112, span, message)
@@ -281,7 +281,7 @@ pub fn surplus_heights(span: Span, all: Span, heights: usize, storeys: usize) ->
 pub fn indented_comment(span: Span, blanks: Span) -> Diagnostic {
     let message = text!(
         "a comment must begin in the first column",
-        "注釈は一桁目から始めなければなりません"
+        "コメントは一桁目から始めなければなりません"
     );
     Diagnostic::error(113, span, message)
         .help(text!(
@@ -291,21 +291,21 @@ pub fn indented_comment(span: Span, blanks: Span) -> Diagnostic {
         .fix(text!("Delete the blanks", "空白を削除する"), blanks, "")
 }
 
-/// A comment behind something else: `place` has the blanks before it, and `line` is where its line begins.
+/// A comment after something else: `place` has the blanks before it, and `line` is where its line begins.
 #[cold]
 pub fn comment_column(span: Span, place: Span, line: Span, comment: String) -> Diagnostic {
     let message = text!(
         "a comment must begin in the first column",
-        "注釈は一桁目から始めなければなりません"
+        "コメントは一桁目から始めなければなりません"
     );
     let title = text!(
-        "Put the comment on a line of its own",
-        "注釈を独立した行にする"
+        "Move the comment to a separate line",
+        "コメントを独立した行にする"
     );
     Diagnostic::error(113, span, message)
         .help(text!(
-            "put the comment on a line of its own, with `#` as its first character",
-            "注釈は独立した行に、`#` を先頭にして書いてください"
+            "write the comment on a separate line, with `#` as its first character",
+            "コメントは独立した行に、`#` を先頭にして書いてください"
         ))
         .fix_all(title, vec![Edit::new(line, comment), Edit::new(place, "")])
 }
@@ -314,29 +314,32 @@ pub fn comment_column(span: Span, place: Span, line: Span, comment: String) -> D
 #[cold]
 pub fn comment_sign(span: Span, head: Span, sign: &str) -> Diagnostic {
     let message = text!(
-        "`{sign}` begins no comment",
-        "`{sign}` は注釈の始まりではありません"
+        "`{sign}` does not begin a comment",
+        "`{sign}` はコメントの始まりではありません"
     );
     Diagnostic::error(113, span, message)
         .help(text!(
             "a comment begins with `#` in the first column",
-            "注釈は一桁目の `#` で始めてください"
+            "コメントは一桁目の `#` で始めてください"
         ))
         .fix(text!("Write `#`", "`#` と書く"), head, "#")
 }
 
-/// Text beside `%`.
+/// Text next to `%`.
 #[cold]
 pub fn after_separator(span: Span, note: &str, line_end: &str) -> Diagnostic {
     let message = text!(
-        "a `%` between two houses stands alone on its line",
+        "a `%` between two houses must be alone on its line",
         "家と家を区切る `%` の行には、ほかに何も書けません"
     );
     let note = format!("{line_end}# {}", note.trim_start_matches('#').trim_start());
-    let title = text!("Make it a comment on the next line", "次の行の注釈にする");
+    let title = text!(
+        "Make it a comment on the next line",
+        "次の行のコメントにする"
+    );
     Diagnostic::error(114, span, message).help(text!(
-        "delete the rest of the line; write a comment on its own line, the name of a house as `name ...` in its header",
-        "行の残りを削除してください。注釈は独立した行に、家の名前はヘッダーに `name ...` と書きます"
+        "delete the rest of the line; write a comment on a separate line, and the name of a house as `name ...` in its header",
+        "行の残りを削除してください。コメントは独立した行に、家の名前はヘッダーに `name ...` と書きます"
     ))
     .fix(title, span, note)
     .fix(text!("Delete it", "削除する"), span, "")
@@ -367,12 +370,12 @@ pub fn no_separator(span: Span, line_end: &str) -> Diagnostic {
 pub fn no_walls(span: Span) -> Diagnostic {
     let message = text!("this house has no walls", "この家には壁がありません");
     Diagnostic::error(116, span, message).help(text!(
-        "after the header and a blank line, write one line of part codes for each wall, clockwise from the front",
+        "after the header and a blank line, write one line of part codes for each wall, clockwise from the front as seen from above",
         "ヘッダーと空行の後に、壁ごとに部材コードを一行ずつ、正面から時計回りに書いてください"
     ))
 }
 
-/// A key or header value without anything after it.
+/// A header key without a value.
 #[cold]
 pub fn missing_value(span: Span, line: Span, key: &str) -> Diagnostic {
     let example = match key {
@@ -398,17 +401,14 @@ pub fn missing_value(span: Span, line: Span, key: &str) -> Diagnostic {
 #[cold]
 pub fn bad_seed(span: Span, text: &str) -> Diagnostic {
     let (quoted, most) = (quote(text), u64::MAX);
-    let message = text!(
-        "{quoted} cannot be a seed",
-        "{quoted} は乱数の種にできません"
-    );
+    let message = text!("{quoted} cannot be a seed", "{quoted} はシードにできません");
     Diagnostic::error(118, span, message).help(text!(
         "write a whole number from 0 to {most}",
         "0 から {most} までの整数を書いてください"
     ))
 }
 
-/// One line of numbers, which is the place; the heights were left out or taken for it.
+/// One line of numbers, which is read as the place; the heights are missing, or are this line.
 #[cold]
 pub fn no_heights(place: Span, line_end: &str) -> Diagnostic {
     let message = text!(
@@ -420,7 +420,7 @@ pub fn no_heights(place: Span, line_end: &str) -> Diagnostic {
         ..place
     };
     let are_heights = text!(
-        "These are the heights: put `0 0 180` before them",
+        "These are the heights: insert `0 0 180` before them",
         "これは階高なので、前に `0 0 180` を書く"
     );
     let are_place = text!(
@@ -428,14 +428,14 @@ pub fn no_heights(place: Span, line_end: &str) -> Diagnostic {
         "これは位置なので、次の行に階高 `9.0` を書く"
     );
     Diagnostic::note(119, place, message).help(text!(
-        "write the storey heights on the next line, such as `9.0`; if these numbers are the heights, put the line `0 0 180` before them",
+        "write the storey heights on the next line, such as `9.0`; if these numbers are the heights, insert the line `0 0 180` before them",
         "次の行に `9.0` のように階高を書いてください。この数値が階高なら、前に `0 0 180` の行を書きます"
     ))
     .fix(are_heights, before, format!("0 0 180{line_end}"))
     .fix(are_place, place.after(), format!("{line_end}9.0"))
 }
 
-/// A height that is likely given in metres (below), in sun or in centimetres (above).
+/// A height that is probably in metres (below), in sun or in centimetres (above).
 #[cold]
 pub fn odd_height(span: Span, height: f64) -> Diagnostic {
     let tenths = |value: f64| (value * 10.0).round() / 10.0;
@@ -450,13 +450,13 @@ pub fn odd_height(span: Span, height: f64) -> Diagnostic {
         "a storey of {height} shaku is {metres} m high",
         "階高 {height} 尺は {metres} m になります"
     );
-    let told = Diagnostic::warning(137, span, message).help(text!([unit]
-        "heights are in shaku, and 1 m is 3.3 shaku: write `{shaku:?}` if {unit} are meant",
+    let found = Diagnostic::warning(137, span, message).help(text!([unit]
+        "heights are in shaku, and 1 m is 3.3 shaku: write `{shaku:?}` if you mean {unit}",
         "高さの単位は尺です (1 m は 3.3 尺)。{unit}のつもりなら `{shaku:?}` と書いてください"
     ));
     match (5.0..=40.0).contains(&shaku) {
-        true => told.fix(written(&format!("{shaku:?}")), span, format!("{shaku:?}")),
-        false => told,
+        true => found.fix(written(&format!("{shaku:?}")), span, format!("{shaku:?}")),
+        false => found,
     }
 }
 
@@ -464,24 +464,24 @@ pub fn odd_height(span: Span, height: f64) -> Diagnostic {
 #[cold]
 pub fn xml_after_text(span: Span, before: Span, lines: &str, tag: &str) -> Diagnostic {
     let message = text!(
-        "the XML form begins here, but lines of the legacy form stand before it",
-        "ここから XML 形式が始まりますが、その前に従来形式の行があります"
+        "the XML form begins here, but there are lines of the legacy form before it",
+        "ここから XML 形式が始まりますが、その前に旧形式の行があります"
     );
-    let told = Diagnostic::error(139, span, message).help(text!(
+    let found = Diagnostic::error(139, span, message).help(text!(
         "delete the lines before the first tag, or write comments as `<!-- ... -->`; the XML form is read from here on",
-        "最初のタグより前の行を削除するか、注釈なら `<!-- ... -->` と書いてください。ここから先を XML 形式として読みます"
+        "最初のタグより前の行を削除するか、コメントなら `<!-- ... -->` と書いてください。ここから先を XML 形式として読みます"
     ));
     // A declaration of XML stands before all comments, and a comment holds no two hyphens.
     let notes = lines.lines().all(|l| l.is_empty() || l.starts_with('#'));
-    let told = if notes && !lines.contains("--") && !tag.trim_start().starts_with("<?") {
+    let found = if notes && !lines.contains("--") && !tag.trim_start().starts_with("<?") {
         let notes = lines.lines().map(|l| l.trim_start_matches('#').trim());
         let notes: Vec<&str> = notes.filter(|l| !l.is_empty()).collect();
         let comment = format!("<!-- {} -->\n", notes.join("\n     "));
-        let title = text!("Make the lines a comment of XML", "XML の注釈にする");
-        told.fix(title, before, comment)
+        let title = text!("Make the lines an XML comment", "XML のコメントにする");
+        found.fix(title, before, comment)
     } else {
-        told
+        found
     };
     let title = text!("Delete the lines before it", "その前の行を削除する");
-    told.fix(title, before, "")
+    found.fix(title, before, "")
 }

@@ -5,52 +5,52 @@ use crate::diagnostic::{Diagnostic, Text, noun};
 use crate::source::Span;
 use crate::text;
 
-/// The title of a mend that puts a word in the place of another.
+/// The title of a fix that replaces a word.
 fn written(word: &str) -> Text {
     let quoted = quote(word);
     text!("Write {quoted}", "{quoted} と書く")
 }
 
-/// A kind letter that does not exist.
+/// An unknown covering.
 #[cold]
 pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
     let all = noun(
-        "K tiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal, or `*`",
-        "K 桟瓦、G 本瓦、I 板、S 柿、H 檜皮、Y 茅、T 金属板、または `*`",
+        "`K` (pantiles), `G` (hon-gawara tiles), `I` (boards), `S` (shingles), `H` (bark), `Y` (thatch), `T` (sheet metal) or `*`",
+        "`K` (桟瓦葺)、`G` (本瓦葺)、`I` (板葺)、`S` (杮葺)、`H` (檜皮葺)、`Y` (茅葺)、`T` (金属板葺)、`*`",
     );
     let quoted = quote(text);
     let message = text!(
-        "{quoted} is no kind of roof",
-        "{quoted} という葺き方はありません"
+        "{quoted} is not a roof covering",
+        "{quoted} という葺き材はありません"
     );
     let fix = near.unwrap_or("*");
     Diagnostic::error(140, span, message)
         .help(match near {
             Some(kind) => text!([all]
-                "write `{kind}`; the kinds are {all}",
-                "`{kind}` と書いてください。葺き方は {all} です"
+                "write `{kind}`; the coverings are {all}",
+                "`{kind}` と書いてください。葺き材は {all} です"
             ),
             None => text!([all] "write {all}", "{all} のどれかを書いてください"),
         })
         .fix(written(fix), span, fix)
 }
 
-/// A direction letter that does not exist.
+/// An unknown direction.
 #[cold]
 pub fn unknown_direction(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
-        "{quoted} is no direction of a roof",
+        "{quoted} is not a roof direction",
         "{quoted} という屋根の向きはありません"
     );
     Diagnostic::error(141, span, message).help(text!(
-        "write X for a ridge along the front, Y for one at right angles to it, F, B, L or R for the side a single slope falls to, or `*`",
+        "write X for a ridge along the front, Y for one at right angles to it, F, B, L or R for the side a shed roof slopes to, or `*`",
         "棟が正面に平行なら X、直交するなら Y、片流れなら流れる側を F、B、L、R で、または `*` と書いてください"
     ))
     .fix(written("*"), span, "*")
 }
 
-/// Three letters that are no shape.
+/// An unknown shape.
 #[cold]
 pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
     let all = noun(
@@ -59,7 +59,7 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
     );
     let quoted = quote(text);
     let message = text!(
-        "{quoted} is no shape of a roof",
+        "{quoted} is not a roof shape",
         "{quoted} という屋根の形はありません"
     );
     let fix = near.unwrap_or("*");
@@ -74,21 +74,21 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         .fix(written(fix), span, fix)
 }
 
-/// A word after the corners that is no option.
+/// An unknown option.
 #[cold]
 pub fn unknown_option(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
-        "{quoted} is no option of a roof",
+        "{quoted} is not a roof option",
         "{quoted} という屋根の指定はありません"
     );
     Diagnostic::error(143, span, message).help(text!(
-        "write P pitch, E eaves, G verge, T thickness, M ridge courses, S sag, C gable or R ridge length with a number glued to it, or O alone",
-        "P 勾配、E 軒の出、G 螻羽の出、T 厚さ、M のし瓦の段数、S 反り、C 妻の位置、R 棟の長さのどれかに数値を続けて書くか、O だけを書いてください"
+        "write P (pitch), E (eaves), G (verge), T (thickness), M (ridge courses), S (sori), C (gable) or R (ridge length) with a number right after it, or O alone",
+        "P (勾配)、E (軒の出)、G (けらばの出)、T (厚さ)、M (熨斗瓦の段数)、S (反り)、C (妻の位置)、R (棟の長さ) のどれかに数値を続けて書くか、O だけを書いてください"
     ))
 }
 
-/// A ridge for one slope, or a fall for two; `own` tells that the direction has a place of its own.
+/// A ridge direction for a shed roof, or a slope direction for two slopes; `own`: the direction is a separate word.
 #[cold]
 pub fn direction_misfit(
     span: Span,
@@ -100,27 +100,27 @@ pub fn direction_misfit(
     let (message, help) = if ridge {
         (
             text!(
-                "a {shape} roof has no ridge, so it needs the side to which it falls",
+                "a {shape} roof has no ridge, so it needs the side it slopes to",
                 "{shape} の屋根には棟がないため、流れる側の指定が必要です"
             ),
             text!(
-                "write F front, B back, L left or R right",
-                "F 正面、B 背面、L 左、R 右のどれかを書いてください"
+                "write F (front), B (back), L (left) or R (right)",
+                "F (正面)、B (背面)、L (左)、R (右) のどれかを書いてください"
             ),
         )
     } else {
         (
             text!(
-                "a {shape} roof has a ridge, so it cannot fall to one side",
+                "a {shape} roof has a ridge, so it cannot slope to one side",
                 "{shape} の屋根には棟があるため、片側へ流すことはできません"
             ),
             text!(
-                "write X for a ridge along the front or Y for one at right angles to it; a lean-to is KAT",
+                "write X for a ridge along the front or Y for one at right angles to it; a shed roof is KAT",
                 "棟が正面に平行なら X、直交するなら Y と書いてください。片流れは KAT です"
             ),
         )
     };
-    let mut told = Diagnostic::error(144, span, message)
+    let mut found = Diagnostic::error(144, span, message)
         .help(help)
         .label(shape_span, text!("the shape", "屋根の形"));
     let sides: &[&str] = if ridge {
@@ -129,24 +129,24 @@ pub fn direction_misfit(
         &["X", "Y"]
     };
     for side in sides.iter().filter(|_| own) {
-        told = told.fix(written(side), span, *side);
+        found = found.fix(written(side), span, *side);
     }
     match ridge {
-        true => told,
-        false => told.fix(written("KAT"), shape_span, "KAT"),
+        true => found,
+        false => found.fix(written("KAT"), shape_span, "KAT"),
     }
 }
 
-/// A field left out before a later one.
+/// A missing field.
 #[cold]
 pub fn missing_field(span: Span, what: impl Into<Text>, star: &str) -> Diagnostic {
     let what = what.into();
     let message = text!([what] "the roof lacks {what}", "屋根の{what}がありません");
     Diagnostic::error(145, span, message).help(text!(
-        "write kind, direction, height, shape, then a0 b0 a1 b1, with `*` for what is to be found out: `K X * KIR 0 0 6 8`",
-        "葺き方、向き、高さ、形、a0 b0 a1 b1 の順に書いてください。任せるところは `*` とします: `K X * KIR 0 0 6 8`"
+        "write covering, direction, height, shape, then a0 b0 a1 b1, with `*` for what the program should choose: `K X * KIR 0 0 6 8`",
+        "葺き材、向き、高さ、形、a0 b0 a1 b1 の順に書いてください。自動で決めるところは `*` とします: `K X * KIR 0 0 6 8`"
     ))
-    .fix(text!("Leave it open: `*`", "`*` として任せる"), span, star)
+    .fix(text!("Leave it to the program: `*`", "`*` として自動で決める"), span, star)
 }
 
 /// Fewer than four corner numbers.
@@ -168,7 +168,7 @@ pub fn missing_corners(span: Span, count: usize) -> Diagnostic {
         ),
     };
     Diagnostic::error(146, span, message).help(text!(
-        "write a0 b0 a1 b1 after the shape: two opposite corners in units, to the left and to the back of the start",
+        "write a0 b0 a1 b1 after the shape: two opposite corners in U, to the left and to the back of the start",
         "形の後に a0 b0 a1 b1 と書いてください。始点から左と奥へ U で測った、向かい合う二つの隅です"
     ))
 }
@@ -193,14 +193,14 @@ pub fn no_extent(span: Span, other: Span, axis: char, text: &str) -> Diagnostic 
         .label(other, format!("{axis}0"))
 }
 
-/// Kind and direction as one word.
+/// Covering and direction as one word.
 #[cold]
 pub fn glued(span: Span, text: &str) -> Diagnostic {
     let spread: Vec<String> = text.chars().map(String::from).collect();
     let (quoted, spread) = (quote(text), spread.join(" "));
     let message = text!(
-        "kind and direction are two fields, not {quoted}",
-        "{quoted} は葺き方と向きの二項目に分けて書くものです"
+        "{quoted} should be two fields, covering and direction",
+        "{quoted} は葺き材と向きの二項目に分けて書きます"
     );
     Diagnostic::error(148, span, message)
         .help(text!("write `{spread}`", "`{spread}` と書いてください"))
@@ -211,14 +211,14 @@ pub fn glued(span: Span, text: &str) -> Diagnostic {
 #[cold]
 pub fn lower_roof(span: Span, capitals: &str) -> Diagnostic {
     let message = text!(
-        "the letters of a roof line are capitals",
-        "屋根の行の文字は大文字です"
+        "the letters of a roof line must be capitals",
+        "屋根の行の文字は大文字で書きます"
     );
-    let told = Diagnostic::warning(149, span, message)
+    let found = Diagnostic::warning(149, span, message)
         .help(text!("write them as capitals", "大文字で書いてください"));
     match capitals.is_ascii() {
-        true => told.fix(text!("Write capitals", "大文字で書く"), span, capitals),
-        false => told,
+        true => found.fix(text!("Write capitals", "大文字で書く"), span, capitals),
+        false => found,
     }
 }
 
@@ -254,22 +254,22 @@ pub fn bare_option(
         .fix(title, place, "")
 }
 
-/// Half a course of ridge tiles, and the nearest whole number with the place of this one.
+/// A fraction of a ridge course, and the nearest whole number with the place of this one.
 #[cold]
 pub fn no_whole_number(span: Span, text: &str, whole: Option<(Span, f64)>) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
-        "{quoted} is no whole number of ridge courses",
-        "{quoted} はのし瓦の段数として整数ではありません"
+        "{quoted} is not a whole number of ridge courses",
+        "{quoted} は熨斗瓦の段数として整数ではありません"
     );
-    let told = Diagnostic::error(151, span, message).help(text!(
+    let found = Diagnostic::error(151, span, message).help(text!(
         "write a whole number, for example `M3`",
         "`M3` のように整数を書いてください"
     ));
     match whole {
         Some((place, number)) => {
-            told.fix(written(&format!("M{number}")), place, number.to_string())
+            found.fix(written(&format!("M{number}")), place, number.to_string())
         }
-        None => told,
+        None => found,
     }
 }

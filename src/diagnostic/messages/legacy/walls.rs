@@ -1,4 +1,4 @@
-//! Messages about the walls of the legacy text.
+//! Messages about the walls of the legacy form.
 
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Edit, Text};
@@ -32,7 +32,7 @@ pub fn wide_blank(span: Span, count: usize, read: &str) -> Diagnostic {
             ),
         ),
     };
-    let fix = text!("Replace by plain blanks", "半角空白に置き換える");
+    let fix = text!("Replace by half-width blanks", "半角空白に置き換える");
     Diagnostic::error(120, span, message)
         .help(help)
         .fix(fix, span, read)
@@ -51,7 +51,7 @@ pub fn tab(span: Span, read: &str) -> Diagnostic {
             "タブを、部材コードが五桁になるだけの空白に置き換えてください"
         ))
         .fix(
-            text!("Replace by plain blanks", "半角空白に置き換える"),
+            text!("Replace by half-width blanks", "半角空白に置き換える"),
             span,
             read,
         )
@@ -72,11 +72,11 @@ pub fn wide_letters(span: Span, text: &str, whole: Span, read: &str) -> Diagnost
     );
     Diagnostic::error(122, span, message)
         .help(text!(
-            "switch the input method off and write {narrow}",
+            "turn the input method off and write {narrow}",
             "日本語入力を切り、半角で {narrow} と書いてください"
         ))
         .fix(
-            text!("Write it in plain letters", "半角で書く"),
+            text!("Write it in half-width letters", "半角で書く"),
             whole,
             read,
         )
@@ -88,7 +88,7 @@ pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
     let number = u32::from(character);
     let fix = match read {
         "" => text!("Delete it", "削除する"),
-        _ => text!("Replace by plain blanks", "半角空白に置き換える"),
+        _ => text!("Replace by half-width blanks", "半角空白に置き換える"),
     };
     let message = text!(
         "there is an unusual blank, U+{number:04X}",
@@ -96,50 +96,53 @@ pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
     );
     Diagnostic::error(123, span, message)
         .help(text!(
-            "replace it by a plain blank if one can be seen, else delete it",
+            "replace it by a half-width blank if it is visible, otherwise delete it",
             "空白として見えるなら半角空白に置き換え、見えないなら削除してください"
         ))
         .fix(fix, span, read)
 }
 
-/// A character that no code has.
+/// A character that cannot be in a code.
 #[cold]
 pub fn foreign(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
     let message = text!(
-        "{quoted} cannot stand in a code",
+        "{quoted} cannot be used in a code",
         "{quoted} は部材コードに使えません"
     );
     Diagnostic::error(124, span, message).help(text!(
-        "a code is five characters of plain ASCII; names of parts in other letters belong in comments or in the XML form",
-        "部材コードは ASCII 五文字です。部材の和名は注釈か XML 形式に書いてください"
+        "a code is five ASCII characters; the Japanese name of a part alone in its columns is read as its code (HSD0301)",
+        "部材コードは ASCII 五文字です。部材の和名は、それだけを書けば部材コードとして読みます (HSD0301)"
     ))
 }
 
-/// Codes after the blank line that ends the walls; `apart` tells that there are more, with comments between.
+/// Codes after the blank line that ends the walls; `apart`: there are more, with comments between.
 #[cold]
 pub fn blank_in_walls(blank: Span, next: Span, apart: bool) -> Diagnostic {
     let message = text!(
         "a blank line ends the walls, but more codes follow it",
         "空行で壁が終わりますが、その後にも部材コードがあります"
     );
-    let told = Diagnostic::error(125, blank, message)
+    let found = Diagnostic::error(125, blank, message)
         .help(text!(
             "delete the blank line; a storey ends with `^`, a turn without parts is a line with `R` or `L` alone",
             "空行を削除してください。階は `^` で終わり、部材のない曲がりは `R` か `L` だけの行で書きます"
         ))
         .label(next, text!("read as the next wall", "次の壁として読みます"));
     if apart {
-        return told;
+        return found;
     }
-    told.fix(text!("Delete the blank line", "空行を削除する"), blank, "")
+    found.fix(text!("Delete the blank line", "空行を削除する"), blank, "")
 }
 
 /// One column more than the codes take.
 #[cold]
 pub fn one_over(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!("{quoted} is one column over", "{quoted} が一桁余っています");
+    let message = text!(
+        "{quoted} is one column too many",
+        "{quoted} が一桁余っています"
+    );
     Diagnostic::error(126, span, message).help(text!(
         "delete it or complete its five columns; only the letters `L`, `R` and `^` may follow the last code",
         "削除するか、五桁になるように書いてください。最後の部材コードの後に置けるのは `L`、`R`、`^` だけです"
@@ -147,8 +150,8 @@ pub fn one_over(span: Span, text: &str) -> Diagnostic {
     .fix(text!("Delete {quoted}", "{quoted} を削除する"), span, "")
 }
 
-/// A turn letter that does not stand right after the last column of a code: so many `columns` stand before it, with
-/// and without the blanks at their end; `surplus` are those behind the last whole code.
+/// A turn letter that is not right after the last column of a code; `columns` are counted before it, with and without
+/// the blanks at their end; `surplus_blanks` are those after the last whole code.
 #[cold]
 pub fn misplaced_control(
     span: Span,
@@ -163,7 +166,7 @@ pub fn misplaced_control(
     let (help, title, place, filling) = if surplus < missing && before - surplus >= codes {
         let blanks = blanks(surplus);
         let help = text!(
-            "delete {surplus} {blanks} before the `{letter}`: it stands right after the five columns of the last code",
+            "delete {surplus} {blanks} before the `{letter}`, which belongs right after the five columns of the last code",
             "`{letter}` の前の空白を{surplus}個削除してください。曲がりは最後の部材コードの五桁のすぐ後に書きます"
         );
         let title = text!(
@@ -178,7 +181,7 @@ pub fn misplaced_control(
             "最後の部材コードが五桁になるよう、`{letter}` の前に空白を{missing}個足してください"
         );
         let title = text!(
-            "Put {missing} {blanks} before the `{letter}`",
+            "Insert {missing} {blanks} before the `{letter}`",
             "`{letter}` の前に空白を{missing}個足す"
         );
         (help, title, surplus_blanks.after(), " ".repeat(missing))
@@ -190,12 +193,12 @@ pub fn misplaced_control(
 
 fn inside_a_code(letter: &str, column: usize) -> Text {
     text!(
-        "the `{letter}` stands in column {column} and so inside a code",
+        "the `{letter}` is in column {column}, inside a code",
         "`{letter}` が{column}桁目、つまり部材コードの途中にあります"
     )
 }
 
-/// A turn letter behind another one; `gap` reaches from that to this.
+/// A turn letter after another one; `gap` reaches from that to this.
 #[cold]
 pub fn second_control(
     span: Span,
@@ -213,16 +216,16 @@ pub fn second_control(
         .fix(title, gap, "")
 }
 
-/// A turn letter with codes after it; `leads` tells that it begins its line. `mend` puts it where it belongs.
+/// A turn letter with codes after it; `leads`: it begins its line. `fix` moves it where it belongs.
 #[cold]
 pub fn inner_turn(span: Span, letter: &str, leads: bool, fix: Vec<Edit>) -> Diagnostic {
     let (title, help) = if leads {
         let title = text!(
-            "Put the `{letter}` at the end of the line before",
+            "Move the `{letter}` to the end of the previous line",
             "`{letter}` を前の行の末尾へ移す"
         );
         let help = text!(
-            "put the `{letter}` at the end of the line before, right after the five columns of its last code",
+            "move the `{letter}` to the end of the previous line, right after the five columns of its last code",
             "`{letter}` を前の行の末尾、最後の部材コードの五桁のすぐ後に移してください"
         );
         (title, help)
@@ -238,13 +241,13 @@ pub fn inner_turn(span: Span, letter: &str, leads: bool, fix: Vec<Edit>) -> Diag
         (title, help)
     };
     let message = text!(
-        "the turn `{letter}` stands before codes, but a turn ends its line",
+        "there are codes after the turn `{letter}`, but a turn ends its line",
         "曲がり `{letter}` の後に部材コードがあります。曲がりは行の最後に書くものです"
     );
-    let told = Diagnostic::error(138, span, message).help(help);
+    let found = Diagnostic::error(138, span, message).help(help);
     match fix.is_empty() {
-        true => told,
-        false => told.fix_all(title, fix),
+        true => found,
+        false => found.fix_all(title, fix),
     }
 }
 
@@ -309,20 +312,19 @@ pub fn shifted(span: Span, blanks: usize, voids: usize) -> Diagnostic {
         ),
     };
     let message = text!(
-        "the line begins with {blanks} blanks, which shift every code after them",
+        "the line begins with {blanks} blanks, which shift all its codes",
         "行頭に空白が{blanks}個あり、後の部材コードがすべてずれます"
     );
     let title = match voids {
         0 => text!("Delete the blanks", "空白を削除する"),
-        _ => text!("Write the voids as points", "空きを点で書く"),
+        _ => text!("Write the voids as dots", "空きを点で書く"),
     };
     Diagnostic::error(131, span, message)
         .help(help)
         .fix(title, span, ".".repeat(voids))
 }
 
-/// Words that look like codes but do not stand in their columns; `mend` is the place of all codes and what they are
-/// when they do.
+/// Words that look like codes but are not in their columns; `fix` is the place of all codes and the codes in columns.
 #[cold]
 pub fn out_of_step(span: Span, column: usize, meant: &str, fix: (Span, &str)) -> Diagnostic {
     let mut line: String = meant.chars().take(80).collect();
@@ -330,13 +332,16 @@ pub fn out_of_step(span: Span, column: usize, meant: &str, fix: (Span, &str)) ->
         line.push('…');
     }
     let message = text!(
-        "from column {column} on the codes are out of step: each takes exactly five columns",
+        "from column {column} on, the codes are not in their columns: each takes exactly five",
         "{column}桁目から部材コードがずれています。部材コードはちょうど五桁ずつです"
     );
     Diagnostic::error(132, span, message)
         .help(text!("write `{line}`", "`{line}` と書いてください"))
         .fix(
-            text!("Put the codes in step", "部材コードを五桁ずつに揃える"),
+            text!(
+                "Align the codes to five columns",
+                "部材コードを五桁ずつに揃える"
+            ),
             fix.0,
             fix.1,
         )
@@ -352,7 +357,7 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
                 "行が空白五つの空きで終わっています"
             ),
             text!(
-                "write `.....`: an editor that trims lines would change the house",
+                "write `.....`: an editor that trims trailing blanks would change the house",
                 "`.....` と書いてください。行末の空白を消すエディターでは家が変わってしまいます"
             ),
         ),
@@ -362,25 +367,25 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
                 "行が空白の空き{count}個で終わっています"
             ),
             text!(
-                "write {count} times `.....`: an editor that trims lines would change the house",
+                "write `.....` {count} times: an editor that trims trailing blanks would change the house",
                 "`.....` を{count}個書いてください。行末の空白を消すエディターでは家が変わってしまいます"
             ),
         ),
     };
-    let title = text!("Write the voids as points", "空きを点で書く");
+    let title = text!("Write the voids as dots", "空きを点で書く");
     Diagnostic::warning(133, span, message)
         .help(help)
         .fix(title, span, ".....".repeat(count))
 }
 
-/// Points that are not five.
+/// Dots that are not five.
 #[cold]
 pub fn few_points(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!("{quoted} is no void", "{quoted} は空きになりません");
+    let message = text!("{quoted} is not a void", "{quoted} は空きになりません");
     Diagnostic::error(134, span, message)
         .help(text!(
-            "write exactly five points, `.....`",
+            "write exactly five dots, `.....`",
             "点をちょうど五つ、`.....` と書いてください"
         ))
         .fix(text!("Write `.....`", "`.....` と書く"), span, ".....")
@@ -395,7 +400,7 @@ pub fn last_reset(span: Span) -> Diagnostic {
     );
     Diagnostic::warning(135, span, message)
         .help(text!(
-            "delete it; the last storey ends with the walls",
+            "delete it; the last storey ends where the walls end",
             "削除してください。最後の階は壁の終わりで終わります"
         ))
         .fix(text!("Delete the `^`", "`^` を削除する"), span, "")

@@ -11,17 +11,17 @@ use crate::text;
 pub fn text_not_allowed(span: Span, text: &str, parent: &str, written: &str) -> Diagnostic {
     let (text, parent) = (quote(text), quote(parent));
     let message = text!(
-        "the text {text} has no place in {parent}",
+        "text is not allowed in {parent}: {text}",
         "{parent} の中に文字 {text} は書けません"
     );
     let found = Diagnostic::error(209, span, message).help(text!(
-        "codes belong in `Row`, `Floor`, `upper` or `lower`; make it a comment if it is a remark",
-        "部材コードは `Row`、`Floor`、`upper`、`lower` の中に書きます。覚え書きなら注釈にしてください"
+        "codes belong in `Row`, `Floor`, `upper` or `lower`; remarks are comments",
+        "部材コードは `Row`、`Floor`、`upper`、`lower` の中に書きます。覚え書きはコメントにしてください"
     ));
     offer_comment(found, span, written)
 }
 
-/// The tags of an element, for mends.
+/// The tags of an element, for fixes.
 pub struct Tags {
     /// The names in its start tag and its end tag.
     pub names: Vec<Span>,
@@ -35,7 +35,7 @@ fn renamed(found: Diagnostic, tags: &Tags, name: &str) -> Diagnostic {
     found.fix_all(writing(name), edits.collect())
 }
 
-/// A name that the language does not know.
+/// An unknown element.
 #[cold]
 pub fn unknown_element(
     span: Span,
@@ -46,15 +46,18 @@ pub fn unknown_element(
 ) -> Diagnostic {
     let title = removing(name);
     let name = quote(name);
-    let message = text!("{name} is no element", "{name} という要素はありません");
+    let message = text!(
+        "there is no element {name}",
+        "{name} という要素はありません"
+    );
     let found = Diagnostic::error(221, span, message).help(match (near, parent) {
         (Some(near), _) => text!(
-            "write `{near}`; capitals matter",
+            "write `{near}`; names are case-sensitive",
             "`{near}` と書いてください。大文字と小文字は区別されます"
         ),
         (None, Some(_)) => text!(
-            "remove it; what stands in it is read as if it stood in the element round it",
-            "取り除いてください。中身は外側の要素にあるものとして読みます"
+            "remove it; its content is read as content of the enclosing element",
+            "削除してください。中身は外側の要素のものとして読みます"
         ),
         (None, None) => text!(
             "the outermost element is `House`, `Houses` or `Structure`",
@@ -71,8 +74,7 @@ pub fn unknown_element(
     }
 }
 
-/// A name that the element does not bear; `whole` = the attribute with the blanks before it, `near` may be borne
-/// already.
+/// An attribute that the element does not have; `whole` = it with the blanks before it; `near` may be given already.
 #[cold]
 pub fn unknown_attribute(
     span: Span,
@@ -85,18 +87,18 @@ pub fn unknown_attribute(
     let title = removing(name);
     let name = quote(name);
     let message = text!(
-        "{name} is no attribute of `{element}`",
+        "`{element}` has no attribute {name}",
         "`{element}` に {name} という属性はありません"
     );
     let all = all_of(known);
     let found = Diagnostic::error(222, span, message).help(match near {
         Some((near, _)) => text!("write `{near}`", "`{near}` と書いてください"),
         None if known.is_empty() => text!(
-            "`{element}` bears nothing",
+            "`{element}` has no attributes",
             "`{element}` に属性はありません"
         ),
         None => text!([all]
-            "`{element}` bears {all}",
+            "its attributes are {all}",
             "`{element}` の属性は {all} です"
         ),
     });
@@ -107,12 +109,12 @@ pub fn unknown_attribute(
     }
 }
 
-/// A known element where it has no meaning; `home` says where it has: names in backquotes and "outermost".
+/// A known element in the wrong place; `home` says where it belongs: names in backquotes and "outermost".
 #[cold]
 pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> Diagnostic {
     let message = match parent.map(quote) {
         Some(parent) => text!(
-            "`{name}` has no place in {parent}",
+            "`{name}` is not allowed in {parent}",
             "{parent} の中に `{name}` は書けません"
         ),
         None => text!(
@@ -128,16 +130,16 @@ pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> 
         (false, false) => format!(" {inside} の中に書くものです"),
     };
     Diagnostic::error(223, span, message).help(text!(
-        "`{name}` belongs in {home}; it is not read here",
+        "`{name}` belongs in {home}; it is ignored here",
         "`{name}` は{home_ja}。ここでは読みません"
     ))
 }
 
-/// `Roof` without a rectangle beside the storeys.
+/// `Roof` without a rectangle next to the storeys.
 #[cold]
 pub fn roof_for_roofs(span: Span, tags: &Tags) -> Diagnostic {
     let message = text!(
-        "`Roof` has no place in `House`; the element for all roofs of a house is `Roofs`",
+        "`Roof` is not allowed in `House`; the element for all roofs of a house is `Roofs`",
         "`House` の中に `Roof` は書けません。家の屋根全体を表す要素は `Roofs` です"
     );
     let found = Diagnostic::error(223, span, message)
@@ -145,7 +147,7 @@ pub fn roof_for_roofs(span: Span, tags: &Tags) -> Diagnostic {
     renamed(found, tags, "Roofs")
 }
 
-/// An attribute that must be there, with one of `words` if that is all it may say. `span` = the element's name.
+/// A required attribute that is missing, with `words` if it takes only those. `span` = the element's name.
 #[cold]
 pub fn attribute_missing(span: Span, element: &str, name: &str, words: &[&str]) -> Diagnostic {
     let message = text!(
@@ -176,7 +178,7 @@ pub fn child_missing(span: Span, parent: &str, name: &str) -> Diagnostic {
     ))
 }
 
-/// Two of something of which there is one; `mends` = how to join them, and how to remove the second.
+/// A second element where one is allowed; `fixes` = how to join them, and how to remove the second.
 #[cold]
 pub fn second_of(
     span: Span,
@@ -204,16 +206,16 @@ pub fn second_of(
     })
 }
 
-/// `L` at the end of a row's text; `turns` = the row may bear a `turn`, `turn` = where, if it bears none.
+/// `L` at the end of a row's codes; `turns` = the row may have a `turn`, `turn` = where, if it has none.
 #[cold]
 pub fn control_letter(span: Span, letter: char, turns: bool, turn: Option<Span>) -> Diagnostic {
     let message = text!(
-        "the control letter `{letter}` has no meaning in XML; a row turns by `turn`",
-        "XML では制御文字 `{letter}` に意味がありません。行は `turn` で曲げます"
+        "the turn letter `{letter}` has no meaning in XML; a row turns with `turn`",
+        "XML では曲がりの文字 `{letter}` を使いません。行は `turn` で曲げます"
     );
     let found = Diagnostic::error(232, span, message).help(match (letter, turns) {
         ('^', _) => text!(
-            "remove it and write the next storey as a `Storey` or `Floor` of its own",
+            "remove it and write the next storey as another `Storey` or `Floor`",
             "削除して、次の階を別の `Storey` か `Floor` として書いてください"
         ),
         (_, true) => text!(
@@ -233,7 +235,7 @@ pub fn control_letter(span: Span, letter: char, turns: bool, turn: Option<Span>)
     }
 }
 
-/// What turns the walls of facades.
+/// Advice on turns of facades.
 fn angle_turns() -> Text {
     text!(
         "remove it: the `angle` of the next `Facade` turns the wall",
@@ -253,13 +255,13 @@ pub fn turn_in_floor(span: Span, whole: Span) -> Diagnostic {
         .fix(removing("turn"), whole, "")
 }
 
-/// Characters that no code holds, and those meant instead.
+/// Characters that cannot be in a code, and those meant instead.
 #[cold]
 pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
     let fix = escaped(plain);
     if text.starts_with('\u{3000}') {
         let message = text!(
-            "a full-width blank stands among the codes",
+            "there is a full-width blank among the codes",
             "部材コードの並びに全角空白があります"
         );
         return Diagnostic::error(233, span, message)
@@ -268,21 +270,21 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
                 "全角空白ひとつを半角空白二つに置き換えてください"
             ))
             .fix(
-                text!("Replace by plain blanks", "半角空白に置き換える"),
+                text!("Replace by half-width blanks", "半角空白に置き換える"),
                 span,
                 fix,
             );
     }
     let text = quote(text);
     let message = text!(
-        "{text} cannot stand in a code of five columns",
+        "{text} cannot be used in a code of five columns",
         "{text} は五桁の部材コードに使えません"
     );
     let found = Diagnostic::error(233, span, message);
     if plain.is_empty() {
         found.help(text!(
-            "codes are plain ASCII; name an own part by `<Part code=\"...\"/>`",
-            "部材コードは ASCII です。独自の部材は `<Part code=\"...\"/>` で書いてください"
+            "codes are ASCII; write a custom part as `<Part code=\"...\"/>`",
+            "部材コードは ASCII です。自作部材は `<Part code=\"...\"/>` で書いてください"
         ))
     } else {
         let (title, braces) = (writing(plain), plain.contains(['{', '}']));
@@ -302,7 +304,7 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
 #[cold]
 pub fn tab_in_codes(span: Span, column: usize, blanks: usize) -> Diagnostic {
     let message = text!(
-        "a tab stands among the codes, in column {column} of this line of codes",
+        "there is a tab among the codes, in column {column} of this line",
         "この行の{column}桁目、部材コードの並びにタブがあります"
     );
     let fix = " ".repeat(blanks.min(4096));
@@ -322,11 +324,11 @@ pub fn tab_in_codes(span: Span, column: usize, blanks: usize) -> Diagnostic {
         )
 }
 
-/// A `replace` that says neither what nor where.
+/// A `replace` without `code` and `at`.
 #[cold]
 pub fn replaces_nothing(span: Span) -> Diagnostic {
     let message = text!(
-        "`replace` says neither which code nor which position",
+        "`replace` has neither a code nor a position",
         "`replace` に置き換える部材コードも位置もありません"
     );
     Diagnostic::error(240, span, message).help(text!(
@@ -339,39 +341,36 @@ pub fn replaces_nothing(span: Span) -> Diagnostic {
 #[cold]
 pub fn repeats_nothing(span: Span) -> Diagnostic {
     let message = text!(
-        "`repeat` holds nothing to repeat",
+        "`repeat` contains nothing to repeat",
         "`repeat` の中に繰り返すものがありません"
     );
     Diagnostic::warning(242, span, message).help(text!(
-        "put the parts between `<repeat num=\"...\">` and `</repeat>`; a void is `<Part code=\"     \"/>`",
+        "write the parts between `<repeat num=\"...\">` and `</repeat>`; a void is `<Part code=\"     \"/>`",
         "部材を `<repeat num=\"...\">` と `</repeat>` のあいだに書いてください。空きは `<Part code=\"     \"/>` です"
     ))
 }
 
-/// A picture named by `src` that is not there.
+/// An image named by `src` that does not exist.
 #[cold]
 pub fn src_missing(span: Span, file: &str) -> Diagnostic {
     let file = quote(file);
-    let message = text!(
-        "there is no picture {file}",
-        "{file} という画像はありません"
-    );
+    let message = text!("there is no image {file}", "{file} という画像はありません");
     Diagnostic::error(243, span, message).help(text!(
-        "name a PNG or JPEG by its path from the folder of this file; a picture beside the text is also found without `src`, by its name",
-        "このファイルのフォルダーから見た PNG か JPEG のパスを書いてください。テキストのそばの画像は `src` がなくても名前で見つかります"
+        "write the path of a PNG or JPEG relative to the folder of this file; an image next to this file is also found without `src`, by its name",
+        "このファイルのフォルダーから見た PNG か JPEG のパスを書いてください。このファイルと同じフォルダーの画像は `src` がなくても名前で見つかります"
     ))
 }
 
-/// A picture named by `src` outside the root folder.
+/// An image named by `src` outside the root folder.
 #[cold]
 pub fn src_outside(span: Span, file: &str) -> Diagnostic {
     let file = quote(file);
     let message = text!(
-        "{file} lies outside the folder of the build",
-        "{file} はビルドのフォルダーの外にあります"
+        "{file} is outside the root folder",
+        "{file} は基準フォルダーの外にあります"
     );
     Diagnostic::error(272, span, message).help(text!(
-        "put the picture below the folder of the text, or name a folder above both by --root",
-        "画像をテキストのフォルダーの中に置くか、両方を含むフォルダーを --root で指定してください"
+        "put the image below the folder of this file, or name a folder above both with --root",
+        "画像をこのファイルのフォルダーの中に置くか、両方を含むフォルダーを --root で指定してください"
     ))
 }

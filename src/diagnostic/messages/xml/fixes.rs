@@ -1,4 +1,4 @@
-//! What many mends of the XML form say and write.
+//! Titles and texts that many fixes of the XML form share.
 
 use crate::diagnostic::messages::words::quote;
 use crate::diagnostic::{Diagnostic, Text};
@@ -17,13 +17,13 @@ pub(super) fn removing(word: &str) -> Text {
     text!("Remove {word}", "{word} を削除する")
 }
 
-/// "Put in `>`".
+/// "Insert `>`".
 pub(super) fn putting_in(word: &str) -> Text {
     let word = quote(word);
-    text!("Put in {word}", "{word} を入れる")
+    text!("Insert {word}", "{word} を入れる")
 }
 
-/// Offers words in the place of a value or a piece of it.
+/// Offers words to replace a value or a piece of it.
 pub(in crate::diagnostic::messages) fn offer<'w>(
     found: Diagnostic,
     span: Span,
@@ -33,7 +33,7 @@ pub(in crate::diagnostic::messages) fn offer<'w>(
     words.into_iter().fold(found, offered)
 }
 
-/// A word as it stands in a file: in a text, or in a value with quotes of either kind.
+/// A word as it is written in a file: in text, or in a value with quotes of either kind.
 pub(super) fn escaped(word: &str) -> String {
     let mut text = String::with_capacity(word.len());
     for c in word.chars() {
@@ -48,11 +48,11 @@ pub(super) fn escaped(word: &str) -> String {
     text
 }
 
-/// Offers to make a comment of what stands in a file, if it can be one.
+/// Offers to make a comment of a piece of a file, if it can be one.
 pub(super) fn offer_comment(found: Diagnostic, span: Span, written: &str) -> Diagnostic {
     if written.contains("--") || written.contains("<!") || written.contains("]]>") {
         return found;
     }
-    let title = text!("Make it a comment", "注釈にする");
+    let title = text!("Make it a comment", "コメントにする");
     found.fix(title, span, format!("<!-- {written} -->"))
 }

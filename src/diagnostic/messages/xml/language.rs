@@ -1,5 +1,5 @@
-//! Messages about what is computed in the XML form: expressions and names. Those about parameters stand in
-//! [`parameters`](super::parameters), those about conditions, pieces and files in [`pieces`](super::pieces).
+//! Messages about expressions and names of the XML form. Those about parameters are in [`parameters`](super::parameters),
+//! those about conditions, definitions and files in [`pieces`](super::pieces).
 
 use super::fixes::{offer, putting_in, removing};
 use crate::ast::Value;
@@ -31,13 +31,13 @@ pub(super) fn write(word: &str) -> Text {
 fn found(value: &Value) -> Text {
     let shown = quote(&value.to_string());
     match value {
-        Value::Text(_) => text!("the text {shown}", "文字列 {shown}"),
+        Value::Text(_) => text!("the string {shown}", "文字列 {shown}"),
         Value::Number(_) => text!("the number {shown}", "数値 {shown}"),
-        Value::Truth(_) => text!("the truth {shown}", "真偽値 {shown}"),
+        Value::Truth(_) => text!("the truth value {shown}", "真偽値 {shown}"),
     }
 }
 
-/// What stands between braces is no expression; `mend` = what makes it one, where that can be told.
+/// Braces without an expression in them; `fix` = what makes it one, if known.
 #[cold]
 pub fn bad_expression(
     span: Span,
@@ -50,12 +50,12 @@ pub fn bad_expression(
         text => quote(text).into(),
     };
     let message = text!([wanted, there]
-        "the expression cannot be read: {wanted} should stand in place of {there}",
-        "式が読めません。{there} のところには {wanted} が必要です"
+        "the expression cannot be read: expected {wanted}, found {there}",
+        "式が読めません。{there} のところには{wanted}が必要です"
     );
     let help = match text.chars().next() {
         Some('\'' | '"') => text!(
-            "close the text with the same quote that opens it",
+            "close the string with the same quote that opens it",
             "始まりと同じ引用符で文字列を閉じてください"
         ),
         Some(c @ '\u{ff01}'..='\u{ff5e}') => {
@@ -77,15 +77,15 @@ pub fn bad_expression(
     }
 }
 
-/// What a mend of an expression does: it puts in a quote or a parenthesis, or replaces full-width signs.
+/// The title of a fix of an expression: it inserts a quote or a parenthesis, or replaces full-width characters.
 pub fn expression_fix(put: Option<char>) -> Text {
     match put {
-        Some(c) => text!("Put in `{c}`", "`{c}` を入れる"),
-        None => text!("Write half-width signs", "半角に直す"),
+        Some(c) => text!("Insert `{c}`", "`{c}` を入れる"),
+        None => text!("Write half-width characters", "半角に直す"),
     }
 }
 
-/// `{}`, alone in a value or beside something.
+/// `{}`, alone in a value or next to something.
 #[cold]
 pub fn empty_braces(span: Span, alone: bool) -> Diagnostic {
     let message = text!(
@@ -94,15 +94,15 @@ pub fn empty_braces(span: Span, alone: bool) -> Diagnostic {
     );
     let found = Diagnostic::error(250, span, message).help(text!(
         "write a name or a value between them, or remove them",
-        "名前か値を書くか、波括弧を取り除いてください"
+        "名前か値を書くか、波括弧を削除してください"
     ));
     match alone {
         true => found, // nothing would be left
-        false => found.fix(text!("Remove the braces", "波括弧を取り除く"), span, ""),
+        false => found.fix(text!("Remove the braces", "波括弧を削除する"), span, ""),
     }
 }
 
-/// A brace without its partner, which may belong at `partner`; `plain` = it may stand for itself.
+/// A brace without its partner, which may belong at `partner`; `plain` = it may be meant as a character.
 #[cold]
 pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) -> Diagnostic {
     let message = if opens {
@@ -111,7 +111,7 @@ pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) 
             "`{{` が同じ行で閉じていません"
         )
     } else {
-        text!("`}}` closes nothing", "`}}` に対応する `{{` がありません")
+        text!("`}}` closes no `{{`", "`}}` に対応する `{{` がありません")
     };
     let fix = if opens {
         text!(
@@ -121,7 +121,7 @@ pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) 
     } else {
         text!(
             "remove it, or write `{{` where an expression begins",
-            "取り除くか、式の始まりに `{{` を書いてください"
+            "削除するか、式の始まりに `{{` を書いてください"
         )
     };
     let mut found = Diagnostic::error(251, span, message).help(text!([fix]
@@ -148,7 +148,7 @@ pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) 
     found
 }
 
-/// A name that stands for nothing; `compared` = it may be a text.
+/// An undefined name; `compared` = it may be meant as a string.
 #[cold]
 pub fn unknown_name(
     span: Span,
@@ -160,18 +160,18 @@ pub fn unknown_name(
     let quoted = format!("'{name}'");
     let name = quote(name);
     let message = text!(
-        "nothing is called {name} here",
-        "ここに {name} という名前はありません"
+        "the name {name} is not defined here",
+        "{name} という名前はここでは定義されていません"
     );
     let here = match near {
         Some(near) => write(near),
         None => {
             let all = known(names);
-            text!([all] "known here: {all}", "ここで使える名前: {all}")
+            text!([all] "names defined here: {all}", "ここで使える名前: {all}")
         }
     };
     let found = Diagnostic::error(252, span, message).help(text!([here]
-        "{here}; a text stands in quotes: `'...'`",
+        "{here}; strings are written in quotes: `'...'`",
         "{here}。文字列は引用符で囲みます: `'...'`"
     ));
     offer(
@@ -181,7 +181,7 @@ pub fn unknown_name(
     )
 }
 
-/// A function that there is none of.
+/// An unknown function.
 #[cold]
 pub fn unknown_function(span: Span, name: &str, near: Option<&str>, all: &[&str]) -> Diagnostic {
     let name = quote(name);
@@ -204,31 +204,31 @@ pub fn unknown_function(span: Span, name: &str, near: Option<&str>, all: &[&str]
 pub fn wrong_type(span: Span, text: &str, wanted: Noun, value: &Value) -> Diagnostic {
     let (text, is) = (quote(text), found(value));
     let message = text!([is, wanted]
-        "{text} is {is}, and {wanted} is needed here",
+        "{text} is {is}, but {wanted} is needed here",
         "{text} は{is}ですが、ここには{wanted}が必要です"
     );
     Diagnostic::error(253, span, message).help(match value {
         Value::Text(_) => text!(
-            "texts can be compared with texts and joined by `+`, no more",
+            "strings can only be compared with strings and joined by `+`",
             "文字列にできるのは文字列どうしの比較と `+` による連結だけです"
         ),
         Value::Truth(_) => text!(
-            "a truth goes with `and`, `or`, `not`, or into `if`",
+            "a truth value can be used with `and`, `or`, `not`, and in `if`",
             "真偽値は `and`、`or`、`not` か `if` に使います"
         ),
         Value::Number(_) => text!(
-            "a number is no text: to join them write the braces beside the text, as in `GDE {{w}}`",
+            "a number is not a string: to join them, write the braces next to the text, as in `GDE {{w}}`",
             "数値は文字列ではありません。つなぐには `GDE {{w}}` のように文字の隣に波括弧を書きます"
         ),
     })
 }
 
-/// A test that is neither true nor false; `sound` = it is an expression if braces stand round it.
+/// A condition that is neither true nor false; `sound` = it is an expression if put in braces.
 #[cold]
 pub fn test_no_truth(span: Span, text: &str, value: &Value, sound: bool) -> Diagnostic {
     let is = found(value);
     let message = text!([is]
-        "the test is {is}, neither true nor false",
+        "the condition is {is}, neither true nor false",
         "条件が{is}で、真でも偽でもありません"
     );
     let plain = text.trim();
@@ -239,7 +239,7 @@ pub fn test_no_truth(span: Span, text: &str, value: &Value, sound: bool) -> Diag
         )
     } else {
         text!(
-            "an expression stands in braces: `{{{plain}}}`",
+            "expressions are written in braces: `{{{plain}}}`",
             "式は波括弧で囲みます: `{{{plain}}}`"
         )
     });
@@ -265,16 +265,16 @@ pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {
     };
     let text = quote(text);
     let message = text!(
-        "a division by {text}, which is 0 here",
+        "division by {text}, which is 0 here",
         "{text} で割っていますが、ここでは 0 です"
     );
     Diagnostic::error(254, span, message)
         .help(text!(
-            "divide by `max(1, ...)`, or make it depend on an `if`",
+            "divide by `max(1, ...)`, or use an `if`",
             "`max(1, ...)` で割るか、`if` で場合を分けてください"
         ))
         .fix_all(
-            text!("Divide by 1 at least", "1 以上で割る"),
+            text!("Divide by at least 1", "1 以上で割る"),
             vec![Edit::new(start, "max(1,"), Edit::new(span.after(), ")")],
         )
 }
@@ -284,11 +284,11 @@ pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {
 pub fn number_too_large(span: Span, text: &str) -> Diagnostic {
     let text = quote(text);
     let message = text!(
-        "the value of {text} is larger than any number",
+        "the value of {text} is too large",
         "{text} の値が大きすぎます"
     );
     Diagnostic::error(254, span, message).help(text!(
-        "no house needs such numbers; look for a slip",
+        "no house needs such numbers; look for a typing mistake",
         "家にそのような数値は要りません。書き間違いを探してください"
     ))
 }
@@ -297,11 +297,11 @@ pub fn number_too_large(span: Span, text: &str) -> Diagnostic {
 #[cold]
 pub fn clamp_bounds(span: Span, swapped: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
-        "the least value of this `clamp` is above its greatest",
+        "the lower bound of this `clamp` is above its upper bound",
         "この `clamp` の下限が上限より大きくなっています"
     );
     let found = Diagnostic::error(254, span, message).help(text!(
-        "write `clamp(value, least, greatest)`",
+        "write `clamp(value, lower, upper)`",
         "`clamp(値, 下限, 上限)` の順に書いてください"
     ));
     let title = text!("Swap the two", "二つを入れ替える");
@@ -319,25 +319,25 @@ pub fn wrong_arguments(span: Span, function: &str, wanted: Noun, found: usize) -
         "`{function}` に渡すのは{wanted}で、{found} 個ではありません"
     );
     Diagnostic::error(255, span, message).help(text!(
-        "arguments are divided by commas",
+        "arguments are separated by commas",
         "引数はコンマで区切ります"
     ))
 }
 
-/// `k` where no storey is.
+/// `k` outside a storey.
 #[cold]
 pub fn no_storey(span: Span) -> Diagnostic {
     let message = text!(
-        "`k` is the number of a storey, and here is none",
+        "`k` is the number of the storey, but this is not in a storey",
         "`k` は階の番号ですが、ここは階の中ではありません"
     );
     Diagnostic::error(256, span, message).help(text!(
-        "use it in a `Storey` or a `Floor`, or in what stands in one",
-        "`Storey` か `Floor`、またはその中で使ってください"
+        "use it in a `Storey` or a `Floor`",
+        "`Storey` か `Floor` の中で使ってください"
     ))
 }
 
-/// A name that cannot be one.
+/// An invalid name.
 #[cold]
 pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
     let name = quote(name);
@@ -356,59 +356,59 @@ pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
     offer(found, span, offered)
 }
 
-/// The same name twice in one element; `free` = another one that nobody has.
+/// The same name twice in one element; `free` = a name that is not taken.
 #[cold]
 pub fn named_twice(span: Span, name: &str, before: Span, free: &str) -> Diagnostic {
     let name = quote(name);
     let message = text!(
-        "{name} is given a second time in the same element",
-        "同じ要素の中で {name} が二度定められています"
+        "{name} is defined twice in the same element",
+        "同じ要素の中で {name} が二度定義されています"
     );
     let found = Diagnostic::error(258, span, message)
         .help(text!(
-            "take another name; the first one counts",
-            "別の名前にしてください。最初のものが有効です"
+            "use another name; the first definition is used",
+            "別の名前にしてください。最初の定義を使います"
         ))
         .label(before, text!("the first is here", "最初のものはここです"));
     offer(found, span, [free])
 }
 
-/// Something beside the `choice`s of a `random`; `mend` makes one of it.
+/// Something next to the `choice`s of a `random`; `fix` makes it one of them.
 #[cold]
 pub fn beside_choices(span: Span, fix: Vec<Edit>) -> Diagnostic {
     let message = text!(
-        "a `random` with choices holds nothing else",
+        "a `random` with `choice`s cannot contain anything else",
         "`choice` のある `random` には、ほかのものを書けません"
     );
     Diagnostic::error(276, span, message)
         .help(text!(
-            "write it into a `choice`, or outside of the `random`",
+            "move it into a `choice`, or out of the `random`",
             "`choice` の中か、`random` の外に書いてください"
         ))
         .fix_all(
-            text!("Put it into a `choice`", "`choice` の中に入れる"),
+            text!("Move it into a `choice`", "`choice` の中に入れる"),
             fix,
         )
 }
 
-/// An attribute of a `random` that chooses among pieces; `whole` = with its value and the blanks before it.
+/// An attribute of a `random` with `choice`s; `whole` = with its value and the blanks before it.
 #[cold]
 pub fn attribute_beside_choices(span: Span, name: &str, whole: Span) -> Diagnostic {
     let title = removing(name);
     let name = quote(name);
     let message = text!(
-        "a `random` with choices has no attribute {name}",
+        "a `random` with `choice`s has no attribute {name}",
         "`choice` のある `random` に属性 {name} は書けません"
     );
     Diagnostic::error(276, span, message)
         .help(text!(
-            "give each `choice` its `weight`, and what it stands for as its content",
+            "give each `choice` a `weight`, and write what it chooses as its content",
             "重みはそれぞれの `choice` の `weight` に、選ばれるものはその中に書いてください"
         ))
         .fix(title, whole, "")
 }
 
-/// A text that grew beyond all measure.
+/// A string that is too long.
 #[cold]
 pub fn value_too_long(span: Span) -> Diagnostic {
     let message = text!(
@@ -416,7 +416,7 @@ pub fn value_too_long(span: Span) -> Diagnostic {
         "値が 4,096 文字を超えています"
     );
     Diagnostic::error(271, span, message).help(text!(
-        "no code or name is so long; look for a `let` that is put into itself again and again",
+        "no code or name is that long; look for a `let` that contains itself again and again",
         "これほど長いコードや名前はありません。`let` が自分を繰り返し含んでいないか確かめてください"
     ))
 }

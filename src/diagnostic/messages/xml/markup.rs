@@ -10,16 +10,16 @@ use crate::text;
 #[cold]
 pub fn nested_too_deep(span: Span, limit: usize) -> Diagnostic {
     let message = text!(
-        "elements nest deeper than {limit}; this one is left out",
+        "elements nest deeper than the limit of {limit}; this one is ignored",
         "要素の入れ子が上限の{limit}段を超えるため、この要素は読みません"
     );
     Diagnostic::error(902, span, message).help(text!(
-        "use fewer elements inside one another, or raise the limit for nesting",
-        "入れ子を浅くするか、入れ子の上限を上げてください"
+        "nest fewer elements, or raise the limit with `--max-nesting`",
+        "入れ子を浅くするか、`--max-nesting` で上限を上げてください"
     ))
 }
 
-/// A comment, text section or processing instruction without its end, which may be put in by `mend`.
+/// A comment, CDATA section or processing instruction without its end; `fix` inserts it.
 #[cold]
 pub fn not_ended(span: Span, what: Noun, end: &str, fix: Edit) -> Diagnostic {
     let message = text!([what] "the {what} has no end", "{what}が終わっていません");
@@ -31,8 +31,7 @@ pub fn not_ended(span: Span, what: Noun, end: &str, fix: Edit) -> Diagnostic {
         .fix_all(putting_in(end), vec![fix])
 }
 
-/// An element without its end tag, which may be put in by `mend`; `before` = the tag before which it should stand, and
-/// that tag's name.
+/// An element without its end tag; `fix` inserts it, `before` = the tag that should follow it, and that tag's name.
 #[cold]
 pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, fix: Edit) -> Diagnostic {
     let name = shortened(name);
@@ -104,12 +103,12 @@ pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
         )
 }
 
-/// An end tag that closes nothing; `inside` = the element it stands in.
+/// An end tag without a start tag; `inside` = the element it is in.
 #[cold]
 pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagnostic {
     let name = shortened(name);
     let message = text!(
-        "`</{name}>` closes nothing",
+        "`</{name}>` has no start tag",
         "`</{name}>` に対応する開始タグがありません"
     );
     let found = Diagnostic::error(206, span, message)
@@ -131,12 +130,12 @@ pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagno
     }
 }
 
-/// A second outermost element; `around` puts one element round all of them, if that may be.
+/// A second outermost element; `around` encloses all of them in one element, if that is allowed.
 #[cold]
 pub fn second_root(span: Span, name: &str, first: Span, around: Option<Vec<Edit>>) -> Diagnostic {
     let name = quote(name);
     let message = text!(
-        "{name} stands behind the end of the outermost element",
+        "{name} is after the end of the outermost element",
         "{name} が最も外側の要素の終わりより後にあります"
     );
     let found = Diagnostic::error(207, span, message)
@@ -161,16 +160,16 @@ pub fn second_root(span: Span, name: &str, first: Span, around: Option<Vec<Edit>
     }
 }
 
-/// Text before or behind the outermost element; `written` = it.
+/// Text before or after the outermost element; `written` = it.
 #[cold]
 pub fn text_outside(span: Span, written: &str) -> Diagnostic {
     let message = text!(
-        "text stands outside the outermost element",
+        "there is text outside the outermost element",
         "最も外側の要素の外に文字があります"
     );
     let found = Diagnostic::error(208, span, message).help(text!(
         "remove it, or make it a comment: `<!-- ... -->`",
-        "削除するか、`<!-- ... -->` と注釈にしてください"
+        "削除するか、`<!-- ... -->` とコメントにしてください"
     ));
     offer_comment(found, span, written).fix(removing(written), span, "")
 }
@@ -178,7 +177,10 @@ pub fn text_outside(span: Span, written: &str) -> Diagnostic {
 /// `a < b` in text.
 #[cold]
 pub fn bare_less_than(span: Span) -> Diagnostic {
-    let message = text!("`<` begins no tag", "`<` がタグの始まりになっていません");
+    let message = text!(
+        "`<` does not begin a tag",
+        "`<` がタグの始まりになっていません"
+    );
     Diagnostic::error(214, span, message)
         .help(text!(
             "remove it; for the character `<` write `&lt;`",
@@ -191,7 +193,7 @@ pub fn bare_less_than(span: Span) -> Diagnostic {
 #[cold]
 pub fn stray_cdata_end(span: Span) -> Diagnostic {
     let message = text!(
-        "`]]>` ends no text section",
+        "`]]>` does not end a CDATA section",
         "`]]>` に対応する CDATA 区間がありません"
     );
     Diagnostic::error(214, span, message)
@@ -199,10 +201,10 @@ pub fn stray_cdata_end(span: Span) -> Diagnostic {
         .fix(removing("]]>"), span, "")
 }
 
-/// `&` that begins no reference.
+/// `&` that does not begin a reference.
 #[cold]
 pub fn bare_ampersand(span: Span) -> Diagnostic {
-    let message = text!("`&` stands alone", "`&` が単独で使われています");
+    let message = text!("`&` is on its own", "`&` が単独で使われています");
     Diagnostic::error(215, span, message)
         .help(text!(
             "write `&amp;` for the character `&`",
@@ -262,8 +264,8 @@ pub fn unknown_entity(span: Span, reference: &str) -> Diagnostic {
     let known = NAMED.iter().find(|(known, _)| *known == name);
     let reference = quote(reference);
     let message = text!(
-        "{reference} stands for no character",
-        "{reference} が表す文字はありません"
+        "{reference} is not a character reference that hsd reads",
+        "{reference} は読める文字参照ではありません"
     );
     let found = Diagnostic::error(216, span, message).help(text!(
         "write the character itself; only `&lt;` `&gt;` `&amp;` `&quot;` `&apos;` and numbers such as `&#23478;` are read",
@@ -280,12 +282,12 @@ pub fn unknown_entity(span: Span, reference: &str) -> Diagnostic {
 #[cold]
 pub fn document_type(span: Span, whole: Option<Span>) -> Diagnostic {
     let message = text!(
-        "declarations such as a document type are refused",
+        "declarations such as a document type are not accepted",
         "文書型などの宣言は受け付けません"
     );
     let found = Diagnostic::error(217, span, message).help(text!(
-        "remove it: a house needs no document type and no entities",
-        "削除してください。家に文書型や実体は要りません"
+        "remove it: a house file needs no document type and no entities",
+        "削除してください。家のファイルに文書型や実体は要りません"
     ));
     let title = text!("Remove the declaration", "宣言を削除する");
     match whole {
@@ -294,13 +296,16 @@ pub fn document_type(span: Span, whole: Option<Span>) -> Diagnostic {
     }
 }
 
-/// `--` in a comment; `mend` replaces all that are in it.
+/// `--` in a comment; `fix` replaces all in it.
 #[cold]
 pub fn dashes_in_comment(span: Span, fix: Vec<Edit>) -> Diagnostic {
-    let message = text!("`--` stands in a comment", "注釈の中に `--` があります");
+    let message = text!(
+        "`--` is not allowed in a comment",
+        "コメントの中に `--` があります"
+    );
     let found = Diagnostic::warning(236, span, message).help(text!(
-        "use another character: other XML programs refuse the whole file for it",
-        "別の文字にしてください。ほかの XML プログラムはファイル全体を拒みます"
+        "use another character: other XML programs reject the whole file because of it",
+        "別の文字にしてください。ほかの XML プログラムではファイル全体がエラーになります"
     ));
     match fix.is_empty() {
         true => found, // too many of them
@@ -308,23 +313,23 @@ pub fn dashes_in_comment(span: Span, fix: Vec<Edit>) -> Diagnostic {
     }
 }
 
-/// `<!--` in a comment, which began at `open`; `mend` ends that one before.
+/// `<!--` in a comment, which began at `open`; `fix` ends that one before.
 #[cold]
 pub fn comment_in_comment(span: Span, open: Span, fix: Edit) -> Diagnostic {
     let message = text!(
         "a comment begins inside a comment",
-        "注釈の中で注釈が始まっています"
+        "コメントの中でコメントが始まっています"
     );
     Diagnostic::warning(236, span, message)
         .help(text!(
-            "write `-->` where the first comment ends: everything between the two is not read",
-            "最初の注釈の終わりに `-->` と書いてください。二つのあいだはすべて読まれません"
+            "write `-->` where the first comment ends: everything between the two is ignored",
+            "最初のコメントの終わりに `-->` と書いてください。二つのあいだはすべて読まれません"
         ))
         .label(
             open,
             text!(
                 "the first comment begins here",
-                "最初の注釈はここから始まります"
+                "最初のコメントはここから始まります"
             ),
         )
         .fix_all(putting_in("-->"), vec![fix])
@@ -333,7 +338,7 @@ pub fn comment_in_comment(span: Span, open: Span, fix: Edit) -> Diagnostic {
 /// A file of comments only.
 #[cold]
 pub fn no_element(span: Span) -> Diagnostic {
-    let message = text!("the file holds no element", "ファイルに要素がありません");
+    let message = text!("the file contains no element", "ファイルに要素がありません");
     Diagnostic::error(220, span, message).help(text!(
         "write `<House>...</House>`",
         "`<House>...</House>` と書いてください"
@@ -350,13 +355,13 @@ pub fn bad_declaration(span: Span, sound: bool, start: Option<Edit>) -> Diagnost
             "XML 宣言がファイルの先頭にありません"
         ),
         false => text!(
-            "this is no XML declaration",
+            "this is not an XML declaration",
             "XML 宣言として正しくありません"
         ),
     };
     let found = Diagnostic::error(245, span, message).help(text!(
         "write `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` as the very first characters of the file, or remove it",
-        "ファイルのいちばん先頭に `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` と書くか、取り除いてください"
+        "ファイルのいちばん先頭に `<?xml version=\"1.0\" encoding=\"UTF-8\"?>` と書くか、削除してください"
     ));
     let removed = Edit::new(span, "");
     let found = match start {

@@ -1,4 +1,4 @@
-//! Messages about parameters of the XML form and what they may be.
+//! Messages about parameters of the XML form and their values.
 
 use super::fixes::{escaped, offer, writing};
 use super::language::LISTED;
@@ -11,7 +11,7 @@ use crate::text;
 /// Values that are offered one by one.
 const FEW: usize = 8;
 
-/// What a parameter may be: "a number from 4 to 14 in steps of 1", "one of lattice, shop".
+/// The values that a parameter may have: "a number from 4 to 14 in steps of 1", "one of lattice, shop".
 pub fn bounds(of: &Parameter) -> Text {
     if !of.choices.is_empty() {
         let words: Vec<String> = of.choices.iter().map(Value::to_string).collect();
@@ -34,7 +34,7 @@ pub fn bounds(of: &Parameter) -> Text {
         (None, Some(most), _) => text!("a number up to {most}", "{most} 以下の数値"),
         (None, None, Some(Value::Truth(_))) => text!("`yes` or `no`", "`yes` か `no`"),
         (None, None, Some(Value::Number(_))) => text!("a number", "数値"),
-        (None, None, Some(Value::Text(_))) => text!("a text", "文字列"),
+        (None, None, Some(Value::Text(_))) => text!("a string", "文字列"),
         (None, None, None) => text!("any value", "任意の値"),
     }
 }
@@ -45,7 +45,7 @@ pub fn default_out_of_range(span: Span, value: &Value, of: &Parameter) -> Diagno
     let given = value;
     let (value, name) = (quote(&value.to_string()), quote(&of.name));
     let message = text!(
-        "the default {value} is not what {name} may be",
+        "the default {value} is not a value that {name} may have",
         "既定値 {value} は {name} の取りうる値ではありません"
     );
     let bounds = bounds(of);
@@ -61,8 +61,8 @@ pub fn value_out_of_range(span: Span, value: &Value, of: &Parameter, place: Span
     let words = admitted(of, Some(value));
     let (value, name) = (quote(&value.to_string()), quote(&of.name));
     let message = text!(
-        "{value} is not what the parameter {name} may be",
-        "{value} は変数 {name} の取りうる値ではありません"
+        "{value} is not a value that the parameter {name} may have",
+        "{value} はパラメーター {name} の取りうる値ではありません"
     );
     let bounds = bounds(of);
     let found = Diagnostic::error(259, span, message).help(text!([bounds]
@@ -75,20 +75,23 @@ pub fn value_out_of_range(span: Span, value: &Value, of: &Parameter, place: Span
     let found = offer(found, span, words.iter().map(String::as_str));
     found.label(
         place,
-        text!("the parameter is here", "変数はここで宣言されています"),
+        text!(
+            "the parameter is here",
+            "パラメーターはここで宣言されています"
+        ),
     )
 }
 
-/// A parameter that is to be drawn, but from what?
+/// A random parameter without values to choose from.
 #[cold]
 pub fn nothing_to_draw(span: Span, name: &str) -> Diagnostic {
     let name = quote(name);
     let message = text!(
-        "{name} is to be drawn, but its values cannot be told",
+        "{name} is random, but its possible values are unknown",
         "{name} は抽選しますが、取りうる値がわかりません"
     );
     Diagnostic::error(275, span, message).help(text!(
-        "list them by `choices`, or give `min` and `max`, and best a `step`",
+        "list them in `choices`, or give `min` and `max`, preferably with a `step`",
         "`choices` に並べるか、`min` と `max`（できれば `step` も）を書いてください"
     ))
 }
@@ -103,8 +106,8 @@ pub fn no_such_parameter(
 ) -> Diagnostic {
     let name = quote(name);
     let message = text!(
-        "there is no parameter {name} to be set",
-        "値を与えるべき変数 {name} がありません"
+        "there is no parameter {name} to set",
+        "{name} というパラメーターはありません"
     );
     let listed = all.iter().take(LISTED).map(|of| {
         let (name, bounds) = (quote(&of.name), bounds(of));
@@ -120,15 +123,17 @@ pub fn no_such_parameter(
         ),
         _ => Text::both(english.join(", "), japanese.join("、")),
     };
-    let help = text!([list] "parameters here: {list}", "ここにある変数: {list}");
+    let help = text!([list] "parameters here: {list}", "ここにあるパラメーター: {list}");
     Diagnostic::error(260, span, message).help(match near.map(quote) {
-        Some(near) => text!([help] "set {near}; {help}", "{near} ではありませんか。{help}"),
+        Some(near) => {
+            text!([help] "did you mean {near}? {help}", "{near} ではありませんか。{help}")
+        }
         None => help,
     })
 }
 
-/// A parameter without a value; `place` = where it is declared, if that is elsewhere; `of` = what it may be, if that is
-/// known, and the name of the element that may say it.
+/// A parameter without a value; `place` = where it is declared, if that is elsewhere; `of` = its bounds, if they are
+/// known, and the name of the element that can give the value.
 #[cold]
 pub fn parameter_missing(
     span: Span,
@@ -140,7 +145,7 @@ pub fn parameter_missing(
     let plain = quoted.replace('`', "");
     let message = text!(
         "the parameter {quoted} has no value",
-        "変数 {quoted} に値がありません"
+        "パラメーター {quoted} に値がありません"
     );
     let mut found = Diagnostic::error(261, span, message);
     if let Some((of, at)) = of {
@@ -164,7 +169,7 @@ pub fn parameter_missing(
                 ),
             ),
         None => found.help(text!(
-            "write `default=\"...\"`, or set it by `--param {plain}=...`",
+            "write `default=\"...\"`, or set it with `--param {plain}=...`",
             "`default=\"...\"` を書くか、`--param {plain}=...` で与えてください"
         )),
     }

@@ -1,4 +1,4 @@
-//! Messages about conditions, named pieces and included files of the XML form.
+//! Messages about conditions, definitions and included files of the XML form.
 
 use super::fixes::{offer, removing};
 use super::language::{known, write};
@@ -46,12 +46,12 @@ fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
             let name = quote(name);
             found.label(
                 *span,
-                text!("{name} is called for here", "{name} はここで使われています"),
+                text!("{name} is used here", "{name} はここで使われています"),
             )
         })
 }
 
-/// `else` that follows no `if`; `mend` puts it behind the one that stands before.
+/// `else` that does not follow an `if`; `fix` moves it behind the one before it.
 #[cold]
 pub fn else_without_if(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
@@ -59,22 +59,22 @@ pub fn else_without_if(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
         "`else` の直前に `if` がありません"
     );
     let found = Diagnostic::error(262, span, message).help(text!(
-        "put it directly behind the `</if>` that it belongs to",
+        "move it directly behind the `</if>` that it belongs to",
         "対応する `</if>` のすぐ後に置いてください"
     ));
-    let title = text!("Put it behind the `</if>`", "`</if>` の後に移す");
+    let title = text!("Move it behind the `</if>`", "`</if>` の後に移す");
     match fix {
         Some(edits) => found.fix_all(title, edits),
         None => found,
     }
 }
 
-/// A piece that nobody defined.
+/// An unknown definition.
 #[cold]
 pub fn unknown_piece(span: Span, name: &str, near: Option<&str>, names: &[String]) -> Diagnostic {
     let name = quote(name);
     let message = text!(
-        "no `define` has the name {name}",
+        "there is no `define` named {name}",
         "{name} という名前の `define` はありません"
     );
     let found = Diagnostic::error(263, span, message).help(match near {
@@ -87,17 +87,17 @@ pub fn unknown_piece(span: Span, name: &str, near: Option<&str>, names: &[String
     offer(found, span, near)
 }
 
-/// A piece that would use itself.
+/// A definition that uses itself.
 #[cold]
 pub fn piece_in_itself(span: Span, chain: &[(String, Span)], place: Span) -> Diagnostic {
     let (en, ja) = (names(chain, " in which "), names(chain, " → "));
     let message = text!(
-        "a piece would stand in itself: {en}",
+        "a definition contains itself: {en}",
         "定義が自分自身を含んでいます: {ja}"
     );
     let found = Diagnostic::error(264, span, message)
         .help(text!(
-            "pieces cannot repeat themselves; use `repeat`",
+            "definitions cannot repeat themselves; use `repeat`",
             "定義で自分を繰り返すことはできません。`repeat` を使ってください"
         ))
         .label(
@@ -107,7 +107,7 @@ pub fn piece_in_itself(span: Span, chain: &[(String, Span)], place: Span) -> Dia
     marked(found, chain)
 }
 
-/// A parameter that the piece has not; `whole` = what sets it, with the blanks before it.
+/// A parameter that the definition does not have; `whole` = what sets it, with the blanks before it.
 #[cold]
 pub fn unknown_parameter(
     span: Span,
@@ -121,13 +121,13 @@ pub fn unknown_parameter(
     let (name, piece) = (quote(name), quote(piece));
     let message = text!(
         "{piece} has no parameter {name}",
-        "{piece} に {name} という変数はありません"
+        "{piece} に {name} というパラメーターはありません"
     );
     let found = Diagnostic::error(265, span, message).help(match near {
         Some(near) => write(near),
         None => {
             let all = known(names);
-            text!([all] "its parameters: {all}", "変数: {all}")
+            text!([all] "its parameters: {all}", "パラメーター: {all}")
         }
     });
     match near {
@@ -136,18 +136,18 @@ pub fn unknown_parameter(
     }
 }
 
-/// A `use` that holds something; `mend` puts that behind it.
+/// A `use` with content; `fix` moves that behind it.
 #[cold]
 pub fn use_with_content(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
     let message = text!(
-        "`use` holds nothing: it stands for what its `define` holds",
+        "`use` cannot have content: it is replaced by the content of its `define`",
         "`use` の中には何も書けません。`define` の中身がその場所に入ります"
     );
     let found = Diagnostic::error(266, span, message).help(text!(
-        "end it by `/>`, and put what is in it before or behind it",
+        "end it with `/>`, and move its content before or behind it",
         "`/>` で閉じ、中身は前か後ろに移してください"
     ));
-    let title = text!("Put what is in it behind it", "中身を後ろに移す");
+    let title = text!("Move its content behind it", "中身を後ろに移す");
     match fix {
         Some(edits) => found.fix_all(title, edits),
         None => found,
@@ -169,8 +169,8 @@ pub fn include_missing(span: Span, href: &str, why: Option<&str>) -> Diagnostic 
         ),
     };
     Diagnostic::error(267, span, message).help(text!(
-        "the name is read from the folder of the file in which it stands",
-        "名前は、それが書かれているファイルのフォルダーから見たものです"
+        "the path is relative to the folder of the file that includes it",
+        "パスは、取り込む側のファイルのフォルダーから見たものです"
     ))
 }
 
@@ -179,12 +179,12 @@ pub fn include_missing(span: Span, href: &str, why: Option<&str>) -> Diagnostic 
 pub fn include_outside(span: Span, href: &str) -> Diagnostic {
     let href = quote(href);
     let message = text!(
-        "{href} lies outside the root folder of the build",
+        "{href} is outside the root folder",
         "{href} は基準フォルダーの外にあります"
     );
     Diagnostic::error(268, span, message).help(text!(
-        "name a file in the folder of the text or below it, with `/` between folders; `--root DIR` names a higher folder as root",
-        "テキストのフォルダーかその下のファイルを、フォルダーを `/` で区切って書いてください。`--root DIR` でもっと上のフォルダーを基準にできます"
+        "name a file in the folder of this file or below it, with `/` between folders; `--root DIR` sets a higher folder as the root",
+        "このファイルのフォルダーかその下のファイルを、フォルダーを `/` で区切って書いてください。`--root DIR` でもっと上のフォルダーを基準にできます"
     ))
 }
 
@@ -198,8 +198,8 @@ pub fn include_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
         "ファイルが互いを取り込んでいます: {ja}"
     );
     let found = Diagnostic::error(269, span, message).help(text!(
-        "move what both need into a third file, and include that in both",
-        "両方に要るものを第三のファイルに移し、両方からそれを取り込んでください"
+        "move what both need to a third file, and include that in both",
+        "両方で使うものを三つ目のファイルに移し、両方からそれを取り込んでください"
     ));
     marked(found, &chain[..chain.len().saturating_sub(1)])
 }
@@ -212,7 +212,7 @@ pub fn include_no_xml(span: Span) -> Diagnostic {
         "取り込めるのは XML 形式のファイルだけです"
     );
     Diagnostic::error(270, span, message).help(text!(
-        "put the definitions into `<Catalog>...</Catalog>`",
+        "write the definitions in `<Catalog>...</Catalog>`",
         "定義を `<Catalog>...</Catalog>` の中に書いてください"
     ))
 }
@@ -221,11 +221,11 @@ pub fn include_no_xml(span: Span) -> Diagnostic {
 #[cold]
 pub fn include_nothing(span: Span) -> Diagnostic {
     let message = text!(
-        "this file is included, and defines nothing",
+        "this file is included, but defines nothing",
         "このファイルは取り込まれていますが、何も定義していません"
     );
     Diagnostic::warning(270, span, message).help(text!(
-        "put `define`, `let` or `Param` directly into its outermost element",
+        "write `define`, `let` or `Param` directly in its outermost element",
         "`define`、`let`、`Param` を最も外側の要素の直下に書いてください"
     ))
 }
@@ -234,11 +234,11 @@ pub fn include_nothing(span: Span) -> Diagnostic {
 #[cold]
 pub fn too_many_includes(span: Span, limit: usize) -> Diagnostic {
     let message = text!(
-        "more than {limit} files are included; this one is left out",
+        "more than {limit} files are included; this one is ignored",
         "取り込むファイルが {limit} 個を超えました。これは読みません"
     );
     Diagnostic::error(903, span, message).help(text!(
-        "join some of them, or raise the limit by `--max-includes`",
+        "join some of them, or raise the limit with `--max-includes`",
         "いくつかをまとめるか、`--max-includes` で上限を上げてください"
     ))
 }
@@ -249,16 +249,16 @@ pub fn copies_too_large(span: Span, limit: usize, chain: &[(String, Span)]) -> D
     let (en, ja) = (names(chain, " in which "), names(chain, " → "));
     let message = match chain {
         [] => text!(
-            "repetitions come to more than {limit} parts",
+            "repetitions make more than {limit} parts",
             "繰り返しが部材 {limit} 個を超えます"
         ),
         _ => text!(
-            "pieces and repetitions come to more than {limit} parts: {en}",
+            "pieces and repetitions make more than {limit} parts: {en}",
             "定義と繰り返しが部材 {limit} 個を超えます: {ja}"
         ),
     };
     let found = Diagnostic::error(904, span, message).help(text!(
-        "repeat less, or raise the limit by `--max-parts`; the houses of this file are left out",
+        "repeat less, or raise the limit with `--max-parts`; the houses of this file are not built",
         "繰り返しを減らすか、`--max-parts` で上限を上げてください。このファイルの家は作りません"
     ));
     marked(found, chain)

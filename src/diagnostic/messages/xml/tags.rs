@@ -16,12 +16,12 @@ pub fn tag_not_closed(span: Span, name: &str, slash: bool, end: Edit) -> Diagnos
     );
     let found = Diagnostic::error(201, span, message).help(if slash {
         text!(
-            "write `/>` or `>` behind the last attribute",
+            "write `/>` or `>` after the last attribute",
             "最後の属性の後に `/>` か `>` と書いてください"
         )
     } else {
         text!(
-            "write `>` behind the last attribute",
+            "write `>` after the last attribute",
             "最後の属性の後に `>` と書いてください"
         )
     });
@@ -89,7 +89,7 @@ pub fn value_not_quoted(span: Span, name: &str, value: &str) -> Diagnostic {
         .fix(text!("Put it in quotes", "引用符で囲む"), span, fix)
 }
 
-/// What was written of a value, between quotes.
+/// The written part of a value, in quotes.
 fn in_quotes(value: &str) -> String {
     format!("\"{}\"", value.replace('"', "&quot;"))
 }
@@ -100,7 +100,7 @@ pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
     let fix = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
     let message = text!(
-        "the value of `{name}` stands in brackets, not in quotes",
+        "the value of `{name}` is in brackets, not in quotes",
         "`{name}` の値が引用符ではなく括弧で囲まれています"
     );
     Diagnostic::error(211, span, message)
@@ -115,7 +115,7 @@ pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
         )
 }
 
-/// `<Loop hole>`; `whole` = all that is written of it, `switch` = it says yes or no, `spared` = it may be left out, and
+/// `<Loop hole>`; `whole` = all that is written of it, `switch` = it is yes or no, `spared` = it may be left out, and
 /// this is what goes with it.
 #[cold]
 pub fn value_missing(
@@ -162,11 +162,11 @@ pub fn equals_missing(span: Span, name: &str, gap: Span) -> Diagnostic {
 pub fn bad_name(span: Span, name: &str) -> Diagnostic {
     let name = quote(name);
     let message = text!(
-        "{name} is no name in XML",
+        "{name} is not a valid XML name",
         "{name} は XML の名前になりません"
     );
     Diagnostic::error(213, span, message).help(text!(
-        "names begin with a letter or `_` and go on with letters, digits, `_`, `-` and `.`",
+        "names begin with a letter or `_` and continue with letters, digits, `_`, `-` and `.`",
         "名前は文字か `_` で始まり、文字、数字、`_`、`-`、`.` が続きます"
     ))
 }
@@ -181,11 +181,11 @@ pub fn nameless_tag(span: Span) -> Diagnostic {
     ))
 }
 
-/// `name="a<b"`; `all` = where one stands in the value.
+/// `name="a<b"`; `all` = the places of all in the value.
 #[cold]
 pub fn less_than_in_value(span: Span, all: &[Span]) -> Diagnostic {
     let message = text!(
-        "`<` stands in the value of an attribute",
+        "there is a `<` in the value of an attribute",
         "属性の値の中に `<` があります"
     );
     let fixes = all.iter().map(|place| Edit::new(*place, "&lt;"));
@@ -201,7 +201,7 @@ pub fn less_than_in_value(span: Span, all: &[Span]) -> Diagnostic {
 #[cold]
 pub fn full_width_markup(span: Span, wide: char, narrow: char, all: &[Span]) -> Diagnostic {
     let message = text!(
-        "`{wide}` stands in a tag in place of `{narrow}`",
+        "there is `{wide}` in a tag in place of `{narrow}`",
         "タグの中で `{narrow}` の代わりに `{wide}` が使われています"
     );
     let fixes = all.iter().map(|place| Edit::new(*place, narrow));
@@ -217,15 +217,19 @@ pub fn full_width_markup(span: Span, wide: char, narrow: char, all: &[Span]) -> 
 #[cold]
 pub fn full_width_blank(span: Span) -> Diagnostic {
     let message = text!(
-        "a full-width blank stands in a tag",
+        "there is a full-width blank in a tag",
         "タグの中に全角空白があります"
     );
     Diagnostic::error(218, span, message)
         .help(text!(
-            "replace it by a plain blank",
+            "replace it by a half-width blank",
             "半角空白に置き換えてください"
         ))
-        .fix(text!("Write a plain blank", "半角空白にする"), span, " ")
+        .fix(
+            text!("Write a half-width blank", "半角空白にする"),
+            span,
+            " ",
+        )
 }
 
 /// A quote, `=` or `/` that belongs to no attribute.
@@ -234,7 +238,7 @@ pub fn stray_in_tag(span: Span, what: &str) -> Diagnostic {
     let fix = removing(what);
     let what = quote(what);
     let message = text!(
-        "{what} belongs to no attribute",
+        "{what} is not part of an attribute",
         "{what} はどの属性にも属していません"
     );
     Diagnostic::error(219, span, message)
@@ -249,12 +253,12 @@ pub fn stray_in_tag(span: Span, what: &str) -> Diagnostic {
 #[cold]
 pub fn junk_in_end_tag(span: Span, what: &str) -> Diagnostic {
     let message = text!(
-        "an end tag holds nothing but the name",
+        "an end tag contains only the name",
         "終了タグには名前しか書けません"
     );
     Diagnostic::error(219, span, message)
         .help(text!(
-            "remove it; attributes stand in the start tag",
+            "remove it; attributes belong in the start tag",
             "削除してください。属性は開始タグに書きます"
         ))
         .fix(removing(what), span, "")
@@ -264,7 +268,7 @@ pub fn junk_in_end_tag(span: Span, what: &str) -> Diagnostic {
 #[cold]
 pub fn blank_before_name(span: Span) -> Diagnostic {
     let message = text!(
-        "a blank stands before the name of the element",
+        "there is a blank before the name of the element",
         "要素の名前の前に空白があります"
     );
     Diagnostic::error(219, span, message)
@@ -276,7 +280,7 @@ pub fn blank_before_name(span: Span) -> Diagnostic {
 #[cold]
 pub fn blank_before_closing(span: Span) -> Diagnostic {
     let message = text!(
-        "a blank stands between `/` and `>`",
+        "there is a blank between `/` and `>`",
         "`/` と `>` のあいだに空白があります"
     );
     Diagnostic::error(219, span, message)
@@ -288,10 +292,10 @@ pub fn blank_before_closing(span: Span) -> Diagnostic {
 #[cold]
 pub fn no_blank_between(span: Span) -> Diagnostic {
     let message = text!(
-        "no blank stands between two attributes",
+        "there is no blank between two attributes",
         "属性と属性のあいだに空白がありません"
     );
     Diagnostic::error(219, span, message)
-        .help(text!("put a blank here", "ここに空白を入れてください"))
-        .fix(text!("Put in a blank", "空白を入れる"), span, " ")
+        .help(text!("insert a blank here", "ここに空白を入れてください"))
+        .fix(text!("Insert a blank", "空白を入れる"), span, " ")
 }

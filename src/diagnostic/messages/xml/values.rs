@@ -9,26 +9,26 @@ use crate::text;
 /// Words that are offered one by one; a longer list is no help.
 const FEW: usize = 8;
 
-/// A value that is no number.
+/// A value that is not a number.
 #[cold]
 pub fn not_a_number(span: Span, name: &str, text: &str, fix: Option<&str>) -> Diagnostic {
     let offered = fix;
     let (name, text) = (quote(name), quote(text));
     let message = text!(
-        "{text} is no number for {name}",
+        "{text} is not a number for {name}",
         "{text} は {name} の数値として読めません"
     );
     let found = Diagnostic::error(225, span, message).help(match fix.map(quote) {
         Some(fix) => text!("write {fix}", "{fix} と書いてください"),
         None => text!(
-            "write plain digits with a point, such as `9.5`, without a unit",
+            "write digits with a decimal point, such as `9.5`, without a unit",
             "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
         ),
     });
     offer(found, span, offered)
 }
 
-/// A number that makes no sense; `near` = the nearest that does.
+/// A number out of range; `near` = the nearest in range.
 #[cold]
 pub fn out_of_range(
     span: Span,
@@ -47,7 +47,7 @@ pub fn out_of_range(
     offer(found, span, near)
 }
 
-/// A word that is none of those asked for.
+/// A word that is not one of the choices.
 #[cold]
 pub fn not_a_choice(
     span: Span,
@@ -60,7 +60,7 @@ pub fn not_a_choice(
     let offered: Vec<&str> = near.map_or(few.to_vec(), |near| vec![near]);
     let (name, text, all) = (quote(name), quote(text), any_of(all));
     let message = text!(
-        "{text} is no value of {name}",
+        "{text} is not a value of {name}",
         "{text} は {name} の値になりません"
     );
     let found = Diagnostic::error(227, span, message).help(match near {
@@ -74,12 +74,12 @@ pub fn not_a_choice(
 #[cold]
 pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
     let message = text!(
-        "the reflection {given} is read as {given} per cent",
-        "反射率 {given} を {given} パーセントとして読みました"
+        "the reflection {given} is read as {given} percent",
+        "映り込み {given} を {given} パーセントとして読みました"
     );
     let found = Diagnostic::warning(234, span, message).help(text!(
-        "write the share of light from 0 to 1: `{share}`",
-        "光の割合を 0 から 1 で `{share}` と書いてください"
+        "write a share of 0 to 1: `{share}`",
+        "0 から 1 までの割合で `{share}` と書いてください"
     ));
     offer(found, span, [share.to_string().as_str()])
 }
@@ -88,7 +88,7 @@ pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
 #[cold]
 pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagnostic {
     let text = quote(text);
-    let message = text!("{text} is no position", "{text} は位置になりません");
+    let message = text!("{text} is not a position", "{text} は位置になりません");
     let fix = read.map(|(first, last)| match first < last {
         true => format!("{first}-{last}"),
         false => first.to_string(),
@@ -134,7 +134,7 @@ pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
         "{name} の数値は二つですが、{count}個あります"
     );
     Diagnostic::error(238, span, message).help(text!(
-        "write units to the left and units back, such as `4 8`",
+        "write the distances to the left and to the back in U, such as `4 8`",
         "`4 8` のように、左へと奥への距離を U で書いてください"
     ))
 }
@@ -149,8 +149,8 @@ pub fn not_a_pair(span: Span, name: &str, given: &[f64]) -> Diagnostic {
         "{name} の数値は一つか二つですが、{count}個あります"
     );
     let found = Diagnostic::error(244, span, message).help(text!(
-        "write two numbers, across and in depth, such as `5 2`; one alone stands for both",
-        "`5 2` のように、間口と奥行きの二つを書いてください。一つなら両方を表します"
+        "write two numbers, along the front and in depth, such as `5 2`; a single one is used for both",
+        "`5 2` のように、間口と奥行の二つを書いてください。一つなら両方を表します"
     ));
     match given {
         [across, deep, ..] => offer(found, span, [format!("{across} {deep}").as_str()]),
@@ -158,18 +158,18 @@ pub fn not_a_pair(span: Span, name: &str, given: &[f64]) -> Diagnostic {
     }
 }
 
-/// Weights that are all nought; `count` = how many are written in the value at that place.
+/// Weights that are all zero; `count` = how many are written in the value at that place.
 #[cold]
 pub fn no_weight(span: Span, count: Option<usize>) -> Diagnostic {
     let message = text!(
-        "all weights are 0, so nothing can be drawn",
+        "all weights are 0, so nothing can be chosen",
         "重みがすべて 0 なので抽選できません"
     );
     let found = Diagnostic::error(239, span, message).help(text!(
         "give at least one code a weight above 0",
         "少なくともひとつの部材コードに 0 より大きい重みを付けてください"
     ));
-    let title = text!("Give all the same weight", "すべて同じ重みにする");
+    let title = text!("Give all codes the same weight", "すべて同じ重みにする");
     match count {
         Some(count) => found.fix(title, span, vec!["1"; count.min(4096)].join(" ")),
         None => found,
