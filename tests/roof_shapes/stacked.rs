@@ -170,7 +170,7 @@ fn storeys_that_stand_out_are_closed_below() {
             .next()
             .unwrap()
             .message
-            .contains("juts out by 1 unit beyond")
+            .contains("projects 1 U beyond")
     );
     assert_sound(&building);
     let [soffit] = &building.roofs[0].soffits[..] else {

@@ -6,7 +6,7 @@ use crate::text;
 
 /// The name of the legacy form.
 pub fn legacy_form() -> Text {
-    text!("legacy form", "旧形式")
+    text!("the legacy form", "旧形式")
 }
 
 /// The name of the XML form.
