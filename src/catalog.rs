@@ -10,6 +10,7 @@ mod nearest;
 mod own;
 mod read;
 mod reading;
+mod search;
 pub(crate) mod value;
 
 pub use crate::ast::Era;
@@ -21,6 +22,7 @@ use crate::source::{FileId, Span, Spanned};
 use body::Element;
 use own::Scope;
 pub use reading::{folded, narrow};
+pub use search::Query;
 use serde::{Serialize, Serializer};
 use std::collections::BTreeSet;
 use value::Mm;
@@ -70,6 +72,8 @@ pub struct PartDef {
     pub romaji: Box<str>,
     /// What it is, in English.
     pub en: Box<str>,
+    /// Other names by which people search for it, in any script.
+    pub aliases: Box<[Box<str>]>,
     width: f64,
     /// Foot of the opening above the storey's floor, shaku; `None` = a wall of the storey's height.
     pub from: Option<f64>,
@@ -121,6 +125,13 @@ impl PartDef {
         [&self.ja, head]
     }
 
+    /// Whether a search finds the part: by its code, a name or an alias.
+    pub fn is_found_by(&self, query: &Query) -> bool {
+        let names = [&*self.ja, &*self.romaji, &*self.en];
+        let aliases = self.aliases.iter().map(|a| &**a);
+        names.into_iter().chain(aliases).any(|n| query.finds(n))
+    }
+
     /// Its width in U: 0, 1/2, 1 or 2.
     pub fn width(&self) -> f64 {
         self.width
@@ -143,12 +154,13 @@ impl Serialize for PartDef {
         use serde::ser::SerializeStruct;
         // Heights given in metres come to shaku with the dust of the division.
         let rounded = |h: Option<f64>| h.map(|h| (h * 1e3).round() / 1e3);
-        let mut out = s.serialize_struct("PartDef", 11)?;
+        let mut out = s.serialize_struct("PartDef", 12)?;
         out.serialize_field("code", self.code())?;
         out.serialize_field("class", &self.class())?;
         out.serialize_field("ja", &self.ja)?;
         out.serialize_field("romaji", &self.romaji)?;
         out.serialize_field("en", &self.en)?;
+        out.serialize_field("aliases", &self.aliases)?;
         out.serialize_field("width", &self.width)?;
         out.serialize_field("from", &rounded(self.from))?;
         out.serialize_field("to", &rounded(self.to))?;
@@ -335,13 +347,15 @@ impl Catalog {
         self.void == Some(id)
     }
 
-    /// The part of this Japanese or romanised name; what a name has in parentheses may be left out.
+    /// The part of this name or alias, Japanese or romanised; what a name has in parentheses may be left out.
     pub fn called(&self, name: &str) -> Option<&PartDef> {
         let lower = name.to_lowercase();
         let named = |part: &&PartDef| part.ja_names().contains(&name);
         let romaji = |part: &&PartDef| !name.is_empty() && part.romaji.to_lowercase() == lower;
         let parts = || self.parts.iter();
-        parts().find(named).or_else(|| parts().find(romaji))
+        let also = |part: &&PartDef| part.aliases.iter().any(|a| **a == *name);
+        let found = parts().find(named).or_else(|| parts().find(romaji));
+        found.or_else(|| parts().find(also))
     }
 
     /// The part whose Japanese name a text begins with, the longest such name, and its length in the text.

@@ -1,110 +1,178 @@
-//! The types of houses that the program brings along: texts of `library/`, each written once for every plot and every
-//! front. `hsd new` copies one to start from.
+//! Source files to start from, which `hsd new` copies: the house types of `library/`, each written once for every plot
+//! and every front, and finished houses of `examples/`.
 //!
-//! In the folder the types of town houses share their fronts in a file that they include. A copy stands alone: what it
-//! would include stands in it.
+//! In the library the town houses share their fronts in a file that they include. A copy is complete: the included
+//! pieces are written into it.
 
-/// A type of house.
+use crate::catalog::Query;
+use crate::diagnostic::{Noun, noun};
+
+/// A source file to start from.
 #[derive(Clone, Copy, Debug)]
 pub struct Template {
-    /// What it is called on the command line; the name of its file.
+    /// The name on the command line and of the file.
     pub word: &'static str,
-    /// Japanese.
+    /// The Japanese name.
     pub ja: &'static str,
-    /// Its reading.
+    /// The Japanese name in letters.
     pub romaji: &'static str,
-    /// English.
+    /// What it is, in English.
     pub en: &'static str,
+    /// Other names that a search finds it by, with commas.
+    pub aliases: &'static str,
     text: &'static str,
 }
 
-/// What some types include, and how they do.
+/// The pieces that some templates include, and the line that includes them.
 const FRONTS: &str = include_str!("../library/fronts.hsd");
 const INCLUDES_FRONTS: &str = "  <include href=\"fronts.hsd\"/>\n";
 
-macro_rules! types {
-    ($($word:literal $ja:literal $romaji:literal $en:literal)*) => {
+macro_rules! templates {
+    ($folder:literal $($word:literal $ja:literal $romaji:literal $en:literal $aliases:literal)*) => {
         &[$(Template {
             word: $word,
             ja: $ja,
             romaji: $romaji,
             en: $en,
-            text: include_str!(concat!("../library/", $word, ".hsd")),
+            aliases: $aliases,
+            text: include_str!(concat!("../", $folder, "/", $word, ".hsd")),
         }),*]
     };
 }
 
-/// All types: the seven of Kyoto's town houses (000-11) first.
-pub static TYPES: &[Template] = types! {
+/// The house types of `library/`: the seven of Kyoto's town houses (000-11) first.
+pub static TYPES: &[Template] = templates! { "library"
     "so-nikai" "総二階" "sō-nikai" "town house of two full storeys"
+    "町家, 京町家, 商家, 本二階, machiya, kyō-machiya, shōka, merchant house, shop"
     "chu-nikai" "中二階" "chū-nikai" "town house with a low upper floor"
+    "町家, 京町家, 商家, 厨子二階, つし二階, machiya, kyō-machiya, shōka, tsushi-nikai, merchant house, shop"
     "sangai" "三階建" "sangai-date" "town house of three storeys"
+    "町家, 京町家, 旅館, 宿, machiya, kyō-machiya, ryokan, yado, inn, hotel"
     "hiraya" "平屋建" "hiraya-date" "town house of one storey"
+    "町家, 京町家, 平家, machiya, kyō-machiya, bungalow"
     "shimotaya" "仕舞屋" "shimotaya" "town house without a shop"
-    "hei-tsuki" "塀付" "hei-tsuki" "dwelling behind a high fence with a gate"
+    "町家, 京町家, machiya, kyō-machiya, dwelling"
+    "hei-tsuki" "塀付" "hei-tsuki" "dwelling behind a high wall with a gate"
+    "町家, 京町家, 大塀造, 高塀造, 塀, hei, machiya, kyō-machiya, daibei-zukuri, taihei-zukuri, garden wall, fence"
     "kanban" "看板建築" "kanban-kenchiku" "old machiya behind a front of mortar"
+    "町家, 商店, machiya, shōten, store, shop"
     "ura-nagaya" "裏長屋" "ura-nagaya" "row of dwellings along an alley"
+    "長屋, 裏店, 長家, nagaya, uradana, row house, terrace, tenement"
     "kura" "土蔵" "dozō" "storehouse"
+    "蔵, 倉, 倉庫, 店蔵, kura, misegura, warehouse, granary"
     "buke-nagaya" "武家長屋" "buke-nagaya" "outer row of a samurai residence"
+    "武家屋敷, 大名屋敷, 長屋門, 表長屋, 門, buke-yashiki, daimyō-yashiki, nagaya-mon, omote-nagaya, mon, samurai house, row house, gatehouse"
     "buke-bei" "築地塀" "tsuiji-bei" "earth wall of a residence, with a gate"
-    "taka-bei" "高塀" "taka-bei" "high fence with a gate"
+    "武家屋敷, 築地, 土塀, 塀, 薬医門, 門, buke-yashiki, dobei, hei, yakui-mon, mon, mud wall, fence"
+    "taka-bei" "高塀" "taka-bei" "high wall with a gate"
+    "塀, 大塀, 板塀, 門, hei, ita-bei, mon, garden wall, board fence"
     "hondo" "本堂" "hondō" "main hall of a temple"
+    "寺, 寺院, お寺, 仏堂, 金堂, tera, jiin, butsudō, kondō, temple"
     "modern-house" "現代住宅" "gendai-jūtaku" "dwelling of today"
+    "住宅, 民家, 一戸建, 戸建, jūtaku, detached house, modern house, villa"
     "office" "事務所ビル" "jimusho-biru" "office building"
+    "事務所, オフィス, ビル, jimusho, ofisu, biru, skyscraper, tower"
 };
 
+/// Finished houses of `examples/` that search finds as well; they have no parameters.
+pub static EXAMPLES: &[Template] = templates! { "examples"
+    "omotedana" "表店" "omotedana" "shop on the street of an Edo town block"
+    "町家, 商家, 店, 店蔵, machiya, shōka, mise, misegura, merchant house, shop, store"
+    "l-house" "鉤屋" "kagiya" "house with a wing"
+    "農家, 民家, 曲り家, nōka, minka, magariya, farmhouse, L-shaped house"
+    "pagoda" "五重塔" "gojū-no-tō" "pagodas of five storeys"
+    "塔, 仏塔, 三重塔, 寺, 寺院, お寺, tō, tera, sanjū-no-tō, stupa, temple"
+    "suzakumon" "朱雀門" "suzaku-mon" "gate of two storeys at a palace"
+    "門, 楼門, 二重門, 山門, 城門, mon, rōmon, nijū-mon, sanmon"
+    "shrine" "神社本殿" "jinja-honden" "sanctuary of a shrine"
+    "神社, 本殿, お宮, 社, jinja, honden, yashiro, omiya"
+    "ninomaru" "二の丸御殿" "ninomaru-goten" "palace of eight halls"
+    "御殿, 書院造, 城, goten, shoin-zukuri, shiro, castle"
+};
+
+/// What people search for and no template shows.
+const ABSENT: &[(&str, Noun)] = &[
+    (
+        "鳥居, torii",
+        noun(
+            "torii have no model yet; `shrine` is the building behind one",
+            "鳥居の形はまだありません。社殿は `shrine` にあります",
+        ),
+    ),
+    (
+        "灯籠, 石灯籠, 燈籠, とうろう, tōrō, ishi-dōrō, lantern, stone lantern",
+        noun("lanterns have no model yet", "灯籠の形はまだありません"),
+    ),
+    (
+        "井戸, ido, well",
+        noun("wells have no model yet", "井戸の形はまだありません"),
+    ),
+    (
+        "生垣, 竹垣, 垣根, 垣, 玉垣, ikegaki, takegaki, kakine, tamagaki, hedge, bamboo fence",
+        noun(
+            "hedges and bamboo fences have no model yet; `taka-bei` is a garden wall or a board fence",
+            "生垣や竹垣の形はまだありません。板塀や高塀は `taka-bei` にあります",
+        ),
+    ),
+];
+
 impl Template {
-    /// Its text, which needs no other file.
+    /// The text of the source file, which includes no other file.
     pub fn text(&self) -> String {
         self.text.replacen(INCLUDES_FRONTS, &pieces(FRONTS), 1)
     }
 
-    /// The type of this name in Japanese, in any spelling of its reading, or on the command line.
+    /// The template of this Japanese name, in any spelling of its reading, or of this name on the command line.
     pub fn named(name: &str) -> Option<&'static Template> {
-        let sought = plain(name);
-        let mut all = TYPES.iter();
-        all.find(|t| t.ja == name.trim() || [t.word, t.romaji].iter().any(|n| plain(n) == sought))
+        let query = Query::new(name);
+        let own = |t: &&Template| [t.word, t.ja, t.romaji].iter().any(|n| query.is(n));
+        TYPES.iter().chain(EXAMPLES).find(own)
     }
 
-    /// The types that may have been meant, best first.
-    pub fn nearest(name: &str) -> Vec<&'static Template> {
+    /// The templates that a search finds by a name or an alias, house types first. Those that bear the very word as a
+    /// name or an alias leave no room for others.
+    pub fn found(word: &str) -> Vec<&'static Template> {
+        let query = Query::new(word);
+        let all = || TYPES.iter().chain(EXAMPLES);
+        let exact: Vec<&Template> = all().filter(|t| t.names().any(|n| query.is(n))).collect();
+        match exact.is_empty() {
+            true => all()
+                .filter(|t| t.names().any(|n| query.finds(n)))
+                .collect(),
+            false => exact,
+        }
+    }
+
+    /// Templates whose names are like a misspelt word or share a kanji with it; none where nothing is near.
+    pub fn nearest(word: &str) -> Vec<&'static Template> {
         const OFFERS: usize = 3;
-        let sought = plain(name);
-        let far = |t: &Template| {
-            let whole = [plain(t.word), plain(t.romaji)];
-            // A part of the name counts as well: somebody asks for a `nagaya`.
-            let parts = t.word.split('-').filter(|p| p.len() > 3);
-            let names: Vec<String> = parts.map(str::to_owned).chain(whole).collect();
-            let within =
-                |n: &String| sought.len() > 2 && (n.contains(&*sought) || sought.contains(&**n));
-            let shared = t.ja.chars().filter(|c| name.contains(*c)).count();
-            match names.iter().any(within) || shared > 0 {
-                true => 0,
-                false => {
-                    let far = names.iter().map(|n| strsim::osa_distance(n, &sought));
-                    far.min().unwrap_or(usize::MAX)
-                }
-            }
-        };
-        let mut all: Vec<(usize, &Template)> = TYPES.iter().map(|t| (far(t), t)).collect();
-        all.sort_by_key(|(far, _)| *far);
-        all.into_iter().take(OFFERS).map(|(_, t)| t).collect()
+        let query = Query::new(word);
+        let all = TYPES.iter().chain(EXAMPLES);
+        all.filter(|t| t.names().any(|n| query.is_near(n)))
+            .take(OFFERS)
+            .collect()
+    }
+
+    /// What to say of a thing that no template shows.
+    pub fn absent(word: &str) -> Option<&'static Noun> {
+        let query = Query::new(word);
+        let found = ABSENT
+            .iter()
+            .find(|(names, _)| listed(names).any(|n| query.is(n)));
+        found.map(|(_, note)| note)
+    }
+
+    fn names(&self) -> impl Iterator<Item = &'static str> + use<> {
+        let own = [self.word, self.ja, self.romaji, self.en];
+        own.into_iter().chain(listed(self.aliases))
     }
 }
 
-/// A name without what spellings differ in.
-fn plain(name: &str) -> String {
-    let letters = name.trim().chars().flat_map(char::to_lowercase);
-    let plain = letters.filter_map(|c| match c {
-        'ō' | 'ô' => Some('o'),
-        'ū' | 'û' => Some('u'),
-        '-' | ' ' | '_' => None,
-        c => Some(c),
-    });
-    plain.collect()
+fn listed(names: &'static str) -> impl Iterator<Item = &'static str> {
+    names.split(',').map(str::trim)
 }
 
-/// What stands in the outermost element of a file of pieces, and the comment above it.
+/// The content of a file's outermost element, below the comment above it.
 fn pieces(file: &str) -> String {
     let (head, rest) = file.split_once("<Catalog>\n").unwrap_or(("", file));
     let inner = rest
@@ -137,6 +205,94 @@ mod tests {
             }
         }
         assert!(Template::named("machiya").is_none());
+    }
+
+    /// What people type, and the templates that answer it.
+    #[test]
+    fn what_people_search_for_is_found() {
+        let towns = "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki kanban omotedana";
+        for (words, found) in [
+            ("町家 machiya Machiya まちや マチヤ 町屋", towns),
+            (
+                "京町家 kyō-machiya kyoumachiya",
+                "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki",
+            ),
+            ("厨子二階 つし二階 tsushinikai", "chu-nikai"),
+            ("大塀造 高塀造 daibeizukuri", "hei-tsuki"),
+            ("長屋 nagaya ながや 長家", "ura-nagaya"),
+            ("表長屋 長屋門 nagayamon", "buke-nagaya"),
+            ("武家屋敷 bukeyashiki", "buke-nagaya buke-bei"),
+            (
+                "蔵 倉 土蔵 kura くら クラ dozou dozo dozō storehouse warehouse",
+                "kura",
+            ),
+            ("店蔵 misegura", "kura omotedana"),
+            ("土塀 築地 dobei どべい", "buke-bei"),
+            ("塀 hei へい", "hei-tsuki buke-bei taka-bei"),
+            ("板塀 itabei", "taka-bei"),
+            ("寺 寺院 tera お寺 temple", "hondo pagoda"),
+            ("神社 jinja じんじゃ shrine", "shrine"),
+            ("五重塔 塔 gojunoto gojūnotō pagoda", "pagoda"),
+            ("門 mon もん", "buke-nagaya buke-bei taka-bei suzakumon"),
+            ("gate", "hei-tsuki buke-nagaya buke-bei taka-bei suzakumon"),
+            ("薬医門 yakuimon", "buke-bei"),
+            ("事務所 オフィス jimusho office", "office"),
+            ("表店 omotedana", "omotedana"),
+            ("旅館 ryokan inn", "sangai"),
+            ("農家 nouka farmhouse", "l-house"),
+            ("shop", "so-nikai chu-nikai kanban omotedana"),
+        ] {
+            for word in words.split(' ') {
+                let hits = match Template::named(word) {
+                    Some(own) => vec![own.word],
+                    None => Template::found(word).iter().map(|t| t.word).collect(),
+                };
+                for wanted in found.split(' ') {
+                    let own = Template::named(word).is_some() && hits == [found];
+                    assert!(
+                        own || hits.contains(&wanted),
+                        "{word} finds {hits:?}, not {wanted}"
+                    );
+                }
+                assert!(
+                    Template::named(word).is_some() || hits.len() == found.split(' ').count(),
+                    "{word} finds {hits:?}"
+                );
+            }
+        }
+        let town: Vec<&str> = Template::found("town house")
+            .iter()
+            .map(|t| t.word)
+            .collect();
+        assert_eq!(
+            town,
+            ["so-nikai", "chu-nikai", "sangai", "hiraya", "shimotaya"]
+        );
+    }
+
+    #[test]
+    fn what_there_is_not_is_said_and_nothing_far_is_offered() {
+        for word in [
+            "鳥居",
+            "torii",
+            "灯籠",
+            "灯篭",
+            "井戸",
+            "生垣",
+            "生け垣",
+            "竹垣",
+            "takegaki",
+        ] {
+            assert!(Template::absent(word).is_some(), "{word}");
+            assert!(
+                Template::named(word).is_none() && Template::found(word).is_empty(),
+                "{word}"
+            );
+        }
+        for word in ["駅", "学校", "school", "橋", "igloo", "茅葺", "銭湯"] {
+            assert!(Template::found(word).is_empty(), "{word}");
+            assert!(Template::nearest(word).is_empty(), "{word}");
+        }
     }
 
     #[test]

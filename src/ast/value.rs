@@ -92,6 +92,9 @@ pub struct Parameter {
     pub unit: Option<String>,
     /// What it is for.
     pub doc: Option<String>,
+    /// What it means, in Japanese.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doc_ja: Option<String>,
 }
 
 impl Parameter {

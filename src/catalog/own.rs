@@ -226,6 +226,8 @@ fn merged(entry: &PartEntry, base: Option<&PartEntry>, out: &mut Diagnostics) ->
     if columns.is_some_and(|code| read::column(&code).is_some()) {
         whole.attributes.retain(|a| a.name.value != "width");
     }
+    // Searches for the base are not meant for what is made of it.
+    whole.attributes.retain(|a| a.name.value != "aliases");
     set(&mut whole.attributes, &entry.attributes);
     for code in whole
         .attributes

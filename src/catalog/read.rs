@@ -43,6 +43,7 @@ pub(super) fn part(entry: &PartEntry, class: Option<char>, out: &mut Diagnostics
         ja: head.name("ja", &code),
         romaji: head.text("romaji").into(),
         en: head.name("en", &code),
+        aliases: head.list("aliases"),
         width,
         from: head.height("from", out),
         to: head.height("to", out),
@@ -183,6 +184,12 @@ impl<'a> Head<'a> {
             "" => code.as_str().trim_end().into(),
             text => text.into(),
         }
+    }
+
+    /// The words of a list with commas.
+    fn list(&self, name: &str) -> Box<[Box<str>]> {
+        let words = self.text(name).split([',', '、']).map(str::trim);
+        words.filter(|w| !w.is_empty()).map(Box::from).collect()
     }
 
     /// A value, or its default where nothing is written.

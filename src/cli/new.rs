@@ -5,8 +5,8 @@ use crate::cli::files::input::STDIN;
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
 use crate::cli::files::terminal::{padded, width};
-use crate::diagnostic::Language;
-use crate::templates::{TYPES, Template};
+use crate::diagnostic::{Language, Text};
+use crate::templates::{EXAMPLES, TYPES, Template};
 use crate::text;
 use clap::Args;
 use std::io::{self, Write};
@@ -20,9 +20,10 @@ use std::path::PathBuf;
 Examples:
   hsd new                            the types
   hsd new chu-nikai -o shop.hsd      a town house of Edo to start from
+  hsd new storehouse                 any name will do: 蔵, kura, dozō
   hsd params shop.hsd                what can be set in it")]
 pub(super) struct New {
-    /// The type, in any of its names.
+    /// The type, by any of its names in English or Japanese.
     #[arg(value_name = "TYPE")]
     kind: Option<String>,
 
@@ -40,7 +41,10 @@ impl New {
         let Some(name) = &self.kind else {
             return list(language);
         };
-        let kind = Template::named(name).ok_or_else(|| unknown(name))?;
+        let found = Template::named(name).map_or_else(|| Template::found(name), |t| vec![t]);
+        let [kind] = *found else {
+            return Err(undecided(name, &found));
+        };
         let path = match &self.output {
             Some(path) => path.clone(),
             None => PathBuf::from(format!("{}.hsd", kind.word)),
@@ -69,14 +73,25 @@ impl New {
 
 /// A line for each type.
 fn list(language: Language) -> Outcome {
-    let column =
-        |name: fn(&Template) -> &str| TYPES.iter().map(|t| width(name(t))).max().unwrap_or(0);
+    let all = || TYPES.iter().chain(EXAMPLES);
+    let column = |name: fn(&Template) -> &str| all().map(|t| width(name(t))).max().unwrap_or(0);
     let widths = [column(|t| t.word), column(|t| t.ja), column(|t| t.romaji)];
     let mut out = io::stdout().lock();
-    for t in TYPES {
+    let line = |t: &Template| {
         let cells = [t.word, t.ja, t.romaji].into_iter().zip(widths);
         let cells: Vec<String> = cells.map(|(cell, wide)| padded(cell, wide)).collect();
-        writeln!(out, "{}  {}", cells.join("  "), t.en)?;
+        format!("{}  {}", cells.join("  "), t.en)
+    };
+    for t in TYPES {
+        writeln!(out, "{}", line(t))?;
+    }
+    let title = text!(
+        "\nFinished houses, without parameters:",
+        "\n変数のない、完成した家:"
+    );
+    writeln!(out, "{}", title.in_language(language))?;
+    for t in EXAMPLES {
+        writeln!(out, "{}", line(t))?;
     }
     let more = text!(
         "\n`hsd new TYPE -o FILE` copies one. The first seven are the types of Kyoto's town houses.",
@@ -87,15 +102,33 @@ fn list(language: Language) -> Outcome {
     Ok(Exit::Done)
 }
 
-fn unknown(name: &str) -> Stop {
-    let near = Template::nearest(name);
-    let near: Vec<String> = near
-        .iter()
-        .map(|t| format!("{} ({})", t.word, t.ja))
-        .collect();
-    let near = near.join(", ");
-    Stop::Usage(text!(
-        "there is no type {name:?}; the nearest are {near}; `hsd new` lists them all",
-        "{name:?} という類型はありません。近いものは {near} です。`hsd new` で一覧できます"
-    ))
+/// Refuses a word that several templates answer to, or none.
+fn undecided(name: &str, found: &[&Template]) -> Stop {
+    let list = |templates: &[&Template]| {
+        let names = templates.iter().map(|t| format!("{} ({})", t.word, t.ja));
+        names.collect::<Vec<_>>().join(", ")
+    };
+    if !found.is_empty() {
+        let found = list(found);
+        return Stop::Usage(text!(
+            "{name:?} may be any of {found}; `hsd new TYPE` copies one",
+            "{name:?} に当たるものは {found} です。`hsd new TYPE` でそのひとつを写せます"
+        ));
+    }
+    if let Some(note) = Template::absent(name) {
+        return Stop::Usage(Text::from(*note));
+    }
+    match &*Template::nearest(name) {
+        [] => Stop::Usage(text!(
+            "there is no type {name:?}; `hsd new` lists them all",
+            "{name:?} という類型はありません。`hsd new` で一覧できます"
+        )),
+        near => {
+            let near = list(near);
+            Stop::Usage(text!(
+                "there is no type {name:?}; the nearest are {near}; `hsd new` lists them all",
+                "{name:?} という類型はありません。近いものは {near} です。`hsd new` で一覧できます"
+            ))
+        }
+    }
 }

@@ -116,7 +116,15 @@ fn table(documents: &[Document], language: Language) -> String {
             value.map_or_else(String::new, ToString::to_string),
             bounds(parameter).in_language(language).replace('`', ""),
             words(&parameter.unit),
-            words(&parameter.doc),
+            words(
+                language.choose(
+                    &parameter.doc,
+                    parameter
+                        .doc_ja
+                        .as_ref()
+                        .map_or(&parameter.doc, |_| &parameter.doc_ja),
+                ),
+            ),
         ]);
     }
     if rows.len() == 1 {

@@ -5,9 +5,9 @@ mod sheet;
 
 use super::options::exit;
 use super::{Outcome, Stop};
-use crate::catalog::{PartDef, folded};
+use crate::catalog::{PartDef, Query};
 use crate::cli::files::terminal::{padded, width};
-use crate::diagnostic::{Language, Noun, noun};
+use crate::diagnostic::{Language, Noun, Text, noun};
 use crate::parse;
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -25,9 +25,10 @@ Examples:
   hsd parts --sheet parts.html a page with a picture of each part
   hsd parts --catalog own.hsd  the parts that a file of one's own defines
 
-Classes: K wall, T door, M window, G lattice, H post, A opening, N modern.")]
+Classes: K wall, T door, M window, G lattice, H post, A opening, N contemporary.")]
 pub(super) struct Parts {
-    /// Only parts with this in their code or a name; one capital letter means a class.
+    /// Only parts whose code or name, in English or Japanese, begins with this or has such a word; one capital letter
+    /// means a class.
     ///
     /// Long vowels may be written in any way: `koshi`, `koushi` and `kōshi` find the same.
     filter: Option<String>,
@@ -86,10 +87,12 @@ impl Parts {
         out.flush()?;
         if parts.is_empty() {
             let none = match &self.filter {
-                Some(filter) => text!(
-                    "no part has {filter:?} in its code or a name",
-                    "コードか名前に {filter:?} を含む部材はありません"
-                ),
+                Some(filter) => elsewhere(filter).unwrap_or_else(|| {
+                    text!(
+                        "no part has {filter:?} in its code or a name",
+                        "コードか名前に {filter:?} を含む部材はありません"
+                    )
+                }),
                 None => text!("no parts are defined", "部材は定義されていません"),
             };
             writeln!(io::stderr(), "{}", none.in_language(language))?;
@@ -105,18 +108,36 @@ impl Parts {
         if let (Some(class @ 'A'..='Z'), None) = (letters.next(), letters.next()) {
             return part.class() == class;
         }
-        let wanted = filter.to_lowercase();
-        let fields = [
-            part.code(),
-            &part.ja,
-            &part.romaji,
-            &part.en,
-            class_word(part.class()),
-        ];
-        let sound = folded(filter);
-        fields.iter().any(|f| f.to_lowercase().contains(&wanted))
-            || (!sound.is_empty() && folded(&part.romaji).contains(&sound))
+        let code = filter.trim_end().to_uppercase();
+        let query = Query::new(filter);
+        let class = class_word(part.class());
+        part.code().starts_with(&code) || query.is(class) || part.is_found_by(&query)
     }
+}
+
+/// Where to find what people look for among the parts and is made in another way, or that it is not made.
+fn elsewhere(word: &str) -> Option<Text> {
+    const ROOFS: &str = "屋根, 唐破風, 軒唐破風, 破風, 破風板, 懸魚, 鬼瓦, 棟瓦, 熨斗瓦, 軒瓦, 一文字瓦, 桟瓦, 本瓦, 瓦, 棟, 鳥衾, 鴟尾, 千木, 鰹木, \
+        反り, 起り, 垂木, 庇, 裳階, 組物, 斗栱, 蟇股, 鼻隠, 入母屋, 寄棟, 切妻, 宝形, 相輪, yane, karahafu, hafu, gegyo, onigawara, kawara, \
+        mune, shibi, chigi, katsuogi, sori, mukuri, taruki, hisashi, mokoshi, kumimono, tokyō, kaerumata, irimoya, yosemune, kirizuma, hōgyō, \
+        sōrin, roof, tile, tiles, ridge, eaves, rafter, rafters, gable, bargeboard, bracket, brackets, pent roof";
+    const NONE: &str = "越屋根, 煙出し, 千鳥破風, 降棟, 稚児棟, 本卯建, 花頭窓, 火灯窓, 丸窓, 突上窓, 物干し, 忍返し, 簾, すだれ, 吊看板, 玉垣, \
+        koshi-yane, kemuri-dashi, chidori-hafu, kudarimune, chigo-mune, hon-udatsu, katō-mado, maru-mado, tsukiage-mado, monohoshi, \
+        shinobi-gaeshi, sudare, tsuri-kanban, tamagaki, roof monitor, dormer gable, round window, bell-shaped window, bamboo blind";
+    let query = Query::new(word);
+    let is_in = |list: &str| list.split(',').any(|name| query.is(name.trim()));
+    if is_in(NONE) {
+        return Some(text!(
+            "{word:?} has no model yet",
+            "{word:?} の形はまだありません"
+        ));
+    }
+    is_in(ROOFS).then(|| {
+        text!(
+            "{word:?} belongs to roofs, which are no parts: see grammar/roofs.md for their forms and grammar/dressing.md for tiles, ridges and bargeboards",
+            "{word:?} は屋根のもので、部材ではありません。屋根の形は grammar/roofs.ja.md、瓦・棟・破風は grammar/dressing.ja.md にあります"
+        )
+    })
 }
 
 /// A number of at most three decimals.
@@ -150,11 +171,11 @@ fn class_word(class: char) -> &'static str {
 const LEGEND: Noun = noun(
     "
 Width in U (0.909 m), from and to in shaku (0.303 m) above the storey's floor.
-Era: E Edo, M Meiji to early Shōwa, N modern, all: any. `.....` stands for a code of five blanks.
+Era: E Edo, M Meiji to early Shōwa, N contemporary, all: any. `.....` stands for a code of five blanks.
 ",
     "
 幅は U (0.909 m)、下端と上端は階の床から尺 (0.303 m) で表します。
-時代: E 江戸、M 明治から昭和初期、N 近代以降、all いつでも。`.....` は空白五つのコードを表します。
+時代: E 江戸、M 明治から昭和初期、N 現代、all いつでも。`.....` は空白五つのコードを表します。
 ",
 );
 

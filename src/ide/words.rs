@@ -190,7 +190,7 @@ const TRUTHS: &Table = &[
 pub(super) const ERAS: &Table = &[
     ("E", noun("Edo", "江戸")),
     ("M", noun("Meiji to early Showa", "明治から昭和初期")),
-    ("N", noun("modern", "近代以降")),
+    ("N", noun("contemporary", "現代")),
     ("all", noun("any time", "いつでも")),
 ];
 const PAINTS: &Table = &[
@@ -253,7 +253,7 @@ const STANCES: &Table = &[
     ),
     (
         "modern",
-        noun("a modern wall without posts", "柱のない近代の壁"),
+        noun("a modern wall without posts", "柱のない現代の壁"),
     ),
     ("fence", noun("a fence, no posts of the house", "塀")),
     (
@@ -314,7 +314,7 @@ pub(super) fn class(letter: char) -> Noun {
         'G' => noun("lattice", "格子"),
         'H' => noun("post", "柱"),
         'A' => noun("opening", "開口"),
-        'N' => noun("modern", "近代"),
+        'N' => noun("contemporary", "現代"),
         _ => noun("void", "空き"),
     }
 }

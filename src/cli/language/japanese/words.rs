@@ -202,9 +202,10 @@ pub(super) static COMMANDS: &[Words] = &[
 例:
   hsd new                            類型の一覧
   hsd new chu-nikai -o shop.hsd      江戸時代の町家から始める
+  hsd new storehouse                 呼び名は何でもよい: 蔵、kura、dozō
   hsd params shop.hsd                設定できるものを見る",
         arguments: &[
-            ("kind", "類型。どの呼び名でもよい", ""),
+            ("kind", "類型。日本語でも英語でも、どの呼び名でもよい", ""),
             (
                 "output",
                 "書き込むファイル。`-` は標準出力。省くとこのフォルダーの TYPE.hsd",
@@ -239,7 +240,7 @@ pub(super) static COMMANDS: &[Words] = &[
   hsd parts --sheet parts.html 部材ごとの絵のあるページ
   hsd parts --catalog own.hsd  自分のファイルで定義した部材
 
-分類: K 壁、T 戸、M 窓、G 格子、H 柱、A 開口、N 近代",
+分類: K 壁、T 戸、M 窓、G 格子、H 柱、A 開口、N 現代",
         arguments: &[
             ("format", "一覧の書き方", ""),
             (
@@ -254,7 +255,7 @@ pub(super) static COMMANDS: &[Words] = &[
             ),
             (
                 "filter",
-                "コードか名前にこれを含む部材だけ。大文字一字は分類を表す",
+                "コードか名前(日本語、英語)がこれで始まるか、この語を含む部材だけ。大文字一字は分類を表す",
                 "長音はどう書いてもかまいません。`koshi`、`koushi`、`kōshi` は同じものを見つけます。",
             ),
         ],

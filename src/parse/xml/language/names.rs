@@ -69,6 +69,7 @@ impl<'a> Maker<'a, '_> {
             random: self.truth(&of, "random", scope) || of.get("weights").is_some(),
             unit: self.words(&of, "unit", scope),
             doc: self.words(&of, "doc", scope),
+            doc_ja: self.words(&of, "doc_ja", scope),
             name: name.value.clone(),
         };
         if let (Some(default), Some(place)) = (&parameter.default, of.get("default"))

@@ -59,7 +59,7 @@ const HOUSE_OWN: [Bears; 8] = [
 #[rustfmt::skip]
 const AGED: [Bears; 2] = [
     may("age", Number(0.0, 2000.0), "", "years since it was built: it has weathered; without, nothing has", "築年数。経年変化を表す。無ければ変化しない"),
-    may("era", Choice(&words(&Era::WORDS)), "", "when it was built: E Edo, M Meiji to early Showa, N modern; parts of a later era are younger", "建てた時代。E 江戸、M 明治から昭和初期、N 近代以降。後の時代の部材は新しくなる"),
+    may("era", Choice(&words(&Era::WORDS)), "", "when it was built: E Edo, M Meiji to early Showa, N contemporary; parts of a later era are younger", "建てた時代。E 江戸、M 明治から昭和初期、N 現代。後の時代の部材は新しくなる"),
 ];
 pub(super) const HOUSES: &[Bears] = &AGED;
 pub(super) const HOUSE: &[Bears] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
@@ -289,6 +289,7 @@ pub(super) const PARAM: &[Bears] = &[
     may("weights", Text, "", "how often each of its choices comes, one number a choice; makes it random", "選べる値それぞれの出やすさ。書けば抽選になる"),
     may("unit", Text, "", "what it is counted in, for `hsd params`", "単位。`hsd params` に出る"),
     may("doc", Text, "", "what it means, for `hsd params`", "意味。`hsd params` に出る"),
+    may("doc_ja", Text, "", "the same in Japanese, for `--lang ja`", "日本語での意味。`--lang ja` のときに出る"),
 ];
 #[rustfmt::skip]
 pub(super) const LET: &[Bears] = &[
@@ -318,6 +319,7 @@ pub(super) const PART_DEF: &[Bears] = &[
     may("ja", Text, "", "its name in Japanese", "和名"),
     may("romaji", Text, "", "the name in letters", "和名のローマ字"),
     may("en", Text, "", "what it is, in English", "英語の説明"),
+    may("aliases", Text, "", "other names that `hsd parts` finds it by, with commas", "`hsd parts` で探せる別名。コンマで区切る"),
     may("width", Text, "", "units, 0 to 100; what the fifth column says without", "幅(ユニット)。0 から 100。無ければ五桁目による"),
     may("from", Text, "", "foot of its opening above the floor, shaku, or metres with `m`", "開口の下端。床から(尺、`m` を付ければメートル)"),
     may("to", Text, "", "top of its opening", "開口の上端"),
