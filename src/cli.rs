@@ -11,13 +11,16 @@ mod dump;
 mod explain;
 mod fmt;
 mod language;
+#[cfg(feature = "lsp")]
 mod lsp;
 mod new;
 mod options;
 mod params;
 mod parts;
+#[cfg(feature = "view")]
 mod render;
 mod textures;
+#[cfg(feature = "view")]
 mod view;
 pub use crate::diagnostic::{Language, Text};
 use crate::text;
@@ -131,8 +134,11 @@ enum Command {
     Explain(explain::Explain),
     Fmt(fmt::Fmt),
     Textures(textures::Textures),
+    #[cfg(feature = "view")]
     View(view::View),
+    #[cfg(feature = "view")]
     Render(render::Render),
+    #[cfg(feature = "lsp")]
     Lsp(lsp::Lsp),
     Completions(completions::Completions),
 }
@@ -156,8 +162,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Explain(c) => c.run(language),
         Command::Fmt(c) => c.run(language),
         Command::Textures(c) => c.run(language),
+        #[cfg(feature = "view")]
         Command::View(c) => c.run(language),
+        #[cfg(feature = "view")]
         Command::Render(c) => c.run(language),
+        #[cfg(feature = "lsp")]
         Command::Lsp(c) => c.run(language),
         Command::Completions(c) => c.run(language),
     };

@@ -1,6 +1,27 @@
-//! A compiler for houses: a text says which doors, walls and windows stand side by side, where the wall turns and
-//! where the next storey begins; out comes a textured model with its roof worked out. The language is described in
-//! `grammar/README.md`.
+//! A compiler for houses: a source file lists which doors, walls and windows stand side by side, where the wall turns
+//! and where the next storey begins; the result is a textured 3D model with its roof worked out. The language is
+//! described in `grammar/README.md`.
+//!
+//! ```
+//! use hsd::{Diagnostics, FileId, NoFiles, Options, Source};
+//! let source = Source::new(FileId(0), "shop.hsd", "0 0 180\n\nGSI  GSI  GDE 2KKS\n".as_bytes());
+//! let mut out = Diagnostics::new();
+//! hsd::check(&[&source], &NoFiles, &Options::default(), &mut out);
+//! // One wall is an open facade: a note, not an error.
+//! assert!(!out.has_errors());
+//! ```
+//!
+//! [`compile`] makes the model, [`glb`] writes it, [`check`] only reports, [`format`] lays a file out, [`roof_over`]
+//! roofs an outline. These and the types they take are the public interface. The modules below are public only to the
+//! program, its tests, benchmarks and fuzz targets, which are crates of their own; they are hidden from this page and
+//! follow no semantic versioning.
+//!
+//! | feature (all on by default) | adds |
+//! |---|---|
+//! | `models` | scenes, textures, back ends; without it the chain ends with roofed buildings |
+//! | `cli` | the program `hsd` |
+//! | `view` | `hsd view`, `hsd render` |
+//! | `lsp` | `hsd lsp` |
 //!
 //! # The chain
 //!
@@ -32,41 +53,99 @@
 //! Lengths are f64 until a back end writes f32. Plans are in U (3 shaku unless the house says otherwise) and exact on
 //! quarter units; roofs are divided on integers. No platform sine, no iteration over hash maps: same input, same bytes.
 
+#![cfg_attr(
+    not(all(feature = "cli", feature = "lsp", feature = "view")),
+    allow(dead_code)
+)] // items that shells use
+
 // Foundations.
+#[doc(hidden)]
 pub mod source;
+#[doc(hidden)]
 pub mod diagnostic;
+#[doc(hidden)]
 pub mod geometry;
+#[doc(hidden)]
 pub mod rng;
+#[doc(hidden)]
 pub mod catalog;
+#[doc(hidden)]
 pub mod material;
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod texture;
+#[doc(hidden)]
 pub mod templates;
 
 // The chain.
+#[doc(hidden)]
 pub mod ast;
+#[doc(hidden)]
 pub mod parse;
+#[doc(hidden)]
 pub mod program;
+#[doc(hidden)]
 pub mod expand;
+#[doc(hidden)]
 pub mod building;
+#[doc(hidden)]
 pub mod lower;
+#[doc(hidden)]
 pub mod roof;
+#[doc(hidden)]
 pub mod fit;
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod scene;
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod tessellate;
+#[doc(hidden)]
 pub mod check;
 
 // Around the chain.
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod render;
+#[doc(hidden)]
 pub mod print;
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod backend;
+#[doc(hidden)]
 pub mod driver;
+#[cfg(any(feature = "lsp", feature = "view"))]
+#[doc(hidden)]
 pub mod ide;
 
 // Shells.
+#[cfg(feature = "cli")]
+#[doc(hidden)]
 pub mod cli;
+#[cfg(feature = "models")]
+#[doc(hidden)]
 pub mod fs;
+#[cfg(feature = "lsp")]
+#[doc(hidden)]
 pub mod lsp;
+#[cfg(any(feature = "cli", feature = "view"))]
+#[doc(hidden)]
 pub mod report;
+#[cfg(feature = "view")]
+#[doc(hidden)]
 pub mod view;
 
-pub use driver::{Compiled, Options, compile, compile_bytes};
+// The public interface.
+mod facade;
+
+pub use diagnostic::{Code, Diagnostic, Diagnostics, Language, Severity};
+pub use driver::{Checked, Options, check};
+#[cfg(feature = "models")]
+pub use driver::{Compiled, compile};
+pub use facade::*;
+#[cfg(feature = "models")]
+pub use fs::FolderWorld;
+pub use glam;
+#[cfg(feature = "models")]
+pub use scene::Detail;
+pub use source::{FileId, NoFiles, Source, Span, World};

@@ -9,6 +9,7 @@ mod reference;
 mod cache;
 
 pub use crate::source::cache::SourceCache;
+#[cfg(feature = "models")]
 pub(crate) use reference::reference;
 
 use std::ops::Range;

@@ -29,6 +29,7 @@ const ORDER: &[&str] = &[
     "print",
     "backend",
     "driver",
+    "facade",
     "ide",
     "report",
     "fs",

@@ -88,7 +88,7 @@ fn changed_examples_become_files() {
     let examples = examples();
     assert_none(&on_all_processors(200, |index| {
         let (name, bytes) = mutation(&examples, index * 7);
-        hsd::compile_bytes(&name, &bytes);
+        hsd::driver::compile_bytes(&name, &bytes);
         vec![]
     }));
 }

@@ -5,5 +5,5 @@
 use libfuzzer_sys::fuzz_target;
 
 fuzz_target!(|bytes: &[u8]| {
-    let _ = hsd::compile_bytes("fuzz.hsd", bytes);
+    let _ = hsd::driver::compile_bytes("fuzz.hsd", bytes);
 });

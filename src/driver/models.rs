@@ -1,0 +1,176 @@
+//! The model of a run: its scene, the images in it, and what back ends leave out.
+
+use super::{Options, arrange, building, documents, program, spare_expressions, timed, variants};
+use crate::backend::images::{Library, Trouble};
+use crate::backend::{gltf, sound};
+use crate::building::{Building, Shell};
+use crate::catalog::Catalog;
+use crate::diagnostic::messages::pictures as say;
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::expand;
+use crate::program::{Content, PictureId, Unit};
+use crate::scene::{Detail, Scene};
+use crate::source::{FileId, Limits, NoFiles, Source, Span, World};
+use crate::tessellate;
+use std::borrow::Cow;
+use std::time::Duration;
+
+/// What a run made, and how long each step took.
+#[derive(Debug)]
+pub struct Compiled {
+    /// Files that were read beside the sources, for reports.
+    pub included: Vec<Source>,
+    /// The parts that the houses may be made of.
+    pub catalog: Cow<'static, Catalog>,
+    /// Walls and roofs.
+    pub building: Building,
+    /// What the back ends write.
+    pub scene: Scene,
+    /// The steps in order.
+    pub times: Vec<(&'static str, Duration)>,
+}
+
+/// Runs the whole chain. It never stops at an error: what is sound is built.
+pub fn compile(
+    sources: &[&Source],
+    world: &dyn World,
+    options: &Options,
+    out: &mut Diagnostics,
+) -> Compiled {
+    let mut times = vec![];
+    let read = timed(&mut times, "parse", || match options.variants {
+        Some(count) => variants::documents(sources, world, options, count, out),
+        None => documents(sources, world, options, out),
+    });
+    let (documents, included, catalog) = (read.documents, read.included, read.catalog);
+    let mut said = Diagnostics::new();
+    let program = timed(&mut times, "expand", || {
+        program(
+            sources,
+            &documents,
+            &catalog,
+            world,
+            &options.expand,
+            &mut said,
+        )
+    });
+    drop(documents); // the next steps take their room
+    let mut building = timed(&mut times, "lower and roof", || {
+        building(program, &catalog, &mut said)
+    });
+    match options.variants {
+        Some(_) => {
+            variants::name(&mut building.shell);
+            arrange::arrange(&mut building);
+            out.push_new(said);
+        }
+        None => out.append(said),
+    }
+    let scene = timed(&mut times, "tessellate", || {
+        scene(&building, &catalog, options.detail)
+    });
+    spare_expressions(sources, &included, out);
+    Compiled {
+        included,
+        catalog,
+        building,
+        scene,
+        times,
+    }
+}
+
+/// Runs the whole chain on one file up to the bytes of a GLB without pictures; returns how many there are.
+/// For fuzzing: no input makes it panic. Houses are held to 20,000 parts, so that a fuzzer spends its time
+/// on strange texts and not on writing out `repeat num="1000000"`.
+pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
+    let source = Source::new(FileId(0), name, bytes);
+    let mut out = Diagnostics::new();
+    let limits = Limits {
+        parts: 20_000,
+        ..Limits::default()
+    };
+    let expand = expand::Options {
+        limits,
+        ..expand::Options::default()
+    };
+    let options = Options {
+        expand,
+        ..Options::default()
+    };
+    let compiled = compile(&[&source], &NoFiles, &options, &mut out);
+    flaws(&compiled, &mut out);
+    gltf::glb(&compiled.scene, &Library::default()).len()
+}
+
+/// What is to be seen.
+pub fn scene(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
+    tessellate::tessellate(building, catalog, detail)
+}
+
+/// Loads the pictures of a building, and says which of them cannot be shown. `paths` are those of
+/// [`Scene::pictures`], or of the building where there is no scene.
+pub fn pictures(
+    paths: &[String],
+    shell: &Shell,
+    world: &dyn World,
+    limits: &Limits,
+    out: &mut Diagnostics,
+) -> Library {
+    Library::load(paths, world, limits.pixels, |index, trouble| {
+        let path = &paths[index];
+        let id = shell.pictures.iter().position(|p| p.path == *path);
+        let used = id.and_then(|id| first_use(shell, PictureId(id as u32)));
+        let span = used.unwrap_or_default();
+        out.push(match trouble {
+            Trouble::Unreadable(why) => say::unreadable(span, path, &why),
+            Trouble::NoPicture => say::no_picture(span, path),
+            Trouble::TooLarge(pixels) => say::too_many_pixels(span, path, pixels, limits.pixels),
+        });
+    })
+}
+
+/// Says which shapes the back ends leave out.
+pub fn flaws(compiled: &Compiled, out: &mut Diagnostics) {
+    let house = compiled.building.shell.houses.first();
+    let place = house.map(|h| h.span).unwrap_or_default();
+    let message =
+        |f: sound::Flaw| -> Diagnostic { say::shape_left_out(f.span.unwrap_or(place), &f.name) };
+    // One broken mesh may be shown a thousand times.
+    sound::flaws(&compiled.scene)
+        .take(20)
+        .map(message)
+        .for_each(|d| out.push(d));
+}
+
+/// Where a picture is first called for.
+fn first_use(shell: &Shell, id: PictureId) -> Option<Span> {
+    let storeys = shell.houses.iter().flat_map(|h| &h.storeys);
+    let walls = storeys.flat_map(|s| &s.rings).flat_map(|r| &r.walls);
+    let mut units = walls.flat_map(|w| &w.units);
+    units.find_map(|u| use_in(u, id))
+}
+
+fn use_in(unit: &Unit, id: PictureId) -> Option<Span> {
+    if unit.picture == Some(id) {
+        return Some(unit.span);
+    }
+    match &unit.content {
+        Content::Picture(own) => (*own == id).then_some(unit.span),
+        Content::Split(split) => {
+            let mut halves = split.upper.iter().chain(&split.lower);
+            halves.find_map(|u| use_in(u, id))
+        }
+        Content::Void | Content::Part(_) => None,
+    }
+}
+
+/// Reports the images that cannot be shown, without a scene.
+pub(super) fn check_images(
+    shell: &Shell,
+    world: &dyn World,
+    limits: &Limits,
+    out: &mut Diagnostics,
+) {
+    let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
+    pictures(&paths, shell, world, limits, out);
+}
