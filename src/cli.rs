@@ -1,7 +1,7 @@
-//! The command line. One file a subcommand; what they share lies beside them.
+//! The command line: one module per subcommand, with the modules they share.
 //!
-//! Exit status (docs/contract.md 5): 0 done, 1 the input has errors, 2 wrong usage, 3 input or output failed. A
-//! reader that closes its end of a pipe is no failure.
+//! Exit status (docs/contract.md 5): 0 success, 1 errors in the input, 2 usage error, 3 input or output failed.
+//! A closed pipe at standard output is not a failure.
 
 mod files;
 mod build;
@@ -31,17 +31,17 @@ use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-/// How a run ended.
+/// The exit status of a run that completed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Exit {
     Done = 0,
     Errors = 1,
-    /// The rest was done, but a file could not be read.
+    /// A file could not be read; the others were processed.
     Unread = 3,
 }
 
 impl Exit {
-    /// The worse of two.
+    /// Returns the more severe status of the two.
     fn worse(self, other: Exit) -> Exit {
         if self as u8 >= other as u8 {
             self
@@ -51,19 +51,19 @@ impl Exit {
     }
 }
 
-/// Why a run went no further.
+/// The reason a run was aborted.
 #[derive(Debug)]
 enum Stop {
-    /// The command line makes no sense.
+    /// The command line is invalid (exit status 2).
     Usage(Text),
-    /// A file could not be read or written.
+    /// A file could not be read or written (exit status 3).
     Io(Text),
-    /// Nobody reads on.
+    /// The reader of standard output closed the pipe (exit status 0).
     Pipe,
 }
 
 impl Stop {
-    /// A failure at a file.
+    /// An I/O error, with the file or program it concerns.
     fn at(what: impl std::fmt::Display, error: io::Error) -> Stop {
         let why = crate::cli::files::reason::of(&error);
         match error.kind() {
@@ -74,25 +74,25 @@ impl Stop {
 }
 
 impl Stop {
-    /// Standard input was named more than once.
+    /// Standard input is named more than once.
     fn stdin_twice() -> Stop {
         Stop::Usage(text!(
-            "standard input can be read once only",
+            "standard input can be read only once",
             "標準入力を読めるのは一度だけです"
         ))
     }
 
-    /// Two inputs have one output.
+    /// Two inputs have the same output.
     fn one_output(a: &Path, b: &Path, output: &Path) -> Stop {
         let (a, b, out) = (a.display(), b.display(), output.display());
         Stop::Usage(text!(
-            "{a} and {b} would both become {out}",
-            "{a} も {b} も {out} になってしまいます"
+            "{a} and {b} would both be written to {out}",
+            "{a} と {b} の出力先がどちらも {out} になります"
         ))
     }
 }
 
-/// Failures at standard output and error.
+/// An error at standard output or standard error.
 impl From<io::Error> for Stop {
     fn from(error: io::Error) -> Self {
         let why = crate::cli::files::reason::of(&error);
@@ -105,17 +105,17 @@ impl From<io::Error> for Stop {
 
 type Outcome = Result<Exit, Stop>;
 
-/// A compiler for houses: a text of part codes becomes a textured 3D model.
+/// Compile house files into textured 3D models.
 #[derive(Debug, Parser)]
 #[command(name = "hsd", version, propagate_version = true, max_term_width = 100)]
 #[command(after_help = "\
 Examples:
-  hsd build examples/machiya.hsd -o machiya.glb    make a model and open it in any glTF viewer
-  hsd explain HSD0104                              what a message means, and how to mend it
+  hsd build examples/machiya.hsd -o machiya.glb    build a model for any glTF viewer
+  hsd explain HSD0104                              explain a diagnostic and how to fix it
 
-Exit status: 0 done, 1 the input has errors, 2 wrong usage, 3 a file cannot be read or written.")]
+Exit status: 0 success, 1 errors in the input, 2 usage error, 3 a file could not be read or written.")]
 struct Cli {
-    /// The language of messages and help; without it that of the locale.
+    /// Set the language of diagnostics and help [default: from the locale].
     #[arg(long, global = true, value_enum, value_name = "LANG")]
     lang: Option<language::Lang>,
 
@@ -143,7 +143,7 @@ enum Command {
     Completions(completions::Completions),
 }
 
-/// Runs the program with these arguments, the program's name first.
+/// Runs the program; the first argument is the program name.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let language = language::of(&arguments);
@@ -180,7 +180,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     ExitCode::from(status)
 }
 
-/// The command line with help for readers of this language.
+/// The clap command with help in `language`.
 fn command(language: Language) -> clap::Command {
     match language {
         Language::English => Cli::command(),
@@ -188,11 +188,11 @@ fn command(language: Language) -> clap::Command {
     }
 }
 
-/// Shows what was asked for instead of a run, or why there is none.
+/// Prints help, the version or a usage error, and returns the exit status.
 fn refused(error: &clap::Error, language: Language) -> ExitCode {
     if let Some(name) = text_for_command(error) {
         let hint = text!(
-            "`{name}` is a file; to make a model of it: hsd build {name}",
+            "`{name}` is a file; to build a model from it: hsd build {name}",
             "`{name}` はファイルです。モデルを作るには: hsd build {name}"
         );
         let _ = writeln!(io::stderr(), "hsd: {}", hint.in_language(language));
@@ -204,13 +204,13 @@ fn refused(error: &clap::Error, language: Language) -> ExitCode {
             | Wrong::DisplayHelpOnMissingArgumentOrSubcommand
             | Wrong::DisplayVersion
     );
-    // Help for a closed pipe is lost, and nobody minds.
+    // Errors of standard output and error are ignored: there is nowhere to report them.
     let _ = match language {
         Language::Japanese if !helps => {
             write!(
                 io::stderr(),
                 "{}",
-                crate::cli::language::japanese::complaint(error)
+                crate::cli::language::japanese::error_message(error)
             )
         }
         _ => error.print(),
@@ -218,7 +218,7 @@ fn refused(error: &clap::Error, language: Language) -> ExitCode {
     ExitCode::from(error.exit_code() as u8)
 }
 
-/// The file that was named in the place of a subcommand.
+/// The existing file named in place of a subcommand, if that is the error.
 fn text_for_command(error: &clap::Error) -> Option<&str> {
     let word = match error.get(ContextKind::InvalidSubcommand) {
         Some(ContextValue::String(word)) if error.kind() == Wrong::InvalidSubcommand => word,

@@ -118,19 +118,19 @@ fn wrong_usage_is_told_the_right_one() {
     for (arguments, expected) in [
         (
             &["sound.hsd"][..],
-            "to make a model of it: hsd build sound.hsd",
+            "to build a model from it: hsd build sound.hsd",
         ),
         (
             &["build", "sound.hsd", "new.glb"],
-            "the model's name goes after -o, as in `-o new.glb`",
+            "name the output with -o, as in `-o new.glb`",
         ),
         (
             &["build", "sound.hsd", "-o", "m"],
-            "or .stl; if it is to be a folder, write `m/`",
+            "or .stl; for a folder, write `m/`",
         ),
         (
             &["build", "sound.hsd", "-o", "no/x.glb"],
-            "hsd: no/x.glb: there is no folder no\n",
+            "hsd: no/x.glb: no such folder: no\n",
         ),
     ] {
         let said = stderr(&hsd(folder.path(), arguments));
@@ -248,7 +248,7 @@ fn a_folder_takes_a_model_for_each_text() {
     );
     assert_eq!(code(&output), 2);
     assert!(
-        stderr(&output).contains("would both become"),
+        stderr(&output).contains("would both be written to"),
         "{}",
         stderr(&output)
     );

@@ -1,4 +1,4 @@
-//! `hsd build`: texts to models.
+//! `hsd build`: builds 3D models from house files.
 
 mod bake;
 mod variants;
@@ -27,47 +27,49 @@ use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-/// Make 3D models from texts of houses.
+/// Build 3D models from house files.
 ///
-/// The ending of OUT says what is written: .glb (all in one file), .gltf, .obj or .stl. Without -o each
-/// model is written as .glb beside its text. Where a text has errors, nothing is written for it.
+/// The extension of OUT selects the format: .glb (everything in one file), .gltf, .obj or .stl. Without -o, each
+/// model is written as .glb beside its source file. No model is written for a source file with errors.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd build shop.hsd -o shop.glb          one house, textures inside
-  hsd build street/*.hsd -o models/       a model for each text, in the folder `models`")]
+  hsd build shop.hsd -o shop.glb          one house, textures embedded
+  hsd build street/*.hsd -o models/       one model per source file, in the folder `models`")]
 pub(super) struct Build {
     #[command(flatten)]
     pub(super) reading: Reading,
 
-    /// The model's file, a folder (`models/`, one model for each text), or `-` for standard output.
+    /// Write the model to this file, one model per source file into this folder (`models/`), or to standard output (`-`).
     ///
-    /// Several texts and one file make one scene.
+    /// Several source files and one output file make one scene.
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// The format where OUT does not tell: a folder, or standard output.
+    /// Set the format if OUT is a folder or standard output.
     #[arg(long, value_enum, value_name = "FORMAT")]
     format: Option<Model>,
 
-    /// Write the pictures of a .glb into a folder beside it.
+    /// Write the textures of a .glb to a folder beside it instead of embedding them.
     #[arg(long)]
     textures_beside: bool,
 
-    /// Write a .glb for the web: several times smaller, for readers that know instances, meshopt and KTX2.
+    /// Write a .glb for the web: several times smaller, but requires instancing, meshopt and KTX2 support.
     ///
-    /// Houses, storeys and parts are no nodes of their own in it, and have no extras. The pictures take
-    /// some seconds.
+    /// Houses, storeys and parts have no nodes of their own and no extras. Encoding the textures takes some seconds.
     #[arg(long, conflicts_with = "textures_beside")]
     compress: bool,
 
-    /// Build each text so many times, each time with the next seed: a house for every draw, in rows, or in a folder a
-    /// model each. `--seed` gives the first one; it is 0 else.
+    /// Build N variants of each source file with consecutive random seeds.
+    ///
+    /// The variants stand in rows in one model; if OUT is a folder, each gets a model of its own. The first seed is
+    /// that of --seed, or 0.
     #[arg(long, value_name = "N", conflicts_with = "watch")]
     variants: Option<NonZeroU32>,
 
-    /// Draw a contact sheet of the variants, .png or .jpg: a picture of each with its seed. Without -o no model is
-    /// written.
+    /// Draw a contact sheet (.png or .jpg) of the variants with their seeds.
+    ///
+    /// Without -o, no model is written.
     #[arg(long, value_name = "FILE", requires = "variants")]
     sheet: Option<PathBuf>,
 
@@ -77,36 +79,36 @@ pub(super) struct Build {
     #[command(flatten)]
     baking: bake::Baking,
 
-    /// Build again whenever a text or a picture changes, until interrupted.
+    /// Rebuild whenever a source file or an image changes, until interrupted.
     #[arg(long)]
     watch: bool,
 
-    /// Say how large the model is and how long each step took.
+    /// Print the size of the model and the duration of each stage.
     #[arg(long)]
     stats: bool,
 
-    /// Say nothing unless something is wrong.
+    /// Print only diagnostics.
     #[arg(short, long)]
     quiet: bool,
 }
 
-/// How to get what was left out of this program.
+/// The message for a build without the `compress` feature.
 const NO_COMPRESS: Noun = noun(
-    "this hsd is built without --compress; with a C++ compiler at hand, \
-     `cargo build --release --features compress` makes one that has it",
-    "この hsd には --compress が含まれていません。C++ コンパイラーがあれば \
-     `cargo build --release --features compress` で含めて作れます",
+    "this hsd was built without --compress; to build one with it (requires a C++ compiler): \
+     `cargo build --release --features compress`",
+    "この hsd は --compress なしでビルドされています。C++ コンパイラーがあれば、\
+     `cargo build --release --features compress` で使えるようになります",
 );
 
 const MODEL: Noun = noun("model", "モデル{}個");
 
-/// Texts that make one model.
+/// The source files of one model and its output.
 #[derive(Debug)]
 pub(super) struct Job {
     inputs: Vec<PathBuf>,
     output: PathBuf,
     model: Model,
-    /// The only variant, where it is one of several.
+    /// The seed, if the model is one of several variants.
     seed: Option<u64>,
 }
 
@@ -133,7 +135,7 @@ impl Build {
         }
     }
 
-    /// Runs all jobs. One that fails does not stop the others.
+    /// Runs all jobs; a failed job does not stop the others.
     pub(super) fn all(&self, jobs: &[Job], language: Language) -> Outcome {
         let status = Status::new(self.quiet, jobs.len(), language);
         let (mut spoiled, mut failure) = (0, None);
@@ -168,7 +170,7 @@ impl Build {
         Ok(exit(spoiled > 0))
     }
 
-    /// Runs one job; whether its texts are spoiled.
+    /// Runs one job; returns whether its source files have errors.
     fn one(&self, job: &Job, status: &Status) -> Result<bool, Stop> {
         let start = Instant::now();
         let mut out = Diagnostics::new();
@@ -191,7 +193,7 @@ impl Build {
             return Ok(true);
         }
         let mut times = std::mem::take(&mut compiled.times);
-        // Only the scene is written; a town's walls and roofs make room.
+        // Only the scene is needed from here on; frees the memory of a town's walls and roofs.
         let houses = std::mem::take(&mut compiled.building).shell.houses.len();
         if self.baking.bake {
             driver::timed(&mut times, "bake", || {
@@ -217,7 +219,7 @@ impl Build {
         Ok(false)
     }
 
-    /// What a run is to do, for all variants or for the one of this seed.
+    /// Returns the compiler options, for all variants or only the one with `seed`.
     pub(super) fn options(
         &self,
         seed: Option<u64>,
@@ -235,36 +237,36 @@ impl Build {
         Ok(options)
     }
 
-    /// Fails for models among the texts: what was meant is `-o`.
+    /// Fails if an input is a model: its name was meant for `-o`.
     fn check_inputs(&self) -> Result<(), Stop> {
         let is_model = |i: &&PathBuf| Model::of_ending(i).is_some();
         match self.reading.inputs.iter().find(is_model) {
             Some(model) => {
                 let shown = model.display();
                 Err(Stop::Usage(text!(
-                    "{shown} is no text: the model's name goes after -o, as in `-o {shown}`",
-                    "{shown} はテキストではありません。モデルの名前は `-o {shown}` のように -o の後に書いてください"
+                    "{shown} is a model, not a source file: name the output with -o, as in `-o {shown}`",
+                    "{shown} はテキストではなくモデルです。出力先は `-o {shown}` のように -o で指定してください"
                 )))
             }
             None => Ok(()),
         }
     }
 
-    /// Fails where `--compress` is asked of what cannot be so.
+    /// Fails if `--compress` is given but not supported by the format or this build.
     fn check_compress(&self, job: &Job) -> Result<(), Stop> {
         let message = match (self.compress, job.model) {
             (false, _) => return Ok(()),
             (true, Model::Glb) if cfg!(feature = "compress") => return Ok(()),
             (true, Model::Glb) => NO_COMPRESS,
             (true, _) => noun(
-                "--compress makes a .glb only",
-                "--compress で作れるのは .glb だけです",
+                "--compress writes .glb only",
+                "--compress で書けるのは .glb だけです",
             ),
         };
         Err(Stop::Usage(message.into()))
     }
 
-    /// What is to be made of what.
+    /// Returns the models to build.
     fn jobs(&self) -> Result<Vec<Job>, Stop> {
         let inputs = &self.reading.inputs;
         let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
@@ -306,8 +308,8 @@ impl Build {
         let several = self.textures_beside || matches!(model, Model::Gltf | Model::Obj);
         if stdout && several {
             return Err(Stop::Usage(text!(
-                "standard output takes one file: .glb or .stl, textures inside",
-                "標準出力に書けるのはひとつのファイル (.glb か .stl、テクスチャーも中に) だけです"
+                "only a single file can be written to standard output: .glb or .stl, with textures embedded",
+                "標準出力に書けるのは単一のファイル (.glb か .stl、テクスチャーは埋め込み) だけです"
             )));
         }
         Ok(vec![Job {
@@ -320,7 +322,7 @@ impl Build {
 }
 
 impl Job {
-    /// Fails where the model would take the place of a text.
+    /// Fails if the model would overwrite a source file.
     fn keeps_its_texts(&self) -> Result<(), Stop> {
         let real = |p: &Path| p.canonicalize().ok();
         let output = real(&self.output);
@@ -329,32 +331,32 @@ impl Job {
             Some(text) if text.is_file() => {
                 let shown = text.display();
                 Err(Stop::Usage(text!(
-                    "{shown} is a text to be read; it would be overwritten",
-                    "{shown} は読むテキストです。上書きされてしまいます"
+                    "{shown} is an input and would be overwritten",
+                    "{shown} は入力のテキストなので、上書きできません"
                 )))
             }
             _ => Ok(()),
         }
     }
 
-    /// Fails where the bytes of a model would be poured on the screen.
+    /// Fails if the model would be written to a terminal.
     fn spares_the_screen(&self) -> Result<(), Stop> {
         if self.output.as_os_str() == STDIN && io::stdout().is_terminal() {
             return Err(Stop::Usage(text!(
-                "a model is no text for the screen; give a file by -o, as in `-o house.glb`",
-                "モデルは画面に表示できません。`-o house.glb` のように -o でファイルを指定してください"
+                "a model cannot be printed on a terminal; name a file with -o, as in `-o house.glb`",
+                "モデルは端末に出力できません。`-o house.glb` のように -o でファイルを指定してください"
             )));
         }
         Ok(())
     }
 
-    /// The texts.
+    /// The source files.
     pub(super) fn inputs(&self) -> &[PathBuf] {
         &self.inputs
     }
 }
 
-/// A job for each input; two of one output are an error, on any system whatever letters are large.
+/// Returns a job for each input. Fails if two have the same output, ignoring case, as some file systems do.
 fn each(
     inputs: &[PathBuf],
     model: Model,
@@ -362,7 +364,7 @@ fn each(
 ) -> Result<Vec<Job>, Stop> {
     let mut jobs: Vec<Job> = vec![];
     let mut taken = std::collections::HashMap::new();
-    // A folder's file of parts makes no model of its own.
+    // The catalogue file of a folder contains no house.
     let parts = |input: &PathBuf| inputs.len() > 1 && input.ends_with(driver::PARTS_BESIDE);
     for input in inputs.iter().filter(|input| !parts(input)) {
         let output = output(input);
@@ -380,7 +382,7 @@ fn each(
     Ok(jobs)
 }
 
-/// Writes a model for the web; returns how many bytes it has.
+/// Writes a compressed model and returns its size in bytes.
 #[cfg(feature = "compress")]
 fn compressed(scene: &Scene, library: &Library, output: &Path) -> Result<u64, Stop> {
     let pictures = Ktx2::new(scene, library);
@@ -393,7 +395,7 @@ fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Stop> {
     Err(Stop::Usage(NO_COMPRESS.into()))
 }
 
-/// `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
+/// The summary of a model: `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
 fn told(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> Text {
     let place = match output.as_os_str() == STDIN {
         true => text!("the model", "モデル"),
@@ -423,10 +425,10 @@ fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> Text {
     )
 }
 
-/// What is said on standard error while jobs run: with a bar where many take long and somebody watches.
+/// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
 struct Status {
     language: Language,
-    /// Whether each model gets a line.
+    /// Whether a line is printed for each model.
     chatty: bool,
     start: Instant,
     jobs: usize,
@@ -460,7 +462,7 @@ impl Status {
         self.above(|| report(&written, Format::Human, &mut io::stderr()))
     }
 
-    /// Writes above the bar.
+    /// Writes above the progress bar.
     fn above<T>(&self, write: impl FnOnce() -> T) -> T {
         match self.bar.get() {
             Some(bar) => bar.suspend(write),

@@ -1,4 +1,4 @@
-//! `hsd check`: what is wrong with texts, and nothing else.
+//! `hsd check`: prints the diagnostics of source files.
 
 use super::options::{FormatArg, Reading, exit, report};
 use super::{Exit, Outcome};
@@ -11,19 +11,20 @@ use crate::text;
 use clap::Args;
 use std::io::{self, Write};
 
-/// Say what is wrong with texts, without writing a model.
+/// Check source files for errors without building a model.
 ///
-/// Exit status 1 where a text has errors (with `-D warnings`, errors or warnings), 3 where one cannot be read.
+/// The exit status is 1 if a source file has errors (with `-D warnings`, errors or warnings), and 3 if one cannot be
+/// read.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd check shop.hsd                        messages with the lines in question
-  hsd check -D warnings --format short *.hsd    a line for each message, warnings count as errors")]
+  hsd check shop.hsd                        print diagnostics with source excerpts
+  hsd check -D warnings --format short *.hsd    print one line per diagnostic; treat warnings as errors")]
 pub(super) struct Check {
     #[command(flatten)]
     reading: Reading,
 
-    /// How messages are written, to standard output.
+    /// Set the format of diagnostics on standard output.
     #[arg(long, value_enum, default_value_t)]
     format: FormatArg,
 }
@@ -46,7 +47,7 @@ impl Check {
             let files = counted(files, FILE);
             let houses = counted(houses, HOUSE);
             let clean = text!([files, houses]
-                "{files}, {houses}: nothing to complain about",
+                "{files}, {houses}: no problems found",
                 "{files}、{houses}: 問題はありません"
             );
             writeln!(io::stderr(), "{}", clean.in_language(language))?;

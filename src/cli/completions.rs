@@ -1,4 +1,4 @@
-//! `hsd completions`: what a shell needs to complete our command line.
+//! `hsd completions`: writes completion scripts for shells.
 
 use super::{Exit, Outcome, command};
 use crate::diagnostic::Language;
@@ -6,21 +6,21 @@ use clap::Args;
 use clap_complete::Shell;
 use std::io::{self, Write};
 
-/// Write a script that lets a shell complete `hsd` commands.
+/// Generate a completion script for a shell.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
   hsd completions bash > ~/.local/share/bash-completion/completions/hsd
   hsd completions fish > ~/.config/fish/completions/hsd.fish")]
 pub(super) struct Completions {
-    /// The shell.
+    /// The shell to generate the script for.
     #[arg(value_enum)]
     shell: Shell,
 }
 
 impl Completions {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        let mut script = vec![]; // the generator panics where a pipe closes
+        let mut script = vec![]; // the generator panics on a closed pipe
         clap_complete::generate(self.shell, &mut command(language), "hsd", &mut script);
         io::stdout().write_all(&script)?;
         Ok(Exit::Done)

@@ -1,4 +1,4 @@
-//! `hsd dump`: the trees between the passes.
+//! `hsd dump`: prints the intermediate representations of the compiler.
 
 use super::options::{Reading, exit, report};
 use super::{Outcome, Stop};
@@ -14,22 +14,22 @@ use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 
-/// Show what the program makes of texts on the way to a model, as JSON or, for roofs in plan, as a picture.
+/// Print the result of one compiler stage as JSON, or the roofs in plan as SVG.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd dump --stage regions shop.hsd                  how the plan is divided into roofs
-  hsd dump --stage regions --format svg shop.hsd     the same drawn
-  hsd dump --stage program shop.hsd | jq .houses     codes looked up, repeats counted out")]
+  hsd dump --stage regions shop.hsd                  print how the plan is divided into roofs
+  hsd dump --stage regions --format svg shop.hsd     draw the same in plan
+  hsd dump --stage program shop.hsd | jq .houses     print resolved codes and expanded repeats")]
 pub(super) struct Dump {
     #[command(flatten)]
     reading: Reading,
 
-    /// After which step.
+    /// Select the stage.
     #[arg(long, value_enum)]
     stage: Stage,
 
-    /// How it is written.
+    /// Set the output format.
     #[arg(long, value_enum, default_value_t = Form::Json)]
     format: Form,
 }
@@ -38,19 +38,19 @@ pub(super) struct Dump {
 enum Form {
     /// One line of JSON.
     Json,
-    /// A picture, of regions only.
+    /// A drawing; only for regions.
     Svg,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Stage {
-    /// As written.
+    /// The parsed source files.
     Ast,
-    /// Steps only: no repeats, draws and substitutions.
+    /// The instructions after expanding repeats, random choices and substitutions.
     Program,
-    /// Walls with their places, and roofs.
+    /// Walls in place, and roofs.
     Building,
-    /// The automatic roofs in plan.
+    /// The regions of automatic roofs in plan.
     Regions,
     /// Meshes, materials and nodes.
     Scene,
@@ -60,8 +60,8 @@ impl Dump {
     pub(super) fn run(&self, language: Language) -> Outcome {
         if self.format == Form::Svg && self.stage != Stage::Regions {
             return Err(Stop::Usage(text!(
-                "only `--stage regions` can be drawn: `--format svg` goes with no other",
-                "図にできるのは `--stage regions` だけです。`--format svg` はほかでは使えません"
+                "`--format svg` requires `--stage regions`",
+                "`--format svg` は `--stage regions` でしか使えません"
             )));
         }
         self.reading.check_folders()?;
@@ -71,12 +71,8 @@ impl Dump {
         let mut included = vec![];
         let options = self.reading.options(&inputs, &mut out)?;
         let text = self.text(&inputs.accepted(), &options, &mut included, &mut out);
-        let text = text.map_err(|e| {
-            Stop::Io(text!(
-                "cannot be written as JSON: {e}",
-                "JSON として書けません: {e}"
-            ))
-        })?;
+        let text =
+            text.map_err(|e| Stop::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}")))?;
         let list = out.into_sorted();
         if !list.is_empty() {
             report(

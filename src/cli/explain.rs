@@ -1,4 +1,4 @@
-//! `hsd explain`: the page of a message.
+//! `hsd explain`: prints the page of a diagnostic.
 
 use super::{Exit, Outcome, Stop};
 use crate::diagnostic::{Code, Language, pages};
@@ -7,14 +7,14 @@ use crate::text;
 use clap::Args;
 use std::io::{self, Write};
 
-/// Explain a message: its cause, an example, and how to mend it.
+/// Explain a diagnostic: its cause, an example, and how to fix it.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd explain HSD0104    the page of one message
-  hsd explain            a list of all messages")]
+  hsd explain HSD0104    explain one diagnostic
+  hsd explain            list all diagnostics")]
 pub(super) struct Explain {
-    /// The code of a message, such as HSD0104; `hsd0104` and `104` will do.
+    /// The code of the diagnostic, such as HSD0104; `hsd0104` and `104` are accepted.
     code: Option<String>,
 }
 
@@ -39,7 +39,7 @@ impl Explain {
     }
 }
 
-/// The number of a code, however it is written.
+/// Parses a diagnostic code: `HSD0104`, `hsd0104` or `104`.
 fn number(text: &str) -> Option<u16> {
     let text = text.trim();
     let digits = match text.get(..3) {
@@ -52,7 +52,7 @@ fn number(text: &str) -> Option<u16> {
 fn unknown(text: &str) -> Stop {
     let Some(wanted) = number(text) else {
         return Stop::Usage(text!(
-            "{text:?} is no code of a message; codes look like HSD0104, `hsd explain` lists them",
+            "{text:?} is not a diagnostic code; codes look like HSD0104, `hsd explain` lists them",
             "{text:?} は指摘のコードではありません。コードは HSD0104 のような形で、`hsd explain` で一覧できます"
         ));
     };
@@ -63,7 +63,7 @@ fn unknown(text: &str) -> Stop {
     let near: Vec<String> = near.iter().map(Code::to_string).collect();
     let (wanted, near) = (Code(wanted), near.join(", "));
     Stop::Usage(text!(
-        "there is no message {wanted}; the nearest are {near}",
+        "no diagnostic {wanted}; the nearest are {near}",
         "{wanted} という指摘はありません。近いものは {near} です"
     ))
 }

@@ -1,4 +1,4 @@
-//! Reading inputs and writing outputs: files, standard streams, the terminal, and the reasons why one fails.
+//! Input and output: files, standard streams, the terminal, and descriptions of I/O errors.
 
 pub(in crate::cli) mod diff;
 pub(in crate::cli) mod input;

@@ -1,4 +1,4 @@
-//! `hsd fmt`: texts laid out anew, in place or elsewhere.
+//! `hsd fmt`: formats source files, in place or to other files.
 
 use super::options::{Reading, report};
 use super::{Exit, Outcome, Stop};
@@ -18,43 +18,43 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Lay out texts: codes in their columns, elements on their lines.
+/// Format source files.
 ///
-/// Each text is written back to its file, in its encoding and with its line ends; comments and the order of
-/// everything are kept, and what the text means never changes. A text whose meaning is in doubt is left as it
-/// is: a legacy text with errors, an XML text that is not well-formed.
+/// Part codes are aligned in columns, and each element gets its own line. Files are rewritten in place and keep their
+/// encoding and line endings, comments, order and meaning. A file that cannot be parsed reliably (legacy notation with
+/// errors, XML that is not well-formed) is left unchanged.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd fmt shop.hsd                 lay out a text, in place
-  hsd fmt --check *.hsd            say which texts would change, and change none (exit status 1)
-  hsd fmt - < shop.hsd             from standard input to standard output
-  hsd fmt --to xml shop.hsd -o shop-xml.hsd    the same house in the other form")]
+  hsd fmt shop.hsd                 format a source file in place
+  hsd fmt --check *.hsd            list the files that would change (exit status 1)
+  hsd fmt - < shop.hsd             format standard input to standard output
+  hsd fmt --to xml shop.hsd -o shop-xml.hsd    convert to the XML notation")]
 pub(super) struct Fmt {
     #[command(flatten)]
     reading: Reading,
 
-    /// Write to this file, into this folder (`tidy/`), or to standard output (`-`), instead of in place.
+    /// Write to this file, into this folder (`tidy/`), or to standard output (`-`) instead of in place.
     #[arg(short, long, value_name = "OUT")]
     output: Option<PathBuf>,
 
-    /// Change nothing; list the texts that would change, with their first lines that do.
+    /// List the files that would change and the first differences, without writing anything.
     #[arg(long, conflicts_with = "output")]
     check: bool,
 
-    /// Write it in this form of the language; a text that is in it already is only laid out.
+    /// Convert to this notation; files already in it are only formatted.
     ///
-    /// What the other form cannot say is an error, with its place. Repeats are counted out in the legacy form.
+    /// Anything the notation cannot express is reported as an error. The legacy notation has no repeats; they are expanded.
     #[arg(long, value_enum, value_name = "FORM")]
     to: Option<To>,
 }
 
-/// The forms of `--to`.
+/// The notations of `--to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum To {
     /// Elements and attributes.
     Xml,
-    /// Lines of five-column codes.
+    /// Lines of five-character codes.
     Legacy,
 }
 
@@ -67,12 +67,12 @@ impl To {
     }
 }
 
-/// What came of the texts.
+/// The counts for the summary.
 #[derive(Default)]
 struct Tally {
-    /// Texts that were, or would be, changed.
+    /// Files that were, or would be, changed.
     changed: usize,
-    /// Whether some text has errors.
+    /// Whether a file has errors.
     spoiled: bool,
 }
 
@@ -106,7 +106,7 @@ impl Fmt {
         })
     }
 
-    /// A text as it should be.
+    /// Returns the formatted or converted text; `None` if the source has errors.
     fn text(
         &self,
         source: &Source,
@@ -121,7 +121,7 @@ impl Fmt {
         driver::convert(source, &world, options, out)
     }
 
-    /// Writes one text, or says how it would change.
+    /// Writes one formatted text, or with `--check` prints how it would change.
     fn one(
         &self,
         source: &Source,
@@ -151,7 +151,7 @@ impl Fmt {
         output::write(target, Files::bytes(bytes)).map(drop)
     }
 
-    /// Where each text goes.
+    /// Returns the output path of each input.
     fn targets(&self) -> Result<Vec<PathBuf>, Stop> {
         let inputs = &self.reading.inputs;
         let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
@@ -171,8 +171,8 @@ impl Fmt {
         if inputs.len() > 1 {
             let shown = output.display();
             return Err(Stop::Usage(text!(
-                "{shown} can hold one text; for several give a folder, as `-o {shown}/`",
-                "{shown} に書けるテキストはひとつです。複数なら `-o {shown}/` のようにフォルダーを指定してください"
+                "{shown} is a single file; for several inputs name a folder, as in `-o {shown}/`",
+                "{shown} に書けるテキストはひとつです。複数の場合は `-o {shown}/` のようにフォルダーを指定してください"
             )));
         }
         Ok(vec![output.clone()])
@@ -186,18 +186,18 @@ impl Fmt {
         let (files, changed) = (counted(all, FILE), tally.changed);
         let told = if self.check {
             text!([files]
-                "{files}, {changed} would be laid out anew",
-                "{files}中 {changed} を整えることになります"
+                "{files}, {changed} would be reformatted",
+                "{files}中 {changed} が整形の対象です"
             )
         } else {
-            text!([files] "{files}, {changed} laid out anew", "{files}中 {changed} を整えました")
+            text!([files] "{files}, {changed} reformatted", "{files}中 {changed} を整形しました")
         };
         writeln!(io::stderr(), "{}", told.in_language(language))?;
         Ok(())
     }
 }
 
-/// A file of the same name in a folder for each text.
+/// Returns a path in `folder` for each input, with the same file name.
 fn into_folder(inputs: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Stop> {
     let mut taken = std::collections::BTreeMap::new();
     let mut targets = vec![];

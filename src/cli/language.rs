@@ -1,4 +1,4 @@
-//! The language that the reader of our messages understands.
+//! Selection of the language of diagnostics, messages and help.
 
 pub(in crate::cli) mod japanese;
 
@@ -24,8 +24,8 @@ impl From<Lang> for Language {
     }
 }
 
-/// What `--lang` asks for among arguments that are not parsed yet, since help and complaints about them have a
-/// language too; else that of the environment.
+/// Returns the language of `--lang`, or that of the locale. Works on unparsed arguments, because help and usage
+/// errors depend on it.
 pub(super) fn of(arguments: &[OsString]) -> Language {
     asked(arguments).unwrap_or_else(|| of_locale(|name| std::env::var(name).ok()))
 }
@@ -46,7 +46,7 @@ fn asked(arguments: &[OsString]) -> Option<Language> {
     found
 }
 
-/// The language of messages as POSIX finds it: the first of these variables that is not empty decides.
+/// Returns the language of the locale as POSIX defines it: the first non-empty variable decides.
 fn of_locale(variable: impl Fn(&str) -> Option<String>) -> Language {
     let mut names = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter();
     let locale = names.find_map(|name| variable(name).filter(|v| !v.is_empty()));

@@ -1,4 +1,4 @@
-//! `hsd lsp`: the language server, for editors.
+//! `hsd lsp`: runs the language server.
 
 use super::{Exit, Outcome};
 use crate::diagnostic::Language;
@@ -6,13 +6,13 @@ use crate::lsp;
 use clap::Args;
 use std::io::{self, BufReader};
 
-/// Serve an editor: diagnostics, completion, hover and more by the Language Server Protocol.
+/// Run the language server for editors.
 ///
-/// Editors start it by themselves; it reads standard input and writes standard output. How to set up an editor
-/// stands in the README.
+/// It provides diagnostics, completion, hover and more by the Language Server Protocol on standard input and output.
+/// Editors start it themselves; the README describes how to set them up.
 #[derive(Debug, Args)]
 pub(super) struct Lsp {
-    /// Speak on standard input and output, as is done anyway; clients say so by habit.
+    /// Use standard input and output; the default, accepted for compatibility with clients.
     #[arg(long)]
     stdio: bool,
 }
@@ -20,7 +20,7 @@ pub(super) struct Lsp {
 impl Lsp {
     pub(super) fn run(&self, language: Language) -> Outcome {
         let polite = lsp::serve(BufReader::new(io::stdin()), io::stdout(), language);
-        // What the protocol wants of a server that was told to end without a word before.
+        // The protocol requires status 1 for `exit` without a preceding `shutdown`.
         Ok(if polite { Exit::Done } else { Exit::Errors })
     }
 }

@@ -1,4 +1,4 @@
-//! `hsd new`: a text to start from.
+//! `hsd new`: creates a source file from a template.
 
 use super::{Exit, Outcome, Stop};
 use crate::cli::files::input::STDIN;
@@ -12,26 +12,26 @@ use clap::Args;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Start a text from a type of house: a copy with parameters for its size and its fronts.
+/// Create a source file from a template.
 ///
-/// Without TYPE it lists the types.
+/// The file has parameters for the size and the facades of the house. Without TYPE, the templates are listed.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd new                            the types
-  hsd new chu-nikai -o shop.hsd      a town house of Edo to start from
-  hsd new storehouse                 any name will do: 蔵, kura, dozō
-  hsd params shop.hsd                what can be set in it")]
+  hsd new                            list the templates
+  hsd new chu-nikai -o shop.hsd      create a town house of the Edo period
+  hsd new storehouse                 use any name: 蔵, kura, dozō
+  hsd params shop.hsd                list its parameters")]
 pub(super) struct New {
-    /// The type, by any of its names in English or Japanese.
+    /// The house type, by any of its English or Japanese names.
     #[arg(value_name = "TYPE")]
     kind: Option<String>,
 
-    /// Where the text goes; `-` is standard output. Without it TYPE.hsd in this folder.
+    /// Write to this file; `-` for standard output [default: TYPE.hsd].
     #[arg(short, long, value_name = "FILE", requires = "kind")]
     output: Option<PathBuf>,
 
-    /// Write over a file that is there.
+    /// Overwrite an existing file.
     #[arg(long, requires = "kind")]
     force: bool,
 }
@@ -51,19 +51,19 @@ impl New {
         };
         let shown = path.display();
         let screen = path.as_os_str() == STDIN;
-        // A link that leads nowhere is there as well.
+        // A dangling link counts as existing.
         if !screen && !self.force && path.symlink_metadata().is_ok() {
             return Err(Stop::Io(text!(
-                "{shown} is there already; --force writes over it, -o gives another name",
-                "{shown} はすでにあります。--force で上書きし、-o で別の名前を付けられます"
+                "{shown} already exists; overwrite it with --force or choose another name with -o",
+                "{shown} はすでにあります。--force で上書きするか、-o で別の名前を指定してください"
             )));
         }
         output::write(&path, Files::bytes(kind.text().into_bytes()))?;
         if !screen {
             let (ja, en) = (kind.ja, kind.en);
             let said = text!(
-                "wrote {shown}: {ja}, {en}; `hsd params {shown}` lists what can be set",
-                "{shown} を書きました: {ja}。設定できるものは `hsd params {shown}` で分かります"
+                "wrote {shown}: {ja}, {en}; `hsd params {shown}` lists its parameters",
+                "{shown} を書きました: {ja}。パラメーターは `hsd params {shown}` で一覧できます"
             );
             writeln!(io::stderr(), "{}", said.in_language(language))?;
         }
@@ -71,7 +71,7 @@ impl New {
     }
 }
 
-/// A line for each type.
+/// Lists the templates, one per line.
 fn list(language: Language) -> Outcome {
     let all = || TYPES.iter().chain(EXAMPLES);
     let column = |name: fn(&Template) -> &str| all().map(|t| width(name(t))).max().unwrap_or(0);
@@ -86,23 +86,23 @@ fn list(language: Language) -> Outcome {
         writeln!(out, "{}", line(t))?;
     }
     let title = text!(
-        "\nFinished houses, without parameters:",
-        "\n変数のない、完成した家:"
+        "\nComplete houses without parameters:",
+        "\nパラメーターのない、完成した家:"
     );
     writeln!(out, "{}", title.in_language(language))?;
     for t in EXAMPLES {
         writeln!(out, "{}", line(t))?;
     }
     let more = text!(
-        "\n`hsd new TYPE -o FILE` copies one. The first seven are the types of Kyoto's town houses.",
-        "\n`hsd new TYPE -o FILE` で写しを作ります。初めの七つは京町家の類型です。"
+        "\n`hsd new TYPE -o FILE` creates a source file. The first seven are types of Kyoto town houses.",
+        "\n`hsd new TYPE -o FILE` でテキストを作ります。初めの七つは京町家の類型です。"
     );
     writeln!(out, "{}", more.in_language(language))?;
     out.flush()?;
     Ok(Exit::Done)
 }
 
-/// Refuses a word that several templates answer to, or none.
+/// Returns the error for a name that matches several templates, or none.
 fn undecided(name: &str, found: &[&Template]) -> Stop {
     let list = |templates: &[&Template]| {
         let names = templates.iter().map(|t| format!("{} ({})", t.word, t.ja));
@@ -111,8 +111,8 @@ fn undecided(name: &str, found: &[&Template]) -> Stop {
     if !found.is_empty() {
         let found = list(found);
         return Stop::Usage(text!(
-            "{name:?} may be any of {found}; `hsd new TYPE` copies one",
-            "{name:?} に当たるものは {found} です。`hsd new TYPE` でそのひとつを写せます"
+            "{name:?} is ambiguous: choose one of {found} with `hsd new TYPE`",
+            "{name:?} に当てはまるのは {found} です。`hsd new TYPE` でひとつを選んでください"
         ));
     }
     if let Some(note) = Template::absent(name) {
@@ -120,13 +120,13 @@ fn undecided(name: &str, found: &[&Template]) -> Stop {
     }
     match &*Template::nearest(name) {
         [] => Stop::Usage(text!(
-            "there is no type {name:?}; `hsd new` lists them all",
+            "no house type {name:?}; `hsd new` lists them all",
             "{name:?} という類型はありません。`hsd new` で一覧できます"
         )),
         near => {
             let near = list(near);
             Stop::Usage(text!(
-                "there is no type {name:?}; the nearest are {near}; `hsd new` lists them all",
+                "no house type {name:?}; the nearest are {near}; `hsd new` lists them all",
                 "{name:?} という類型はありません。近いものは {near} です。`hsd new` で一覧できます"
             ))
         }

@@ -1,4 +1,4 @@
-//! Options that several subcommands take.
+//! Options shared by several subcommands.
 
 use super::{Exit, Stop};
 use crate::cli::files::input::{Inputs, STDIN};
@@ -15,10 +15,10 @@ use std::io::{IsTerminal, Write};
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
-/// What is read, and how.
+/// Input files and the options for reading them.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Reading {
-    /// Texts of houses; `-` reads standard input.
+    /// House files to read; `-` for standard input.
     #[arg(required = true, value_name = "IN")]
     pub(super) inputs: Vec<PathBuf>,
 
@@ -34,30 +34,32 @@ impl Deref for Reading {
     }
 }
 
-/// How texts are read.
+/// Options for reading source files.
 #[derive(Clone, Debug, Args)]
 pub(super) struct Manner {
-    /// Look for part pictures in this folder; may be given several times.
+    /// Search this folder for part images; repeatable.
     ///
-    /// Without it they are looked for in the folder of each text and in its folder `textures`.
+    /// By default, the folder of each source file and its `textures` subfolder are searched.
     #[arg(long, value_name = "DIR")]
     textures: Vec<PathBuf>,
 
-    /// Set a parameter of the houses; may be given several times. `hsd params IN` lists them.
+    /// Set a parameter of the source files; repeatable.
+    ///
+    /// `hsd params IN` lists the parameters.
     #[arg(long = "param", value_name = "NAME=VALUE", value_parser = parameter)]
     parameters: Vec<(String, String)>,
 
-    /// The folder below which included files lie; without it the folder of each text.
+    /// Allow includes only below this folder [default: the folder of each source file].
     #[arg(long, value_name = "DIR")]
     root: Option<PathBuf>,
 
-    /// Take own parts from this file; may be given several times.
+    /// Load custom parts from this file; repeatable.
     ///
-    /// A file `catalog.hsd` beside a text is taken without being named.
+    /// A file `catalog.hsd` in the folder of a source file is loaded automatically.
     #[arg(long = "catalog", value_name = "FILE")]
     pub(super) catalogs: Vec<PathBuf>,
 
-    /// Draw everything random with this number instead of the seed of the house.
+    /// Override the random seed of every house.
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
 
@@ -65,32 +67,32 @@ pub(super) struct Manner {
     #[arg(short = 'D', value_name = "warnings", value_parser = ["warnings"])]
     deny: Option<String>,
 
-    /// Refuse files with more bytes.
+    /// Reject files larger than N bytes.
     #[arg(long, value_name = "N", default_value_t = Limits::default().bytes)]
     max_bytes: usize,
 
-    /// Refuse elements nested deeper.
+    /// Reject elements nested more than N levels deep.
     #[arg(long, value_name = "N", default_value_t = Limits::default().nesting)]
     max_nesting: usize,
 
-    /// Refuse to include more files.
+    /// Reject source files with more than N includes.
     #[arg(long, value_name = "N", default_value_t = Limits::default().includes)]
     max_includes: usize,
 
-    /// Refuse houses with more parts, repeats counted out.
+    /// Reject houses with more than N parts after expansion.
     #[arg(long, value_name = "N", default_value_t = Limits::default().parts)]
     max_parts: usize,
 
-    /// Refuse pictures with more pixels.
+    /// Reject images with more than N pixels.
     #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
     max_pixels: u64,
 }
 
-/// How fine what is built is.
+/// The level of detail of a model.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct Fineness {
-    /// How much of the joinery is shape: 0 walls and roofs, 1 a picture for each part, 2 openings and heavy
-    /// bars as shapes, 3 everything.
+    /// Set the level of detail: 0 walls and roofs, 1 a texture per part, 2 openings and heavy bars as geometry,
+    /// 3 everything as geometry.
     #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
     detail: u8,
 }
@@ -112,7 +114,7 @@ impl Manner {
         }
     }
 
-    /// What a run is to do; all of the joinery is shape. The files of own parts are numbered behind the inputs.
+    /// Returns the compiler options, at full detail. Sources of custom parts are numbered after the inputs.
     pub(super) fn options(
         &self,
         inputs: &Inputs,
@@ -132,19 +134,19 @@ impl Manner {
         })
     }
 
-    /// The seed that draws begin with where nobody gives one.
+    /// Returns the seed of the first variant: `--seed`, or 0.
     pub(super) fn first_seed(&self) -> u64 {
         self.seed.unwrap_or(0)
     }
 
-    /// The texture folders for some of the inputs.
+    /// Returns the folders searched for part images of `inputs`.
     pub(super) fn folders(&self, inputs: &[PathBuf]) -> Vec<PathBuf> {
         if !self.textures.is_empty() {
             return self.textures.clone();
         }
         let mut folders = vec![];
         for own in inputs.iter().map(|input| home(input)) {
-            // Joined to ".", names in messages would begin with "./".
+            // Joined to ".", file names in diagnostics would begin with "./".
             let below = if own == Path::new(".") {
                 Path::new("")
             } else {
@@ -159,18 +161,18 @@ impl Manner {
         folders
     }
 
-    /// The folders of the files of own parts.
+    /// Returns the folders of the custom part files.
     pub(super) fn catalog_folders(&self) -> impl Iterator<Item = PathBuf> {
         self.catalogs.iter().map(|file| home(file).to_owned())
     }
 
-    /// The world of some of the inputs.
+    /// Returns the file access for `inputs`: image folders and include roots.
     pub(super) fn world(&self, inputs: &[PathBuf]) -> FolderWorld {
         let pictures = FolderWorld::new(self.folders(inputs), self.max_pixels);
         pictures.with_roots(self.roots(inputs))
     }
 
-    /// The folders below which texts may be included.
+    /// Returns the folders below which includes are allowed.
     pub(super) fn roots(&self, inputs: &[PathBuf]) -> Vec<PathBuf> {
         match &self.root {
             Some(root) => vec![root.clone()],
@@ -178,14 +180,14 @@ impl Manner {
         }
     }
 
-    /// Fails for folders that were named and are none.
+    /// Fails if a folder named on the command line does not exist.
     pub(super) fn check_folders(&self) -> Result<(), Stop> {
         let mut named = self.textures.iter().chain(&self.root);
         match named.find(|f| !f.is_dir()) {
             Some(f) => {
                 let shown = f.display();
                 Err(Stop::Io(text!(
-                    "{shown}: there is no such folder",
+                    "{shown}: no such folder",
                     "{shown}: そのようなフォルダーはありません"
                 )))
             }
@@ -193,7 +195,7 @@ impl Manner {
         }
     }
 
-    /// Whether messages of this severity spoil a run.
+    /// Returns whether a diagnostic of this severity makes the run fail.
     pub(super) fn spoils(&self, severity: Severity) -> bool {
         match severity {
             Severity::Error => true,
@@ -203,7 +205,7 @@ impl Manner {
     }
 }
 
-/// The folder of an input.
+/// Returns the folder of an input file; `.` for standard input.
 fn home(input: &Path) -> &Path {
     match input.parent() {
         _ if input.as_os_str() == STDIN => Path::new("."),
@@ -213,27 +215,27 @@ fn home(input: &Path) -> &Path {
     }
 }
 
-/// `frontage=5`.
+/// Parses a parameter assignment such as `frontage=5`.
 fn parameter(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.trim().is_empty() => {
             Ok((name.trim().to_owned(), value.to_owned()))
         }
-        _ => Err("a parameter is set as in `frontage=5`".into()),
+        _ => Err("expected NAME=VALUE, as in `frontage=5`".into()),
     }
 }
 
-/// The formats of `--format`.
+/// Output formats of diagnostics.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub(super) enum FormatArg {
-    /// With the lines in question.
+    /// With source excerpts.
     #[default]
     Human,
-    /// A line each, for editors.
+    /// One line per diagnostic, for editors.
     Short,
-    /// One array, for programs.
+    /// A JSON array, for programs.
     Json,
-    /// SARIF 2.1.0, for code-scanning services.
+    /// SARIF 2.1.0, for code scanning services.
     Sarif,
 }
 
@@ -248,7 +250,7 @@ impl From<FormatArg> for Format {
     }
 }
 
-/// Writes a report to a stream.
+/// Writes a report to a stream, styled for a terminal if it is one.
 pub(super) fn report(
     report: &Report<'_>,
     format: Format,
@@ -261,7 +263,7 @@ pub(super) fn report(
     Ok(stream.flush()?)
 }
 
-/// 1 where the input is spoiled.
+/// Returns exit status 1 if the input has errors, otherwise 0.
 pub(super) fn exit(spoiled: bool) -> Exit {
     if spoiled { Exit::Errors } else { Exit::Done }
 }

@@ -1,4 +1,4 @@
-//! `hsd params`: the parameters of texts.
+//! `hsd params`: lists the parameters of source files.
 
 use super::options::{Reading, exit, report};
 use super::{Outcome, Stop};
@@ -13,31 +13,33 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
 
-/// List the parameters of texts: what can be set by `--param`, and to what.
+/// List the parameters of source files and their allowed values.
+///
+/// `--param` sets them.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd params machiya.hsd                         what can be set
-  hsd build machiya.hsd --param frontage=5       set it")]
+  hsd params machiya.hsd                         list the parameters
+  hsd build machiya.hsd --param frontage=5       set one of them")]
 pub(super) struct Params {
     #[command(flatten)]
     reading: Reading,
 
-    /// How they are written, to standard output.
+    /// Set the output format.
     #[arg(long, value_enum, default_value_t)]
     format: ParamsFormat,
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum ParamsFormat {
-    /// For people.
+    /// A table.
     #[default]
     Table,
-    /// One array, for programs.
+    /// A JSON array, for programs.
     Json,
 }
 
-/// A parameter of a file.
+/// A parameter and the file that declares it.
 #[derive(Serialize)]
 struct Row<'a> {
     file: &'a str,
@@ -66,10 +68,7 @@ impl Params {
                     .collect();
                 let text = serde_json::to_string_pretty(&rows);
                 text.map_err(|e| {
-                    Stop::Io(text!(
-                        "cannot be written as JSON: {e}",
-                        "JSON として書けません: {e}"
-                    ))
+                    Stop::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
                 })? + "\n"
             }
         };
@@ -90,7 +89,7 @@ impl Params {
     }
 }
 
-/// The parameters of a document, each name once.
+/// Returns the parameters of a document without duplicate names.
 fn of(document: &Document) -> Vec<&Parameter> {
     let mut found: Vec<&Parameter> = vec![];
     for parameter in &document.parameters {
@@ -101,11 +100,11 @@ fn of(document: &Document) -> Vec<&Parameter> {
     found
 }
 
-/// Columns as wide as what stands in them.
+/// Formats the parameters as an aligned table.
 fn table(documents: &[Document], language: Language) -> String {
     let head = language.choose(
-        ["name", "value", "may be", "unit", "what it is"],
-        ["名前", "値", "取りうる値", "単位", "内容"],
+        ["name", "value", "allowed", "unit", "description"],
+        ["名前", "値", "取りうる値", "単位", "説明"],
     );
     let mut rows = vec![head.map(str::to_owned)];
     for parameter in documents.iter().flat_map(of) {
@@ -129,7 +128,7 @@ fn table(documents: &[Document], language: Language) -> String {
     }
     if rows.len() == 1 {
         return language
-            .choose("no parameters\n", "変数はありません\n")
+            .choose("no parameters\n", "パラメーターはありません\n")
             .into();
     }
     let width =

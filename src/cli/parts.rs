@@ -1,4 +1,4 @@
-//! `hsd parts`: the catalogue.
+//! `hsd parts`: lists the catalogue of parts.
 
 mod own;
 mod sheet;
@@ -14,44 +14,43 @@ use clap::{Args, ValueEnum};
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// List the parts a wall can be made of.
+/// List the parts that walls are made of.
 ///
-/// Codes have five columns, blanks included; widths are in U (0.909 m), heights in shaku (0.303 m).
+/// Part codes have five characters, including spaces. Widths are in U (0.909 m), heights in shaku (0.303 m).
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd parts lattice            every part with `lattice` in a name
-  hsd parts --format json K    all walls, for a program
-  hsd parts --sheet parts.html a page with a picture of each part
-  hsd parts --catalog own.hsd  the parts that a file of one's own defines
+  hsd parts lattice            list the parts with `lattice` in a name
+  hsd parts --format json K    list all walls as JSON
+  hsd parts --sheet parts.html write a page with an image of each part
+  hsd parts --catalog own.hsd  list the custom parts of a file
 
 Classes: K wall, T door, M window, G lattice, H post, A opening, N contemporary.")]
 pub(super) struct Parts {
-    /// Only parts whose code or name, in English or Japanese, begins with this or has such a word; one capital letter
-    /// means a class.
+    /// List only parts whose code or name starts with this or contains it as a word; a capital letter selects a class.
     ///
-    /// Long vowels may be written in any way: `koshi`, `koushi` and `kōshi` find the same.
+    /// Long vowels match in any spelling: `koshi`, `koushi` and `kōshi` find the same parts.
     filter: Option<String>,
 
-    /// How the list is written.
+    /// Set the output format.
     #[arg(long, value_enum, default_value_t)]
     format: List,
 
-    /// List the parts that this file defines instead; may be given several times.
+    /// List the custom parts of this file instead; repeatable.
     #[arg(long = "catalog", value_name = "FILE")]
     catalogs: Vec<PathBuf>,
 
-    /// Write pictures: .html is a page with all names and sizes, .glb a model of the parts in rows.
+    /// Write an illustrated catalogue: .html with names and sizes, or .glb with the parts in rows.
     #[arg(long, value_name = "OUT", conflicts_with = "format")]
     sheet: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum List {
-    /// Columns.
+    /// A table.
     #[default]
     Table,
-    /// An array.
+    /// A JSON array.
     Json,
 }
 
@@ -75,10 +74,7 @@ impl Parts {
             List::Json => {
                 let text = serde_json::to_string_pretty(&parts);
                 text.map_err(|e| {
-                    Stop::Io(text!(
-                        "cannot be written as JSON: {e}",
-                        "JSON として書けません: {e}"
-                    ))
+                    Stop::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
                 })? + "\n"
             }
         };
@@ -89,11 +85,11 @@ impl Parts {
             let none = match &self.filter {
                 Some(filter) => elsewhere(filter).unwrap_or_else(|| {
                     text!(
-                        "no part has {filter:?} in its code or a name",
+                        "no part has {filter:?} in its code or names",
                         "コードか名前に {filter:?} を含む部材はありません"
                     )
                 }),
-                None => text!("no parts are defined", "部材は定義されていません"),
+                None => text!("no parts defined", "部材は定義されていません"),
             };
             writeln!(io::stderr(), "{}", none.in_language(language))?;
         }
@@ -115,7 +111,7 @@ impl Parts {
     }
 }
 
-/// Where to find what people look for among the parts and is made in another way, or that it is not made.
+/// Returns a message for search terms that are roof terms, or that have no model.
 fn elsewhere(word: &str) -> Option<Text> {
     const ROOFS: &str = "屋根, 唐破風, 軒唐破風, 破風, 破風板, 懸魚, 鬼瓦, 棟瓦, 熨斗瓦, 軒瓦, 一文字瓦, 桟瓦, 本瓦, 瓦, 棟, 鳥衾, 鴟尾, 千木, 鰹木, \
         反り, 起り, 垂木, 庇, 裳階, 組物, 斗栱, 蟇股, 鼻隠, 入母屋, 寄棟, 切妻, 宝形, 相輪, yane, karahafu, hafu, gegyo, onigawara, kawara, \
@@ -134,19 +130,19 @@ fn elsewhere(word: &str) -> Option<Text> {
     }
     is_in(ROOFS).then(|| {
         text!(
-            "{word:?} belongs to roofs, which are no parts: see grammar/roofs.md for their forms and grammar/dressing.md for tiles, ridges and bargeboards",
-            "{word:?} は屋根のもので、部材ではありません。屋根の形は grammar/roofs.ja.md、瓦・棟・破風は grammar/dressing.ja.md にあります"
+            "{word:?} belongs to roofs, not to parts: see grammar/roofs.md for roof forms and grammar/dressing.md for tiles, ridges and bargeboards",
+            "{word:?} は部材ではなく屋根の用語です。屋根の形は grammar/roofs.ja.md、瓦・棟・破風は grammar/dressing.ja.md にあります"
         )
     })
 }
 
-/// A number of at most three decimals.
+/// Formats a number with at most three decimals.
 fn rounded(number: f64) -> String {
     let text = format!("{number:.3}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// A code that can be seen: the void's is five blanks.
+/// Returns a printable form of a code: the void's, five spaces, becomes dots.
 fn visible(code: &str) -> String {
     match code.trim().is_empty() {
         true => ".".repeat(code.len()),
@@ -167,19 +163,19 @@ fn class_word(class: char) -> &'static str {
     }
 }
 
-/// What the columns and letters of the table mean.
+/// The legend below the table.
 const LEGEND: Noun = noun(
     "
 Width in U (0.909 m), from and to in shaku (0.303 m) above the storey's floor.
-Era: E Edo, M Meiji to early Shōwa, N contemporary, all: any. `.....` stands for a code of five blanks.
+Era: E Edo, M Meiji to early Shōwa, N contemporary, all: any. `.....` stands for a code of five spaces.
 ",
     "
 幅は U (0.909 m)、下端と上端は階の床から尺 (0.303 m) で表します。
-時代: E 江戸、M 明治から昭和初期、N 現代、all いつでも。`.....` は空白五つのコードを表します。
+時代: E 江戸、M 明治から昭和初期、N 現代、all すべて。`.....` は空白五つのコードを表します。
 ",
 );
 
-/// The heads of the columns that have one.
+/// The headings of the first columns.
 const HEADS: [Noun; 6] = [
     noun("code", "コード"),
     noun("width U", "幅 U"),

@@ -1,4 +1,4 @@
-//! `hsd render`: pictures for documents, drawn by the page of the preview in a browser that nobody sees.
+//! `hsd render`: renders images for documents with the page of the preview in a headless browser.
 
 mod browser;
 
@@ -22,27 +22,27 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
-/// Quality of pictures in JPEG.
+/// The JPEG quality.
 const QUALITY: u8 = 88;
 
-/// How long nothing may come from the browser.
+/// The maximum time without a response from the browser.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// How often is asked whether the browser still runs.
+/// The interval of the checks whether the browser still runs.
 const PULSE: Duration = Duration::from_millis(250);
 
-/// Take pictures of houses for documents.
+/// Render images of houses for documents.
 ///
-/// The page of `hsd view` draws them in afternoon light, in a Chromium, Chrome or Edge of this machine that is not seen;
-/// HSD_CHROMIUM names another one. One picture goes to OUT; several go into the folder OUT as NAME-VIEW.png. Where a text
-/// has errors, there is no picture of it.
+/// The page of `hsd view` draws them in afternoon light, in a headless Chromium, Chrome or Edge installed on this machine;
+/// HSD_CHROMIUM selects another one. A single image is written to OUT, several into the folder OUT as NAME-VIEW.png. No
+/// image is written for a source file with errors.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd render shop.hsd -o shop.png                              from the street
-  hsd render street/*.hsd -o pictures/ --view front,above      two pictures of each")]
+  hsd render shop.hsd -o shop.png                              render the view from the street
+  hsd render street/*.hsd -o pictures/ --view front,above      render two views of each house")]
 pub(super) struct Render {
-    /// Texts, or models (.glb).
+    /// Source files or models (.glb).
     #[arg(value_name = "FILE", required = true)]
     inputs: Vec<PathBuf>,
 
@@ -52,11 +52,11 @@ pub(super) struct Render {
     #[command(flatten)]
     fineness: Fineness,
 
-    /// The picture, .png or .jpg, or a folder (`pictures/`).
+    /// Write the image to this file (.png or .jpg), or several images into this folder (`pictures/`).
     #[arg(short, long, value_name = "OUT")]
     output: PathBuf,
 
-    /// Where to look from, one or more with commas.
+    /// Select the views, separated by commas.
     #[arg(
         long = "view",
         value_enum,
@@ -66,44 +66,44 @@ pub(super) struct Render {
     )]
     views: Vec<View>,
 
-    /// Pixels.
+    /// Set the image size in pixels.
     #[arg(long, value_name = "WxH", default_value = "960x640", value_parser = size)]
     size: (u32, u32),
 
-    /// Places of the light that are averaged; more is smoother.
+    /// Set the number of light samples; more make smoother shadows.
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=1024))]
     samples: u32,
 
-    /// The format of pictures in a folder.
+    /// Set the format of images in a folder.
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
     format: Kind,
 
-    /// Say nothing unless something is wrong.
+    /// Print only diagnostics.
     #[arg(short, long)]
     quiet: bool,
 }
 
-/// Where to look from.
+/// Views of a house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum View {
-    /// From the left in the street.
+    /// From the left of the street.
     Front,
-    /// As front, from the height of the eaves.
+    /// Like front, from the height of the eaves.
     Eaves,
-    /// From the right before the house and above.
+    /// From above, front right.
     Above,
-    /// From behind and above.
+    /// From above, behind the house.
     Back,
     /// The left side.
     Left,
     /// The right side.
     Right,
-    /// Straight down.
+    /// From straight above.
     Top,
 }
 
 impl View {
-    /// As the page calls it.
+    /// The name of the view in the page's URL.
     fn word(self) -> &'static str {
         match self {
             View::Front => "front",
@@ -117,13 +117,13 @@ impl View {
     }
 }
 
-/// Formats of pictures.
+/// Image formats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum Kind {
-    /// Every pixel as it was drawn.
+    /// Lossless.
     #[default]
     Png,
-    /// Several times smaller.
+    /// Several times smaller, with losses.
     Jpg,
 }
 
@@ -144,7 +144,7 @@ impl Kind {
     }
 }
 
-/// Where pictures go.
+/// The output of a run.
 enum Target<'a> {
     File(&'a Path, Kind),
     Folder(&'a Path, Kind),
@@ -169,7 +169,7 @@ impl Render {
         Ok(exit(spoiled))
     }
 
-    /// Where the pictures go; several cannot go into one file, nor two into the same.
+    /// Returns the output. Fails for several images in one file, or two with the same name.
     fn target(&self) -> Result<Target<'_>, Stop> {
         let output = &self.output;
         let named = output.to_string_lossy();
@@ -180,15 +180,15 @@ impl Render {
             return match Kind::of(output) {
                 Some(kind) => Ok(Target::File(output, kind)),
                 None => Err(Stop::Usage(text!(
-                    "{shown}: a picture ends with .png or .jpg",
+                    "{shown}: the extension of an image must be .png or .jpg",
                     "{shown}: 画像の拡張子は .png か .jpg です"
                 ))),
             };
         }
         if !folder && Kind::of(output).is_some() {
             return Err(Stop::Usage(text!(
-                "several pictures do not fit into {shown}; name a folder, as in `-o pictures/`",
-                "{shown} には画像がひとつしか入りません。`-o pictures/` のようにフォルダーを指定してください"
+                "{shown} is a single image; for several name a folder, as in `-o pictures/`",
+                "{shown} に書ける画像はひとつです。複数の場合は`-o pictures/` のようにフォルダーを指定してください"
             )));
         }
         for (n, input) in self.inputs.iter().enumerate() {
@@ -208,7 +208,7 @@ impl Render {
         Ok(Target::Folder(output, self.format))
     }
 
-    /// Says what is wrong with a text or a model; whether that spoils it.
+    /// Prints the diagnostics of a source file or a model; returns whether they make it fail.
     fn complaints(&self, input: &PathBuf, language: Language) -> Result<bool, Stop> {
         let model = input
             .extension()
@@ -227,7 +227,7 @@ impl Render {
         Ok(list.iter().any(|d| self.manner.spoils(d.severity)))
     }
 
-    /// What there is to say of a text, and the files that it is about.
+    /// Checks a source file; returns the sources and their diagnostics.
     fn checked(&self, input: &PathBuf) -> Result<(Vec<Source>, Vec<Diagnostic>), Stop> {
         let mut out = Diagnostics::new();
         let own = std::slice::from_ref(input);
@@ -238,7 +238,7 @@ impl Render {
         Ok((inputs.and(checked.included), out.into_sorted()))
     }
 
-    /// Takes the pictures of one file.
+    /// Renders the images of one file.
     fn one(
         &self,
         input: &Path,
@@ -280,7 +280,7 @@ impl Render {
         self.take(input, target, &stills, running, language, begun)
     }
 
-    /// Writes what comes from the page, until it says that it is done.
+    /// Writes the images received from the page until it reports completion.
     fn take(
         &self,
         input: &Path,
@@ -296,7 +296,7 @@ impl Render {
             match stills.recv_timeout(PULSE) {
                 Ok(Still::Picture { view, png }) => {
                     heard = Instant::now();
-                    // The page says which view it is; only what was asked for becomes a name.
+                    // The page names the view; only requested views become file names.
                     let Some(view) = self.views.iter().find(|v| v.word() == view) else {
                         continue;
                     };
@@ -315,15 +315,15 @@ impl Render {
                 }
                 Err(RecvTimeoutError::Timeout) if running.ended() => {
                     return Err(Stop::Io(text!(
-                        "{shown}: the browser ended before the picture was drawn",
+                        "{shown}: the browser exited before the image was complete",
                         "{shown}: 画像ができる前にブラウザーが終了しました"
                     )));
                 }
                 Err(RecvTimeoutError::Timeout) if heard.elapsed() < PATIENCE => {}
                 Err(_) => {
                     return Err(Stop::Io(text!(
-                        "{shown}: nothing came from the browser",
-                        "{shown}: ブラウザーから何も届きませんでした"
+                        "{shown}: no response from the browser",
+                        "{shown}: ブラウザーから応答がありません"
                     )));
                 }
             }
@@ -331,7 +331,7 @@ impl Render {
     }
 }
 
-/// Puts a picture in its place.
+/// Writes an image and returns its path.
 fn write(input: &Path, target: &Target<'_>, view: View, png: Vec<u8>) -> Result<PathBuf, Stop> {
     let (path, kind) = match target {
         Target::File(path, kind) => (path.to_path_buf(), *kind),
@@ -351,11 +351,11 @@ fn write(input: &Path, target: &Target<'_>, view: View, png: Vec<u8>) -> Result<
     Ok(path)
 }
 
-/// `960x640`.
+/// Parses a size such as `960x640`.
 fn size(text: &str) -> Result<(u32, u32), &'static str> {
     let side = |t: &str| t.parse().ok().filter(|n: &u32| (16..=8192).contains(n));
     let sides = text
         .split_once('x')
         .and_then(|(w, h)| Some((side(w)?, side(h)?)));
-    sides.ok_or("width and height in pixels, 16 to 8192, as in 960x640")
+    sides.ok_or("expected width and height in pixels, 16 to 8192, as in 960x640")
 }

@@ -1,4 +1,4 @@
-//! `hsd textures`: the drawn materials as files.
+//! `hsd textures`: writes the procedural textures of the materials.
 
 use super::{Exit, Outcome, Stop};
 use crate::cli::files::terminal::counted;
@@ -9,20 +9,20 @@ use clap::Args;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-/// Draw the pictures of all materials into a folder.
+/// Write the textures of all materials to a folder.
 ///
-/// Each material has a colour, a normal map and a map of occlusion, roughness and metalness. They are the
-/// pictures that models carry; nothing has to be drawn to build one.
+/// Each material has a colour map, a normal map and a map of occlusion, roughness and metalness. Models contain the
+/// same textures; building one does not require this command.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd textures -o materials/          draw all of them
-  hsd textures --sheet materials.jpg     see all of them at one scale")]
+  hsd textures -o materials/          write all textures
+  hsd textures --sheet materials.jpg     draw all materials at the same scale")]
 pub(super) struct Textures {
-    /// The folder; it is made where it is missing.
+    /// Write to this folder; it is created if missing.
     #[arg(short, long, value_name = "DIR", required_unless_present = "sheet")]
     output: Option<PathBuf>,
-    /// A JPEG of all materials side by side, each as wide as a bay of 0.91 m.
+    /// Write a JPEG of all materials side by side, each 0.91 m wide.
     #[arg(long, value_name = "FILE")]
     sheet: Option<PathBuf>,
 }
@@ -32,7 +32,7 @@ impl Textures {
         if let Some(folder) = &self.output {
             let shown = folder.display();
             let files = texture::write_all(folder).map_err(|e| Stop::at(&shown, e))?;
-            let count = counted(files.len(), noun("picture", "画像{}枚"));
+            let count = counted(files.len(), noun("texture", "テクスチャー{}枚"));
             let told = text!([count]
                 "wrote {count} to {shown}",
                 "{count}を {shown} に書きました"

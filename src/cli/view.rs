@@ -1,4 +1,4 @@
-//! `hsd view`: the live preview.
+//! `hsd view`: runs the live preview.
 
 mod disk;
 
@@ -12,19 +12,19 @@ pub(super) use disk::Disk;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Show a house in the browser, and build it again at every save.
+/// Preview houses in the browser, updated at every save.
 ///
-/// A page on this machine shows the model, the plan and what is wrong with the text. Of a folder any text or model
-/// can be chosen there. Nothing leaves the machine. It runs until it is interrupted.
+/// A local page shows the model, the plan and the diagnostics. For a folder, any source file or model in it can be
+/// opened there. No data leaves this machine. The command runs until interrupted.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd view house.hsd                                   the house beside your editor
-  hsd view street/                                     all texts of a folder
-  hsd view town.hsd --detail 1                         hundreds of houses, with pictures for their parts
-  hsd view house.hsd --editor 'code -g {file}:{line}'  a click on a part goes to its line")]
+  hsd view house.hsd                                   preview a house beside your editor
+  hsd view street/                                     preview the source files of a folder
+  hsd view town.hsd --detail 1                         preview hundreds of houses with textures for parts
+  hsd view house.hsd --editor 'code -g {file}:{line}'  go to the line of a part when it is clicked")]
 pub(super) struct View {
-    /// A text, a folder of texts, or a model (.glb).
+    /// A source file, a folder of source files, or a model (.glb).
     #[arg(value_name = "FILE")]
     input: PathBuf,
 
@@ -34,19 +34,19 @@ pub(super) struct View {
     #[command(flatten)]
     fineness: Fineness,
 
-    /// What sends your editor to a place; {file}, {line} and {column} stand for it.
+    /// Run this command to go to a location in your editor; {file}, {line} and {column} are replaced.
     #[arg(long, value_name = "COMMAND", env = "HSD_EDITOR")]
     editor: Option<String>,
 
-    /// Change no text, whatever is drawn in the page.
+    /// Disable editing in the page.
     #[arg(long)]
     read_only: bool,
 
-    /// The port of the page; any free one without it.
+    /// Set the port of the page [default: any free port].
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     port: u16,
 
-    /// Do not open the browser; the address is written.
+    /// Print the address without opening the browser.
     #[arg(long)]
     no_open: bool,
 }
@@ -68,7 +68,7 @@ impl View {
         io::stdout().flush()?;
         if !self.no_open && open::that_detached(&url).is_err() {
             let hint = text!(
-                "no browser could be started; open the address above",
+                "could not start a browser; open the address above",
                 "ブラウザーを起動できませんでした。上のアドレスを開いてください"
             );
             writeln!(io::stderr(), "hsd: {}", hint.in_language(language))?;
@@ -78,7 +78,7 @@ impl View {
     }
 }
 
-/// Fails where the page was not built before the program.
+/// Fails if the program was built without the page.
 pub(super) fn page_is_there() -> Result<(), Stop> {
     match view::there() {
         true => Ok(()),
@@ -86,7 +86,7 @@ pub(super) fn page_is_there() -> Result<(), Stop> {
     }
 }
 
-/// Begins to show a file or a folder.
+/// Starts the preview of a file or a folder.
 pub(super) fn start(
     input: &Path,
     manner: &Manner,

@@ -25,7 +25,7 @@ fn check_changes_nothing_and_tells_what_would_change() {
         stdout(&output),
         "loose.hsd\n    3 - \n    4 - KSK  KSK··\n    5 - KSK  KSK··\n    5 + KSK  KSK\n    6 + KSK  KSK\n"
     );
-    assert_eq!(stderr(&output), "2 files, 1 would be laid out anew\n");
+    assert_eq!(stderr(&output), "2 files, 1 would be reformatted\n");
     assert_eq!(read(&folder, "loose.hsd"), LOOSE);
     assert_eq!(
         code(&hsd(folder.path(), &["fmt", "--check", "tidy.hsd"])),

@@ -103,7 +103,7 @@ fn wrong_usage_is_told_in_japanese() {
     for (arguments, expected) in [
         (&["build"][..], "エラー: 引数が足りません: <IN>..."),
         (&["bild"], "エラー: 'bild' というコマンドはありません"),
-        (&["bild"], "もしかすると 'build' ではありませんか"),
+        (&["bild"], "'build' のことですか"),
         (
             &["check", "--format", "xml", "a"],
             "に 'xml' は指定できません",
@@ -120,7 +120,7 @@ fn wrong_usage_is_told_in_japanese() {
         (&["explain", "HSD9999"], "HSD9999 という指摘はありません"),
         (
             &["check", "missing.hsd"],
-            "ファイルかフォルダーがありません",
+            "ファイルまたはフォルダーがありません",
         ),
         (&["sound.hsd"], "hsd: `sound.hsd` はファイルです。"),
     ] {

@@ -108,7 +108,7 @@ fn wishes_that_cannot_be_are_refused() {
         ),
         (
             &["sound.hsd", "./sound.hsd", "-o", "all/"],
-            "would both become",
+            "would both be written to",
         ),
         (&["sound.hsd", "-o", "one.png", "--size", "0x9"], "960x640"),
         (&["sound.hsd", "-o", "one.png", "--view", "inside"], "front"),
@@ -144,7 +144,7 @@ fn browsers_that_fail_are_told_of() {
     let output = with(env!("CARGO_BIN_EXE_hsd"));
     assert_eq!(code(&output), 3);
     assert!(
-        stderr(&output).contains("the browser ended"),
+        stderr(&output).contains("the browser exited"),
         "{}",
         stderr(&output)
     );

@@ -1,4 +1,4 @@
-//! `hsd build --bake`: what glass mirrors, as pictures for viewers that know no mirrors.
+//! `hsd build --bake`: reflections of glass baked into textures, for viewers that cannot draw reflections.
 
 use crate::backend::images::Library;
 use crate::render::mirror;
@@ -10,25 +10,29 @@ use glam::DVec3;
 /// The options of `--bake`.
 #[derive(Clone, Copy, Debug, Args)]
 pub(super) struct Baking {
-    /// Draw what the glass of each facade with `reflection` mirrors of houses and sky, for viewers that know no mirrors.
+    /// Bake reflections of houses and sky into the glass of facades with `reflection`, for viewers that cannot draw
+    /// reflections.
     ///
-    /// It is right for one eye: somebody 1.6 m tall in the street before the middle of the glass, so far away that
-    /// all of it is seen within 60 degrees, but on this side of what stands opposite.
+    /// The result is correct for a single viewpoint: 1.6 m above the street in front of the centre of the glass, far
+    /// enough away to see all of it within 60 degrees but not beyond the building opposite.
     #[arg(long)]
     pub(super) bake: bool,
 
-    /// Where the eye of --bake stands: metres to the east, to the north and up. Glass that turns its back on it keeps
-    /// an eye of its own.
+    /// Set the viewpoint of --bake in metres east, north and up.
+    ///
+    /// Glass that faces away from it keeps its default viewpoint.
     #[arg(long, value_name = "E,N,U", requires = "bake", value_parser = point, allow_hyphen_values = true)]
     bake_eye: Option<DVec3>,
 
-    /// Most pixels of the longer side of a picture of --bake; 48 a metre are enough.
+    /// Limit the longer side of baked images to this many pixels.
+    ///
+    /// The resolution never exceeds 48 pixels per metre.
     #[arg(long, value_name = "PIXELS", requires = "bake", default_value_t = 1024, value_parser = clap::value_parser!(u32).range(16..=4096))]
     bake_size: u32,
 }
 
 impl Baking {
-    /// Draws the pictures, if they are wished for.
+    /// Bakes the reflections if `--bake` was given.
     pub(super) fn run(&self, scene: &mut Scene, library: &mut Library) {
         if self.bake {
             let wishes = Wishes {
@@ -41,12 +45,12 @@ impl Baking {
     }
 }
 
-/// Three numbers with commas between them.
+/// Parses three comma-separated numbers.
 fn point(text: &str) -> Result<DVec3, &'static str> {
     let number = |t: &str| t.trim().parse().ok().filter(|x: &f64| x.abs() < 1e6);
     let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
     let numbers = numbers.and_then(|n| <[f64; 3]>::try_from(n).ok());
     numbers
         .map(DVec3::from_array)
-        .ok_or("three numbers, as in 0,-8,1.6")
+        .ok_or("expected three numbers, as in 0,-8,1.6")
 }

@@ -1,4 +1,4 @@
-//! `hsd build --variants`: a model for each variant, and the contact sheet of all.
+//! `hsd build --variants`: one model per variant, and the contact sheet.
 
 use super::{Build, Job};
 use crate::cli::files::input::Inputs;
@@ -17,18 +17,18 @@ use std::io::{self, Write};
 use std::num::NonZeroU32;
 use std::path::Path;
 
-/// Quality of a sheet in JPEG.
+/// The JPEG quality of a contact sheet.
 const QUALITY: u8 = 88;
 
-/// Most variants that are drawn: more would make a picture that nothing opens.
+/// The maximum number of variants in a contact sheet; larger images fail to open in most viewers.
 const MOST: u32 = 2500;
 
-/// Fails for a sheet in another format, or of too many variants.
+/// Fails if the format is not supported or there are too many variants.
 pub(super) fn check_sheet(sheet: &Path, variants: Option<NonZeroU32>) -> Result<(), Stop> {
     if variants.is_some_and(|count| count.get() > MOST) {
         return Err(Stop::Usage(text!(
-            "a contact sheet holds {MOST} variants at most",
-            "一覧画像に並べられる変種は {MOST} までです"
+            "a contact sheet can show at most {MOST} variants",
+            "一覧画像に並べられる変種は {MOST} 件までです"
         )));
     }
     match kind(sheet) {
@@ -36,7 +36,7 @@ pub(super) fn check_sheet(sheet: &Path, variants: Option<NonZeroU32>) -> Result<
         None => {
             let shown = sheet.display();
             Err(Stop::Usage(text!(
-                "{shown}: a contact sheet ends with .png or .jpg",
+                "{shown}: the extension of a contact sheet must be .png or .jpg",
                 "{shown}: 一覧画像の拡張子は .png か .jpg です"
             )))
         }
@@ -58,7 +58,7 @@ fn kind(sheet: &Path) -> Option<Kind> {
 }
 
 impl Build {
-    /// A job for each variant of each job, named by its seed.
+    /// Replaces each job by one per variant, named after its seed.
     pub(super) fn each_variant(&self, jobs: Vec<Job>) -> Result<Vec<Job>, Stop> {
         let Some(count) = self.variants else {
             return Ok(jobs);
@@ -82,7 +82,7 @@ impl Build {
         Ok(several.collect())
     }
 
-    /// Draws all variants into one picture. Messages are told where no model was built that told them.
+    /// Draws all variants into one image. `tell` prints the diagnostics, for runs that build no model.
     pub(super) fn contact_sheet(&self, path: &Path, tell: bool, language: Language) -> Outcome {
         let mut out = Diagnostics::new();
         let limits = self.reading.limits();
@@ -108,7 +108,7 @@ impl Build {
         output::write(path, Files::bytes(bytes))?;
         if !self.quiet {
             let shown = path.display();
-            let said = text!("drew {shown}", "{shown} を描きました");
+            let said = text!("wrote {shown}", "{shown} を書きました");
             writeln!(io::stderr(), "{}", said.in_language(language))?;
         }
         Ok(Exit::Done)

@@ -1,4 +1,4 @@
-//! `hsd build --watch`: builds again when a text or a picture changes.
+//! `hsd build --watch`: rebuilds when a source file or an image changes.
 
 use crate::cli::build::{Build, Job};
 use crate::cli::{Outcome, Stop};
@@ -12,10 +12,10 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc;
 use std::time::Duration;
 
-/// Editors write a file in several steps.
+/// The debounce delay: editors write a file in several steps.
 const QUIET: Duration = Duration::from_millis(50);
 
-/// Builds, waits, builds again; ends when the process is interrupted.
+/// Builds, waits for a change and builds again, until the process is interrupted.
 pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Outcome {
     let (sender, events) = mpsc::channel();
     let failed = |e: notify_debouncer_full::notify::Error| unwatched(&e);
@@ -25,7 +25,7 @@ pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Ou
     let mut folders = BTreeSet::new();
     let read = inputs.iter().chain(&build.reading.catalogs);
     for input in read {
-        // The folder is watched, since editors put a new file in the place of the old one.
+        // The folder is watched rather than the file, because editors replace files when saving.
         let folder = input.parent().filter(|p| !p.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).canonicalize();
         let folder = folder.map_err(|e| Stop::at(input.display(), e))?;
@@ -59,14 +59,14 @@ pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Ou
 
 fn unwatched(error: &dyn std::fmt::Display) -> Stop {
     Stop::Io(text!(
-        "cannot watch: {error}",
+        "cannot watch for changes: {error}",
         "変更を監視できません: {error}"
     ))
 }
 
-/// Whether an event changes a text or a picture; outputs in the same folder do not count.
+/// Returns whether an event changes a source file or an image; outputs in the same folder are ignored.
 fn matters(event: &DebouncedEvent, texts: &BTreeSet<PathBuf>) -> bool {
-    // A text beside the others may be included by them.
+    // Other .hsd files in the folder may be included.
     let read = |p: &Path| {
         let ending = p.extension().and_then(|e| e.to_str()).unwrap_or_default();
         ["png", "jpg", "jpeg", "hsd"]

@@ -1,12 +1,12 @@
-//! A short diff of two texts, line by line, for a reader who wants to know what would change.
+//! A short line diff of two texts.
 
 use crate::diagnostic::Language;
 use crate::print;
 
-/// Lines shown.
+/// The maximum number of lines shown.
 const MOST: usize = 12;
 
-/// The first lines that differ: `3 - before`, `3 + after`, with blanks at their ends made visible.
+/// Returns the first differing lines, as `3 - before` and `3 + after`, with trailing blanks shown as dots.
 pub(in crate::cli) fn short(before: &str, after: &str, language: Language) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (before.lines().collect(), after.lines().collect());
     let mut shown = vec![];
@@ -19,11 +19,11 @@ pub(in crate::cli) fn short(before: &str, after: &str, language: Language) -> Ve
     }
     if shown.len() > MOST {
         shown.truncate(MOST);
-        let more = language.choose("and more", "ほかにもあります");
+        let more = language.choose("more differences follow", "ほかにも違いがあります");
         shown.push(format!("    {more}"));
     }
     if shown.is_empty() && before != after {
-        let ends = language.choose("line ends", "改行");
+        let ends = language.choose("line endings", "改行コード");
         shown.push(format!("    {ends}"));
     }
     shown
@@ -48,7 +48,7 @@ mod tests {
             ["    2 - b··", "    2 + b"]
         );
         assert_eq!(short("a\n\n\nb\n", "a\n\nb\n"), ["    3 - "]);
-        assert_eq!(short("a\r\nb", "a\nb"), ["    line ends"]);
+        assert_eq!(short("a\r\nb", "a\nb"), ["    line endings"]);
         let many: String = (0..99).map(|n| format!("{n} \n")).collect();
         let shown = short(&many, &many.replace(" \n", "\n"));
         assert_eq!(shown.len(), MOST + 1);

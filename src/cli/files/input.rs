@@ -1,4 +1,4 @@
-//! Reading the inputs.
+//! Reads the input files.
 
 use crate::cli::Stop;
 use crate::cli::files::reason;
@@ -10,22 +10,22 @@ use std::fs::File;
 use std::io::{self, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-/// The name that stands for standard input, and for standard output.
+/// The file name that denotes standard input or standard output.
 pub(in crate::cli) const STDIN: &str = "-";
 
-/// Files as they were read.
+/// The input files.
 #[derive(Debug)]
 pub(in crate::cli) struct Inputs {
-    /// One a file, numbered in order.
+    /// One source per file, numbered in order.
     pub(in crate::cli) sources: Vec<Source>,
-    /// Whether a file is over the limit or cannot be read: its source is empty, and a message says so.
+    /// For each source, whether the file is over the limit or unreadable. Such a source is empty and has a diagnostic.
     refused: Vec<bool>,
-    /// The first file that could not be read.
+    /// The error of the first unreadable file.
     failure: Option<Stop>,
 }
 
 impl Inputs {
-    /// Reads files; all of them must be readable.
+    /// Reads files. Fails if one is unreadable.
     pub(in crate::cli) fn read(
         paths: &[PathBuf],
         limit: usize,
@@ -34,7 +34,7 @@ impl Inputs {
         Inputs::from(0, paths, limit, out)
     }
 
-    /// The same of files that are numbered from `first` on.
+    /// Like [`Inputs::read`], with sources numbered from `first`.
     pub(in crate::cli) fn from(
         first: usize,
         paths: &[PathBuf],
@@ -45,12 +45,12 @@ impl Inputs {
         inputs.failure.take().map_or(Ok(inputs), Err)
     }
 
-    /// Whether a file could not be read.
+    /// Returns whether a file could not be read.
     pub(in crate::cli) fn failed(&self) -> bool {
         self.failure.is_some()
     }
 
-    /// Reads what can be read; a message tells of each file that cannot.
+    /// Reads files, with a diagnostic for each unreadable one.
     pub(in crate::cli) fn readable(
         paths: &[PathBuf],
         limit: usize,
@@ -73,7 +73,7 @@ impl Inputs {
         for (path, number) in paths.iter().zip(first..) {
             let id = u16::try_from(number).map_err(|_| {
                 Stop::Usage(text!(
-                    "too many inputs: 65,536 files can be read in one run",
+                    "too many inputs: at most 65,536 files can be read in one run",
                     "入力が多すぎます。一度に読めるのは 65,536 ファイルまでです"
                 ))
             })?;
@@ -101,19 +101,19 @@ impl Inputs {
         Ok(inputs)
     }
 
-    /// Whether each source is to be taken, in order.
+    /// For each source in order, whether it was accepted.
     pub(in crate::cli) fn taken(&self) -> impl Iterator<Item = bool> {
         self.refused.iter().map(|refused| !refused)
     }
 
-    /// The sources and those that were read besides, for a report.
+    /// Returns the sources followed by the included ones, for a report.
     pub(in crate::cli) fn and(self, included: Vec<Source>) -> Vec<Source> {
         let mut sources = self.sources;
         sources.extend(included);
         sources
     }
 
-    /// The sources that are to be compiled.
+    /// Returns the accepted sources.
     pub(in crate::cli) fn accepted(&self) -> Vec<&Source> {
         let both = self.sources.iter().zip(&self.refused);
         both.filter(|(_, refused)| !**refused)
@@ -122,7 +122,7 @@ impl Inputs {
     }
 }
 
-/// The bytes of a file, and how many it has; none are read where they are too many.
+/// Returns the contents and the size of a file; the contents are empty if it is over the limit.
 fn read(path: &Path, limit: usize) -> io::Result<(Vec<u8>, usize)> {
     let mut bytes = vec![];
     if path.as_os_str() == STDIN {
@@ -133,7 +133,7 @@ fn read(path: &Path, limit: usize) -> io::Result<(Vec<u8>, usize)> {
         let kind = file.metadata()?;
         if kind.is_dir() {
             let why = text!(
-                "is a folder; name the texts in it",
+                "is a folder; name the source files in it",
                 "フォルダーです。中のテキストを指定してください"
             );
             return Err(reason::error(ErrorKind::Other, why));
@@ -141,7 +141,7 @@ fn read(path: &Path, limit: usize) -> io::Result<(Vec<u8>, usize)> {
         if kind.len() > limit as u64 {
             return Ok((vec![], usize::try_from(kind.len()).unwrap_or(usize::MAX)));
         }
-        // A pipe or a growing file says nothing of its size.
+        // The size of a pipe or of a growing file is unknown.
         file.take(limit as u64 + 1).read_to_end(&mut bytes)?;
     }
     let size = bytes.len();

@@ -1,5 +1,4 @@
-//! Writing outputs: every file under a temporary name first, then all renamed. A reader sees the old file or
-//! the new one, never a part of it.
+//! Writes outputs atomically: all files under temporary names first, then renamed.
 
 use crate::backend::gltf::{self, Glb};
 use crate::backend::{Images, OutFile, obj, stl};
@@ -16,17 +15,17 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
 
-/// The formats of models.
+/// Model formats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Model {
-    /// glTF in one file.
+    /// Binary glTF, everything in one file.
     #[default]
     Glb,
-    /// glTF as text, with its buffer and pictures beside it.
+    /// glTF as JSON, with buffer and textures in separate files.
     Gltf,
-    /// OBJ with MTL and pictures beside it.
+    /// OBJ, with MTL and textures in separate files.
     Obj,
-    /// STL for printing, in millimetres.
+    /// STL for 3D printing, in millimetres.
     Stl,
 }
 
@@ -40,14 +39,14 @@ impl Model {
         }
     }
 
-    /// The format that the ending of a file name stands for.
+    /// Returns the format for the extension of a path.
     pub(in crate::cli) fn of_ending(path: &Path) -> Option<Model> {
         let ending = path.extension()?;
         let mut all = [Model::Glb, Model::Gltf, Model::Obj, Model::Stl].into_iter();
         all.find(|m| ending.eq_ignore_ascii_case(m.ending()))
     }
 
-    /// The format of an output; `.glb` for a device or a pipe, whose name has no ending.
+    /// Returns the format of an output; `.glb` for a device or a pipe without an extension.
     pub(in crate::cli) fn of(path: &Path) -> Result<Model, Stop> {
         let device = || fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir());
         if let Some(model) = Model::of_ending(path) {
@@ -59,18 +58,18 @@ impl Model {
         let shown = path.display();
         let folder = match path.extension() {
             None => text!(
-                "; if it is to be a folder, write `{shown}/`",
-                "。フォルダーなら `{shown}/` と書いてください"
+                "; for a folder, write `{shown}/`",
+                "。フォルダーの場合は `{shown}/` と書いてください"
             ),
             Some(_) => Text::default(),
         };
         Err(Stop::Usage(text!([folder]
-            "{shown}: models end in .glb, .gltf, .obj or .stl{folder}",
+            "{shown}: the extension of a model must be .glb, .gltf, .obj or .stl{folder}",
             "{shown}: モデルの拡張子は .glb、.gltf、.obj、.stl のどれかです{folder}"
         )))
     }
 
-    /// All files of a model; `path` names the main one.
+    /// Returns all files of a model; `path` is the main one.
     pub(in crate::cli) fn files<'a>(
         self,
         scene: &'a Scene,
@@ -101,7 +100,7 @@ impl Model {
 /// The files of a model.
 pub(in crate::cli) struct Files<'a> {
     main: Content<'a>,
-    /// What the main one refers to.
+    /// The files the main one refers to.
     beside: Vec<OutFile<'a>>,
 }
 
@@ -113,17 +112,17 @@ impl<'a> Files<'a> {
         }
     }
 
-    /// One model with everything inside.
+    /// A self-contained binary glTF.
     pub(in crate::cli) fn glb(glb: Glb<'a>) -> Files<'a> {
         Files::one(Content::Glb(Box::new(glb)))
     }
 
-    /// One file of these bytes.
+    /// A single file with these contents.
     pub(in crate::cli) fn bytes(bytes: Vec<u8>) -> Files<'a> {
         Files::one(Content::Bytes(bytes.into()))
     }
 
-    /// Of a list whose last file is the main one.
+    /// Files from a list whose last entry is the main one.
     fn of(mut list: Vec<OutFile<'a>>) -> Files<'a> {
         let main = list.pop().map(|f| f.bytes).unwrap_or_default();
         Files {
@@ -133,15 +132,15 @@ impl<'a> Files<'a> {
     }
 }
 
-/// What a file holds, or how it is made.
+/// The contents of a file.
 enum Content<'a> {
     Bytes(Cow<'a, [u8]>),
-    /// Made while it is written: a town's is larger than all that it is made of.
+    /// Serialized while writing, because the file of a town is larger than its scene.
     Glb(Box<Glb<'a>>),
 }
 
 impl Content<'_> {
-    /// Writes it to a file that is no pipe; returns how many bytes there are.
+    /// Writes to a seekable file; returns the number of bytes.
     fn fill(&self, file: &mut fs::File) -> io::Result<u64> {
         match self {
             Content::Bytes(bytes) => file.write_all(bytes).map(|()| bytes.len() as u64),
@@ -149,7 +148,7 @@ impl Content<'_> {
         }
     }
 
-    /// Writes it to what only runs forwards.
+    /// Writes to a stream; returns the number of bytes.
     fn pour(&self, out: &mut impl Write) -> io::Result<u64> {
         match self {
             Content::Bytes(bytes) => out.write_all(bytes).map(|()| bytes.len() as u64),
@@ -162,7 +161,7 @@ impl Content<'_> {
     }
 }
 
-/// Puts the files of a model beside `path`; returns how many bytes they have.
+/// Writes the files of a model at and beside `path`; returns their total size in bytes.
 pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> {
     if path.as_os_str() == STDIN {
         let mut out = io::stdout().lock();
@@ -176,7 +175,7 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> 
     };
     let beside = files.beside.into_iter();
     let beside = beside.map(|f| (folder.join(&f.name), Content::Bytes(f.bytes)));
-    // The main file keeps a name that is no UTF-8.
+    // Keeps the exact path of the main file, which may not be UTF-8.
     let main = (path.to_owned(), files.main);
     let (mut ready, mut length) = (vec![], 0);
     for (target, content) in beside.chain([main]) {
@@ -192,8 +191,8 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> 
     Ok(length)
 }
 
-/// A whole file under a temporary name in the folder of its target, and the target with links followed.
-/// What is no file (a device, a pipe) is written at once. Says how many bytes there are.
+/// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
+/// links resolved. Devices and pipes are written directly.
 fn prepare(
     target: &Path,
     content: &Content<'_>,
@@ -218,36 +217,33 @@ fn prepare(
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    // Other folders are not made: a misspelt output should not grow a tree.
+    // Other folders are not created, so that a misspelt path fails.
     if folder.to_string_lossy().ends_with("_textures") && !folder.exists() {
         fs::create_dir(folder)?;
     }
     if !folder.is_dir() {
         let shown = folder.display();
-        let why = text!(
-            "there is no folder {shown}",
-            "フォルダー {shown} がありません"
-        );
+        let why = text!("no such folder: {shown}", "フォルダー {shown} がありません");
         return Err(reason::error(io::ErrorKind::NotFound, why));
     }
-    // The temporary name, which these errors would tell, is nothing to the reader.
+    // Drops the temporary path from the error message.
     let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
     let length = content.fill(file.as_file_mut())?;
-    // A file keeps what its owner allows others.
+    // Keeps the permissions of an existing file.
     if let Some(rights) = rights {
         file.as_file().set_permissions(rights)?;
     }
     Ok((length, Some((file, target))))
 }
 
-/// A file that others may read, as if it had been made under its final name.
+/// Creates a temporary file with the default permissions of a new file.
 fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".hsd-");
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666)); // less the user's mask
+        builder.permissions(fs::Permissions::from_mode(0o666)); // reduced by the umask
     }
     builder.tempfile_in(folder)
 }

@@ -1,11 +1,11 @@
-//! Why a file could not be read or written.
+//! Descriptions of I/O errors in both languages.
 
 use crate::diagnostic::Text;
 use crate::text;
 use std::fmt;
 use std::io::{Error, ErrorKind};
 
-/// A reason of our own, as the payload of an error of input or output.
+/// A bilingual description, as the payload of an I/O error.
 #[derive(Debug)]
 struct Own(Text);
 
@@ -17,19 +17,19 @@ impl fmt::Display for Own {
 
 impl std::error::Error for Own {}
 
-/// An error with a reason of our own.
+/// Returns an I/O error with a bilingual description.
 pub(in crate::cli) fn error(kind: ErrorKind, why: Text) -> Error {
     Error::new(kind, Own(why))
 }
 
-/// The reason of an error; the usual ones of the system in both languages.
+/// Returns the description of an error; common system errors are translated.
 pub(in crate::cli) fn of(error: &Error) -> Text {
     if let Some(own) = error.get_ref().and_then(|e| e.downcast_ref::<Own>()) {
         return own.0.clone();
     }
     let ja = match error.kind() {
-        ErrorKind::NotFound => "ファイルかフォルダーがありません",
-        ErrorKind::PermissionDenied => "許可されていません",
+        ErrorKind::NotFound => "ファイルまたはフォルダーがありません",
+        ErrorKind::PermissionDenied => "アクセスが許可されていません",
         ErrorKind::AlreadyExists => "すでにあります",
         ErrorKind::StorageFull => "空き容量がありません",
         _ => return error.to_string().into(),

@@ -1,14 +1,14 @@
-//! What the screen can show.
+//! Terminal style, text width and counted nouns.
 
 use crate::diagnostic::{Noun, Text, noun};
 use crate::report::Style;
 use crate::text;
 use std::io::IsTerminal;
 
-/// Columns where the terminal does not say.
+/// The default number of columns.
 const WIDTH: usize = 100;
 
-/// How reports look on a stream: colours only on a terminal, and never against `NO_COLOR`.
+/// Returns the report style for a stream: colours only on a terminal, and not if `NO_COLOR` is set.
 pub(in crate::cli) fn style(stream: &impl IsTerminal) -> Style {
     let set = |name: &str| std::env::var_os(name).is_some_and(|v| !v.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|t| t == "dumb");
@@ -19,7 +19,7 @@ pub(in crate::cli) fn style(stream: &impl IsTerminal) -> Style {
     }
 }
 
-/// The columns a text takes on a screen: two for Han, kana and full-width forms, none for marks above others.
+/// Returns the display width of a text in columns: two for Han, kana and full-width forms, none for combining marks.
 pub(in crate::cli) fn width(text: &str) -> usize {
     text.chars().map(columns).sum()
 }
@@ -34,13 +34,13 @@ fn columns(c: char) -> usize {
     }
 }
 
-/// A text and blanks up to a column.
+/// Pads a text with spaces to a display width.
 pub(in crate::cli) fn padded(text: &str, columns: usize) -> String {
     let blanks = columns.saturating_sub(width(text));
     format!("{text}{}", " ".repeat(blanks))
 }
 
-/// `1.2 MB`.
+/// Formats a size in bytes, such as `1.2 MB`.
 pub(in crate::cli) fn bytes(count: usize) -> Text {
     match count {
         0..1_000 => text!("{count} bytes", "{count} バイト"),
@@ -49,13 +49,13 @@ pub(in crate::cli) fn bytes(count: usize) -> Text {
     }
 }
 
-/// Files, to be counted.
+/// The noun for files.
 pub(in crate::cli) const FILE: Noun = noun("file", "{}ファイル");
 
-/// Houses, to be counted.
+/// The noun for houses.
 pub(in crate::cli) const HOUSE: Noun = noun("house", "家{}軒");
 
-/// `1 house`, `2 houses`; the Japanese noun has `{}` where the number stands.
+/// Returns a counted noun, such as `2 houses`. The Japanese noun has `{}` in place of the number.
 pub(in crate::cli) fn counted(count: usize, Noun { en, ja }: Noun) -> Text {
     let plural = match (count, en.ends_with('h')) {
         (1, _) => "",

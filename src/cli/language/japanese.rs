@@ -1,24 +1,24 @@
-//! Help and complaints of the command line in Japanese.
+//! Japanese help and usage errors.
 //!
-//! clap has no words but English ones. Here a finished command gets others: its own from the table of [`words`], clap's
-//! ("Usage", "default") by templates, and complaints by [`wrong`].
+//! clap supports English only. Help texts are replaced by those of the table in [`help`], clap's own words ("Usage",
+//! "default") by templates, and error messages by [`errors`].
 
-mod words;
-mod wrong;
+mod errors;
+mod help;
 
-pub(in crate::cli) use wrong::complaint;
+pub(in crate::cli) use errors::error_message;
 
 use crate::cli::files::terminal;
 use clap::builder::PossibleValue;
 use clap::{Arg, Command};
-use words::{COMMANDS, COMMON, Words};
+use help::{COMMANDS, COMMON, CommandHelp};
 
-/// Columns of a line of help, beside the names of options.
+/// The width of help texts in columns.
 const COLUMNS: usize = 76;
 
 const TEMPLATE: &str = "{about-with-newline}\n使い方: {usage}\n\n{all-args}{after-help}";
 
-/// The command with all its subcommands, in Japanese.
+/// Translates the help of a command and its subcommands.
 pub(in crate::cli) fn command(mut english: Command) -> Command {
     english.build();
     translated(english, "")
@@ -31,8 +31,8 @@ fn translated(mut command: Command, path: &str) -> Command {
         .iter()
         .zip(["[オプション]", "[コマンド]", "<コマンド>"])
         .fold(usage.to_owned(), |text, (en, ja)| text.replace(en, ja));
-    // What `hsd help` knows of a subcommand is what stands in the table for the subcommand itself.
-    let words = COMMANDS.iter().find(|w| w.path == path);
+    // The subcommands of `hsd help` have the entries of the commands they describe.
+    let entry = COMMANDS.iter().find(|w| w.path == path);
     let below = |name: &str| match path {
         "" | "help" => name.to_owned(),
         _ => format!("{path} {name}"),
@@ -41,26 +41,26 @@ fn translated(mut command: Command, path: &str) -> Command {
         .help_template(TEMPLATE)
         .override_usage(usage)
         .subcommand_help_heading("コマンド")
-        .mut_args(|arg| argument(arg, words))
+        .mut_args(|arg| argument(arg, entry))
         .mut_subcommands(|sub| {
             let path = below(sub.get_name());
             translated(sub, &path)
         });
-    let Some(words) = words else { return command };
-    let about = folded(words.about);
-    let long = match words.more {
+    let Some(entry) = entry else { return command };
+    let about = folded(entry.about);
+    let long = match entry.more {
         "" => about.clone(),
         more => format!("{about}\n\n{}", folded(more)),
     };
     let command = command.about(about).long_about(long);
-    match words.examples {
+    match entry.examples {
         "" => command,
         examples => command.after_help(examples),
     }
 }
 
-/// An argument with its help, its values and what it is without being given.
-fn argument(arg: Arg, words: Option<&Words>) -> Arg {
+/// Translates the help, values and default of an argument.
+fn argument(arg: Arg, entry: Option<&CommandHelp>) -> Arg {
     let heading = match arg.is_positional() {
         true => "引数",
         false => "オプション",
@@ -69,8 +69,8 @@ fn argument(arg: Arg, words: Option<&Words>) -> Arg {
         .help_heading(heading)
         .hide_default_value(true)
         .hide_possible_values(true);
-    let own = words.map_or(&[][..], |w| w.arguments);
-    let mut known = own.iter().chain(COMMON);
+    let specific = entry.map_or(&[][..], |e| e.arguments);
+    let mut known = specific.iter().chain(COMMON);
     let Some((_, help, more)) = known.find(|(id, ..)| *id == arg.get_id().as_str()) else {
         return arg;
     };
@@ -95,24 +95,24 @@ fn argument(arg: Arg, words: Option<&Words>) -> Arg {
     }
     if !values.is_empty() {
         long += "\n\n値:";
-        long.extend(values.iter().map(|value| listed(value, words)));
+        long.extend(values.iter().map(|value| listed(value, entry)));
     }
     arg.help(folded(&format!("{help}{choice}{default}")))
         .long_help(long)
 }
 
-/// A value with what it stands for, on a line.
-fn listed(value: &PossibleValue, words: Option<&Words>) -> String {
+/// Returns a line for an argument value and its description.
+fn listed(value: &PossibleValue, entry: Option<&CommandHelp>) -> String {
     let name = value.get_name();
-    let own = words.map_or(&[][..], |w| w.values);
-    let mut known = own.iter().chain(words::VALUES);
+    let specific = entry.map_or(&[][..], |e| e.values);
+    let mut known = specific.iter().chain(help::VALUES);
     match known.find(|(known, _)| *known == name) {
         Some((_, meaning)) => format!("\n- {name}: {meaning}"),
         None => format!("\n- {name}"),
     }
 }
 
-/// A text in lines of [`COLUMNS`]. Japanese breaks anywhere but before what closes and behind what opens; other
+/// Wraps a text at [`COLUMNS`]. Japanese breaks anywhere except before closing and after opening punctuation; other
 /// words stay whole.
 fn folded(text: &str) -> String {
     let mut out = String::new();
@@ -128,7 +128,7 @@ fn folded(text: &str) -> String {
     out + &line
 }
 
-/// The shortest pieces between which a line may break.
+/// Splits a text at all permitted line breaks.
 fn pieces(text: &str) -> Vec<&str> {
     let mut pieces = vec![];
     let mut start = 0;
@@ -158,40 +158,40 @@ mod tests {
         text.chars().any(|c| matches!(c, '\u{3041}'..='\u{9fff}'))
     }
 
-    /// What a command says of itself and of its arguments and values, each with a name for complaints.
-    fn said(command: &Command, path: &str, found: &mut Vec<(String, String)>) {
-        let mut say = |what: &str, text: Option<String>| {
+    /// Collects the help texts of a command, its arguments and values, each with a name for failures.
+    fn help_texts(command: &Command, path: &str, found: &mut Vec<(String, String)>) {
+        let mut add = |what: &str, text: Option<String>| {
             found.push((format!("hsd{path}: {what}"), text.unwrap_or_default()));
         };
         let text = |t: Option<&clap::builder::StyledStr>| t.map(ToString::to_string);
-        say("about", text(command.get_about()));
-        say("long about", text(command.get_long_about()));
+        add("about", text(command.get_about()));
+        add("long about", text(command.get_long_about()));
         if let Some(after) = command.get_after_help() {
-            say("after help", Some(after.to_string()));
+            add("after help", Some(after.to_string()));
         }
         for arg in command.get_arguments() {
-            say(arg.get_id().as_str(), text(arg.get_help()));
+            add(arg.get_id().as_str(), text(arg.get_help()));
             let long = text(arg.get_long_help()).unwrap_or_default();
-            // Only what has no help in English has none in Japanese.
+            // Values without English help need no Japanese help.
             let values = arg.get_possible_values();
             let explained = values.iter().filter(|v| v.get_help().is_some());
             for value in explained {
                 let start = format!("- {}: ", value.get_name());
                 let line = long.lines().find(|l| l.starts_with(&start));
                 let meaning = line.map(|l| l[start.len()..].to_owned());
-                say(&format!("{} {}", arg.get_id(), value.get_name()), meaning);
+                add(&format!("{} {}", arg.get_id(), value.get_name()), meaning);
             }
-            say(arg.get_id().as_str(), Some(long));
+            add(arg.get_id().as_str(), Some(long));
         }
         for sub in command.get_subcommands() {
-            said(sub, &format!("{path} {}", sub.get_name()), found);
+            help_texts(sub, &format!("{path} {}", sub.get_name()), found);
         }
     }
 
     #[test]
     fn no_help_is_left_in_english() {
         let mut found = vec![];
-        said(&command(Cli::command()), "", &mut found);
+        help_texts(&command(Cli::command()), "", &mut found);
         assert!(found.len() > 50);
         let english = found.iter().filter(|(_, text)| !is_japanese(text));
         let english: Vec<_> = english
@@ -201,24 +201,24 @@ mod tests {
     }
 
     #[test]
-    fn the_table_speaks_of_what_there_is() {
+    fn every_entry_of_the_table_has_a_command() {
         let mut english = Cli::command();
         english.build();
-        for words in COMMANDS {
+        for entry in COMMANDS {
             let mut command = &english;
-            for name in words.path.split_whitespace() {
+            for name in entry.path.split_whitespace() {
                 let found = command.find_subcommand(name);
-                command = found.unwrap_or_else(|| panic!("no command {}", words.path));
+                command = found.unwrap_or_else(|| panic!("no command {}", entry.path));
             }
-            for (id, ..) in words.arguments {
+            for (id, ..) in entry.arguments {
                 let there = command.get_arguments().any(|a| a.get_id().as_str() == *id);
-                assert!(there, "{} has no {id}", words.path);
+                assert!(there, "{} has no {id}", entry.path);
             }
             assert_eq!(
                 command.get_after_help().is_some(),
-                !words.examples.is_empty(),
+                !entry.examples.is_empty(),
                 "{}: examples",
-                words.path
+                entry.path
             );
         }
     }

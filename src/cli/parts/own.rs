@@ -1,4 +1,4 @@
-//! The own parts of files, for the list and the sheet.
+//! Custom parts of catalogue files, for the list and the sheet.
 
 use crate::catalog::{Catalog, PartDef};
 use crate::cli::Stop;
@@ -13,22 +13,22 @@ use std::borrow::Cow;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What files define.
+/// The catalogue with the custom parts of files.
 pub(super) struct Own {
     catalog: Cow<'static, Catalog>,
     builtin: usize,
-    /// Whether they are without errors.
+    /// Whether the files have no errors.
     pub(super) sound: bool,
 }
 
 impl Own {
-    /// The parts of the files.
+    /// Returns the custom parts.
     pub(super) fn parts(&self) -> &[PartDef] {
         &self.catalog.parts()[self.builtin..]
     }
 }
 
-/// Reads files of parts; what is wrong with them is said.
+/// Reads catalogue files and prints their diagnostics.
 pub(super) fn read(paths: &[PathBuf], language: Language) -> Result<Own, Stop> {
     let limits = Limits::default();
     let mut out = Diagnostics::new();

@@ -1,4 +1,4 @@
-//! `hsd parts --sheet`: the catalogue as a page or as a model.
+//! `hsd parts --sheet`: the catalogue as an HTML page or a glTF model.
 
 use super::{class_word, rounded, visible};
 use crate::backend::images::Library;
@@ -15,10 +15,10 @@ use base64::prelude::BASE64_STANDARD;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// Pixels a metre.
+/// Image resolution in pixels per metre.
 const DENSITY: f64 = 150.0;
 
-/// Writes the page or the model, by the ending of its name.
+/// Writes the page or the model, depending on the file extension.
 pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
     let ending = to.extension().map(|e| e.to_ascii_lowercase());
     match ending.as_ref().and_then(|e| e.to_str()) {
@@ -34,8 +34,8 @@ pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
         _ => {
             let shown = to.display();
             return Err(Stop::Usage(text!(
-                "{shown}: a sheet ends with .html or .glb",
-                "{shown}: 絵の拡張子は .html か .glb です"
+                "{shown}: the extension of a sheet must be .html or .glb",
+                "{shown}: 図録の拡張子は .html か .glb です"
             )));
         }
     }
@@ -55,13 +55,13 @@ p { margin: .1rem 0; }
 .size { color: #6a6056; }
 ";
 
-/// One file that needs nothing beside it.
+/// Returns a self-contained HTML page.
 fn page(parts: &[&PartDef]) -> String {
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n\
          <title>Parts of hsd {version}</title>\n<style>{STYLE}</style>\n</head>\n<body>\n\
-         <h1>Parts <span lang=\"ja\">部品</span></h1>\n\
+         <h1>Parts <span lang=\"ja\">部材</span></h1>\n\
          <p>Every part in a storey of ten shaku (3.03 m), drawn obliquely. Widths are in U (0.909 m), heights in shaku \
          (0.303 m) above the storey's floor.</p>\n",
         version = env!("CARGO_PKG_VERSION")
@@ -69,7 +69,7 @@ fn page(parts: &[&PartDef]) -> String {
     for class in parts.chunk_by(|a, b| a.class() == b.class()) {
         let letter = class[0].class();
         if letter == ' ' {
-            continue; // nothing to be seen of the void
+            continue; // the void is invisible
         }
         let _ = writeln!(out, "<h2>{letter} {}</h2>\n<ul>", class_word(letter));
         class.iter().for_each(|part| card(part, &mut out));
@@ -100,7 +100,7 @@ fn card(part: &PartDef, out: &mut String) {
     );
 }
 
-/// Text as HTML.
+/// Escapes text for HTML.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,4 +1,4 @@
-//! A browser of this machine that draws without being seen.
+//! An installed browser, run headless.
 
 use crate::cli::Stop;
 use crate::text;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use tempfile::TempDir;
 
-/// What Chromium and its kin are called.
+/// Program names of Chromium-based browsers.
 const NAMES: [&str; 7] = [
     "chromium",
     "chromium-browser",
@@ -18,21 +18,21 @@ const NAMES: [&str; 7] = [
     "microsoft-edge",
 ];
 
-/// Where they lie on systems that do not name them in PATH.
+/// Their locations on macOS, where they are not in PATH.
 const PLACES: [&str; 3] = [
     "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
     "/Applications/Chromium.app/Contents/MacOS/Chromium",
     "/Applications/Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
 ];
 
-/// The same, below the folders of programs of Windows.
+/// Their locations below the program folders of Windows.
 const BELOW: [&str; 3] = [
     r"Google\Chrome\Application\chrome.exe",
     r"Chromium\Application\chrome.exe",
     r"Microsoft\Edge\Application\msedge.exe",
 ];
 
-/// No window, no network, no store of anything; triangles are drawn on the processor, so that every machine draws alike.
+/// No window, no background network traffic; rendering on the CPU, so that all machines produce the same image.
 const FLAGS: [&str; 15] = [
     "--headless=new",
     "--use-gl=angle",
@@ -48,22 +48,22 @@ const FLAGS: [&str; 15] = [
     "--no-first-run",
     "--no-default-browser-check",
     "--hide-scrollbars",
-    // The shared memory of containers is small.
+    // Containers have little shared memory.
     "--disable-dev-shm-usage",
 ];
 
-/// A program that can draw.
+/// The path of a browser.
 pub(super) struct Browser(PathBuf);
 
-/// A browser at work; it ends with this.
+/// A running browser, killed on drop.
 pub(super) struct Running {
     child: Child,
-    /// What it stores, until it ends.
+    /// The profile folder, deleted on drop.
     _profile: TempDir,
 }
 
 impl Browser {
-    /// The one that HSD_CHROMIUM names, or the first that is found.
+    /// Returns the browser named by HSD_CHROMIUM, or the first one found.
     pub(super) fn find() -> Result<Browser, Stop> {
         if let Some(named) = env::var_os("HSD_CHROMIUM").filter(|n| !n.is_empty()) {
             let path = PathBuf::from(named);
@@ -75,7 +75,7 @@ impl Browser {
             return found.map(Browser).ok_or_else(|| {
                 let shown = path.display();
                 Stop::Io(text!(
-                    "HSD_CHROMIUM={shown}: there is no such program",
+                    "HSD_CHROMIUM={shown}: no such program",
                     "HSD_CHROMIUM={shown}: そのようなプログラムはありません"
                 ))
             });
@@ -88,15 +88,15 @@ impl Browser {
         let found = by_name.or_else(|| places.chain(below).find(|p| p.is_file()));
         found.map(Browser).ok_or_else(|| {
             Stop::Io(text!(
-                "pictures are drawn by Chromium, Chrome or Edge, and none is found; install one (`apt install chromium`, \
-                 `brew install --cask chromium`) or name it by HSD_CHROMIUM",
+                "rendering needs Chromium, Chrome or Edge, and none was found; install one (`apt install chromium`, \
+                 `brew install --cask chromium`) or set HSD_CHROMIUM to its path",
                 "画像は Chromium、Chrome、Edge のどれかで描きますが、見つかりません。インストールするか (`apt install chromium`、\
                  `brew install --cask chromium`)、HSD_CHROMIUM で指定してください"
             ))
         })
     }
 
-    /// Opens a page where nobody sees it.
+    /// Opens a page in the headless browser.
     pub(super) fn open(&self, url: &str) -> Result<Running, Stop> {
         let failed = |e| Stop::at(self.0.display(), e);
         let profile = tempfile::Builder::new().prefix("hsd-render-").tempdir();
@@ -107,7 +107,7 @@ impl Browser {
         data.push(profile.path());
         command.arg(data);
         if is_root() {
-            // Chromium refuses to build its walls for the one who could tear them down.
+            // Chromium refuses to run as root with its sandbox.
             command.arg("--no-sandbox");
         }
         command.arg(url);
@@ -123,7 +123,7 @@ impl Browser {
 }
 
 impl Running {
-    /// Whether it has ended by itself.
+    /// Returns whether the browser has exited.
     pub(super) fn ended(&mut self) -> bool {
         !matches!(self.child.try_wait(), Ok(None))
     }
@@ -131,13 +131,13 @@ impl Running {
 
 impl Drop for Running {
     fn drop(&mut self) {
-        // It may have ended meanwhile.
+        // Errors are ignored: it may have exited already.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
 }
 
-/// A program by its name.
+/// Finds a program in PATH.
 fn in_path(name: &Path) -> Option<PathBuf> {
     let folders = env::var_os("PATH")?;
     let found = env::split_paths(&folders).flat_map(|folder| {
@@ -147,12 +147,12 @@ fn in_path(name: &Path) -> Option<PathBuf> {
     found.into_iter().find(|p| p.is_file())
 }
 
-/// Whether this program runs as the one who may do everything.
+/// Returns whether this process runs as root.
 fn is_root() -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
-        // What a process is to the system belongs to its user.
+        // /proc/self is owned by the effective user.
         std::fs::metadata("/proc/self").is_ok_and(|own| own.uid() == 0)
     }
     #[cfg(not(unix))]

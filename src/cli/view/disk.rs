@@ -1,4 +1,4 @@
-//! The author's desk where no language server stands between: files, and a command that starts an editor.
+//! The editor host of the command line: files on disk, and a command that opens an editor.
 
 use crate::cli::Stop;
 use crate::cli::files::input::Inputs;
@@ -14,14 +14,14 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// Files, read in the manner that the command line says.
+/// Files on disk, read with the options of the command line.
 pub(in crate::cli) struct Disk {
     pub(in crate::cli) manner: Manner,
-    /// How much of the joinery is shape.
+    /// The level of detail of models.
     pub(in crate::cli) detail: Detail,
-    /// The words of the command that starts an editor.
+    /// The words of the editor command.
     pub(in crate::cli) editor: Option<Vec<String>>,
-    /// Whether texts may be changed.
+    /// Whether source files may be changed.
     pub(in crate::cli) writes: bool,
 }
 
@@ -71,12 +71,12 @@ impl Desk for Disk {
             return Err(io::ErrorKind::PermissionDenied.into());
         }
         if fs::read(path)? != before {
-            return Err(io::Error::other("the text was changed meanwhile"));
+            return Err(io::Error::other("the file has changed on disk"));
         }
-        // A link stays a link: its target is what is written.
+        // Writes to the target of a link and keeps the link.
         let path = path.canonicalize()?;
         let permissions = fs::metadata(&path)?.permissions();
-        // A new file could take its place all the same, but that is not what its owner wants.
+        // Renaming would replace even a read-only file.
         if permissions.readonly() {
             return Err(io::ErrorKind::PermissionDenied.into());
         }
@@ -94,7 +94,7 @@ impl Desk for Disk {
 
     fn open(&self, source: &Source, span: Span) -> io::Result<()> {
         let (line, column) = source.line_column(span);
-        let missing = || io::Error::other("no editor is named: hsd view --editor COMMAND");
+        let missing = || io::Error::other("no editor command: use hsd view --editor COMMAND");
         let (program, arguments) = self
             .editor
             .as_deref()
@@ -109,13 +109,13 @@ impl Desk for Disk {
         command.args(arguments.iter().map(place));
         command.stdin(Stdio::null()).stdout(Stdio::null());
         let mut child = command.spawn()?;
-        // Somebody has to ask how it ended, or it stays in the list of processes.
+        // Reaps the process.
         std::thread::spawn(move || child.wait());
         Ok(())
     }
 }
 
-/// The words of a command: divided at blanks, but for what stands in quotation marks. No shell reads them.
+/// Splits a command into words at blanks outside quotation marks. No shell is involved.
 pub(super) fn editor(command: &str) -> Result<Vec<String>, Stop> {
     let (mut words, mut word, mut quote) = (vec![], None::<String>, None);
     for c in command.chars() {
@@ -132,7 +132,7 @@ pub(super) fn editor(command: &str) -> Result<Vec<String>, Stop> {
     words.extend(word);
     if quote.is_some() || words.is_empty() {
         return Err(Stop::Usage(text!(
-            "--editor {command}: a command is meant, as in 'code -g {{file}}:{{line}}'",
+            "--editor {command}: expected a command, as in 'code -g {{file}}:{{line}}'",
             "--editor {command}: 'code -g {{file}}:{{line}}' のようなコマンドを指定してください"
         )));
     }

@@ -1,13 +1,13 @@
-//! What is wrong with a command line, in Japanese.
+//! Usage errors in Japanese.
 
 use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 
-/// What is said instead of clap's own words.
-pub(in crate::cli) fn complaint(error: &Error) -> String {
-    let said = |kind| error.get(kind).map(shown).unwrap_or_default();
-    let argument = said(ContextKind::InvalidArg);
-    let value = said(ContextKind::InvalidValue);
+/// Returns the Japanese message of a clap error.
+pub(in crate::cli) fn error_message(error: &Error) -> String {
+    let context = |kind| error.get(kind).map(shown).unwrap_or_default();
+    let argument = context(ContextKind::InvalidArg);
+    let value = context(ContextKind::InvalidValue);
     let mut text = match error.kind() {
         ErrorKind::InvalidValue if value.is_empty() => format!("{argument} の値がありません"),
         ErrorKind::InvalidValue | ErrorKind::ValueValidation => {
@@ -15,10 +15,10 @@ pub(in crate::cli) fn complaint(error: &Error) -> String {
         }
         ErrorKind::UnknownArgument => format!("'{argument}' という引数はありません"),
         ErrorKind::InvalidSubcommand => {
-            let name = said(ContextKind::InvalidSubcommand);
+            let name = context(ContextKind::InvalidSubcommand);
             format!("'{name}' というコマンドはありません")
         }
-        ErrorKind::ArgumentConflict => match said(ContextKind::PriorArg) {
+        ErrorKind::ArgumentConflict => match context(ContextKind::PriorArg) {
             other if other == argument => format!("{argument} は一度しか指定できません"),
             other => format!("{argument} は {other} と同時に指定できません"),
         },
@@ -32,7 +32,7 @@ pub(in crate::cli) fn complaint(error: &Error) -> String {
         ErrorKind::InvalidUtf8 => "UTF-8 でない引数があります".into(),
         _ => error.kind().to_string(),
     };
-    let valid = said(ContextKind::ValidValue);
+    let valid = context(ContextKind::ValidValue);
     if !valid.is_empty() {
         text += &format!("\n  [値: {valid}]");
     }
@@ -41,12 +41,12 @@ pub(in crate::cli) fn complaint(error: &Error) -> String {
         ContextKind::SuggestedSubcommand,
         ContextKind::SuggestedValue,
     ];
-    for near in suggestions.map(said) {
+    for near in suggestions.map(context) {
         if !near.is_empty() {
-            text += &format!("\n\n  もしかすると '{near}' ではありませんか");
+            text += &format!("\n\n  '{near}' のことですか");
         }
     }
-    let usage = said(ContextKind::Usage);
+    let usage = context(ContextKind::Usage);
     let usage = usage.trim_start_matches("Usage: ").trim();
     if !usage.is_empty() {
         text += &format!("\n\n使い方: {usage}");
