@@ -10,7 +10,7 @@ use hsd::building::Shell;
 use hsd::diagnostic::Diagnostics;
 use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::ridge::regions;
+use hsd::roof::plan::roles::regions;
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

@@ -9,9 +9,12 @@
 mod attic;
 mod dress;
 pub mod fittings;
+mod surface;
 
 pub use attic::{Attic, Verge};
 pub use dress::Trim;
+pub(crate) use surface::meeting;
+pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
 use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
 use crate::geometry::plan::Cell;
@@ -177,6 +180,17 @@ pub struct HouseRoofs {
     pub soffits: Vec<Soffit>,
 }
 
+impl HouseRoofs {
+    /// The automatic roofs over the regions of a storey. The pent roof that a street house gets is not among them.
+    pub fn over_regions(&self, storey: u32) -> impl Iterator<Item = &Roof> {
+        let automatic = |r: &&Roof| r.span.is_none() && r.shape != RoofShape::Pent;
+        self.roofs
+            .iter()
+            .filter(move |r| r.storey == storey)
+            .filter(automatic)
+    }
+}
+
 /// The automatic regions of one storey (docs/contract.md 5, `dump --stage regions`).
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct StoreyPlan {
@@ -227,6 +241,9 @@ pub struct Roof {
     /// What lies between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,
+    /// The upper surface of the solids: facets, ridges, hips, valleys and the other edges.
+    #[serde(skip)]
+    pub surface: RoofSurface,
     /// Closed solids in the house frame, metres.
     pub solids: Vec<Solid>,
 }

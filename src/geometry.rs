@@ -5,17 +5,17 @@
 //! in the scene. Walking with the interior on the right is clockwise from above; in (a, b) read as
 //! (x, y) the same walk turns counter-clockwise, so its signed area is positive.
 
-pub mod plan;
 pub(crate) mod convex;
+pub mod plan;
+pub mod tolerance;
 pub mod triangulate;
+
+pub use tolerance::SAME;
 
 use glam::{DVec2, dvec2};
 
 /// One shaku in metres (law of 1891).
 pub const SHAKU: f64 = 10.0 / 33.0;
-
-/// Plan lengths that differ by less, in U, are the same: a tenth of a millimetre.
-pub const SAME: f64 = 1e-4;
 
 /// Integer steps in one U: decimals of six digits are exact, quarters above all.
 pub const STEPS: i64 = 1_000_000;

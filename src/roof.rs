@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | what is open | [`plan`], `storey` | the storey's plan less the storey above less the roof lines |
 //! | division | [`partition`] | rectangles that cover it once, cut by a method and merged |
-//! | roles | [`plan::ridge`] | main roofs, branches that run into their trunk, lean-tos |
+//! | roles | [`plan::roles`] | main roofs, branches that run into their trunk, lean-tos |
 //! | shape | [`shape`] | a [`shape::form::Form`] each: upper surface in facets, walls under it |
 //! | joining | `join` | roofs of one height meet in valleys, gables make room for their neighbours |
 //! | closing | [`solid`] | closed solids with gable walls |
@@ -24,16 +24,19 @@
 use crate::building::{Building, HouseRoofs, Shell};
 use crate::diagnostic::Diagnostics;
 
-mod join;
 pub mod budget;
+mod cache;
+pub mod facet;
+pub mod frame;
 mod house;
-pub mod plan;
-pub mod shape;
-mod storey;
+mod join;
 pub mod partition;
+pub mod plan;
+pub mod region;
+pub mod shape;
 pub mod skeleton;
 pub mod solid;
-mod cache;
+mod storey;
 
 pub use crate::roof::shape::hipped::over;
 

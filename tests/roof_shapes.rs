@@ -13,4 +13,5 @@ mod random;
 mod shapes;
 mod skirts;
 mod stacked;
+mod surface;
 mod whole;

@@ -3,11 +3,11 @@
 
 use super::number::Number;
 use crate::ast::{Document, RoofShape};
-use crate::building::{Building, HouseRoofs, PlanRegion, StoreyPlan};
+use crate::building::{Building, EdgeKind, HouseRoofs, PlanRegion, StoreyPlan};
 use crate::program::Program;
 use crate::scene::Scene;
 use crate::source::Source;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use serde::{Serialize, Serializer};
 
 const VERSION: u32 = 1;
@@ -83,17 +83,15 @@ pub fn scene(scene: &Scene) -> serde_json::Result<String> {
 /// See [`ast`].
 pub fn regions(building: &Building) -> serde_json::Result<String> {
     let none = HouseRoofs::default();
+    let roofs = |i: usize| building.roofs.get(i).unwrap_or(&none);
     let shells = building.shell.houses.iter().enumerate();
     let house = |(i, h): (usize, &'_ crate::building::House)| House {
         name: h.name.clone(),
         unit_m: Number(h.unit),
-        storeys: building
-            .roofs
-            .get(i)
-            .unwrap_or(&none)
+        storeys: roofs(i)
             .plans
             .iter()
-            .map(storey)
+            .map(|plan| storey(plan, built(roofs(i), plan, h.unit)))
             .collect(),
     };
     line(Houses {
@@ -126,6 +124,19 @@ struct Storey {
     outlines: Vec<Outline>,
     holes: Vec<Outline>,
     regions: Vec<Region>,
+    /// Ridges, hips and valleys of the automatic roofs as built.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lines: Vec<Line>,
+}
+
+/// A line of a roof.
+#[derive(Serialize)]
+struct Line {
+    /// ridge, hip or valley.
+    kind: &'static str,
+    /// (a, b) in U and height in metres.
+    from: [Number; 3],
+    to: [Number; 3],
 }
 
 /// One automatic region.
@@ -154,7 +165,28 @@ fn outline(corners: &[DVec2]) -> Outline {
     corners.iter().map(|p| [Number(p.x), Number(p.y)]).collect()
 }
 
-fn storey(plan: &StoreyPlan) -> Storey {
+/// Ridges, hips and valleys over the regions of a storey.
+fn built(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Vec<Line> {
+    let kinds = [
+        (EdgeKind::Ridge, "ridge"),
+        (EdgeKind::Hip, "hip"),
+        (EdgeKind::Valley, "valley"),
+    ];
+    let place = |p: DVec3| [-p.x / unit + 0.0, p.y / unit, p.z].map(Number);
+    let roofs: Vec<_> = roofs.over_regions(plan.storey).collect();
+    let of = |(kind, name): (EdgeKind, &'static str)| {
+        let lines = roofs.iter().flat_map(move |r| r.surface.lines(kind));
+        let line = move |[from, to]: [DVec3; 2]| Line {
+            kind: name,
+            from: place(from),
+            to: place(to),
+        };
+        lines.map(line).collect::<Vec<_>>()
+    };
+    kinds.into_iter().flat_map(of).collect()
+}
+
+fn storey(plan: &StoreyPlan, lines: Vec<Line>) -> Storey {
     let outlines: Vec<Outline> = plan.outlines.iter().map(|o| outline(o)).collect();
     Storey {
         storey: plan.storey,
@@ -163,6 +195,7 @@ fn storey(plan: &StoreyPlan) -> Storey {
         outlines: if outlines.len() > 1 { outlines } else { vec![] },
         holes: plan.holes.iter().map(|o| outline(o)).collect(),
         regions: plan.regions.iter().map(region).collect(),
+        lines,
     }
 }
 

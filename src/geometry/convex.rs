@@ -1,12 +1,8 @@
-//! Any simple polygon as a few convex ones: ears are clipped, the fattest first, and joined again while they stay
-//! convex.
+//! Any simple polygon as a few convex ones: its triangles, joined again while they stay convex.
 
+use crate::geometry::tolerance::POINT;
+use crate::geometry::triangulate::{ears, turn};
 use glam::DVec2;
-
-/// Corners that stand out less from the line past them are none, metres.
-const STRAIGHT: f64 = 1e-6;
-/// Polygons with more corners take the first ear instead of the best.
-const MANY: usize = 100;
 
 /// Strictly convex parts of a counter-clockwise polygon, as indices of its corners.
 pub(crate) fn parts(ring: &[DVec2]) -> Vec<Vec<usize>> {
@@ -16,77 +12,29 @@ pub(crate) fn parts(ring: &[DVec2]) -> Vec<Vec<usize>> {
     }
     let mut pieces = Vec::with_capacity(ring.len());
     let mut cuts = Vec::with_capacity(ring.len());
-    let mut rest = whole;
-    while rest.len() > 3 {
-        let ear = best_ear(ring, &rest);
-        let n = rest.len();
-        let (i, j, k) = (rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]);
+    ears(ring, |[i, j, k]| {
+        let [i, j, k] = [i, j, k].map(|corner| corner as usize);
         pieces.push(vec![i, j, k]);
         cuts.push((i, k));
-        rest.remove(ear);
+    });
+    // The last triangle cuts nothing off, and begins at its first corner.
+    cuts.pop();
+    if let Some(last) = pieces.last_mut() {
+        last.sort_unstable();
     }
-    pieces.push(rest);
     for (i, k) in cuts.into_iter().rev() {
         join(ring, &mut pieces, i, k);
     }
     pieces
 }
 
-/// The triangles of a counter-clockwise polygon, as indices of its corners.
-pub(crate) fn triangles(ring: &[DVec2]) -> Vec<[usize; 3]> {
-    let mut rest: Vec<usize> = (0..ring.len()).collect();
-    let mut found = Vec::with_capacity(ring.len());
-    while rest.len() > 2 {
-        let ear = best_ear(ring, &rest);
-        let n = rest.len();
-        found.push([rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]]);
-        rest.remove(ear);
-    }
-    found
-}
-
-/// Twice the area to the left of the way p, q, r.
-fn turn(p: DVec2, q: DVec2, r: DVec2) -> f64 {
-    (q - p).perp_dot(r - p)
-}
-
+/// Whether a piece turns left at every corner.
 fn is_convex(ring: &[DVec2], piece: &[usize]) -> bool {
     let n = piece.len();
     (0..n).all(|i| {
         let [p, q, r] = [i, i + 1, i + 2].map(|k| ring[piece[k % n]]);
-        turn(p, q, r) > STRAIGHT * p.distance(r)
+        turn(p, q, r) > POINT * p.distance(r)
     })
-}
-
-/// The place of the ear to cut off next: the fattest one, or where there is none the corner that comes nearest.
-fn best_ear(ring: &[DVec2], rest: &[usize]) -> usize {
-    let n = rest.len();
-    let mut best = (f64::MIN, 0);
-    for j in 0..n {
-        let [p, q, r] = [j + n - 1, j, j + 1].map(|k| ring[rest[k % n]]);
-        let longest = p
-            .distance_squared(q)
-            .max(q.distance_squared(r))
-            .max(r.distance_squared(p));
-        let fat = turn(p, q, r) / longest.max(f64::MIN_POSITIVE);
-        if fat <= best.0 || fat.is_nan() {
-            continue;
-        }
-        let free = |s: DVec2| {
-            let corner = s == p || s == q || s == r;
-            corner || turn(p, q, s) < 0.0 || turn(q, r, s) < 0.0 || turn(r, p, s) < 0.0
-        };
-        let clear = fat > 0.0 && rest.iter().all(|s| free(ring[*s]));
-        // Nothing that is no ear is better than any ear.
-        let worth = if clear { fat } else { fat.min(0.0) - 2.0 };
-        if worth > best.0 {
-            best = (worth, j);
-        }
-        if clear && n > MANY {
-            break;
-        }
-    }
-    best.1
 }
 
 /// Joins the two pieces along the cut between `i` and `k`, if what comes out is convex.

@@ -43,7 +43,7 @@ impl Cell {
         self.a0 <= other.a0 && other.a1 <= self.a1 && self.b0 <= other.b0 && other.b1 <= self.b1
     }
 
-    /// Whether the two share more than a border.
+    /// Whether the two share area, not merely a border.
     pub fn overlaps(&self, other: &Cell) -> bool {
         self.a0 < other.a1 && other.a0 < self.a1 && self.b0 < other.b1 && other.b0 < self.b1
     }
@@ -93,7 +93,7 @@ impl Plan {
             .flat_map(|l| (0..l.len()).map(move |i| (l[i], l[(i + 1) % l.len()])))
     }
 
-    /// How many corners its loops have, as written.
+    /// The number of corners of its loops, as written.
     pub fn corners(&self) -> usize {
         self.loops.iter().map(Vec::len).sum()
     }
@@ -125,7 +125,7 @@ impl Plan {
     /// Whether this region, with `other` laid over it, is one the methods were made for: at most
     /// 2^20 fields between the distinct coordinates of both. Beyond that everything here is
     /// still exact, but slow where many coordinates cross (a comb over a comb has as many pieces as
-    /// fields), and `partition` only makes strips: better said to the user than waited for.
+    /// fields), and `partition` only makes strips: callers report it instead.
     pub fn fits(&self, other: Option<&Plan>) -> bool {
         match other {
             Some(other) => Raster::joint(&[self, other]).is_some(),
@@ -133,7 +133,7 @@ impl Plan {
         }
     }
 
-    /// What of this region `other` leaves open, exactly: P_k minus P_{k+1} (domain 3.8).
+    /// The part of this region outside `other`, exactly: P_k minus P_{k+1} (domain 3.8).
     pub fn difference(&self, other: &Plan) -> Plan {
         self.combine(other, |mine, theirs| mine && !theirs)
     }
@@ -143,7 +143,7 @@ impl Plan {
         self.combine(other, |mine, theirs| mine || theirs)
     }
 
-    /// What this region and `other` have in common.
+    /// The part that this region and `other` share.
     pub fn intersection(&self, other: &Plan) -> Plan {
         self.combine(other, |mine, theirs| mine && theirs)
     }
@@ -163,7 +163,7 @@ impl Plan {
         }
     }
 
-    /// Whether the two regions share more than walls.
+    /// Whether the two regions share area, not merely walls.
     pub fn intersects(&self, other: &Plan) -> bool {
         !self.intersection(other).loops.is_empty()
     }
@@ -186,8 +186,7 @@ impl Plan {
         self.combine(&Plan::default(), |mine, _| mine)
     }
 
-    /// The pieces that hang together through walls' length, not through mere corners
-    /// (4-connected), in the order of their least (b, a) corner.
+    /// The 4-connected pieces: joined along walls, not at corners alone, in the order of their least (b, a) corner.
     pub fn components(&self) -> Vec<Plan> {
         let Some(mut raster) = Raster::of(self) else {
             return vec![self.clone()];

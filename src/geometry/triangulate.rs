@@ -1,65 +1,84 @@
-//! Any simple polygon with holes into triangles, by clipping ears; for flat roofs over round and
-//! slanting plans.
+//! The one triangulation: any simple polygon, with holes or without, by clipping its roundest ears.
 
+use crate::geometry::tolerance::EAR;
 use glam::DVec2;
 
-/// The triangles of an outline (counter-clockwise) with holes (clockwise), as corners.
+/// Polygons with more corners take the first ear instead of the roundest, to stay far from cubic time.
+const MANY: usize = 48;
+
+/// Points nearer to the border of an ear, in twice the area of the triangle they span with it, lie on the border.
+const ON_BORDER: f64 = 1e-12;
+
+/// Passes on the triangles of a counter-clockwise ring, as indices of its corners; always two less than corners. The
+/// ring may pass a place twice, as along a bridge to a hole.
+pub(crate) fn ears(ring: &[DVec2], mut out: impl FnMut([u32; 3])) {
+    let mut rest: Vec<u32> = (0..ring.len() as u32).collect();
+    while rest.len() > 2 {
+        let ear = best_ear(ring, &rest);
+        let n = rest.len();
+        out([rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]]);
+        rest.remove(ear);
+    }
+}
+
+/// The triangles of an outline (counter-clockwise) with holes (clockwise), as corners, without slivers.
 pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
-    let mut ring = bridged(outline, holes);
+    let ring = bridged(outline, holes);
     let mut found = Vec::with_capacity(ring.len());
-    let mut at = 0;
-    let mut missed = 0;
-    while ring.len() > 3 && missed < ring.len() {
-        let n = ring.len();
-        let (i, j, k) = ((at + n - 1) % n, at % n, (at + 1) % n);
-        if is_ear(&ring, i, j, k) {
-            found.push([ring[i], ring[j], ring[k]]);
-            ring.remove(j);
-            // Going on one further keeps fans from getting thin.
-            at = (j + 1) % ring.len();
-            missed = 0;
-        } else if turn(ring[i], ring[j], ring[k]).abs() < 1e-12
-            && straight(ring[i], ring[j], ring[k])
-        {
-            ring.remove(j);
-            at = j % ring.len();
-            missed = 0;
-        } else {
-            at = (at + 1) % n;
-            missed += 1;
+    ears(&ring, |triangle| {
+        let [p, q, r] = triangle.map(|corner| ring[corner as usize]);
+        if turn(p, q, r) > EAR {
+            found.push([p, q, r]);
         }
-    }
-    if let [p, q, r] = ring[..] {
-        found.push([p, q, r]);
-    }
-    found.retain(|[p, q, r]| turn(*p, *q, *r) > 1e-9);
+    });
     found
 }
 
-/// Twice the area to the left of the way p, q, r.
-fn turn(p: DVec2, q: DVec2, r: DVec2) -> f64 {
-    (q - p).perp_dot(r - p)
-}
-
-fn straight(p: DVec2, q: DVec2, r: DVec2) -> bool {
-    (q - p).dot(r - q) >= 0.0
-}
-
-fn is_ear(ring: &[DVec2], i: usize, j: usize, k: usize) -> bool {
-    let (p, q, r) = (ring[i], ring[j], ring[k]);
-    if turn(p, q, r) <= 1e-12 {
-        return false;
+/// The place of the corner to cut off next: of all whose triangle holds no other corner the roundest, so that corners in
+/// a straight row are not left to the end as a triangle without area; where there is none, the corner that comes nearest.
+fn best_ear(ring: &[DVec2], rest: &[u32]) -> usize {
+    let n = rest.len();
+    let mut best = (f64::NEG_INFINITY, 0);
+    for i in 0..n {
+        let [a, b, c] = [i + n - 1, i, i + 1].map(|j| ring[rest[j % n] as usize]);
+        let area = (b - a).perp_dot(c - b);
+        let longest = (b - a)
+            .length_squared()
+            .max((c - b).length_squared())
+            .max((a - c).length_squared());
+        let roundness = area / longest.max(1e-12);
+        if roundness <= best.0 || roundness.is_nan() {
+            continue;
+        }
+        let blocked = |j: &u32| {
+            let p = ring[*j as usize];
+            p != a && p != b && p != c && holds([a, b, c], p)
+        };
+        let clear = area > EAR && !rest.iter().any(blocked);
+        // Anything else is worse than every ear.
+        let worth = match clear {
+            true => roundness,
+            false => roundness.min(0.0) - 2.0,
+        };
+        if worth > best.0 {
+            best = (worth, i);
+        }
+        if clear && n > MANY {
+            break;
+        }
     }
-    let within = |s: DVec2| {
-        // Bridges put corners twice: the same place is no obstacle.
-        s != p
-            && s != q
-            && s != r
-            && turn(p, q, s) >= 0.0
-            && turn(q, r, s) >= 0.0
-            && turn(r, p, s) >= 0.0
-    };
-    !ring.iter().any(|s| within(*s))
+    best.1
+}
+
+/// Whether a point lies in a counter-clockwise triangle or on its border.
+fn holds([a, b, c]: [DVec2; 3], p: DVec2) -> bool {
+    let left = |q: DVec2, r: DVec2| (r - q).perp_dot(p - q) >= -ON_BORDER;
+    left(a, b) && left(b, c) && left(c, a)
+}
+
+/// Twice the area to the left of the way p, q, r.
+pub(crate) fn turn(p: DVec2, q: DVec2, r: DVec2) -> f64 {
+    (q - p).perp_dot(r - p)
 }
 
 /// One ring out of an outline and its holes, joined by the shortest bridges that cross nothing.

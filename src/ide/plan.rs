@@ -28,7 +28,7 @@ use super::stroke::{house_fixed, storey_fixed};
 use crate::ast::StoreyKind;
 use crate::backend::dump::{Region, region};
 use crate::backend::number::Number;
-use crate::building::{self, HouseRoofs};
+use crate::building::{self, EdgeKind, HouseRoofs};
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
@@ -344,7 +344,14 @@ fn roof(roof: &building::Roof, unit: f64) -> Roof {
         (low, high) = (low.min(p), high.max(p));
     }
     let top = points().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
-    let highest = points().filter(|p| top - p.z < LEVEL).map(plan);
+    let surface = &roof.surface;
+    let upper = [EdgeKind::Ridge, EdgeKind::Crest, EdgeKind::Abutment];
+    let edges = surface.edges.iter().filter(|e| upper.contains(&e.kind));
+    let highest = edges
+        .map(|e| surface.ends(e))
+        .filter(|ends| ends.iter().all(|p| top - p.z < LEVEL))
+        .flatten()
+        .map(|p| plan(&p));
     let letter = crate::ast::RoofKind::ALL.iter().find(|k| k.1 == roof.kind);
     Roof {
         shape: roof.shape.letters(),

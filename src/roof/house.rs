@@ -10,16 +10,19 @@ use crate::geometry::STEPS;
 use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::budget::SearchBudget;
+use crate::roof::frame::near_side;
 use crate::roof::join::assemble;
 use crate::roof::plan::level::{Level, Point, first_line, is_facade, levels};
-use crate::roof::plan::ridge::{Region, Ridge, Role, regions_by};
-use crate::roof::plan::{report, street};
-use crate::roof::shape::frame::near_side;
+use crate::roof::plan::roles::regions_by;
+use crate::roof::plan::{MOST_CORNERS, report, street};
+use crate::roof::region::{Region, Ridge, Role};
+use crate::roof::shape::form::RoofDraft;
+use crate::roof::shape::look::Look;
 use crate::roof::storey::automatic::Automatic;
 use crate::roof::storey::explicit;
-use crate::roof::storey::explicit::Placed;
-use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::forms::Context;
 use crate::roof::storey::headroom::Headroom;
+use crate::roof::storey::placed_line::PlacedLine;
 use crate::roof::storey::polygonal;
 use crate::roof::storey::polygonal::Polygonal;
 use crate::roof::storey::skirt::Skirt;
@@ -30,10 +33,6 @@ use std::cell::OnceCell;
 
 /// A house with more roof lines keeps them where it bounds no area: taking them all out is no quick matter.
 const MOST_TAKEN_OUT: usize = 16;
-
-/// A storey with more corners under the open sky, or round its rings where they are not at right angles,
-/// gets one flat roof: no sloped roofs over so many parts could be told from a mistake, nor be waited for.
-pub(super) const MOST_CORNERS: usize = 1000;
 
 /// The roofs of a house.
 pub(super) fn roofs(house: &House, effort: &SearchBudget, out: &mut Diagnostics) -> HouseRoofs {
@@ -46,7 +45,7 @@ pub(super) fn roofs(house: &House, effort: &SearchBudget, out: &mut Diagnostics)
     }
     let pent = street_pent(house, &levels);
     let top = levels.iter().map(|l| l.storey.z1).fold(f64::MIN, f64::max);
-    let mut on_level: Vec<Vec<&Placed<'_>>> = vec![vec![]; levels.len()];
+    let mut on_level: Vec<Vec<&PlacedLine<'_>>> = vec![vec![]; levels.len()];
     for line in &lines {
         on_level[line.level].push(line);
     }
@@ -158,7 +157,7 @@ struct Storey<'a, 'h> {
     k: usize,
     /// Top of the house's walls, metres.
     top: f64,
-    lines: Vec<&'a Placed<'a>>,
+    lines: Vec<&'a PlacedLine<'a>>,
     /// The street's pent roof.
     pent: Option<Cell>,
     /// For the best cuts.
@@ -221,10 +220,10 @@ impl Storey<'_, '_> {
             && !many
     }
 
-    fn hang_pent(&self, context: &Context<'_>, cell: Cell) -> Planned {
+    fn hang_pent(&self, context: &Context<'_>, cell: Cell) -> RoofDraft {
         let outward = explicit::away_from_wall(context, &cell);
         let depth = context.metres(outward.measure(&cell).1);
-        let pitch = crate::roof::shape::look::Look::lean_to(None, context.style, depth).pitch;
+        let pitch = Look::lean_to(None, context.style, depth).pitch;
         context
             .pent(cell, outward, context.level.storey.z1 - pitch * depth, None)
             .0
@@ -235,12 +234,12 @@ impl Storey<'_, '_> {
         context: &Context<'_>,
         done: &mut HouseRoofs,
         out: &mut Diagnostics,
-    ) -> Vec<Planned> {
+    ) -> Vec<RoofDraft> {
         let level = context.level;
         let mut found = Vec::new();
         let wanted = self.house.roofs.mode == RoofMode::Auto;
         if let Some(skirt) = self.skirt(context).filter(|_| wanted) {
-            done.plans.push(report::skirt(level, &skirt));
+            done.plans.push(report::skirt(level, skirt.strips()));
             return vec![skirt.planned(context, level.storey.z1, None, first_wall(level), out)];
         }
         let open = self.open(context).filter(|_| wanted);

@@ -1,32 +1,31 @@
 //! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
 
-pub(in crate::roof) mod nearby;
+pub(in crate::roof) mod contact;
 pub(in crate::roof) mod gable_infill;
-pub(in crate::roof) mod verges;
 pub(in crate::roof) mod meet;
+pub(in crate::roof) mod nearby;
+pub(in crate::roof) mod verges;
 
 use crate::ast::RoofShape;
-use crate::building::{Attic, Roof, Verge};
+use crate::building::{Attic, Roof, RoofSurface, Verge};
+use crate::geometry::tolerance::JOINT;
+use crate::roof::facet::edges;
 use crate::roof::join::gable_infill::{Built, fit};
 use crate::roof::join::meet::{apart, meet};
-use crate::roof::shape::facet::edges;
-use crate::roof::shape::form::Form;
+use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::solid::sheet::sheet;
-use crate::roof::storey::forms::Planned;
 use glam::DVec2;
-
-/// Verges that rise no higher over the plate have no wall under them, metres.
-const LOW: f64 = 1e-4;
 
 /// The roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not
 /// enter. Returns whether all met; where too many stand in each other's way they stay as they are.
 pub(super) fn assemble(
-    mut planned: Vec<Planned>,
+    mut planned: Vec<RoofDraft>,
     walls: &[Vec<DVec2>],
     roofs: &mut Vec<Roof>,
 ) -> bool {
     let mut all_met = true;
     let mut start = 0;
+    let count_before = roofs.len();
     // Stable, so that indices of trunks keep their meaning within a height.
     let first = planned.first().map_or(0.0, |p| p.base);
     planned.sort_by(|p, q| {
@@ -43,10 +42,11 @@ pub(super) fn assemble(
         all_met &= group(&mut planned[start..start + count], walls, roofs);
         start += count;
     }
+    contact::classify(roofs, count_before);
     all_met
 }
 
-fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -> bool {
+fn group(planned: &mut [RoofDraft], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -> bool {
     let forms: Vec<_> = planned
         .iter_mut()
         .map(|p| std::mem::take(&mut p.form))
@@ -74,9 +74,11 @@ fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -
     for (planned, built) in planned.iter_mut().zip(built) {
         let mut solids = built.sheets;
         solids.extend(built.fills);
+        planned.roof.surface = RoofSurface::of(&solids);
         planned.roof.solids = solids;
         let empty = Roof {
             attic: Attic::default(),
+            surface: RoofSurface::default(),
             solids: vec![],
             ..planned.roof
         };
@@ -85,7 +87,7 @@ fn group(planned: &mut [Planned], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>) -
     all_met
 }
 
-/// What lies between a form and the walls that carry it.
+/// The space between a form and the walls that carry it.
 fn attic(form: &Form, plate: f64, shape: RoofShape) -> Attic {
     let filled = !form.hung && form.under.is_none() && shape != RoofShape::Flat;
     let mut attic = Attic {
@@ -101,7 +103,7 @@ fn attic(form: &Form, plate: f64, shape: RoofShape) -> Attic {
             let over = facet.beyond(&walls).into_iter();
             let over = over.map(|v| v.iter().map(|c| lift(c.at)).collect::<Verge>());
             // Eaves lie below the plate, over walls or not.
-            let high = |v: &Verge| v.iter().any(|p| p.z - form.drop > plate + LOW);
+            let high = |v: &Verge| v.iter().any(|p| p.z - form.drop > plate + JOINT);
             attic.verges.extend(over.filter(high));
             if facet.lowered > 0.0 {
                 let whole = facet.outline.iter().map(|c| lift(c.at)).collect();

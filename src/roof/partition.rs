@@ -15,7 +15,7 @@ use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::budget::SearchBudget;
 
-/// How a region is cut.
+/// The method that cuts a region.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Method {
     /// The published method with the orthogonal fallback (001-15 to 001-19).
@@ -48,7 +48,7 @@ pub fn partition_within(plan: &Plan, method: Method, effort: &SearchBudget) -> V
 /// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above.
 /// `BranchCut` is greedy too where it would take more than 2^28 steps (a stair of 480). A
 /// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
-/// cuts over so many lines would take longer than anyone waits.
+/// cuts over more lines would take too long.
 pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
     cut_within(plan, method, &SearchBudget::endless())
 }
@@ -111,7 +111,7 @@ mod tests {
             assert_ne!(greedy, best);
             assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());
             assert!(spent.is_news() && !spent.is_news());
-            // What anybody would draw is searched all the same.
+            // Realistic plans are searched all the same.
             let (small, best) = (stair(3), partition(&stair(3), method));
             assert_eq!(partition_within(&small, method, &spent), best);
             assert!(!spent.is_news());

@@ -1,13 +1,13 @@
 //! Roof shapes: each module turns one region into a [`form::Form`], its upper surface and the walls under it.
 //!
-//! The frames and formulas that shapes share are [`frame`], [`facet`], [`profile`], [`end`] and [`look`].
+//! Shapes share the frame of a roof ([`frame`](super::frame)), its [`facet`](super::facet)s, the rafter line
+//! ([`profile`]), the treatment of its ends ([`end`]) and its dimensions ([`look`]).
 
 pub mod board;
+pub(in crate::roof) mod corners;
 pub mod end;
-pub mod facet;
 pub mod flat;
 pub mod form;
-pub mod frame;
 pub mod gable_wall;
 pub mod hipped;
 pub mod lean_to;
@@ -15,4 +15,4 @@ pub mod look;
 pub mod pent;
 pub mod profile;
 pub mod ridge_roof;
-pub(in crate::roof) mod corners;
+pub mod strip;

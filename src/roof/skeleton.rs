@@ -3,15 +3,15 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | [`contour`] | an outline with courts made fit: turned one way, mere dents left out, or why it is none |
+//! | [`contour`] | an outline with courts prepared: turned one way, small dents left out, or the reason why it is invalid |
 //! | [`wave`] | the moving outline: loops of corners, each on the way of two lines |
-//! | `queue` | which corners meet what next |
-//! | `collide` | what becomes of everything that meets at one point |
-//! | `faces` | from the ways of the corners to one polygon an edge |
-//! | `verify` | whether these tile the outline at the heights they should have |
+//! | `queue` | the next events |
+//! | `collide` | handling of all events at one point |
+//! | `faces` | one polygon for each edge from the paths of the corners |
+//! | `verify` | checks that these tile the outline at the right heights |
 //!
 //! Nothing is exact here, so everything is checked afterwards; where the check fails the corners are moved by a few
-//! hundredths of a millimetre, always the same ones, and the way is gone again. There are no libraries for this that
+//! hundredths of a millimetre, always by the same amounts, and the sweep is repeated. There are no libraries for this that
 //! compute in f64 under a licence of ours.
 //!
 //! Frame: plan metres, whatever the origin; outlines counter-clockwise, courts clockwise, interior on the left. A time
@@ -21,15 +21,19 @@ use glam::DVec2;
 
 mod collide;
 pub mod contour;
+pub(in crate::roof) mod eaves;
 mod faces;
-pub(super) mod pairs;
+pub mod line;
+pub(in crate::roof) mod pairs;
+pub(in crate::roof) mod polygons;
 mod queue;
 mod verify;
 pub mod wave;
-pub(in crate::roof) mod polygons;
-pub(in crate::roof) mod eaves;
 
 pub use contour::{Contours, Invalid};
+
+/// The tag of edges without eaves: a wall goes on above them.
+pub const FLUSH: u32 = 1;
 
 /// A corner of the plan or a place where edges met.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,8 +48,8 @@ pub struct Node {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
     /// The line of the edge.
-    pub line: wave::Line,
-    /// What the caller wrote at the edge.
+    pub line: line::Line,
+    /// The caller's tag of the edge.
     pub tag: u32,
     /// The edge before it in its ring.
     pub before: u32,
@@ -69,7 +73,7 @@ impl Skeleton {
     }
 }
 
-/// How often the corners are moved before it is given up.
+/// The most attempts with moved corners.
 const ATTEMPTS: u32 = 4;
 
 /// The skeleton of prepared contours; `None` where every attempt fails, which no outline that was tried does.

@@ -4,6 +4,7 @@ pub mod sheet;
 pub mod massive;
 
 use crate::building::{Corners, Face, Finish, Solid};
+use crate::geometry::tolerance::HEIGHT;
 use glam::DVec3;
 
 /// The solid that a convex plane profile sweeps along `by`; the profile may run either way round.
@@ -66,8 +67,11 @@ pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
     Solid { points, faces }
 }
 
-/// Points nearer to a cut lie on it, metres.
-pub(super) const ON: f64 = 1e-5;
+/// Thickness of a gable infill, metres, centred on the wall line.
+pub const INFILL_THICKNESS: f64 = 0.07;
+
+/// How far gable infills reach into what they meet, metres: no cracks, and no two faces in one plane.
+pub const SUNK: f64 = 0.01;
 
 /// The convex parts of a prism or a [`curtain`]: of a curtain one for each piece of its chain.
 pub(super) fn columns(wall: &Solid) -> Vec<Solid> {
@@ -93,14 +97,14 @@ fn is_convex(solid: &Solid) -> bool {
     solid.faces.iter().all(|face| {
         let at = |i: usize| solid.points[face.corners[i] as usize];
         let normal = (at(1) - at(0)).cross(at(2) - at(0)).normalize_or_zero();
-        solid.points.iter().all(|p| normal.dot(*p - at(0)) < ON)
+        solid.points.iter().all(|p| normal.dot(*p - at(0)) < HEIGHT)
     })
 }
 
-/// The part of a convex solid where `normal . p <= at`; none where nothing is left.
+/// The part of a convex solid where `normal . p <= at`; `None` where nothing is left.
 pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
     let beyond = |p: &DVec3| match normal.dot(*p) - at {
-        d if d.abs() < ON => 0.0,
+        d if d.abs() < HEIGHT => 0.0,
         d => d,
     };
     let depths: Vec<f64> = solid.points.iter().map(beyond).collect();

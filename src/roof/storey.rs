@@ -6,6 +6,7 @@ pub(in crate::roof) mod explicit;
 pub(in crate::roof) mod forms;
 pub(in crate::roof) mod headroom;
 pub(in crate::roof) mod overhang;
+pub(in crate::roof) mod placed_line;
 pub(in crate::roof) mod polygonal;
 pub(in crate::roof) mod porch;
 pub(in crate::roof) mod skirt;

@@ -62,7 +62,7 @@ pub(super) struct TrimDetail {
 /// plastered over their posts.
 pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
     let mut worn = TrimDetail::default();
-    let surface = Surface::of(&roof.solids);
+    let surface = Surface::of(&roof.surface);
     if surface.facets.is_empty() {
         return worn;
     }

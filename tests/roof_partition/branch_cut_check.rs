@@ -6,7 +6,8 @@ use super::shapes::{NINOMARU, cell, plan, total_cut};
 use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::six_vertex::SixVertex;
 use hsd::roof::partition::{Method, cut, partition};
-use hsd::roof::plan::ridge::{Role, Side, regions};
+use hsd::roof::plan::roles::regions;
+use hsd::roof::region::{Role, Side};
 
 type Point = (i64, i64);
 

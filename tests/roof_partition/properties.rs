@@ -4,8 +4,9 @@
 use super::outlines::{Bitmap, Dice, moved, outlines};
 use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::ridge::{Region, Ridge, Role, regions};
+use hsd::roof::plan::roles::regions;
 use hsd::roof::plan::street::street_front;
+use hsd::roof::region::{Region, Ridge, Role};
 
 const ALL: [Method; 3] = [Method::Kd, Method::LeastCut, Method::BranchCut];
 

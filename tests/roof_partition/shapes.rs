@@ -2,8 +2,9 @@
 
 use hsd::geometry::plan::{Cell, Plan};
 use hsd::roof::partition::{Method, partition};
-use hsd::roof::plan::ridge::{Region, Ridge, Role, Side, regions};
+use hsd::roof::plan::roles::regions;
 use hsd::roof::plan::street::street_front;
+use hsd::roof::region::{Region, Ridge, Role, Side};
 
 /// a0 b0 a1 b1.
 pub(crate) fn cell(c: [i64; 4]) -> Cell {

@@ -90,6 +90,7 @@ fn roofs_become_one_mesh() {
         kind: RoofKind::Metal,
         dress: Trim::default(),
         attic: Attic::default(),
+        surface: Default::default(),
         solids: vec![flat_roof()],
     });
     let scene = scene(&building);

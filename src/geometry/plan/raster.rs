@@ -144,7 +144,7 @@ impl Raster {
     /// Which fields of this grid any of some cells covers, overlapping or not.
     pub(crate) fn covered(&self, cells: &[Cell]) -> Vec<bool> {
         let cols = self.cols();
-        // How many cells begin less how many end, along a, then summed up.
+        // Cells that begin minus cells that end along a, then summed.
         let mut count = vec![0i32; (cols + 1) * self.rows()];
         for c in cells {
             for j in self.b.line(c.b0)..self.b.line(c.b1) {

@@ -5,20 +5,21 @@
 //! the other adds what it has beyond. All parts are convex, so that cutting is clipping by planes.
 
 use crate::building::{Face, Finish, Solid};
-use crate::roof::shape::gable_wall::SUNK;
-use crate::roof::solid::{ON, clip, columns};
+use crate::geometry::tolerance::HEIGHT;
+use crate::roof::solid::SUNK;
+use crate::roof::solid::{clip, columns};
 use glam::{DVec2, DVec3};
 
-/// What of two solids in one place is too little to be cut away, cubic metres: a joint.
+/// Overlaps of two solids below this volume stay, cubic metres: they are joints.
 const TOUCH: f64 = 2e-5;
 
 /// One roof of a group on its way to its solids.
 pub(in crate::roof) struct Built {
     /// Its closed sheets.
     pub(in crate::roof) sheets: Vec<Solid>,
-    /// How thick they are, measured upright, metres.
+    /// Vertical thickness, metres.
     pub(in crate::roof) drop: f64,
-    /// What stands under them.
+    /// Gable infills and brackets under them.
     pub(in crate::roof) fills: Vec<Solid>,
 }
 
@@ -33,7 +34,7 @@ impl Body {
     /// Whether one of its planes has all these points beyond it, which most bodies nearby do.
     fn is_apart(&self, points: &[DVec3]) -> bool {
         let mut planes = self.planes.iter();
-        planes.any(|(normal, at)| points.iter().all(|p| normal.dot(*p) - at > -ON))
+        planes.any(|(normal, at)| points.iter().all(|p| normal.dot(*p) - at > -HEIGHT))
     }
 }
 
@@ -74,7 +75,7 @@ fn is_wall(fill: &Solid) -> bool {
     fill.faces.iter().all(|f| f.finish == Finish::Gable)
 }
 
-/// What the bodies leave of a fill; the fill as it is where none of them takes anything.
+/// The parts of an infill outside the bodies; the whole infill where none of them cuts it.
 fn left(fill: Solid, near: &[&Body]) -> Vec<Solid> {
     let whole = columns(&fill);
     let mut parts = whole.clone();
@@ -95,7 +96,7 @@ fn left(fill: Solid, near: &[&Body]) -> Vec<Solid> {
     if cut { parts } else { vec![fill] }
 }
 
-/// The convex parts of a convex solid outside a body; none where they hardly touch.
+/// The convex parts of a convex solid outside a body; `None` where they hardly touch.
 fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
     if !meets(bounds(&part.points), (body.lo, body.hi)) || body.is_apart(&part.points) {
         return None;
@@ -104,7 +105,7 @@ fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
     let mut off = vec![];
     for &(normal, at) in &body.planes {
         // Most planes of a body pass beside what is left.
-        if inside.points.iter().all(|p| normal.dot(*p) - at < ON) {
+        if inside.points.iter().all(|p| normal.dot(*p) - at < HEIGHT) {
             continue;
         }
         off.extend(clip(&inside, -normal, -at));

@@ -5,29 +5,26 @@
 //! Verges are the exception: they stand over a lower neighbour and take nothing from it but what would stand in them
 //! (`verges`).
 
+use crate::roof::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves};
+use crate::roof::frame::Rect;
 use crate::roof::join::nearby::Nearby;
 use crate::roof::join::verges::clear_verges;
-use crate::roof::shape::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves};
 use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::Rect;
 use crate::roof::solid::sheet::{Piece, has_area};
 use glam::DVec2;
 
-/// What is left of one form: the pieces of its surface.
-pub(in crate::roof) type Met = Vec<Piece>;
-
-/// How many others stand in a roof's way on the average before roofs are left as they are. Roofs side by
+/// The average number of overlapping roofs above which roofs are left unjoined. Roofs side by
 /// side have up to two dozen, the smallest with the widest eaves; only piles of them have more.
 const MOST_NEAR: usize = 32;
 
 /// The forms as they are.
-pub(in crate::roof) fn apart(forms: &[Form]) -> Vec<Met> {
+pub(in crate::roof) fn apart(forms: &[Form]) -> Vec<Vec<Piece>> {
     forms.iter().map(whole).collect()
 }
 
-/// What remains of each form. `walls` are convex and nothing may enter them: the upper storey. None
-/// where too many stand in each other's way.
-pub(in crate::roof) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<Met>> {
+/// The remaining pieces of each form. `walls` are the convex parts of the upper storey, which no roof enters.
+/// `None` where too many roofs overlap.
+pub(in crate::roof) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<Vec<Piece>>> {
     if let ([_], []) = (forms, walls) {
         return Some(apart(forms));
     }
@@ -61,7 +58,7 @@ pub(in crate::roof) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<
         let facets = forms[n].facets.iter();
         facets.flat_map(|f| remaining(f, &cutters)).collect()
     };
-    let mut met: Vec<Met> = (0..forms.len()).map(kept).collect();
+    let mut met: Vec<Vec<Piece>> = (0..forms.len()).map(kept).collect();
     clear_verges(forms, &mut met, |n| roofs.overlapping(&boxes[n]));
     Some(met)
 }
@@ -89,7 +86,7 @@ fn round(corners: impl Iterator<Item = DVec2>) -> Rect {
     })
 }
 
-/// The storey above as a cutter: higher than everything.
+/// The storey above as a cutter, higher than every roof.
 fn wall<'f>(body: &'f [DVec2], sides: &'f [HalfPlane]) -> Cutter<'f> {
     Cutter {
         body,
@@ -99,7 +96,7 @@ fn wall<'f>(body: &'f [DVec2], sides: &'f [HalfPlane]) -> Cutter<'f> {
     }
 }
 
-/// What may cut roof `n`: these walls, and the facets near by with their sides.
+/// The cutters of roof `n`: walls, and nearby facets with their sides.
 fn cutters<'f>(
     n: usize,
     forms: &'f [Form],

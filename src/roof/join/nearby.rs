@@ -1,9 +1,9 @@
-//! Which rectangles overlap a given one, without looking at all of them: a tree of boxes, each node
-//! split at the middle of its longer side.
+//! A search tree for the rectangles that overlap a given one; each node is split at the middle of its
+//! longer side.
 
-use crate::roof::shape::frame::Rect;
+use crate::roof::frame::Rect;
 
-/// Few enough to look at one by one.
+/// Nodes with no more rectangles are searched linearly.
 const LEAF: usize = 8;
 
 /// A tree over rectangles.
@@ -94,7 +94,7 @@ impl Nearby {
     }
 }
 
-/// How many nodes a tree over so many rectangles has.
+/// The number of nodes of a tree over this many rectangles.
 fn nodes(count: usize) -> usize {
     if count <= LEAF {
         1

@@ -1,17 +1,16 @@
-//! Verges over lower roofs: what of a slope would stand in the thickness of a verge above it is taken away, since the
+//! Verges over lower roofs: the part of a slope inside the thickness of a verge above it is cut away, since the
 //! verge covers it.
 
-use crate::roof::join::meet::Met;
-use crate::roof::shape::facet::{Corner, Facet, HalfPlane, Higher, edges, subtract};
+use crate::roof::facet::{Corner, Facet, HalfPlane, Higher, edges, subtract};
+use crate::roof::frame::Plane;
 use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::Plane;
 use crate::roof::solid::sheet::{Piece, has_area};
 use glam::DVec2;
 
-/// Takes from every roof what stands in the verges of the others; `near` are the roofs near one.
+/// Cuts away the parts of every roof inside the verges of the others; `near` gives the roofs near one.
 pub(in crate::roof) fn clear_verges(
     forms: &[Form],
-    met: &mut [Met],
+    met: &mut [Vec<Piece>],
     near: impl Fn(usize) -> Vec<usize>,
 ) {
     if forms.len() < 2 {
@@ -40,7 +39,7 @@ fn cover((outline, plane): &Piece) -> Cover {
 }
 
 /// The verges that meeting has left of a form.
-fn left_of(form: &Form, met: &Met) -> Vec<Cover> {
+fn left_of(form: &Form, met: &[Piece]) -> Vec<Cover> {
     let mut verges = vec![];
     for facet in form.facets.iter().filter(|f| has_verge(f)) {
         let body = edges(&facet.body);
@@ -61,7 +60,7 @@ fn has_verge(facet: &Facet) -> bool {
     facet.outline.len() != facet.body.len() || !facet.outline.iter().zip(&facet.body).all(same)
 }
 
-/// What of a piece does not stand in a verge.
+/// The part of a piece outside a verge.
 fn below(
     piece: Vec<Corner>,
     plane: Plane,

@@ -41,7 +41,7 @@ struct Line {
     from: usize,
     way: Way,
     to: usize,
-    /// How many L it makes straight, 1 or 2.
+    /// The number of L it makes straight, 1 or 2.
     bends: u8,
     rank: Rank,
 }
@@ -66,7 +66,7 @@ struct Cutter<'r> {
     stride: usize,
     /// For each grid point the walls and lines that leave it, a bit each [`Way`].
     walls: Vec<u8>,
-    /// How many more steps may be made.
+    /// The remaining number of steps.
     steps: u64,
     cells: Vec<Cell>,
 }

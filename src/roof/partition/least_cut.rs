@@ -40,7 +40,7 @@ pub(in crate::roof) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u6
     (cells, most - ties.steps)
 }
 
-/// What a rectangle's best tree reaches, in the order of comparison.
+/// The score of a rectangle's best tree, in the order of comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Score {
     /// Roof cut, reduced length.
@@ -73,7 +73,7 @@ struct Best {
 }
 
 impl Best {
-    /// A rectangle without walls: a roof of its own if `area` is given, else nothing.
+    /// A rectangle without walls: one roof if `area` is given, else nothing.
     fn pure(area: Option<u128>, s: Span) -> Self {
         let squares = area.map_or(0, |a| a.saturating_mul(a));
         Self {
@@ -88,7 +88,7 @@ impl Best {
         }
     }
 
-    /// What cutting a rectangle into these two reaches.
+    /// The score of cutting a rectangle into these two.
     fn joined(one: &Best, other: &Best, roof: u64, cut: (Line, u8)) -> Self {
         Self {
             score: one.score.plus(other.score, roof),
@@ -129,11 +129,11 @@ struct Search<'r> {
     least: Vec<u64>,
     /// The first one is that of all empty rectangles.
     best: Vec<Best>,
-    /// How many more rectangles and cuts may be looked at.
+    /// The remaining number of rectangles and cuts to examine.
     steps: u64,
 }
 
-/// What a strip between two lines holds, as bits.
+/// The content of a strip between two lines, as bits.
 #[derive(Clone, Copy, Debug, Default)]
 struct Marks {
     /// The lines across it, but the outermost, with wall in it.
@@ -183,7 +183,7 @@ impl<'r> Search<'r> {
         &self.best[self.place[self.at(s)] as usize]
     }
 
-    /// What of a rectangle is left without its empty margins; none where all of it is empty.
+    /// A rectangle without its empty margins; `None` where all of it is empty.
     fn trimmed(&self, s: Span) -> Option<Span> {
         let cols = self.across[interval(s.j0, s.j1)].roofs & bits(s.i0, s.i1);
         if cols == 0 {
@@ -222,7 +222,7 @@ impl<'r> Search<'r> {
         Some(())
     }
 
-    /// The best way to cut a rectangle; none where it has no walls.
+    /// The best cut of a rectangle; `None` where it has no walls.
     fn best_cut(&mut self, s: Span) -> Option<Option<Best>> {
         let mut best: Option<Best> = None;
         let mut most = u64::MAX;
@@ -314,7 +314,7 @@ struct Ties<'t, 'r> {
     search: &'t Search<'r>,
     /// The open rectangles settled so far.
     settled: Vec<Option<Settled>>,
-    /// How many more roofs may be compared.
+    /// The remaining number of roofs to compare.
     steps: u64,
 }
 

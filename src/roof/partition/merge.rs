@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BinaryHeap};
 /// Above this many cells the pairs are kept in order instead of searched each time.
 const FEW: usize = 24;
 
-/// How much a pair deserves to be united; the greatest wins.
+/// The merit of uniting a pair; the greatest wins.
 type Rank = (i64, i128, Reverse<i64>, Reverse<i64>, bool);
 
 /// Unites cells until no two share a whole edge of both; the order of the result is (b0, a0).

@@ -1,4 +1,4 @@
-//! What the roofs need to know of a storey: its plan in steps and what stands on it.
+//! A storey as its roofs see it: its plan in steps, and the parapet on it.
 
 use crate::ast::StoreyKind;
 use crate::building::{House, Ring, Storey};
@@ -14,7 +14,7 @@ pub(in crate::roof) type Point = (i64, i64);
 pub(in crate::roof) struct Level<'h> {
     /// The storey.
     pub(in crate::roof) storey: &'h Storey,
-    /// What its closed rings bound.
+    /// The region inside its closed rings.
     pub(in crate::roof) plan: Plan,
     /// Whether all its walls are parallel to the axes of the plan.
     pub(in crate::roof) orthogonal: bool,
@@ -23,7 +23,7 @@ pub(in crate::roof) struct Level<'h> {
 }
 
 impl Level<'_> {
-    /// Whether no ring bounds anything.
+    /// Whether no ring bounds an area.
     pub(in crate::roof) fn is_open(&self) -> bool {
         self.plan.loops.is_empty()
     }

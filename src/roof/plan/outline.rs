@@ -1,7 +1,7 @@
-//! Where the walls of a plan run along the side of a rectangle.
+//! The walls of a plan along the sides of a rectangle.
 
 use crate::geometry::plan::{Cell, Plan};
-use crate::roof::plan::ridge::Side;
+use crate::roof::region::Side;
 
 /// The walls of a plan by direction and line.
 #[derive(Clone, Debug, Default)]

@@ -1,11 +1,10 @@
-//! What `dump --stage regions` shows of a storey (docs/contract.md 5).
+//! A storey as `dump --stage regions` shows it (docs/contract.md 5).
 
 use crate::ast::RoofShape;
 use crate::building::{PlanRegion, Ring, StoreyPlan, rect_of};
 use crate::geometry::plan::Cell;
 use crate::roof::plan::level::Level;
-use crate::roof::plan::ridge::{Region, Ridge, Role, Side};
-use crate::roof::storey::skirt::Skirt;
+use crate::roof::region::{Region, Ridge, Role, Side};
 use glam::DVec2;
 
 /// The automatic regions of an orthogonal storey, whose roofs are of this shape.
@@ -39,8 +38,7 @@ pub(in crate::roof) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofSh
 }
 
 /// A storey roofed as a whole round the storey above: the strips on its sides, which fall away from it.
-pub(in crate::roof) fn skirt(level: &Level<'_>, skirt: &Skirt<'_>) -> StoreyPlan {
-    let mut strips = skirt.strips();
+pub(in crate::roof) fn skirt(level: &Level<'_>, mut strips: Vec<(Cell, Side)>) -> StoreyPlan {
     strips.sort_unstable_by_key(|(cell, _)| cell.key());
     let region = |(cell, fall): &(Cell, Side)| PlanRegion {
         rect: rect_of(*cell),

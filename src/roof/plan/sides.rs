@@ -1,9 +1,9 @@
-//! Who lies beyond a side: regions that cover the whole of it, upper walls along it.
+//! Neighbours of a side: regions that cover the whole of it, upper walls along it.
 //!
 //! Both are looked up in sorted lists, so that a plan of very many regions stays quick.
 
 use crate::geometry::plan::{Cell, Plan};
-use crate::roof::plan::ridge::Side;
+use crate::roof::region::Side;
 
 /// A piece of a line: the line's coordinate, its two ends, its owner.
 type Piece = (i64, i64, i64, usize);

@@ -1,5 +1,5 @@
-//! What lies under a rectangle on each storey, for roof lines: the plans are cut into strips once, so that
-//! a thousand lines over a plan of a thousand corners cost no thousand divisions of it.
+//! The area of each storey under a rectangle, for roof lines: plans are cut into strips once, not once for
+//! each line.
 
 use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
@@ -7,15 +7,15 @@ use crate::roof::plan::level::Level;
 use crate::roof::plan::outline::Outline;
 use std::cell::OnceCell;
 
-/// The storeys of a house, each looked at when somebody asks.
+/// The storeys of a house with what is derived from them on first use.
 pub(in crate::roof) struct Tops<'l, 'h> {
     /// The storeys.
     pub(in crate::roof) levels: &'l [Level<'h>],
-    known: Vec<Known>,
+    cache: Vec<LevelCache>,
 }
 
 #[derive(Clone, Default)]
-struct Known {
+struct LevelCache {
     whole: OnceCell<Vec<Cell>>,
     open: OnceCell<Vec<Cell>>,
     outline: OnceCell<Outline>,
@@ -23,15 +23,15 @@ struct Known {
 
 impl<'l, 'h> Tops<'l, 'h> {
     pub(in crate::roof) fn of(levels: &'l [Level<'h>]) -> Self {
-        let known = vec![Known::default(); levels.len()];
-        Tops { levels, known }
+        let cache = vec![LevelCache::default(); levels.len()];
+        Tops { levels, cache }
     }
 
     /// The area of a storey's plan inside a cell, square steps.
     pub(in crate::roof) fn inside(&self, k: usize, cell: &Cell) -> i128 {
         let plan = &self.levels[k].plan;
         common(
-            self.known[k].whole.get_or_init(|| slabs::strips(plan)),
+            self.cache[k].whole.get_or_init(|| slabs::strips(plan)),
             cell,
         )
     }
@@ -42,7 +42,7 @@ impl<'l, 'h> Tops<'l, 'h> {
         let upper = self.levels.get(k + 1).filter(|u| u.orthogonal);
         let cut = |upper: &Plan| slabs::combine(plan, upper, |mine, theirs| mine && !theirs);
         match upper.filter(|u| plan.fits(Some(&u.plan))) {
-            Some(u) => common(self.known[k].open.get_or_init(|| cut(&u.plan)), cell) > 0,
+            Some(u) => common(self.cache[k].open.get_or_init(|| cut(&u.plan)), cell) > 0,
             None => self.inside(k, cell) > 0,
         }
     }
@@ -50,7 +50,7 @@ impl<'l, 'h> Tops<'l, 'h> {
     /// The walls of a storey.
     pub(in crate::roof) fn outline(&self, k: usize) -> &Outline {
         let plan = &self.levels[k].plan;
-        self.known[k].outline.get_or_init(|| Outline::of(plan))
+        self.cache[k].outline.get_or_init(|| Outline::of(plan))
     }
 }
 

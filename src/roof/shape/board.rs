@@ -7,14 +7,14 @@
 //! Frame: right-handed, origin in the middle of the rectangle, x along edge 12 (a long one), y away from edge 34
 //! towards edge 12, z up with its zero where storey heights are counted from (F7). Metres.
 //!
-//! What the seed leaves open, and how it is read here:
+//! Points that the paper leaves open, and how they are read here:
 //!
 //! | | |
 //! |---|---|
 //! | F1 | `offset` (rf_offs) goes from the prism's slope to the board's UPPER face: gap below the board + thickness |
 //! | F2 | the lower faces cross the ridge plane by [`Board::crossing`]; a clean solid is cut there |
 //! | F3 | `eaves` (eaves23) is measured ALONG the slope; [`Board::overhanging`] takes a horizontal one |
-//! | F4 | a board is as wide as the formula says, not as the sentence: half the span along the slope + eaves + offset · tanθ |
+//! | F4 | a board is as wide as the formula gives, not the sentence: half the span along the slope + eaves + offset · tanθ |
 //! | F5 | it overhangs at both ends: length = w_L + 2 · verge |
 //! | F6 | the edge that points right has a tilt above -90° up to 90°; of a square's the more horizontal, then the first |
 //! | F7 | side 12 turns by -θ about x, side 34 by +θ |
@@ -66,7 +66,7 @@ impl Edge {
     }
 }
 
-/// How a board ends at the eaves (F9).
+/// The cut of a board at the eaves (F9).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cut {
     /// At right angles to the slope, as a box ends.
@@ -85,7 +85,7 @@ fn secant(pitch: f64) -> f64 {
     (1.0 + pitch * pitch).sqrt()
 }
 
-/// Where storeys of these heights end: st_heit (F8).
+/// The top of storeys of these heights, metres: st_heit (F8).
 pub fn start(storeys: &[f64]) -> f64 {
     storeys.iter().sum()
 }
@@ -131,7 +131,7 @@ impl Board {
         self.pitch * self.cos()
     }
 
-    /// What is left between the prism and the board; below 0 the board sticks in it (F1).
+    /// The gap between the prism and the board, metres; negative where the board enters the prism (F1).
     pub fn gap(&self) -> f64 {
         self.offset - self.thickness
     }
@@ -217,7 +217,7 @@ impl Board {
         self.eaves_top() - down
     }
 
-    /// How far the lower face of an uncut box runs on beyond the ridge plane: thick · sinθ on each side (F2). A
+    /// The length of an uncut box's lower face beyond the ridge plane: thick · sinθ on each side (F2). A
     /// ridge cap that is to hide the gap instead must be twice as wide.
     pub fn crossing(&self) -> f64 {
         self.thickness * self.sin()

@@ -4,11 +4,11 @@
 //! up the slope at the wall line, so that no gap opens over the plate: its triangles lie along rays from
 //! the corner of the walls, as fan rafters do.
 
-use crate::roof::shape::facet::Facet;
-use crate::roof::shape::frame::Plane;
+use crate::roof::facet::Facet;
+use crate::roof::frame::Plane;
 use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::Profile;
-use crate::roof::shape::ridge_roof::Strip;
+use crate::roof::shape::strip::Strip;
 use glam::{DVec2, DVec3};
 
 /// Triangles at one side of a corner.
@@ -20,7 +20,7 @@ const MOST: f64 = 0.7;
 /// No lift below this is worth its triangles, metres.
 const LEAST: f64 = 0.02;
 
-/// How the corners of one roof rise.
+/// The lift of the corners of one roof.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::roof) struct Raised {
     /// Height of the corner over the middle of the eaves, metres.
@@ -91,7 +91,7 @@ impl Raised {
                 _ => (middle.to, middle.body[1]) = (rest, rest),
             }
         }
-        // What is left between the fans is plane.
+        // The strip between the fans is plane.
         facets.extend(middle.facet());
     }
 }

@@ -1,8 +1,8 @@
-//! How a two-sloped roof ends: one recipe, with an end treatment at each end of its ridge.
+//! The ends of a two-sloped roof: a treatment at each end of its ridge.
 //!
-//! Every treatment says two things of a distance d inward from the eaves side's wall line: where the main
-//! slopes begin there, and how far in the END's slope has risen as high as they have ([`End::contour`]).
-//! Where both are the same the slopes share a hip. Distances along the ridge count inward from the end's
+//! For each distance d inward from the eaves side's wall line a treatment gives two values: where the main
+//! slopes begin, and how far in the end's own slope reaches the same height ([`End::contour`]).
+//! Where the two are equal the slopes share a hip. Distances along the ridge count inward from the end's
 //! wall line.
 
 use crate::ast::RoofShape;
@@ -17,7 +17,7 @@ const STEEPEST: f64 = 5.0;
 /// The treatment of an end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Cap {
-    /// The slopes run out over a gable wall, or into what stands there.
+    /// The slopes run out over a gable wall, or into the roof or wall there.
     #[default]
     Gable,
     /// A third slope from the eaves to the ridge, which starts `run` metres in.
@@ -39,20 +39,20 @@ pub enum Cap {
     },
 }
 
-/// What a two-sloped roof does at one end of its ridge.
+/// One end of a two-sloped roof.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct End {
-    /// How far the roof runs on beyond its wall rectangle, inside the roof it joins, metres.
+    /// Length beyond its wall rectangle, inside the roof it joins, metres.
     pub reach: f64,
     /// The distance inward from which it does so: where it stands above the walls of what it joins.
     pub from: f64,
     /// Overhang beyond that, metres.
     pub verge: f64,
-    /// Whether a gable wall stands there.
+    /// Whether the end has a gable wall.
     pub wall: bool,
     /// The treatment; of ends that run on always a gable.
     pub cap: Cap,
-    /// Whether its corners stand free, so that sori raises them: at v = 0 and at v = depth.
+    /// Whether its corners are free, so that sori raises them: at v = 0 and at v = depth.
     pub rises: [bool; 2],
 }
 
@@ -92,7 +92,7 @@ impl Cap {
         }
     }
 
-    /// Whether the end has eaves of its own, with corners.
+    /// Whether the end has its own eaves, with corners.
     pub fn has_corners(self) -> bool {
         matches!(self, Cap::Hip { .. } | Cap::HipAndGable { .. })
     }
@@ -127,7 +127,7 @@ impl End {
         }
     }
 
-    /// Whether a strip lies high enough to run on into what stands beyond.
+    /// Whether a strip lies high enough to continue into the roof or wall beyond.
     fn runs_on(&self, [lower, upper]: [f64; 2]) -> bool {
         lower + upper > 2.0 * self.from
     }
@@ -151,7 +151,7 @@ impl End {
         }
     }
 
-    /// How much farther its slope rises under the upper gable, to the wall of that: metres.
+    /// The distance inward, metres, up to which its slope continues under the upper gable, to that gable's wall.
     pub fn beyond_hips(&self) -> Option<f64> {
         match self.cap {
             Cap::HipAndGable { wall, .. } => Some(wall),

@@ -5,9 +5,9 @@ use crate::building::{Corners, Face, Finish, Solid};
 use crate::geometry::plan::Cell;
 use crate::geometry::plan::Plan;
 use crate::geometry::triangulate::triangles;
+use crate::roof::facet::Corner;
+use crate::roof::frame::{Plane, metres};
 use crate::roof::plan::outline::Outline;
-use crate::roof::shape::facet::Corner;
-use crate::roof::shape::frame::{Plane, metres};
 use crate::roof::solid::sheet::{Coat, Piece, sheet};
 use glam::{DVec2, DVec3, dvec2};
 
@@ -76,7 +76,7 @@ pub fn slab(
 }
 
 fn coat(kind: RoofKind) -> Coat {
-    // Tiles, boards and thatch cannot lie flat: such a roof is plastered whatever the line says.
+    // Tiles, boards and thatch cannot lie flat: such a roof is plastered whatever covering is set.
     let top = match kind {
         RoofKind::Metal => Finish::Covering(RoofKind::Metal),
         _ => Finish::Plaster,
@@ -243,6 +243,7 @@ fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
 #[cfg(test)]
 mod tests {
     use crate::check::solid_flaws;
+    use crate::roof::partition::{Method, partition};
     use crate::roof::shape::flat::*;
 
     fn sound(solids: &[Solid]) {
@@ -262,7 +263,7 @@ mod tests {
             (4_000_000, 9_000_000),
             (0, 9_000_000),
         ]]);
-        let cells = crate::roof::partition::partition(&l, crate::roof::partition::Method::Kd);
+        let cells = partition(&l, Method::Kd);
         let slab = slab_of_cells(&cells, 0.9, 3.0, RoofKind::Metal, 0.15);
         assert_eq!(slab.len(), 1);
         sound(&slab);

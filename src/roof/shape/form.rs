@@ -1,24 +1,38 @@
-//! What every roof shape returns: its upper surface in facets, and what stands under it.
+//! The result of every roof shape: its upper surface in facets, and the walls and brackets under it.
 
-use crate::building::Solid;
-use crate::roof::shape::facet::Facet;
-use crate::roof::shape::frame::Rect;
+use crate::building::{Roof, Solid};
+use crate::roof::facet::Facet;
+use crate::roof::frame::Rect;
+use crate::roof::shape::look::Look;
 
 /// The form of one roof before it meets its neighbours.
 #[derive(Clone, Debug, Default)]
 pub struct Form {
     /// The upper surface.
     pub facets: Vec<Facet>,
-    /// How far the lower surface lies below it, metres.
+    /// Vertical thickness: how far the lower surface lies below the upper one, metres.
     pub drop: f64,
-    /// Height of the upper surface over the wall plate: what reaches no higher is mere eaves.
+    /// Height of the upper surface over the wall plate, metres; solids that reach no higher are only eaves.
     pub floor: f64,
     /// Walls and brackets under the surface; neighbours cut only gable walls.
     pub solids: Vec<Solid>,
     /// The roof whose eaves it is tucked under, as an index among its group.
     pub under: Option<usize>,
-    /// Whether it hangs on the outside of walls: the storey above takes nothing from it.
+    /// Whether it hangs on the outside of walls, so that the storey above cuts nothing off it.
     pub hung: bool,
     /// The walls below where a slope stands out over them as a part of its body.
     pub walls: Option<Rect>,
+}
+
+/// A roof with its form, before it meets its neighbours.
+#[derive(Clone, Debug)]
+pub(in crate::roof) struct RoofDraft {
+    /// Its form.
+    pub(in crate::roof) form: Form,
+    /// Its look.
+    pub(in crate::roof) look: Look,
+    /// The roof, without solids yet.
+    pub(in crate::roof) roof: Roof,
+    /// Height of the plate it stands on: only roofs of one height meet.
+    pub(in crate::roof) base: f64,
 }

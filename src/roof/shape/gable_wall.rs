@@ -1,17 +1,11 @@
 //! Gable walls: what fills the end of a roof from the wall plate to its lower surface.
 
 use crate::building::{Finish, Solid};
-use crate::roof::shape::frame::Frame;
+use crate::roof::frame::Frame;
 use crate::roof::shape::profile::Profile;
-use crate::roof::solid::{curtain, prism};
+use crate::roof::solid::{INFILL_THICKNESS, SUNK, curtain, prism};
 use glam::DVec3;
 use smallvec::SmallVec;
-
-/// Thickness, metres, centred on the wall line.
-pub const THICK: f64 = 0.07;
-
-/// So far fills reach into what they meet, metres: no cracks, and no faces in one plane.
-pub const SUNK: f64 = 0.01;
 
 /// The upper edge of a fill: (v, z).
 type Chain = SmallVec<[(f64, f64); 8]>;
@@ -53,8 +47,8 @@ impl Fill<'_> {
 
     /// A wall from a level foot up to a chain; it never sticks out from under its verge.
     fn stand(&self, foot: f64, chain: &[(f64, f64)], under: &Profile) -> Solid {
-        let face = self.u + self.outward * (THICK / 2.0).min(self.verge - SUNK / 2.0);
-        let by: DVec3 = (self.frame.along() * (-self.outward * THICK)).extend(0.0);
+        let face = self.u + self.outward * (INFILL_THICKNESS / 2.0).min(self.verge - SUNK / 2.0);
+        let by: DVec3 = (self.frame.along() * (-self.outward * INFILL_THICKNESS)).extend(0.0);
         let point = |(v, z): &(f64, f64)| self.frame.point(face, *v, *z);
         let upper: SmallVec<[DVec3; 8]> = chain.iter().map(point).collect();
         if chain.len() <= 4 && under.is_straight() {
@@ -84,7 +78,7 @@ fn heights(profile: &Profile, base: f64, (from, to): (f64, f64)) -> Chain {
 
 /// A wall along a line from `from` to `to` (lower corners), up to heights over both.
 pub fn panel(from: DVec3, to: DVec3, tops: [f64; 2], finish: Finish) -> Solid {
-    let across = (to - from).truncate().perp().normalize_or_zero() * THICK;
+    let across = (to - from).truncate().perp().normalize_or_zero() * INFILL_THICKNESS;
     let by = across.extend(0.0);
     let (p, q) = (from - by / 2.0, to - by / 2.0);
     let profile = [

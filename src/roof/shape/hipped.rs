@@ -5,14 +5,17 @@
 //! 7.10, a square its hogyo, and any other outline what a carpenter would make of equal slopes.
 
 use crate::ast::RoofShape;
-use crate::building::{Attic, Roof};
-use crate::geometry::convex::{parts, triangles};
-use crate::roof::shape::facet::{EPS, Facet};
+use crate::building::{Attic, Roof, RoofSurface};
+use crate::geometry::convex::parts;
+use crate::geometry::tolerance::CUT;
+use crate::geometry::triangulate::ears;
+use crate::roof::facet::Facet;
+use crate::roof::frame::Plane;
 use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::Plane;
 use crate::roof::shape::look::Look;
 use crate::roof::skeleton::eaves::Eaves;
-use crate::roof::skeleton::{Contours, Face, Invalid, Skeleton, skeleton};
+use crate::roof::skeleton::{Contours, FLUSH, Face, Invalid, Skeleton, skeleton};
+use crate::roof::solid::sheet::sheet;
 use glam::{DVec2, DVec3};
 
 /// Nodes nearer to each other become one, metres.
@@ -21,9 +24,6 @@ const NEAR: f64 = 0.001;
 const PLANE: f64 = 2e-7;
 /// The least area of a facet, square metres.
 const LEAST_AREA: f64 = 1e-6;
-
-/// Tags of edges without eaves: a wall goes on above them.
-pub const FLUSH: u32 = 1;
 
 /// The roof over a simple outline with courts, in metres and in any frame; rings may turn either way. `base` is the
 /// height of the wall plate. Takes some ten microseconds for the plan of a house.
@@ -54,6 +54,7 @@ pub fn over(
         .into_iter()
         .map(|f| (f.outline, f.plane))
         .collect();
+    let solids = sheet(&whole, form.drop, &look.coat(), form.floor);
     Ok(Roof {
         storey: 1,
         span: None,
@@ -65,7 +66,8 @@ pub fn over(
             filled: true,
             ..Attic::default()
         },
-        solids: crate::roof::solid::sheet::sheet(&whole, form.drop, &look.coat(), form.floor),
+        surface: RoofSurface::of(&solids),
+        solids,
     })
 }
 
@@ -73,7 +75,7 @@ pub fn over(
 #[derive(Clone, Debug)]
 pub struct Hipped {
     skeleton: Skeleton,
-    /// For each node the one that stands for it.
+    /// For each node its representative.
     stands: Vec<u32>,
 }
 
@@ -157,7 +159,7 @@ struct Slope {
 
 impl Slope {
     fn add(&mut self, at: DVec2, top: f64, rim: bool) {
-        if self.places.last().is_some_and(|p| p.distance(at) < EPS) {
+        if self.places.last().is_some_and(|p| p.distance(at) < CUT) {
             return;
         }
         self.places.push(at);
@@ -180,13 +182,13 @@ impl Slope {
             let (before, i_at, after) = ((i + n - 1) % n, i % n, (i + 1) % n);
             let [p, q, r] = [before, i_at, after].map(|k| self.places[k]);
             let way = (r - p).normalize_or_zero();
-            let twice = q.distance(r) < EPS;
-            let off = if p.distance(r) < EPS {
+            let twice = q.distance(r) < CUT;
+            let off = if p.distance(r) < CUT {
                 0.0
             } else {
                 way.perp_dot(q - p).abs()
             };
-            if twice || (off < EPS && self.rims[before] == self.rims[i_at]) {
+            if twice || (off < CUT && self.rims[before] == self.rims[i_at]) {
                 self.remove(i_at);
                 i = (i_at + n - 2) % (n - 1);
                 kept = 0;
@@ -207,11 +209,12 @@ impl Slope {
             let whole = parts(&self.places).into_iter();
             facets.extend(whole.filter_map(|part| self.facet(&part, self.plane)));
         } else {
-            let all = triangles(&self.places).into_iter();
-            facets.extend(all.filter_map(|t| {
-                let point = |i: usize| self.places[i].extend(self.tops[i]);
-                self.facet(&t, plane_through(t.map(point))?)
-            }));
+            let point = |i: usize| self.places[i].extend(self.tops[i]);
+            ears(&self.places, |triangle| {
+                let corners = triangle.map(|i| i as usize);
+                let plane = plane_through(corners.map(point));
+                facets.extend(plane.and_then(|plane| self.facet(&corners, plane)));
+            });
         }
     }
 
@@ -239,7 +242,7 @@ fn plane_through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
     (slope.is_finite() && z.is_finite()).then_some(Plane { z, slope })
 }
 
-/// For each node the one that stands for it: nodes at the two ends of a border shorter than a millimetre become one,
+/// For each node its representative: nodes at the two ends of a border shorter than a millimetre become one,
 /// the corner of the plan where one of them is a corner.
 fn drawn_together(skeleton: &Skeleton) -> Vec<u32> {
     let corners = skeleton.faces.len() as u32;

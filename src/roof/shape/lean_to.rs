@@ -7,21 +7,22 @@
 //! [`Ceiling`]: crate::building::Ceiling
 
 use crate::building::Finish;
-use crate::roof::plan::ridge::Side;
-use crate::roof::shape::facet::Facet;
+use crate::roof::facet::Facet;
+use crate::roof::frame::{Frame, Plane, Rect};
+use crate::roof::region::Side;
 use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::{Frame, Plane, Rect};
-use crate::roof::shape::gable_wall::{Fill, SUNK, panel};
+use crate::roof::shape::gable_wall::{Fill, panel};
 use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::Profile;
-use crate::roof::shape::ridge_roof::{Edge, Strip};
+use crate::roof::shape::strip::{Edge, Strip};
+use crate::roof::solid::SUNK;
 
-/// What a lean-to does at one of its ends, or at its high side.
+/// One end of a lean-to, or its high side.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Flank {
     /// Overhang, metres.
     pub over: f64,
-    /// Whether a wall fills it up to the roof.
+    /// Whether a wall closes it up to the roof.
     pub wall: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What one roof looks like: the author's options, and `docs/evidence.md` 4.3 and 4.4 for the rest.
+//! Covering, pitch and overhangs of one roof: the author's options, and `docs/evidence.md` 4.3 and 4.4 for the rest.
 
 use crate::ast::{RoofKind, RoofShape, RoofStyle};
 use crate::building::{Finish, Trim};
@@ -45,7 +45,7 @@ const TILE_PITCHES: [(f64, f64); 5] = [
     (17.0, 0.60),
 ];
 
-/// What a temple has by itself: the gentlest tiles and its sori (docs/evidence.md 4.3), eaves by the span and their
+/// Defaults of a temple: the gentlest tiles and its sori (docs/evidence.md 4.3), eaves by the span and their
 /// bounds in metres (4.4: 8 to 12 shaku on great ones), and how far its barge boards stand out (7.10).
 const TEMPLE_PITCH: f64 = 0.5;
 const TEMPLE_SORI: f64 = 4.0;
@@ -133,12 +133,12 @@ impl Look {
         self
     }
 
-    /// How far the upper surface lies above the lower one, measured upright.
+    /// Vertical thickness: how far the upper surface lies above the lower one, metres.
     pub fn drop(&self) -> f64 {
         upright(self.thickness, self.pitch)
     }
 
-    /// What it wears.
+    /// Its trim.
     pub fn dress(&self) -> Trim {
         let upper_gable = matches!(self.shape, RoofShape::HipAndGable | RoofShape::Temple);
         Trim {
@@ -176,7 +176,7 @@ fn shape(line: Option<&RoofStyle>, house: &RoofStyle) -> RoofShape {
     }
 }
 
-/// The pitch somebody asked for, in sun; the house's only for its own covering.
+/// The pitch as written, in sun; the house's only for its own covering.
 fn own_pitch(line: Option<&RoofStyle>, house: &RoofStyle) -> Option<f64> {
     let Some(line) = line else {
         return house.pitch.map(|p| p.value);

@@ -4,20 +4,20 @@
 //! the low edge, so that the high edge meets the foot of the upper wall exactly.
 
 use crate::building::{Finish, Solid};
-use crate::roof::plan::ridge::Side;
+use crate::roof::frame::{Frame, Rect};
+use crate::roof::region::Side;
 use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::{Frame, Rect};
 use crate::roof::shape::lean_to::{Flank, LeanTo};
 use crate::roof::shape::look::Look;
 use crate::roof::solid::prism;
 
-/// So far the roof and its arms reach into the wall, metres.
+/// How far the roof and its arms reach into the wall, metres.
 const INTO: f64 = 0.03;
 /// Side of the purlin under the edge, and height of the arms, metres.
 const BEAM: f64 = 0.09;
 /// Width of the arms, metres.
 const ARM: f64 = 0.06;
-/// Where the purlin's middle lies, from the low edge, metres.
+/// Distance of the purlin's middle from the low edge, metres.
 const PURLIN: f64 = 0.15;
 
 /// A pent roof over a rectangle outside the walls.

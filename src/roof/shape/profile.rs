@@ -6,18 +6,16 @@
 //! bulges over it. A curve is cut into straight strips, so that hips of equal slopes stay straight in plan.
 
 use crate::ast::RoofShape;
+use crate::geometry::tolerance::JOINT;
 use crate::roof::shape::look::Look;
 use smallvec::SmallVec;
 
-/// Strips may miss a curve by so much, metres.
+/// The largest distance between a strip and the curve, metres.
 const MISS: f64 = 0.01;
 /// Strips of one stretch at most.
 const MOST: f64 = 8.0;
 /// The share of the pitch that a curve leaves everywhere: water must run off.
 const LEAST_FALL: f64 = 0.2;
-/// Knots nearer to each other are one, metres.
-const SAME: f64 = 1e-4;
-
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knot {
@@ -32,7 +30,7 @@ pub struct Knot {
 enum Curve {
     /// Straight.
     Line,
-    /// A parabola that hangs so far below the straight line half way up; metres, negative above it.
+    /// A parabola with this sag below the straight line at mid-run, metres; negative above it.
     Parabola(f64),
     /// One half of a karahafu: a cosine that is level at the eaves' edge and at the crown.
     Cosine,
@@ -79,7 +77,7 @@ impl Profile {
                 .filter(|d| *d > -self.eaves && *d < self.run),
         );
         stops.sort_by(f64::total_cmp);
-        stops.dedup_by(|p, q| *p - *q < SAME);
+        stops.dedup_by(|p, q| *p - *q < JOINT);
         // The ends are exact whatever lies just beside them.
         match &mut stops[..] {
             [_, .., last] => *last = self.run,
@@ -154,7 +152,7 @@ impl Profile {
         p.z + (q.z - p.z) * (d - p.d) / (q.d - p.d)
     }
 
-    /// The distance where it reaches a height above the plate; none where it does not.
+    /// The distance at which it reaches a height above the plate, metres; `None` if it does not.
     pub fn reach(&self, z: f64) -> Option<f64> {
         let within = |(p, q): &(Knot, Knot)| p.z <= z + 1e-9 && z <= q.z + 1e-6 && q.z > p.z;
         let (p, q) = self.strips().find(within)?;

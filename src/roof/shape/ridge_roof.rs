@@ -8,22 +8,19 @@
 //! through their corners.
 
 use crate::building::Solid;
-use crate::roof::plan::ridge::Side;
+use crate::geometry::tolerance::POINT;
+use crate::roof::facet::Facet;
+use crate::roof::frame::{Frame, Rect, end_sides};
+use crate::roof::region::Side;
 use crate::roof::shape::corners::Raised;
 use crate::roof::shape::end::{Cap, End};
-use crate::roof::shape::facet::Facet;
 use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::{Frame, Rect};
 use crate::roof::shape::gable_wall::Fill;
 use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::{Knot, Profile};
-use glam::DVec2;
-use smallvec::SmallVec;
+use crate::roof::shape::strip::{Edge, Strip};
 
-/// Edges shorter than this are a point, metres.
-const SAME: f64 = 1e-6;
-
-/// How far sheets lie apart that are to share no corner, metres.
+/// The gap between sheets that must not share a corner, metres.
 const APART: f64 = 1e-3;
 
 /// A two-sloped roof over a rectangle.
@@ -58,7 +55,7 @@ impl RidgeRoof {
         );
         slopes.main(far, [end, start], [end_up[1], start_up[1]], &mut facets);
         // Seen from the start the near side lies to the right, from the end to the left.
-        let [first, last] = crate::roof::shape::frame::end_sides(self.near);
+        let [first, last] = end_sides(self.near);
         slopes.end(first, start, [start_up[1], start_up[0]], &mut facets);
         slopes.end(last, end, end_up, &mut facets);
         Form {
@@ -115,32 +112,32 @@ impl RidgeRoof {
     }
 }
 
-/// What the slopes of one roof have in common.
+/// Shared data of the slopes of one roof.
 struct Slopes<'h> {
-    hall: &'h RidgeRoof,
+    roof: &'h RidgeRoof,
     profile: Profile,
     /// Half the span, metres.
     half: f64,
-    /// What lifts the corners of its eaves.
+    /// The lift of the corners of its eaves.
     raised: Option<Raised>,
 }
 
 impl<'h> Slopes<'h> {
-    fn of(hall: &'h RidgeRoof) -> Slopes<'h> {
-        let frame = Frame::new(&hall.rect, hall.near);
+    fn of(roof: &'h RidgeRoof) -> Slopes<'h> {
+        let frame = Frame::new(&roof.rect, roof.near);
         let half = frame.depth / 2.0;
-        let corners = hall.ends.iter().any(|e| e.raised() != [false; 2]);
-        let bends = hall.ends.map(|e| e.bends(half));
+        let corners = roof.ends.iter().any(|e| e.raised() != [false; 2]);
+        let bends = roof.ends.map(|e| e.bends(half));
         let mut at = [f64::NAN; 5];
         for (place, d) in at.iter_mut().zip(bends.iter().flatten()) {
             *place = d.unwrap_or(f64::NAN);
         }
-        let profile = Profile::new(&hall.look, half, &at);
+        let profile = Profile::new(&roof.look, half, &at);
         let raised = corners
-            .then(|| Raised::of(&hall.look, &profile, half.min(frame.length / 2.0)))
+            .then(|| Raised::of(&roof.look, &profile, half.min(frame.length / 2.0)))
             .flatten();
         Slopes {
-            hall,
+            roof,
             profile,
             half,
             raised,
@@ -149,12 +146,12 @@ impl<'h> Slopes<'h> {
 
     /// Height of the upper surface over the wall plate.
     fn top(&self) -> f64 {
-        self.hall.base + self.hall.look.drop()
+        self.roof.base + self.roof.look.drop()
     }
 
     /// The strips of the slope that falls to `near`; the ends are those at u = 0 and u = length.
     fn main(&self, near: Side, [start, end]: [End; 2], lifted: [bool; 2], facets: &mut Vec<Facet>) {
-        let frame = Frame::new(&self.hall.rect, near);
+        let frame = Frame::new(&self.roof.rect, near);
         let half = self.half;
         for (i, (lower, upper)) in self.profile.strips().enumerate() {
             let d = [lower.d, upper.d];
@@ -182,11 +179,11 @@ impl<'h> Slopes<'h> {
         let Some((from, to)) = end.slope(eaves, self.half) else {
             return;
         };
-        let frame = Frame::new(&self.hall.rect, side);
+        let frame = Frame::new(&self.roof.rect, side);
         let within = |d: f64| d > from - 1e-6 && d < to + 1e-6;
         let strips = self.profile.strips();
         let own = strips.filter(|(p, q)| within(p.d) && within(q.d));
-        // What lies under the upper gable is a sheet of its own: a hair lower, so that it shares no corner
+        // The part under the upper gable is a separate sheet, slightly lower, so that it shares no corner
         // with the slopes above, in whose planes its edges lie.
         let beyond = end
             .beyond_hips()
@@ -219,7 +216,7 @@ impl<'h> Slopes<'h> {
         }
     }
 
-    /// A point of the rafter line a hair lower.
+    /// A point of the rafter line, lowered by [`APART`].
     fn lowered(&self, d: f64) -> Knot {
         let knot = self.profile.knot(d);
         Knot {
@@ -231,7 +228,7 @@ impl<'h> Slopes<'h> {
     /// Lays the strip between two distances inward, in triangles at its lifted ends.
     fn lay(&self, strip: &Strip<'_>, d: [f64; 2], lifted: [bool; 2], facets: &mut Vec<Facet>) {
         match &self.raised {
-            Some(raised) if lifted != [false; 2] && d[1] < SAME => {
+            Some(raised) if lifted != [false; 2] && d[1] < POINT => {
                 raised.lay(strip, d, lifted, facets);
             }
             _ => facets.extend(strip.facet()),
@@ -246,80 +243,5 @@ impl<'h> Slopes<'h> {
         let start = end.start(d, self.half);
         let inside = d[0] > from - 1e-6 && d[1] < to + 1e-6;
         inside && (0..2).all(|i| (start[i] - end.contour(d[i], self.half)).abs() < 1e-6)
-    }
-}
-
-/// The lower or the upper edge of a strip.
-#[derive(Clone, Copy, Debug)]
-pub struct Edge {
-    /// Inward from the wall line, metres.
-    pub v: f64,
-    /// Height of the upper surface, metres.
-    pub z: f64,
-}
-
-impl Edge {
-    fn of(knot: Knot, v: f64, top: f64) -> Edge {
-        Edge { v, z: top + knot.z }
-    }
-}
-
-/// One strip of a slope in its frame.
-#[derive(Clone, Copy, Debug)]
-pub struct Strip<'f> {
-    /// The slope's frame.
-    pub frame: &'f Frame,
-    /// Towards the eaves.
-    pub lower: Edge,
-    /// Towards the ridge.
-    pub upper: Edge,
-    /// Where it begins along u, on the lower and on the upper edge.
-    pub from: [f64; 2],
-    /// Where it ends.
-    pub to: [f64; 2],
-    /// Both without verges.
-    pub body: [[f64; 2]; 2],
-    /// Whether its lower edge is the eaves.
-    pub eaves: bool,
-    /// Whether its ends are verges.
-    pub verges: [bool; 2],
-    /// Whether its upper edge ends in the open.
-    pub ridge: bool,
-}
-
-impl Strip<'_> {
-    /// Its facet; none where it has no width.
-    pub fn facet(&self) -> Option<Facet> {
-        let [lower, upper] = [self.lower, self.upper];
-        let pitch = (upper.z - lower.z) / (upper.v - lower.v);
-        let plane = self.frame.rising(lower.z - pitch * lower.v, pitch);
-        let wide = (self.to[0] - self.from[0]).max(self.to[1] - self.from[1]) > SAME;
-        if !wide || upper.v - lower.v < 1e-9 {
-            return None;
-        }
-        let rims = [self.eaves, self.verges[1], self.ridge, self.verges[0]];
-        let outline = self.corners(self.from, self.to, rims);
-        let body = self.corners(self.body[0], self.body[1], rims);
-        let body: SmallVec<[DVec2; 4]> = body.iter().map(|c| c.0).collect();
-        Some(Facet::new(&outline, &body, plane))
-    }
-
-    /// Its corners with what their edges are; a tip of a triangle is one corner.
-    fn corners(
-        &self,
-        from: [f64; 2],
-        to: [f64; 2],
-        rims: [bool; 4],
-    ) -> SmallVec<[(DVec2, bool); 4]> {
-        let at = |u: f64, edge: Edge| self.frame.at(u, edge.v);
-        let all = [
-            (at(from[0], self.lower), rims[0]),
-            (at(to[0], self.lower), rims[1]),
-            (at(to[1], self.upper), rims[2]),
-            (at(from[1], self.upper), rims[3]),
-        ];
-        let tips = [to[0] - from[0] < SAME, false, to[1] - from[1] < SAME, false];
-        let kept = all.into_iter().zip(tips).filter(|(_, tip)| !tip);
-        kept.map(|(corner, _)| corner).collect()
     }
 }

@@ -1,4 +1,4 @@
-//! What becomes of everything that meets at one point.
+//! Handling of all events at one point.
 //!
 //! All vertices at the point and all edges that pass through it are taken together: runs of vertices that follow each
 //! other, each with the edge that comes in and the edge that goes out, and edges cut in two. Seen from the point the
@@ -8,10 +8,11 @@
 
 use super::contour::Contours;
 use super::queue::{Event, Meeting, Queue};
-use super::wave::{Arc, PARALLEL, Wave};
+use super::wave::{Arc, Wave};
+use crate::geometry::tolerance::PARALLEL;
 use glam::DVec2;
 
-/// Vertices are looked for in a circle that grows with their speed, up to so many times.
+/// The largest factor by which the search circle grows with a vertex's speed.
 const LOOSE: f64 = 1e4;
 
 /// The outline moved in until nothing is left. `None` where it lost its way.
@@ -42,7 +43,7 @@ pub(super) fn sweep(contours: &Contours) -> Option<Wave> {
             if gathered.resolve(&mut wave, &mut queue).is_some() {
                 continue;
             }
-            // What does not fit together was not all there at once: the first of it alone, the rest in its turn.
+            // Events that do not fit together were not simultaneous: handle the first alone, the rest later.
             near[1..].iter().for_each(|j| done[*j] = false);
             let mut first = Gathered::at(&mut wave, &here[..1], 1.0);
             first.close_triangle(&wave);
@@ -71,12 +72,12 @@ struct Gathered {
     vertices: Vec<u32>,
     /// Vertices that start an edge through it.
     pieces: Vec<u32>,
-    /// How many times less well the place of a fast vertex may be known.
+    /// The factor by which the position of a fast vertex may be less accurate.
     loose: f64,
 }
 
 impl Gathered {
-    /// What is there of all that these events told of.
+    /// The vertices and edges of these events that are at the point.
     fn at(wave: &mut Wave, events: &[Event], loose: f64) -> Gathered {
         let (at, time) = (events[0].at, events[0].time);
         let (vertices, pieces) = (Vec::new(), Vec::new());
@@ -115,7 +116,7 @@ impl Gathered {
 
     fn is_here(&self, wave: &Wave, v: u32) -> bool {
         let vertex = wave.vertex(v);
-        // Fast vertices are known less well.
+        // Positions of fast vertices are less accurate.
         let fast = vertex
             .velocity
             .map_or(1.0, |v| v.length().max(1.0).min(self.loose));
@@ -273,7 +274,7 @@ fn join(wave: &Wave, chains: &[Chain]) -> Option<Vec<(usize, usize)>> {
         let halves = lower(*d).cmp(&lower(*e));
         halves.then(0.0_f64.total_cmp(&(d.perp_dot(*e) + 0.0)))
     });
-    // Edges that have come to lie upon each other hold nothing between them: the outgoing one is first.
+    // Edges that coincide enclose nothing: the outgoing one is first.
     let n = rays.len();
     let upon = |a: DVec2, b: DVec2| a.dot(b) > 0.0 && a.perp_dot(b).abs() <= PARALLEL;
     for i in 0..n {
@@ -292,7 +293,7 @@ fn join(wave: &Wave, chains: &[Chain]) -> Option<Vec<(usize, usize)>> {
     rays.chunks(2).map(pair).collect()
 }
 
-/// Ends a ring of two vertices: its edges lie upon each other, and between them is a ridge.
+/// Ends a ring of two vertices: its edges coincide in a ridge.
 fn close(wave: &mut Wave, u: u32, v: u32, time: f64) -> Option<()> {
     let ends = [u, v].map(|id| {
         let (at, vertex) = (wave.vertex(id).at(time), wave.vertex(id));

@@ -1,18 +1,17 @@
 //! An outline with courts made fit for a skeleton, or the reason why it has none.
 
+use super::line::Line;
 use super::pairs::{Segment, distance, near_pairs};
-use super::wave::Line;
 use super::{Face, Skeleton};
+use crate::geometry::tolerance::POINT;
 use glam::{DVec2, dvec2};
 
 /// Corners nearer to each other are one, metres.
 const ONE: f64 = 0.005;
-/// A corner that stands out less from the line past it is none, metres.
+/// A corner is left out if it lies nearer to the line between its neighbours, metres.
 const STRAIGHT: f64 = 0.001;
 /// The least area of an outline or of a court, square metres.
 const LEAST_AREA: f64 = 1e-3;
-/// Edges that do not follow each other keep at least this distance, metres.
-const APART: f64 = 1e-6;
 /// Corners farther from the middle than this are no plan, metres.
 const FARTHEST: f64 = 100_000.0;
 /// The most corners.
@@ -23,11 +22,11 @@ const MOST_CORNERS: usize = 4000;
 pub enum Invalid {
     /// Fewer than three corners are left after those at one place.
     TooFewCorners,
-    /// It bounds nothing.
+    /// It bounds no area.
     NoArea,
     /// A coordinate is not a number or farther away than any plan is wide.
     TooFar,
-    /// It has more corners than anybody waits for.
+    /// It has too many corners.
     TooManyCorners,
     /// It crosses or touches itself or a court here.
     Crosses {
@@ -39,7 +38,7 @@ pub enum Invalid {
         /// A corner of it.
         at: DVec2,
     },
-    /// No skeleton passed its own checks: none is known.
+    /// No skeleton passed the checks.
     NotFound,
 }
 
@@ -75,7 +74,7 @@ pub type Start = (DVec2, u32);
 /// A simple outline with its courts, ready to be swept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contours {
-    /// What is added to coordinates: the plan is computed round its own middle.
+    /// The offset added to coordinates: the plan is computed about its centre.
     origin: DVec2,
     /// The outline counter-clockwise, then courts clockwise.
     pub(super) rings: Vec<Vec<Start>>,
@@ -180,9 +179,9 @@ impl Contours {
         let edges: Vec<(Segment, u32, u32)> = self.each().collect();
         let segments: Vec<Segment> = edges.iter().map(|e| e.0).collect();
         let mut bad = None;
-        near_pairs(&segments, APART, |i, j| {
+        near_pairs(&segments, POINT, |i, j| {
             let follows = edges[j].2 as usize == i || edges[i].2 as usize == j;
-            if !follows && distance(segments[i], segments[j]) < APART {
+            if !follows && distance(segments[i], segments[j]) < POINT {
                 bad = Some(self.origin + meeting(segments[i], segments[j]));
             }
             bad.is_some()
@@ -280,7 +279,7 @@ fn one_place(ring: &mut Vec<Start>) {
 fn dents(ring: &mut Vec<Start>, dent: f64) {
     let mut kept: Vec<Start> = Vec::with_capacity(ring.len());
     let n = ring.len();
-    // What was left out since the last corner that was kept must stay near the new edge as well.
+    // Corners left out since the last kept one must stay near the new edge as well.
     let mut skipped: Vec<DVec2> = vec![];
     for i in 0..n {
         let (p, (q, tag), r) = (

@@ -1,24 +1,24 @@
-//! How far the slopes of a hipped roof run out over their walls, and where neighbours meet outside.
+//! The overhangs of a hipped roof's slopes, and where neighbouring slopes meet outside the walls.
 //!
 //! Slopes go on in their own planes, hips and valleys in their own lines. Very sharp corners are cut off two overhangs
 //! from the wall. Where eaves of one roof would touch each other, in a narrow court or notch, those of both sides are
 //! shortened step by step until they do not.
 
+use crate::geometry::tolerance::POINT;
+use crate::roof::skeleton::line::Line;
 use crate::roof::skeleton::pairs::{Segment, distance, near_pairs};
-use crate::roof::skeleton::wave::{Line, velocity};
+use crate::roof::skeleton::wave::velocity;
 use crate::roof::skeleton::{Face, Skeleton};
 use glam::DVec2;
 
-/// Eaves do not run out farther from a corner than so many overhangs.
+/// Eaves reach out from a corner by at most this many overhangs.
 const SPIKE: f64 = 2.0;
-/// What stays open between eaves across a court, metres.
+/// The gap kept between eaves across a court, metres.
 const GAP: f64 = 0.04;
-/// What is left of an overhang after one step, as a share.
+/// The share of an overhang that remains after one step.
 const STEP: f64 = 0.88;
-/// After so many steps what still touches gets no overhang at all.
+/// After this many steps, eaves that still touch get no overhang.
 const MOST_STEPS: u32 = 30;
-/// Overhangs that differ by less are the same, metres.
-const SAME: f64 = 1e-6;
 /// The least length of an eaves edge, metres.
 const LEAST: f64 = 1e-3;
 
@@ -31,7 +31,7 @@ struct Corner {
     after: Vec<DVec2>,
 }
 
-/// The lower ends of the slopes: for each face what stands instead of the two ends of its edge.
+/// The lower ends of the slopes: for each face the points that replace the ends of its edge.
 pub(in crate::roof) struct Eaves {
     corners: Vec<Corner>,
     /// For each face the face after it.
@@ -146,7 +146,7 @@ fn corner(skeleton: &Skeleton, i: usize, over: &[f64]) -> Corner {
     }
     let shared = at - way * least;
     let side = |own: usize| {
-        if overs[own] <= least + SAME {
+        if overs[own] <= least + POINT {
             return vec![shared];
         }
         let straight = lines[0].normal.perp_dot(lines[1].normal).abs() < 0.02;

@@ -1,15 +1,15 @@
-//! Outlines of walls in metres: which courts belong to which, and what stands upon an edge.
+//! Wall outlines in metres: the courts of each, and the edges that carry walls of the storey above.
 
 use crate::geometry::area2;
 use crate::geometry::convex::parts;
 use crate::geometry::triangulate::bridged;
-use crate::roof::shape::hipped::FLUSH;
+use crate::roof::skeleton::FLUSH;
 use crate::roof::skeleton::contour::Start;
 use glam::DVec2;
 
-/// A wall that stands nearer to the line of another than this stands upon it, metres.
+/// A wall nearer to the line of another than this stands on it, metres.
 const UPON: f64 = 0.005;
-/// The least length of wall that two have in common, metres.
+/// The least overlap of two walls along a line, metres.
 const COMMON: f64 = 0.02;
 
 /// A part of a storey: counter-clockwise outline, clockwise courts.
@@ -63,7 +63,7 @@ pub(in crate::roof) fn gathered(loops: &[Vec<DVec2>]) -> Vec<Part> {
     outlines.map(part).collect()
 }
 
-/// A ring divided where walls begin and end upon it; those edges are tagged [`FLUSH`].
+/// A ring divided where walls begin and end on it; those edges are tagged [`FLUSH`].
 pub(in crate::roof) fn tagged(ring: &[DVec2], walls: &[[DVec2; 2]]) -> Vec<Start> {
     let mut starts = Vec::with_capacity(ring.len());
     for (i, p) in ring.iter().enumerate() {

@@ -1,11 +1,11 @@
-//! What happens next: edges that shrink to nothing, and vertices that turn right and run into another edge.
+//! The event queue: edges that shrink to nothing, and reflex vertices that run into another edge.
 
 use super::wave::Wave;
 use glam::DVec2;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// What meets.
+/// An event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Meeting {
     /// The edge between two vertices has no length any more.
@@ -94,7 +94,7 @@ impl Queue {
         events
     }
 
-    /// What a vertex that has just begun will meet.
+    /// The events of a new vertex.
     pub(super) fn add(&mut self, wave: &Wave, v: u32, now: f64) {
         if wave.vertex(v).velocity.is_none() {
             return self.closing(wave, v, now);
@@ -127,7 +127,7 @@ impl Queue {
         } else {
             0.0
         };
-        // The slower one's place is the better known.
+        // The slower one's position is more accurate.
         let slow = if from.length_squared() < to.length_squared() {
             ends.0
         } else {
@@ -162,7 +162,7 @@ impl Queue {
         }
     }
 
-    /// A vertex whose edges lie upon each other: the nearer of its neighbours meets the edge opposite at once.
+    /// A vertex whose edges coincide: the nearer of its neighbours meets the edge opposite at once.
     fn closing(&mut self, wave: &Wave, v: u32, now: f64) {
         let vertex = wave.vertex(v);
         let here = vertex.at(now);

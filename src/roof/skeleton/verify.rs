@@ -1,13 +1,13 @@
-//! Whether faces are what they should be: polygons that tile the outline, each rising from its own edge.
+//! Checks of the faces: polygons that tile the outline, each rising from its own edge.
 
 use super::contour::Contours;
 use super::pairs::{Segment, near_pairs};
 use super::{Face, Skeleton};
 use glam::DVec2;
 
-/// How much of the area may be missing or covered twice, as a share.
+/// The share of the area that may be missing or covered twice.
 const AREA: f64 = 1e-6;
-/// How far a node may lie from where its time says, as a share of the plan's size.
+/// The error of a node's distance from its edges, as a share of the plan's size.
 const LEVEL: f64 = 1e-6;
 
 /// Whether a skeleton holds for its outline.
@@ -40,7 +40,7 @@ fn area(skeleton: &Skeleton, face: &Face) -> f64 {
     fan.sum::<f64>() / 2.0
 }
 
-/// Whether no two borders cross by more than a trifle.
+/// Whether no two borders cross noticeably.
 fn is_simple(skeleton: &Skeleton, face: &Face, trifle: f64) -> bool {
     let n = face.nodes.len();
     if n < 5 {

@@ -2,48 +2,9 @@
 
 use super::Node;
 use super::contour::{Contours, lines};
+use super::line::Line;
+use crate::geometry::tolerance::PARALLEL;
 use glam::DVec2;
-
-/// Sines of angles below this are none: such lines run side by side.
-pub(super) const PARALLEL: f64 = 1e-7;
-
-/// The line of an edge.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
-    /// Unit vector to the inside, to the left of the edge.
-    pub normal: DVec2,
-    /// Distance from the origin along it, metres.
-    pub at: f64,
-}
-
-impl Line {
-    /// From `p` to `q`.
-    pub fn through(p: DVec2, q: DVec2) -> Line {
-        let normal = (q - p).perp().normalize_or_zero();
-        Line {
-            normal,
-            at: normal.dot((p + q) / 2.0),
-        }
-    }
-
-    /// How far a point lies inside, metres.
-    pub fn depth(&self, p: DVec2) -> f64 {
-        self.normal.dot(p) - self.at
-    }
-
-    /// The direction of its edge.
-    pub fn way(&self) -> DVec2 {
-        -self.normal.perp()
-    }
-
-    /// The same after everything was moved.
-    pub(super) fn moved(self, by: DVec2) -> Line {
-        Line {
-            at: self.at + self.normal.dot(by),
-            ..self
-        }
-    }
-}
 
 /// The velocity of the meeting point of two lines that move at speed 1; `None` where they lie side by side and face
 /// each other, so that they meet everywhere at once.
@@ -70,7 +31,7 @@ pub(super) struct Vertex {
     /// Where it began.
     pub(super) node: u32,
     start: Node,
-    /// `None` where its edges lie upon each other: it is done with as soon as it is there.
+    /// `None` where its edges coincide: it ends at once.
     pub(super) velocity: Option<DVec2>,
     pub(super) alive: bool,
 }

@@ -3,7 +3,7 @@
 //! A roof is made of sheets and of gable walls under them. Each is a closed solid, with faces inside the house that
 //! nobody sees. Here the space below becomes part of it: inside the walls the solid goes down to the wall plate, under
 //! eaves and verges to the lower surface of its sheets, and the upright faces between the two are the gable walls.
-//! Where roofs meet there is nothing between them.
+//! Roofs that meet have no faces between them.
 //!
 //! The upper surface is cut into parts with a plane below each, no two of which share any space (`parts`). They become
 //! upright columns, whose common surface is the solid (`union`); faces side by side in one plane become one (`merge`).
@@ -24,11 +24,11 @@ mod union;
 
 use crate::ast::RoofShape;
 use crate::building::{Finish, Roof, Solid};
-use crate::roof::shape::gable_wall::SUNK;
+use crate::roof::solid::SUNK;
 use crate::roof::solid::sheet::surface;
 use parts::Part;
 
-/// So many sets of roofs are tried for one that cannot be one with all others.
+/// The most sets of roofs tried where they cannot all become one solid.
 const MOST_SETS: usize = 8;
 
 /// The roofs of a house in groups that may meet: those of one storey, but for flat ones.

@@ -2,15 +2,16 @@
 //!
 //! [`sheet`] takes any number of convex plan polygons, each under its plane. Where polygons share
 //! only a part of an edge, the corners of one are put into the edge of the other, and the polygon
-//! is divided so that every face stays strictly convex. What hangs together through edges becomes
+//! is divided so that every face stays strictly convex. Faces connected through edges become
 //! one solid; edges of one polygon alone become its sides.
 
 use crate::building::{Corners, Face, Finish, Solid};
-use crate::roof::shape::facet::{Corner, EPS, area};
-use crate::roof::shape::frame::Plane;
+use crate::geometry::tolerance::{CUT, HEIGHT};
+use crate::roof::facet::{Corner, area};
+use crate::roof::frame::Plane;
 use glam::{DVec2, DVec3};
 
-/// What a sheet's faces show.
+/// The finishes of a sheet's faces.
 #[derive(Clone, Copy, Debug)]
 pub struct Coat {
     /// From above.
@@ -73,10 +74,6 @@ pub(in crate::roof) fn surface(solid: &Solid) -> Option<(Vec<Piece>, f64)> {
     Some((pieces.collect(), drop))
 }
 
-/// Corners with the same place in plan are one if their heights differ by less, metres: an upper gable
-/// stands over the slope below it.
-const SAME: f64 = 1e-5;
-
 /// A face of the mesh: point indices, and for each whether the edge that starts there is a rim.
 type Loop = Vec<(u32, bool)>;
 
@@ -111,8 +108,7 @@ impl Mesh {
         mesh
     }
 
-    /// Whether it is the commonest roof of all, two quadrilaterals that share an edge: nothing needs
-    /// to be matched there.
+    /// Whether it is a plain gable, two quadrilaterals that share an edge: its corners match already.
     fn is_gable(&self) -> bool {
         let [first, second] = &self.faces[..] else {
             return false;
@@ -147,7 +143,7 @@ impl Mesh {
             let to = face[(i + 1) % face.len()].0;
             whole.push((from, rim));
             let (p, q) = (self.plan(from), self.plan(to));
-            let (lo, hi) = (p.min(q) - EPS, p.max(q) + EPS);
+            let (lo, hi) = (p.min(q) - CUT, p.max(q) + CUT);
             let way = (q - p).normalize_or_zero();
             let (foot, rise) = (self.points[from as usize].z, self.rise(from, to));
             let near = sorted.near(lo, hi).iter();
@@ -156,9 +152,9 @@ impl Mesh {
                 .filter_map(|(_, id)| {
                     let r = self.plan(*id);
                     let at = way.dot(r - p);
-                    let level = (foot + rise * at - self.points[*id as usize].z).abs() < SAME;
+                    let level = (foot + rise * at - self.points[*id as usize].z).abs() < HEIGHT;
                     let inside = r.cmpge(lo).all() && r.cmple(hi).all();
-                    (inside && level && way.perp_dot(r - p).abs() < EPS).then_some((at, *id))
+                    (inside && level && way.perp_dot(r - p).abs() < CUT).then_some((at, *id))
                 })
                 .collect();
             on.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -177,7 +173,7 @@ impl Mesh {
     fn turns(&self, i: u32, j: u32, k: u32) -> bool {
         let (p, q, r) = (self.plan(i), self.plan(j), self.plan(k));
         let way = (r - p).normalize_or_zero();
-        way.perp_dot(q - p).abs() > EPS
+        way.perp_dot(q - p).abs() > CUT
     }
 
     /// Divides a convex face with straight corners into strictly convex ones.
@@ -220,7 +216,7 @@ impl Mesh {
         edges
     }
 
-    /// Faces that hang together through edges, in the order of their first face.
+    /// Faces connected through edges, as components in the order of their first face.
     fn components(&self) -> Vec<Vec<usize>> {
         if self.faces.len() == 1 {
             return vec![vec![0]];
@@ -391,14 +387,14 @@ impl Weld {
 
     /// The number of a corner, a new one with its height where it is new.
     fn id(&mut self, at: DVec3, points: &mut Vec<DVec3>) -> u32 {
-        let same = |p: DVec3| (p - at).abs().cmplt(DVec3::new(EPS, EPS, SAME)).all();
+        let same = |p: DVec3| (p - at).abs().cmplt(DVec3::new(CUT, CUT, HEIGHT)).all();
         let known = match &mut self.sorted {
             None => points.iter().position(|p| same(*p)).map(|n| n as u32),
             Some(sorted) => {
-                let start = sorted.partition_point(|p| p.0.x <= at.x - EPS);
+                let start = sorted.partition_point(|p| p.0.x <= at.x - CUT);
                 let near = sorted[start..]
                     .iter_mut()
-                    .take_while(|p| p.0.x < at.x + EPS);
+                    .take_while(|p| p.0.x < at.x + CUT);
                 let mut equal: Vec<&mut u32> =
                     near.filter(|p| same(p.0)).map(|p| &mut p.1).collect();
                 let known = equal.iter().map(|n| **n).find(|n| *n != u32::MAX);
@@ -414,7 +410,7 @@ impl Weld {
     }
 }
 
-/// Whether an outline is worth a face.
+/// Whether an outline has enough area for a face.
 pub(in crate::roof) fn has_area(outline: &[Corner]) -> bool {
     area(outline) > 1e-6
 }

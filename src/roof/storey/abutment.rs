@@ -1,11 +1,12 @@
-//! Where branches end: in the slope of their trunk, whatever side of it they lie on (docs/evidence.md 3.7).
+//! Abutments: branches end in the slope of their trunk, whatever side of it they lie on (docs/evidence.md 3.7).
 
-use crate::roof::plan::ridge::Side;
+use crate::roof::frame::near_side;
+use crate::roof::region::Side;
 use crate::roof::shape::end::{Cap, End};
 use crate::roof::shape::profile::Profile;
 use crate::roof::storey::automatic::Automatic;
 
-/// So far a ridge runs on into what it dies in, metres.
+/// How far a ridge continues into the slope it ends in, metres.
 const INTO: f64 = 0.02;
 
 /// The slope of a trunk as a branch comes to it.
@@ -27,11 +28,7 @@ impl Automatic<'_, '_> {
             return Cap::Gable;
         };
         let metres = |steps: i64| self.context.metres(steps);
-        let length = metres(
-            crate::roof::shape::frame::near_side(ridge)
-                .measure(&region.cell)
-                .0,
-        );
+        let length = metres(near_side(ridge).measure(&region.cell).0);
         // A branch has one free end.
         let both = region.joins.is_none();
         Cap::of(&self.looks[n], length, metres(region.span()) / 2.0, both)
@@ -67,8 +64,8 @@ impl Automatic<'_, '_> {
 
     /// The end of branch `n` that lies with `side` on its trunk: the ridge runs on until it dies in
     /// the trunk's slope (docs/evidence.md 3.7). Where it stands higher than the trunk, it ends over the
-    /// trunk's ridge in a gable of its own.
-    pub(in crate::roof) fn run_in(&self, n: usize, trunk: usize, side: Side, plain: End) -> End {
+    /// trunk's ridge in a gable.
+    pub(in crate::roof) fn abut(&self, n: usize, trunk: usize, side: Side, plain: End) -> End {
         let (own, other) = (&self.looks[n], &self.looks[trunk]);
         let Some(slope) = self.slope_from(trunk, side) else {
             return plain;

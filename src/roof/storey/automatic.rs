@@ -5,17 +5,19 @@ use crate::building::{Ceiling, Finish, rect_of};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::plan::Cell;
+use crate::geometry::tolerance::CUT;
+use crate::roof::frame::{end_sides, near_side};
 use crate::roof::join::nearby::Nearby;
 use crate::roof::plan::outline::piece;
-use crate::roof::plan::ridge::{Region, Ridge, Side};
 use crate::roof::plan::sides::Sides;
+use crate::roof::region::{Region, Ridge, Side};
 use crate::roof::shape::end::End;
-use crate::roof::shape::facet::EPS;
-use crate::roof::shape::frame::{end_sides, near_side};
-use crate::roof::shape::gable_wall::{SUNK, panel};
+use crate::roof::shape::form::RoofDraft;
+use crate::roof::shape::gable_wall::panel;
 use crate::roof::shape::lean_to::{Flank, LeanTo};
 use crate::roof::shape::look::Look;
-use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::solid::SUNK;
+use crate::roof::storey::forms::Context;
 use crate::roof::storey::written::Written;
 use std::cell::OnceCell;
 
@@ -31,7 +33,7 @@ pub(in crate::roof) struct Automatic<'c, 'h> {
     pub(in crate::roof) context: &'c Context<'h>,
     /// The regions and behind them the roofs that the author wrote.
     pub(in crate::roof) regions: Vec<Region>,
-    /// How many are regions.
+    /// The number of regions.
     count: usize,
     written: &'c [Written],
     /// Height of the wall plates, metres.
@@ -40,9 +42,9 @@ pub(in crate::roof) struct Automatic<'c, 'h> {
     pub(in crate::roof) looks: Vec<Look>,
     /// Of each lean-to that fits under the eaves of its trunk: where it lies.
     tucked: Vec<Option<LeanTo>>,
-    /// Who lies beyond whole sides.
+    /// Neighbours along whole sides.
     sides: Option<Sides>,
-    /// Who lies beside whom, once somebody asks.
+    /// Spatial index of the regions, made on first use.
     nearby: OnceCell<Nearby>,
 }
 
@@ -75,7 +77,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
     }
 
     /// Places the lean-tos under their trunks' eaves, trunks first: by falling area. What would leave
-    /// too little of its outer wall stays without a place and becomes a gable.
+    /// too little of its outer wall becomes a gable.
     fn tuck_all(&mut self) {
         let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
         self.tucked = vec![None; self.regions.len()];
@@ -92,12 +94,12 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// What a tucked lean-to leaves of its outer wall, metres.
+    /// The height of the outer wall under a tucked lean-to, metres.
     fn left(&self, slope: &LeanTo) -> f64 {
         slope.low - self.context.level.storey.z0
     }
 
-    /// Tells of lean-tos that found no place, by the lowest.
+    /// Reports lean-tos that do not fit, by the lowest.
     pub(in crate::roof) fn report(&self, out: &mut Diagnostics) {
         let leans = |n: &usize| self.tucked[*n].is_none() && self.regions[*n].over.is_some();
         let left = |n: usize| Some(self.left(&self.tucked_slope(n, self.regions[n].fall?)));
@@ -116,26 +118,28 @@ impl<'c, 'h> Automatic<'c, 'h> {
     }
 
     /// A roof for every region, in their order; ceilings where walls end lower.
-    pub(in crate::roof) fn roofs(&self, ceilings: &mut Vec<Ceiling>) -> Vec<Planned> {
+    pub(in crate::roof) fn roofs(&self, ceilings: &mut Vec<Ceiling>) -> Vec<RoofDraft> {
         let roof = |n: usize| {
             let region = &self.regions[n];
             match (region.ridge, region.fall) {
                 (None, Some(fall)) if region.over.is_some() => match &self.tucked[n] {
                     Some(slope) => self.tucked_roof(n, slope, ceilings),
-                    None => self.context.hall(region.cell, along(fall), self.base, None),
+                    None => self
+                        .context
+                        .ridge_roof(region.cell, along(fall), self.base, None),
                 },
                 (None, Some(fall)) => {
                     let look = self.looks[n];
                     self.context
                         .lean_to_with(region.cell, fall, self.base, look)
                 }
-                (ridge, _) => self.hall(n, ridge.unwrap_or(Ridge::A)),
+                (ridge, _) => self.ridge_roof(n, ridge.unwrap_or(Ridge::A)),
             }
         };
         (0..self.count).map(roof).collect()
     }
 
-    fn hall(&self, n: usize, ridge: Ridge) -> Planned {
+    fn ridge_roof(&self, n: usize, ridge: Ridge) -> RoofDraft {
         let (region, look) = (&self.regions[n], self.looks[n]);
         let near = near_side(ridge);
         let ends = end_sides(near).map(|side| {
@@ -151,12 +155,12 @@ impl<'c, 'h> Automatic<'c, 'h> {
                         ..plain
                     }
                 }
-                (None, Some(trunk)) if joined => self.run_in(n, trunk, side, plain),
+                (None, Some(trunk)) if joined => self.abut(n, trunk, side, plain),
                 _ => self.other_end(n, side, plain),
             }
         });
         self.context
-            .hall_with(region.cell, ridge, self.base, look, ends)
+            .ridge_roof_with(region.cell, ridge, self.base, look, ends)
     }
 
     /// The end of roof `n` that joins no trunk. It may still lie on the slope of a roof that stands
@@ -171,7 +175,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         let Some(other) = beyond.filter(level).filter(|_| plain.wall) else {
             return plain;
         };
-        let end = self.run_in(n, other, side, plain);
+        let end = self.abut(n, other, side, plain);
         if !end.wall {
             return end;
         }
@@ -195,7 +199,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
 
     /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
     /// at its lower surface.
-    fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> Planned {
+    fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> RoofDraft {
         let region = &self.regions[n];
         let storey = self.context.level.storey;
         let soffit = lean_to.soffit();
@@ -213,7 +217,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
     }
 
-    /// Where a tucked lean-to lies: gentler where its outer wall would get too low.
+    /// The slope of a tucked lean-to, gentler where its outer wall would get too low.
     fn tucked_slope(&self, n: usize, fall: Side) -> LeanTo {
         let region = &self.regions[n];
         let depth = self.context.metres(fall.measure(&region.cell).1);
@@ -271,7 +275,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         match written {
             None => trunk,
             Some(w) if w.beside.level => self.count + w.before,
-            // It meets nobody here, but eaves of others give way all the same.
+            // It joins no roof here, but eaves of others still give way.
             Some(_) => usize::MAX,
         }
     }
@@ -340,7 +344,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
                 };
                 let (from, to) = (at(lo), at(hi));
                 let top = self.base + SUNK;
-                if (to - from).length() > EPS && top - from.z.max(to.z) > SUNK {
+                if (to - from).length() > CUT && top - from.z.max(to.z) > SUNK {
                     solids.push(panel(from, to, [top, top], Finish::Gable));
                 }
             }

@@ -1,62 +1,36 @@
-//! Roof lines: which storey each belongs to, where it stands, and what is odd about it.
+//! Roof lines as written: the storey of each, its place, its roof, and warnings about it.
 
-use crate::ast::{RoofDirection, RoofLine, RoofShape};
+use crate::ast::{RoofKind, RoofLine, RoofShape};
 use crate::building::House;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::plan::{Cell, Plan};
 use crate::geometry::{SHAKU, STEPS, steps};
 use crate::roof::plan::level::Level;
-use crate::roof::plan::ridge::{Ridge, Side};
 use crate::roof::plan::tops::Tops;
+use crate::roof::region::{Ridge, Side};
+use crate::roof::shape::form::RoofDraft;
 use crate::roof::shape::look::{Look, band};
-use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::forms::Context;
+use crate::roof::storey::placed_line::{PlacedLine, fall, falls_to, ridge};
 use crate::roof::storey::porch;
 use crate::roof::storey::skirt::Skirt;
-use crate::roof::storey::written::falls_to;
 
-/// Roof lines of one house beyond this are left out: what so many cover has no roofs a person could mean.
+/// The most roof lines of one house; further ones are left out and reported.
 const MOST_LINES: usize = 2000;
-
-/// A roof line with its place.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::roof) struct Placed<'h> {
-    /// The line.
-    pub(in crate::roof) line: &'h RoofLine,
-    /// Index of the level whose top it roofs.
-    pub(in crate::roof) level: usize,
-    /// Its rectangle.
-    pub(in crate::roof) cell: Cell,
-    /// Height of the wall plate (of the low edge's upper surface for HIS), metres.
-    pub(in crate::roof) base: f64,
-    /// Its form as written.
-    pub(in crate::roof) shape: RoofShape,
-}
-
-impl Placed<'_> {
-    /// Whether it takes its rectangle out of the automatic regions.
-    pub(in crate::roof) fn covers(&self) -> bool {
-        self.shape != RoofShape::Pent
-    }
-
-    /// Whether it stands on the top of its storey, not over the roofs of higher ones.
-    fn stands_on(&self, context: &Context<'_>) -> bool {
-        self.base < context.level.storey.z1 + 0.5
-    }
-}
 
 /// Places all roof lines of a house.
 pub(in crate::roof) fn place<'h>(
     house: &'h House,
     levels: &[Level<'h>],
     out: &mut Diagnostics,
-) -> Vec<Placed<'h>> {
+) -> Vec<PlacedLine<'h>> {
     let lines = &house.roofs.lines;
     if let Some(beyond) = lines.get(MOST_LINES) {
         out.push(say::too_many_lines(beyond.span, lines.len(), MOST_LINES));
     }
     let tops = Tops::of(levels);
-    let mut placed: Vec<Placed<'h>> = Vec::with_capacity(lines.len().min(MOST_LINES));
+    let mut placed: Vec<PlacedLine<'h>> = Vec::with_capacity(lines.len().min(MOST_LINES));
     for line in lines.iter().take(MOST_LINES) {
         let Some(cell) = cell(line) else { continue };
         let Some(one) = place_one(house, line, cell, &tops, out) else {
@@ -64,7 +38,7 @@ pub(in crate::roof) fn place<'h>(
         };
         check_place(&one, &tops, out);
         check_options(house, &one, out);
-        let same = |p: &&Placed<'_>| {
+        let same = |p: &&PlacedLine<'_>| {
             p.covers()
                 && one.covers()
                 && p.cell.overlaps(&one.cell)
@@ -95,10 +69,10 @@ fn place_one<'h>(
     cell: Cell,
     tops: &Tops<'_, '_>,
     out: &mut Diagnostics,
-) -> Option<Placed<'h>> {
+) -> Option<PlacedLine<'h>> {
     let levels = tops.levels;
     let shape = line.style.shape.map_or(RoofShape::Gable, |s| s.value);
-    let placed = |(level, base): (usize, f64)| Placed {
+    let placed = |(level, base): (usize, f64)| PlacedLine {
         line,
         level,
         cell,
@@ -153,7 +127,7 @@ fn topmost(
     Some((level, levels[level].storey.z1))
 }
 
-fn check_place(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
+fn check_place(one: &PlacedLine<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
     let level = &tops.levels[one.level];
     let (line, place) = (one.line, one.line.corners.span);
     if level.is_open() || !level.orthogonal {
@@ -188,7 +162,7 @@ fn check_place(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
     }
 }
 
-fn check_pent(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
+fn check_pent(one: &PlacedLine<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
     let place = one.line.corners.span;
     let outline = tops.outline(one.level);
     let hangs = |side: Side| !outline.along(&one.cell, side).is_empty();
@@ -203,12 +177,12 @@ fn check_pent(one: &Placed<'_>, tops: &Tops<'_, '_>, out: &mut Diagnostics) {
     }
 }
 
-fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
+fn check_options(house: &House, one: &PlacedLine<'_>, out: &mut Diagnostics) {
     let (line, style) = (one.line, &one.line.style);
     let kind = style
         .kind
         .or(house.roofs.style.kind)
-        .map_or(crate::ast::RoofKind::Tiles, |k| k.value);
+        .map_or(RoofKind::Tiles, |k| k.value);
     if let Some(pitch) = style.pitch {
         check_pitch(pitch, kind, out);
     }
@@ -245,46 +219,23 @@ fn check_options(house: &House, one: &Placed<'_>, out: &mut Diagnostics) {
 /// Warns of a pitch outside the covering's band.
 pub(in crate::roof) fn check_pitch(
     pitch: crate::source::Spanned<f64>,
-    kind: crate::ast::RoofKind,
+    kind: RoofKind,
     out: &mut Diagnostics,
 ) {
     let band = band(kind);
     if pitch.value < band.0 - 1e-9 || pitch.value > band.1 + 1e-9 {
-        let of = |k: &&(char, crate::ast::RoofKind)| k.1 == kind;
-        let letter = crate::ast::RoofKind::ALL
-            .iter()
-            .find(of)
-            .map_or('K', |k| k.0);
+        let of = |k: &&(char, RoofKind)| k.1 == kind;
+        let letter = RoofKind::ALL.iter().find(of).map_or('K', |k| k.0);
         out.push(say::odd_pitch(pitch.span, pitch.value, letter, band));
-    }
-}
-
-/// The side a single slope falls to.
-pub(in crate::roof) fn fall(direction: RoofDirection) -> Option<Side> {
-    match direction {
-        RoofDirection::Front => Some(Side::Front),
-        RoofDirection::Back => Some(Side::Back),
-        RoofDirection::Left => Some(Side::Left),
-        RoofDirection::Right => Some(Side::Right),
-        RoofDirection::AlongFront | RoofDirection::AcrossFront => None,
-    }
-}
-
-/// The run of a ridge.
-pub(in crate::roof) fn ridge(direction: RoofDirection) -> Option<Ridge> {
-    match direction {
-        RoofDirection::AlongFront => Some(Ridge::A),
-        RoofDirection::AcrossFront => Some(Ridge::B),
-        _ => None,
     }
 }
 
 /// The roof of a line.
 pub(in crate::roof) fn planned(
-    one: &Placed<'_>,
+    one: &PlacedLine<'_>,
     context: &Context<'_>,
     out: &mut Diagnostics,
-) -> Planned {
+) -> RoofDraft {
     let ridge_wish = one.line.direction.and_then(|d| ridge(d.value));
     let fall_wish = one.line.direction.and_then(|d| fall(d.value));
     let style = Some(&one.line.style);
@@ -319,9 +270,9 @@ pub(in crate::roof) fn planned(
         _ => {
             let skirt = Skirt::over(one.cell, one.shape, context);
             let run = context.ridge(&one.cell, &one.line.style, ridge_wish);
-            match skirt.filter(|_| one.stands_on(context)) {
+            match skirt.filter(|_| stands_on(one, context)) {
                 Some(skirt) => skirt.planned(context, one.base, style, one.line.span, out),
-                None => context.hall(one.cell, run, one.base, style),
+                None => context.ridge_roof(one.cell, run, one.base, style),
             }
         }
     };
@@ -337,4 +288,9 @@ pub(in crate::roof) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Sid
         .into_iter()
         .find(on_wall)
         .unwrap_or(Side::Front)
+}
+
+/// Whether a line stands on the top of its storey, not over the roofs of higher ones.
+fn stands_on(one: &PlacedLine<'_>, context: &Context<'_>) -> bool {
+    one.base < context.level.storey.z1 + 0.5
 }

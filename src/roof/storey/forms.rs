@@ -1,15 +1,15 @@
-//! From a rectangle and options to a roof: what stands beside each side decides its ends.
+//! From a rectangle and options to a roof: the neighbours of each side decide its ends.
 
 use crate::ast::{RoofShape, RoofStyle};
-use crate::building::{Attic, Roof};
+use crate::building::{Attic, Roof, RoofSurface};
 use crate::geometry::plan::{Cell, Plan};
+use crate::roof::frame::{Rect, end_sides, metres, near_side};
 use crate::roof::plan::level::Level;
 use crate::roof::plan::outline::{Outline, piece};
-use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::region::{Ridge, Side};
 use crate::roof::shape::end::{Cap, End};
 use crate::roof::shape::flat;
-use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::{Rect, end_sides, metres, near_side};
+use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::shape::lean_to::{Flank, LeanTo};
 use crate::roof::shape::look::Look;
 use crate::roof::shape::pent::Pent;
@@ -17,20 +17,7 @@ use crate::roof::shape::ridge_roof::RidgeRoof;
 use crate::roof::storey::headroom::Headroom;
 use std::cell::OnceCell;
 
-/// A roof with its form, before it meets its neighbours.
-#[derive(Clone, Debug)]
-pub(in crate::roof) struct Planned {
-    /// Its form.
-    pub(in crate::roof) form: Form,
-    /// Its look.
-    pub(in crate::roof) look: Look,
-    /// The roof, without solids yet.
-    pub(in crate::roof) roof: Roof,
-    /// Height of the plate it stands on: only roofs of one height meet.
-    pub(in crate::roof) base: f64,
-}
-
-/// What all roofs of one storey have in common.
+/// Shared data of all roofs of one storey.
 pub(in crate::roof) struct Context<'h> {
     /// One U in metres.
     pub(in crate::roof) unit: f64,
@@ -44,7 +31,7 @@ pub(in crate::roof) struct Context<'h> {
     pub(in crate::roof) upper: Option<&'h Plan>,
     /// Top of the highest walls, metres.
     pub(in crate::roof) roof_top: f64,
-    /// What the eaves of the storeys above leave to its roofs.
+    /// The room that the eaves of the storeys above leave to its roofs.
     pub(in crate::roof) headroom: Headroom,
     pub(in crate::roof) outline: OnceCell<Outline>,
     pub(in crate::roof) upper_outline: OnceCell<Outline>,
@@ -92,7 +79,7 @@ impl Context<'_> {
         metres(steps, self.unit)
     }
 
-    /// Where a cell lies.
+    /// A cell in the house frame, metres.
     pub(in crate::roof) fn rect(&self, cell: &Cell) -> Rect {
         Rect::of(cell, self.unit)
     }
@@ -106,6 +93,7 @@ impl Context<'_> {
             kind: look.kind,
             dress: look.dress(),
             attic: Attic::default(),
+            surface: RoofSurface::default(),
             solids: vec![],
         }
     }
@@ -137,29 +125,29 @@ impl Context<'_> {
         }
     }
 
-    /// A two-sloped roof over a cell of its own.
-    pub(in crate::roof) fn hall(
+    /// A two-sloped roof over a cell that joins no other.
+    pub(in crate::roof) fn ridge_roof(
         &self,
         cell: Cell,
         ridge: Ridge,
         base: f64,
         style: Option<&RoofStyle>,
-    ) -> Planned {
+    ) -> RoofDraft {
         let look = self.gable_look(&cell, ridge, style);
         let near = near_side(ridge);
         let ends = end_sides(near).map(|side| self.plain_end(&cell, side, &look));
-        self.hall_with(cell, ridge, base, look, ends)
+        self.ridge_roof_with(cell, ridge, base, look, ends)
     }
 
     /// A two-sloped roof with given ends; the free ones get the treatment of its shape.
-    pub(in crate::roof) fn hall_with(
+    pub(in crate::roof) fn ridge_roof_with(
         &self,
         cell: Cell,
         ridge: Ridge,
         base: f64,
         look: Look,
         mut ends: [End; 2],
-    ) -> Planned {
+    ) -> RoofDraft {
         let near = near_side(ridge);
         let (length, span) = match ridge {
             Ridge::A => (cell.width(), cell.depth()),
@@ -179,15 +167,15 @@ impl Context<'_> {
                     [near, near.opposite()].map(|eaves| self.is_corner(&cell, side, eaves));
             }
         }
-        let hall = RidgeRoof {
+        let roof = RidgeRoof {
             rect: self.rect(&cell),
             near,
             base,
             look,
             ends,
         };
-        Planned {
-            form: hall.form(),
+        RoofDraft {
+            form: roof.form(),
             look,
             roof: self.roof(look.shape, &look),
             base,
@@ -208,7 +196,7 @@ impl Context<'_> {
         wish.unwrap_or_else(|| self.automatic_ridge(cell, shape))
     }
 
-    /// The ridge that a shape gets where nobody says.
+    /// The default ridge direction of a shape.
     fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
         let long = if cell.depth() > cell.width() {
             Ridge::B
@@ -229,7 +217,7 @@ impl Context<'_> {
         near: Side,
         base: f64,
         style: Option<&RoofStyle>,
-    ) -> Planned {
+    ) -> RoofDraft {
         let (_, depth) = near.measure(&cell);
         let look = Look::lean_to(style, self.style, self.metres(depth));
         self.lean_to_with(cell, near, base, look)
@@ -242,7 +230,7 @@ impl Context<'_> {
         near: Side,
         base: f64,
         look: Look,
-    ) -> Planned {
+    ) -> RoofDraft {
         let flank = |side: Side| match self.is_walled(&cell, side) {
             true => Flank::default(),
             false => Flank {
@@ -258,7 +246,7 @@ impl Context<'_> {
             ends: end_sides(near).map(flank),
             high: flank(near.opposite()),
         };
-        Planned {
+        RoofDraft {
             form: lean_to.form(),
             look,
             roof: self.roof(RoofShape::LeanTo, &look),
@@ -266,15 +254,15 @@ impl Context<'_> {
         }
     }
 
-    /// A roof of a form that is known already.
+    /// A roof of a given form.
     pub(in crate::roof) fn of_form(
         &self,
         form: Form,
         shape: RoofShape,
         look: Look,
         base: f64,
-    ) -> Planned {
-        Planned {
+    ) -> RoofDraft {
+        RoofDraft {
             form,
             look,
             roof: self.roof(shape, &look),
@@ -289,7 +277,7 @@ impl Context<'_> {
         near: Side,
         height: f64,
         style: Option<&RoofStyle>,
-    ) -> (Planned, f64) {
+    ) -> (RoofDraft, f64) {
         let depth = self.metres(near.measure(&cell).1);
         let mut look = Look::lean_to(style, self.style, depth);
         if style.and_then(|s| s.thickness).is_none() {
@@ -308,7 +296,7 @@ impl Context<'_> {
             verge: 0.0,
             ..look
         };
-        let planned = Planned {
+        let planned = RoofDraft {
             form: pent.form(),
             look,
             roof: self.roof(RoofShape::Pent, &bare),
@@ -324,7 +312,7 @@ impl Context<'_> {
         plan: &Plan,
         base: f64,
         style: Option<&RoofStyle>,
-    ) -> Planned {
+    ) -> RoofDraft {
         let (look, thick) = self.flat_look(style);
         let mut solids = flat::slab_of_cells(cells, self.unit, base, look.kind, thick);
         if !self.level.parapet {
@@ -347,12 +335,12 @@ impl Context<'_> {
         solids: Vec<crate::building::Solid>,
         look: Look,
         base: f64,
-    ) -> Planned {
+    ) -> RoofDraft {
         let form = Form {
             solids,
             ..Form::default()
         };
-        Planned {
+        RoofDraft {
             form,
             look,
             roof: self.roof(RoofShape::Flat, &look),

@@ -1,25 +1,24 @@
-//! What room the eaves of a storey leave to the roofs below: where these would pierce them, they are built
-//! with a gentler pitch.
+//! The room that the eaves of a storey leave to the roofs below: roofs that would pierce them get a gentler
+//! pitch.
 
 use crate::ast::{RoofMode, RoofShape};
 use crate::building::House;
 use crate::geometry::plan::Cell;
 use crate::geometry::plan::slabs;
+use crate::roof::frame::{Rect, metres};
 use crate::roof::plan::level::Level;
-use crate::roof::plan::ridge::{Region, Ridge, Side};
-use crate::roof::shape::frame::Rect;
+use crate::roof::region::{Region, Ridge, Side};
 use crate::roof::shape::look::Look;
-use crate::roof::storey::explicit::Placed;
-use crate::roof::storey::written;
+use crate::roof::storey::placed_line::{PlacedLine, covers};
 
-/// What stays free between two roofs, metres.
+/// Clearance between two roofs, metres.
 const AIR: f64 = 0.05;
-/// No roof is made gentler than this.
+/// The least pitch a roof is reduced to, rise per metre.
 const GENTLEST: f64 = 0.05;
-/// How far wall tops without eaves reach out, metres.
+/// Overhang of wall tops without eaves, metres.
 const BARE: f64 = 0.1;
 
-/// Where no roof of a storey may rise above which height.
+/// Areas of a storey with the greatest height its roofs may reach.
 #[derive(Clone, Debug, Default)]
 pub(in crate::roof) struct Headroom {
     /// In the house frame, metres.
@@ -32,7 +31,7 @@ impl Headroom {
         house: &House,
         levels: &[Level<'_>],
         k: usize,
-        lines: &[Vec<&Placed<'_>>],
+        lines: &[Vec<&PlacedLine<'_>>],
     ) -> Headroom {
         let mut room = Headroom::default();
         // A storey that the next one repeats has no eaves.
@@ -53,16 +52,16 @@ impl Headroom {
         let style = &house.roofs.style;
         for line in lines.iter().filter(|l| l.covers()) {
             let (span, own) = (line.cell.width().min(line.cell.depth()), &line.line.style);
-            let metres = crate::roof::shape::frame::metres(span, house.unit);
-            let look = Look::gable(Some(own), style, metres, house.unit);
+            let span = metres(span, house.unit);
+            let look = Look::gable(Some(own), style, span, house.unit);
             room.add(&[line.cell], house.unit, look, line.base, None);
         }
         let all = bounds(&cells);
-        if written::covers(lines, &all) {
+        if covers(lines, &all) {
             return room;
         }
         let flat = style.shape.is_some_and(|s| s.value == RoofShape::Flat) || level.parapet;
-        let span = crate::roof::shape::frame::metres(all.width().min(all.depth()), house.unit);
+        let span = metres(all.width().min(all.depth()), house.unit);
         let mut look = Look::gable(None, style, span, house.unit);
         if flat || house.roofs.mode == RoofMode::Explicit {
             (look.eaves, look.pitch) = (BARE, 0.0);
@@ -120,7 +119,7 @@ impl Headroom {
         look
     }
 
-    /// The lowest of what stands over a rectangle, metres.
+    /// The lowest limit over a rectangle, metres; `None` if there is no limit.
     pub(in crate::roof) fn lowest(&self, rect: &Rect) -> Option<f64> {
         let over = self.under.iter().filter(|u| u.0.overlaps(rect));
         over.map(|u| u.1).reduce(f64::min)

@@ -9,12 +9,12 @@ use crate::diagnostic::messages::roofs as say;
 use crate::geometry::STEPS;
 use crate::geometry::plan::Cell;
 use crate::geometry::plan::slabs;
+use crate::roof::facet::Corner;
+use crate::roof::frame::{Frame, Plane, Rect, metres};
 use crate::roof::plan::level::Level;
 use crate::roof::plan::outline::{Outline, piece};
-use crate::roof::plan::ridge::Side;
-use crate::roof::shape::facet::Corner;
-use crate::roof::shape::frame::{Frame, Plane, Rect, metres};
-use crate::roof::shape::gable_wall::SUNK;
+use crate::roof::region::Side;
+use crate::roof::solid::SUNK;
 use crate::roof::solid::prism;
 use crate::roof::solid::sheet::{Coat, Piece, sheet};
 
@@ -28,14 +28,14 @@ const BEAM: (f64, f64) = (0.06, 0.16);
 const ARM: (f64, f64) = (0.045, 0.12);
 /// How far beyond its wall the foot of a bracket lies, metres.
 const INTO: f64 = 0.05;
-/// What stands out farther than this, in U, is carried by something else than brackets.
+/// Overhangs beyond this, in U, are carried by other means than brackets.
 const FARTHEST: i64 = 2;
-/// More cells than this have boards each for itself and nothing else under them: nobody means them.
+/// With more cells than this each gets plain boards and nothing else: such plans are not meant.
 const MANY: usize = 500;
 /// More pairs of rectangles than this are not compared; the overhang then counts as wide as its strips.
 const MOST_PAIRS: usize = 4_000_000;
 
-/// The part of an upper storey that stands over nothing; none where it cannot be told.
+/// The part of an upper storey over the open; `None` where the plans are too intricate.
 fn over_nothing(lower: &Level<'_>, upper: &Level<'_>) -> Option<Vec<Cell>> {
     let plain = !lower.is_open() && lower.orthogonal && upper.orthogonal;
     if !plain || lower.plan == upper.plan || !upper.plan.fits(Some(&lower.plan)) {
@@ -98,7 +98,7 @@ fn reach(over: &[Cell], below: &[Cell]) -> i64 {
     points.map(distance).max().unwrap_or(0)
 }
 
-/// What is known where the boards are laid.
+/// Shared data for laying the boards.
 struct Carpenter {
     unit: f64,
     /// Height of the upper storey's floor, metres.

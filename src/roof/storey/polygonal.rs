@@ -1,5 +1,5 @@
 //! A storey roofed as a whole: one hipped roof by the straight skeleton over each outline with its courts, whatever
-//! its angles; the walls of the storey above cut it, and where they stand upon its own there are no eaves.
+//! its angles; the walls of the storey above cut it, and where they stand on its own walls there are no eaves.
 
 use crate::ast::{RoofMode, RoofShape};
 use crate::building::{House, HouseRoofs, Ring};
@@ -8,29 +8,29 @@ use crate::diagnostic::messages::roofs as say;
 use crate::geometry::STEPS;
 use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
-use crate::roof::house::MOST_CORNERS;
+use crate::roof::frame::{Rect, metres};
 use crate::roof::plan::level::Level;
-use crate::roof::plan::report;
+use crate::roof::plan::{MOST_CORNERS, report};
 use crate::roof::shape::flat;
-use crate::roof::shape::frame::metres;
+use crate::roof::shape::form::RoofDraft;
 use crate::roof::shape::hipped::Hipped;
 use crate::roof::shape::look::Look;
 use crate::roof::skeleton::polygons::{Part, gathered, tagged};
 use crate::roof::skeleton::{Contours, Invalid};
-use crate::roof::storey::explicit::Placed;
-use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::forms::Context;
+use crate::roof::storey::placed_line::PlacedLine;
 use glam::{DVec2, dvec2};
 
-/// Such a storey on its way to roofs.
+/// A storey roofed as a whole.
 pub(in crate::roof) struct Polygonal<'a, 'h> {
     pub(in crate::roof) house: &'a House,
     pub(in crate::roof) context: &'a Context<'h>,
     /// The storey above, if it bounds anything.
     pub(in crate::roof) upper: Option<&'a Level<'h>>,
-    pub(in crate::roof) lines: &'a [&'a Placed<'a>],
+    pub(in crate::roof) lines: &'a [&'a PlacedLine<'a>],
 }
 
-/// Whether a storey's roof lies flat: the author says so, or a wall that rises round it hides a flat one.
+/// Whether a storey's roof is flat: it is written so, or a parapet surrounds it.
 pub(in crate::roof) fn is_flat(house: &House, level: &Level<'_>) -> bool {
     let shape = house.roofs.style.shape;
     shape.map_or(level.parapet, |s| s.value == RoofShape::Flat)
@@ -40,19 +40,15 @@ pub(in crate::roof) fn is_flat(house: &House, level: &Level<'_>) -> bool {
 pub(in crate::roof) fn walls(house: &House, level: &Level<'_>) -> Vec<Vec<DVec2>> {
     if level.orthogonal {
         let strips = slabs::strips(&level.plan).into_iter();
-        let rect = |c: Cell| {
-            crate::roof::shape::frame::Rect::of(&c, house.unit)
-                .corners()
-                .to_vec()
-        };
+        let rect = |c: Cell| Rect::of(&c, house.unit).corners().to_vec();
         return strips.map(rect).collect();
     }
-    let parts = parts(house, level);
+    let parts = parts_of(house, level);
     parts.iter().flat_map(Part::pieces).collect()
 }
 
 /// The parts of a storey in the house frame, metres.
-fn parts(house: &House, level: &Level<'_>) -> Vec<Part> {
+fn parts_of(house: &House, level: &Level<'_>) -> Vec<Part> {
     let corners = |ring: &Ring| -> Vec<DVec2> {
         let place = |p: &DVec2| house.place(*p, 0.0).truncate();
         ring.corners().iter().map(place).collect()
@@ -63,12 +59,12 @@ fn parts(house: &House, level: &Level<'_>) -> Vec<Part> {
 }
 
 impl Polygonal<'_, '_> {
-    /// The automatic roofs: none where the storey above repeats this one or nobody wants them.
+    /// The automatic roofs: none where the storey above repeats this one or automatic roofs are off.
     pub(in crate::roof) fn roofs(
         &self,
         done: &mut HouseRoofs,
         out: &mut Diagnostics,
-    ) -> Vec<Planned> {
+    ) -> Vec<RoofDraft> {
         let (level, style) = (self.context.level, &self.house.roofs.style);
         let covered = self.upper.is_some_and(|u| same_plan(level, u));
         let wanted = self.house.roofs.mode == RoofMode::Auto && !covered;
@@ -105,7 +101,7 @@ impl Polygonal<'_, '_> {
             shape,
         ));
         let walls: Vec<[DVec2; 2]> = match self.upper {
-            Some(upper) if !flat => crate::roof::storey::polygonal::parts(self.house, upper)
+            Some(upper) if !flat => parts_of(self.house, upper)
                 .iter()
                 .flat_map(|p| p.edges().collect::<Vec<_>>())
                 .collect(),
@@ -123,7 +119,7 @@ impl Polygonal<'_, '_> {
         parts.iter().map(roof).collect()
     }
 
-    /// What no roof line covers. Lines cut rectangles, so they take all of a storey that has none.
+    /// The parts that no roof line covers. Lines cut rectangles, so they cover all of a storey that is not orthogonal.
     fn open(&self) -> Vec<Part> {
         let level = self.context.level;
         let cells: Vec<Cell> = self
@@ -133,7 +129,7 @@ impl Polygonal<'_, '_> {
             .map(|l| l.cell)
             .collect();
         if cells.is_empty() {
-            return parts(self.house, level);
+            return parts_of(self.house, level);
         }
         if !level.orthogonal || !level.plan.fits(Some(&Plan::from_cells(&cells))) {
             return vec![];
@@ -149,7 +145,7 @@ impl Polygonal<'_, '_> {
         gathered(&loops)
     }
 
-    fn hipped(&self, part: &Part, walls: &[[DVec2; 2]]) -> Result<Planned, Invalid> {
+    fn hipped(&self, part: &Part, walls: &[[DVec2; 2]]) -> Result<RoofDraft, Invalid> {
         let courts: Vec<_> = part.courts.iter().map(|c| tagged(c, walls)).collect();
         let contours = Contours::new(&tagged(&part.outline, walls), &courts)?;
         let hipped = Hipped::new(&contours)?;
@@ -159,7 +155,7 @@ impl Polygonal<'_, '_> {
         Ok(self.context.of_form(form, RoofShape::Hip, look, base))
     }
 
-    fn flat(&self, part: &Part) -> Planned {
+    fn flat(&self, part: &Part) -> RoofDraft {
         let level = self.context.level;
         let base = level.storey.z1;
         let (look, thick) = self.context.flat_look(None);

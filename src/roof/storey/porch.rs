@@ -3,22 +3,23 @@
 
 use crate::geometry::SHAKU;
 use crate::geometry::plan::{Cell, Plan};
-use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::frame::{end_sides, near_side};
+use crate::roof::region::{Ridge, Side};
 use crate::roof::shape::end::End;
-use crate::roof::shape::frame::{end_sides, near_side};
+use crate::roof::shape::form::RoofDraft;
 use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::Profile;
-use crate::roof::storey::explicit::Placed;
-use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::forms::Context;
+use crate::roof::storey::placed_line::PlacedLine;
 
-/// So far a roof reaches into a wall, metres.
+/// How far a roof reaches into a wall, metres.
 const INTO: f64 = 0.03;
-/// Roofs behind are taken for gentler than they are by this share: their slopes may hang (sori).
+/// Slopes behind count as gentler by this factor, since they may be curved (sori).
 const HANGING: f64 = 0.5;
-/// The farthest that it runs into the roof behind, metres.
+/// The greatest length inside the roof behind, metres.
 const FARTHEST: f64 = 8.0;
 
-/// The ridge of a porch: into the house behind, unless the author says otherwise.
+/// The ridge of a porch: into the house behind, unless written otherwise.
 pub(in crate::roof) fn ridge(
     cell: &Cell,
     context: &Context<'_>,
@@ -35,7 +36,11 @@ pub(in crate::roof) fn ridge(
 }
 
 /// The roof of a porch.
-pub(in crate::roof) fn planned(one: &Placed<'_>, run: Ridge, context: &Context<'_>) -> Planned {
+pub(in crate::roof) fn planned(
+    one: &PlacedLine<'_>,
+    run: Ridge,
+    context: &Context<'_>,
+) -> RoofDraft {
     let look = context.gable_look(&one.cell, run, Some(&one.line.style));
     let ends = end_sides(near_side(run)).map(|side| {
         let plain = context.plain_end(&one.cell, side, &look);
@@ -44,11 +49,11 @@ pub(in crate::roof) fn planned(one: &Placed<'_>, run: Ridge, context: &Context<'
             depth => into(one, side, &look, context.metres(depth), context),
         }
     });
-    context.hall_with(one.cell, run, one.base, look, ends)
+    context.ridge_roof_with(one.cell, run, one.base, look, ends)
 }
 
 /// The end in a house of some depth behind.
-fn into(one: &Placed<'_>, side: Side, look: &Look, depth: f64, context: &Context<'_>) -> End {
+fn into(one: &PlacedLine<'_>, side: Side, look: &Look, depth: f64, context: &Context<'_>) -> End {
     let half = context.metres(side.measure(&one.cell).0) / 2.0;
     let over = one.base + look.pitch * half - context.level.storey.z1;
     if over <= 0.0 {

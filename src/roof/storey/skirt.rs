@@ -8,14 +8,14 @@ use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::roofs as say;
 use crate::geometry::SHAKU;
 use crate::geometry::plan::Cell;
-use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::facet::{Cutter, Facet, cut, edges};
+use crate::roof::frame::{end_sides, near_side};
+use crate::roof::region::{Ridge, Side};
 use crate::roof::shape::end::{Cap, End};
-use crate::roof::shape::facet::{Cutter, Facet, cut, edges};
-use crate::roof::shape::form::Form;
-use crate::roof::shape::frame::{end_sides, near_side};
+use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::shape::look::Look;
 use crate::roof::shape::ridge_roof::RidgeRoof;
-use crate::roof::storey::forms::{Context, Planned};
+use crate::roof::storey::forms::Context;
 use crate::roof::storey::headroom::gentler;
 use crate::source::Span;
 use glam::dvec2;
@@ -32,7 +32,7 @@ pub(in crate::roof) struct Skirt<'h> {
 }
 
 impl<'h> Skirt<'h> {
-    /// The skirt of a roof of this shape over `cell`; none where nothing smaller stands on it.
+    /// The skirt of a roof of this shape over `cell`; `None` if no smaller storey stands on it.
     pub(in crate::roof) fn over(
         cell: Cell,
         shape: RoofShape,
@@ -52,8 +52,7 @@ impl<'h> Skirt<'h> {
         })
     }
 
-    /// What it covers without its corners counted twice: strips with the side they fall to, those at the front and
-    /// back as long as the walls.
+    /// The strips that it covers, with the side each falls to; those at the front and back have the corners.
     pub(in crate::roof) fn strips(&self) -> Vec<(Cell, Side)> {
         let (cell, upper) = (self.cell, self.upper);
         let (b0, b1) = (upper.b0, upper.b1);
@@ -83,7 +82,7 @@ impl<'h> Skirt<'h> {
         all.into_iter().filter(open).collect()
     }
 
-    /// Its ridge, if the upper walls left it standing.
+    /// The direction its ridge would have without the upper walls.
     fn ridge(&self) -> Ridge {
         if self.cell.depth() > self.cell.width() {
             Ridge::B
@@ -111,7 +110,7 @@ impl<'h> Skirt<'h> {
         style: Option<&RoofStyle>,
         span: Span,
         out: &mut Diagnostics,
-    ) -> Planned {
+    ) -> RoofDraft {
         let near = near_side(self.ridge());
         let rect = context.rect(&self.cell);
         let look = context.gable_look(&self.cell, self.ridge(), style);
@@ -125,14 +124,14 @@ impl<'h> Skirt<'h> {
             rises: [true; 2],
             ..End::default()
         };
-        let hall = RidgeRoof {
+        let roof = RidgeRoof {
             rect,
             near,
             base,
             look,
             ends: end_sides(near).map(|_| end),
         };
-        let mut form = hall.form();
+        let mut form = roof.form();
         self.take_walls(&mut form, context, look.eaves);
         context.of_form(form, RoofShape::Hip, look, base)
     }

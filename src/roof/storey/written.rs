@@ -1,11 +1,10 @@
 //! Roof lines as the automatic regions beside them see them: roofs to lean on and to run into.
 
 use crate::ast::RoofShape;
-use crate::geometry::plan::Cell;
-use crate::roof::plan::ridge::{Beside, Region, Role, Side};
+use crate::roof::region::{Beside, Region, Role};
 use crate::roof::shape::look::Look;
-use crate::roof::storey::explicit::{Placed, fall, ridge};
 use crate::roof::storey::forms::Context;
+use crate::roof::storey::placed_line::{PlacedLine, falls_to, ridge};
 
 /// A written roof lower than the walls by more than this is none to lean on, metres.
 const LOWER: f64 = 0.3;
@@ -13,18 +12,18 @@ const LOWER: f64 = 0.3;
 /// A written roof beside automatic ones.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::roof) struct Written {
-    /// What the rules look at.
+    /// Its region, as the rules see it.
     pub(in crate::roof) beside: Beside,
     /// Its look.
     pub(in crate::roof) look: Look,
     /// Height of its wall plate, metres.
     pub(in crate::roof) base: f64,
-    /// How many written roofs of the storey's own height come before it.
+    /// The number of written roofs at the storey's own height before it.
     pub(in crate::roof) before: usize,
 }
 
 /// The roofs among some lines of one storey that others may lean on.
-pub(in crate::roof) fn trunks(lines: &[&Placed<'_>], context: &Context<'_>) -> Vec<Written> {
+pub(in crate::roof) fn trunks(lines: &[&PlacedLine<'_>], context: &Context<'_>) -> Vec<Written> {
     let top = context.level.storey.z1;
     let mut before = 0;
     let mut found = Vec::new();
@@ -44,7 +43,7 @@ pub(in crate::roof) fn trunks(lines: &[&Placed<'_>], context: &Context<'_>) -> V
 }
 
 /// A roof line as a region, and its look; none of flat and hanging ones.
-fn seen(one: &Placed<'_>, context: &Context<'_>) -> Option<(Region, Look)> {
+fn seen(one: &PlacedLine<'_>, context: &Context<'_>) -> Option<(Region, Look)> {
     let style = Some(&one.line.style);
     let main = Region::main(one.cell);
     match one.shape {
@@ -71,15 +70,4 @@ fn seen(one: &Placed<'_>, context: &Context<'_>) -> Option<(Region, Look)> {
             Some((roof, look))
         }
     }
-}
-
-/// The side a written lean-to falls to.
-pub(in crate::roof) fn falls_to(one: &Placed<'_>) -> Side {
-    let wish = one.line.direction.and_then(|d| fall(d.value));
-    wish.unwrap_or(Side::Front)
-}
-
-/// Whether some written roof covers a whole rectangle.
-pub(in crate::roof) fn covers(lines: &[&Placed<'_>], cell: &Cell) -> bool {
-    lines.iter().any(|l| l.covers() && l.cell.contains(cell))
 }

@@ -1,15 +1,13 @@
 //! Closed bodies whose sides bend softly: rounded bars, poles, laths in an arc, cloth in folds. Neighbouring sides
 //! share their normals, so that few of them look round.
 
+use crate::geometry::tolerance::POINT;
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::{Axis, Bodies, Soup, grain_along};
 use glam::{DVec2, DVec3, dvec2};
 
 /// Sides whose normals agree as far as this, in the cosine, show no edge between them.
 const SOFT: f64 = 0.8;
-
-/// Corners nearer than this are one, metres.
-const NEAR: f64 = 1e-6;
 
 impl Bodies {
     /// A polygon drawn along an axis as by `prism`, soft where its sides bend little.
@@ -22,8 +20,8 @@ impl Bodies {
         hi: f64,
     ) {
         let mut ring = outline.to_vec();
-        ring.dedup_by(|a, b| a.distance(*b) < NEAR);
-        if ring.len() > 1 && ring[0].distance(ring[ring.len() - 1]) < NEAR {
+        ring.dedup_by(|a, b| a.distance(*b) < POINT);
+        if ring.len() > 1 && ring[0].distance(ring[ring.len() - 1]) < POINT {
             ring.pop();
         }
         if crate::geometry::area2(&ring) < 0.0 {

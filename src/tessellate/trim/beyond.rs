@@ -52,7 +52,7 @@ impl Neighbours {
             return all;
         }
         for (n, roof) in roofs.roofs.iter().enumerate() {
-            let surface = Surface::of(&roof.solids);
+            let surface = Surface::of(&roof.surface);
             for facet in &surface.facets {
                 let points = facet.corners.iter().map(|i| surface.points[*i as usize]);
                 let plan: Vec<DVec2> = points.map(DVec3::truncate).collect();

@@ -4,8 +4,10 @@
 //! A slope is cut into facets in many ways: by other roofs, into convex pieces, into the strips of a curve. Facets
 //! whose falls point nearly the same way are one slope, and pieces of a line on one straight way are one seam.
 
+use crate::building::EdgeKind;
+use crate::geometry::tolerance::POINT;
 use crate::tessellate::trim::beyond::Beyond;
-use crate::tessellate::trim::surface::{Beside, SAME_FALL, Side, Surface, WELD};
+use crate::tessellate::trim::surface::{Beside, Side, Surface};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
@@ -72,25 +74,11 @@ const INTO: f64 = 0.15;
 impl Surface {
     /// All seams, ridges first.
     pub(super) fn seams(&self, beyond: &Beyond) -> Vec<Seam> {
-        let mut pieces: Vec<(Kind, Side)> = Vec::with_capacity(self.sides.len());
-        for side in &self.sides {
-            // Of the two sides of an inner edge one is enough.
-            let twice = matches!(side.beside, Beside::Facet(_)) && side.from > side.to;
-            if let Some(kind) = self.kind(side, beyond).filter(|_| !twice) {
-                let upward = self.at(side.from).z <= self.at(side.to).z;
-                let side = match (kind, side.beside) {
-                    (Kind::Hip, Beside::Facet(other)) if !upward => Side {
-                        from: side.to,
-                        to: side.from,
-                        facet: other,
-                        beside: Beside::Facet(side.facet),
-                    },
-                    _ => *side,
-                };
-                pieces.push((kind, side));
-            }
-        }
-        self.lengthen_hips(&mut pieces);
+        let kinds = self
+            .sides
+            .iter()
+            .filter_map(|side| Some((self.kind(side, beyond)?, *side)));
+        let mut pieces: Vec<(Kind, Side)> = kinds.collect();
         pieces.sort_by_key(|(kind, _)| *kind);
         let ends = self.ends();
         let kinds = pieces.chunk_by(|a, b| a.0 == b.0);
@@ -110,78 +98,36 @@ impl Surface {
         seams
     }
 
-    /// Makes level pieces below the foot of a hip part of it: raised corners take back most of its fall.
-    fn lengthen_hips(&self, pieces: &mut [(Kind, Side)]) {
-        let way = |s: &Side| {
-            (self.at(s.to) - self.at(s.from))
-                .truncate()
-                .normalize_or_zero()
-        };
-        let mut ridges: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
-        let mut feet: Vec<(u32, DVec2)> = vec![];
-        for (n, (kind, side)) in pieces.iter().enumerate() {
-            match kind {
-                Kind::Ridge => {
-                    ridges.entry(side.from).or_default().push(n);
-                    ridges.entry(side.to).or_default().push(n);
-                }
-                Kind::Hip => feet.push((side.from, way(side))),
-                _ => {}
-            }
-        }
-        while let Some((foot, upward)) = feet.pop() {
-            for n in ridges.get(&foot).into_iter().flatten() {
-                let (kind, side) = pieces[*n];
-                let side = turned(side, side.to == foot);
-                if kind == Kind::Ridge && way(&side).dot(upward) > GOES_ON {
-                    pieces[*n] = (Kind::Hip, side);
-                    feet.push((side.from, way(&side)));
-                }
-            }
-        }
-    }
-
     fn kind(&self, side: &Side, beyond: &Beyond) -> Option<Kind> {
-        let facet = &self.facets[side.facet as usize];
         let way = self.at(side.to) - self.at(side.from);
         let run = way.truncate().length();
-        if run < WELD {
+        if run < POINT {
             return None;
         }
+        let Beside::Joint(n) = side.beside else {
+            return match side.kind {
+                EdgeKind::Ridge => Some(Kind::Ridge),
+                EdgeKind::Hip => Some(Kind::Hip),
+                EdgeKind::Valley => Some(Kind::Valley),
+                EdgeKind::Eaves => Some(Kind::Eaves),
+                EdgeKind::Verge => Some(Kind::Verge),
+                EdgeKind::Crest => Some(Kind::Crest),
+                EdgeKind::Abutment | EdgeKind::Fold => None,
+            };
+        };
+        let facet = &self.facets[side.facet as usize];
         let out = -way.truncate().perp() / run;
-        match side.beside {
-            Beside::Facet(other) => {
-                let other = &self.facets[other as usize];
-                if facet.fall().dot(other.fall()) > SAME_FALL {
-                    return None;
-                }
-                // How steeply the surface falls away on both sides: a ridge falls on both together.
-                let bend = facet.rise.dot(out) - other.rise.dot(out);
-                let steep = facet.rise.length().max(other.rise.length());
-                let level = way.z.abs() < 0.25 * steep * run;
-                match (bend > 0.0, level) {
-                    (false, _) => Some(Kind::Valley),
-                    (true, true) => Some(Kind::Ridge),
-                    (true, false) => Some(Kind::Hip),
-                }
+        match beyond.rises.get(n as usize) {
+            // Another slope: only where both rise from the joint does water run along it.
+            Some(Some(rise)) => {
+                (facet.rise.dot(out) - rise.dot(out) < -0.05).then_some(Kind::Valley)
             }
-            Beside::Rim(_) => Some(match facet.fall().dot(out) {
-                low if low > 0.5 => Kind::Eaves,
-                high if high < -0.5 => Kind::Crest,
-                _ => Kind::Verge,
-            }),
-            Beside::Joint(n) => match beyond.rises.get(n as usize) {
-                // Another slope: only where both rise from the joint water runs along it.
-                Some(Some(rise)) => {
-                    (facet.rise.dot(out) - rise.dot(out) < -0.05).then_some(Kind::Valley)
-                }
-                Some(None) => match facet.fall().dot(out) {
-                    low if low > 0.5 => None,
-                    high if high < -0.94 => Some(Kind::Crest),
-                    _ => Some(Kind::Flank),
-                },
-                None => None,
+            Some(None) => match facet.fall().dot(out) {
+                low if low > 0.5 => None,
+                high if high < -0.94 => Some(Kind::Crest),
+                _ => Some(Kind::Flank),
             },
+            None => None,
         }
     }
 
@@ -319,6 +265,7 @@ fn turned(side: Side, forward: bool) -> Side {
         to: side.from,
         facet: other,
         beside: Beside::Facet(side.facet),
+        ..side
     }
 }
 

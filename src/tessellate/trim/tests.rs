@@ -1,11 +1,11 @@
 //! TrimDetail of known roofs: seams where they must be, bodies closed, sizes that follow the roof.
 
 use crate::ast::{RoofKind, RoofShape};
-use crate::building::{Attic, Face, Finish, HouseRoofs, Roof, Solid, Trim};
+use crate::building::{Attic, Face, Finish, HouseRoofs, Roof, RoofSurface, Solid, Trim};
 use crate::check::solid_flaws;
 use crate::material::SurfaceId;
-use crate::roof::shape::facet::Corner;
-use crate::roof::shape::frame::Plane;
+use crate::roof::facet::Corner;
+use crate::roof::frame::Plane;
 use crate::roof::solid::sheet::{Coat, sheet};
 use crate::scene::Detail;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
@@ -151,12 +151,13 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
             rafters: 2,
         },
         attic: Attic::default(),
+        surface: RoofSurface::of(&solids),
         solids,
     }
 }
 
 fn seams(solids: &[Solid]) -> Vec<Seam> {
-    Surface::of(solids).seams(&Beyond::default())
+    Surface::of(&RoofSurface::of(solids)).seams(&Beyond::default())
 }
 
 fn count(seams: &[Seam], kind: Kind) -> usize {
@@ -399,7 +400,7 @@ fn a_joint_is_a_valley_before_a_slope_and_a_flank_before_a_wall() {
             ..HouseRoofs::default()
         };
         let beyond = Neighbours::of(&both).beyond(0, &both.roofs[0]);
-        let seams = Surface::of(&both.roofs[0].solids).seams(&beyond);
+        let seams = Surface::of(&both.roofs[0].surface).seams(&beyond);
         seams.iter().map(|s| s.kind).collect::<Vec<_>>()
     };
     let rises = solids(kind, &[(&beside, [0.5, 0.0], 1.5)]);

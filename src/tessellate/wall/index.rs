@@ -3,14 +3,12 @@
 
 use crate::building::{House, Solid, Storey, Wall};
 use crate::catalog::{Catalog, Stance};
+use crate::geometry::tolerance::SAME;
 use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::tessellate::wall::finish::{default_finish, finish_of};
 use glam::DVec2;
 use std::cell::OnceCell;
-
-/// Lines nearer than this are one, in U.
-const SAME_LINE: f64 = 1e-4;
 
 /// What stands behind a passage keeps so far from its end, metres: half a wall and some air.
 const CLEAR: f64 = 0.10;
@@ -29,7 +27,7 @@ pub(in crate::tessellate) struct WallIndex {
 /// A wall on its line.
 #[derive(Clone, Copy, Debug)]
 struct Stretch {
-    /// In units of [`SAME_LINE`].
+    /// In units of [`SAME`].
     line: i64,
     lo: f64,
     hi: f64,
@@ -37,9 +35,9 @@ struct Stretch {
     at: (u32, u32),
 }
 
-/// A coordinate in units of [`SAME_LINE`].
+/// A coordinate in units of [`SAME`].
 fn line(u: f64) -> i64 {
-    (u / SAME_LINE).round() as i64
+    (u / SAME).round() as i64
 }
 
 impl WallIndex {
@@ -116,9 +114,7 @@ impl WallIndex {
         };
         let walls = self.across(along_a, lines, stretch).into_iter();
         let nearest = walls.map(|w| (w.line - own).abs()).min();
-        nearest.map_or(most, |n| {
-            (n as f64 * SAME_LINE * unit - CLEAR).clamp(0.0, most)
-        })
+        nearest.map_or(most, |n| (n as f64 * SAME * unit - CLEAR).clamp(0.0, most))
     }
 
     /// The finish of the wall that a gable's fill stands on: what most of it is made of there.
@@ -243,7 +239,7 @@ impl Shares {
     fn most(&self) -> Option<SurfaceId> {
         let mut best: Option<(SurfaceId, f64)> = None;
         for share in &self.0 {
-            if best.is_none_or(|b| share.1 > b.1 + SAME_LINE) {
+            if best.is_none_or(|b| share.1 > b.1 + SAME) {
                 best = Some(*share);
             }
         }

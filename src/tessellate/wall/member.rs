@@ -1,6 +1,7 @@
 //! What carries the wall: posts at corners and borders, wall plates, sills, foundation stones.
 
 use crate::catalog::Stance;
+use crate::geometry::tolerance::STRAIGHT;
 use crate::geometry::{SAME, SHAKU};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MaterialId, NodeId, Primitive};
@@ -85,9 +86,6 @@ const FOOTINGS: u8 = 4;
 /// The stone under a post on the ground: half its side, foot and top. Its planes lie beside those of the
 /// foundation.
 const PAD: (f64, f64, f64) = (0.130, -0.284, -0.112);
-
-/// Corners that bend less than this, in the sine of the turn, need no member of their own.
-const STRAIGHT: f64 = 1e-6;
 
 impl Walker<'_> {
     /// Posts at the borders of the units of a wall, at its start, and at its end if nothing follows.

@@ -1,18 +1,11 @@
 //! From faces on numbered points to closed solids.
 
-use crate::building::{Corners, Face, Finish, Solid};
-use crate::geometry::convex::triangles;
-use crate::roof::solid::massive::merge::merge;
+use crate::building::{Corners, Face, Solid};
+use crate::geometry::tolerance::STRAIGHT;
+use crate::geometry::triangulate::ears;
+use crate::roof::solid::massive::merge::{BENT, Polygon, merge};
 use crate::roof::solid::sheet::find;
 use glam::{DVec2, DVec3};
-
-/// Corners that turn by less are straight, as the sine of the turn.
-const STRAIGHT: f64 = 1e-6;
-/// Faces leave their planes by less, metres.
-pub(super) const BENT: f64 = 4e-7;
-
-/// A face by the numbers of its points.
-pub(super) type Polygon = (Vec<u32>, Finish);
 
 /// The closed solids that some faces bound. Points over one place have numbers in ascending order from one of `starts`
 /// on; upright edges pass through those between their ends. None where an edge belongs to more than two faces of a solid.
@@ -63,7 +56,7 @@ pub(super) fn solids(
         let corners: Corners = corners.into_iter().map(number).collect();
         solid.faces.push(Face { corners, finish });
     }
-    // What is closed off on all sides is filled: nobody sees it.
+    // Cavities closed on all sides are filled, since they are never seen.
     solids.retain(|s| volume(s) > 0.0);
     Some(solids)
 }
@@ -134,9 +127,11 @@ fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
     let plan: Vec<DVec2> = (0..corners.len())
         .map(|k| DVec2::new(x.dot(at(k)), y.dot(at(k))))
         .collect();
-    let all = triangles(&plan).into_iter();
-    all.map(|t| (t.map(|k| corners[k]).to_vec(), *finish))
-        .collect()
+    let mut triangles = Vec::with_capacity(plan.len());
+    ears(&plan, |t| {
+        triangles.push((t.map(|k| corners[k as usize]).to_vec(), *finish));
+    });
+    triangles
 }
 
 /// For each face the solid it belongs to, in the order of their first faces: faces hang together through edges that

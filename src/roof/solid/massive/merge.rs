@@ -1,18 +1,22 @@
 //! Faces of one plane and finish that lie side by side become one, as long as it is convex: cities count triangles.
 
-use crate::roof::solid::massive::closed::{BENT, Polygon};
+use crate::building::Finish;
+use crate::geometry::tolerance::PARALLEL;
 use glam::DVec3;
 
-/// Corners that turn the wrong way by less are straight, as the sine of the turn.
-const STRAIGHT: f64 = 1e-7;
+/// Faces leave their planes by less, metres.
+pub(super) const BENT: f64 = 4e-7;
 
-/// How often neighbours are looked for. Each time a face takes at most one, so that long rows of faces would else be
-/// gone through as often as they are long.
+/// The most merging rounds. A face takes at most one neighbour a round, so long rows of faces would need as many rounds
+/// as they have faces.
 const ROUNDS: usize = 16;
+
+/// A face by the numbers of its points.
+pub(super) type Polygon = (Vec<u32>, Finish);
 
 /// Merges faces with their neighbours, as far as some rounds go.
 pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
-    // Faces that nobody has tried to merge as they are now.
+    // Faces that changed in the last round.
     let mut fresh = vec![true; faces.len()];
     for _ in 0..ROUNDS {
         let edges = edges(faces);
@@ -83,7 +87,7 @@ fn joined(points: &[DVec3], one: &[u32], other: &[u32], [from, to]: [u32; 2]) ->
         let turn = (q - p)
             .normalize_or_zero()
             .cross((r - q).normalize_or_zero());
-        normal.dot(turn) > -STRAIGHT
+        normal.dot(turn) > -PARALLEL
     };
     (simple && (0..n).all(bends)).then_some(ring)
 }

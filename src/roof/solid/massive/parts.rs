@@ -3,9 +3,10 @@
 
 use crate::ast::RoofKind;
 use crate::building::{Attic, Finish, Solid, Verge};
-use crate::roof::shape::facet::{Corner, HalfPlane, Higher, area, edges, is_outside, split_off};
-use crate::roof::shape::frame::Plane;
-use crate::roof::shape::gable_wall::THICK;
+use crate::geometry::tolerance::HEIGHT;
+use crate::roof::facet::{Corner, HalfPlane, Higher, area, edges, is_outside, split_off};
+use crate::roof::frame::Plane;
+use crate::roof::solid::INFILL_THICKNESS;
 use crate::roof::solid::massive::union::{Column, Side};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
@@ -14,15 +15,12 @@ use std::borrow::Cow;
 const SLIVER: f64 = 2e-6;
 /// Parts that share less than this in plan share nothing, square metres.
 const HARDLY: f64 = 1e-7;
-/// Surfaces nearer than this are one, metres.
-const SAME: f64 = 1e-5;
-
 /// A part of the surface of one roof.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
     pub(super) outline: Vec<Corner>,
     pub(super) top: Plane,
-    /// How thick the covering and what carries it are, measured upright, metres; 0 of a wall.
+    /// Vertical thickness of the covering and its structure, metres; 0 for a wall.
     pub(super) drop: f64,
     /// The covering; none of a wall.
     pub(super) kind: Option<RoofKind>,
@@ -106,7 +104,7 @@ impl Part {
                     continue;
                 };
                 // The wall is as thick as anywhere.
-                let [wall, free] = line.moved_out(THICK / 2.0).halves(&inside);
+                let [wall, free] = line.moved_out(INFILL_THICKNESS / 2.0).halves(&inside);
                 left.push(wall);
                 if area(&free) > SLIVER {
                     parts.push(self.with(free, self.bottom));
@@ -122,7 +120,7 @@ impl Part {
     /// Whether it lies in the plane of a part of the surface.
     fn lies_in(&self, part: &Verge) -> bool {
         let off = |p: &DVec3| (self.top.at(p.truncate()) - p.z).abs();
-        part.iter().all(|p| off(p) < SAME)
+        part.iter().all(|p| off(p) < HEIGHT)
     }
 
     /// A piece of it, filled down to a plane where it lies higher.
@@ -139,7 +137,7 @@ impl Part {
         }
     }
 
-    /// What two parts fill together where they share space: their rests, and what is filled once under the higher
+    /// The union of two parts that share space: their rests, and the shared space once under the higher
     /// one. None where they share none.
     pub(super) fn together(&self, other: &Part) -> Option<Vec<Part>> {
         let common = self.common(other)?;
@@ -170,7 +168,7 @@ impl Part {
         Some(parts)
     }
 
-    /// Where two parts share space, in plan.
+    /// The plan outline of the space that two parts share.
     fn common(&self, other: &Part) -> Option<Vec<Corner>> {
         let outline: Vec<DVec2> = other.outline.iter().map(|c| c.at).collect();
         let mut sides = edges(&outline);
@@ -191,7 +189,7 @@ impl Part {
     pub(super) fn columns(&self) -> impl Iterator<Item = Column> {
         let low = self.top.raised(-self.drop);
         let gap = |c: &Corner| low.at(c.at) - self.bottom.at(c.at);
-        let deep = self.outline.iter().map(gap).fold(f64::MIN, f64::max) > SAME;
+        let deep = self.outline.iter().map(gap).fold(f64::MIN, f64::max) > HEIGHT;
         let finishes = self
             .kind
             .map(|kind| [Finish::Edge(kind), Finish::Covering(kind)]);
@@ -224,10 +222,10 @@ impl Part {
 /// Whether a plane lies below another over a piece, as far as they differ.
 fn is_lower(plane: Plane, other: Plane, piece: &[Corner]) -> bool {
     let off = |c: &Corner| plane.at(c.at) - other.at(c.at);
-    piece.iter().map(off).sum::<f64>() < -SAME
+    piece.iter().map(off).sum::<f64>() < -HEIGHT
 }
 
-/// Parts that share no space and fill the same together; none where that takes very long.
+/// Parts that share no space and fill the same volume together; `None` where that takes too long.
 pub(super) fn settle(mut todo: Vec<Part>) -> Option<Vec<Part>> {
     let mut patience = 20 * todo.len() + 1000;
     let mut done: Vec<(Part, [DVec2; 2])> = Vec::with_capacity(todo.len());
@@ -257,7 +255,7 @@ fn around(outline: &[Corner]) -> [DVec2; 2] {
     outline.iter().fold(none, grow)
 }
 
-/// What of a piece lies inside some sides; the rest goes to `off`. None, and no rest, where that is hardly anything.
+/// The part of a piece inside some sides; the rest goes to `off`. `None`, and no rest, where that part is a sliver.
 fn split(piece: &[Corner], sides: &[HalfPlane], off: &mut Vec<Vec<Corner>>) -> Option<Vec<Corner>> {
     if is_outside(piece, sides.iter()) {
         return None;

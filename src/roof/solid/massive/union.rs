@@ -5,17 +5,16 @@
 //! edges of different height that cross get a corner there. So the sum is closed whatever the columns are.
 
 use crate::building::{Finish, Solid};
-use crate::roof::shape::frame::Plane;
+use crate::geometry::tolerance::JOINT;
+use crate::roof::frame::Plane;
 use crate::roof::solid::massive::closed;
-use crate::roof::solid::massive::closed::Polygon;
+use crate::roof::solid::massive::merge::Polygon;
 use crate::roof::solid::sheet::Sorted;
 use glam::{DVec2, DVec3};
 
 /// Corners nearer in plan are one, metres.
 const WELD: f64 = 2e-5;
-/// Corners over one place are one if their heights differ by less, metres.
-const SAME: f64 = 1e-4;
-/// How often crossing edges are looked for.
+/// The most rounds of splitting crossing edges.
 const ROUNDS: usize = 4;
 
 /// A corner of a column, and what the upright face that starts there shows.
@@ -25,20 +24,20 @@ pub(super) struct Side {
     pub(super) finish: Finish,
 }
 
-/// What stands over a convex outline between two planes.
+/// The volume over a convex outline between two planes.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
     /// Counter-clockwise seen from above.
     pub(super) ring: Vec<Side>,
     pub(super) top: Plane,
     pub(super) bottom: Plane,
-    /// What its upper face shows; none where another column goes on above.
+    /// The finish of its upper face; `None` where another column continues above.
     pub(super) lid: Option<Finish>,
     /// The same below.
     pub(super) floor: Option<Finish>,
 }
 
-/// The closed solids that the columns are together; none where an edge would belong to more than two faces of one.
+/// The union of the columns as closed solids; `None` where an edge would belong to more than two faces of one.
 pub(super) fn union(columns: &[Column]) -> Option<Vec<Solid>> {
     let mut plan = Plan::of(columns);
     for _ in 0..ROUNDS {
@@ -173,7 +172,7 @@ impl Plan {
             for (i, e) in edges.iter().enumerate() {
                 for f in &edges[i + 1..] {
                     let (d, g) = (e[0] - f[0], e[1] - f[1]);
-                    if d * g < 0.0 && d.abs().min(g.abs()) > SAME {
+                    if d * g < 0.0 && d.abs().min(g.abs()) > JOINT {
                         let at = p.lerp(q, d / (d - g));
                         let near = |c: &DVec3| c.truncate().distance(at) < WELD;
                         if !near(&p.extend(0.0))
@@ -202,7 +201,7 @@ fn drop_flat(ring: &mut Ring) {
 /// The points over each corner, in ascending order.
 struct Heights {
     points: Vec<DVec3>,
-    /// Where the points over each corner begin.
+    /// The first index of the points over each corner.
     starts: Vec<u32>,
     /// The points above and below each corner of each ring.
     rings: Vec<Vec<[u32; 2]>>,
@@ -227,7 +226,7 @@ impl Heights {
                 starts.push(points.len() as u32);
                 last = None;
             }
-            if last.is_none_or(|l: f64| z - l > SAME) {
+            if last.is_none_or(|l: f64| z - l > JOINT) {
                 points.push(plan.corners[id as usize].truncate().extend(z));
                 last = Some(z);
             }
@@ -272,7 +271,7 @@ impl Heights {
         faces
     }
 
-    /// Upright faces: over each stretch what stands on one side and not on the other.
+    /// Upright faces: over each stretch, the heights filled on one side only.
     fn walls(&self, plan: &Plan, columns: &[Column], faces: &mut Vec<Polygon>) -> Option<()> {
         debug_assert_eq!(plan.rings.len(), columns.len());
         let stretches = plan.stretches();

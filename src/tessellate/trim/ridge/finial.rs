@@ -1,14 +1,13 @@
 //! The finial of a pyramid (hogyo): a box (roban) with a ball (hoju) over the point where its hips meet.
 
 use crate::ast::RoofKind;
+use crate::geometry::tolerance::JOINT;
 use crate::material::SurfaceId;
 use crate::tessellate::trim::RoofTrim;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::seams::{Kind, Seam};
 use glam::DVec3;
 
-/// Hips that meet nearer than this meet in one point, metres.
-const SAME: f64 = 1e-4;
 /// Roofs with more hips than this have no finials: they are no pyramids.
 const MANY: usize = 500;
 /// Rings from the foot up: radius and height over the point, metres. The foot lies in the roof.
@@ -39,7 +38,7 @@ pub(in crate::tessellate::trim) fn finials(
     if heads.len() > MANY {
         return;
     }
-    let near = |p: &DVec3, q: &DVec3| p.distance(*q) < SAME;
+    let near = |p: &DVec3, q: &DVec3| p.distance(*q) < JOINT;
     for (n, head) in heads.iter().enumerate() {
         let first = !heads[..n].iter().any(|p| near(p, head));
         let count = heads.iter().filter(|p| near(p, head)).count();

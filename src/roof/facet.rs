@@ -1,19 +1,14 @@
 //! Facets: convex plan polygons, each under one plane of a roof's upper surface, and cutting them.
 
-use crate::roof::shape::frame::Plane;
+use crate::geometry::tolerance::{CUT, SLIVER};
+use crate::roof::frame::Plane;
 use glam::DVec2;
 use std::borrow::Cow;
-
-/// Plan distances below this are none, metres. Cuts closer to a corner go through the corner.
-pub(in crate::roof) const EPS: f64 = 1e-7;
-
-/// Facets with less area, in square metres, are left out.
-const SLIVER: f64 = 1e-7;
 
 /// A corner of a facet.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
-    /// Where, house frame, metres.
+    /// Its place, house frame, metres.
     pub at: DVec2,
     /// Whether the edge that starts here lies on the roof's own eaves or verge.
     pub rim: bool,
@@ -29,7 +24,7 @@ pub struct Facet {
     pub body: Vec<DVec2>,
     /// The upper surface.
     pub plane: Plane,
-    /// How much lower it lies than its neighbours, so that its sheet shares no corner with theirs, metres.
+    /// How far it is lowered below its neighbours, metres, so that its sheet shares no corner with theirs.
     pub lowered: f64,
 }
 
@@ -47,8 +42,8 @@ impl Facet {
 }
 
 impl Facet {
-    /// What of it lies beyond its body, and beyond some more sides, in convex parts whose first edge lies on the side
-    /// that cut them off.
+    /// Its parts beyond its body and beyond further sides: convex, each with its first edge on the side that cut it
+    /// off.
     pub(in crate::roof) fn beyond(&self, more: &[HalfPlane]) -> Vec<Vec<Corner>> {
         let mut verges = vec![];
         let same = |(c, p): (&Corner, &DVec2)| c.at == *p;
@@ -57,12 +52,12 @@ impl Facet {
         let body = if whole { vec![] } else { edges(&self.body) };
         let mut inside = self.outline.clone();
         for side in body.iter().chain(more) {
-            if inside.iter().all(|c| side.depth(c.at) > -EPS) {
+            if inside.iter().all(|c| side.depth(c.at) > -CUT) {
                 continue;
             }
             let [rest, mut outer] = side.halves(&inside);
             inside = rest;
-            let on = |c: &Corner| side.depth(c.at) > -2.0 * EPS;
+            let on = |c: &Corner| side.depth(c.at) > -2.0 * CUT;
             let n = outer.len();
             if area(&outer) > SLIVER
                 && let Some(first) = (0..n).find(|i| on(&outer[*i]) && on(&outer[(i + 1) % n]))
@@ -109,7 +104,7 @@ impl HalfPlane {
         [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
     }
 
-    /// Moved outward by so much.
+    /// Moved outward by a distance, metres.
     #[must_use]
     pub(in crate::roof) fn moved_out(self, by: f64) -> HalfPlane {
         HalfPlane {
@@ -126,7 +121,7 @@ impl HalfPlane {
         }
     }
 
-    /// Where `upper` stands over `lower` by more than a hair: everywhere, nowhere, or inside a half-plane.
+    /// Where `upper` is higher than `lower` by more than the tolerance: everywhere, nowhere, or inside a half-plane.
     pub(in crate::roof) fn where_higher(upper: Plane, lower: Plane) -> Higher {
         match standing(lower, Some(upper)) {
             Standing::Below => Higher::Everywhere,
@@ -196,7 +191,7 @@ pub(in crate::roof) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Vec<Co
     HalfPlane { normal: axis, at }.halves(piece)
 }
 
-/// How a facet lies to a cutter's plane.
+/// The position of a facet relative to a cutter's plane.
 enum Standing {
     Below,
     Above,
@@ -253,7 +248,7 @@ pub(in crate::roof) fn is_outside<'s>(
     piece: &[Corner],
     mut sides: impl Iterator<Item = &'s HalfPlane>,
 ) -> bool {
-    sides.any(|h| piece.iter().all(|c| h.depth(c.at) < EPS))
+    sides.any(|h| piece.iter().all(|c| h.depth(c.at) < CUT))
 }
 
 /// The part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
@@ -265,7 +260,7 @@ pub(in crate::roof) fn split_off<'p, 's>(
     let mut inside = piece;
     let mut depths = Vec::new();
     for side in sides {
-        if inside.iter().all(|c| side.depth(c.at) > -EPS) {
+        if inside.iter().all(|c| side.depth(c.at) > -CUT) {
             continue;
         }
         depths.clear();
@@ -287,12 +282,12 @@ fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Vec<Corner> {
     for i in 0..n {
         let (p, q) = (polygon[i], polygon[(i + 1) % n]);
         let (dp, dq) = (sign * depths[i], sign * depths[(i + 1) % n]);
-        if dp > -EPS {
+        if dp > -CUT {
             // An edge that leaves at its very start is replaced by the cut.
-            let rim = p.rim && (dp >= EPS || dq > -EPS);
+            let rim = p.rim && (dp >= CUT || dq > -CUT);
             kept.push(Corner { rim, ..p });
         }
-        if (dp >= EPS && dq <= -EPS) || (dp <= -EPS && dq >= EPS) {
+        if (dp >= CUT && dq <= -CUT) || (dp <= -CUT && dq >= CUT) {
             let at = p.at.lerp(q.at, dp / (dp - dq));
             let rim = p.rim && dq > 0.0;
             kept.push(Corner { at, rim });
@@ -314,7 +309,7 @@ pub(in crate::roof) fn area(outline: &[Corner]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::roof::shape::facet::*;
+    use crate::roof::facet::*;
     use glam::dvec2;
 
     fn square(x0: f64, y0: f64, x1: f64, y1: f64) -> Vec<DVec2> {

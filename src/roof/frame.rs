@@ -6,7 +6,7 @@
 
 use crate::geometry::STEPS;
 use crate::geometry::plan::Cell;
-use crate::roof::plan::ridge::{Ridge, Side};
+use crate::roof::region::{Ridge, Side};
 use glam::{DVec2, DVec3, dvec2};
 
 /// A rectangle in the house frame, metres: x east, y north.
@@ -19,7 +19,7 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// Where a cell of plan steps lies, with one U in metres.
+    /// A cell of plan steps in the house frame; `unit` is one U in metres.
     pub fn of(cell: &Cell, unit: f64) -> Rect {
         let at = |s: i64| metres(s, unit);
         Rect {
@@ -28,7 +28,7 @@ impl Rect {
         }
     }
 
-    /// Grown by so much on every side.
+    /// Grown by a distance on every side, metres.
     #[must_use]
     pub fn grown(self, by: f64) -> Rect {
         Rect {
@@ -47,7 +47,7 @@ impl Rect {
         ]
     }
 
-    /// Whether two rectangles share more than a border.
+    /// Whether two rectangles share area, not merely a border.
     pub fn overlaps(&self, other: &Rect) -> bool {
         self.min.cmplt(other.max).all() && other.min.cmplt(self.max).all()
     }
@@ -76,7 +76,7 @@ impl Plane {
         }
     }
 
-    /// The plane through three points; none where they lie in one line seen from above.
+    /// The plane through three points; `None` where they are collinear in plan.
     pub fn through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
         let normal = (q - p).cross(r - p);
         let slope = -normal.truncate() / normal.z;
@@ -86,7 +86,7 @@ impl Plane {
         })
     }
 
-    /// The plane of a flat polygon; none where it stands upright or has no area.
+    /// The plane of a flat polygon; `None` where it is upright or has no area.
     pub fn around(points: impl Iterator<Item = DVec3> + Clone) -> Option<Plane> {
         let first = points.clone().next()?;
         let next = points.clone().skip(1);
@@ -104,7 +104,7 @@ impl Plane {
         self.z + self.slope.dot(p)
     }
 
-    /// Raised by so much.
+    /// Raised by a height, metres.
     #[must_use]
     pub fn raised(self, by: f64) -> Plane {
         Plane {
@@ -195,7 +195,7 @@ pub fn end_sides(near: Side) -> [Side; 2] {
 
 #[cfg(test)]
 mod tests {
-    use crate::roof::shape::frame::*;
+    use crate::roof::frame::*;
 
     #[test]
     fn every_frame_puts_its_sides_where_the_plan_has_them() {

@@ -1,4 +1,4 @@
-//! How each rectangle is roofed: main roof, branch running into its trunk, or lean-to
+//! The role of each rectangle: main roof, branch running into its trunk, or lean-to
 //! (domain 3.7, 3.8; seed 001 gives every region a gable by its long side, 001-20, and admits
 //! that its small roofs come out wrong, 001-21).
 //!
@@ -23,147 +23,7 @@
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::partition::{Method, partition};
 use crate::roof::plan::sides::{Sides, Walls};
-
-/// Direction of a ridge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ridge {
-    /// Parallel to the first line, along a.
-    A,
-    /// At right angles to it, along b.
-    B,
-}
-
-/// A side of a region, seen from the street.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// Towards the street, -b.
-    Front,
-    /// Into the plot, +b.
-    Back,
-    /// +a.
-    Left,
-    /// -a.
-    Right,
-}
-
-impl Side {
-    /// All sides, in the order in which equal candidates are taken.
-    pub const ALL: [Side; 4] = [Side::Back, Side::Front, Side::Left, Side::Right];
-
-    /// The other side.
-    pub fn opposite(self) -> Side {
-        match self {
-            Side::Front => Side::Back,
-            Side::Back => Side::Front,
-            Side::Left => Side::Right,
-            Side::Right => Side::Left,
-        }
-    }
-
-    /// Direction of a ridge that runs into this side.
-    pub fn ridge_into(self) -> Ridge {
-        match self {
-            Side::Front | Side::Back => Ridge::B,
-            Side::Left | Side::Right => Ridge::A,
-        }
-    }
-
-    /// Length of this side of a cell and the cell's depth from it, in grid steps.
-    pub fn measure(self, cell: &Cell) -> (i64, i64) {
-        match self {
-            Side::Front | Side::Back => (cell.width(), cell.depth()),
-            Side::Left | Side::Right => (cell.depth(), cell.width()),
-        }
-    }
-}
-
-/// What a region is to its neighbours.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Role {
-    /// A roof of its own.
-    Main,
-    /// A gable whose ridge runs into its trunk, [`Region::over`].
-    Branch,
-    /// A single slope falling away from its trunk or from an upper storey's wall.
-    LeanTo,
-}
-
-/// A rectangle to be roofed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Region {
-    /// Where, in grid steps of the author frame.
-    pub cell: Cell,
-    /// Ridge direction; `None` for a lean-to.
-    pub ridge: Option<Ridge>,
-    /// The side a lean-to falls towards.
-    pub fall: Option<Side>,
-    /// Main, branch or lean-to.
-    pub role: Role,
-    /// Index of the trunk of a branch, or of a lean-to that leans on a region; written roofs are
-    /// counted behind the regions.
-    pub over: Option<usize>,
-    /// Whether it is the street region.
-    pub street: bool,
-    /// The side on which an upper storey's wall stands along it, wholly or for a lean-to round
-    /// a corner by half at least.
-    pub against_wall: Option<Side>,
-    /// The side of this cell that lies wholly on the side of `over` or `through`.
-    pub joins: Option<Side>,
-    /// Index of a narrower region that this main roof is to run across (rule 3), so that no
-    /// pocket is left between its gable and the other's slope.
-    pub through: Option<usize>,
-}
-
-impl Region {
-    pub(in crate::roof) fn main(cell: Cell) -> Self {
-        let ridge = if cell.depth() > cell.width() {
-            Ridge::B
-        } else {
-            Ridge::A
-        };
-        Self {
-            cell,
-            ridge: Some(ridge),
-            fall: None,
-            role: Role::Main,
-            over: None,
-            street: false,
-            against_wall: None,
-            joins: None,
-            through: None,
-        }
-    }
-
-    fn lean_to(cell: Cell, against: Side) -> Self {
-        let fall = Some(against.opposite());
-        Self {
-            ridge: None,
-            fall,
-            role: Role::LeanTo,
-            ..Self::main(cell)
-        }
-    }
-
-    /// Extent across the ridge in grid steps; a lean-to counts twice its depth, as the gable
-    /// that reaches as high.
-    pub fn span(&self) -> i64 {
-        match (self.ridge, self.fall) {
-            (Some(Ridge::A), _) => self.cell.depth(),
-            (Some(Ridge::B), _) => self.cell.width(),
-            (None, Some(side)) => side.measure(&self.cell).1.saturating_mul(2),
-            (None, None) => self.cell.width().min(self.cell.depth()),
-        }
-    }
-}
-
-/// A roof that stands beside the regions, written by the author.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Beside {
-    /// Its place, ridge and fall, as of a region.
-    pub roof: Region,
-    /// Whether it stands on the walls' top: only there can others run into it.
-    pub level: bool,
-}
+use crate::roof::region::{Beside, Region, Ridge, Role, Side};
 
 /// The regions of one storey, sorted by (b0, a0); `over` and `through` refer to that order.
 ///
@@ -182,7 +42,7 @@ pub fn regions(
     regions_by(plan, upper, cut, street_front, unit, &[])
 }
 
-/// The same with a way of one's own to cut what is left to the method, beside roofs that are written already.
+/// The regions with a given cutting function, beside written roofs.
 pub fn regions_by(
     plan: &Plan,
     upper: Option<&Plan>,
@@ -217,11 +77,11 @@ pub fn regions_by(
     judge.all()
 }
 
-/// What the rules look at.
+/// The input of the rules.
 struct Judge<'c> {
     /// The regions and behind them the written roofs.
     cells: &'c [Cell],
-    /// How many of them are regions.
+    /// The number of regions among them.
     count: usize,
     beside: &'c [Beside],
     sides: Sides,
@@ -314,7 +174,7 @@ impl Judge<'_> {
         !self.walls.is_empty() && self.walls.along(cell, side) == side.measure(cell).0
     }
 
-    /// Whether a cell is shallow and long enough to lean on what lies beyond a side.
+    /// Whether a cell is shallow and long enough to be a lean-to against a side.
     fn is_strip(&self, cell: &Cell, side: Side) -> bool {
         let (length, depth) = side.measure(cell);
         depth <= self.steps(2) && length >= depth.saturating_mul(2)
@@ -365,7 +225,7 @@ impl Judge<'_> {
     /// The trunk of a region and the side it lies on it with.
     fn trunk(&self, n: usize, judged: &[Region]) -> Option<(usize, Side)> {
         let area = self.cells[n].area();
-        // A street region that leans on something itself is a mere strip.
+        // A street region that leans on another roof is only a strip.
         let street = self.street.filter(|s| judged[*s].role == Role::Main);
         Side::ALL
             .into_iter()

@@ -1,0 +1,91 @@
+//! Edges where the roofs of one storey meet: each finds the slope of the other roof beyond it and becomes a valley, a
+//! ridge, a hip or a fold; all others stay abutments.
+
+use crate::building::{Beside, EdgeKind, Roof, meeting};
+use crate::roof::frame::Rect;
+use glam::{DVec2, DVec3};
+
+/// Storeys with more facets than this keep plain abutments: the search looks at every facet.
+const MOST_FACETS: usize = 3000;
+/// How far beyond an edge its neighbour is looked for, metres.
+const STEP: f64 = 0.02;
+/// How far the neighbour may lie above or below the edge there, metres.
+const RISE: f64 = 0.04;
+/// Slopes that bend less than this at an edge, as a change of rise per metre, are one.
+const FLAT: f64 = 0.05;
+
+/// A facet of a roof.
+struct Slope {
+    roof: usize,
+    bounds: Rect,
+    plan: Vec<DVec2>,
+    at: DVec3,
+    rise: DVec2,
+}
+
+impl Slope {
+    fn holds(&self, p: DVec2) -> bool {
+        let next = self.plan.iter().cycle().skip(1);
+        let mut sides = self.plan.iter().zip(next);
+        let inside = self.bounds.min.cmple(p).all() && p.cmple(self.bounds.max).all();
+        inside && sides.all(|(a, b)| (*b - *a).perp_dot(p - *a) >= -1e-9)
+    }
+
+    fn height(&self, p: DVec2) -> f64 {
+        self.at.z + self.rise.dot(p - self.at.truncate())
+    }
+}
+
+/// Types the edges at which the roofs from index `first` on, those of one storey, meet each other.
+pub(in crate::roof) fn classify(roofs: &mut [Roof], first: usize) {
+    let wall = |r: &Roof| r.surface.edges.iter().any(|e| e.beside == Beside::Wall);
+    let count: usize = roofs[first..].iter().map(|r| r.surface.facets.len()).sum();
+    if roofs.len() < first + 2 || count > MOST_FACETS || !roofs[first..].iter().any(wall) {
+        return;
+    }
+    let all = (first..roofs.len()).flat_map(|n| slopes(n, &roofs[n]));
+    let all: Vec<Slope> = all.collect();
+    for (n, roof) in roofs.iter_mut().enumerate().skip(first) {
+        let surface = &mut roof.surface;
+        for i in 0..surface.edges.len() {
+            let edge = surface.edges[i];
+            if edge.beside != Beside::Wall {
+                continue;
+            }
+            let [from, to] = surface.ends(&edge);
+            let middle = from.midpoint(to);
+            let out = -(to - from).truncate().perp().normalize_or_zero();
+            let place = middle.truncate() + out * STEP;
+            let near = |s: &&Slope| {
+                s.roof != n && s.holds(place) && (s.height(place) - middle.z).abs() < RISE
+            };
+            let Some(other) = all.iter().find(near) else {
+                continue;
+            };
+            let own = surface.facets[edge.facet as usize].rise;
+            let edge = &mut surface.edges[i];
+            edge.beside = Beside::Roof(other.roof as u32);
+            edge.kind = match (own - other.rise).dot(out).abs() < FLAT {
+                true => EdgeKind::Fold,
+                false => meeting(own, other.rise, to - from),
+            };
+        }
+    }
+}
+
+fn slopes(n: usize, roof: &Roof) -> impl Iterator<Item = Slope> + '_ {
+    let surface = &roof.surface;
+    surface.facets.iter().map(move |facet| {
+        let points = facet.corners.iter().map(|i| surface.at(*i).truncate());
+        let plan: Vec<DVec2> = points.collect();
+        let min = plan.iter().copied().fold(DVec2::MAX, DVec2::min);
+        let max = plan.iter().copied().fold(DVec2::MIN, DVec2::max);
+        Slope {
+            roof: n,
+            bounds: Rect { min, max },
+            plan,
+            at: surface.at(facet.corners[0]),
+            rise: facet.rise,
+        }
+    })
+}

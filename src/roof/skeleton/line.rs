@@ -1,0 +1,41 @@
+//! The line of a wall edge with its inward normal.
+
+use glam::DVec2;
+
+/// The line of an edge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Unit vector to the inside, to the left of the edge.
+    pub normal: DVec2,
+    /// Distance from the origin along it, metres.
+    pub at: f64,
+}
+
+impl Line {
+    /// From `p` to `q`.
+    pub fn through(p: DVec2, q: DVec2) -> Line {
+        let normal = (q - p).perp().normalize_or_zero();
+        Line {
+            normal,
+            at: normal.dot((p + q) / 2.0),
+        }
+    }
+
+    /// How far a point lies inside, metres.
+    pub fn depth(&self, p: DVec2) -> f64 {
+        self.normal.dot(p) - self.at
+    }
+
+    /// The direction of its edge.
+    pub fn way(&self) -> DVec2 {
+        -self.normal.perp()
+    }
+
+    /// The same after everything was moved.
+    pub(in crate::roof::skeleton) fn moved(self, by: DVec2) -> Line {
+        Line {
+            at: self.at + self.normal.dot(by),
+            ..self
+        }
+    }
+}

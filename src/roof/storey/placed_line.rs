@@ -1,0 +1,58 @@
+//! A roof line with its place: the level it roofs, its rectangle, the height of its plate, and its directions.
+
+use crate::ast::{RoofDirection, RoofLine, RoofShape};
+use crate::geometry::plan::Cell;
+use crate::roof::region::{Ridge, Side};
+
+/// A roof line with its place.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::roof) struct PlacedLine<'h> {
+    /// The line.
+    pub(in crate::roof) line: &'h RoofLine,
+    /// Index of the level whose top it roofs.
+    pub(in crate::roof) level: usize,
+    /// Its rectangle.
+    pub(in crate::roof) cell: Cell,
+    /// Height of the wall plate (of the low edge's upper surface for HIS), metres.
+    pub(in crate::roof) base: f64,
+    /// Its form as written.
+    pub(in crate::roof) shape: RoofShape,
+}
+
+impl PlacedLine<'_> {
+    /// Whether its rectangle is excluded from the automatic regions.
+    pub(in crate::roof) fn covers(&self) -> bool {
+        self.shape != RoofShape::Pent
+    }
+}
+
+/// The side a single slope falls to.
+pub(in crate::roof) fn fall(direction: RoofDirection) -> Option<Side> {
+    match direction {
+        RoofDirection::Front => Some(Side::Front),
+        RoofDirection::Back => Some(Side::Back),
+        RoofDirection::Left => Some(Side::Left),
+        RoofDirection::Right => Some(Side::Right),
+        RoofDirection::AlongFront | RoofDirection::AcrossFront => None,
+    }
+}
+
+/// The run of a ridge.
+pub(in crate::roof) fn ridge(direction: RoofDirection) -> Option<Ridge> {
+    match direction {
+        RoofDirection::AlongFront => Some(Ridge::A),
+        RoofDirection::AcrossFront => Some(Ridge::B),
+        _ => None,
+    }
+}
+
+/// The side a written lean-to falls to.
+pub(in crate::roof) fn falls_to(one: &PlacedLine<'_>) -> Side {
+    let wish = one.line.direction.and_then(|d| fall(d.value));
+    wish.unwrap_or(Side::Front)
+}
+
+/// Whether some written roof covers a whole rectangle.
+pub(in crate::roof) fn covers(lines: &[&PlacedLine<'_>], cell: &Cell) -> bool {
+    lines.iter().any(|l| l.covers() && l.cell.contains(cell))
+}
