@@ -1,7 +1,8 @@
-//! The house as it stands: walls with a place, then roofs over them.
+//! Houses as built: placed walls, the roofs over them, and their fittings.
 //!
-//! [`Shell`] is what `lower` leaves: no turn, no row, every wall has two ends. [`Building`] adds what
-//! `roof` works out: regions that cover every uncovered area exactly once, and closed solids over them.
+//! [`House`] is what `lower` makes: no turns and no rows, every wall has two ends. [`Built`] adds the result of
+//! `roof`, regions that cover every uncovered area exactly once and closed solids over them, and of `fit`. Nothing in
+//! it refers to another house; [`Building`] and [`Shell`] are lists of houses with the images that all of them use.
 //!
 //! Frames: plan points are (a, b) in U, the author frame. Solids are in the house frame: metres, x east,
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
@@ -17,20 +18,47 @@ pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
 use crate::ast::{Finial, Order, Platform, RoofKind, RoofShape, StoreyKind, Variant};
+use crate::building::fittings::Fitting;
 use crate::geometry::plan::Cell;
 use crate::program::{Age, Picture, Roofs, Unit};
 use crate::source::Span;
 use glam::{DVec2, DVec3, dvec3};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use smallvec::SmallVec;
+use std::sync::Arc;
 
-/// All houses of a run with their walls placed.
+/// All houses of a run, complete.
+#[derive(Clone, Debug, Default, Serialize)]
+pub struct Building {
+    /// In the order of the documents.
+    pub houses: Vec<Built>,
+    /// Part images in use; units refer to them by index.
+    pub images: Vec<Picture>,
+}
+
+/// One house, complete. It depends on its source, its id and the options of the run, never on other houses.
+#[derive(Clone, Debug, Serialize)]
+pub struct Built {
+    /// Its walls.
+    pub house: House,
+    /// Its roofs; houses of one plan share them.
+    #[serde(serialize_with = "shared")]
+    pub roofs: Arc<HouseRoofs>,
+    /// Platforms, verandas, brackets, finials.
+    pub fittings: Vec<Fitting>,
+}
+
+fn shared<S: Serializer>(roofs: &Arc<HouseRoofs>, serializer: S) -> Result<S::Ok, S::Error> {
+    roofs.as_ref().serialize(serializer)
+}
+
+/// All houses of a run with their walls placed, not yet roofed.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Shell {
-    /// In order.
+    /// In the order of the documents.
     pub houses: Vec<House>,
-    /// Part pictures in use.
-    pub pictures: Vec<Picture>,
+    /// Part images in use.
+    pub images: Vec<Picture>,
 }
 
 /// One house with its walls placed.
@@ -40,7 +68,7 @@ pub struct House {
     pub span: Span,
     /// Its name, empty if it has none.
     pub name: String,
-    /// Which of the variants of its text it belongs to, if several are made.
+    /// The variant that it belongs to, where several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
@@ -49,18 +77,18 @@ pub struct House {
     pub azimuth: f64,
     /// Metres in one U.
     pub unit: f64,
-    /// Whether the first line stands on a street.
+    /// Whether the first line faces a street.
     pub street: bool,
     /// From the ground up.
     pub storeys: Vec<Storey>,
-    /// How far the ground lies below the floor of the first storey, metres: the height of a platform or a
-    /// veranda. The house's origin is raised by it.
+    /// Height of the first storey's floor above the ground, metres: that of a platform or a veranda. The house's
+    /// origin is raised by it.
     pub raised: f64,
-    /// What it stands on.
+    /// The platform below it.
     pub platform: Option<Platform>,
-    /// What crowns its roofs.
+    /// The finials of its roofs.
     pub finials: Vec<Finial>,
-    /// How old it is; `None` = nothing has weathered.
+    /// Its age; `None` = not weathered.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,
     /// The roof section.
@@ -94,7 +122,7 @@ pub struct Storey {
 }
 
 impl Storey {
-    /// How high its walls and posts are under the brackets, metres.
+    /// Returns the height of its walls and posts below the brackets, metres.
     pub fn wall_height(&self) -> f64 {
         let height = self.z1 - self.z0;
         let brackets = self.order.brackets.as_ref();
@@ -110,10 +138,10 @@ pub struct Ring {
     pub span: Span,
     /// Whether the solid lies outside the ring: a courtyard.
     pub hole: bool,
-    /// Whether it bounds an area: it ends where it started, crosses and touches nothing. Only such rings
-    /// carry roofs; the others are facades.
+    /// Whether it bounds an area: it ends where it started, and crosses and touches nothing. Only such rings
+    /// carry roofs; others are facades.
     pub closed: bool,
-    /// Whether it is a wall inside the storey, of which nobody expects a roof.
+    /// Whether it is a wall inside the storey, which needs no roof.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub inner: bool,
     /// Walls in walk order; each starts where the one before ends.
@@ -121,8 +149,8 @@ pub struct Ring {
 }
 
 impl Ring {
-    /// The corners in walk order from the start or its next corner, collinear points merged, the first
-    /// not repeated; in U.
+    /// Returns the corners in U in walk order from the start or its next corner; collinear points are merged, and the
+    /// first corner is not repeated.
     pub fn corners(&self) -> Vec<DVec2> {
         let n = self.walls.len();
         let straight = |i: usize| {
@@ -150,33 +178,22 @@ pub struct Wall {
     pub to: DVec2,
     /// Unit vector of the walk in the author frame; exact for right angles.
     pub direction: DVec2,
-    /// What stands in it, from `from` to `to`; widths add up to the wall's length.
+    /// Its parts from `from` to `to`; widths add up to the wall's length.
     pub units: Vec<Unit>,
     /// Whether its glass mirrors.
     pub reflection: bool,
 }
 
-/// Walls and roofs.
-#[derive(Clone, Debug, Default, Serialize)]
-pub struct Building {
-    /// The walls.
-    pub shell: Shell,
-    /// The roofs of each house, as many as houses.
-    pub roofs: Vec<HouseRoofs>,
-    /// What stands at each house besides, as many as houses.
-    pub fittings: Vec<Vec<fittings::Fitting>>,
-}
-
 /// The roofs of one house.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct HouseRoofs {
-    /// What the automatic roofs are made from, a storey each that leaves something open.
+    /// The plans of the automatic roofs, one for each storey that leaves something open.
     pub plans: Vec<StoreyPlan>,
-    /// Everything that stands above the walls.
+    /// All roofs, automatic and written.
     pub roofs: Vec<Roof>,
-    /// Where walls end below their storey's top, under lean-tos.
+    /// Planes at which walls end below their storey's top, under lean-tos.
     pub ceilings: Vec<Ceiling>,
-    /// What closes storeys from below where they stand out over the one under them.
+    /// Undersides of storeys that stand out over the one below.
     pub soffits: Vec<Soffit>,
 }
 
@@ -236,9 +253,9 @@ pub struct Roof {
     pub shape: RoofShape,
     /// Covering.
     pub kind: RoofKind,
-    /// What it wears beyond its solids.
+    /// Trim beyond its solids.
     pub dress: Trim,
-    /// What lies between its sheets and the walls.
+    /// The space between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,
     /// The upper surface of the solids: facets, ridges, hips, valleys and the other edges.
@@ -266,8 +283,8 @@ pub struct Solid {
     pub faces: Vec<Face>,
 }
 
-/// Indices into the points of a solid, used as a slice. A town has millions of faces with three to six corners: those
-/// are kept in place, without memory of their own.
+/// Indices into the points of a solid, used as a slice. A town has millions of faces with three to six corners; up to
+/// six are stored without an allocation.
 pub type Corners = SmallVec<[u32; 6]>;
 
 /// One plane face of a solid; convex unless `points` of it say otherwise (flat roofs of any outline).
@@ -275,11 +292,11 @@ pub type Corners = SmallVec<[u32; 6]>;
 pub struct Face {
     /// Indices into the solid's points.
     pub corners: Corners,
-    /// What it shows.
+    /// Its surface.
     pub finish: Finish,
 }
 
-/// What the face of a roof shows.
+/// The surface of a roof's face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum Finish {
     /// The covering seen on the slope.

@@ -1,18 +1,21 @@
-//! The chain from end to end: sources -> parse -> expand -> lower -> roof -> tessellate.
+//! The chain from end to end: sources -> parse -> for each house expand, lower, roof, fit -> tessellate.
 //!
-//! Each step is a function of its own, so that a shell can stop after any of them; [`compile`] runs them all.
-//! Nothing here reads a file: pictures come through a [`World`].
+//! [`compile`] runs all steps; each is also a function, so that a shell can stop after any of them. [`house`] makes one
+//! house by itself. Nothing here reads a file: images come through a [`World`].
 
 #[cfg(feature = "models")]
 mod arrange;
 mod convert;
+mod house;
 #[cfg(feature = "models")]
 mod models;
 mod parts;
 #[cfg(feature = "models")]
 mod variants;
 
+pub use crate::expand::{HouseContext, HouseId};
 pub use convert::convert;
+pub use house::{HouseBuilder, house};
 #[cfg(feature = "models")]
 pub use models::{Compiled, compile, compile_bytes, flaws, pictures, scene};
 #[cfg(feature = "cli")]
@@ -25,13 +28,11 @@ use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::xml;
 use crate::expand;
-use crate::fit;
-use crate::lower;
 use crate::parse;
 use crate::parse::Values;
 use crate::parse::xml::Trees;
 use crate::program::Program;
-use crate::roof;
+use crate::roof::RoofCache;
 #[cfg(feature = "models")]
 use crate::scene::Detail;
 use crate::source::{FileId, Source, SourceCache, World};
@@ -40,40 +41,40 @@ use std::num::NonZeroU32;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// What a shell may ask of a run.
+/// The options of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Seed and limits.
     pub expand: expand::Options,
-    /// Parameters of the texts and their values; the last of a name counts.
+    /// Parameters of the sources and their values; the last of a name counts.
     pub parameters: Vec<(String, String)>,
-    /// How much of the joinery is shape.
+    /// How much of the joinery is modelled.
     #[cfg(feature = "models")]
     pub detail: Detail,
-    /// Files of own parts for all houses; of two that define a part the later one counts.
+    /// Files of custom parts for all houses; of two that define a part the later one counts.
     pub catalogs: Arc<[Source]>,
-    /// How often the texts are built, each time with the next seed; the houses stand in rows then.
+    /// How many variants of the sources are made, each with the next seed and placed in rows.
     pub variants: Option<NonZeroU32>,
-    /// Whether [`check`] takes down what expressions and names come to.
+    /// Whether [`check`] records the values of expressions and names.
     pub notes_values: bool,
 }
 
-/// What can be known of texts without making anything to be seen.
+/// Everything that is known of sources without making a scene.
 #[derive(Debug)]
 pub struct Checked {
     /// The parameters of the texts.
     pub parameters: Vec<Parameter>,
-    /// Files that were read beside the sources, for reports.
+    /// Files that the sources include, for reports.
     pub included: Vec<Source>,
     /// The parts that the houses may be made of.
     pub catalog: Cow<'static, Catalog>,
     /// Walls and roofs.
     pub building: Building,
-    /// What expressions and names came to, if that was asked for.
+    /// The values of expressions and names, where they were asked for.
     pub values: Values,
 }
 
-/// Runs the chain up to the roofs and looks at the pictures, so that everything is said that there is to say.
+/// Runs the chain up to the roofs and reads the images, so that everything wrong is reported.
 pub fn check(
     sources: &[&Source],
     world: &dyn World,
@@ -82,13 +83,13 @@ pub fn check(
 ) -> Checked {
     let values = Values::default();
     let noted = options.notes_values.then_some(&values);
-    let read = documents_noted(sources, world, options, noted, out);
-    let (documents, included, catalog) = (read.documents, read.included, read.catalog);
-    let program = program(sources, &documents, &catalog, world, &options.expand, out);
-    let parameters = documents.into_iter().flat_map(|d| d.parameters).collect();
-    let building = building(program, &catalog, out);
+    let mut read = documents_noted(sources, world, options, noted, out);
+    let parameters = |d: &mut Document| std::mem::take(&mut d.parameters);
+    let parameters = read.documents.iter_mut().flat_map(parameters).collect();
+    let building = house::houses(&mut read, sources, world, &options.expand, out);
+    let (included, catalog) = (read.included, read.catalog);
     #[cfg(feature = "models")]
-    models::check_images(&building.shell, world, &options.expand.limits, out);
+    models::check_images(&building, world, &options.expand.limits, out);
     spare_expressions(sources, &included, out);
     Checked {
         parameters,
@@ -99,8 +100,8 @@ pub fn check(
     }
 }
 
-/// Leaves out mends that would put a word in the place of an expression, or codes right behind one: what is wrong with a
-/// computed value is not mended where that stands, and blanks that fill a code belong to it.
+/// Removes fixes that would replace an expression by a word, or insert codes right after one: a wrong value that is
+/// computed is not fixed at its use, and blanks that fill up a code belong to it.
 fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnostics) {
     let file = |id: FileId| {
         let mut all = sources.iter().copied().chain(included);
@@ -130,18 +131,18 @@ pub fn timed<T>(
     made
 }
 
-/// What reading makes.
+/// The result of reading.
 #[derive(Debug)]
 pub struct Read {
     /// The documents of the sources, in their order.
     pub documents: Vec<Document>,
-    /// Files that were read beside the sources, for reports.
+    /// Files that the sources include, for reports.
     pub included: Vec<Source>,
     /// The parts that the houses may be made of.
     pub catalog: Cow<'static, Catalog>,
 }
 
-/// Reads the sources. The files that they include are read once, whoever includes them.
+/// Reads the sources. A file that several of them include is read once.
 pub fn documents(
     sources: &[&Source],
     world: &dyn World,
@@ -151,7 +152,7 @@ pub fn documents(
     documents_noted(sources, world, options, None, out)
 }
 
-/// The same, and takes down what expressions and names come to.
+/// The same, and records the values of expressions and names.
 fn documents_noted(
     sources: &[&Source],
     world: &dyn World,
@@ -189,7 +190,7 @@ fn cache(sources: &[&Source], options: &Options) -> SourceCache {
     SourceCache::new(first.unwrap_or(0), options.expand.limits.includes)
 }
 
-/// What files are read with.
+/// The context that files are read in.
 fn setting<'a>(
     world: &'a dyn World,
     options: &'a Options,
@@ -220,7 +221,7 @@ fn read<'a>(
     documents
 }
 
-/// Says which parameters are to be set that there are none of.
+/// Reports values given for parameters that no source has.
 fn unknown_parameters(
     sources: &[&Source],
     documents: &[Document],
@@ -255,15 +256,18 @@ pub fn program(
     options: &expand::Options,
     out: &mut Diagnostics,
 ) -> Program {
-    // Of variants there are the documents of all sources again and again.
+    // With variants there are the documents of all sources several times.
     let pairs: Vec<(&Source, &Document)> = sources.iter().copied().cycle().zip(documents).collect();
     expand::expand(&pairs, catalog, world, options, out)
 }
 
-/// Walls, then roofs, then what stands at both.
+/// Walls, roofs and fittings of all houses of a program.
 pub fn building(program: Program, catalog: &Catalog, out: &mut Diagnostics) -> Building {
-    let shell = lower::lower(program, out);
-    let mut building = roof::roof(shell, out);
-    fit::fit(&mut building, catalog, out);
-    building
+    let mut cache = RoofCache::default();
+    let houses = program.houses.into_iter();
+    let houses = houses.map(|house| house::finish(house, catalog, &mut cache, out));
+    Building {
+        houses: houses.collect(),
+        images: program.pictures,
+    }
 }

@@ -5,11 +5,11 @@
 //! in a row: parts and slots, then the edits of the row; then those of its loop or facade, of its storey
 //! or structure, of its house.
 
-use crate::ast::{self, Document, Era};
-use crate::catalog::Catalog;
+use crate::ast::{self, Document, Era, Variant};
+use crate::catalog::{Catalog, ScopeId};
 use crate::diagnostic::messages::parts as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::program::{Age, House, Program, Storey};
+use crate::program::{Age, House, Picture, Program, Storey};
 use crate::rng::Place;
 use crate::source::{Limits, Source, Span, Spanned, World};
 use codes::Codes;
@@ -45,6 +45,78 @@ pub struct Options {
 /// One U in shaku where none is given: Edo-ma.
 const UNIT: f64 = 3.0;
 
+/// Identity of a house for its random draws: its name counts, and where it has none this number. In a document it is
+/// the house's index. A house that is made alone with the id that it has in a run is the same to the last bit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct HouseId(pub u64);
+
+/// The surroundings of a house's syntax.
+#[derive(Clone, Copy, Debug)]
+pub struct HouseContext<'a> {
+    /// The file that the house is written in.
+    pub source: &'a Source,
+    /// The custom parts that it knows.
+    pub scope: ScopeId,
+    /// The variant that its document belongs to, where several are made.
+    pub variant: Option<Variant>,
+}
+
+/// Expands the houses of a run, one after another. It keeps codes and images that were looked up, which changes no
+/// house, and numbers the images in the order of their first use. All houses together are held to one bound: the
+/// storeys that short forms make.
+pub struct Expander<'a> {
+    codes: Codes<'a>,
+    options: &'a Options,
+    used: codes::UsedImages,
+    /// Storeys that short forms have made so far.
+    written_short: u64,
+}
+
+impl<'a> Expander<'a> {
+    /// An expander that has made no house yet.
+    pub fn new(catalog: &'a Catalog, world: &'a dyn World, options: &'a Options) -> Self {
+        Expander {
+            codes: Codes::new(catalog, world),
+            options,
+            used: codes::UsedImages::default(),
+            written_short: 0,
+        }
+    }
+
+    /// Expands one house; `None` where it would exceed a limit.
+    pub fn house(
+        &mut self,
+        house: &ast::House,
+        id: HouseId,
+        context: HouseContext<'_>,
+        out: &mut Diagnostics,
+    ) -> Option<House> {
+        self.codes.enter(context.scope);
+        let mut pass = Pass::new(&mut self.codes, context.source, self.options, out);
+        pass.written_short = self.written_short;
+        let seed = house.settings.seed.as_ref().map(|seed| seed.value);
+        let given = context.variant.map(|v| v.seed).or(self.options.seed);
+        let root = Place::seed(given.or(seed).unwrap_or(0));
+        let place = match &house.name {
+            Some(name) => root.named(&name.value),
+            None => root.at(id.0),
+        };
+        let made = pass.house(house, place);
+        self.written_short = pass.written_short;
+        let mut made = House {
+            variant: context.variant,
+            ..made?
+        };
+        self.used.renumber(&mut made, &self.codes.pictures);
+        Some(made)
+    }
+
+    /// Returns the images of all houses so far; parts refer to them by index.
+    pub fn into_images(self) -> Vec<Picture> {
+        self.used.images
+    }
+}
+
 /// Makes the program of all documents. A house that would exceed the limit of parts is left out.
 pub fn expand(
     documents: &[(&Source, &Document)],
@@ -53,31 +125,22 @@ pub fn expand(
     options: &Options,
     out: &mut Diagnostics,
 ) -> Program {
-    let mut codes = Codes::new(catalog, world);
-    let mut program = Program::default();
-    let mut written_short = 0;
+    let mut expander = Expander::new(catalog, world, options);
+    let mut houses = vec![];
     for (number, (source, document)) in documents.iter().enumerate() {
         for (index, house) in document.houses.iter().enumerate() {
-            codes.enter(catalog.known_in(number, index));
-            let mut pass = Pass::new(&mut codes, source, options, out);
-            pass.written_short = written_short;
-            let seed = house.settings.seed.as_ref().map(|seed| seed.value);
-            let given = document.variant.map(|v| v.seed).or(options.seed);
-            let root = Place::seed(given.or(seed).unwrap_or(0));
-            let place = match &house.name {
-                Some(name) => root.named(&name.value),
-                None => root.at(index as u64),
-            };
-            let made = pass.house(house, place).map(|house| House {
+            let context = HouseContext {
+                source,
+                scope: catalog.known_in(number, index),
                 variant: document.variant,
-                ..house
-            });
-            program.houses.extend(made);
-            written_short = pass.written_short;
+            };
+            houses.extend(expander.house(house, HouseId(index as u64), context, out));
         }
     }
-    codes::keep_used(&mut program, codes.pictures);
-    program
+    Program {
+        houses,
+        pictures: expander.into_images(),
+    }
 }
 
 /// The state of the pass in one house.

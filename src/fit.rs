@@ -1,7 +1,7 @@
-//! Works out what stands at the walls and roofs of a house: platform, veranda, tie beams, bracket complexes,
-//! finials. Roofs are there already: purlins end under them, finials stand on them.
+//! Fittings of a house: platform, veranda, tie beams, bracket complexes, finials. They need the finished roofs: purlins
+//! end under them, finials stand on them.
 //!
-//! - [`around`]: outlines a margin outside the walls;
+//! - [`around`]: outlines at a margin outside the walls;
 //! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one thing each;
 //! - [`undersides`]: where the roofs end that brackets stand under.
 
@@ -14,7 +14,7 @@ mod undersides;
 mod veranda;
 
 use crate::building::fittings::{Fitting, Thing};
-use crate::building::{Building, House, HouseRoofs, Ring, Storey, Wall};
+use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::fittings as say;
@@ -23,24 +23,13 @@ use crate::program::Content;
 use crate::source::Span;
 use glam::{DVec2, dvec2};
 use std::cell::OnceCell;
+use std::sync::Arc;
 use undersides::Undersides;
 
-/// Adds everything to a building.
-pub fn fit(building: &mut Building, catalog: &Catalog, out: &mut Diagnostics) {
-    let mut none = HouseRoofs::default();
-    let houses = building.shell.houses.iter().enumerate();
-    let made = houses
-        .map(|(i, house)| {
-            let roofs = building.roofs.get_mut(i).unwrap_or(&mut none);
-            things(house, roofs, catalog, out)
-        })
-        .collect();
-    building.fittings = made;
-}
-
-fn things(
+/// Works out the fittings of one house. A roof under a finial that replaces the usual jewel is marked as crowned.
+pub fn house(
     house: &House,
-    roofs: &mut HouseRoofs,
+    roofs: &mut Arc<HouseRoofs>,
     catalog: &Catalog,
     out: &mut Diagnostics,
 ) -> Vec<Fitting> {
@@ -76,7 +65,9 @@ fn things(
     for finial in &house.finials {
         match finial::finial(house, roofs, finial) {
             Some((it, roof)) => {
-                roofs.roofs[roof].dress.crowned |= finial::crowns(it.kind);
+                if finial::crowns(it.kind) {
+                    Arc::make_mut(roofs).roofs[roof].dress.crowned = true;
+                }
                 made.push(fitting(finial.span, 0, Thing::Finial(it)));
             }
             None => out.push(say::no_roof_below(finial.span)),
@@ -89,7 +80,7 @@ fn fitting(span: Span, storey: u32, what: Thing) -> Fitting {
     Fitting { span, storey, what }
 }
 
-/// The surface of a paint.
+/// The surface of a paint, or of bare wood.
 fn paint(paint: Option<crate::ast::Paint>) -> crate::material::SurfaceId {
     crate::material::SurfaceId::named(paint.unwrap_or_default().surface())
 }
@@ -99,7 +90,7 @@ fn metres(house: &House, p: DVec2) -> DVec2 {
     house.place(p, 0.0).truncate()
 }
 
-/// Out of the house at a wall, house frame.
+/// The direction out of the house at a wall, house frame.
 fn outward(wall: &Wall) -> DVec2 {
     // The interior is on the right of the walk.
     dvec2(-wall.direction.y, -wall.direction.x)
@@ -110,7 +101,7 @@ fn rings(storey: &Storey) -> impl Iterator<Item = &Ring> {
     storey.rings.iter().filter(|r| r.closed && !r.hole)
 }
 
-/// Where the posts of a wall stand, U from its right end: at the borders of its bays. Its ends are among them.
+/// The places of a wall's posts, in U from its right end: its ends and the borders of its bays.
 fn posts_of(wall: &Wall) -> Vec<f64> {
     let length = wall.from.distance(wall.to);
     let mut at = 0.0;
@@ -126,7 +117,7 @@ fn posts_of(wall: &Wall) -> Vec<f64> {
     posts
 }
 
-/// Whether a bay has a wall or a door, not nothing.
+/// Whether a bay holds a wall or an opening, not a void.
 fn stands(content: &Content) -> bool {
     !matches!(content, Content::Void)
 }

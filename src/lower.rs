@@ -1,11 +1,11 @@
-//! Follows the steps of a program and places its walls: [`Program`] to [`Shell`]. After it there is no
-//! turn and no row; a ring that is `closed` returns to its start and crosses and touches nothing
-//! (C1 to C5 of docs/evidence.md 2.3).
+//! Follows the steps of a program and places the walls: [`program::House`] to [`House`]. After it there are no turns
+//! and no rows; a ring that is `closed` returns to its start and crosses and touches nothing (C1 to C5 of
+//! docs/evidence.md 2.3).
 //!
 //! - [`walk`]: one loop to walls, one after another;
-//! - [`close`]: does the walk close, and which line would close it;
-//! - [`text`]: how a line of the legacy text is made longer, shorter, or to turn the other way;
-//! - [`crossing`]: do walls cross or touch, within a ring and between rings.
+//! - [`close`]: whether the walk closes, and which line would close it;
+//! - [`text`]: edits that make a line of the legacy form longer, shorter, or turn the other way;
+//! - [`crossing`]: whether walls cross or touch, within a ring and between rings.
 
 mod close;
 mod crossing;
@@ -20,21 +20,18 @@ use crate::diagnostic::{Diagnostics, messages::plan};
 use crate::geometry::SHAKU;
 use crate::program::{self, Program};
 
-/// Places all walls of all houses. Every flaw of an outline is reported; its walls are built all the same,
-/// as an open facade.
+/// Places the walls of all houses, one after another.
 pub fn lower(program: Program, out: &mut Diagnostics) -> Shell {
-    let houses = program
-        .houses
-        .into_iter()
-        .map(|house| lower_house(house, out))
-        .collect();
+    let houses = program.houses.into_iter().map(|h| house(h, out));
     Shell {
-        houses,
-        pictures: program.pictures,
+        houses: houses.collect(),
+        images: program.pictures,
     }
 }
 
-fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
+/// Places the walls of one house. Every flaw of an outline is reported; its walls are built all the same, as an open
+/// facade.
+pub fn house(house: program::House, out: &mut Diagnostics) -> House {
     let (mut z, mut number) = (0.0, 0);
     let raised = raised(&house);
     let [x, y, ground] = house.origin;
@@ -43,15 +40,14 @@ fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
         let top = z + storey.height * SHAKU;
         let parapet = storey.kind == StoreyKind::Parapet;
         number += u32::from(!parapet);
-        let (span, kind, order) = (storey.span, storey.kind, storey.order.clone());
-        let rings = lower_storey(storey, out);
+        let rings = lower_storey(storey.loops, out);
         storeys.push(Storey {
-            span,
+            span: storey.span,
             number,
-            kind,
+            kind: storey.kind,
             z0: z,
             z1: top,
-            order,
+            order: storey.order,
             rings,
         });
         if !parapet {
@@ -75,7 +71,7 @@ fn lower_house(house: program::House, out: &mut Diagnostics) -> House {
     }
 }
 
-/// How far a platform and the veranda of the ground storey raise the house, metres.
+/// The height by which a platform and the veranda of the ground storey raise the house, metres.
 fn raised(house: &program::House) -> f64 {
     let ground = house.storeys.first();
     let veranda = ground.and_then(|s| s.order.veranda.as_ref());
@@ -83,10 +79,10 @@ fn raised(house: &program::House) -> f64 {
     (platform + veranda.map_or(0.0, |v| v.height)) * SHAKU
 }
 
-fn lower_storey(storey: program::Storey, out: &mut Diagnostics) -> Vec<Ring> {
-    let mut rings = Vec::with_capacity(storey.loops.len());
+fn lower_storey(loops: Vec<program::Loop>, out: &mut Diagnostics) -> Vec<Ring> {
+    let mut rings = Vec::with_capacity(loops.len());
     let mut facade = 0;
-    for walk in storey.loops {
+    for walk in loops {
         let (ring, inner) = (walk.ring, walk.inner);
         let mut walked = walk::walk(walk, &mut facade);
         if walked.walls.is_empty() {

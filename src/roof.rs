@@ -1,4 +1,4 @@
-//! Roofs: from placed walls to closed solids over everything they leave open.
+//! Roofs: from placed walls to closed solids over everything they leave open, one house at a time.
 //!
 //! | step | module | result |
 //! |---|---|---|
@@ -21,8 +21,10 @@
 //! Frames: plans in the author frame, a to the left along the first line, b back into the plot, on
 //! exact integers; nothing there depends on where a loop starts. Solids in metres in the house frame.
 
-use crate::building::{Building, HouseRoofs, Shell};
-use crate::diagnostic::Diagnostics;
+use crate::building::{Building, Built, House, HouseRoofs, Shell};
+use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::roof::cache::Key;
+use std::sync::Arc;
 
 pub mod budget;
 mod cache;
@@ -38,32 +40,37 @@ pub mod skeleton;
 pub mod solid;
 mod storey;
 
+pub use crate::roof::cache::RoofCache;
 pub use crate::roof::shape::hipped::over;
 
-/// Roofs all houses.
+/// Roofs all houses, one after another.
 pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
-    let effort = crate::roof::budget::SearchBudget::default();
-    let mut firsts = crate::roof::cache::RoofCache::default();
-    let mut roofs: Vec<HouseRoofs> = Vec::with_capacity(shell.houses.len());
-    for (i, house) in shell.houses.iter().enumerate() {
-        let plan = crate::roof::cache::Plan::of(house);
-        if let Some((known, told)) = firsts.twin(house, &plan, &roofs) {
-            roofs.push(known);
-            told.into_iter().for_each(|d| out.push(d));
-            continue;
+    let mut cache = RoofCache::default();
+    let mut roofed = |house| {
+        let roofs = self::house(&house, &mut cache, out);
+        Built {
+            house,
+            roofs,
+            fittings: vec![],
         }
-        let mut told = Diagnostics::new();
-        let said = effort.has_told();
-        roofs.push(house::roofs(house, &effort, &mut told));
-        told.iter().for_each(|d| out.push(d.clone()));
-        // That no search is left is said once a run, about one house.
-        if effort.has_told() == said {
-            firsts.keep(plan, house, i, told.into_sorted());
-        }
-    }
+    };
     Building {
-        shell,
-        roofs,
-        fittings: vec![],
+        houses: shell.houses.into_iter().map(&mut roofed).collect(),
+        images: shell.images,
     }
+}
+
+/// Roofs one house. The cache saves time and changes nothing.
+pub fn house(house: &House, cache: &mut RoofCache, out: &mut Diagnostics) -> Arc<HouseRoofs> {
+    let key = Key::of(house);
+    if let Some((roofs, diagnostics)) = cache.find(house, &key) {
+        diagnostics.into_iter().for_each(|d| out.push(d));
+        return roofs;
+    }
+    let mut found = Diagnostics::new();
+    let roofs = Arc::new(house::roofs(house, &mut found));
+    let diagnostics: Vec<Diagnostic> = found.iter().cloned().collect();
+    cache.keep(key, house, &roofs, &diagnostics);
+    out.append(found);
+    roofs
 }

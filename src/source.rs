@@ -41,8 +41,9 @@ impl Default for Limits {
     }
 }
 
-/// What a build asks of its surroundings; the passes do no input or output of their own.
-pub trait World {
+/// The surroundings of a build: images and included files. The passes do no input or output of their own. Houses may
+/// be made on several threads, so all of them can ask at once.
+pub trait World: Send + Sync {
     /// A part picture of this name among the texture folders.
     fn picture(&self, name: &str) -> Option<PictureFile>;
 

@@ -52,16 +52,15 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         nodes: Vec::with_capacity(nodes(building)),
         root: NodeId(0),
     };
-    let none = HouseRoofs::default();
-    for (i, house) in building.shell.houses.iter().enumerate() {
-        walker.house(house, building.roofs.get(i).unwrap_or(&none), i + 1);
+    for (built, number) in building.houses.iter().zip(1..) {
+        walker.house(&built.house, &built.roofs, number);
         let root = walker.root;
         walker.weather(|aged| aged.even("fittings", 0.5));
-        for (n, fitting) in building.fittings.get(i).into_iter().flatten().enumerate() {
-            walker.fitting(root, fitting, n + 1);
+        for (fitting, number) in built.fittings.iter().zip(1..) {
+            walker.fitting(root, fitting, number);
         }
     }
-    let pictures = building.shell.pictures.iter();
+    let pictures = building.images.iter();
     walker
         .store
         .into_scene(walker.nodes, pictures.map(|p| p.path.clone()).collect())
@@ -69,11 +68,11 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
 
 /// About how many nodes there will be: a part and a post a unit, and some members a wall.
 fn nodes(building: &Building) -> usize {
-    let houses = building.shell.houses.iter();
-    let rings = houses.flat_map(|h| &h.storeys).flat_map(|s| &s.rings);
+    let houses = building.houses.iter();
+    let rings = houses.flat_map(|b| &b.house.storeys).flat_map(|s| &s.rings);
     let walls = rings.flat_map(|r| &r.walls);
     let units: usize = walls.map(|w| 2 * w.units.len() + 5).sum();
-    units + 8 * building.shell.houses.len()
+    units + 8 * building.houses.len()
 }
 
 /// Walks over the building and writes nodes.

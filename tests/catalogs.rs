@@ -93,7 +93,7 @@ fn codes(text: &str) -> Vec<u16> {
 
 /// The units of a house's first storey in walk order.
 fn units(made: &Compiled, house: usize) -> Vec<&Unit> {
-    let storey = &made.building.shell.houses[house].storeys[0];
+    let storey = &made.building.houses[house].house.storeys[0];
     let walls = storey.rings.iter().flat_map(|r| &r.walls);
     walls.flat_map(|w| &w.units).collect()
 }

@@ -69,7 +69,7 @@ fn a_storey_that_stands_out_shows_its_soffit() {
     let run = house(
         "0 0\n\nKTU  KTU  KTU  KTU\nKTU  KTU  KTU\nKTU  KTU  KTU  KTU\nKTU  KTU  KTU  ^\nL\n.....\nKTU  KTU  KTU  KTU\nKTU  KTU  KTU  KTU\nKTU  KTU  KTU  KTU\nKTU  KTU  KTU  KTU\n",
     );
-    assert_eq!(run.building.roofs[0].soffits.len(), 1);
+    assert_eq!(run.building.houses[0].roofs.soffits.len(), 1);
     let shown = materials(&run, "soffit 1");
     assert!(shown.iter().any(|m| m == "soffit"), "{shown:?}");
     assert!(shown.iter().any(|m| m == "cedar"), "{shown:?}");
@@ -87,7 +87,7 @@ fn a_ring_of_facades_that_closes_nearly_gets_a_sloped_roof() {
         .replacen(" angle=\"90\"", "", 1);
     let run = house(&text);
     assert!(!run.has_errors(), "{}", run.short());
-    let plan = &run.building.roofs[0].plans[0];
+    let plan = &run.building.houses[0].roofs.plans[0];
     assert_eq!(plan.regions.len(), 1);
     assert_eq!(plan.regions[0].shape.letters(), "KIR");
     assert_eq!(plan.regions[0].ridge, Some("a"));

@@ -56,8 +56,8 @@ fn built(text: &str) -> Vec<u8> {
     let expand = &options.expand;
     let program = program(&[&source], documents, catalog, &Pictures, expand, &mut out);
     let mut building = building(program, catalog, &mut out);
-    for house in &mut building.shell.houses {
-        house.roofs = Roofs::default();
+    for built in &mut building.houses {
+        built.house.roofs = Roofs::default();
     }
     essence(&building)
 }

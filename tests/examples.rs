@@ -3,7 +3,7 @@
 
 use crate::support::{Run, assert_none, compile_file, expect, flaws, root, stem, texts, volume};
 use glam::DVec3;
-use hsd::building::{Building, StoreyPlan};
+use hsd::building::{Building, Built, StoreyPlan};
 use hsd::scene::{Kind, Scene};
 use std::fmt::Write;
 
@@ -58,7 +58,7 @@ fn describe_plan(plan: &StoreyPlan, text: &mut String) {
 }
 
 fn describe_roofs(building: &Building, text: &mut String) {
-    for (house, roofs) in building.shell.houses.iter().zip(&building.roofs) {
+    for Built { house, roofs, .. } in &building.houses {
         let _ = writeln!(
             text,
             "house {:?}, {} storeys",

@@ -72,24 +72,24 @@ fn size_of(run: &Run, index: usize, kind: Kind) -> DVec3 {
 }
 
 fn fittings(run: &Run, house: usize) -> &[Fitting] {
-    &run.building.fittings[house]
+    &run.building.houses[house].fittings
 }
 
 /// The side of a storey along the front, metres.
 fn width(run: &Run, house: usize, storey: usize) -> f64 {
-    let house = &run.building.shell.houses[house];
+    let house = &run.building.houses[house].house;
     let walls = &house.storeys[storey].rings[0].walls;
     walls[0].from.distance(walls[0].to) * house.unit
 }
 
 /// The top of everything above the ground, metres.
 fn height(run: &Run, house: usize) -> f64 {
-    let raised = run.building.shell.houses[house].raised;
+    let raised = run.building.houses[house].house.raised;
     let tops = fittings(run, house).iter().filter_map(|f| match &f.what {
         Thing::Finial(it) => Some(it.ridge[0].z + it.height),
         _ => None,
     });
-    let roofs = run.building.roofs[house].roofs.iter();
+    let roofs = run.building.houses[house].roofs.roofs.iter();
     let points = roofs.flat_map(|r| &r.solids).flat_map(|s| &s.points);
     raised + tops.chain(points.map(|p| p.z)).fold(0.0, f64::max)
 }
@@ -109,8 +109,8 @@ fn suzakumon_has_its_documented_measures() {
     sound(&run);
     // S30: 25.1 to 25.8 by 10.1 to 10.3 m.
     assert!((25.1..25.8).contains(&width(&run, 0, 0)));
-    let walls = &run.building.shell.houses[0].storeys[0].rings[0].walls;
-    let depth = walls[1].from.distance(walls[1].to) * run.building.shell.houses[0].unit;
+    let walls = &run.building.houses[0].house.storeys[0].rings[0].walls;
+    let depth = walls[1].from.distance(walls[1].to) * run.building.houses[0].house.unit;
     assert!((10.1..=10.31).contains(&depth), "{depth}");
     // Platform of 33 by 18 m.
     let platform = fittings(&run, 0).iter().find_map(|f| match &f.what {
@@ -131,7 +131,8 @@ fn suzakumon_has_its_documented_measures() {
     near(hi.x - lo.x, 33.0, 0.05);
     near(hi.y - lo.y, 18.0, 0.05);
     // Eaves of 12 shaku all round: the skirt is as wide as the walls and both.
-    let skirt = &run.building.roofs[0]
+    let skirt = &run.building.houses[0]
+        .roofs
         .roofs
         .iter()
         .find(|r| r.storey == 1)
@@ -141,7 +142,7 @@ fn suzakumon_has_its_documented_measures() {
     let reach = xs().fold(f64::MIN, f64::max) - xs().fold(f64::MAX, f64::min);
     near(reach, 25.76 + 2.0 * 12.0 * SHAKU, 0.4);
     // Two storeys, 18 columns on the ground of which 14 stand in the outer walls.
-    assert_eq!(run.building.shell.houses[0].storeys.len(), 2);
+    assert_eq!(run.building.houses[0].house.storeys.len(), 2);
     let all = height(&run, 0);
     assert!((19.0..23.0).contains(&all), "{all}");
 }
@@ -217,10 +218,10 @@ fn general_elements_stand_at_any_house() {
     ));
     sound(&run);
     // The jewel that was written stands in place of the usual one.
-    let mut roofs = run.building.roofs[0].roofs.iter();
+    let mut roofs = run.building.houses[0].roofs.roofs.iter();
     assert!(roofs.any(|r| r.dress.crowned));
-    near(run.building.shell.houses[0].raised, 4.0 * SHAKU, 1e-9);
-    near(run.building.shell.houses[0].origin[2], 4.0 * SHAKU, 1e-9);
+    near(run.building.houses[0].house.raised, 4.0 * SHAKU, 1e-9);
+    near(run.building.houses[0].house.origin[2], 4.0 * SHAKU, 1e-9);
     let platform = size_of(&run, 0, Kind::Platform);
     near(platform.x, (12.0 + 10.0) * SHAKU, 1e-4);
     for kind in [Kind::Platform, Kind::Veranda, Kind::Bracket, Kind::Finial] {
@@ -238,7 +239,7 @@ fn what_an_author_writes_beside_a_short_form_takes_the_place_of_its_own() {
         "<Gate/><Platform height=\"9\"/><Brackets steps=\"1\"/><Roofs kind=\"H\" eaves=\"8\"/>",
     );
     sound(&run);
-    let house = &run.building.shell.houses[0];
+    let house = &run.building.houses[0].house;
     near(house.raised, 9.0 * SHAKU, 1e-9);
     assert!(
         house
@@ -246,7 +247,7 @@ fn what_an_author_writes_beside_a_short_form_takes_the_place_of_its_own() {
             .iter()
             .all(|s| s.order.brackets.as_ref().is_some_and(|b| b.steps == 1))
     );
-    let kinds = run.building.roofs[0].roofs.iter().map(|r| r.kind);
+    let kinds = run.building.houses[0].roofs.roofs.iter().map(|r| r.kind);
     assert!(kinds.into_iter().all(|k| k == hsd::ast::RoofKind::Bark));
 }
 

@@ -35,8 +35,8 @@ fn told(content: Option<Vec<u8>>, pixels: u64) -> Vec<(u16, String)> {
         pixels,
         ..Limits::default()
     };
-    let shell = &made.building.shell;
-    driver::pictures(&made.scene.pictures, shell, &world, &limits, &mut out);
+    let building = &made.building;
+    driver::pictures(&made.scene.pictures, building, &world, &limits, &mut out);
     let place = |span| source.text()[source.text_range(span)].to_owned();
     let said = out.iter();
     said.map(|d| (d.code.0, place(d.span))).collect()

@@ -175,5 +175,5 @@ fn the_first_house_does_what_is_said() {
     let two = format!("{}\n{upper}", ground.replacen("9.5", "9.5 8", 1));
     let run = compile("first.hsd", two.as_bytes());
     assert!(!run.has_errors(), "{}", run.short());
-    assert_eq!(run.building.shell.houses[0].storeys.len(), 2);
+    assert_eq!(run.building.houses[0].house.storeys.len(), 2);
 }

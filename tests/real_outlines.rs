@@ -177,9 +177,9 @@ fn shared_data_houses_of_a_map_get_whole_roofs() {
         }
         if run
             .building
-            .roofs
+            .houses
             .iter()
-            .all(|house| house.roofs.is_empty())
+            .all(|built| built.roofs.roofs.is_empty())
         {
             findings.push(format!("{id}: no roof\n{text}"));
         }

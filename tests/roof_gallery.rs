@@ -41,9 +41,9 @@ fn the_page_shows_every_text_every_form_and_every_covering() {
         }
         for roof in compile_file(&path)
             .building
-            .roofs
+            .houses
             .iter()
-            .flat_map(|r| &r.roofs)
+            .flat_map(|b| &b.roofs.roofs)
         {
             shapes.insert(roof.shape.letters());
             kinds.insert(roof.kind);

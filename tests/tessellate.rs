@@ -7,7 +7,7 @@ mod roofs;
 use glam::{DVec2, Vec3, dvec2};
 use hsd::ast::{CodeText, Order, RoofKind, RoofShape, StoreyKind};
 use hsd::building::{
-    Building, Ceiling, Face, Finish, House, HouseRoofs, Ring, Roof, Shell, Solid, Storey, Trim,
+    Building, Built, Ceiling, Face, Finish, House, HouseRoofs, Ring, Roof, Solid, Storey, Trim,
     Wall,
 };
 use hsd::catalog::PartId;
@@ -17,6 +17,7 @@ use hsd::scene::{Detail, Image, Kind, Mesh, Node, Scene};
 use hsd::source::Span;
 use hsd::tessellate::tessellate;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 const UNIT: f64 = 3.0 * SHAKU;
 
@@ -124,13 +125,18 @@ fn building(storeys: Vec<Storey>) -> Building {
         roofs: Roofs::default(),
     };
     Building {
-        shell: Shell {
-            houses: vec![house],
-            pictures: Vec::new(),
-        },
-        roofs: vec![HouseRoofs::default()],
-        fittings: vec![],
+        houses: vec![Built {
+            house,
+            roofs: Arc::new(HouseRoofs::default()),
+            fittings: vec![],
+        }],
+        images: vec![],
     }
+}
+
+/// The roofs of the only house.
+fn roofs_of(building: &mut Building) -> &mut HouseRoofs {
+    Arc::make_mut(&mut building.houses[0].roofs)
 }
 
 fn scene(building: &Building) -> Scene {
@@ -397,7 +403,7 @@ fn the_azimuth_turns_the_house() {
         (0.0, dvec2(0.0, 1.0)),
         (90.0, dvec2(1.0, 0.0)),
     ] {
-        building.shell.houses[0].azimuth = azimuth;
+        building.houses[0].house.azimuth = azimuth;
         let turn = scene(&building).nodes[0].turn;
         assert_eq!(turn.rotate(dvec2(0.0, -1.0)), normal, "{azimuth}");
     }
@@ -419,7 +425,7 @@ fn splits_and_pictures() {
         part("NAP"),
     ];
     let mut building = building(vec![storey(1, 0.0, 3.5, walls(vec![row]))]);
-    building.shell.pictures.push(Picture {
+    building.images.push(Picture {
         name: "f1f1f1".into(),
         path: "f1f1f1.png".into(),
         size: (64, 128),

@@ -94,7 +94,7 @@ fn every_text_builds_what_is_said() {
         };
         assert_eq!(codes, said, "{name}: {}", run.short());
         assert_none(&flaws(&run));
-        let houses = run.building.shell.houses.len();
+        let houses = run.building.houses.len();
         assert_eq!(houses, if *name == "street.hsd" { 5 } else { 1 }, "{name}");
     }
 }

@@ -27,6 +27,9 @@ fn said(run: &Run, from: u32, to: u32) -> Vec<Diagnostic> {
         for label in &mut moved_here.labels {
             label.span = moved(label.span);
         }
+        for edit in moved_here.fixes.iter_mut().flat_map(|f| &mut f.edits) {
+            edit.span = moved(edit.span);
+        }
         moved_here
     })
     .collect()
@@ -61,8 +64,8 @@ fn twins_are_built_and_told_as_if_each_stood_alone() {
         let alone = compile("alone.hsd", text.as_bytes());
         let (both, offset) = twice(&text);
         let run = compile("both.hsd", both.as_bytes());
-        let roofs = &run.building.roofs;
-        if alone.building.roofs.len() != 1 || roofs.len() != 2 {
+        let roofs: Vec<&HouseRoofs> = run.building.houses.iter().map(|b| &*b.roofs).collect();
+        if alone.building.houses.len() != 1 || roofs.len() != 2 {
             continue;
         }
         let once = said(&alone, 0, u32::MAX);
@@ -71,7 +74,7 @@ fn twins_are_built_and_told_as_if_each_stood_alone() {
             if said(&run, from, to) != once {
                 findings.push(format!("{name}: other things are said of house {nth}"));
             }
-            if built(&roofs[nth]) != built(&alone.building.roofs[0]) {
+            if built(roofs[nth]) != built(&alone.building.houses[0].roofs) {
                 findings.push(format!("{name}: house {nth} has other roofs"));
             }
             let strange = roofs[nth].roofs.iter().filter_map(|r| r.span);

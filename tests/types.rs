@@ -109,7 +109,7 @@ fn complaints(run: &Run) -> Vec<String> {
     if run.diagnostics.iter().any(|d| bad(d.severity)) {
         found.push(run.short());
     }
-    for house in &run.building.shell.houses {
+    for house in run.building.houses.iter().map(|b| &b.house) {
         let rings = house.storeys.iter().flat_map(|s| &s.rings);
         let open = rings.filter(|r| !r.closed && !r.inner).count();
         if open > 0 {
@@ -217,7 +217,7 @@ fn town_houses_have_a_hundred_fronts() {
                     set.push(("frontage", "7"));
                 }
                 let run = with(word, &set);
-                let houses = run.building.shell.houses.iter();
+                let houses = run.building.houses.iter().map(|b| &b.house);
                 let walls = houses
                     .flat_map(|h| &h.storeys)
                     .flat_map(|s| &s.rings)
@@ -239,7 +239,7 @@ fn town_houses_have_a_hundred_fronts() {
 }
 
 fn size(run: &Run) -> glam::DVec2 {
-    let house = &run.building.shell.houses[0];
+    let house = &run.building.houses[0].house;
     let corners = house.storeys[0].rings[0].corners();
     let (lo, hi) = corners
         .iter()
@@ -251,13 +251,14 @@ fn size(run: &Run) -> glam::DVec2 {
 
 /// Top of the highest roof, metres above the eaves of its walls.
 fn rise(run: &Run) -> f64 {
-    let points = run.building.roofs[0]
+    let points = run.building.houses[0]
+        .roofs
         .roofs
         .iter()
         .flat_map(|r| &r.solids)
         .flat_map(|s| &s.points);
     let top = points.map(|p| p.z).fold(f64::MIN, f64::max);
-    let house = &run.building.shell.houses[0];
+    let house = &run.building.houses[0].house;
     top - house.storeys.last().expect("has storeys").z1
 }
 
@@ -298,7 +299,7 @@ fn the_ridge_rises_with_the_depth() {
         let (near, far) = (with(word, &[("depth", "5")]), with(word, &[("depth", "8")]));
         let risen = rise(&far) - rise(&near);
         assert!((risen - 0.4 * 1.5).abs() < 0.02, "{word}: {risen}");
-        let eaves = |run: &Run| run.building.shell.houses[0].storeys.last().map(|s| s.z1);
+        let eaves = |run: &Run| run.building.houses[0].house.storeys.last().map(|s| s.z1);
         assert_eq!(eaves(&near), eaves(&far), "{word}");
     }
 }
@@ -308,7 +309,7 @@ fn the_ridge_rises_with_the_depth() {
 fn wide_fronts_have_another_composition() {
     let codes = |frontage: &str| {
         let run = with("chu-nikai", &[("frontage", frontage)]);
-        let wall = &run.building.shell.houses[0].storeys[0].rings[0].walls[0];
+        let wall = &run.building.houses[0].house.storeys[0].rings[0].walls[0];
         wall.units
             .iter()
             .filter(|u| (u.width - 2.0).abs() < 1e-9)

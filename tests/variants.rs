@@ -2,6 +2,7 @@
 
 use crate::support::assert_none;
 use crate::support::cpu::assert_linear;
+use hsd::building::Built;
 use hsd::diagnostic::Diagnostics;
 use hsd::driver::Compiled;
 use hsd::render::sheet::sheet;
@@ -28,7 +29,7 @@ fn built(text: &str, seed: Option<u64>, variants: Option<u32>) -> Compiled {
 
 /// What stands in a house: the contents of its walls, its heights and its roofs, without its name and place.
 fn essence(made: &Compiled, house: usize) -> String {
-    let of = &made.building.shell.houses[house];
+    let of = &made.building.houses[house].house;
     let storeys: Vec<String> = of
         .storeys
         .iter()
@@ -40,7 +41,7 @@ fn essence(made: &Compiled, house: usize) -> String {
             format!("{} {:?}", s.z1, units.collect::<Vec<_>>())
         })
         .collect();
-    let roofs = made.building.roofs[house].roofs.iter();
+    let roofs = made.building.houses[house].roofs.roofs.iter();
     let solids: Vec<_> = roofs
         .flat_map(|r| &r.solids)
         .map(|s| s.points.clone())
@@ -53,10 +54,10 @@ fn a_variant_is_the_text_built_with_its_seed() {
     for word in ["chu-nikai", "ura-nagaya", "office"] {
         let text = Template::named(word).expect("is a type").text();
         let all = built(&text, Some(40), Some(12));
-        let houses = &all.building.shell.houses;
+        let houses = &all.building.houses;
         assert_eq!(houses.len(), 12);
         let mut seen = BTreeSet::new();
-        for (number, house) in houses.iter().enumerate() {
+        for (number, house) in houses.iter().map(|b| &b.house).enumerate() {
             let seed = 40 + number as u64;
             assert_eq!(house.variant.map(|v| v.seed), Some(seed));
             assert_eq!(house.name, format!("{word} {seed}"));
@@ -71,7 +72,7 @@ fn a_variant_is_the_text_built_with_its_seed() {
 /// Where each variant stands: its ground with the eaves.
 fn grounds(made: &Compiled) -> Vec<(u32, [f64; 4])> {
     let mut found: Vec<(u32, [f64; 4])> = vec![];
-    for (house, roofs) in made.building.shell.houses.iter().zip(&made.building.roofs) {
+    for Built { house, roofs, .. } in &made.building.houses {
         let number = house.variant.expect("is a variant").number;
         let walls = house
             .storeys
@@ -166,7 +167,7 @@ fn what_is_said_of_one_is_not_said_again_of_the_next() {
 fn a_contact_sheet_shows_every_variant() {
     let text = Template::named("kura").expect("is a type").text();
     let made = built(&text, None, Some(5));
-    let sheet = sheet(&made.scene, &made.building.shell.houses);
+    let sheet = sheet(&made.scene, &made.building.houses);
     // Three columns and two rows of 360 by 270 pixels, six between them; the last place is free.
     assert_eq!(sheet.dimensions(), (3 * 366 + 6, 2 * 276 + 6));
     let paper = sheet.get_pixel(0, 0);
@@ -195,7 +196,7 @@ fn variants_take_linear_time() {
     };
     assert_linear("variants", 50, make, |options| {
         let made = hsd::compile(&[&source], &NoFiles, options, &mut Diagnostics::new());
-        let houses = made.building.shell.houses.len();
+        let houses = made.building.houses.len();
         assert_eq!(Some(houses), options.variants.map(|n| n.get() as usize));
     });
 }

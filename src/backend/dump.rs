@@ -1,9 +1,9 @@
-//! The trees between the passes as JSON, for tests and other tools. Every document says its `version`; it
-//! changes when a field changes its meaning or goes.
+//! The trees between the passes as JSON, for tests and other tools. Every document has a `version`, which changes when a
+//! field changes its meaning or is removed.
 
 use super::number::Number;
 use crate::ast::{Document, RoofShape};
-use crate::building::{Building, EdgeKind, HouseRoofs, PlanRegion, StoreyPlan};
+use crate::building::{Building, Built, EdgeKind, HouseRoofs, PlanRegion, StoreyPlan};
 use crate::program::Program;
 use crate::scene::Scene;
 use crate::source::Source;
@@ -11,6 +11,9 @@ use glam::{DVec2, DVec3};
 use serde::{Serialize, Serializer};
 
 const VERSION: u32 = 1;
+
+/// That of `--stage building`: since 2 a house holds its roofs and fittings.
+const BUILDING_VERSION: u32 = 2;
 
 #[derive(Serialize)]
 struct Versioned<T> {
@@ -20,8 +23,7 @@ struct Versioned<T> {
 }
 
 /// A line of JSON.
-fn line(content: impl Serialize) -> serde_json::Result<String> {
-    let version = VERSION;
+fn line(version: u32, content: impl Serialize) -> serde_json::Result<String> {
     let mut text = serde_json::to_string(&Versioned { version, content })?;
     text.push('\n');
     Ok(text)
@@ -50,7 +52,7 @@ pub fn ast(sources: &[&Source], documents: &[Document]) -> serde_json::Result<St
         document,
     });
     let files = files.collect();
-    line(Files { files })
+    line(VERSION, Files { files })
 }
 
 /// `--stage program`: what is left after expansion.
@@ -58,7 +60,7 @@ pub fn ast(sources: &[&Source], documents: &[Document]) -> serde_json::Result<St
 /// # Errors
 /// See [`ast`].
 pub fn program(program: &Program) -> serde_json::Result<String> {
-    line(program)
+    line(VERSION, program)
 }
 
 /// `--stage building`: walls with their places, roofs as solids.
@@ -66,7 +68,7 @@ pub fn program(program: &Program) -> serde_json::Result<String> {
 /// # Errors
 /// See [`ast`].
 pub fn building(building: &Building) -> serde_json::Result<String> {
-    line(building)
+    line(BUILDING_VERSION, building)
 }
 
 /// `--stage scene`: meshes, materials, nodes.
@@ -74,7 +76,7 @@ pub fn building(building: &Building) -> serde_json::Result<String> {
 /// # Errors
 /// See [`ast`].
 pub fn scene(scene: &Scene) -> serde_json::Result<String> {
-    line(scene)
+    line(VERSION, scene)
 }
 
 /// `--stage regions`: the automatic roofs in plan (docs/contract.md 5), in U.
@@ -82,21 +84,18 @@ pub fn scene(scene: &Scene) -> serde_json::Result<String> {
 /// # Errors
 /// See [`ast`].
 pub fn regions(building: &Building) -> serde_json::Result<String> {
-    let none = HouseRoofs::default();
-    let roofs = |i: usize| building.roofs.get(i).unwrap_or(&none);
-    let shells = building.shell.houses.iter().enumerate();
-    let house = |(i, h): (usize, &'_ crate::building::House)| House {
-        name: h.name.clone(),
-        unit_m: Number(h.unit),
-        storeys: roofs(i)
+    let house = |made: &Built| House {
+        name: made.house.name.clone(),
+        unit_m: Number(made.house.unit),
+        storeys: made
+            .roofs
             .plans
             .iter()
-            .map(|plan| storey(plan, built(roofs(i), plan, h.unit)))
+            .map(|plan| storey(plan, built(&made.roofs, plan, made.house.unit)))
             .collect(),
     };
-    line(Houses {
-        houses: shells.map(house).collect(),
-    })
+    let houses = building.houses.iter().map(house).collect();
+    line(VERSION, Houses { houses })
 }
 
 #[derive(Serialize)]

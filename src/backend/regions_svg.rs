@@ -5,7 +5,7 @@
 //! at one scale.
 
 use super::number::Number;
-use crate::building::{Building, EdgeKind, HouseRoofs, RoofSurface, StoreyPlan};
+use crate::building::{Building, Built, EdgeKind, HouseRoofs, RoofSurface, StoreyPlan};
 use glam::{DVec2, DVec3, dvec2};
 use std::fmt::Write;
 
@@ -26,7 +26,7 @@ const ARROW: f64 = 0.5;
 /// `--stage regions --format svg`. Frame: a to the left, b upwards.
 pub fn regions_svg(building: &Building) -> String {
     let mut panels = vec![];
-    for (house, roofs) in building.shell.houses.iter().zip(&building.roofs) {
+    for Built { house, roofs, .. } in &building.houses {
         for plan in &roofs.plans {
             let storey = format!("storey {}", plan.storey);
             let title = match (house.name.is_empty(), roofs.plans.len()) {

@@ -1,5 +1,5 @@
-//! What stands at a house besides walls and roofs, in its place: dimensions of platform, veranda, brackets and
-//! finials. `fit` works them out, `tessellate` draws them by detail. House frame, metres.
+//! Fittings of a house: dimensions of platform, veranda, brackets, beams and finials. `fit` works them out,
+//! `tessellate` draws them by detail. House frame, metres.
 
 use crate::ast::{FinialKind, Rail};
 use crate::material::SurfaceId;
@@ -7,18 +7,18 @@ use crate::source::Span;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// Something at a house.
+/// One fitting.
 #[derive(Clone, Debug, Serialize)]
 pub struct Fitting {
     /// Its element.
     pub span: Span,
     /// The storey it belongs to, from 1; 0 = the house.
     pub storey: u32,
-    /// What it is.
+    /// Its kind and dimensions.
     pub what: Thing,
 }
 
-/// What it is.
+/// A fitting's kind and dimensions.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub enum Thing {
     /// A stone platform.

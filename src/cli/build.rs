@@ -183,7 +183,7 @@ impl Build {
             building, scene, ..
         } = &compiled;
         let paths = &scene.pictures;
-        let mut library = driver::pictures(paths, &building.shell, &world, &limits, &mut out);
+        let mut library = driver::pictures(paths, building, &world, &limits, &mut out);
         library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
         let list = out.into_sorted();
@@ -194,7 +194,7 @@ impl Build {
         }
         let mut times = std::mem::take(&mut compiled.times);
         // Only the scene is needed from here on; frees the memory of a town's walls and roofs.
-        let houses = std::mem::take(&mut compiled.building).shell.houses.len();
+        let houses = std::mem::take(&mut compiled.building).houses.len();
         if self.baking.bake {
             driver::timed(&mut times, "bake", || {
                 self.baking.run(&mut compiled.scene, &mut library);

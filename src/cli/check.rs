@@ -43,7 +43,7 @@ impl Check {
         let format = Format::from(self.format);
         let (failed, files) = (inputs.failed(), inputs.sources.len());
         if format == Format::Human && list.is_empty() {
-            let houses = checked.building.shell.houses.len();
+            let houses = checked.building.houses.len();
             let files = counted(files, FILE);
             let houses = counted(houses, HOUSE);
             let clean = text!([files, houses]

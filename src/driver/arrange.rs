@@ -1,7 +1,7 @@
-//! Variants stand in rows, from left to right as seen from the front, as many rows as make the whole about as deep as it
-//! is wide. The houses of one variant keep their places to one another.
+//! Places variants in rows from left to right as seen from the front, in an area about as deep as wide. The houses of one
+//! variant keep their places relative to each other.
 
-use crate::building::{Building, House, HouseRoofs};
+use crate::building::{Building, Built};
 use crate::geometry::Heading;
 use glam::{DVec2, dvec2};
 
@@ -13,29 +13,22 @@ const STREET: f64 = 8.0;
 
 /// Moves the houses of all variants to their places. Others stay.
 pub(super) fn arrange(building: &mut Building) {
-    let houses = &building.shell.houses;
-    // Roofs are missing where nothing was roofed.
-    let roofs = (0..houses.len()).map(|k| building.roofs.get(k));
-    let boxes: Vec<(DVec2, DVec2)> = houses
-        .iter()
-        .zip(roofs)
-        .map(|(h, r)| bounds(h, r))
-        .collect();
     let mut groups: Vec<Group> = vec![];
-    for (k, (house, found)) in houses.iter().zip(&boxes).enumerate() {
-        let Some(variant) = house.variant else {
+    for (k, built) in building.houses.iter().enumerate() {
+        let Some(variant) = built.house.variant else {
             continue;
         };
+        let found = bounds(built);
         match groups.last_mut().filter(|g| g.variant == variant.number) {
-            Some(group) => group.add(k, *found),
-            None => groups.push(Group::new(variant.number, k, *found)),
+            Some(group) => group.add(k, found),
+            None => groups.push(Group::new(variant.number, k, found)),
         }
     }
     let places = places(&groups);
     for (group, place) in groups.iter().zip(places) {
         let by = place - group.low;
         for k in &group.houses {
-            let [x, y, _] = &mut building.shell.houses[*k].origin;
+            let [x, y, _] = &mut building.houses[*k].house.origin;
             *x += by.x;
             *y += by.y;
         }
@@ -71,7 +64,7 @@ impl Group {
     }
 }
 
-/// Where the lower left corner of each group goes.
+/// The lower left corner of each group, metres.
 fn places(groups: &[Group]) -> Vec<DVec2> {
     let room = |g: &Group| (g.size().x + APART) * (g.size().y + STREET);
     let area: f64 = groups.iter().map(room).sum();
@@ -91,8 +84,9 @@ fn places(groups: &[Group]) -> Vec<DVec2> {
     places
 }
 
-/// The ground that a house takes, its eaves included, metres in the world.
-fn bounds(house: &House, roofs: Option<&HouseRoofs>) -> (DVec2, DVec2) {
+/// The ground under a house and its eaves, metres in the world.
+fn bounds(built: &Built) -> (DVec2, DVec2) {
+    let house = &built.house;
     let walls = house
         .storeys
         .iter()
@@ -100,10 +94,7 @@ fn bounds(house: &House, roofs: Option<&HouseRoofs>) -> (DVec2, DVec2) {
         .flat_map(|r| &r.walls);
     let plan = |p: DVec2| dvec2(-p.x, p.y) * house.unit;
     let corners = walls.flat_map(|w| [w.from, w.to]).map(plan);
-    let solids = roofs
-        .into_iter()
-        .flat_map(|r| &r.roofs)
-        .flat_map(|r| &r.solids);
+    let solids = built.roofs.roofs.iter().flat_map(|r| &r.solids);
     let eaves = solids.flat_map(|s| &s.points).map(|p| p.truncate());
     let turn = Heading::new(180.0 - house.azimuth).vector();
     let [x, y, _] = house.origin;

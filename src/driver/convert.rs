@@ -1,4 +1,4 @@
-//! A text in the other form of the language, if it makes the same building there.
+//! A source in the other form of the language, if it makes the same building there.
 
 use super::{Options, building, documents, program};
 use crate::diagnostic::messages::print as say;
@@ -7,10 +7,10 @@ use crate::print::{self, Form};
 use crate::program::Roofs;
 use crate::source::{Source, World};
 
-/// Writes a text in the form that it is not in. Pictures are asked for in `world`, since codes may be names of them.
+/// Writes a source in the form that it is not in. `world` is asked for images, since codes may name them.
 ///
 /// # Errors
-/// `None` where the text has errors or the other form cannot say it; `out` says why.
+/// `None` where the source has errors or the other form cannot express it; `out` says why.
 pub fn convert(
     source: &Source,
     world: &dyn World,
@@ -18,10 +18,10 @@ pub fn convert(
     out: &mut Diagnostics,
 ) -> Option<String> {
     let to = Form::of(source).other();
-    let mut told = Diagnostics::new();
-    let made = written(source, to, world, options, &mut told);
-    let errors = told.has_errors();
-    let news = told.into_sorted().into_iter();
+    let mut found = Diagnostics::new();
+    let made = written(source, to, world, options, &mut found);
+    let errors = found.has_errors();
+    let news = found.into_sorted().into_iter();
     news.filter(|d| d.severity == Severity::Error)
         .for_each(|d| out.push(d));
     let text = made.filter(|_| !errors)?;
@@ -57,7 +57,7 @@ fn written(
     print::to_legacy(source, document, &program, catalog, out)
 }
 
-/// What a text is read with: its parameters are at their defaults.
+/// The options for reading it: parameters have their defaults.
 fn plain(options: &Options) -> Options {
     Options {
         parameters: vec![],
@@ -65,7 +65,7 @@ fn plain(options: &Options) -> Options {
     }
 }
 
-/// What is built, without places; `None` where the text cannot be read.
+/// The building without places; `None` where the source cannot be read.
 fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Option<Vec<u8>> {
     let mut out = Diagnostics::new();
     let read = documents(&[source], world, &plain(options), &mut out);
@@ -82,9 +82,9 @@ fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Opt
         &mut out,
     );
     let mut built = building(program, catalog, &mut out);
-    // What the author said of roofs may stand at another place; what comes of it is compared.
-    for house in &mut built.shell.houses {
-        house.roofs = Roofs::default();
+    // The roof section may be written in another way; the roofs that come of it are compared.
+    for built in &mut built.houses {
+        built.house.roofs = Roofs::default();
     }
     Some(print::essence(&built))
 }

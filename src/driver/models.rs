@@ -1,9 +1,9 @@
-//! The model of a run: its scene, the images in it, and what back ends leave out.
+//! The model of a run: its scene, the images in it, and the shapes that back ends leave out.
 
-use super::{Options, arrange, building, documents, program, spare_expressions, timed, variants};
+use super::{Options, arrange, documents, house, spare_expressions, timed, variants};
 use crate::backend::images::{Library, Trouble};
 use crate::backend::{gltf, sound};
-use crate::building::{Building, Shell};
+use crate::building::Building;
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::pictures as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
@@ -15,7 +15,7 @@ use crate::tessellate;
 use std::borrow::Cow;
 use std::time::Duration;
 
-/// What a run made, and how long each step took.
+/// The result of a run, and the time of each step.
 #[derive(Debug)]
 pub struct Compiled {
     /// Files that were read beside the sources, for reports.
@@ -24,13 +24,13 @@ pub struct Compiled {
     pub catalog: Cow<'static, Catalog>,
     /// Walls and roofs.
     pub building: Building,
-    /// What the back ends write.
+    /// The scene that back ends write.
     pub scene: Scene,
     /// The steps in order.
     pub times: Vec<(&'static str, Duration)>,
 }
 
-/// Runs the whole chain. It never stops at an error: what is sound is built.
+/// Runs the whole chain. It does not stop at errors: everything sound is built.
 pub fn compile(
     sources: &[&Source],
     world: &dyn World,
@@ -38,33 +38,22 @@ pub fn compile(
     out: &mut Diagnostics,
 ) -> Compiled {
     let mut times = vec![];
-    let read = timed(&mut times, "parse", || match options.variants {
+    let mut read = timed(&mut times, "parse", || match options.variants {
         Some(count) => variants::documents(sources, world, options, count, out),
         None => documents(sources, world, options, out),
     });
-    let (documents, included, catalog) = (read.documents, read.included, read.catalog);
-    let mut said = Diagnostics::new();
-    let program = timed(&mut times, "expand", || {
-        program(
-            sources,
-            &documents,
-            &catalog,
-            world,
-            &options.expand,
-            &mut said,
-        )
+    let mut found = Diagnostics::new();
+    let mut building = timed(&mut times, "houses", || {
+        house::houses(&mut read, sources, world, &options.expand, &mut found)
     });
-    drop(documents); // the next steps take their room
-    let mut building = timed(&mut times, "lower and roof", || {
-        building(program, &catalog, &mut said)
-    });
+    let (included, catalog) = (read.included, read.catalog);
     match options.variants {
         Some(_) => {
-            variants::name(&mut building.shell);
+            variants::name(&mut building);
             arrange::arrange(&mut building);
-            out.push_new(said);
+            out.push_new(found);
         }
-        None => out.append(said),
+        None => out.append(found),
     }
     let scene = timed(&mut times, "tessellate", || {
         scene(&building, &catalog, options.detail)
@@ -79,9 +68,9 @@ pub fn compile(
     }
 }
 
-/// Runs the whole chain on one file up to the bytes of a GLB without pictures; returns how many there are.
-/// For fuzzing: no input makes it panic. Houses are held to 20,000 parts, so that a fuzzer spends its time
-/// on strange texts and not on writing out `repeat num="1000000"`.
+/// Runs the whole chain on one file up to the bytes of a GLB without images, and returns their number. For fuzzing: no
+/// input makes it panic. Houses have at most 20,000 parts, so that a fuzzer spends its time on strange sources and not
+/// on `repeat num="1000000"`.
 pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
     let source = Source::new(FileId(0), name, bytes);
     let mut out = Diagnostics::new();
@@ -102,24 +91,24 @@ pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
     gltf::glb(&compiled.scene, &Library::default()).len()
 }
 
-/// What is to be seen.
+/// The meshes, materials and nodes of a building.
 pub fn scene(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
     tessellate::tessellate(building, catalog, detail)
 }
 
-/// Loads the pictures of a building, and says which of them cannot be shown. `paths` are those of
+/// Loads the images of a building and reports those that cannot be shown. `paths` are those of
 /// [`Scene::pictures`], or of the building where there is no scene.
 pub fn pictures(
     paths: &[String],
-    shell: &Shell,
+    building: &Building,
     world: &dyn World,
     limits: &Limits,
     out: &mut Diagnostics,
 ) -> Library {
     Library::load(paths, world, limits.pixels, |index, trouble| {
         let path = &paths[index];
-        let id = shell.pictures.iter().position(|p| p.path == *path);
-        let used = id.and_then(|id| first_use(shell, PictureId(id as u32)));
+        let id = building.images.iter().position(|p| p.path == *path);
+        let used = id.and_then(|id| first_use(building, PictureId(id as u32)));
         let span = used.unwrap_or_default();
         out.push(match trouble {
             Trouble::Unreadable(why) => say::unreadable(span, path, &why),
@@ -129,10 +118,10 @@ pub fn pictures(
     })
 }
 
-/// Says which shapes the back ends leave out.
+/// Reports shapes that the back ends leave out.
 pub fn flaws(compiled: &Compiled, out: &mut Diagnostics) {
-    let house = compiled.building.shell.houses.first();
-    let place = house.map(|h| h.span).unwrap_or_default();
+    let house = compiled.building.houses.first();
+    let place = house.map(|h| h.house.span).unwrap_or_default();
     let message =
         |f: sound::Flaw| -> Diagnostic { say::shape_left_out(f.span.unwrap_or(place), &f.name) };
     // One broken mesh may be shown a thousand times.
@@ -142,9 +131,9 @@ pub fn flaws(compiled: &Compiled, out: &mut Diagnostics) {
         .for_each(|d| out.push(d));
 }
 
-/// Where a picture is first called for.
-fn first_use(shell: &Shell, id: PictureId) -> Option<Span> {
-    let storeys = shell.houses.iter().flat_map(|h| &h.storeys);
+/// The place where an image is first called for.
+fn first_use(building: &Building, id: PictureId) -> Option<Span> {
+    let storeys = building.houses.iter().flat_map(|h| &h.house.storeys);
     let walls = storeys.flat_map(|s| &s.rings).flat_map(|r| &r.walls);
     let mut units = walls.flat_map(|w| &w.units);
     units.find_map(|u| use_in(u, id))
@@ -166,11 +155,11 @@ fn use_in(unit: &Unit, id: PictureId) -> Option<Span> {
 
 /// Reports the images that cannot be shown, without a scene.
 pub(super) fn check_images(
-    shell: &Shell,
+    building: &Building,
     world: &dyn World,
     limits: &Limits,
     out: &mut Diagnostics,
 ) {
-    let paths: Vec<String> = shell.pictures.iter().map(|p| p.path.clone()).collect();
-    pictures(&paths, shell, world, limits, out);
+    let paths: Vec<String> = building.images.iter().map(|p| p.path.clone()).collect();
+    pictures(&paths, building, world, limits, out);
 }

@@ -1,16 +1,16 @@
-//! Many houses of one text: each variant is the text read and drawn with a seed of its own, the next one each time. So a
-//! variant that pleases can be built alone, with its seed.
+//! Variants of the sources: each is read and drawn with the seed after that of the one before. So any of them can be built
+//! alone, with its seed.
 
 use super::Read;
 use crate::ast::{Document, Variant};
-use crate::building::Shell;
+use crate::building::Building;
 use crate::diagnostic::Diagnostics;
 use crate::driver::Options;
 use crate::parse::xml::Trees;
 use crate::source::{Source, World};
 use std::num::NonZeroU32;
 
-/// Reads the sources once for each variant. What is said of one is not said again of the next.
+/// Reads the sources once for each variant. A diagnostic of one variant is not repeated for the next.
 pub(super) fn documents(
     sources: &[&Source],
     world: &dyn World,
@@ -34,14 +34,14 @@ pub(super) fn documents(
     let mut trees = Trees::default();
     let mut documents = vec![];
     for (variant, options) in &runs {
-        let mut said = Diagnostics::new();
+        let mut found = Diagnostics::new();
         let read = super::read(
             sources,
             super::setting(world, options, &cache),
             &mut trees,
-            &mut said,
+            &mut found,
         );
-        out.push_new(said);
+        out.push_new(found);
         documents.extend(read.into_iter().map(|document| Document {
             variant: Some(*variant),
             ..document
@@ -59,9 +59,9 @@ pub(super) fn documents(
     }
 }
 
-/// Says in the name of each house which variant it is; draws have no more need of the name.
-pub(super) fn name(shell: &mut Shell) {
-    for house in &mut shell.houses {
+/// Adds to the name of each house the seed of its variant; all draws are done by now.
+pub(super) fn name(building: &mut Building) {
+    for house in building.houses.iter_mut().map(|b| &mut b.house) {
         if let Some(variant) = house.variant {
             let number = variant.seed;
             house.name = match &*house.name {

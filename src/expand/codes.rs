@@ -4,7 +4,7 @@ use super::Pass;
 use crate::ast::CodeText;
 use crate::catalog::{Catalog, PartDef, PartId, ScopeId};
 use crate::diagnostic::messages::parts as say;
-use crate::program::{Content, Picture, PictureId, Program, Unit};
+use crate::program::{Content, House, Picture, PictureId, Unit};
 use crate::source::{PictureFile, Span, World};
 use std::collections::BTreeMap;
 
@@ -70,7 +70,7 @@ pub(super) struct Found {
 
 const RECENT: usize = 256;
 
-/// A search costs time, and a text of 100,000 unknown codes has no use for 100,000 suggestions.
+/// Searches for near spellings in one house: they cost time, and 100,000 unknown codes need no 100,000 suggestions.
 const SEARCHES: u32 = 500;
 
 /// The catalogue and the pictures, with what was looked up before.
@@ -87,7 +87,7 @@ pub(super) struct Codes<'a> {
     given: BTreeMap<String, PictureId>,
     /// Codes seen lately: old texts repeat a dozen codes hundreds of thousands of times.
     recent: Vec<Option<([u8; 5], Found)>>,
-    /// Searches for near spellings that are left.
+    /// Searches for near spellings that the house has left.
     searches: u32,
 }
 
@@ -106,8 +106,9 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// Goes on to a house that knows these own parts.
+    /// Goes on to a house that knows these custom parts.
     pub(super) fn enter(&mut self, scope: ScopeId) {
+        self.searches = SEARCHES;
         if scope != self.scope || !self.given.is_empty() {
             self.scope = scope;
             self.given.clear();
@@ -391,45 +392,49 @@ fn upper_but_width(text: &str) -> String {
     }
 }
 
-/// Leaves only pictures that stand somewhere, in the order of first use: a draw tries more names than it
-/// takes, and nobody should load them.
-pub(super) fn keep_used(program: &mut Program, pictures: Vec<Picture>) {
-    let mut numbers = vec![None; pictures.len()];
-    let mut order = vec![];
-    if !pictures.is_empty() {
-        let storeys = program.houses.iter_mut().flat_map(|h| &mut h.storeys);
-        let lines = storeys
-            .flat_map(|s| &mut s.loops)
-            .flat_map(|l| &mut l.lines);
-        for line in lines {
-            renumber(&mut line.units, &mut numbers, &mut order);
+/// The images that houses show, in the order of first use. Draws look up more names than they take, and images that
+/// are not shown should not be loaded.
+#[derive(Default)]
+pub(super) struct UsedImages {
+    /// New number of each image looked up.
+    numbers: Vec<Option<PictureId>>,
+    pub(super) images: Vec<Picture>,
+}
+
+impl UsedImages {
+    /// Gives the images of a house their new numbers. `known` are all that were looked up.
+    pub(super) fn renumber(&mut self, house: &mut House, known: &[Picture]) {
+        if known.is_empty() {
+            return;
+        }
+        self.numbers.resize(known.len(), None);
+        let loops = house.storeys.iter_mut().flat_map(|s| &mut s.loops);
+        for line in loops.flat_map(|l| &mut l.lines) {
+            self.units(&mut line.units, known);
         }
     }
-    let mut pictures: Vec<_> = pictures.into_iter().map(Some).collect();
-    let used = order.iter().filter_map(|&i: &usize| pictures[i].take());
-    program.pictures = used.collect();
-}
 
-fn number(id: &mut PictureId, numbers: &mut [Option<PictureId>], order: &mut Vec<usize>) {
-    let old = id.0 as usize;
-    *id = *numbers[old].get_or_insert_with(|| {
-        order.push(old);
-        PictureId(order.len() as u32 - 1)
-    });
-}
-
-fn renumber(units: &mut [Unit], numbers: &mut [Option<PictureId>], order: &mut Vec<usize>) {
-    for unit in units {
-        if let Some(id) = &mut unit.picture {
-            number(id, numbers, order);
-        }
-        match &mut unit.content {
-            Content::Picture(id) => number(id, numbers, order),
-            Content::Split(split) => {
-                renumber(&mut split.upper, numbers, order);
-                renumber(&mut split.lower, numbers, order);
+    fn units(&mut self, units: &mut [Unit], known: &[Picture]) {
+        for unit in units {
+            if let Some(id) = &mut unit.picture {
+                self.number(id, known);
             }
-            Content::Void | Content::Part(_) => {}
+            match &mut unit.content {
+                Content::Picture(id) => self.number(id, known),
+                Content::Split(split) => {
+                    self.units(&mut split.upper, known);
+                    self.units(&mut split.lower, known);
+                }
+                Content::Void | Content::Part(_) => {}
+            }
         }
+    }
+
+    fn number(&mut self, id: &mut PictureId, known: &[Picture]) {
+        let old = id.0 as usize;
+        *id = *self.numbers[old].get_or_insert_with(|| {
+            self.images.push(known[old].clone());
+            PictureId(self.images.len() as u32 - 1)
+        });
     }
 }

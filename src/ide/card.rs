@@ -53,8 +53,8 @@ pub(super) fn card(
         out += &format!("\n\n{}", part.en);
     }
     out += "\n";
-    let shell = &a.checked.building.shell;
-    let unit = shell.houses.get(house).map_or(3.0 * SHAKU, |h| h.unit);
+    let house = a.checked.building.houses.get(house);
+    let unit = house.map_or(3.0 * SHAKU, |b| b.house.unit);
     let mut lines = vec![width(part.width(), unit), heights(part)];
     if !part.made.is_empty() {
         let said = words::meaning(words::STUFFS, &part.made);

@@ -181,17 +181,15 @@ impl Plan {
     pub fn of(a: &Analysis, language: Language) -> Plan {
         let sheet = Sheet::of(a);
         let (building, catalog) = (&a.checked.building, a.catalog());
-        let none = HouseRoofs::default();
-        let roofs = building.roofs.iter().chain(std::iter::repeat(&none));
-        let pictures = &building.shell.pictures;
-        let houses = building.shell.houses.iter().zip(roofs);
+        let pictures = &building.images;
         let mut writer = Writer {
             sheet: &sheet,
             catalog,
             pictures,
             used: BTreeSet::new(),
         };
-        let houses = houses.map(|(h, r)| writer.house(h, r)).collect();
+        let houses = building.houses.iter();
+        let houses = houses.map(|b| writer.house(&b.house, &b.roofs)).collect();
         let words = |r: &Reason| (r.key(), r.text().in_language(language).to_owned());
         Plan {
             reasons: writer.used.iter().map(words).collect(),

@@ -92,7 +92,7 @@ impl<'a> List<'a> {
     fn new(a: &'a Analysis) -> List<'a> {
         let builtin = parse::builtin();
         let own = a.catalog().parts().iter().skip(builtin.parts().len());
-        let pictures = a.checked.building.shell.pictures.iter();
+        let pictures = a.checked.building.images.iter();
         let own = own.map(|p| p.code().trim());
         List {
             text: a.text(),

@@ -60,8 +60,8 @@ pub(super) type Lines<T> = BTreeMap<(usize, usize), Vec<T>>;
 /// The storeys by their ranges of the text.
 pub(super) fn storeys(a: &Analysis) -> Lines<Built<'_>> {
     let mut found = Lines::new();
-    for house in &a.checked.building.shell.houses {
-        for storey in &house.storeys {
+    for built in &a.checked.building.houses {
+        for storey in &built.house.storeys {
             if let Some(place) = place(a, storey.span) {
                 found
                     .entry(place)
@@ -78,7 +78,8 @@ pub(super) fn walls<'a>(a: &'a Analysis, within: &Range<usize>) -> Lines<Walked<
     let mut found = Lines::new();
     let span = a.source.span(within.clone());
     let touches = |s: Span| s.file == FileId(0) && s.start <= span.end && span.start <= s.end;
-    for house in &a.checked.building.shell.houses {
+    for built in &a.checked.building.houses {
+        let house = &built.house;
         let unit = house.unit;
         for ring in house.storeys.iter().flat_map(|s| &s.rings) {
             for wall in ring.walls.iter().filter(|w| touches(w.span)) {

@@ -1,6 +1,6 @@
 //! A contact sheet: a picture of every variant, each with the number of its seed.
 
-use crate::building::House;
+use crate::building::Built;
 use crate::render::{digits, on_all_processors, picture};
 use crate::scene::{NodeId, Scene};
 use image::{RgbImage, imageops};
@@ -15,7 +15,7 @@ const PAPER: image::Rgb<u8> = image::Rgb([0xf6, 0xf3, 0xec]);
 const WIDTHS: [(usize, u32); 4] = [(0, 360), (25, 240), (101, 160), (401, 96)];
 
 /// The sheet of a scene whose houses are these, in order.
-pub fn sheet(scene: &Scene, houses: &[House]) -> RgbImage {
+pub fn sheet(scene: &Scene, houses: &[Built]) -> RgbImage {
     let cells = cells(scene, houses);
     let wide = WIDTHS.iter().rev().find(|(from, _)| cells.len() >= *from);
     let width = wide.map_or(WIDTHS[0].1, |(_, width)| *width);
@@ -45,14 +45,14 @@ struct Cell {
     nodes: Vec<NodeId>,
 }
 
-fn cells(scene: &Scene, houses: &[House]) -> Vec<Cell> {
+fn cells(scene: &Scene, houses: &[Built]) -> Vec<Cell> {
     let roots = scene
         .nodes
         .iter()
         .enumerate()
         .filter(|(_, n)| n.parent.is_none());
     let mut cells: BTreeMap<u32, Cell> = BTreeMap::new();
-    for ((node, _), house) in roots.zip(houses) {
+    for ((node, _), house) in roots.zip(houses.iter().map(|b| &b.house)) {
         let Some(variant) = house.variant else {
             continue;
         };

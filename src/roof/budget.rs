@@ -1,70 +1,66 @@
-//! How much search for the best cuts one run may take (`docs/contract.md` 7).
+//! The search for the best cuts that one house may take (`docs/contract.md` 4 and 7).
 //!
-//! A plan of thirty coordinates on an axis takes some milliseconds, of which a text of 1 MiB can ask for
-//! thousands. Work is counted in steps, never in time, so that the same input gives the same roofs anywhere.
+//! Work is counted in steps, never in time, so that a source gives the same roofs on any machine; and every house has a
+//! budget of its own, so that it gets the same roofs alone, in a town, and in a tile of one.
+//!
+//! A step takes some 10 ns. BUDGETTEXT
 
 use std::cell::Cell;
 
-/// Steps that all regions of a run share: some twenty stairs of thirty steps, thousands of palaces.
-const SHARED: u64 = 12_000_000;
+/// Steps that every house has.
+const A_HOUSE: u64 = 50_000;
 
-/// Steps that a region has to itself for each of its corners, so that what houses take which anybody would
-/// draw does not depend on those before them.
-const A_CORNER: u64 = 128;
+/// Further steps for each corner of a region.
+const A_CORNER: u64 = 1_000;
 
-/// The steps that are left.
+/// The steps that a house has left.
 #[derive(Debug)]
 pub struct SearchBudget {
     left: Cell<u64>,
-    /// Whether a search was given up, and whether that was said.
+    /// Whether a search was given up that was not reported yet, and whether one was reported.
     gave_up: Cell<bool>,
-    told: Cell<bool>,
+    reported: Cell<bool>,
 }
 
 impl Default for SearchBudget {
     fn default() -> Self {
-        Self::new(SHARED)
+        Self::new(A_HOUSE)
     }
 }
 
 impl SearchBudget {
-    /// So many steps to share.
-    pub fn new(shared: u64) -> Self {
+    /// A budget of this many steps beside those for corners.
+    pub fn new(steps: u64) -> Self {
         Self {
-            left: Cell::new(shared),
+            left: Cell::new(steps),
             gave_up: Cell::new(false),
-            told: Cell::new(false),
+            reported: Cell::new(false),
         }
     }
 
-    /// Steps without end.
+    /// A budget without end.
     pub(super) fn endless() -> Self {
         Self::new(u64::MAX)
     }
 
-    /// How many steps the search of a region of so many corners may take.
+    /// Returns the most steps that the search of a region with this many corners may take.
     pub(super) fn most(&self, corners: usize) -> u64 {
-        self.left.get().saturating_add(own(corners))
+        self.left.get().saturating_add(for_corners(corners))
     }
 
-    /// Takes off what a search took, and whether it came to an end.
+    /// Takes off the steps of a search; `done` is false where it was given up.
     pub(super) fn pay(&self, corners: usize, steps: u64, done: bool) {
-        let beyond = steps.saturating_sub(own(corners));
+        let beyond = steps.saturating_sub(for_corners(corners));
         self.left.set(self.left.get().saturating_sub(beyond));
         self.gave_up.set(self.gave_up.get() || !done);
     }
 
-    /// Whether that was asked for and answered.
-    pub(super) fn has_told(&self) -> bool {
-        self.told.get()
-    }
-
-    /// Whether a search was given up and nobody asked since: it is said once a run.
+    /// Returns whether to report that a search was given up: true once for a house.
     pub(super) fn is_news(&self) -> bool {
-        self.gave_up.get() && !self.told.replace(true)
+        self.gave_up.get() && !self.reported.replace(true)
     }
 }
 
-fn own(corners: usize) -> u64 {
+fn for_corners(corners: usize) -> u64 {
     (corners as u64).saturating_mul(A_CORNER)
 }

@@ -1,4 +1,9 @@
-//! Houses of one plan get one plan's roofs: rows and towns repeat their houses, and roofs are the dearest step.
+//! Roofs of houses with one plan are made once: rows and towns repeat their houses, and roofs are the costliest step.
+//!
+//! The key is everything that roofs depend on, to the last bit, without places in the source and without the house's
+//! origin and azimuth. What is kept is in the house frame, so it fits every house of the key as it is; only places are
+//! exchanged for those of the other house. Hence a house is the same with a cache, without one, and with one that
+//! other houses have used. A cache owns what it keeps and can move to another thread.
 
 use crate::ast::{RoofLine, RoofStyle};
 use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
@@ -7,73 +12,123 @@ use crate::program::Roofs;
 use crate::source::{Span, Spanned};
 use glam::DVec2;
 use std::collections::HashMap;
+use std::sync::Arc;
 
-/// All that the roofs of a house depend on, to the last bit.
+/// Most memory of a cache in words of 8 bytes, about: 16 MiB. Beyond it everything kept so far is dropped, since
+/// houses that are alike tend to be near each other.
+const MOST_WORDS: usize = 2 << 20;
+
+/// Everything that the roofs of a house depend on, to the last bit.
 #[derive(PartialEq, Eq, Hash)]
-pub(super) struct Plan(Vec<u64>);
+pub(super) struct Key(Box<[u64]>);
 
-/// What was built for the first house of each plan.
+/// The roofs of the houses roofed so far, by what they depend on.
 #[derive(Default)]
-pub(super) struct RoofCache<'a> {
-    /// Never walked, so that its order cannot matter.
-    known: HashMap<Plan, First<'a>>,
+pub struct RoofCache {
+    /// Only looked up, never iterated over: its order cannot matter.
+    kept: HashMap<Key, Kept>,
+    words: usize,
 }
 
-struct First<'a> {
-    house: &'a House,
-    number: usize,
-    /// What was said about it.
-    told: Vec<Diagnostic>,
+/// The roofs of a house.
+struct Kept {
+    roofs: Arc<HouseRoofs>,
+    diagnostics: Vec<Diagnostic>,
+    /// The places of that house as [`places`] lists them; empty where neither roofs nor diagnostics have any.
+    places: Box<[Span]>,
 }
 
-impl<'a> RoofCache<'a> {
-    /// The roofs of a house like one before it, and what was said about them, with the places of this house.
-    pub(super) fn twin(
+impl RoofCache {
+    /// Returns the roofs and diagnostics kept for this key, with the places of this house. `None` where there are
+    /// none, or where a place cannot be told from others.
+    pub(super) fn find(
         &self,
         house: &House,
-        plan: &Plan,
-        roofs: &[HouseRoofs],
-    ) -> Option<(HouseRoofs, Vec<Diagnostic>)> {
-        let first = self.known.get(plan)?;
-        let mut roofs = roofs.get(first.number)?.clone();
-        let mut told = first.told.clone();
-        let mut places: Vec<&mut Span> = roofs
-            .roofs
-            .iter_mut()
-            .filter_map(|r| r.span.as_mut())
-            .collect();
-        for diagnostic in &mut told {
-            places.push(&mut diagnostic.span);
-            places.extend(diagnostic.labels.iter_mut().map(|l| &mut l.span));
-        }
-        if !places.is_empty() {
-            let pairs = pairs(&spans(first.house), &spans(house))?;
-            for place in places {
-                *place = *pairs.get(place)?;
+        key: &Key,
+    ) -> Option<(Arc<HouseRoofs>, Vec<Diagnostic>)> {
+        let kept = self.kept.get(key)?;
+        let mut roofs = Arc::clone(&kept.roofs);
+        let mut diagnostics = kept.diagnostics.clone();
+        if !kept.places.is_empty() {
+            let pairs = pairs(&kept.places, &places(house))?;
+            let mut known = true;
+            let exchange = |place: &mut Span| match pairs.get(place) {
+                Some(other) => *place = *other,
+                None => known = false,
+            };
+            let all = roof_places(&mut roofs).chain(message_places(&mut diagnostics));
+            all.for_each(exchange);
+            if !known {
+                return None;
             }
         }
-        Some((roofs, told))
+        Some((roofs, diagnostics))
     }
 
-    /// Keeps what was built for the first house of a plan.
+    /// Keeps the roofs of a house and what was reported about them.
     pub(super) fn keep(
         &mut self,
-        plan: Plan,
-        house: &'a House,
-        number: usize,
-        told: Vec<Diagnostic>,
+        key: Key,
+        house: &House,
+        roofs: &Arc<HouseRoofs>,
+        diagnostics: &[Diagnostic],
     ) {
-        let first = First {
-            house,
-            number,
-            told,
+        let placed = !diagnostics.is_empty() || roofs.roofs.iter().any(|r| r.span.is_some());
+        let places = if placed { places(house) } else { vec![] };
+        let kept = Kept {
+            roofs: Arc::clone(roofs),
+            diagnostics: diagnostics.to_vec(),
+            places: places.into(),
         };
-        self.known.insert(plan, first);
+        let words = key.0.len() + kept.words();
+        if self.words + words > MOST_WORDS {
+            self.kept.clear();
+            self.words = 0;
+        }
+        if words <= MOST_WORDS {
+            self.words += words;
+            self.kept.insert(key, kept);
+        }
     }
 }
 
-/// Every place of a house that roofs or messages about them may have, in one order for all houses of a plan.
-fn spans(house: &House) -> Vec<Span> {
+impl Kept {
+    /// Its memory in words of 8 bytes, about.
+    fn words(&self) -> usize {
+        let solids = self.roofs.roofs.iter().flat_map(|r| &r.solids);
+        let soffits = self.roofs.soffits.iter().flat_map(|s| &s.solids);
+        let solids = solids.chain(soffits);
+        let solids: usize = solids.map(|s| 3 * s.points.len() + 6 * s.faces.len()).sum();
+        32 + solids + 64 * self.diagnostics.len() + 2 * self.places.len()
+    }
+}
+
+/// The places of roofs. Roofs that are shared are copied only if they have some.
+fn roof_places(roofs: &mut Arc<HouseRoofs>) -> impl Iterator<Item = &mut Span> {
+    let placed = roofs.roofs.iter().any(|r| r.span.is_some());
+    let own = placed.then(|| Arc::make_mut(roofs));
+    let roofs = own.into_iter().flat_map(|own| &mut own.roofs);
+    roofs.filter_map(|roof| roof.span.as_mut())
+}
+
+/// The places of diagnostics, those of their fixes included.
+fn message_places(diagnostics: &mut [Diagnostic]) -> impl Iterator<Item = &mut Span> {
+    diagnostics.iter_mut().flat_map(|diagnostic| {
+        let Diagnostic {
+            span,
+            labels,
+            fixes,
+            ..
+        } = diagnostic;
+        let labels = labels.iter_mut().map(|label| &mut label.span);
+        let edits = fixes.iter_mut().flat_map(|fix| &mut fix.edits);
+        let edits = edits.map(|edit| &mut edit.span);
+        std::iter::once(span).chain(labels).chain(edits)
+    })
+}
+
+/// Every place of a house that its roofs or diagnostics about them may have, in one order for all houses of a key.
+fn places(house: &House) -> Vec<Span> {
     let mut spans = vec![house.span];
     spans.extend(house.roofs.wished);
     style_spans(&house.roofs.style, &mut spans);
@@ -110,7 +165,7 @@ fn style_spans(style: &RoofStyle, spans: &mut Vec<Span>) {
     spans.extend(style.plain_ridge.map(|p| p.span));
 }
 
-/// The place in one house of each place in another; none where one stands for two.
+/// The place in one house of each place in another; `None` where one place corresponds to two.
 fn pairs(from: &[Span], to: &[Span]) -> Option<HashMap<Span, Span>> {
     let mut pairs = HashMap::with_capacity(from.len());
     let mut plain = from.len() == to.len();
@@ -120,9 +175,9 @@ fn pairs(from: &[Span], to: &[Span]) -> Option<HashMap<Span, Span>> {
     plain.then_some(pairs)
 }
 
-impl Plan {
-    pub(super) fn of(house: &House) -> Plan {
-        // Everything is named, so that a new field is not forgotten.
+impl Key {
+    pub(super) fn of(house: &House) -> Key {
+        // All fields are named, so that the compiler asks about a new one.
         let House {
             span: _,
             name: _,
@@ -153,7 +208,7 @@ impl Plan {
         words.0.push(lines.len() as u64);
         lines.iter().for_each(|line| words.line(line));
         storeys.iter().for_each(|storey| words.storey(storey));
-        Plan(words.0)
+        Key(words.0.into())
     }
 }
 

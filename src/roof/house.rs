@@ -31,11 +31,12 @@ use crate::roof::storey::{overhang, written};
 use crate::source::Span;
 use std::cell::OnceCell;
 
-/// A house with more roof lines keeps them where it bounds no area: taking them all out is no quick matter.
+/// A house with more roof lines gets no fix that removes them where it bounds no area.
 const MOST_TAKEN_OUT: usize = 16;
 
-/// The roofs of a house.
-pub(super) fn roofs(house: &House, effort: &SearchBudget, out: &mut Diagnostics) -> HouseRoofs {
+/// Roofs a house, without a cache.
+pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
+    let budget = &SearchBudget::default();
     let levels = levels(house);
     let mut done = HouseRoofs::default();
     let lines = explicit::place(house, &levels, out);
@@ -60,7 +61,7 @@ pub(super) fn roofs(house: &House, effort: &SearchBudget, out: &mut Diagnostics)
             top,
             lines,
             pent,
-            effort,
+            budget,
             headroom,
         }
         .roof(&mut done, out);
@@ -68,7 +69,7 @@ pub(super) fn roofs(house: &House, effort: &SearchBudget, out: &mut Diagnostics)
     done
 }
 
-/// What is odd about a house as a whole.
+/// Reports what is wrong with a house as a whole.
 fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
     let style = &house.roofs.style;
     let wish = house
@@ -161,7 +162,7 @@ struct Storey<'a, 'h> {
     /// The street's pent roof.
     pent: Option<Cell>,
     /// For the best cuts.
-    effort: &'a SearchBudget,
+    budget: &'a SearchBudget,
     headroom: Headroom,
 }
 
@@ -211,7 +212,7 @@ impl Storey<'_, '_> {
         }
     }
 
-    /// Whether the author asks for one hipped roof over all, and for nothing that lies flat.
+    /// Whether the author asks for one hipped roof over the whole plan, and for nothing flat.
     fn wants_skeleton(&self) -> bool {
         let roofs = &self.house.roofs;
         let many = self.levels[self.k].plan.corners() > MOST_CORNERS;
@@ -256,7 +257,7 @@ impl Storey<'_, '_> {
             found = strips(&open);
         } else if !open.loops.is_empty() {
             found = self.regions(context, &open, &trunks);
-            if self.effort.is_news() {
+            if self.budget.is_news() {
                 out.push(say::too_much_search(first_wall(level), level.storey.number));
             }
         }
@@ -285,7 +286,7 @@ impl Storey<'_, '_> {
         automatic.roofs(&mut done.ceilings)
     }
 
-    /// The shape of automatic roofs: a wall that rises round the roof on purpose hides a flat one.
+    /// The shape of automatic roofs; behind a parapet it is flat unless the author asks for another.
     fn shape(&self, level: &Level<'_>) -> RoofShape {
         let usual = match level.parapet {
             true => RoofShape::Flat,
@@ -294,7 +295,7 @@ impl Storey<'_, '_> {
         self.house.roofs.style.shape.map_or(usual, |s| s.value)
     }
 
-    /// Says where a shape of single slopes is no shape for these regions.
+    /// Reports a shape of single slopes that these regions cannot have.
     fn refuse(&self, found: &[Region], shape: RoofShape, out: &mut Diagnostics) {
         let Some(wish) = self.house.roofs.style.shape else {
             return;
@@ -316,8 +317,8 @@ impl Storey<'_, '_> {
         Skirt::over(cell, shape, context)
     }
 
-    /// What neither the storey above nor a roof line covers; none where their walls and this storey's
-    /// cross in too many places to be told apart.
+    /// The area that neither the storey above nor a roof line covers; `None` where their walls and this storey's cross
+    /// in too many places.
     fn open(&self, context: &Context<'_>) -> Option<Plan> {
         let plan = &context.level.plan;
         let taken: Vec<Cell> = self
@@ -356,19 +357,19 @@ impl Storey<'_, '_> {
             .then(|| first_line(context.level.storey))
             .flatten();
         let front = line.and_then(|line| street::street_front(open, line));
-        let cut = |open: &Plan| partition_within(open, method, self.effort);
+        let cut = |open: &Plan| partition_within(open, method, self.budget);
         let beside: Vec<_> = trunks.iter().map(|t| t.beside).collect();
         regions_by(open, context.upper, cut, front, STEPS, &beside)
     }
 }
 
-/// The first wall: it stands for a storey that may fill a thousand lines.
+/// The first wall's place: a diagnostic about a storey of a thousand lines marks it.
 fn first_wall(level: &Level<'_>) -> Span {
     let wall = level.storey.rings.first().and_then(|r| r.walls.first());
     wall.map_or(level.storey.span, |w| w.span)
 }
 
-/// Regions of a plan that nobody ranks: strips along a.
+/// Regions of a plan without a search: strips along a.
 fn strips(open: &Plan) -> Vec<Region> {
     let mut cells = slabs::strips(open);
     cells.sort_unstable_by_key(Cell::key);

@@ -34,12 +34,11 @@ pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
     partition_within(plan, method, &SearchBudget::endless())
 }
 
-/// The same with no more search than is left; where that is too little, `LeastCut` and
-/// `BranchCut` are greedy.
-pub fn partition_within(plan: &Plan, method: Method, effort: &SearchBudget) -> Vec<Cell> {
+/// The same within a budget; where it is too small, `LeastCut` and `BranchCut` are greedy.
+pub fn partition_within(plan: &Plan, method: Method, budget: &SearchBudget) -> Vec<Cell> {
     match plan.as_cell() {
         Some(cell) => vec![cell],
-        None => merge::merge(cut_within(plan, method, effort)),
+        None => merge::merge(cut_within(plan, method, budget)),
     }
 }
 
@@ -53,14 +52,14 @@ pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
     cut_within(plan, method, &SearchBudget::endless())
 }
 
-fn cut_within(plan: &Plan, method: Method, effort: &SearchBudget) -> Vec<Cell> {
+fn cut_within(plan: &Plan, method: Method, budget: &SearchBudget) -> Vec<Cell> {
     let mut cells = match Raster::of(plan) {
         None => slabs::strips(plan),
         Some(raster) if raster.cols() == 0 || raster.rows() == 0 => Vec::new(),
         Some(raster) => match method {
             Method::Kd => kd::cut(&raster),
-            Method::LeastCut => least_cut(&raster, plan.corners(), effort),
-            Method::BranchCut => branch_cut(&raster, plan.corners(), effort),
+            Method::LeastCut => least_cut(&raster, plan.corners(), budget),
+            Method::BranchCut => branch_cut(&raster, plan.corners(), budget),
         },
     };
     cells.sort_unstable_by_key(Cell::key);
@@ -68,10 +67,10 @@ fn cut_within(plan: &Plan, method: Method, effort: &SearchBudget) -> Vec<Cell> {
 }
 
 /// The best cuts, or greedy ones where there are too many to choose from.
-fn least_cut(raster: &Raster, corners: usize, effort: &SearchBudget) -> Vec<Cell> {
+fn least_cut(raster: &Raster, corners: usize, budget: &SearchBudget) -> Vec<Cell> {
     if raster.cols().max(raster.rows()) < least_cut::MAX_LINES {
-        let (cells, steps) = least_cut::cut(raster, effort.most(corners));
-        effort.pay(corners, steps, cells.is_some());
+        let (cells, steps) = least_cut::cut(raster, budget.most(corners));
+        budget.pay(corners, steps, cells.is_some());
         if let Some(cells) = cells {
             return cells;
         }
@@ -80,10 +79,10 @@ fn least_cut(raster: &Raster, corners: usize, effort: &SearchBudget) -> Vec<Cell
 }
 
 /// Branches, or greedy cuts where there are too many to choose from.
-fn branch_cut(raster: &Raster, corners: usize, effort: &SearchBudget) -> Vec<Cell> {
-    let most = effort.most(corners).min(branch_cut::MOST_STEPS);
+fn branch_cut(raster: &Raster, corners: usize, budget: &SearchBudget) -> Vec<Cell> {
+    let most = budget.most(corners).min(branch_cut::MOST_STEPS);
     let (cells, steps) = branch_cut::cut(raster, most);
-    effort.pay(corners, steps, cells.is_some());
+    budget.pay(corners, steps, cells.is_some());
     cells.unwrap_or_else(|| chord::cut(raster))
 }
 

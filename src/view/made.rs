@@ -217,7 +217,7 @@ fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Bui
         // What is wrong with pictures was said by the reading.
         let (mut said, limits) = (Diagnostics::new(), &options.expand.limits);
         let paths = &scene.pictures;
-        let mut library = driver::pictures(paths, &building.shell, world, limits, &mut said);
+        let mut library = driver::pictures(paths, building, world, limits, &mut said);
         library.bake(&scene.baked);
         Houses::new(scene, library)
     });

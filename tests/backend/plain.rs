@@ -51,7 +51,7 @@ fn stl_is_in_millimetres() {
 #[test]
 fn regions_are_written_as_documented() {
     use hsd::ast::RoofShape;
-    use hsd::building::{Building, House, HouseRoofs, PlanRegion, Shell, StoreyPlan};
+    use hsd::building::{Building, Built, House, HouseRoofs, PlanRegion, StoreyPlan};
     let house = House {
         span: Span::default(),
         name: String::new(),
@@ -87,15 +87,15 @@ fn regions_are_written_as_documented() {
         }],
     };
     let building = Building {
-        shell: Shell {
-            houses: vec![house],
-            pictures: vec![],
-        },
-        roofs: vec![HouseRoofs {
-            plans: vec![plan],
-            ..Default::default()
+        houses: vec![Built {
+            house,
+            roofs: std::sync::Arc::new(HouseRoofs {
+                plans: vec![plan],
+                ..Default::default()
+            }),
+            fittings: vec![],
         }],
-        fittings: vec![],
+        images: vec![],
     };
     let expected = concat!(
         r#"{"version":1,"houses":[{"name":"","unit_m":0.909091,"storeys":[{"storey":1,"z":2.727273,"#,

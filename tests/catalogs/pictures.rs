@@ -47,8 +47,9 @@ fn variants(files: &Files, text: &str) -> Vec<String> {
         pictures: files.pictures.clone(),
     };
     let made = clean(&files, &["a.hsd"], &[]);
-    let shell = &made.building.shell;
-    let walls = shell.houses[0]
+    let building = &made.building;
+    let walls = building.houses[0]
+        .house
         .storeys
         .iter()
         .flat_map(|s| &s.rings)
@@ -60,7 +61,7 @@ fn variants(files: &Files, text: &str) -> Vec<String> {
             _ => u.picture,
         });
     shown
-        .map(|id| shell.pictures[id.0 as usize].path.clone())
+        .map(|id| building.images[id.0 as usize].path.clone())
         .collect()
 }
 

@@ -48,9 +48,9 @@ fn every_front_and_depth_builds() {
         if run.diagnostics.iter().any(|d| d.severity > Severity::Note) {
             findings.push(run.short());
         }
-        let plan = &run.building.roofs[0].plans[0].outlines[0];
+        let plan = &run.building.houses[0].roofs.plans[0].outlines[0];
         let width = plan.iter().map(|p| p.x).fold(0.0, f64::max);
-        if width != frontage as f64 || run.building.roofs[0].roofs.len() != 2 {
+        if width != frontage as f64 || run.building.houses[0].roofs.roofs.len() != 2 {
             findings.push(format!("{width} units wide"));
         }
         findings

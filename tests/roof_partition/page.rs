@@ -85,8 +85,9 @@ fn pictures_of_the_page_are_as_the_program_draws_them() {
             format!("<Houses>\n{houses}</Houses>\n").as_bytes(),
         );
         assert!(!run.has_errors(), "{name}\n{}", run.short());
-        assert_eq!(run.building.roofs.len(), METHODS.len());
-        for (roofs, (_, method)) in run.building.roofs.iter().zip(METHODS) {
+        assert_eq!(run.building.houses.len(), METHODS.len());
+        for (built, (_, method)) in run.building.houses.iter().zip(METHODS) {
+            let roofs = &built.roofs;
             let regions = &roofs.plans[0].regions;
             assert_eq!(regions.len(), partition(&plan, method).len(), "{name}");
         }

@@ -129,7 +129,7 @@ pub fn build(house: House) -> (Building, Diagnostics) {
     let mut out = Diagnostics::new();
     let shell = Shell {
         houses: vec![house],
-        pictures: vec![],
+        images: vec![],
     };
     (hsd::roof::roof(shell, &mut out), out)
 }
@@ -145,11 +145,15 @@ pub fn codes(out: &Diagnostics) -> Vec<u16> {
 }
 
 pub fn roofs(building: &Building) -> &[Roof] {
-    &building.roofs[0].roofs
+    &building.houses[0].roofs.roofs
 }
 
 pub fn all_solids(building: &Building) -> impl Iterator<Item = &Solid> {
-    building.roofs[0].roofs.iter().flat_map(|r| &r.solids)
+    building.houses[0]
+        .roofs
+        .roofs
+        .iter()
+        .flat_map(|r| &r.solids)
 }
 
 /// Every solid is sound.
@@ -164,7 +168,12 @@ pub fn assert_sound(building: &Building) {
             );
         }
     }
-    for solid in building.roofs[0].soffits.iter().flat_map(|s| &s.solids) {
+    for solid in building.houses[0]
+        .roofs
+        .soffits
+        .iter()
+        .flat_map(|s| &s.solids)
+    {
         let flaws: Vec<_> = solid_flaws(solid).collect();
         assert!(flaws.is_empty(), "soffit: {flaws:?}\n{solid:?}");
     }

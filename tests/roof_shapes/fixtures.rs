@@ -27,14 +27,14 @@ fn every_fixture_triggers_its_message() {
         let documents = [(&source, &document)];
         let program = hsd::expand::expand(&documents, catalog, &NoFiles, &options, &mut out);
         let building = hsd::roof::roof(hsd::lower::lower(program, &mut out), &mut out);
-        building.roofs.iter().for_each(|_| assert_sound(&building));
+        building.houses.iter().for_each(|_| assert_sound(&building));
         // The plan itself says that it is open.
         let codes: Vec<u16> = out
             .iter()
             .map(|d| d.code.0)
             .filter(|c| *c / 100 != 4)
             .collect();
-        if !building.shell.houses.is_empty() {
+        if !building.houses.is_empty() {
             assert_eq!(codes, vec![500 + code], "{name}");
             seen += 1;
         }

@@ -28,7 +28,7 @@ fn a_flat_roof_has_a_slab_and_an_upstand() {
     near(top_at(&building, 2.0, 10.0).unwrap(), H + 0.03);
     near(top_at(&building, 0.0, 10.0).unwrap(), H + 0.4);
     assert_eq!(top_at(&building, 5.0, 10.0), None);
-    let region = &building.roofs[0].plans[0].regions[0];
+    let region = &building.houses[0].roofs.plans[0].regions[0];
     assert_eq!(
         (region.shape, region.ridge, region.role),
         (RoofShape::Flat, None, "main")
@@ -46,7 +46,7 @@ fn a_parapet_storey_stands_for_the_upstand() {
     assert_sound(&building);
     assert_eq!(roofs(&building).len(), 1);
     assert_eq!(roofs(&building)[0].solids.len(), 1);
-    assert_eq!(building.roofs[0].plans.len(), 1);
+    assert_eq!(building.houses[0].roofs.plans.len(), 1);
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn round_plans_are_flat_with_their_courts_where_asked_for() {
     assert_sound(&building);
     near(top_at(&building, 10.0, 3.0).unwrap(), H + 0.03);
     assert_eq!(top_at(&building, 10.0, 10.0), None);
-    let region = &building.roofs[0].plans[0].regions[0];
+    let region = &building.houses[0].roofs.plans[0].regions[0];
     assert_eq!(region.polygon.as_ref().unwrap().len(), 36);
     // Storeys that repeat the plan are covered.
     let tower = quiet(house(vec![
@@ -84,5 +84,5 @@ fn round_plans_are_flat_with_their_courts_where_asked_for() {
         roofs(&tower).iter().map(|r| r.storey).collect::<Vec<_>>(),
         vec![2]
     );
-    assert_eq!(tower.roofs[0].plans.len(), 2);
+    assert_eq!(tower.houses[0].roofs.plans.len(), 2);
 }

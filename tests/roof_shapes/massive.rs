@@ -121,7 +121,7 @@ fn hidden(solid: &Solid, corners: &[u32], all: &[Body<'_>]) -> Option<f64> {
 /// Everything that is wrong with the massive roofs of a building.
 fn wrongs(name: &str, building: &Building, draws: &mut Draws) -> Vec<String> {
     let mut found = vec![];
-    for house in &building.roofs {
+    for house in building.houses.iter().map(|b| &b.roofs) {
         let made = massive_roofs(house);
         let mut all = vec![];
         for group in made {

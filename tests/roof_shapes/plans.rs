@@ -191,10 +191,10 @@ fn setbacks_are_covered_on_every_side() {
 /// Rays from above hit a roof of the storey, at the wall plate or higher, all over its regions; under
 /// ceilings of lean-tos at 1.8 m or higher.
 pub fn assert_covered(name: &str, building: &Building, k: usize, _upper: &[(f64, f64)]) {
-    let house = &building.shell.houses[0];
+    let house = &building.houses[0].house;
     let storey = &house.storeys[k];
-    let ceilings = &building.roofs[0].ceilings;
-    for region in &building.roofs[0].plans[k].regions {
+    let ceilings = &building.houses[0].roofs.ceilings;
+    for region in &building.houses[0].roofs.plans[k].regions {
         let [a0, b0, a1, b1] = region.rect;
         for i in 0..9 {
             for j in 0..9 {

@@ -148,8 +148,8 @@ fn the_same_house_has_the_same_roofs() {
         let house = house(vec![rings(&mut draws, 20)]);
         let json = |b| serde_json::to_string(&b).unwrap();
         assert_eq!(
-            json(build(house.clone()).0.roofs),
-            json(build(house).0.roofs)
+            json(build(house.clone()).0.houses),
+            json(build(house).0.houses)
         );
     }
 }

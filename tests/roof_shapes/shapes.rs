@@ -83,7 +83,10 @@ fn the_broad_gable_turns_its_ridge() {
     house.roofs.style.shape = Some(spanned(RoofShape::BroadGable));
     let building = quiet(house);
     assert_sound(&building);
-    assert_eq!(building.roofs[0].plans[0].regions[0].ridge, Some("b"));
+    assert_eq!(
+        building.houses[0].roofs.plans[0].regions[0].ridge,
+        Some("b")
+    );
     near(
         covering_top(&roofs(&building)[0]),
         H + 0.4 * 3.0 * U + drop_of(0.12, 0.4),
@@ -105,7 +108,7 @@ fn a_branch_dies_in_its_trunk_and_stands_lower() {
     ];
     let building = quiet(house(vec![vec![ring(&t)]]));
     assert_sound(&building);
-    let plan = &building.roofs[0].plans[0];
+    let plan = &building.houses[0].roofs.plans[0];
     assert_eq!(plan.regions.len(), 2);
     assert_eq!(
         (plan.regions[1].role, plan.regions[1].over),
@@ -180,12 +183,12 @@ fn a_strip_becomes_a_lean_to_under_the_eaves_and_cuts_the_walls() {
     ];
     let building = quiet(house(vec![vec![ring(&plan)]]));
     assert_sound(&building);
-    let region = &building.roofs[0].plans[0].regions[1];
+    let region = &building.houses[0].roofs.plans[0].regions[1];
     assert_eq!(
         (region.role, region.fall, region.ridge),
         ("lean-to", Some("B"), None)
     );
-    let [ceiling] = building.roofs[0].ceilings[..] else {
+    let [ceiling] = building.houses[0].roofs.ceilings[..] else {
         panic!()
     };
     assert_eq!(ceiling.rect, [2.0, 6.0, 6.0, 8.0]);
@@ -234,7 +237,7 @@ fn a_rear_strip_leans_against_the_upper_wall() {
         vec![ring(&rect(0.0, 0.0, 6.0, 5.0))],
     ]));
     assert_sound(&building);
-    let plans = &building.roofs[0].plans;
+    let plans = &building.houses[0].roofs.plans;
     assert_eq!(
         (plans[0].regions[0].role, plans[0].regions[0].fall),
         ("lean-to", Some("B"))
@@ -244,7 +247,7 @@ fn a_rear_strip_leans_against_the_upper_wall() {
     near(covering_top(lean), H + 0.3 * 3.0 * U + drop);
     let (lo, _) = extent(lean);
     near(lo.y, 5.0 * U);
-    assert!(building.roofs[0].ceilings.is_empty());
+    assert!(building.houses[0].roofs.ceilings.is_empty());
 }
 
 #[test]
@@ -306,7 +309,13 @@ fn the_example_of_the_domain_sheet_stands() {
         top_of(&pent.solids[0], glam::dvec2(-U, -U)).unwrap(),
         8.1 * SHAKU,
     );
-    assert!(building.roofs[0].plans.iter().all(|p| p.regions.is_empty()));
+    assert!(
+        building.houses[0]
+            .roofs
+            .plans
+            .iter()
+            .all(|p| p.regions.is_empty())
+    );
 }
 
 #[test]
@@ -323,7 +332,10 @@ fn a_two_storeyed_street_house_gets_its_pent_roof() {
     near(lo.x, -6.0 * U);
     near(hi.x, 0.0);
     near(top_of(&pent.solids[0], glam::dvec2(-U, 0.0)).unwrap(), H);
-    assert_eq!(building.roofs[0].plans[1].regions[0].ridge, Some("a"));
+    assert_eq!(
+        building.houses[0].roofs.plans[1].regions[0].ridge,
+        Some("a")
+    );
     let bare = explicit_only(shop);
     assert!(roofs(&quiet(bare)).is_empty());
 }
@@ -394,7 +406,7 @@ fn an_automatic_lean_to_is_that_of_a_line() {
         assert_sound(&automatic);
         let solids = |b: &Building| format!("{:?}", roofs(b)[0].solids);
         assert_eq!(solids(&automatic), solids(&written));
-        let region = &automatic.roofs[0].plans[0].regions[0];
+        let region = &automatic.houses[0].roofs.plans[0].regions[0];
         let told = (region.role, region.fall, region.shape);
         assert_eq!(told, ("lean-to", Some(fall), RoofShape::LeanTo));
     }
@@ -419,15 +431,15 @@ fn explicit_lines_leave_the_rest_to_the_automatic() {
     )];
     let building = quiet(house.clone());
     assert_sound(&building);
-    assert_eq!(building.roofs[0].plans[0].regions.len(), 1);
+    assert_eq!(building.houses[0].roofs.plans[0].regions.len(), 1);
     assert_eq!(
-        building.roofs[0].plans[0].regions[0].rect,
+        building.houses[0].roofs.plans[0].regions[0].rect,
         [0.0, 4.0, 4.0, 14.0]
     );
     assert_eq!(roofs(&building).len(), 2);
     let bare = quiet(explicit_only(house));
     assert_eq!(roofs(&bare).len(), 1);
-    assert!(bare.roofs[0].plans[0].regions.is_empty());
+    assert!(bare.houses[0].roofs.plans[0].regions.is_empty());
 }
 
 #[test]

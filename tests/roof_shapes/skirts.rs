@@ -29,7 +29,7 @@ fn a_skirt_runs_round_the_storey_above() {
         let building = quiet(gate(shape, [2.0, 2.0, 12.0, 8.0]));
         assert_sound(&building);
         // What is open is covered once, by strips that fall away from the storey above.
-        let strips = &building.roofs[0].plans[0].regions;
+        let strips = &building.houses[0].roofs.plans[0].regions;
         let told: Vec<_> = strips.iter().map(|r| (r.rect, r.role, r.fall)).collect();
         let strip = |rect, fall| (rect, "lean-to", Some(fall));
         let wanted = [
@@ -101,7 +101,7 @@ fn a_tower_of_skirts_is_a_pagoda() {
     let building = quiet(tower);
     assert_sound(&building);
     assert_eq!(roofs(&building).len(), 5);
-    let plans = building.roofs[0].plans.iter();
+    let plans = building.houses[0].roofs.plans.iter();
     let counts: Vec<_> = plans
         .map(|p| (p.regions.len(), p.regions[0].role))
         .collect();

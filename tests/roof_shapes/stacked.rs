@@ -68,7 +68,7 @@ fn region(
     building: &Building,
     n: usize,
 ) -> (&'static str, Option<&'static str>, Option<&'static str>) {
-    let region = &building.roofs[0].plans[0].regions[n];
+    let region = &building.houses[0].roofs.plans[0].regions[n];
     (region.role, region.ridge, region.fall)
 }
 
@@ -86,7 +86,7 @@ fn a_strip_beside_a_written_roof_leans_on_it() {
     // It lies under the eaves of the hall, and the walls below it end there.
     let top = strip.solids.iter().flat_map(|s| &s.points).map(|p| p.z);
     assert!(top.fold(f64::MIN, f64::max) < H + 0.02);
-    assert_eq!(building.roofs[0].ceilings.len(), 1);
+    assert_eq!(building.houses[0].roofs.ceilings.len(), 1);
     // The same where the hall stands three shaku higher: the strip then rises from the plate.
     let high = line(RoofShape::Gable, along, Some(12.0), [0.0, 0.0, 8.0, 6.0]);
     let building = quiet(lines(whole, vec![high]));
@@ -112,7 +112,7 @@ fn a_wing_beside_a_written_roof_runs_into_it() {
     let building = quiet(lines(house(vec![vec![ring(&l)]]), vec![hall]));
     assert_sound(&building);
     assert_eq!(region(&building, 0), ("branch", Some("b"), None));
-    assert_eq!(building.roofs[0].plans[0].regions[0].over, None);
+    assert_eq!(building.houses[0].roofs.plans[0].regions[0].over, None);
     // Like a branch of an automatic trunk: the wing's ridge goes on into the hall's slope.
     let wanted = H + 0.4 * 1.9 * U + 0.12 * (1.0f64 + 0.16).sqrt();
     let found = top_at(&building, 1.9, 5.0).unwrap();
@@ -173,7 +173,7 @@ fn storeys_that_stand_out_are_closed_below() {
             .contains("projects 1 U beyond")
     );
     assert_sound(&building);
-    let [soffit] = &building.roofs[0].soffits[..] else {
+    let [soffit] = &building.houses[0].roofs.soffits[..] else {
         panic!()
     };
     assert_eq!(soffit.storey, 2);

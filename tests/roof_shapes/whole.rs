@@ -35,7 +35,7 @@ fn a_hexagon_has_six_slopes_and_one_peak() {
         top_at(&building, 10.0, 10.0).unwrap(),
         H + drop + 0.4 * apothem,
     );
-    let region = &building.roofs[0].plans[0].regions[0];
+    let region = &building.houses[0].roofs.plans[0].regions[0];
     assert_eq!(region.polygon.as_ref().unwrap().len(), 6);
     assert_eq!(
         (region.shape, region.role, region.ridge),
@@ -125,7 +125,7 @@ fn roof_lines_take_their_rectangles_out() {
     let shapes: Vec<RoofShape> = roofs(&building).iter().map(|r| r.shape).collect();
     assert_eq!(shapes, [RoofShape::Hip, RoofShape::Gable]);
     assert_eq!(
-        building.roofs[0].plans[0].regions[0].rect,
+        building.houses[0].roofs.plans[0].regions[0].rect,
         [6.0, 0.0, 12.0, 8.0]
     );
 }

@@ -349,8 +349,8 @@ pub fn open_edges(mesh: &Mesh) -> usize {
 /// Everything that is wrong with the results of a run.
 pub fn flaws(run: &Run) -> Vec<String> {
     let mut flaws = vec![];
-    for (house, roofs) in run.building.roofs.iter().enumerate() {
-        for (index, roof) in roofs.roofs.iter().enumerate() {
+    for (house, built) in run.building.houses.iter().enumerate() {
+        for (index, roof) in built.roofs.roofs.iter().enumerate() {
             for solid in &roof.solids {
                 for flaw in solid_flaws(solid) {
                     let shape = roof.shape.letters();
@@ -359,8 +359,8 @@ pub fn flaws(run: &Run) -> Vec<String> {
             }
         }
     }
-    for (house, roofs) in run.building.roofs.iter().enumerate() {
-        for solid in roofs.soffits.iter().flat_map(|s| &s.solids) {
+    for (house, built) in run.building.houses.iter().enumerate() {
+        for solid in built.roofs.soffits.iter().flat_map(|s| &s.solids) {
             let found = solid_flaws(solid).map(|flaw| format!("house {house}, soffit: {flaw:?}"));
             flaws.extend(found);
         }

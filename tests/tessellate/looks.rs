@@ -6,7 +6,7 @@ use super::*;
 fn glass_mirrors_where_its_facade_does() {
     let shares = |reflection: bool| {
         let mut building = simple(&["NAS 2"]);
-        building.shell.houses[0].storeys[0].rings[0].walls[0].reflection = reflection;
+        building.houses[0].house.storeys[0].rings[0].walls[0].reflection = reflection;
         let scene = scene(&building);
         let glass: Vec<f32> = scene
             .materials

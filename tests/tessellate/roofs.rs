@@ -8,7 +8,7 @@ use hsd::building::Corners;
 fn low_walls_under_a_lean_to() {
     let height = 9.0 * SHAKU;
     let mut building = simple(&["KSK  KSK  ", "GSI  KSK  ", "KSK  KSK  ", "KSK  KSK  "]);
-    building.roofs[0].ceilings.push(Ceiling {
+    roofs_of(&mut building).ceilings.push(Ceiling {
         storey: 1,
         rect: [0.0, 0.0, 2.0, 2.0],
         z: height,
@@ -83,7 +83,7 @@ fn flat_roof() -> Solid {
 #[test]
 fn roofs_become_one_mesh() {
     let mut building = simple(&["KSK  ", "KSK  ", "KSK  ", "KSK  "]);
-    building.roofs[0].roofs.push(Roof {
+    roofs_of(&mut building).roofs.push(Roof {
         storey: 1,
         span: None,
         shape: RoofShape::Flat,
@@ -118,7 +118,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         }],
     };
     let mut building = building(Vec::new());
-    building.roofs[0].roofs.push(Roof {
+    roofs_of(&mut building).roofs.push(Roof {
         storey: 1,
         span: None,
         shape: RoofShape::LeanTo,

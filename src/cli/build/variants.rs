@@ -100,7 +100,7 @@ impl Build {
         if spoiled {
             return Ok(exit(true));
         }
-        let drawn = sheet::sheet(&made.scene, &made.building.shell.houses);
+        let drawn = sheet::sheet(&made.scene, &made.building.houses);
         let bytes = match kind(path) {
             Some(Kind::Png) => texture::png(DynamicImage::ImageRgb8(drawn), true),
             _ => texture::jpeg(&drawn, QUALITY),

@@ -98,14 +98,14 @@ pub(in crate::ide) fn known(a: &Analysis, at: usize) -> Vec<PartId> {
 
 /// The number of the house that an offset lies in.
 pub(in crate::ide) fn house_at(a: &Analysis, at: usize) -> usize {
-    let houses = &a.checked.building.shell.houses;
+    let houses = &a.checked.building.houses;
     let holds = |span| {
         let range = a.source.text_range(span);
         range.start <= at && at <= range.end
     };
     let found = houses
         .iter()
-        .position(|h| h.span.file == a.source.id() && holds(h.span));
+        .position(|b| b.house.span.file == a.source.id() && holds(b.house.span));
     found.unwrap_or(0)
 }
 

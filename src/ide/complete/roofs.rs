@@ -104,10 +104,10 @@ fn heights(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
     const TOP: Noun = noun("the top of the walls there", "そこの壁の上端");
     let mut found =
         vec![Completion::word("*", CompletionKind::Value, TOP.into(), range).sorted("00")];
-    let houses = &ask.a.checked.building.shell.houses;
+    let houses = &ask.a.checked.building.houses;
     let storeys = houses
         .get(parts::house_at(ask.a, ask.at))
-        .map_or(&[][..], |h| &h.storeys);
+        .map_or(&[][..], |b| &b.house.storeys);
     for storey in storeys {
         let (height, number) = (storey.z1 / SHAKU, storey.number);
         let height = format!("{height:.2}");
@@ -131,10 +131,10 @@ fn corners(ask: &Ask<'_>, end: usize, range: &Range<usize>) -> Vec<Completion> {
     if !ask.text[range.end..end].trim().is_empty() {
         return vec![];
     }
-    let houses = &ask.a.checked.building.shell.houses;
+    let houses = &ask.a.checked.building.houses;
     let storeys = houses
         .get(parts::house_at(ask.a, ask.at))
-        .map_or(&[][..], |h| &h.storeys);
+        .map_or(&[][..], |b| &b.house.storeys);
     let mut found: Vec<Completion> = vec![];
     for storey in storeys {
         let corners = storey

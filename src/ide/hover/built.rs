@@ -1,7 +1,7 @@
 //! What was built of what stands here: walls, storeys, houses, roofs.
 
 use super::Ask;
-use crate::building::{Finish, House, Ring, Roof, Storey, Wall};
+use crate::building::{Built, Finish, House, Ring, Roof, Storey, Wall};
 use crate::diagnostic::{Noun, Text, noun};
 use crate::geometry::{SHAKU, area2};
 use crate::ide::card::short;
@@ -28,7 +28,7 @@ pub(super) fn walls(ask: &Ask<'_>, row: &Range<usize>) -> Vec<Text> {
         }
     };
     let mut found = vec![];
-    for house in &ask.a.checked.building.shell.houses {
+    for house in ask.a.checked.building.houses.iter().map(|b| &b.house) {
         for storey in &house.storeys {
             for ring in &storey.rings {
                 let walls = ring.walls.iter().filter(|w| is(w.span));
@@ -81,7 +81,7 @@ fn side(ring: &Ring, wall: &Wall) -> Noun {
 
 /// The storeys that were built of an element, or of lines.
 pub(super) fn storeys(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
-    let houses = ask.a.checked.building.shell.houses.iter();
+    let houses = ask.a.checked.building.houses.iter().map(|b| &b.house);
     let all = houses.flat_map(|h| h.storeys.iter().map(move |s| (h, s)));
     let own = all.filter(|(_, s)| same(ask, s.span, element));
     own.take(WALLS).map(|(h, s)| storey(h, s)).collect()
@@ -132,15 +132,14 @@ fn measures(house: &House, storey: &Storey) -> (f64, f64) {
 
 /// The houses that were built of an element.
 pub(super) fn houses(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
-    let building = &ask.a.checked.building;
-    let all = building.shell.houses.iter().enumerate();
-    let own = all.filter(|(_, h)| same(ask, h.span, element));
+    let all = ask.a.checked.building.houses.iter();
+    let own = all.filter(|b| same(ask, b.house.span, element));
     own.take(WALLS)
-        .map(|(index, house)| {
+        .map(|Built { house, roofs, .. }| {
             let area: f64 = house.storeys.iter().map(|s| measures(house, s).0).sum();
             let floors = bounded(area, noun("; floors", "、延べ面積"));
             let count = house.storeys.iter().map(|s| s.number).max().unwrap_or(0);
-            let roofs = building.roofs.get(index).map_or(0, |r| r.roofs.len());
+            let roofs = roofs.roofs.len();
             let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
             let (shaku, metres) = (short(top / SHAKU, 2), short(top, 2));
             text!([floors]
@@ -153,9 +152,8 @@ pub(super) fn houses(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
 
 /// The roofs that were built of a line or an element; of the whole section those of its house.
 pub(super) fn roofs(ask: &Ask<'_>, place: &Range<usize>, section: bool) -> Vec<Text> {
-    let building = &ask.a.checked.building;
     let mut found = vec![];
-    for (house, roofs) in building.shell.houses.iter().zip(&building.roofs) {
+    for Built { house, roofs, .. } in &ask.a.checked.building.houses {
         let here = section && ask.a.source.text_range(house.span).contains(&place.start);
         let own = roofs
             .roofs

@@ -100,11 +100,10 @@ fn header(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
         .a
         .checked
         .building
-        .shell
         .houses
         .get(parts::house_at(ask.a, ask.at));
     let top = house
-        .and_then(|h| h.storeys.iter().find(|s| s.number as usize == number))
+        .and_then(|b| b.house.storeys.iter().find(|s| s.number as usize == number))
         .map(|s| {
             let (shaku, metres) = (short(s.z1 / SHAKU, 2), short(s.z1, 2));
             text!(

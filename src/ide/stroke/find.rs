@@ -9,8 +9,9 @@ use crate::source::{FileId, Span};
 
 /// A house.
 pub(super) fn house<'a>(sheet: &Sheet<'a>, house: usize) -> Result<&'a House, Text> {
-    let houses = &sheet.a.checked.building.shell.houses;
-    houses.get(house).ok_or_else(refuse::no_such_place)
+    let houses = &sheet.a.checked.building.houses;
+    let built = houses.get(house);
+    built.map(|b| &b.house).ok_or_else(refuse::no_such_place)
 }
 
 /// A storey and its house.

@@ -59,8 +59,11 @@ pub(super) fn draw(
 ) -> Result<Vec<Edit>, Text> {
     let corners = outline::checked(drawn)?;
     let height = checked(height.unwrap_or(HEIGHT))?;
-    let houses = &sheet.a.checked.building.shell.houses;
-    let site = Site::of(house.and_then(|h| houses.get(h)), corners[0]);
+    let houses = &sheet.a.checked.building.houses;
+    let site = Site::of(
+        house.and_then(|h| houses.get(h)).map(|b| &b.house),
+        corners[0],
+    );
     let codes = vec![super::draft::PLAIN.to_owned(); corners.len()];
     let walk = Walk::new(&corners, &codes, false)?.at_origin().with_door();
     let first = sheet.text.trim_start().chars().next();
@@ -160,7 +163,7 @@ fn behind(sheet: &Sheet<'_>, root: &Element, house: &str, end: &str) -> Result<V
 /// A house goes.
 pub(super) fn remove(sheet: &Sheet<'_>, house: usize) -> Result<Vec<Edit>, Text> {
     let own = find::house(sheet, house)?;
-    if sheet.a.checked.building.shell.houses.len() < 2 {
+    if sheet.a.checked.building.houses.len() < 2 {
         return Err(refuse::last_house());
     }
     match find::written_house(sheet, own)? {

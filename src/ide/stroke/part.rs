@@ -74,8 +74,8 @@ fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
         UnitAt::Span { span } => span,
     };
     let mut found = vec![];
-    for (house, own) in sheet.a.checked.building.shell.houses.iter().enumerate() {
-        for (storey, own) in own.storeys.iter().enumerate() {
+    for (house, own) in sheet.a.checked.building.houses.iter().enumerate() {
+        for (storey, own) in own.house.storeys.iter().enumerate() {
             for (ring, own) in own.rings.iter().enumerate() {
                 for (wall, own) in own.walls.iter().enumerate() {
                     let here =
@@ -127,7 +127,7 @@ fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
         let what = sheet.what(&unit);
         return Ok(Piece::new(part.code().trim_end(), what, part.width()));
     }
-    let pictures = &sheet.a.checked.building.shell.pictures;
+    let pictures = &sheet.a.checked.building.images;
     let named =
         |e: &crate::parse::outline::Element| name(e) == "Texture" && e.value("code") == Some(code);
     let picture =

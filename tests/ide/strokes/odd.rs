@@ -230,7 +230,7 @@ fn strokes_take_linear_time() {
         ];
         for stroke in strokes {
             let draw = |(board, a): &(Board, Analysis)| {
-                let last = a.checked.building.shell.houses.len() - 1;
+                let last = a.checked.building.houses.len() - 1;
                 let stroke: Stroke = serde_json::from_value(stroke(last)).unwrap();
                 let edits = stroke::edits(a, &stroke).unwrap();
                 stroke::apply(&a.source, &board.bytes, &edits)

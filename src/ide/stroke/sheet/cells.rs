@@ -240,7 +240,7 @@ impl Sheet<'_> {
     }
 
     fn code(&self, unit: &Unit) -> String {
-        let pictures = &self.a.checked.building.shell.pictures;
+        let pictures = &self.a.checked.building.images;
         match &unit.content {
             Content::Part(id) => self.a.catalog().part(*id).code().trim_end().to_owned(),
             Content::Picture(id) => pictures

@@ -1,0 +1,115 @@
+//! A house is the unit of work: from its syntax and an id to walls, roofs and fittings. A run, a variant, a tile or a
+//! thread is a loop over houses; one made alone with its id is the same to the last bit as in any company.
+
+use super::Read;
+use crate::ast;
+use crate::building::{Building, Built};
+use crate::catalog::Catalog;
+use crate::diagnostic::Diagnostics;
+use crate::expand::{self, Expander, HouseContext, HouseId};
+use crate::fit;
+use crate::lower;
+use crate::program::{self, Picture};
+use crate::roof::{self, RoofCache};
+use crate::source::{Source, World};
+
+/// Makes one house: expands its syntax, places its walls, roofs and fits it. `None` where it would exceed a limit.
+/// Parts refer by index to the images that are returned with it. To make many houses use a [`HouseBuilder`], which
+/// shares what they have in common.
+pub fn house(
+    house: &ast::House,
+    id: HouseId,
+    context: HouseContext<'_>,
+    (catalog, world): (&Catalog, &dyn World),
+    options: &expand::Options,
+    out: &mut Diagnostics,
+) -> Option<(Built, Vec<Picture>)> {
+    let mut builder = HouseBuilder::new(catalog, world, options);
+    let built = builder.house(house, id, context, out)?;
+    Some((built, builder.into_images()))
+}
+
+/// Makes houses one after another and remembers what they have in common, to save time: looked-up codes and images, and
+/// the roofs of houses with one plan.
+pub struct HouseBuilder<'a> {
+    catalog: &'a Catalog,
+    expander: Expander<'a>,
+    roofs: RoofCache,
+}
+
+impl<'a> HouseBuilder<'a> {
+    /// A builder that has made no house yet.
+    pub fn new(catalog: &'a Catalog, world: &'a dyn World, options: &'a expand::Options) -> Self {
+        HouseBuilder {
+            catalog,
+            expander: Expander::new(catalog, world, options),
+            roofs: RoofCache::default(),
+        }
+    }
+
+    /// Makes one house, as [`house`] does; images are numbered for all houses of this builder.
+    pub fn house(
+        &mut self,
+        house: &ast::House,
+        id: HouseId,
+        context: HouseContext<'_>,
+        out: &mut Diagnostics,
+    ) -> Option<Built> {
+        let house = self.expander.house(house, id, context, out)?;
+        Some(finish(house, self.catalog, &mut self.roofs, out))
+    }
+
+    /// Returns the images of all houses made so far.
+    pub fn into_images(self) -> Vec<Picture> {
+        self.expander.into_images()
+    }
+}
+
+/// Walls, then roofs, then fittings of an expanded house.
+pub(super) fn finish(
+    house: program::House,
+    catalog: &Catalog,
+    cache: &mut RoofCache,
+    out: &mut Diagnostics,
+) -> Built {
+    let house = lower::house(house, out);
+    let mut roofs = roof::house(&house, cache, out);
+    let fittings = fit::house(&house, &mut roofs, catalog, out);
+    Built {
+        house,
+        roofs,
+        fittings,
+    }
+}
+
+/// Makes all houses that were read and drops the syntax of each when it is done. Unnamed houses have their index in
+/// their document as id.
+pub(super) fn houses(
+    read: &mut Read,
+    sources: &[&Source],
+    world: &dyn World,
+    options: &expand::Options,
+    out: &mut Diagnostics,
+) -> Building {
+    let documents = std::mem::take(&mut read.documents);
+    let catalog = &*read.catalog;
+    let mut builder = HouseBuilder::new(catalog, world, options);
+    let mut houses = vec![];
+    // With variants there are the documents of all sources several times.
+    let sources = sources.iter().copied().cycle();
+    for (number, (source, document)) in sources.zip(documents).enumerate() {
+        let variant = document.variant;
+        for (index, house) in document.houses.into_iter().enumerate() {
+            let context = HouseContext {
+                source,
+                scope: catalog.known_in(number, index),
+                variant,
+            };
+            houses.extend(builder.house(&house, HouseId(index as u64), context, out));
+        }
+    }
+    Building {
+        houses,
+        images: builder.into_images(),
+    }
+}
