@@ -4,6 +4,17 @@
 use crate::robust::heaps::{comb, stair};
 use crate::support::{Numbers, Run, assert_none, compile, texts};
 use crate::twins::built;
+use hsd::Options;
+use hsd::ast::Document;
+use hsd::building::{Building, Built};
+use hsd::catalog::Catalog;
+use hsd::diagnostic::Diagnostics;
+use hsd::driver::{self, Checked, Compiled, HouseBuilder, HouseContext, HouseId};
+use hsd::program::Program;
+use hsd::roof::RoofCache;
+use hsd::roof::budget::SearchBudget;
+use hsd::scene::Scene;
+use hsd::source::{FileId, NoFiles, Source, World};
 use std::collections::BTreeSet;
 use std::fs;
 
@@ -17,11 +28,11 @@ impl Alone {
     /// `None` where the text makes more than one house, or none.
     fn of(text: &str) -> Option<Alone> {
         let run = compile("alone.hsd", text.as_bytes());
-        let [roofs] = &run.building.roofs[..] else {
+        let [house] = &run.building.houses[..] else {
             return None;
         };
         let text = text.trim_end().to_owned();
-        let roofs = built(roofs);
+        let roofs = built(&house.roofs);
         Some(Alone { text, roofs })
     }
 }
@@ -53,10 +64,10 @@ fn together(houses: &[&Alone]) -> Run {
 
 /// Reports the houses whose roofs are others in company.
 fn changed(name: &str, houses: &[&Alone]) -> Vec<String> {
-    let roofs = together(houses).building.roofs;
-    assert_eq!(roofs.len(), houses.len(), "{name}");
-    let pairs = houses.iter().zip(&roofs).enumerate();
-    let changed = pairs.filter(|(_, (house, roofs))| house.roofs != built(roofs));
+    let built_together = together(houses).building.houses;
+    assert_eq!(built_together.len(), houses.len(), "{name}");
+    let pairs = houses.iter().zip(&built_together).enumerate();
+    let changed = pairs.filter(|(_, (house, other))| house.roofs != built(&other.roofs));
     changed
         .map(|(n, (house, _))| format!("{name}: house {n} has other roofs\n{}", house.text))
         .collect()
@@ -81,4 +92,78 @@ fn roofs_are_the_same_in_any_company() {
         findings.extend(changed(&format!("company {round}"), &company));
     }
     assert_none(&findings);
+}
+
+/// The search for the best cuts of a plan has a budget. Houses that use up all of theirs leave that of the next alone.
+#[test]
+fn houses_that_search_long_take_nothing_from_the_next() {
+    let houses = houses();
+    let long: Vec<Alone> = (0..40)
+        .filter_map(|higher| Alone::of(&stair(30, higher).replace("%\n", "")))
+        .collect();
+    assert_eq!(long.len(), 40);
+    let company: Vec<&Alone> = long.iter().chain(&houses).collect();
+    assert_none(&changed("after forty stairs", &company));
+}
+
+/// A house that is made alone, from its syntax and its id, is that of the run to the last bit, its places, draws and
+/// diagnostics included.
+#[test]
+fn a_house_made_alone_is_the_one_of_the_run() {
+    let mut findings = vec![];
+    for path in texts("examples")
+        .into_iter()
+        .chain(texts("tests/suite/diagnostics"))
+    {
+        let name = crate::support::stem(&path);
+        let source = Source::new(FileId(0), &name, &fs::read(&path).expect("can be read"));
+        let (options, mut ignored) = (Options::default(), Diagnostics::new());
+        let mut read = driver::documents(&[&source], &NoFiles, &options, &mut ignored);
+        let (catalog, document) = (&read.catalog, read.documents.remove(0));
+        let context = |index: usize| HouseContext {
+            source: &source,
+            scope: catalog.known_in(0, index),
+            variant: None,
+        };
+        let expand = &options.expand;
+        let (mut together, mut alone) = (Diagnostics::new(), Diagnostics::new());
+        let mut run = HouseBuilder::new(catalog, &NoFiles, expand);
+        for (index, house) in document.houses.iter().enumerate() {
+            let (id, context) = (HouseId(index as u64), context(index));
+            let known = (&**catalog, &NoFiles as &dyn World);
+            let single = driver::house(house, id, context, known, expand, &mut alone);
+            let of_run = run.house(house, id, context, &mut together);
+            if json(&single.map(|(built, _)| built)) != json(&of_run) {
+                findings.push(format!("{name}: house {index} is another alone"));
+            }
+        }
+        if alone.into_sorted() != together.into_sorted() {
+            findings.push(format!("{name}: other diagnostics"));
+        }
+    }
+    assert_none(&findings);
+}
+
+fn json(built: &Option<Built>) -> String {
+    serde_json::to_string(built).expect("is plain data")
+}
+
+/// Houses may be made on any thread, and what they are made of may be handed from one to another.
+#[test]
+fn the_chain_can_move_between_threads() {
+    fn is_send<T: Send>() {}
+    fn is_shared<T: Send + Sync>() {}
+    is_shared::<&dyn World>();
+    is_shared::<Source>();
+    is_shared::<Catalog>();
+    is_shared::<Document>();
+    is_shared::<Program>();
+    is_shared::<Building>();
+    is_shared::<Scene>();
+    is_shared::<Diagnostics>();
+    is_send::<HouseBuilder<'_>>();
+    is_send::<RoofCache>();
+    is_send::<SearchBudget>();
+    is_send::<Compiled>();
+    is_send::<Checked>();
 }

@@ -12,14 +12,14 @@ use hsd::ast::{Document, Item, Piece, Row, Storey};
 use hsd::diagnostic::{Diagnostic, Diagnostics};
 use hsd::driver;
 use hsd::source::{FileId, IncludeError, PictureFile, Source, World};
-use std::cell::Cell;
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Texts in memory, by path; folders are not looked at.
 #[derive(Default)]
 pub(crate) struct Texts {
     files: BTreeMap<String, Vec<u8>>,
-    read: Cell<usize>,
+    read: AtomicUsize,
 }
 
 impl Texts {
@@ -44,7 +44,7 @@ impl World for Texts {
     }
 
     fn text_bytes(&self, path: &str, _: usize) -> std::io::Result<Vec<u8>> {
-        self.read.set(self.read.get() + 1);
+        self.read.fetch_add(1, Ordering::Relaxed);
         Ok(self.files[path].clone())
     }
 }

@@ -219,7 +219,7 @@ impl Documents {
         let name = path.as_deref().and_then(Path::to_str).unwrap_or(uri);
         let source = Source::new(FileId(0), name, marked(text).as_bytes());
         let analysis = Analysis::new(source, &world, &world.options(settings));
-        (analysis, world.asked.into_inner())
+        (analysis, world.into_asked())
     }
 }
 

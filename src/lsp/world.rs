@@ -5,10 +5,9 @@ use crate::driver::Options;
 use crate::expand;
 use crate::fs::FolderWorld;
 use crate::source::{FileId, IncludeError, Limits, PictureFile, Source, World};
-use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::{fs, io};
 
 /// What a path is known by, however it is written and whatever links lead to it.
@@ -55,7 +54,7 @@ pub(super) struct Overlay<'a> {
     /// Open texts by [`key`].
     pub(super) open: &'a Open,
     /// The texts that were asked for, by [`key`], whether they are there or not.
-    pub(super) asked: RefCell<BTreeSet<PathBuf>>,
+    asked: Mutex<BTreeSet<PathBuf>>,
 }
 
 impl<'a> Overlay<'a> {
@@ -74,11 +73,22 @@ impl<'a> Overlay<'a> {
             disk: FolderWorld::new(textures, Limits::default().pixels).with_roots(roots.clone()),
             roots,
             open,
-            asked: RefCell::default(),
+            asked: Mutex::default(),
         }
     }
 
-    /// What a run is to do; files of own parts that cannot be read are left out.
+    /// Returns the files that were asked for, by [`key`], whether they exist or not.
+    pub(super) fn into_asked(self) -> BTreeSet<PathBuf> {
+        let asked = self.asked.into_inner();
+        asked.unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn note(&self, key: PathBuf) {
+        let mut asked = self.asked.lock().unwrap_or_else(PoisonError::into_inner);
+        asked.insert(key);
+    }
+
+    /// The options of a run; files of custom parts that cannot be read are left out.
     pub(super) fn options(&self, settings: &Settings) -> Options {
         let read = settings.catalogs.iter().filter_map(|path| {
             let key = key(path);
@@ -86,7 +96,7 @@ impl<'a> Overlay<'a> {
                 Some(text) => Some(text.as_bytes().to_vec()),
                 None => small(path),
             };
-            self.asked.borrow_mut().insert(key);
+            self.note(key);
             Some((path, bytes?))
         });
         let catalogs: Vec<Source> = read
@@ -136,7 +146,7 @@ impl World for Overlay<'_> {
 
     fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let asked = Path::new(from).parent().unwrap_or(Path::new("")).join(href);
-        self.asked.borrow_mut().insert(key(&asked));
+        self.note(key(&asked));
         match self.disk.text(from, href) {
             Err(IncludeError::Missing) => self.unsaved(from, href).ok_or(IncludeError::Missing),
             found => found,

@@ -436,16 +436,16 @@ pub fn no_hipped_roof(storey: Span, number: u32, touching: bool) -> Diagnostic {
     ))
 }
 
-/// The search budget is used up.
+/// The search budget of a house is used up.
 #[cold]
 pub fn too_much_search(storey: Span, number: u32) -> Diagnostic {
     let message = text!(
-        "the search budget does not suffice for the best partition of storey {number}: this plan, and similar ones from here on, are divided by a faster rule",
-        "{number}階の平面の最良の分割は探索の上限を超えるため、これ以降の同様の平面も含めて、速い規則で分割します"
+        "the search budget does not suffice for the best partition of storey {number}: it is divided by a faster rule",
+        "{number}階の平面の最良の分割は探索の上限を超えるため、速い規則で分割します"
     );
     Diagnostic::warning(906, storey, message).help(text!(
-        "give the plans fewer corners, write their roofs, or compile fewer houses at once",
-        "平面の隅を減らすか、屋根を書くか、一度にコンパイルする家を減らしてください"
+        "give the plan fewer corners, or write its roofs",
+        "平面の隅を減らすか、屋根を書いてください"
     ))
 }
 
