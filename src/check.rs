@@ -1,12 +1,12 @@
-//! Checks of what the passes make: each check is a kind of [`Flaw`] with its reason.
+//! Checks of solids: each check is a kind of [`Flaw`] with its reason.
 
 use crate::building::{Face, Solid};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Corners nearer to each other are one, metres.
+/// Corners closer to each other than this count as one, metres.
 pub const WELD: f64 = 1e-9;
-/// Faces may leave their plane by so much, metres.
+/// The most that a face's corners may leave its plane, metres.
 pub const PLANE: f64 = 1e-6;
 /// The least area of a face, square metres.
 pub const AREA: f64 = 1e-8;
@@ -38,7 +38,7 @@ pub enum Flaw {
         /// Where it ends.
         to: DVec3,
     },
-    /// A face has no area: it has no normal to light it by.
+    /// A face has no area, so no normal for shading.
     Sliver {
         /// Index of the face.
         face: usize,
@@ -55,8 +55,7 @@ pub enum Flaw {
     },
 }
 
-/// The flaws of a solid, the gravest first; later checks are left out where they would have no
-/// sense.
+/// Returns the flaws of a solid, the gravest first; later checks are left out where they would be meaningless.
 pub fn solid_flaws(solid: &Solid) -> impl Iterator<Item = Flaw> {
     let mut flaws: Vec<Flaw> = not_finite(solid).chain(bad_faces(solid)).collect();
     if flaws.is_empty() {
@@ -91,7 +90,7 @@ fn bad_faces(solid: &Solid) -> impl Iterator<Item = Flaw> {
         .map(|(face, _)| Flaw::BadFace { face })
 }
 
-/// How often each edge is run in its ascending and in its descending direction.
+/// The number of times that each edge is run in its ascending and in its descending direction.
 fn tally<K: Ord + Copy>(edges: impl Iterator<Item = (K, K)>) -> BTreeMap<(K, K), (u32, u32)> {
     let mut tally = BTreeMap::new();
     for (p, q) in edges {

@@ -25,17 +25,20 @@
 //!
 //! # The chain
 //!
-//! Each step is a plain function from one typed tree to the next. It takes what is wrong as it comes, says so to
-//! [`Diagnostics`](diagnostic::Diagnostics), and goes on; none panics. [`compile`] runs them all.
+//! Each step is a plain function from one typed tree to the next. It reports errors to
+//! [`Diagnostics`](diagnostic::Diagnostics) and continues; none panics. [`compile`] runs them all.
+//!
+//! From expansion to fittings the unit of work is a house: [`driver::house`] makes one from its syntax and an id, and a
+//! run is a loop over houses. A house is the same alone and in any company, so it may be made again, or elsewhere.
 //!
 //! | step | makes | what no longer exists after it |
 //! |---|---|---|
 //! | [`Source::new`](source::Source::new) | [`Source`](source::Source) | encodings; spans count bytes of the original file ever after |
 //! | [`parse::parse`] | [`ast::Document`] | syntax: the legacy text and XML give one tree; expressions, parameters, conditions, named pieces, included files |
-//! | [`expand::expand`] | [`program::Program`] | repeat, split lists, random, replace, unknown codes, defaults |
-//! | [`lower::lower`] | [`building::Shell`] | turns and rows: every wall has two ends |
-//! | [`roof::roof`] | [`building::Building`] | open tops: regions cover every uncovered area once, solids lie over them |
-//! | [`fit::fit`] | [`building::Building`] | platforms, verandas, brackets and finials without a place |
+//! | [`expand::Expander::house`] | [`program::House`] | repeat, split lists, random, replace, unknown codes, defaults |
+//! | [`lower::house`] | [`building::House`] | turns and rows: every wall has two ends |
+//! | [`roof::house`] | [`building::HouseRoofs`] | open tops: regions cover every uncovered area once, solids lie over them |
+//! | [`fit::house`] | [`building::Built`] | platforms, verandas, brackets and finials without a place |
 //! | [`tessellate::tessellate`] | [`scene::Scene`] | part codes and plans: meshes, materials, a tree of nodes |
 //! | [`backend`] | bytes | |
 //!

@@ -1,4 +1,4 @@
-//! Sources: the bytes an author wrote, the text they decode to, and spans into them.
+//! Source files: their bytes, the text they decode to, and spans into them.
 //!
 //! A [`Span`] always counts bytes of the ORIGINAL file, whatever its encoding, so that an editor and
 //! a JSON report agree with the file on disk. The passes read [`Source::text`] (UTF-8, without a byte
@@ -14,7 +14,7 @@ pub(crate) use reference::reference;
 
 use std::ops::Range;
 
-/// Bounds on what a build takes in (docs/contract.md 7), each with a flag to raise it.
+/// Bounds on the input of a build (docs/contract.md 7), each with a flag to raise it.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
     /// Bytes of one file.
@@ -25,7 +25,7 @@ pub struct Limits {
     pub includes: usize,
     /// Expanded parts of one house.
     pub parts: usize,
-    /// Pixels of one picture.
+    /// Pixels of one image.
     pub pixels: u64,
 }
 
@@ -44,41 +44,41 @@ impl Default for Limits {
 /// The surroundings of a build: images and included files. The passes do no input or output of their own. Houses may
 /// be made on several threads, so all of them can ask at once.
 pub trait World: Send + Sync {
-    /// A part picture of this name among the texture folders.
+    /// Returns the part image of this name in the texture folders.
     fn picture(&self, name: &str) -> Option<PictureFile>;
 
-    /// The bytes of a picture found before.
+    /// Returns the bytes of an image found before.
     fn picture_bytes(&self, path: &str) -> std::io::Result<Vec<u8>>;
 
-    /// The picture in a file that the text of the name `from` names.
+    /// Returns the image `href` that the source file `from` names.
     ///
     /// # Errors
-    /// Where there is none, or it may not be read.
+    /// If there is none, or it may not be read.
     fn image(&self, from: &str, href: &str) -> Result<PictureFile, IncludeError> {
         let _ = (from, href);
         Err(IncludeError::Missing)
     }
 
-    /// The path of the text that the text of the name `from` includes as `href`.
+    /// Returns the path of the file that the source file `from` includes as `href`.
     ///
     /// # Errors
-    /// Where there is none, or it may not be read.
+    /// If there is none, or it may not be read.
     fn text(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let _ = (from, href);
         Err(IncludeError::Missing)
     }
 
-    /// The bytes of a text found before, which is no longer than `limit`.
+    /// Returns the bytes of a file found before, which is no longer than `limit`.
     ///
     /// # Errors
-    /// When it cannot be read.
+    /// If it cannot be read.
     fn text_bytes(&self, path: &str, limit: usize) -> std::io::Result<Vec<u8>> {
         let _ = limit;
         Err(std::io::Error::new(std::io::ErrorKind::NotFound, path))
     }
 }
 
-/// Why a text that is included cannot be had.
+/// The reason why a file cannot be included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum IncludeError {
     /// There is no such file.
@@ -87,16 +87,16 @@ pub enum IncludeError {
     Outside,
 }
 
-/// A part picture that exists.
+/// A part image that exists.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PictureFile {
-    /// What [`World::picture_bytes`] knows it by.
+    /// Its path for [`World::picture_bytes`].
     pub path: String,
     /// Width and height in pixels.
     pub size: (u32, u32),
 }
 
-/// A world without pictures.
+/// A world without files.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
 
@@ -154,7 +154,7 @@ impl serde::Serialize for Span {
 /// A value and the place where it is written.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Spanned<T> {
-    /// What is written.
+    /// The value.
     pub value: T,
     /// Where.
     pub span: Span,
@@ -189,7 +189,7 @@ enum Offsets {
 
 impl Source {
     /// Decodes a file. A byte order mark decides; then an XML declaration's label; then whatever is
-    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS or EUC-JP, whichever makes sense (docs/evidence.md 2.6, A13).
+    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS or EUC-JP, whichever fits (docs/evidence.md 2.6, A13).
     pub fn new(id: FileId, name: impl Into<String>, bytes: &[u8]) -> Source {
         let (encoding, bom) = detect(bytes);
         let utf8 = (encoding == encoding_rs::UTF_8).then(|| std::str::from_utf8(&bytes[bom..]));
@@ -234,7 +234,7 @@ impl Source {
         self.encoding
     }
 
-    /// Whether some bytes had no meaning in the encoding and became U+FFFD.
+    /// Whether some bytes were invalid in the encoding and became U+FFFD.
     pub fn malformed(&self) -> bool {
         self.malformed
     }

@@ -1,4 +1,4 @@
-//! What is known of the room under a roof, so that its sheets can be made one massive solid with it.
+//! The space under a roof, with which its sheets can be made one massive solid.
 
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -8,7 +8,7 @@ use smallvec::SmallVec;
 pub struct Attic {
     /// Height of the wall plate, metres. Roofs of one storey and plate meet, and follow each other in their house.
     pub plate: f64,
-    /// Whether there is one: what hangs on a wall or lies under the eaves of another roof has none.
+    /// Whether there is one: a roof that hangs on a wall or lies under another's eaves has none.
     pub filled: bool,
     /// Where the roof stands out over its gable walls.
     pub verges: Vec<Verge>,

@@ -1,10 +1,10 @@
-//! What a roof wears beyond its solids, as far as nobody can read it off them: tessellation makes ridge tiles,
-//! barge boards, rafters and the like from this and from the solids.
+//! Trim of a roof that its solids do not show: tessellation makes ridge tiles, barge boards and rafters from this and
+//! from the solids.
 
 use crate::ast::RoofKind;
 use serde::Serialize;
 
-/// The wishes of one roof for its dressing, metres.
+/// The trim of one roof, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Trim {
     /// Horizontal overhang of the eaves beyond the wall line: how far rafters show.
@@ -24,8 +24,8 @@ pub struct Trim {
 }
 
 impl Trim {
-    /// How far a ridge stands above the line where its slopes meet, metres: dai, courses of 35 mm and a cap of
-    /// 80 mm with tiles (docs/evidence.md 4.4), the like with other coverings.
+    /// Returns the height of a ridge above the line where its slopes meet, metres: dai, courses of 35 mm and a cap of
+    /// 80 mm with tiles (docs/evidence.md 4.4), similar with other coverings.
     pub fn ridge_height(&self, kind: RoofKind) -> f64 {
         match kind {
             RoofKind::Tiles | RoofKind::CoverTiles => 0.015 + 0.035 * f64::from(self.noshi) + 0.08,

@@ -29,7 +29,7 @@ pub enum Thing {
     Brackets(Brackets),
     /// Tie beams before the posts of a storey.
     Beams(Vec<Beam>, SurfaceId),
-    /// What crowns a roof.
+    /// A finial on a roof.
     Finial(Finial),
 }
 
@@ -64,7 +64,7 @@ pub struct Veranda {
     pub sides: Vec<Deck>,
     /// The outline of the walls, counter-clockwise.
     pub walls: Vec<DVec2>,
-    /// What carries it from below: the ground, or the storey's foot where brackets reach out from the walls.
+    /// The height that carries it from below: the ground, or the storey's foot where brackets reach out from the walls.
     pub foot: f64,
     /// Its floor.
     pub top: f64,
@@ -87,7 +87,7 @@ pub struct Deck {
     pub outer: [DVec2; 2],
     /// Posts of the wall, metres from its first corner.
     pub posts: Vec<f64>,
-    /// What is left out of its railing, where stairs lead up: metres from the first corner of the edge.
+    /// The gap in its railing where stairs lead up: metres from the first corner of the edge.
     pub gap: Option<(f64, f64)>,
 }
 
@@ -102,7 +102,7 @@ pub struct Brackets {
     pub beams: Vec<Beam>,
     /// White wall between them.
     pub frieze: Vec<Beam>,
-    /// How often they step out.
+    /// The number of steps out.
     pub steps: u32,
     /// From the top of a post to that of the storey.
     pub height: f64,
@@ -112,7 +112,7 @@ pub struct Brackets {
     pub purlin: f64,
     /// Side of a post.
     pub post: f64,
-    /// From post to post where they stand closest.
+    /// The least distance from post to post.
     pub bay: f64,
     /// Timber.
     pub paint: SurfaceId,
@@ -140,7 +140,7 @@ pub struct Beam {
     pub height: f64,
 }
 
-/// What crowns a roof.
+/// A finial on a roof.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finial {
     /// Which.

@@ -1,4 +1,5 @@
-//! The parts of a run: the built-in ones, those of files named for it or lying beside a text, those of the texts.
+//! The catalogue of a run: the built-in parts, those of files given for it or found beside a source, and those of the
+//! sources.
 
 use crate::ast::Document;
 use crate::catalog::{Catalog, ScopeId};
@@ -10,10 +11,10 @@ use crate::source::Source;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// The file beside a text whose parts it knows.
+/// The file beside a source whose parts it knows.
 pub(crate) const BESIDE: &str = "catalog.hsd";
 
-/// The catalogue of a run, with what each house knows. `given` are files for all texts.
+/// Returns the catalogue of a run and records which parts each house knows. `given` are files for all sources.
 pub fn catalog<'a>(
     sources: &[&Source],
     documents: &[Document],
@@ -38,9 +39,9 @@ pub fn catalog<'a>(
         return Cow::Borrowed(builtin);
     }
     let mut catalog = builtin.clone();
-    // By file: texts of one folder share what lies beside them.
+    // By file: sources in one folder share the file beside them.
     let mut folders: BTreeMap<Option<&str>, ScopeId> = BTreeMap::new();
-    // Of variants there are the documents of all sources again and again.
+    // With variants there are the documents of all sources several times.
     let all = sources.iter().zip(beside).cycle();
     for (document, (source, file)) in documents.iter().zip(all) {
         let known = folders.get(&file.map(Source::name)).copied();
@@ -69,7 +70,7 @@ pub fn catalog<'a>(
     Cow::Owned(catalog)
 }
 
-/// The file of parts beside a text, unless the text is that file itself.
+/// The file of parts beside a source, unless the source is that file itself.
 fn beside<'a>(source: &Source, setting: ReadContext<'a>) -> Option<&'a Source> {
     let path = setting.world.text(source.name(), BESIDE).ok()?;
     if path == source.name() {

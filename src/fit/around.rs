@@ -1,4 +1,4 @@
-//! Outlines round a house: its walls' outline, moved outwards.
+//! Outlines round a house: the outline of its walls, moved outwards.
 
 use super::metres;
 use crate::building::{House, Ring};
@@ -15,7 +15,7 @@ pub(super) fn outline(house: &House, ring: &Ring) -> Vec<DVec2> {
     points
 }
 
-/// A counter-clockwise outline moved outwards, by so much across x and across y. Where it would cross itself, in
+/// A counter-clockwise outline moved outwards by these distances along x and y. Where it would cross itself, in
 /// narrow courts that open outwards, the rectangle round all of it.
 pub(super) fn moved(points: &[DVec2], by: DVec2) -> Vec<DVec2> {
     let n = points.len();

@@ -18,7 +18,7 @@ const LINTEL: f64 = 0.74;
 /// Height of a beam, as a share of the post's side.
 const HEIGHT: f64 = 0.62;
 
-/// The beams of all walls; they end where nothing stands in a bay.
+/// The beams of all walls; they end at voids.
 pub(super) fn beams(catalog: &Catalog, house: &House, storey: &Storey, posts: &Posts) -> Vec<Beam> {
     let height = storey.wall_height();
     let post = posts.size * SHAKU;
@@ -71,7 +71,7 @@ fn runs(wall: &Wall, crosses: impl Fn(&Unit) -> bool) -> Vec<(f64, f64)> {
     runs
 }
 
-/// Whether something stands in a bay, and where `doors` stand in the way, no door.
+/// Whether a beam runs through a bay: not through a void, nor, where `doors` are in the way, through a door.
 fn is_wall(catalog: &Catalog, unit: &Unit, doors: bool) -> bool {
     match &unit.content {
         Content::Void => false,

@@ -8,13 +8,13 @@ use crate::building::{House, Storey, Wall};
 use crate::geometry::{SAME, SHAKU};
 use glam::DVec2;
 
-/// Side of a post where nobody says, metres.
+/// Side of a post by default, metres.
 const POST: f64 = 0.1212;
 
 /// Purlins are never flatter than this, metres.
 const LEAST: f64 = 0.12;
 
-/// What is known about a storey.
+/// The bracket zone of a storey.
 struct Zone<'a> {
     house: &'a House,
     /// Tops of the posts, and of the storey.
@@ -60,7 +60,7 @@ pub(super) fn brackets(
             zone.wall(&[before, wall, after], &mut made);
         }
     }
-    // What is left to step up in, however low the purlin lies.
+    // The height left for the steps, however low the purlin lies.
     let room = height - LEAST;
     made.purlin = made.purlin.min(room).max(room * 0.3).max(0.1);
     made
@@ -158,7 +158,7 @@ fn bend(before: &Wall, wall: &Wall) -> f64 {
     }
 }
 
-/// Whether anything stands in the bay at this place.
+/// Whether the bay at this place holds a part.
 fn bay_stands(wall: &Wall, at: f64) -> bool {
     let mut end = 0.0;
     let bay = wall.units.iter().find(|u| {

@@ -1,4 +1,4 @@
-//! What crowns a roof: it stands on the apex or the ridge that the finished solids have.
+//! Finials: they stand on the apex or the ridge of the finished solids.
 
 use super::metres;
 use crate::ast::{self, FinialKind};
@@ -97,7 +97,7 @@ fn span(roof: &Roof) -> f64 {
     (hi - lo).min_element()
 }
 
-/// How high a finial is where nobody says, metres: a sorin 0.3 of a pagoda of usual height, the others by the size
+/// The height of a finial by default, metres: a sorin 0.3 of a pagoda of usual height, the others by the size
 /// of their roof.
 fn usual(kind: FinialKind, ridge: f64, span: f64) -> f64 {
     match kind {

@@ -1,4 +1,4 @@
-//! The roofs of a house as seen from below: what a purlin may touch.
+//! The faces of a house's roofs that a purlin below them may touch.
 
 use crate::building::{Face, HouseRoofs, Solid};
 use glam::{DVec2, DVec3};
@@ -52,7 +52,7 @@ impl Underside {
         })
     }
 
-    /// How high it is over a place that it covers.
+    /// Returns its height over a place that it covers, metres.
     fn over(&self, p: DVec2) -> Option<f64> {
         let beside = |axis: usize| p[axis] < self.lo[axis] - 1e-6 || p[axis] > self.hi[axis] + 1e-6;
         if beside(0) || beside(1) {

@@ -1,4 +1,4 @@
-//! Does a walk close (C1, C2 of docs/evidence.md 2.3)? If not: which line, or which turn, would close it?
+//! Whether a walk closes (C1, C2 of docs/evidence.md 2.3), and if not, which line or turn would close it.
 
 use super::text;
 use super::walk::Walk;
@@ -11,14 +11,14 @@ use std::ops::Range;
 
 /// A closing error up to this share of the length is spread over a ring of facades (docs/contract.md 3).
 const RING_ERROR: f64 = 0.01;
-/// The same for walks with odd angles, whose corners nobody can write exactly.
+/// The same for walks with odd angles, whose corners cannot be written exactly.
 const ODD_ERROR: f64 = 0.001;
 /// Walks with up to this many degrees of written turns may stay open: a facade, not a house.
 const OPEN_TURNS: f64 = 180.0;
-/// Plans beyond this many U are a slip of the pen, and too coarse for the numbers behind.
+/// Plans beyond this many U are taken for a slip, and exceed the precision of what follows.
 const LARGEST: f64 = 100_000.0;
 
-/// Judges a walk, spreads what may be spread, and says whether it bounds an area.
+/// Checks a walk, spreads a small closing error, and returns whether the walk bounds an area.
 pub(super) fn close(walk: &mut Walk, ring: bool, out: &mut Diagnostics) -> bool {
     if let Some(far) = walk
         .walls

@@ -1,5 +1,5 @@
-//! Do walls cross or touch (C4), within a ring or between rings of a storey? And does every courtyard lie
-//! in a house?
+//! Whether walls cross or touch (C4), within a ring or between rings of a storey, and whether every courtyard lies in a
+//! house.
 //!
 //! A sweep along a. Walls across the sweep (all of them in an orthogonal plan) are kept in a tree by b, so
 //! that a plan with a hundred thousand walls costs a hundred thousand look-ups; oblique walls are compared
@@ -11,7 +11,7 @@ use crate::geometry::{SAME, steps};
 use glam::DVec2;
 use std::collections::BTreeSet;
 
-/// Comparisons of oblique walls before the sweep gives up looking; a plan needs a few thousand.
+/// Comparisons of oblique walls before the sweep gives up; a plan needs a few thousand.
 const MOST_COMPARISONS: usize = 20_000_000;
 
 #[derive(Clone, Copy)]

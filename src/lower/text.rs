@@ -1,6 +1,6 @@
-//! Changes of a wall line, for mends. A wall knows no text, but the places of its codes tell enough: a line of the
-//! legacy form ends right behind its last code, five columns wide, or with a letter after that; a row whose codes end
-//! it has only its end tag behind them.
+//! Edits of a wall line, for fixes. They need only the places of its codes: a line of the legacy form ends right after
+//! its last code, five columns wide, or with a letter after that; a row that ends with codes has only its end tag after
+//! them.
 
 use crate::building::Wall;
 use crate::diagnostic::Edit;
@@ -10,14 +10,14 @@ use crate::source::Span;
 /// Columns, and so bytes, of one code.
 const CELL: u32 = 5;
 
-/// Bytes of the end tag of a row, `</Row>`: more than may stand behind the last code of a line, and less than any other
+/// Bytes of the end tag of a row, `</Row>`: more than may follow the last code of a line, and less than any other
 /// tag with it.
 const END_TAG: u32 = 6;
 
-/// A wall of one unit, where nobody says which.
+/// The code of a new wall of one unit.
 const PLAIN: &str = "KSK  ";
 
-/// The last code of a line and what stands behind it, if that is no more than the letter of a legacy line or the end tag
+/// The last code of a line and what follows it, if that is no more than the letter of a legacy line or the end tag
 /// of a row.
 fn end(wall: &Wall) -> Option<(Span, Span)> {
     let last = wall.units.last()?.span;
@@ -32,7 +32,7 @@ fn end(wall: &Wall) -> Option<(Span, Span)> {
     (inside && plain).then_some((last, rest))
 }
 
-/// Whether a row ends behind its codes, and not a line of the legacy text.
+/// Whether this is the end of a row and not of a line of the legacy form.
 fn is_row(rest: Span) -> bool {
     rest.end - rest.start == END_TAG
 }

@@ -53,7 +53,7 @@ pub(super) struct Overlay<'a> {
     pub(super) roots: Vec<PathBuf>,
     /// Open texts by [`key`].
     pub(super) open: &'a Open,
-    /// The texts that were asked for, by [`key`], whether they are there or not.
+    /// The files that were asked for, by [`key`], whether they are there or not.
     asked: Mutex<BTreeSet<PathBuf>>,
 }
 

@@ -1,4 +1,4 @@
-//! The files that a run reads beside those it was given: texts that others include, each read once.
+//! Files that the sources of a run include, each read once.
 
 use crate::source::{FileId, Source};
 use std::cell::OnceCell;
@@ -11,7 +11,7 @@ pub struct SourceCache {
 }
 
 impl SourceCache {
-    /// Room for so many files, numbered from `first` on.
+    /// A cache with room for this many files, numbered from `first` on.
     pub fn new(first: usize, room: usize) -> SourceCache {
         let room = room.min((usize::from(u16::MAX) + 1).saturating_sub(first));
         SourceCache {

@@ -1,8 +1,8 @@
-//! Paths as addresses and models name them.
+//! Paths as URI references.
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 
-/// What stands for itself: unreserved characters and the slashes between folders.
+/// Characters that are not escaped: unreserved characters and the slashes between folders.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'-')
     .remove(b'.')
@@ -10,7 +10,7 @@ const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'~')
     .remove(b'/');
 
-/// A path, divided by `/`, as a relative reference (RFC 3986), which may also stand in a query.
+/// A path, divided by `/`, as a relative reference (RFC 3986), also valid in a query.
 pub(crate) fn reference(path: &str) -> String {
     utf8_percent_encode(path, PLAIN).to_string()
 }
