@@ -80,8 +80,8 @@ mod models {
     ) -> Vec<u8> {
         let scene = &compiled.scene;
         let limits = &options.expand.limits;
-        let shell = &compiled.building.shell;
-        let mut images = driver::pictures(&scene.pictures, shell, world, limits, out);
+        let building = &compiled.building;
+        let mut images = driver::pictures(&scene.pictures, building, world, limits, out);
         images.bake(&scene.baked);
         driver::flaws(compiled, out);
         gltf::glb(scene, &images)
