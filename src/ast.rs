@@ -17,7 +17,7 @@ pub use fittings::{
     Brackets, Finial, FinialKind, Fittings, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
 pub use monuments::{Gate, Given, Hall, Measures, Monument, Pagoda, Pair};
-pub use parts::{BodyEntry, PartEntry, Said, said};
+pub use parts::{WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 pub use pieces::{CodeText, Half, Part, Piece, Split};
 pub use roofs::{
     RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
@@ -35,20 +35,20 @@ pub struct Document {
     /// The parameters of the file and its houses, and of the files it includes.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parameters: Vec<Parameter>,
-    /// Own parts that every house of the file may use.
+    /// Custom parts that every house of the file may use.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub parts: Vec<PartEntry>,
+    pub parts: Vec<WrittenPart>,
     /// Which of the variants of its text this is, where several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,
 }
 
-/// One of several houses, or groups of houses, made of one text: each draws everything with a seed of its own.
+/// One of several houses, or groups of houses, made of one file: each draws everything with a seed of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Variant {
     /// From 0.
     pub number: u32,
-    /// Building the text with this seed makes the same.
+    /// Building the file with this seed makes the same.
     pub seed: u64,
 }
 
@@ -69,15 +69,15 @@ pub struct House {
     pub structures: Vec<Structure>,
     /// The house written short, if it is.
     pub monument: Option<Monument>,
-    /// What stands at it besides walls and roofs.
+    /// Fittings of the house.
     pub fittings: Fittings,
     /// Gloss of single textures (003-13).
     pub textures: Vec<Texture>,
     /// The roof section.
     pub roofs: Roofs,
-    /// Own parts that only this house knows.
+    /// Custom parts that only this house knows.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub parts: Vec<PartEntry>,
+    pub parts: Vec<WrittenPart>,
 }
 
 /// Values that hold for a whole house; `None` means the default of docs/contract.md.
@@ -148,19 +148,19 @@ pub struct Replace {
     pub span: Span,
     /// The list as written; `None` = every part at the positions.
     pub codes: Option<Spanned<String>>,
-    /// What comes instead.
+    /// The replacement.
     pub with: Spanned<String>,
     /// Positions from 1, as inclusive ranges; `None` = everywhere.
     pub at: Option<Spanned<Vec<(u32, u32)>>>,
 }
 
-/// What a storey is for.
+/// The kind of a storey.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum StoreyKind {
     /// Rooms, and a roof above them.
     #[default]
     Storey,
-    /// A wall round the flat roof of the storey below; not counted.
+    /// A wall around the flat roof of the storey below; not counted.
     Parapet,
 }
 

@@ -1,26 +1,26 @@
 //! The catalogue of parts: what a code means, how wide it is, and which simple bodies make its shape.
 //!
-//! The parts that come with the program and those of an author are made alike, from the entries that the reader of
-//! the XML form finds. The built-in ones everybody knows; own ones are known in a [`Scope`](own), so that two houses of
-//! a run may mean different things by one code. A code is looked up from the house outwards: its own parts, those of
+//! Built-in parts and custom parts are made in the same way, from the elements that the reader of the XML form
+//! finds. Built-in parts are known everywhere; custom ones are known in a [`Scope`](custom), so that two houses of
+//! a run may mean different things by one code. A code is looked up from the house outwards: its custom parts, those of
 //! its file, of files named by `--catalog`, of the file `catalog.hsd` beside it, the built-in ones.
 
 pub(crate) mod body;
 mod nearest;
-mod own;
+mod custom;
 mod read;
 mod reading;
 mod search;
 pub(crate) mod value;
 
 pub use crate::ast::Era;
-use crate::ast::{CodeText, PartEntry};
+use crate::ast::{CodeText, WrittenPart};
+use crate::catalog::custom::Scope;
 use crate::diagnostic::messages::catalog as say;
 use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::material::SurfaceId;
 use crate::source::{FileId, Span, Spanned};
 use body::Element;
-use own::Scope;
 pub use reading::{folded, narrow};
 pub use search::Query;
 use serde::{Serialize, Serializer};
@@ -31,7 +31,7 @@ use value::Mm;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct PartId(pub u16);
 
-/// Which own parts are known; the default knows none.
+/// Which custom parts are known; the default knows none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ScopeId(u32);
 
@@ -50,7 +50,7 @@ pub(crate) enum Stance {
     Free,
 }
 
-/// What fills the wall under an opening.
+/// The wall under an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Below {
     /// A boarded dado.
@@ -70,7 +70,7 @@ pub struct PartDef {
     pub ja: Box<str>,
     /// The name in letters.
     pub romaji: Box<str>,
-    /// What it is, in English.
+    /// The English name.
     pub en: Box<str>,
     /// Other names by which people search for it, in any script.
     pub aliases: Box<[Box<str>]>,
@@ -79,13 +79,13 @@ pub struct PartDef {
     pub from: Option<f64>,
     /// Top of the opening or fence, shaku.
     pub to: Option<f64>,
-    /// What it is made of, in words.
+    /// The material, in words.
     pub made: Box<str>,
     /// When it was built.
     pub era: Era,
     /// Weathering classes joined by `+` (docs/evidence.md 4.9).
     pub weathering: Box<str>,
-    /// What small walls above and below its neighbours look like; only walls have one.
+    /// The finish of small walls above and below its neighbours; only walls have one.
     pub(crate) finish: Option<SurfaceId>,
     pub(crate) stance: Stance,
     pub(crate) below: Below,
@@ -104,8 +104,8 @@ pub struct PartDef {
     /// The name of the picture that its `picture` elements show.
     pub texture: Option<Spanned<String>>,
     pub(crate) body: Vec<Element>,
-    /// What it was made from, for parts that have it as their base.
-    written: PartEntry,
+    /// The definition, for parts that have this one as their base.
+    written: WrittenPart,
 }
 
 impl PartDef {
@@ -119,7 +119,7 @@ impl PartDef {
         self.written.span
     }
 
-    /// Its Japanese name, whole and without what stands in parentheses.
+    /// Its Japanese name, whole and without the content of parentheses.
     fn ja_names(&self) -> [&str; 2] {
         let head = self.ja.split('(').next().unwrap_or_default();
         [&self.ja, head]
@@ -138,7 +138,7 @@ impl PartDef {
     }
 
     /// The letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern; a
-    /// blank for the void. Own parts have that of their base.
+    /// blank for the void. Custom parts have that of their base.
     pub fn class(&self) -> char {
         self.class
     }
@@ -184,17 +184,17 @@ pub struct Catalog {
     /// Packed codes with their parts, open addressing: a text holds hundreds of thousands of codes.
     table: Box<[(u64, u16); SLOTS]>,
     void: Option<PartId>,
-    /// How many parts everybody knows; own ones stand behind them.
+    /// How many parts everybody knows; custom ones stand behind them.
     builtin: usize,
-    /// Own parts; a [`ScopeId`] counts them from 1.
+    /// Custom parts; a [`ScopeId`] counts them from 1.
     scopes: Vec<Scope>,
-    /// What each house knows, by document.
+    /// The scope of each house, by document.
     houses: Vec<Vec<ScopeId>>,
 }
 
 impl Catalog {
     /// A catalogue of these parts, which everybody knows.
-    pub fn new(entries: &[PartEntry], out: &mut Diagnostics) -> Catalog {
+    pub fn new(entries: &[WrittenPart], out: &mut Diagnostics) -> Catalog {
         let mut catalog = Catalog {
             parts: Vec::new(),
             table: Box::new([(0, EMPTY); SLOTS]),
@@ -228,13 +228,13 @@ impl Catalog {
         catalog
     }
 
-    /// Takes in the own parts of a file, known wherever those of `outer` are not all there is. What the file includes
-    /// gives way to what stands in it. Without parts the answer is `outer` itself.
+    /// Takes in the custom parts of a file, known wherever those of `outer` are not all there is. What the file includes
+    /// yields to its content. Without parts the answer is `outer` itself.
     pub fn extend(
         &mut self,
         outer: ScopeId,
         file: FileId,
-        parts: &[PartEntry],
+        parts: &[WrittenPart],
         out: &mut Diagnostics,
     ) -> ScopeId {
         let (own, included): (Vec<_>, Vec<_>) = parts.iter().partition(|p| p.span.file == file);
@@ -268,7 +268,7 @@ impl Catalog {
         self.find(code)
     }
 
-    /// The parts that are known in a scope, its own before those round it; each code once.
+    /// The parts that are known in a scope, its own before those around it; each code once.
     pub fn known(&self, scope: ScopeId) -> Vec<PartId> {
         let mut codes = BTreeSet::new();
         let mut found = vec![];
@@ -310,7 +310,7 @@ impl Catalog {
         true
     }
 
-    /// The own parts of a scope; `None` where only the built-in ones are known.
+    /// The custom parts of a scope; `None` where only the built-in ones are known.
     fn own(&self, scope: ScopeId) -> Option<&Scope> {
         let index = (scope.0 as usize).checked_sub(1)?;
         self.scopes.get(index)

@@ -23,7 +23,7 @@ mod facades;
 mod floors;
 mod lists;
 mod monuments;
-mod pictures;
+mod images;
 mod random;
 mod repeat;
 mod replace;
@@ -33,7 +33,7 @@ mod split;
 mod storeys;
 mod textures;
 
-/// What the command line may say about this pass.
+/// The options of this pass.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
     /// Takes the place of the seed of every house.
@@ -148,7 +148,7 @@ struct Pass<'a, 'c> {
     codes: &'a mut Codes<'c>,
     source: &'a Source,
     out: &'a mut Diagnostics,
-    /// What was said already: repeated content would say it again each time.
+    /// Messages that were already reported, which repeated content would report again.
     said: BTreeSet<(u16, Span)>,
     operations: Vec<Rc<Operation>>,
     operation_index: HashMap<usize, usize>,
@@ -281,7 +281,7 @@ impl<'a, 'c> Pass<'a, 'c> {
         }
     }
 
-    /// Whether nothing was said with this code of this place; from now on it was.
+    /// Whether nothing was reported with this code of this place; from now on it was.
     fn is_news(&mut self, code: u16, span: Span) -> bool {
         self.said.insert((code, span))
     }

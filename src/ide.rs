@@ -1,8 +1,8 @@
-//! What an editor asks of a text: what stands here, what may stand here, where is it said, where is it used.
+//! Answers to editors: hover, completion, definition, references and the like.
 //!
 //! Everything takes and gives plain types and byte offsets into [`Source::text`]; only [`lsp`](crate::lsp) knows the
-//! protocol. An [`Analysis`] is all that is known of one text at one moment: nothing in it changes, and what is costly
-//! and not always asked for is worked out when it is asked for.
+//! protocol. An [`Analysis`] is all that is known of one file at one moment: nothing in it changes, and what is costly
+//! and not always asked for is computed when it is asked for.
 
 pub mod card;
 pub mod complete;
@@ -19,26 +19,26 @@ pub mod stroke;
 pub mod symbols;
 pub mod tokens;
 mod walked;
-mod words;
+mod vocabulary;
 
 use crate::catalog::Catalog;
 use crate::diagnostic::{Diagnostic, Diagnostics, Text};
 use crate::driver::{self, Checked, Options};
-use crate::parse::outline::Outline;
+use crate::parse::syntax::Outline;
 use crate::source::{FileId, Source, Span, World};
 use crate::text;
 use std::cell::OnceCell;
 use std::ops::Range;
 use std::path::Path;
 
-/// All that is known of a text.
+/// All that is known of a source file.
 #[derive(Debug)]
 pub struct Analysis {
-    /// The text, file 0.
+    /// The file, file 0.
     pub source: Source,
-    /// What `hsd check` says of it, sorted.
+    /// The diagnostics of `hsd check`, sorted.
     pub diagnostics: Vec<Diagnostic>,
-    /// Parameters, other files, own parts, walls and roofs.
+    /// Parameters, other files, custom parts, walls and roofs.
     pub checked: Checked,
     options: Options,
     outline: OnceCell<Outline>,
@@ -47,7 +47,7 @@ pub struct Analysis {
     names: OnceCell<names::Names>,
 }
 
-/// A place in a text that was read.
+/// A place in a source file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
     /// Which of [`Analysis::source`] and its included files.
@@ -57,7 +57,7 @@ pub struct Place {
 }
 
 impl Analysis {
-    /// Checks a text.
+    /// Checks a source file.
     pub fn new(source: Source, world: &dyn World, options: &Options) -> Analysis {
         let mut out = Diagnostics::new();
         let asked = Options {
@@ -76,19 +76,21 @@ impl Analysis {
         }
     }
 
-    /// What stands in the text.
+    /// The text of the file.
     pub fn outline(&self) -> &Outline {
         let limits = &self.options.expand.limits;
         self.outline
-            .get_or_init(|| Outline::of(&self.source, limits))
+            .get_or_init(|| crate::parse::outline::of(&self.source, limits))
     }
 
-    /// What stands in the included files.
+    /// The definitions of the included files.
     fn outlines(&self) -> &[Outline] {
         let limits = &self.options.expand.limits;
         self.outlines.get_or_init(|| {
             let files = self.checked.included.iter();
-            files.map(|s| Outline::of(s, limits)).collect()
+            files
+                .map(|s| crate::parse::outline::of(s, limits))
+                .collect()
         })
     }
 
@@ -102,7 +104,7 @@ impl Analysis {
         &self.checked.catalog
     }
 
-    /// Where something is said, in words: the line, and the file where that is another one.
+    /// Where something is stated, in words: the line, and the file where that is another one.
     fn line_of(&self, source: &Source, span: Span) -> Text {
         let line = source.line_column(span).0;
         if source.id() == self.source.id() {
@@ -113,7 +115,7 @@ impl Analysis {
         text!("{name}, line {line}", "{name} {line} 行")
     }
 
-    /// The text and the files that were read for it.
+    /// The file and the files that it includes.
     pub fn sources(&self) -> impl Iterator<Item = &Source> {
         std::iter::once(&self.source).chain(&self.checked.included)
     }

@@ -1,10 +1,10 @@
 //! From a source to a document, whatever the syntax.
 //!
 //! The first character that is no white space decides: `<` opens the XML form, everything else is
-//! legacy text (docs/contract.md 2 and 3). What concerns a file as a whole is said here, once for both
+//! legacy form (docs/contract.md 2 and 3). What concerns a file as a whole is stated here, once for both
 //! readers: its size, its encoding, bytes without a meaning, a file that is no text at all.
 //!
-//! Reading never fails. A reader reports what it cannot take, reads on as if the mend it proposes had
+//! Reading never fails. A reader reports what it cannot take, reads on as if the fix it proposes had
 //! been made, and returns every house it found.
 
 pub use builtin::builtin;
@@ -19,11 +19,14 @@ mod builtin;
 mod expr;
 mod reporter;
 pub mod legacy;
+pub mod names;
 pub mod outline;
+pub mod syntax;
 mod values;
 pub mod xml;
+pub mod schema;
 
-/// What a file is read with.
+/// The settings with which a file is read.
 #[derive(Clone, Copy)]
 pub struct ReadContext<'a> {
     /// Bounds on what is taken in.
@@ -32,11 +35,11 @@ pub struct ReadContext<'a> {
     pub parameters: &'a [(String, String)],
     /// Takes the place of the seed of every house. With it parameters that may be are drawn.
     pub seed: Option<u64>,
-    /// Where the texts lie that others include.
+    /// Where the files lie that others include.
     pub world: &'a dyn World,
     /// Where those that were read are kept.
     pub cache: &'a SourceCache,
-    /// Where it is taken down what expressions and names come to, if anybody asks.
+    /// Where it is taken down what expressions and names come to, if requested.
     pub values: Option<&'a Values>,
 }
 
@@ -87,7 +90,7 @@ pub fn parse_in<'a>(
     }
 }
 
-/// Whether a file is a text of tolerable length; says how its bytes were read.
+/// Whether a file is a source file of tolerable length; says how its bytes were read.
 fn is_readable(source: &Source, limits: &Limits, out: &mut dyn FnMut(Diagnostic)) -> bool {
     if source.size() > limits.bytes {
         let start = source.span(0..0);

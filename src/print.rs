@@ -1,18 +1,18 @@
-//! Texts back to texts: `hsd fmt` lays a text out anew, in its own form or in the other.
+//! Documents back to files: `hsd fmt` lays a source file out anew, in its own form or in the other.
 //!
-//! A text is laid out from what its author wrote, not from what the program makes of it: comments stay where they
+//! A source file is laid out from what its author wrote, not from what the program makes of it: comments stay where they
 //! are, numbers keep their spelling, the order of everything is the author's. What a layout may never do is change
 //! the meaning, so each result is read again, and where the tree of the document is not the same but for its places,
-//! the text stays as it is.
+//! the file stays as it is.
 //!
 //! | file | does |
 //! |---|---|
-//! | `legacy`, `table` | lays out a legacy text; its roof lines |
-//! | `xml` | lays out an XML text |
+//! | `legacy`, `table` | lays out a legacy form; its roof lines |
+//! | `xml` | lays out an XML file |
 //! | `to_xml`, `to_legacy` | write a house in the other form |
 //! | `essence` | a tree without its places, to compare |
-//! | `encode` | a text as bytes in the encoding it came in |
-//! | `lines` | how two texts differ |
+//! | `encode` | a source file as bytes in the encoding it came in |
+//! | `lines` | how two files differ |
 
 mod encode;
 mod essence;
@@ -45,7 +45,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The form of a text: its first character that is no white space decides (docs/contract.md 2).
+    /// The form of a source file: its first character that is no white space decides (docs/contract.md 2).
     pub fn of(source: &Source) -> Form {
         match source.text().trim_start().starts_with(['<', '＜']) {
             true => Form::Xml,
@@ -61,7 +61,7 @@ impl Form {
         }
     }
 
-    /// What it is called.
+    /// The name.
     pub fn name(self) -> Text {
         match self {
             Form::Legacy => say::legacy_form(),
@@ -70,11 +70,11 @@ impl Form {
     }
 }
 
-/// Lays a text out anew in its own form, with its own line ends. A legacy text has to be without errors, an XML text
+/// Lays a source file out anew in its own form, with its own line ends. A legacy file has to be without errors, an XML file
 /// to be well-formed: whether its elements make sense does not matter here.
 ///
 /// # Errors
-/// `None` where the meaning of the text is in doubt; `out` says why.
+/// `None` where the meaning of the file is in doubt; `out` says why.
 pub fn format(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option<String> {
     let mut told = Diagnostics::new();
     let document = parse::parse(source, limits, &mut told);
@@ -103,7 +103,7 @@ fn pass_on(told: Diagnostics, out: &mut Diagnostics) {
         .for_each(|d| out.push(d));
 }
 
-/// Whether a text says the same as the document.
+/// Whether a source file says the same as the document.
 fn same(source: &Source, document: &Document, text: &str, limits: &Limits) -> bool {
     if text == source.text() {
         return true;
@@ -118,7 +118,7 @@ fn same(source: &Source, document: &Document, text: &str, limits: &Limits) -> bo
     essence(&read) == essence(document)
 }
 
-/// The line end that a text has most.
+/// The line end that a source file has most.
 fn line_end(text: &str) -> &'static str {
     let (mut windows, mut old, mut unix) = (0usize, 0usize, 0usize);
     let bytes = text.as_bytes();

@@ -22,7 +22,7 @@ pub struct Program {
 pub struct Picture {
     /// The name it is called by.
     pub name: String,
-    /// What the world finds it by: a path below one of the texture folders.
+    /// The path below one of the texture folders.
     pub path: String,
     /// Its size in pixels; a part without a width of its own takes its proportion from it.
     pub size: (u32, u32),
@@ -52,9 +52,9 @@ pub struct House {
     pub street: bool,
     /// From the ground up.
     pub storeys: Vec<Storey>,
-    /// What it stands on.
+    /// The platform under it.
     pub platform: Option<Platform>,
-    /// What crowns its roofs.
+    /// The finial of its roofs.
     pub finials: Vec<Finial>,
     /// How old it is; `None` = nothing has weathered.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -83,7 +83,7 @@ pub struct Roofs {
     pub method: RoofMethod,
     /// Where a wish for roofs is written, if anywhere: an open plan is an error only then.
     pub wished: Option<Span>,
-    /// What the automatic ones look like.
+    /// The style of automatic roofs.
     pub style: RoofStyle,
     /// Roofs with a place of their own.
     pub lines: Vec<RoofLine>,
@@ -142,7 +142,7 @@ pub struct Unit {
     pub span: Span,
     /// Width in U; 0 for posts and wing walls.
     pub width: f64,
-    /// What stands there.
+    /// The content.
     pub content: Content,
     /// Height in shaku where the author gave one.
     pub height: Option<f32>,
@@ -153,7 +153,7 @@ pub struct Unit {
     pub picture: Option<PictureId>,
 }
 
-/// What stands in a unit.
+/// The content of a unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub enum Content {
     /// Nothing: the walk goes on, no wall is built.

@@ -16,7 +16,7 @@ pub struct Template {
     pub ja: &'static str,
     /// The Japanese name in letters.
     pub romaji: &'static str,
-    /// What it is, in English.
+    /// The English name.
     pub en: &'static str,
     /// Other names that a search finds it by, with commas.
     pub aliases: &'static str,
@@ -129,7 +129,7 @@ impl Template {
         TYPES.iter().chain(EXAMPLES).find(own)
     }
 
-    /// The templates that a search finds by a name or an alias, house types first. Those that bear the very word as a
+    /// The templates that a search finds by a name or an alias, house types first. Those that have the very word as a
     /// name or an alias leave no room for others.
     pub fn found(word: &str) -> Vec<&'static Template> {
         let query = Query::new(word);

@@ -1,5 +1,4 @@
-//! What stands at a house and is neither wall nor roof: platform, posts, veranda, bracket complexes, and what crowns
-//! the roof. Lengths in shaku. Values that nobody wrote are those of [`Default`], or `None` where they follow from
+//! Fittings of a house: platform, posts, veranda, bracket complexes, and the finial of the roof. Lengths in shaku. Values that no one wrote are those of [`Default`], or `None` where they follow from
 //! the house; `docs/evidence.md` 4.8 and 7.10 say what monuments have.
 
 use crate::source::{Span, Spanned};
@@ -38,7 +37,7 @@ impl Side {
     }
 }
 
-/// What the timber of a frame looks like.
+/// The finish of a frame's timber.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
 pub enum Paint {
     /// Bare cedar or pine.
@@ -118,7 +117,7 @@ pub enum Rail {
     Knobbed,
 }
 
-/// `<Veranda>`: boards round a storey (縁 en).
+/// `<Veranda>`: boards around a storey (縁 en).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Veranda {
     /// The element.
@@ -150,7 +149,7 @@ pub struct Brackets {
     pub paint: Option<Paint>,
 }
 
-/// What crowns a roof.
+/// A finial.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum FinialKind {
     /// 相輪: base, bowl, nine rings, water-flame and jewels on the mast of a pagoda.
@@ -191,7 +190,7 @@ pub struct Finial {
 /// All of a house that holds for the whole of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Fittings {
-    /// What it stands on.
+    /// The platform under it.
     pub platform: Option<Platform>,
     /// Of storeys that have none of their own.
     pub posts: Option<Posts>,
@@ -201,10 +200,10 @@ pub struct Fittings {
     pub finials: Vec<Finial>,
 }
 
-/// What a storey has of its own.
+/// The settings of one storey.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Order {
-    /// What carries its walls.
+    /// The support of its walls.
     pub posts: Option<Posts>,
     /// Round it.
     pub veranda: Option<Veranda>,

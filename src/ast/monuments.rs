@@ -35,7 +35,7 @@ impl Monument {
     }
 }
 
-/// What all of them may say.
+/// Attributes that all of them have.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Measures {
     /// Of the columns on the ground, from their feet to the brackets.
@@ -69,7 +69,7 @@ pub struct Measures {
 pub struct Pagoda {
     /// The element.
     pub span: Span,
-    /// What all may say.
+    /// Attributes that all of these elements have.
     pub measures: Measures,
     /// How many.
     pub storeys: Option<Spanned<u64>>,
@@ -90,7 +90,7 @@ pub struct Pagoda {
 pub struct Gate {
     /// The element.
     pub span: Span,
-    /// What all may say.
+    /// Attributes that all of these elements have.
     pub measures: Measures,
     /// Along the front, and in depth.
     pub bays: Pair,
@@ -111,9 +111,9 @@ pub struct Gate {
 pub struct Hall {
     /// The element.
     pub span: Span,
-    /// Whether it is a shrine: other values where nothing is said.
+    /// Whether it is a shrine: other values where nothing is stated.
     pub shrine: bool,
-    /// What all may say.
+    /// Attributes that all of these elements have.
     pub measures: Measures,
     /// Along the front, and in depth.
     pub bays: Pair,

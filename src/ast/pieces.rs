@@ -1,25 +1,25 @@
-//! What stands in a wall line.
+//! The items of a wall line.
 
 use super::Item;
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
-/// What stands in a wall line. Texts hold hundreds of thousands of codes, so a code takes as little room as it
+/// The items of a wall line. Files hold hundreds of thousands of codes, so a code takes as little room as it
 /// can, and what is rare stands in a box.
 #[derive(Clone, Debug, Serialize)]
 pub enum Piece {
-    /// A code of five columns of which nothing more is said; the span is on it, and may be shorter.
+    /// A code of five columns of which nothing more is stated; the span is on it, and may be shorter.
     Code(#[serde(serialize_with = "as_text")] [u8; 5], Span),
     /// A part with a name of another length, a width or a height.
     Part(Box<Part>),
     /// One storey part divided above and below (003-09).
     Split(Box<Split>),
-    /// What the reader could not take, and has reported: a part of 1 U whose looks nobody knows.
+    /// A unit that could not be read and was reported: it counts as 1 U without a shape.
     Error(Span),
 }
 
 impl Piece {
-    /// A code of which nothing more is said.
+    /// A code of which nothing more is stated.
     pub fn new(code: CodeText, span: Span) -> Piece {
         match code {
             CodeText::Five(five) => Piece::Code(five, span),
@@ -45,7 +45,7 @@ fn as_text<S: serde::Serializer>(five: &[u8; 5], s: S) -> Result<S::Ok, S::Error
     CodeText::Five(*five).serialize(s)
 }
 
-/// A code with what was said about this one use of it.
+/// A code with what was reported about this one use of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Part {
     /// The code as written, `span` on it. Shorter than 5 where blanks were lost.
@@ -78,7 +78,7 @@ pub struct Half {
     pub pieces: Vec<Item<Piece>>,
 }
 
-/// The text of a code: up to five bytes in place, since texts hold hundreds of thousands of them.
+/// The text of a code: up to five bytes in place, since files hold hundreds of thousands of them.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub enum CodeText {
     /// A code of the catalogue's form, padded with blanks.

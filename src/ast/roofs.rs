@@ -46,7 +46,7 @@ pub struct Roofs {
     pub mode: Option<Spanned<RoofMode>>,
     /// The method of the automatic ones.
     pub method: Option<Spanned<RoofMethod>>,
-    /// What the automatic ones look like.
+    /// The style of automatic roofs.
     pub style: RoofStyle,
     /// Roofs with a place of their own.
     pub lines: Vec<RoofLine>,

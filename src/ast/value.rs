@@ -1,10 +1,10 @@
-//! What names in expressions stand for, and the parameters of a file.
+//! Values of names in expressions, and the parameters of a file.
 
 use crate::source::Span;
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// What an expression comes to.
+/// The value of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// A finite number.
@@ -17,7 +17,7 @@ pub enum Value {
 
 impl Value {
     /// What a plain text stands for: `2.5` is a number, `yes`, `no`, `true` and `false` are truths, the rest is a
-    /// text. So is `01`, which nobody writes for the number.
+    /// text. So is `01`, which no one writes for the number.
     pub fn read(text: &str) -> Value {
         match text.trim() {
             "yes" | "true" => Value::Truth(true),
@@ -29,7 +29,7 @@ impl Value {
         }
     }
 
-    /// Whether both are numbers, both texts or both truths.
+    /// Whether both are numbers, both files or both truths.
     pub fn is_like(&self, other: &Value) -> bool {
         std::mem::discriminant(self) == std::mem::discriminant(other)
     }
@@ -72,11 +72,11 @@ pub struct Parameter {
     /// The element.
     #[serde(skip)]
     pub span: Span,
-    /// What it is called.
+    /// The name.
     pub name: String,
-    /// What it is where nobody sets it.
+    /// The default value.
     pub default: Option<Value>,
-    /// What it is in this run.
+    /// The value in this run.
     pub value: Option<Value>,
     /// The least value.
     pub min: Option<f64>,
@@ -86,13 +86,13 @@ pub struct Parameter {
     pub step: Option<f64>,
     /// The only values, where they are listed.
     pub choices: Vec<Value>,
-    /// Whether a run with a seed draws it where nobody sets it.
+    /// Whether a run with a seed draws it by default.
     pub random: bool,
     /// The unit of measure, for people.
     pub unit: Option<String>,
-    /// What it is for.
+    /// The purpose.
     pub doc: Option<String>,
-    /// What it means, in Japanese.
+    /// The description in Japanese.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub doc_ja: Option<String>,
 }

@@ -6,32 +6,32 @@
 
 use super::nearest::near;
 use super::value::{Area, Joints, Level, Mm, Run, Sides, Value};
-use crate::ast::{BodyEntry, Said, said};
+use crate::ast::{WrittenAttribute, WrittenBody, attribute_value};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::catalog as say;
 use crate::diagnostic::messages::xml as elements;
 use crate::material::SurfaceId;
 use crate::source::Spanned;
 
-/// An element of a part's body, with what stands inside it.
+/// An element of a part's body, with what is inside it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Element {
     /// Where it is and what it is made of.
     pub(crate) place: Place,
-    /// What it is.
+    /// The kind.
     pub(crate) shape: Shape,
-    /// What stands in it (`oriel`, `grid`).
+    /// The children (`oriel`, `grid`).
     pub(crate) children: Vec<Element>,
 }
 
 /// Reads one attribute; its default where it is not given, or cannot be read, which is reported.
 pub(super) fn value<T: Value>(
-    attributes: &[Said],
+    attributes: &[WrittenAttribute],
     name: &str,
     default: T,
     out: &mut Diagnostics,
 ) -> T {
-    let Some(text) = said(attributes, name) else {
+    let Some(text) = attribute_value(attributes, name) else {
         return default;
     };
     T::read(&text.value).unwrap_or_else(|| {
@@ -53,11 +53,11 @@ macro_rules! attributes {
             /// The names of its attributes.
             const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
 
-            /// What they mean.
+            /// Their meanings.
             const ABOUT: &'static [&'static str] = &[$(concat!($($about),*)),*];
 
             /// From the attributes of an element.
-            fn read(attributes: &[Said], out: &mut Diagnostics) -> $name {
+            fn read(attributes: &[WrittenAttribute], out: &mut Diagnostics) -> $name {
                 let _ = (attributes, &out);
                 $name { $($field: value(attributes, stringify!($field), $default, out),)* }
             }
@@ -68,7 +68,7 @@ macro_rules! attributes {
 /// The elements by their words.
 macro_rules! shapes {
     ($($word:literal $name:ident over $area:ident,)*) => {
-        /// What an element is.
+        /// The kind of an element.
         #[derive(Clone, Debug, PartialEq)]
         pub(crate) enum Shape { $(#[doc = $word] $name($name),)* }
 
@@ -88,12 +88,12 @@ macro_rules! shapes {
         }
 
         impl Element {
-            /// From an element as written, without what stands in it; `None` where its word is unknown, which is reported.
-            pub(super) fn read(entry: &BodyEntry, out: &mut Diagnostics) -> Option<Element> {
-                let said = &entry.attributes;
+            /// From an element as written, without its content; `None` where its word is unknown, which is reported.
+            pub(super) fn read(entry: &WrittenBody, out: &mut Diagnostics) -> Option<Element> {
+                let attributes = &entry.attributes;
                 let word: &str = &entry.word.value;
                 let (shape, area, known) = match word {
-                    $($word => (Shape::$name($name::read(said, out)), Area::$area, $name::NAMES),)*
+                    $($word => (Shape::$name($name::read(attributes, out)), Area::$area, $name::NAMES),)*
                     _ => {
                         let near = near(word, WORDS);
                         let names = std::iter::once(entry.word.span).chain(entry.end);
@@ -103,14 +103,14 @@ macro_rules! shapes {
                     }
                 };
                 let known = [&["over"], Place::NAMES, known].concat();
-                for attribute in said.iter().filter(|a| !known.contains(&a.name.value.as_str())) {
+                for attribute in attributes.iter().filter(|a| !known.contains(&a.name.value.as_str())) {
                     let Spanned { value, span } = &attribute.name;
                     let near = near(value, &known);
-                    let near = near.map(|near| (near, said.iter().any(|a| a.name.value == near)));
+                    let near = near.map(|near| (near, attributes.iter().any(|a| a.name.value == near)));
                     out.push(elements::unknown_attribute(*span, value, word, near, &known, None));
                 }
-                let over = value(said, "over", area, out);
-                let place = Place { over, ..Place::read(said, out) };
+                let over = value(attributes, "over", area, out);
+                let place = Place { over, ..Place::read(attributes, out) };
                 Some(Element { place, shape, children: Vec::new() })
             }
         }
@@ -134,7 +134,7 @@ attributes! {
         front: Mm = Mm(0.045),
         /// How far it reaches inwards from there.
         thick: Mm = Mm(0.030),
-        /// What it is made of.
+        /// The material.
         finish: SurfaceId = SurfaceId::named("cedar"),
     }
     /// A plain box over the place.
@@ -224,7 +224,7 @@ attributes! {
         rows: u32 = 1,
         /// Width of the bars between panes.
         muntin: Mm = Mm(0.012),
-        /// What fills it.
+        /// The content.
         pane: SurfaceId = SurfaceId::named("boards"),
         /// Height of boards at its foot.
         dado: Mm = Mm(0.0),
@@ -262,7 +262,7 @@ attributes! {
         pitch: f64 = 0.3,
         /// Brackets below it.
         arms: u32 = 0,
-        /// What covers the roof.
+        /// The covering of the roof.
         roof: SurfaceId = SurfaceId::named("board_roof"),
         /// Whether it has a floor.
         floor: bool = true,
@@ -305,7 +305,7 @@ attributes! {
     Wing {
         /// How far it stands out.
         out: Mm = Mm(0.750),
-        /// What covers its roof.
+        /// The covering of its roof.
         roof: SurfaceId = SurfaceId::named("kawara_edge"),
         /// About how far its rolls of round tiles stand from each other; 0 = none.
         rolls: Mm = Mm(0.0),
@@ -314,7 +314,7 @@ attributes! {
     Depth {
         /// How deep.
         depth: Mm = Mm(3.0),
-        /// What its end looks like.
+        /// The shape of its end.
         end: SurfaceId = SurfaceId::named("dark"),
     }
     /// Raised plaster joints of a tile wall.
@@ -366,7 +366,7 @@ attributes! {
     Corners {
         /// Radius.
         size: Mm = Mm(0.100),
-        /// Whether it looks like the small walls round the opening.
+        /// Whether it looks like the small walls around the opening.
         around: bool = false,
     }
     /// A round bar in the middle of its place.

@@ -3,7 +3,7 @@
 use super::body::{Element, value};
 use super::value::Value;
 use super::{Below, Era, PartDef, Stance};
-use crate::ast::{BodyEntry, CodeText, PartEntry, Said, said};
+use crate::ast::{CodeText, WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 use crate::diagnostic::messages::catalog as say;
 use crate::diagnostic::messages::xml as elements;
 use crate::diagnostic::{Diagnostics, Noun, noun};
@@ -15,20 +15,20 @@ const WIDEST: f64 = 100.0;
 /// Pieces that one part may be made of.
 const PIECES: f64 = 20_000.0;
 
-/// What is repeated is at least so large, millimetres: smaller ones nobody sees.
+/// What is repeated is at least so large, millimetres: smaller ones no one sees.
 const SMALLEST: f64 = 10.0;
 
 /// The longest length in a part, millimetres.
 const LONGEST: f64 = 100_000.0;
 
 /// The part of a definition; whatever is wrong with it is reported, and the rest of it read. `class` is that of its base.
-pub(super) fn part(entry: &PartEntry, class: Option<char>, out: &mut Diagnostics) -> PartDef {
+pub(super) fn part(entry: &WrittenPart, class: Option<char>, out: &mut Diagnostics) -> PartDef {
     let head = Head {
         given: &entry.attributes,
     };
     let code = CodeText::new(head.text("code"));
     let width = head.width(&code, out).unwrap_or_else(|| {
-        let says = |name: &str| said(head.given, name).is_some();
+        let says = |name: &str| attribute_value(head.given, name).is_some();
         if !says("width") && !says("base") {
             // What it is taken for without one.
             let words = ["1"];
@@ -59,9 +59,9 @@ pub(super) fn part(entry: &PartEntry, class: Option<char>, out: &mut Diagnostics
         fills: head.or("fills", false, out),
         floor: head.or("floor", None, out),
         parapet: head.height("parapet", out),
-        texture: said(head.given, "texture").cloned(),
+        texture: attribute_value(head.given, "texture").cloned(),
         body: vec![],
-        written: PartEntry::default(),
+        written: WrittenPart::default(),
         code,
     };
     if count(&entry.body) > PIECES {
@@ -76,7 +76,7 @@ pub(super) fn part(entry: &PartEntry, class: Option<char>, out: &mut Diagnostics
 }
 
 /// The elements of a body.
-fn bodies(entries: &[BodyEntry], out: &mut Diagnostics) -> Vec<Element> {
+fn bodies(entries: &[WrittenBody], out: &mut Diagnostics) -> Vec<Element> {
     let mut made = vec![];
     for entry in entries {
         let sound = entry.attributes.iter().fold(true, |sound, a| {
@@ -103,8 +103,11 @@ const LENGTHS: Noun = noun(
 );
 
 /// Whether a length can be built: no size below nothing, nothing repeated by the million.
-fn is_sound(word: &str, said: &Said) -> bool {
-    let (name, text) = (said.name.value.as_str(), said.value.value.as_str());
+fn is_sound(word: &str, attribute: &WrittenAttribute) -> bool {
+    let (name, text) = (
+        attribute.name.value.as_str(),
+        attribute.value.value.as_str(),
+    );
     let bare = text.trim_start_matches('t').trim_end_matches('%');
     let Ok(number) = bare.parse::<f64>() else {
         return true; // reported as no number, or a word
@@ -129,7 +132,7 @@ fn is_sound(word: &str, said: &Said) -> bool {
 }
 
 /// About how many pieces elements make: what is counted in them, one in the other.
-fn count(entries: &[BodyEntry]) -> f64 {
+fn count(entries: &[WrittenBody]) -> f64 {
     const COUNTS: [&str; 14] = [
         "count",
         "children",
@@ -146,7 +149,7 @@ fn count(entries: &[BodyEntry]) -> f64 {
         "arms",
         "loops",
     ];
-    let one = |entry: &BodyEntry| {
+    let one = |entry: &WrittenBody| {
         let counts = entry
             .attributes
             .iter()
@@ -169,13 +172,13 @@ fn first_letter(code: &CodeText) -> char {
 
 /// The start tag of a part.
 struct Head<'a> {
-    given: &'a [Said],
+    given: &'a [WrittenAttribute],
 }
 
 impl<'a> Head<'a> {
     /// An attribute's text, or nothing.
     fn text(&self, name: &str) -> &'a str {
-        said(self.given, name).map_or("", |text| &text.value)
+        attribute_value(self.given, name).map_or("", |text| &text.value)
     }
 
     /// A name; without one the part goes by its code.
@@ -199,7 +202,7 @@ impl<'a> Head<'a> {
 
     /// A number within bounds.
     fn number(&self, name: &str, form: Noun, most: f64, out: &mut Diagnostics) -> Option<f64> {
-        let text = said(self.given, name)?;
+        let text = attribute_value(self.given, name)?;
         let read = shaku(&text.value).filter(|n| (0.0..=most).contains(n));
         if read.is_none() {
             out.push(say::wrong_value(text.span, name, &text.value, form, &[]));
@@ -226,11 +229,11 @@ impl<'a> Head<'a> {
         let Some(width) = self.number("width", form, WIDEST, out) else {
             return column;
         };
-        if let (Some(column), Some(place)) = (column, said(self.given, "code"))
+        if let (Some(column), Some(place)) = (column, attribute_value(self.given, "code"))
             && column != width
         {
             let code = code.as_str().trim_end();
-            let own = said(self.given, "width").map(|width| width.span);
+            let own = attribute_value(self.given, "width").map(|width| width.span);
             out.push(say::width_column(place.span, code, width, column, own));
         }
         Some(width)

@@ -46,7 +46,7 @@ pub fn folded(reading: &str) -> String {
     out
 }
 
-/// A text with its kana in letters; all else stays as it stands.
+/// A text with its kana in letters; all else stays as it is.
 fn romanised(text: &str) -> String {
     // The two kana differ by a constant, but for the sign of a long vowel, which only one has.
     let flat = |c: char| match c {

@@ -6,13 +6,13 @@ use crate::material::SurfaceId;
 
 /// A value that an attribute holds.
 pub(crate) trait Value: Sized {
-    /// What it looks like, for messages.
+    /// Its form, for messages.
     const FORM: Noun;
     /// The words that it may be, if there are few.
     const WORDS: &'static [&'static str] = &[];
     /// From the attribute's text.
     fn read(text: &str) -> Option<Self>;
-    /// What an unknown word may be meant for.
+    /// The known word that an unknown one is probably a slip of.
     fn offers(text: &str) -> Vec<&'static str> {
         near(text, Self::WORDS).map_or(Self::WORDS.to_vec(), |word| vec![word])
     }
@@ -44,7 +44,7 @@ impl Level {
     }
 }
 
-/// What an element covers.
+/// The range of an element.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Area {
     /// The part's whole width and height.

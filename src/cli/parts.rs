@@ -1,6 +1,6 @@
 //! `hsd parts`: lists the catalogue of parts.
 
-mod own;
+mod custom;
 mod sheet;
 
 use super::options::exit;
@@ -60,7 +60,7 @@ impl Parts {
         let (all, sound): (&[PartDef], bool) = match self.catalogs.is_empty() {
             true => (parse::builtin().parts(), true),
             false => {
-                own = own::read(&self.catalogs, language)?;
+                own = crate::cli::parts::custom::read(&self.catalogs, language)?;
                 (own.parts(), own.sound)
             }
         };

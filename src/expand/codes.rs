@@ -1,4 +1,4 @@
-//! What a code means: a part of the catalogue, else a part picture, else the nearest thing and an error.
+//! The meaning of a code: a part of the catalogue, else an image, else the nearest part and an error.
 
 use super::Pass;
 use crate::ast::CodeText;
@@ -8,7 +8,7 @@ use crate::program::{Content, House, Picture, PictureId, Unit};
 use crate::source::{PictureFile, Span, World};
 use std::collections::BTreeMap;
 
-/// What a code stands for, small enough to compare and copy.
+/// The meaning of a code, small enough to compare and copy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Which {
     Void,
@@ -36,7 +36,7 @@ impl Which {
     }
 }
 
-/// How wide things are where nothing is said about their width.
+/// How wide things are where nothing is stated about their width.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Mode {
     /// In a row of a house the grid counts: a picture is 1 U wide.
@@ -76,7 +76,7 @@ const SEARCHES: u32 = 500;
 /// The catalogue and the pictures, with what was looked up before.
 pub(super) struct Codes<'a> {
     pub(super) catalog: &'a Catalog,
-    /// Which own parts the house knows.
+    /// Which custom parts the house knows.
     scope: ScopeId,
     pub(super) world: &'a dyn World,
     pub(super) pictures: Vec<Picture>,
@@ -243,7 +243,7 @@ impl<'a> Codes<'a> {
         Some(PictureId(self.pictures.len() as u32 - 1))
     }
 
-    /// The width in U of a thing about whose width nothing was said.
+    /// The width in U of a thing about whose width nothing was reported.
     pub(super) fn own_width(&self, which: Which, mode: Mode) -> f64 {
         match (which, mode) {
             (Which::Void, _) => 1.0,
@@ -256,14 +256,14 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The width in U of what was found, where nothing else is said.
+    /// The width in U of what was found, where nothing else is stated.
     pub(super) fn own_width_of(&self, found: &Found, mode: Mode) -> f64 {
         found
             .width
             .unwrap_or_else(|| self.own_width(found.which, mode))
     }
 
-    /// What the author calls it.
+    /// The author's name for it.
     pub(super) fn name(&self, which: Which) -> &str {
         match which {
             Which::Void => ".....",
@@ -293,7 +293,7 @@ impl<'a> Codes<'a> {
         catalog.called(name.trim()).map(PartDef::code)
     }
 
-    /// What stands where nothing is known but that something stands there.
+    /// A placeholder for an unknown unit.
     pub(super) fn plain_part(&self) -> Which {
         self.stand_in("").which
     }

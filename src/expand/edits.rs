@@ -1,5 +1,5 @@
 //! What `random` and `replace` have in common as edits: they run over the fully expanded row of the
-//! enclosing element, into the halves of splits, and change what stands there (docs/contract.md 3).
+//! enclosing element, into the halves of splits, and change what is there (docs/contract.md 3).
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};
@@ -67,9 +67,9 @@ impl Strip {
 /// An operation with its codes looked up, once however often it acts.
 pub(super) struct Operation {
     span: Span,
-    /// What it looks for; `None` = everything.
+    /// The code to replace; `None` = every code.
     pub(super) codes: Option<Vec<Which>>,
-    /// What it puts there, with the running sums of their weights.
+    /// The replacements, with the running sums of their weights.
     pub(super) choices: Vec<Found>,
     pub(super) sums: Vec<f64>,
     /// Positions from 1, as inclusive ranges, ascending and apart.

@@ -18,7 +18,7 @@ use crate::source::{Span, Spanned};
 /// Floor height in shaku where none is given: 3.5 m.
 const HEIGHT: f64 = 11.55;
 
-/// Metres per size unit where nothing is said (`docs/evidence.md` 8).
+/// Metres per size unit where nothing is stated (`docs/evidence.md` 8).
 const SCALE: f64 = 0.1;
 
 /// A turn beyond this many degrees was probably meant as the angle between the walls.
@@ -39,7 +39,7 @@ struct Wall<'d> {
     strips: Vec<Strip>,
 }
 
-/// What the storeys of a structure are.
+/// The storeys of a structure.
 struct Level {
     span: Span,
     height: f64,

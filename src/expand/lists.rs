@@ -160,7 +160,7 @@ impl Pass<'_, '_> {
         span.file == self.source.id() && ends && !text.trim_start().starts_with('<')
     }
 
-    /// The weights of a draw among so many codes, as running sums; equal ones where none or wrong ones
+    /// The weights of a draw among this many codes, as running sums; equal ones where none or wrong ones
     /// are given.
     pub(super) fn weight_sums(&mut self, random: &Random, codes: usize) -> Vec<f64> {
         let mut sum = 0.0;

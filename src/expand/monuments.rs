@@ -39,7 +39,7 @@ impl Pass<'_, '_> {
         }
         let mut draft = Draft::new(span, unit);
         if self.written_short > self.most_storeys() {
-            // Said of the first of them. What is left out is not worked out.
+            // Said of the first of them. What is left out is not computed.
             self.over = true;
             return Some(draft);
         }
@@ -101,7 +101,7 @@ pub(super) fn furnish(made: &mut House, draft: Draft) {
     made.roofs.wished = made.roofs.wished.or(Some(draft.span));
 }
 
-/// What all storeys of a house have that have none of their own.
+/// Defaults of a house's storeys.
 pub(super) fn share(storeys: &mut [Storey], fittings: &ast::Fittings, short: bool) {
     for storey in storeys {
         let order = &mut storey.order;
@@ -150,7 +150,7 @@ fn place_of(item: &ast::Item<ast::Storey>) -> Span {
     }
 }
 
-/// A number, or what stands for it.
+/// A number, or what is for it.
 fn or(given: Given, default: f64) -> f64 {
     given.map_or(default, |n| n.value)
 }

@@ -35,7 +35,7 @@ impl Pass<'_, '_> {
         operation
     }
 
-    /// What a slot holds; `None` where its list is empty. In a row the outline must not depend on the
+    /// The content of a slot; `None` where its list is empty. In a row the outline must not depend on the
     /// draw, so the first code's width counts.
     pub(super) fn draw_slot(
         &mut self,

@@ -12,7 +12,7 @@ use crate::source::Span;
 
 /// How many parts a construct makes at least; 1 for empty ones, which cost room as well.
 pub(super) trait Weigh {
-    /// What a `random` beside things of this kind may make.
+    /// The things that a `random` of this kind may choose.
     const SLOT: u64 = 0;
     fn weigh(&self) -> u64;
 }
@@ -144,7 +144,7 @@ impl Pass<'_, '_> {
         repeat.num.value
     }
 
-    /// Takes room for so many parts; false when the house is full.
+    /// Takes room for this many parts; false when the house is full.
     #[inline]
     pub(super) fn charge(&mut self, parts: u64, span: Span) -> bool {
         self.parts += parts;

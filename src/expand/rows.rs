@@ -239,7 +239,7 @@ impl Pass<'_, '_> {
     }
 }
 
-/// A unit of which nothing more is said.
+/// A unit of which nothing more is stated.
 pub(super) fn bare_unit(span: Span, width: f64, which: Which) -> Unit {
     Unit {
         span,

@@ -1,9 +1,10 @@
 //! The card of a part: its names, its picture, its measures, in Markdown.
 
-use super::{Analysis, words};
+use super::Analysis;
 use crate::catalog::{Era, PartDef};
 use crate::diagnostic::{Language, Text};
 use crate::geometry::SHAKU;
+use crate::ide::vocabulary;
 use crate::tessellate::part_sheet;
 use crate::{text, texture};
 use base64::Engine;
@@ -57,22 +58,22 @@ pub(super) fn card(
     let unit = house.map_or(3.0 * SHAKU, |b| b.house.unit);
     let mut lines = vec![width(part.width(), unit), heights(part)];
     if !part.made.is_empty() {
-        let said = words::meaning(words::STUFFS, &part.made);
+        let said = vocabulary::meaning(vocabulary::STUFFS, &part.made);
         let made = said.map_or((&*part.made).into(), Text::from);
         lines.push(text!([made] "made of {made}", "材料: {made}"));
     }
-    let class = words::class(part.class());
+    let class = vocabulary::class(part.class());
     let letter = part.class();
     if letter != ' ' {
         lines.push(text!([class] "class {letter}: {class}", "分類 {letter}: {class}"));
     }
     if part.era != Era::All
-        && let Some(era) = words::meaning(words::ERAS, part.era.word())
+        && let Some(era) = vocabulary::meaning(vocabulary::ERAS, part.era.word())
     {
         lines.push(text!([era] "era: {era}", "時代: {era}"));
     }
     for weathered in part.weathering.split('+') {
-        if let Some(about) = words::weathering(weathered) {
+        if let Some(about) = vocabulary::weathering(weathered) {
             lines.push(
                 text!([about] "weathers as {weathered}, {about}", "経年変化 {weathered}、{about}"),
             );
@@ -141,7 +142,7 @@ fn origin(a: &Analysis, part: &PartDef) -> Text {
     }
 }
 
-/// A number of at most so many decimals.
+/// A number of at most this many decimals.
 pub(super) fn short(number: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", number + 0.0);
     match text.contains('.') {

@@ -1,6 +1,6 @@
-//! What may stand at a place of a text: part codes, elements, attributes and their values, names, keys, roof words.
+//! Completion: part codes, elements, attributes and their values, names, keys, roof words.
 //!
-//! Nothing here trusts the text to be sound: it is under way. Where the reader's own view of it is not to be had, the
+//! Nothing here trusts the file to be sound: it is under way. Where the reader's own view of it is not to be had, the
 //! characters before the place decide (see `place`).
 
 mod cells;
@@ -18,7 +18,7 @@ use crate::diagnostic::{Language, Text};
 use crate::print::Form;
 use std::ops::Range;
 
-/// What a proposal is.
+/// The kind of a completion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CompletionKind {
     /// A part of the catalogue, by its code.
@@ -39,36 +39,36 @@ pub enum CompletionKind {
     Function,
     /// A piece, at a `use`.
     Piece,
-    /// A file: a text or a picture.
+    /// A file: a source file or a picture.
     File,
     /// A key of the legacy header.
     Key,
     /// The letter at the end of a wall line.
     Turn,
-    /// A name that something else bears: the id of a floor, the code of a base.
+    /// A name that something else has: the id of a floor, the code of a base.
     Reference,
 }
 
-/// Something that may stand here.
+/// Something that may be here.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Completion {
-    /// What the list shows.
+    /// The label in the list.
     pub label: String,
-    /// What it is.
+    /// The kind.
     pub kind: CompletionKind,
-    /// What it means, in a line.
+    /// The meaning, in one line.
     pub detail: Text,
-    /// What it takes the place of; holds the place that was asked about, and lies in one line.
+    /// The range that it replaces; it contains the requested place and lies in one line.
     pub replace: Range<usize>,
-    /// What comes there.
+    /// The new content.
     pub insert: String,
     /// The same in the snippet syntax of the protocol, where it has places to go on from.
     pub snippet: Option<String>,
-    /// What a client compares with what was typed: begins with that, in whatever script it was.
+    /// The text that a client compares with the typed text; begins with that, in its script.
     pub filter: String,
     /// The order of the list.
     pub sort: String,
-    /// What [`documentation`] tells more of.
+    /// The key by which [`documentation`] gives details.
     pub part: Option<PartKey>,
 }
 
@@ -79,7 +79,7 @@ pub struct PartKey {
     pub code: String,
 }
 
-/// What may stand at an offset, best first. `files` lists those below the folder of this text whose names have an
+/// The completions at an offset, best first. `files` lists those below the folder of this file whose names have an
 /// ending such as `hsd` or `png`, by their paths from that folder.
 ///
 /// The list depends on what was typed, in whatever script, so a client should ask again as typing goes on
@@ -89,10 +89,10 @@ pub fn complete(a: &Analysis, at: usize, files: &dyn Fn(&str) -> Vec<String>) ->
     if !text.is_char_boundary(at) {
         return vec![];
     }
-    let ask = Ask { a, text, at, files };
+    let request = Request { a, text, at, files };
     let mut found = match Form::of(&a.source) {
-        Form::Xml => xml::complete(&ask),
-        Form::Legacy => legacy::complete(&ask),
+        Form::Xml => xml::complete(&request),
+        Form::Legacy => legacy::complete(&request),
     };
     found.retain(|c| {
         let typed = text.get(c.replace.start..at).unwrap_or_default();
@@ -115,15 +115,15 @@ pub fn documentation(
     Some(card::card(a, part, 0, language, pictures))
 }
 
-/// Whether the letters of what was typed stand in a text in their order, as clients compare them.
+/// Whether the letters of the typed text are in a text in their order, as clients compare them.
 fn answers(filter: &str, typed: &str) -> bool {
     let mut letters = filter.chars().flat_map(char::to_lowercase);
     let mut typed = typed.chars().flat_map(char::to_lowercase);
     typed.all(|wanted| letters.any(|letter| letter == wanted))
 }
 
-/// What was asked.
-struct Ask<'a> {
+/// The request.
+struct Request<'a> {
     a: &'a Analysis,
     text: &'a str,
     at: usize,

@@ -1,5 +1,5 @@
-//! All mends of a text at once. A mend may bring to light what the mistake had hidden, so mended texts are read again and
-//! mended again, and the best of them is taken: one that is no better than the text as it is, is nobody's wish.
+//! All fixes of a source file at once. A fix may reveal what the mistake had hidden, so fixed files are read again and
+//! fixed again, and the best of them is taken: one that is no better than the file as it is, is not offered.
 
 use crate::diagnostic::{self, Severity};
 use crate::ide::Analysis;
@@ -7,14 +7,14 @@ use crate::ide::format::{Edit, edits};
 use crate::source::Span;
 use std::collections::BTreeMap;
 
-/// How bad a text is: errors, then everything that is said of it.
+/// How bad a source file is: errors, then everything that is reported about it.
 fn badness(a: &Analysis) -> (usize, usize) {
     let errors = a.diagnostics.iter();
     let errors = errors.filter(|d| d.severity == Severity::Error).count();
     (errors, a.diagnostics.len())
 }
 
-/// How many mends make a text better, and what they change; `None` where none do. `read` analyses a text in the place of
+/// How many fixes make a source file better, and what they change; `None` where none do. `read` analyses a source file in the place of
 /// this one, at most `rounds` times.
 pub fn fix_all(
     a: &Analysis,
@@ -40,7 +40,7 @@ pub fn fix_all(
     Some((count, edits(a.text(), &text)))
 }
 
-/// A text after the first mend of each message, as many as do not touch one another, and how many those are.
+/// A source file after the first fix of each message, as many as do not touch one another, and how many those are.
 fn round(a: &Analysis) -> Option<(String, usize)> {
     // By their ends: none of them meets another.
     let mut taken: BTreeMap<u32, (u32, &diagnostic::Edit)> = BTreeMap::new();

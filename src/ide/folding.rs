@@ -1,11 +1,11 @@
-//! What of a text can be folded away.
+//! Folding ranges of a source file.
 
 use super::{Analysis, sections};
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::Outline;
+use crate::parse::syntax::LineKind;
+use crate::parse::syntax::Outline;
 use std::ops::Range;
 
-/// What is folded away.
+/// The kind of the folded range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FoldKind {
     /// A comment, or several lines of them.
@@ -22,11 +22,11 @@ pub struct Fold {
     /// From its start to the end of the last line that vanishes; its first line stays, and so does the line of an end
     /// tag.
     pub range: Range<usize>,
-    /// What it is.
+    /// The kind.
     pub kind: FoldKind,
 }
 
-/// What can be folded away, in the order of the text.
+/// The foldable ranges, in the order of the file.
 pub fn folds(a: &Analysis) -> Vec<Fold> {
     let (outline, text) = (a.outline(), a.text());
     let mut found = vec![];
@@ -67,7 +67,7 @@ fn comment_fold(range: Range<usize>) -> Fold {
     Fold { range, kind }
 }
 
-/// Line ends in a text.
+/// Line ends in a source file.
 fn breaks(text: &str) -> usize {
     let feeds = text.matches('\n').count();
     feeds.max(text.matches('\r').count())
@@ -95,7 +95,7 @@ fn legacy(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     }
 }
 
-/// Elements of several lines. The line of the end tag stays where that stands alone.
+/// Elements of several lines. The line of the end tag stays where that is alone.
 fn elements(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     for element in &outline.elements {
         let mut end = element.range.end;
@@ -136,7 +136,7 @@ fn imports(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     found.extend(open.map(import_fold));
 }
 
-/// What stands between two elements, without white space round it; `None` where the one holds the other.
+/// The text between two elements, without white space around it; `None` where the one holds the other.
 fn gap<'t>(text: &'t str, first: &Range<usize>, next: &Range<usize>) -> Option<&'t str> {
     text.get(first.end..next.start).map(str::trim)
 }

@@ -1,20 +1,20 @@
-//! A text laid out anew, as edits of those lines only that change.
+//! Formatting, as edits of only those lines that change.
 
 use super::Analysis;
 use crate::diagnostic::Diagnostics;
 use crate::print;
 use std::ops::Range;
 
-/// What takes the place of a range.
+/// The replacement of a range.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What goes.
+    /// The removed range.
     pub range: Range<usize>,
-    /// What comes.
+    /// The new text.
     pub text: String,
 }
 
-/// The edits that lay the text out, in its order; `None` where its meaning is in doubt.
+/// The edits that lay the file out, in its order; `None` where its meaning is in doubt.
 pub fn format(a: &Analysis) -> Option<Vec<Edit>> {
     let limits = &a.options.expand.limits;
     let made = print::format(&a.source, limits, &mut Diagnostics::new())?;
@@ -33,7 +33,7 @@ pub fn format_range(a: &Analysis, range: Range<usize>) -> Option<Vec<Edit>> {
     Some(edits)
 }
 
-/// The edits that make one text of another: of lines that differ what differs in them, so that a cursor elsewhere stays
+/// The edits that turn one text into another: of lines that differ what differs in them, so that a cursor elsewhere stays
 /// where it is.
 pub fn edits(old: &str, new: &str) -> Vec<Edit> {
     let (before, after): (Vec<&str>, Vec<&str>) = (lines(old), lines(new));
@@ -72,7 +72,7 @@ pub(super) fn within(at: usize, old: &str, new: &str) -> Option<Edit> {
     (!range.is_empty() || !text.is_empty()).then_some(Edit { range, text })
 }
 
-/// The lines of a text with their ends.
+/// The lines of a source file with their ends.
 fn lines(text: &str) -> Vec<&str> {
     text.split_inclusive('\n').collect()
 }

@@ -1,5 +1,5 @@
-//! What stands at a place of a text, told in Markdown: parts with their cards, walls and what was built of them, words
-//! with what they mean, expressions with what they came to.
+//! Hover in Markdown: parts with their cards, walls with what was built from them, words with their meanings,
+//! expressions with their values.
 
 mod built;
 mod computed;
@@ -12,42 +12,42 @@ use crate::diagnostic::{Language, Text};
 use crate::print::Form;
 use std::ops::Range;
 
-/// What is told of a place.
+/// The hover of a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hover {
-    /// What it is told of; holds the place.
+    /// The range that the hover describes; it contains the place.
     pub range: Range<usize>,
     /// In Markdown.
     pub markdown: String,
 }
 
-/// What stands at an offset. `pictures` = cards of parts show a picture, as a `data:` URI; some clients show its raw text.
+/// The thing at an offset. `pictures` = cards of parts show a picture, as a `data:` URI; some clients show its raw text.
 pub fn hover(a: &Analysis, at: usize, language: Language, pictures: bool) -> Option<Hover> {
     if !a.text().is_char_boundary(at) || a.outline().in_comment(at) {
         return None;
     }
-    let ask = Ask {
+    let request = Request {
         a,
         at,
         language,
         pictures,
     };
     let found = match Form::of(&a.source) {
-        Form::Xml => xml::hover(&ask),
-        Form::Legacy => legacy::hover(&ask),
+        Form::Xml => xml::hover(&request),
+        Form::Legacy => legacy::hover(&request),
     };
     found.filter(|h| !h.markdown.is_empty())
 }
 
-/// What was asked.
-struct Ask<'a> {
+/// The request.
+struct Request<'a> {
     a: &'a Analysis,
     at: usize,
     language: Language,
     pictures: bool,
 }
 
-impl Ask<'_> {
+impl Request<'_> {
     /// Paragraphs about a range; those without words are left out.
     fn told(
         &self,

@@ -1,4 +1,4 @@
-//! What a text does not say and its reader wants to know: how long a line is, where the walk stands after it, how high
+//! Inlay hints for what a source file does not state: how long a line is, where the walk is after it, how high
 //! a storey is and which one, and what an open walk lacks. All of it comes from the walls that were built.
 
 use super::Analysis;
@@ -9,18 +9,18 @@ use crate::text;
 use glam::DVec2;
 use std::ops::Range;
 
-/// A few words behind a place of the text.
+/// A few words after a place of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inlay {
     /// Behind what.
     pub at: usize,
     /// The words.
     pub label: String,
-    /// What they mean.
+    /// Their meanings.
     pub tooltip: Text,
 }
 
-/// The hints of a range, in the order of the text.
+/// The hints of a range, in the order of the file.
 pub fn inlays(a: &Analysis, range: Range<usize>, language: Language) -> Vec<Inlay> {
     let mut found = vec![];
     // Of two at one place the length of the line comes first.
@@ -75,7 +75,7 @@ fn centi(metres: f64) -> f64 {
     (metres * 100.0).round() / 100.0
 }
 
-/// The length of a line, where the walk stands behind it and, where it is the last, what it lacks.
+/// The length of a line, where the walk is after it and, where it is the last, what it lacks.
 fn line(
     a: &Analysis,
     range: Range<usize>,
@@ -93,7 +93,7 @@ fn line(
     let (x, y) = (plain(end.x), plain(end.y));
     let many = beside.len();
     let (label, tooltip) = match (alone, many) {
-        // The walks of several storeys or houses stand in several places.
+        // The walks of several storeys or houses are in several places.
         (false, _) => {
             let each = span_of(walls.iter().map(|w| length(w.wall)));
             let metres = span_of(walls.iter().map(|w| centi(length(w.wall) * w.unit)));

@@ -1,86 +1,60 @@
-//! What is named in a text and where it is used: pieces and their parameters, values, own parts, floors, facades, files.
+//! Definition, references and rename, read from the table of [`names`](crate::parse::names) of a source file and the files
+//! that it includes.
 //!
-//! | file | knows |
+//! | file | answers |
 //! |---|---|
-//! | `scopes`, `known` | which values and pieces are known where |
-//! | `index` | names in expressions, pieces and their parameters |
-//! | `links` | which `include` leads to which file |
-//! | `floors` | ids of floors and facades |
-//! | `codes` | codes of parts |
-//! | `rename` | what another name changes, and whether it may |
+//! | `known` | which values and pieces are known at a place |
+//! | `rename` | what another name changes, and whether it is allowed |
 
-mod codes;
-mod floors;
-mod index;
 mod known;
-mod links;
 mod rename;
-mod scopes;
 
 pub use rename::{Change, prepare_rename, rename, rename_symbol};
 
 use super::{Analysis, Place};
 use crate::ast::CodeText;
 use crate::parse;
-pub(super) use codes::{Form as CodeForm, of_element as codes_of_element};
-pub(super) use index::word;
-pub(super) use known::{Known, parameters, pieces, values};
+pub use crate::parse::names::SymbolKind;
+pub(super) use crate::parse::names::codes::{CodeForm, of_element as codes_of_element};
+pub(super) use crate::parse::names::file::word;
+pub(super) use known::{KnownName, parameters, pieces, values};
 
-use codes::{Codes, Form, Spot};
-use index::{File, Index, Mark, Role};
-use links::Links;
+use crate::parse::names::codes::{CodeOccurrence, Codes};
+use crate::parse::names::file::File;
+use crate::parse::names::links::{self, Links};
+use crate::parse::names::resolve;
+use crate::parse::names::table::{NameTable, NamedThing, Occurrence, Role};
 use std::ops::Range;
-
-/// What kind of thing a name means.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum SymbolKind {
-    /// A `let`, or the `Param` of a house or a file.
-    Value,
-    /// A parameter of a piece.
-    Parameter,
-    /// A `define`.
-    Piece,
-    /// A part: one's own, or one that comes with the program.
-    Part,
-    /// A picture that a `Texture` names.
-    Picture,
-    /// A `Floor` by its id.
-    Floor,
-    /// A `Facade` by its id.
-    Facade,
-    /// A file that is included.
-    File,
-}
 
 /// Something with a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symbol {
-    /// What it is.
+    /// The kind.
     pub kind: SymbolKind,
     /// Its name; a code with its padding.
     pub name: String,
-    /// The name of the file that defines it, and where in its text; `None` = it comes with the program, or nobody
+    /// The name of the file that defines it, and where in its text; `None` = it comes with the program, or no one
     /// defines it.
     pub defined: Option<(String, Range<usize>)>,
 }
 
-/// The names of a text, worked out once.
+/// The names of a source file, computed once.
 #[derive(Debug)]
 pub(super) struct Names {
     links: Links,
-    index: Index,
+    index: NameTable,
 }
 
-/// What stands at an offset.
+/// The thing at an offset.
 enum Found {
-    /// Names; several where one is worked out.
-    Names(Vec<Mark>),
+    /// Names; several where one is computed.
+    Names(Vec<Occurrence>),
     /// A code.
-    Code(Spot),
+    Code(CodeOccurrence),
 }
 
 impl Analysis {
-    /// The text and the files that were read for it.
+    /// The file and the files that it includes.
     fn files(&self) -> Vec<File<'_>> {
         let included = self.checked.included.iter().zip(self.outlines());
         let all = std::iter::once((&self.source, self.outline())).chain(included);
@@ -96,7 +70,7 @@ impl Analysis {
     fn names(&self, files: &[File<'_>]) -> &Names {
         self.names.get_or_init(|| {
             let links = Links::of(files);
-            let index = Index::of(files, &links);
+            let index = resolve(files, &links);
             Names { links, index }
         })
     }
@@ -106,37 +80,37 @@ impl Analysis {
         Codes::of(files, &self.names(files).links, given)
     }
 
-    /// What stands at an offset of the text.
+    /// The thing at an offset of the file.
     fn found(&self, files: &[File<'_>], codes: &Codes<'_>, at: usize) -> Option<Found> {
         let marks = self.names(files).index.at(self.source.id(), at);
-        let marks: Vec<Mark> = marks.cloned().collect();
+        let marks: Vec<Occurrence> = marks.cloned().collect();
         if !marks.is_empty() {
             return Some(Found::Names(marks));
         }
         let spot = codes.at(0, at)?;
         let known = |code: &str| parse::builtin().find(&CodeText::new(code)).is_some();
-        let sure = spot.form != Form::Perhaps
+        let sure = spot.form != CodeForm::Perhaps
             || known(codes.text(&spot).trim())
             || codes.meaning(&spot).is_some();
         sure.then_some(Found::Code(spot))
     }
 }
 
-fn place_of_mark(mark: &Mark) -> Place {
+fn place_of_mark(mark: &Occurrence) -> Place {
     Place {
         file: mark.file,
         range: mark.range.clone(),
     }
 }
 
-fn place_of_spot(codes: &Codes<'_>, spot: &Spot) -> Place {
+fn place_of_spot(codes: &Codes<'_>, spot: &CodeOccurrence) -> Place {
     Place {
         file: codes.files[spot.file].id,
         range: spot.range.clone(),
     }
 }
 
-/// What is named at an offset.
+/// The symbol at an offset.
 pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -146,7 +120,7 @@ pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
             let symbol = marks.first()?.symbol;
             let declared = index.of_symbol(symbol).find(|m| m.role == Role::Declares);
             let named = &index.symbols[symbol];
-            let file = |m: &Mark| files.iter().find(|f| f.id == m.file);
+            let file = |m: &Occurrence| files.iter().find(|f| f.id == m.file);
             let defined = declared.and_then(|m| Some((file(m)?.name.to_owned(), m.range.clone())));
             let to_itself = (named.kind == SymbolKind::File).then(|| (named.name.clone(), 0..0));
             Some(Symbol {
@@ -157,7 +131,7 @@ pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
         }
         Found::Code(spot) => {
             let site = codes.meaning(&spot);
-            let picture = site.is_some_and(|s| s.form == Form::Picture);
+            let picture = site.is_some_and(|s| s.form == CodeForm::Picture);
             let kind = match picture {
                 true => SymbolKind::Picture,
                 false => SymbolKind::Part,
@@ -173,7 +147,7 @@ pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
     }
 }
 
-/// Where what stands at an offset is defined.
+/// Where what is at an offset is defined.
 pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -205,14 +179,14 @@ pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
     }
 }
 
-/// Where what stands at an offset is used, in this text and the files that were read for it.
+/// Where what is at an offset is used, in this file and the files that were read for it.
 pub fn references(a: &Analysis, at: usize, with_declaration: bool) -> Vec<Place> {
     let found = occurrences(a, at).into_iter();
     let kept = found.filter(|(_, declares)| with_declaration || !declares);
     kept.map(|(place, _)| place).collect()
 }
 
-/// Where what stands at an offset stands in this text, and whether it is defined there.
+/// Where what is at an offset is in this file, and whether it is defined there.
 pub fn highlights(a: &Analysis, at: usize) -> Vec<(Range<usize>, bool)> {
     let found = occurrences(a, at).into_iter();
     let here = found.filter(|(place, _)| place.file == a.source.id());
@@ -220,7 +194,7 @@ pub fn highlights(a: &Analysis, at: usize) -> Vec<(Range<usize>, bool)> {
         .collect()
 }
 
-/// All places of what stands at an offset, and whether it is defined there.
+/// All places of what is at an offset, and whether it is defined there.
 fn occurrences(a: &Analysis, at: usize) -> Vec<(Place, bool)> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -238,16 +212,16 @@ fn occurrences(a: &Analysis, at: usize) -> Vec<(Place, bool)> {
     }
 }
 
-fn spots_like(codes: &Codes<'_>, spot: &Spot) -> Vec<(Place, bool)> {
+fn spots_like(codes: &Codes<'_>, spot: &CodeOccurrence) -> Vec<(Place, bool)> {
     let alike = codes.alike(codes.text(spot), codes.meaning(spot));
-    let declares = |s: &Spot| matches!(s.form, Form::Part | Form::Picture);
+    let declares = |s: &CodeOccurrence| matches!(s.form, CodeForm::Part | CodeForm::Picture);
     alike
         .iter()
         .map(|s| (place_of_spot(codes, s), declares(s)))
         .collect()
 }
 
-/// Where a thing is used that another text may define.
+/// Where a thing is used that another file may define.
 pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -259,7 +233,7 @@ pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
                 .collect()
         }
         Some(Target::Code(site)) => spots_like(&codes, &site),
-        Some(Target::Known) => {
+        Some(Target::Builtin) => {
             let alike = codes.alike(&symbol.name, None).into_iter();
             alike.map(|s| (place_of_spot(&codes, &s), false)).collect()
         }
@@ -268,21 +242,21 @@ pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
     used.map(|(place, _)| place).collect()
 }
 
-/// What a symbol is in these files.
+/// The meaning of a symbol in these files.
 enum Target {
     /// By its number in the index.
     Name(usize),
-    /// A part of one's own, or a picture.
-    Code(Spot),
+    /// A custom part, or a picture.
+    Code(CodeOccurrence),
     /// A part that comes with the program.
-    Known,
+    Builtin,
 }
 
 fn target(a: &Analysis, files: &[File<'_>], codes: &Codes<'_>, symbol: &Symbol) -> Option<Target> {
     let index = &a.names(files).index;
     let is_code = matches!(symbol.kind, SymbolKind::Part | SymbolKind::Picture);
     let Some((path, range)) = &symbol.defined else {
-        return is_code.then_some(Target::Known);
+        return is_code.then_some(Target::Builtin);
     };
     let file = files.iter().find(|f| links::same(f.name, path))?;
     if is_code {
@@ -291,7 +265,7 @@ fn target(a: &Analysis, files: &[File<'_>], codes: &Codes<'_>, symbol: &Symbol) 
         return (site.range == *range).then(|| Target::Code(site.clone()));
     }
     if symbol.kind == SymbolKind::File {
-        let is_it = |n: &index::Named| n.kind == SymbolKind::File && n.name == file.name;
+        let is_it = |n: &NamedThing| n.kind == SymbolKind::File && n.name == file.name;
         return index.symbols.iter().position(is_it).map(Target::Name);
     }
     let mut marks = index.at(file.id, range.start);

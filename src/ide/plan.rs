@@ -1,11 +1,11 @@
-//! The plan of a text for those who draw on it: every wall with its place and with the place where it is written.
+//! The plan of a source file for those who draw on it: every wall with its place and with the place where it is written.
 //!
 //! Places are `[a, b]` in U in the author frame of their house; spans are bytes of the original file; houses, storeys,
 //! rings, walls and units stand in the order of the [`Building`](crate::building::Building), by which strokes count
 //! them. As JSON:
 //!
 //! ```json
-//! {"reasons":{"repeat":"This is written once for several walls; change the text."},
+//! {"reasons":{"repeat":"This is written once for several walls; change the file."},
 //!  "houses":[{"name":"machiya","file":0,"span":[0,900],"origin":[0,0,0],"azimuth":180,"unit_m":0.909091,"street":false,
 //!   "fixed":null,
 //!   "storeys":[{"storey":1,"kind":"storey","z0":0,"z1":2.727273,"height":9,"file":0,"span":[300,420],"fixed":null,
@@ -39,12 +39,12 @@ use glam::{DVec2, dvec2};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The plan of a text.
+/// The plan of a source file.
 #[derive(Debug, Serialize)]
 pub struct Plan {
-    /// What the reasons in it mean.
+    /// The meanings of the reasons in it.
     pub reasons: BTreeMap<&'static str, String>,
-    /// In the order of the text.
+    /// In the order of the file.
     pub houses: Vec<House>,
 }
 
@@ -75,7 +75,7 @@ pub struct House {
 /// Where something is written.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Place {
-    /// The file; 0 is the text itself.
+    /// The file; 0 is the file itself.
     pub file: u16,
     /// Its bytes.
     pub span: Span,
@@ -138,12 +138,12 @@ pub struct Wall {
     pub units: Vec<Unit>,
 }
 
-/// What stands in a wall.
+/// The content of a wall.
 #[derive(Debug, Serialize)]
 pub struct Unit {
     /// Its code, or the name of its part or picture; empty for a void or a split.
     pub code: String,
-    /// What it is.
+    /// The kind.
     pub part: &'static str,
     /// Its right end.
     pub from: [Number; 2],
@@ -177,7 +177,7 @@ pub struct Roof {
 }
 
 impl Plan {
-    /// The plan of a text; reasons are in this language.
+    /// The plan of a source file; reasons are in this language.
     pub fn of(a: &Analysis, language: Language) -> Plan {
         let sheet = Sheet::of(a);
         let (building, catalog) = (&a.checked.building, a.catalog());
@@ -198,7 +198,7 @@ impl Plan {
     }
 }
 
-/// What units are called by.
+/// How units are labelled.
 struct Writer<'a> {
     sheet: &'a Sheet<'a>,
     catalog: &'a Catalog,
@@ -299,7 +299,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What an author calls a unit.
+    /// The code or name of a unit.
     fn code(&self, unit: &program::Unit) -> String {
         let picture = |id: program::PictureId| self.pictures.get(id.0 as usize);
         match &unit.content {
@@ -309,7 +309,7 @@ impl Writer<'_> {
         }
     }
 
-    /// What it is in a word.
+    /// The kind, in one word.
     fn part(&self, unit: &program::Unit) -> &'static str {
         match &unit.content {
             Content::Void => "void",

@@ -1,10 +1,10 @@
-//! The parts of a legacy text: its houses, their storeys and their roofs, as ranges of lines.
+//! The parts of a legacy file: its houses, their storeys and their roofs, as ranges of lines.
 
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::{Line, Outline};
+use crate::parse::syntax::LineKind;
+use crate::parse::syntax::{Line, Outline};
 use std::ops::Range;
 
-/// A house of a legacy text; ranges count lines.
+/// A house of a legacy file; ranges count lines.
 #[derive(Clone, Debug, Default)]
 pub(super) struct House {
     /// From its first line that is not blank to its last, comments included.
@@ -17,7 +17,7 @@ pub(super) struct House {
     pub(super) roofs: Option<Range<usize>>,
 }
 
-/// The houses of a legacy text.
+/// The houses of a legacy file.
 pub(super) fn houses(outline: &Outline, text: &str) -> Vec<House> {
     let lines = &outline.lines;
     let mut found = vec![];
@@ -64,7 +64,7 @@ fn grow(range: &mut Option<Range<usize>>, line: usize) {
     *range = Some(start..line + 1);
 }
 
-/// The range of the text that some lines have.
+/// The range of the file that some lines have.
 pub(super) fn text_range(outline: &Outline, lines: &Range<usize>) -> Range<usize> {
     let start = outline.lines.get(lines.start).map_or(0, |l| l.range.start);
     let last = lines.end.checked_sub(1).and_then(|l| outline.lines.get(l));

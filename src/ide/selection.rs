@@ -1,10 +1,10 @@
-//! What stands round a place: from the word to the house.
+//! Selection ranges around a place: from the word to the house.
 
 use super::{Analysis, sections};
-use crate::parse::outline::{Attribute, Element, Outline};
+use crate::parse::syntax::{Attribute, Element, Outline};
 use std::ops::Range;
 
-/// What holds an offset, from the inside out; each range lies within the next one and is smaller.
+/// The ranges that contain an offset, innermost first; each is smaller than the next and lies within it.
 pub fn selection(a: &Analysis, at: usize) -> Vec<Range<usize>> {
     let (outline, text) = (a.outline(), a.text());
     let mut at = at.min(text.len());
@@ -27,7 +27,7 @@ pub fn selection(a: &Analysis, at: usize) -> Vec<Range<usize>> {
     nested(found, at)
 }
 
-/// Those of some ranges that hold an offset and lie within one another, from the inside out.
+/// Those of some ranges that hold an offset and lie within one another, innermost first.
 fn nested(mut ranges: Vec<Range<usize>>, at: usize) -> Vec<Range<usize>> {
     ranges.retain(|r| !r.is_empty() && r.start <= at && at <= r.end);
     ranges.sort_by_key(|r| (r.len(), r.start));
@@ -54,7 +54,7 @@ fn word(text: &str, at: usize) -> Range<usize> {
     start..end
 }
 
-/// What is written on a line.
+/// The text of a line.
 fn line(text: &str, at: usize) -> Range<usize> {
     let start = text[..at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
     let end = text[at..].find(['\n', '\r']).map_or(text.len(), |i| at + i);
@@ -88,7 +88,7 @@ fn legacy(outline: &Outline, text: &str, at: usize, found: &mut Vec<Range<usize>
     }
 }
 
-/// The code at an offset, and the run of equal ones round it.
+/// The code at an offset, and the run of equal ones around it.
 fn codes(codes: &[Range<usize>], text: &str, at: usize, found: &mut Vec<Range<usize>>) {
     let last = codes.partition_point(|c| c.start <= at);
     let Some(own) = last.checked_sub(1).filter(|i| at <= codes[*i].end) else {
@@ -107,7 +107,7 @@ fn codes(codes: &[Range<usize>], text: &str, at: usize, found: &mut Vec<Range<us
     found.push(codes[first].start..codes[last].end);
 }
 
-/// What stands in an element: its names, attributes and codes.
+/// The names, attributes and codes of an element.
 fn inside(element: &Element, text: &str, at: usize, found: &mut Vec<Range<usize>>) {
     found.push(element.name.clone());
     found.extend(element.end_name.clone());
@@ -141,7 +141,7 @@ fn value(attribute: &Attribute, text: &str, at: usize, found: &mut Vec<Range<usi
     }
 }
 
-fn expressions(all: &[crate::parse::outline::Expression], found: &mut Vec<Range<usize>>) {
+fn expressions(all: &[crate::parse::syntax::Expression], found: &mut Vec<Range<usize>>) {
     for expression in all {
         let range = &expression.range;
         found.push(range.clone());

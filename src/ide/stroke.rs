@@ -1,8 +1,8 @@
-//! Strokes of the drawing tool: what an author draws on the plan, as the least change of the text. The text stays the
-//! truth: a stroke is worked out from it, changes it, and is forgotten.
+//! Strokes of the drawing tool: what an author draws on the plan, as the least change of the file. The file stays the
+//! truth: a stroke is computed from it, changes it, and is forgotten.
 //!
 //! This is the contract with the page. A stroke is a JSON object; `do` says what it does. Houses, storeys, rings, walls
-//! and units are counted from 0 as they stand in the [`Plan`](super::plan::Plan) of the same revision. Places are
+//! and units are counted from 0 as they are in the [`Plan`](super::plan::Plan) of the same revision. Places are
 //! `[a, b]` in U in the author frame of the house; heights are in shaku; `by` counts whole units, outward where it is
 //! positive (away from the interior, which lies on the right of the walk; into the court where the ring is a hole).
 //!
@@ -21,7 +21,7 @@
 //!
 //! | stroke | does |
 //! |---|---|
-//! | `set-part` | Another part in the place of a unit, which is named by its place in the plan, or by its span (bytes of the text itself). The wall keeps its length: a wider part takes the place of neighbours to its left (behind it in the walk) that are plain or go as a whole, and to its right where there are none; a narrower one is filled up with plain wall. An empty part is a void. |
+//! | `set-part` | Another part in the place of a unit, which is named by its place in the plan, or by its span (bytes of the file itself). The wall keeps its length: a wider part takes the place of neighbours to its left (behind it in the walk) that are plain or go as a whole, and to its right where there are none; a narrower one is filled up with plain wall. An empty part is a void. |
 //! | `move-wall` | A wall slides along its normal; the walls beside it grow or shrink. `storeys` is `"one"` (where it is left out) or `"all"`: walls of other storeys that stand right above or below move along. Walls that come to lie in one line become one. |
 //! | `break-wall` | The part of a wall between `from` and `to`, units from its `from` end, is pushed out or in. |
 //! | `draw-house` | A house with this outline, walked either way round. `house` names the house in whose frame the outline lies; without it, or where there is none, that of the world: a to the west and b to the north from its origin, 1 U = 10/11 m. `height` may be left out. |
@@ -52,6 +52,7 @@ mod roofs;
 mod slide;
 mod storeys;
 mod walls;
+mod change;
 mod write;
 mod xml;
 pub(in crate::ide) mod sheet;
@@ -66,7 +67,7 @@ use crate::diagnostic::Text;
 use crate::ide::stroke::sheet::Sheet;
 use serde::Deserialize;
 
-/// What an author draws. See the [module](self) for what each is in JSON.
+/// A stroke of the author. See the [module](self) for what each is in JSON.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "do", rename_all = "kebab-case")]
 pub enum Stroke {
@@ -159,7 +160,7 @@ pub struct WallAt {
     pub wall: usize,
 }
 
-/// A unit by its place in the plan, or in the text.
+/// A unit by its place in the plan, or in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(untagged)]
 pub enum UnitAt {
@@ -171,7 +172,7 @@ pub enum UnitAt {
         /// The unit.
         unit: usize,
     },
-    /// By its bytes of the text.
+    /// By its bytes of the file.
     Span {
         /// First byte, one past the last byte.
         span: [u32; 2],
@@ -189,14 +190,14 @@ pub enum Storeys {
     All,
 }
 
-/// What a stroke comes to.
+/// The result of a stroke.
 ///
 /// # Errors
-/// Why it cannot be made, and what to do instead; the text is left alone then.
+/// Why it cannot be made, and what to do instead; the file is left alone then.
 pub fn edits(a: &Analysis, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
     let sheet = &Sheet::of(a);
     let mut edits = worked_out(sheet, stroke)?;
-    // A text that ended without a line end still does.
+    // A source file that ended without a line end still does.
     if let Some(last) = edits.last_mut()
         && last.text.is_empty()
         && last.range.end == sheet.text.len()
@@ -205,7 +206,7 @@ pub fn edits(a: &Analysis, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
         let before = &sheet.text[..last.range.start];
         let line = before.strip_suffix('\n').unwrap_or(before);
         last.range.start = line.strip_suffix('\r').unwrap_or(line).len();
-        edits = write::tidy(edits);
+        edits = change::tidy(edits);
     }
     Ok(edits)
 }

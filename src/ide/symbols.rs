@@ -1,15 +1,15 @@
-//! What a text consists of, as a tree: houses, storeys, rows and roofs, and what it defines.
+//! Document symbols, as a tree: houses, storeys, rows and roofs, and definitions.
 
 use super::walked::{self, Built, Lines, Walked};
 use super::{Analysis, sections};
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::Element;
+use crate::parse::syntax::Element;
+use crate::parse::syntax::LineKind;
 use std::ops::Range;
 
 /// Characters of a row that its name shows.
 const LONGEST: usize = 60;
 
-/// What kind of thing a symbol is.
+/// The kind of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SymbolKind {
     /// A house, or several of them.
@@ -34,30 +34,30 @@ pub enum SymbolKind {
     Part,
     /// A file that is included.
     File,
-    /// Anything else that stands at a house.
+    /// Anything else that is at a house.
     Fitting,
 }
 
-/// A thing in a text.
+/// A thing in a source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symbol {
-    /// What it is called.
+    /// The name.
     pub name: String,
-    /// What else there is to say of it, in short.
+    /// Further details, in short.
     pub detail: String,
-    /// What it is.
+    /// The kind.
     pub kind: SymbolKind,
     /// All of it.
     pub range: Range<usize>,
-    /// Its name, or what stands for that; within `range`.
+    /// Its name, or what is for that; within `range`.
     pub selection: Range<usize>,
-    /// What it consists of, in the order of the text.
+    /// The pieces, in the order of the file.
     pub children: Vec<Symbol>,
 }
 
-/// What stands in a text.
+/// The outline of a source file.
 pub fn symbols(a: &Analysis) -> Vec<Symbol> {
-    let known = Known {
+    let known = KnownName {
         a,
         storeys: walked::storeys(a),
         walls: walked::walls(a, &(0..a.text().len())),
@@ -67,14 +67,14 @@ pub fn symbols(a: &Analysis) -> Vec<Symbol> {
     found
 }
 
-/// The text, and what was built of it.
-struct Known<'a> {
+/// The file, and what was built of it.
+struct KnownName<'a> {
     a: &'a Analysis,
     storeys: Lines<Built<'a>>,
     walls: Lines<Walked<'a>>,
 }
 
-impl Known<'_> {
+impl KnownName<'_> {
     /// The houses of the legacy form.
     fn legacy(&self) -> Vec<Symbol> {
         let (outline, text) = (self.a.outline(), self.a.text());
@@ -101,7 +101,7 @@ impl Known<'_> {
             .collect()
     }
 
-    /// What a house is called, and where.
+    /// The name of a house, and its place.
     fn house_name(&self, house: &sections::House, number: usize) -> (String, Range<usize>) {
         let (outline, text) = (self.a.outline(), self.a.text());
         let lines = house.header.clone().unwrap_or_default();
@@ -190,7 +190,7 @@ impl Known<'_> {
         leaf(name, detail, SymbolKind::Row, range, selection)
     }
 
-    /// The codes that stand in an element or further in.
+    /// The codes that are in an element or further in.
     fn codes_in(&self, number: usize) -> String {
         let elements = &self.a.outline().elements;
         let end = elements[number].range.end;
@@ -202,12 +202,12 @@ impl Known<'_> {
         words.join(" ")
     }
 
-    /// What stands in the XML form.
+    /// The content of the XML form.
     fn elements(&self) -> Vec<Symbol> {
         let elements = &self.a.outline().elements;
         let mut made: Vec<Option<Symbol>> = (0..elements.len()).map(|e| self.element(e)).collect();
         let mut roots = vec![];
-        // Children stand behind their parents: from the last one on each is whole when its turn comes.
+        // Children are behind their parents: from the last one on each is whole when its turn comes.
         let mut waiting: Vec<Vec<Symbol>> = vec![vec![]; elements.len()];
         for number in (0..elements.len()).rev() {
             let mut inside = std::mem::take(&mut waiting[number]);
@@ -228,7 +228,7 @@ impl Known<'_> {
         roots
     }
 
-    /// What an element is; `None` = it stands for what it holds.
+    /// The kind of an element; `None` = its content counts in its place.
     fn element(&self, number: usize) -> Option<Symbol> {
         let (element, text) = (&self.a.outline().elements[number], self.a.text());
         let said = |name: &str| element.value(name).map(str::trim).filter(|v| !v.is_empty());

@@ -1,4 +1,4 @@
-//! What each word of a text is, for colours that know the language.
+//! Semantic tokens: the kind of each word of a source file.
 //!
 //! | file | reads |
 //! |---|---|
@@ -17,7 +17,7 @@ use crate::parse;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// What a word is.
+/// The kind of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum TokenKind {
     /// For human readers.
@@ -44,7 +44,7 @@ pub enum TokenKind {
     Operator,
 }
 
-/// What else is to be said of a word.
+/// Further notes on a word.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Modifiers {
     /// It is named here.
@@ -53,22 +53,22 @@ pub struct Modifiers {
     pub default_library: bool,
     /// It is one's own part.
     pub own: bool,
-    /// Nobody knows it.
+    /// Unknown.
     pub unknown: bool,
 }
 
-/// A word; it stands on one line.
+/// A word; it is on one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Token {
     /// Where.
     pub range: Range<usize>,
-    /// What it is.
+    /// The kind.
     pub kind: TokenKind,
     /// More of it.
     pub modifiers: Modifiers,
 }
 
-/// The words of a text in their order; none overlaps another.
+/// The words of a source file in their order; none overlaps another.
 pub fn tokens(a: &Analysis) -> Vec<Token> {
     let mut list = List::new(a);
     for comment in &a.outline().comments {
@@ -83,7 +83,7 @@ pub fn tokens(a: &Analysis) -> Vec<Token> {
 struct List<'a> {
     text: &'a str,
     builtin: &'static Catalog,
-    /// The codes of parts of one's own, and the names of pictures that are shown.
+    /// The codes of custom parts, and the names of pictures that are shown.
     own: BTreeSet<&'a str>,
     found: Vec<Token>,
 }
@@ -124,7 +124,7 @@ impl<'a> List<'a> {
         }
     }
 
-    /// What is known of a code; `None` = nothing.
+    /// The part of a code; `None` = unknown.
     fn known(&self, code: &str) -> Option<Modifiers> {
         let (own, code) = (self.own.contains(code.trim()), CodeText::new(code.trim()));
         let default_library = !own && self.builtin.find(&code).is_some();

@@ -1,4 +1,4 @@
-//! What the walls of a building say of the lines that they come from. A line may stand for many walls: those of a
+//! The lines that the walls of a building come from. A line may be for many walls: those of a
 //! repetition, of a storey that is repeated, of a piece that is used again.
 
 use super::Analysis;
@@ -54,10 +54,10 @@ pub(super) fn length(wall: &Wall) -> f64 {
     wall.from.distance(wall.to)
 }
 
-/// What was built from a range of the text, by the start and end of that.
+/// The things built from a range of the file, by its start and end.
 pub(super) type Lines<T> = BTreeMap<(usize, usize), Vec<T>>;
 
-/// The storeys by their ranges of the text.
+/// The storeys by their ranges of the file.
 pub(super) fn storeys(a: &Analysis) -> Lines<Built<'_>> {
     let mut found = Lines::new();
     for built in &a.checked.building.houses {
@@ -73,7 +73,7 @@ pub(super) fn storeys(a: &Analysis) -> Lines<Built<'_>> {
     found
 }
 
-/// The walls by the ranges of their lines that touch a range of the text.
+/// The walls by the ranges of their lines that touch a range of the file.
 pub(super) fn walls<'a>(a: &'a Analysis, within: &Range<usize>) -> Lines<Walked<'a>> {
     let mut found = Lines::new();
     let span = a.source.span(within.clone());
@@ -93,7 +93,7 @@ pub(super) fn walls<'a>(a: &'a Analysis, within: &Range<usize>) -> Lines<Walked<
     found
 }
 
-/// Where a span lies, if that is in the text itself.
+/// The place of a span, if that is in the file itself.
 fn place(a: &Analysis, span: Span) -> Option<(usize, usize)> {
     if span.file != a.source.id() {
         return None;

@@ -1,4 +1,4 @@
-//! Expressions (docs/contract.md 3): what stands between braces, as a tree with places.
+//! Expressions (docs/contract.md 3): what is between braces, as a tree with places.
 //!
 //! From the loosest to the tightest: `or`, `and`, `not`, one comparison, `+ -`, `* / %`, the sign. Chains of equal
 //! operators are lists, so that only parentheses nest, and those at most [`DEEPEST`] deep: no expression is too
@@ -64,7 +64,7 @@ pub(super) enum Operator {
 /// Why a text is no expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fault {
-    /// What was found instead; empty at the end.
+    /// The text found instead; empty at the end.
     pub(super) range: Range<usize>,
     pub(super) wanted: Noun,
 }
@@ -87,7 +87,7 @@ const FLATTER: Noun = noun(
     "括弧の入れ子がもっと浅い式",
 );
 
-/// Reads what stands between two braces.
+/// Reads what is between two braces.
 pub(super) fn parse(text: &str) -> Result<Expr, Fault> {
     let grammar = Grammar { whole: text };
     if let Some(at) = too_deep(text) {
@@ -189,7 +189,7 @@ fn blanks(text: &str) -> &str {
     text.trim_start_matches(is_blank)
 }
 
-/// What was looked for, and what stands there.
+/// What was expected, and what was found.
 #[derive(Debug)]
 struct Missed<'a> {
     rest: &'a str,

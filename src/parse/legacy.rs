@@ -1,15 +1,15 @@
-//! Reads the legacy text: header, walls, roofs (docs/contract.md 2; 001-05 to 001-11).
+//! Reads the legacy form: header, walls, roofs (docs/contract.md 2; 001-05 to 001-11).
 //!
 //! A file is read line by line, once. A house is a small machine with three states: the header up to the
 //! first line of codes, the walls up to a blank line, the roofs up to `%` or the end of the file. What
-//! stands in a wrong place is recognised by its form, reported, and read as what it is, so that one slip
+//! is in a wrong place is recognised by its form, reported, and read as what it is, so that one slip
 //! hides none of the others.
 //!
 //! | file | reads |
 //! |---|---|
 //! | `line` | lines, and stand-ins for characters that do not belong |
-//! | `places` | the places that mends change |
-//! | `mended` | what is said of those stand-ins |
+//! | `places` | the places that fixes change |
+//! | `fixed` | what is reported about those stand-ins |
 //! | `words` | words and numbers |
 //! | `header` | place, heights, keys |
 //! | `walls`, `cells` | storeys and rows; the codes of a row |
@@ -30,29 +30,13 @@ use crate::ast::{Document, House};
 use crate::diagnostic::messages::{file, legacy as say};
 use crate::diagnostic::{Diagnostics, Edit, Noun, noun};
 use crate::parse::reporter::Reporter;
+use crate::parse::syntax::LineKind;
 use crate::source::{Limits, Source, SourceCache, Span};
 use header::Header;
 use line::Line;
 use std::ops::Range;
 
 use walls::Walls;
-
-/// What a line of the text is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LineKind {
-    /// White space only.
-    Blank,
-    /// For human readers.
-    Comment,
-    /// `%` between houses.
-    Separator,
-    /// Place, heights or a setting.
-    Header,
-    /// Codes.
-    Wall,
-    /// A roof.
-    Roof,
-}
 
 /// Reads a file of the legacy form.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
@@ -67,7 +51,7 @@ pub fn parse_lines(
     each: &mut dyn FnMut(Range<usize>, LineKind),
 ) -> Document {
     let mut reader = Reader {
-        faults: Reporter::new(source),
+        reporter: Reporter::new(source),
         document: Document::default(),
         house: Draft::default(),
         old_line_ends: false,
@@ -82,7 +66,7 @@ pub fn parse_lines(
             let before = source.span(0..line.start);
             let tag = &text[line.clone()];
             reader
-                .faults
+                .reporter
                 .say(say::xml_after_text(span, before, &text[..line.start], tag));
             break;
         }
@@ -93,14 +77,14 @@ pub fn parse_lines(
         reader.finish_house();
     }
     let Reader {
-        mut faults,
+        mut reporter,
         mut document,
         ..
     } = reader;
     if document.houses.is_empty() && xml.is_none() {
-        faults.say(file::no_house(source.span(0..0)));
+        reporter.say(file::no_house(source.span(0..0)));
     }
-    out.append(faults.finish());
+    out.append(reporter.finish());
     if let Some(tag) = xml {
         let cache = SourceCache::new(0, 0);
         let rest = super::xml::parse_from(
@@ -160,7 +144,7 @@ impl Draft {
 }
 
 struct Reader<'a> {
-    faults: Reporter<'a>,
+    reporter: Reporter<'a>,
     document: Document,
     house: Draft,
     old_line_ends: bool,
@@ -169,16 +153,16 @@ struct Reader<'a> {
 impl<'a> Reader<'a> {
     /// Notes line ends that editors of today do not count.
     fn line_end(&mut self, end: Range<usize>) {
-        if !self.old_line_ends && self.faults.source.text()[end.clone()] == *"\r" {
+        if !self.old_line_ends && self.reporter.source.text()[end.clone()] == *"\r" {
             self.old_line_ends = true;
-            let span = self.faults.source.span(end);
-            self.faults.say(file::old_line_ends(span));
+            let span = self.reporter.source.span(end);
+            self.reporter.say(file::old_line_ends(span));
         }
     }
 
     fn line(&mut self, raw: &'a str, at: usize, end: Range<usize>) -> LineKind {
         // Some programs of the time end a file with Ctrl-Z.
-        let last = end.end == self.faults.source.text().len();
+        let last = end.end == self.reporter.source.text().len();
         let raw = if last {
             raw.trim_end_matches('\u{1a}')
         } else {
@@ -196,7 +180,7 @@ impl<'a> Reader<'a> {
         let text = line.text.trim();
         match text.as_bytes().first() {
             None => {
-                self.faults.fixed_fields(&line);
+                self.reporter.fixed_fields(&line);
                 LineKind::Blank
             }
             Some(b'%') => {
@@ -204,21 +188,21 @@ impl<'a> Reader<'a> {
                 LineKind::Separator
             }
             Some(b'#') => {
-                self.faults.fixed_before(&line, 0);
-                let span = line.whole(self.faults.source);
+                self.reporter.fixed_before(&line, 0);
+                let span = line.whole(self.reporter.source);
                 let at = line.at;
                 let blanks = at + raw.find('#').unwrap_or(0);
-                let blanks = self.faults.source.span(at..blanks);
-                self.faults.say(say::indented_comment(span, blanks));
+                let blanks = self.reporter.source.span(at..blanks);
+                self.reporter.say(say::indented_comment(span, blanks));
                 LineKind::Comment
             }
             Some(_) => match other_comment(text) {
                 Some(sign) => {
                     let start = raw.len() - raw.trim_start().len();
                     let start = at + start;
-                    let span = self.faults.source.span(start..start + sign.len());
-                    let head = self.faults.source.span(at..start + sign.len());
-                    self.faults.say(say::comment_sign(span, head, sign));
+                    let span = self.reporter.source.span(start..start + sign.len());
+                    let head = self.reporter.source.span(at..start + sign.len());
+                    self.reporter.say(say::comment_sign(span, head, sign));
                     LineKind::Comment
                 }
                 None => self.content(&line, end.end),
@@ -227,14 +211,14 @@ impl<'a> Reader<'a> {
     }
 
     fn separator(&mut self, line: &Line<'_>, text: &str) {
-        self.faults.fixed_fields(line);
+        self.reporter.fixed_fields(line);
         if text != "%" {
             let start = line.text.find('%').unwrap_or(0) + 1;
             let rest = start..line.text.trim_end().len();
-            let span = line.span(self.faults.source, rest);
-            let note = self.faults.written(span).trim().to_owned();
-            let end = self.faults.line_end_text();
-            self.faults.say(say::after_separator(span, &note, end));
+            let span = line.span(self.reporter.source, rest);
+            let note = self.reporter.written(span).trim().to_owned();
+            let end = self.reporter.line_end_text();
+            self.reporter.say(say::after_separator(span, &note, end));
         }
         self.finish_house();
     }
@@ -242,29 +226,33 @@ impl<'a> Reader<'a> {
     fn content(&mut self, line: &Line<'_>, end: usize) -> LineKind {
         let section = self.section_of(line, end);
         let house = &mut self.house;
-        let span = line.whole(self.faults.source);
+        let span = line.whole(self.reporter.source);
         house.span = Some(house.span.map_or(span, |s| s.to(span)));
         (house.blank, house.apart) = (None, false);
         match section {
             Some(section) => house.section = section,
             // A key among walls or roofs is read there and then.
             None => {
-                house.header.read(line, &mut house.house, &mut self.faults);
+                house
+                    .header
+                    .read(line, &mut house.house, &mut self.reporter);
                 return LineKind::Header;
             }
         }
         match house.section {
             Section::Header => {
-                house.header.read(line, &mut house.house, &mut self.faults);
+                house
+                    .header
+                    .read(line, &mut house.house, &mut self.reporter);
                 house.header_end = Some(end);
                 LineKind::Header
             }
             Section::Walls => {
-                house.walls.read(line, &mut self.faults);
+                house.walls.read(line, &mut self.reporter);
                 LineKind::Wall
             }
             Section::Roofs => {
-                let roof = roofs::read(line, &mut self.faults);
+                let roof = roofs::read(line, &mut self.reporter);
                 house.house.roofs.lines.extend(roof);
                 LineKind::Roof
             }
@@ -278,9 +266,9 @@ impl<'a> Reader<'a> {
             _ if header::is_key_line(&line.text) => {
                 let key = words::plain_words(&line.text).next().unwrap_or_default();
                 let start = line.text.find(key).unwrap_or(0);
-                let span = line.span(self.faults.source, start..start + key.len());
+                let span = line.span(self.reporter.source, start..start + key.len());
                 let fix = self.moved_up(line, end);
-                self.faults.say(say::late_key(span, key, fix));
+                self.reporter.say(say::late_key(span, key, fix));
                 None
             }
             Section::Walls => Some(self.after_walls(line)),
@@ -291,7 +279,7 @@ impl<'a> Reader<'a> {
     /// The changes that move a line to the end of the header. The blank line before it goes too where it would part
     /// the walls.
     fn moved_up(&self, line: &Line<'_>, end: usize) -> Vec<Edit> {
-        let (house, source) = (&self.house, self.faults.source);
+        let (house, source) = (&self.house, self.reporter.source);
         let Some(to) = house.header_end else {
             return vec![];
         };
@@ -300,7 +288,7 @@ impl<'a> Reader<'a> {
         let parts = house.section == Section::Walls && looks_like_codes(next);
         let blank = house.blank.clone().filter(|b| parts && b.end == line.at);
         let from = blank.map_or(line.at, |b| b.start);
-        let key = [line.raw.trim(), self.faults.line_end_text()].concat();
+        let key = [line.raw.trim(), self.reporter.line_end_text()].concat();
         vec![
             Edit::new(source.span(to..to), key),
             Edit::new(source.span(from..end), ""),
@@ -308,7 +296,7 @@ impl<'a> Reader<'a> {
     }
 
     fn after_header(&mut self, line: &Line<'_>) -> Section {
-        let (house, source) = (&self.house, self.faults.source);
+        let (house, source) = (&self.house, self.reporter.source);
         let roof = roofs::looks_like_roof(&line.text);
         if !roof && house.header.owns(&line.text) {
             return Section::Header;
@@ -319,14 +307,14 @@ impl<'a> Reader<'a> {
             ..start
         };
         if !house.header.placed() {
-            let end = self.faults.line_end_text();
-            self.faults.say(say::no_header(start, end));
+            let end = self.reporter.line_end_text();
+            self.reporter.say(say::no_header(start, end));
         } else if house.blank.is_none() {
-            self.faults.say(say::no_blank_line(
+            self.reporter.say(say::no_blank_line(
                 start,
                 noun("header", "ヘッダー"),
                 if roof { ROOFS } else { WALLS },
-                self.faults.line_end_text(),
+                self.reporter.line_end_text(),
             ));
         }
         if roof { Section::Roofs } else { Section::Walls }
@@ -334,7 +322,7 @@ impl<'a> Reader<'a> {
 
     fn after_walls(&mut self, line: &Line<'_>) -> Section {
         let text = &*line.text;
-        let span = line.whole(self.faults.source);
+        let span = line.whole(self.reporter.source);
         let Some(blank) = self.house.blank.clone() else {
             // Part codes have no blank in their second column, so most lines end here.
             let roof = text.as_bytes().get(1) == Some(&b' ') && roofs::looks_like_roof(text);
@@ -343,8 +331,8 @@ impl<'a> Reader<'a> {
                     end: span.start,
                     ..span
                 };
-                let end = self.faults.line_end_text();
-                self.faults
+                let end = self.reporter.line_end_text();
+                self.reporter
                     .say(say::no_blank_line(start, WALLS, ROOFS, end));
             }
             return if roof { Section::Roofs } else { Section::Walls };
@@ -353,9 +341,9 @@ impl<'a> Reader<'a> {
             self.new_house(span);
             Section::Header
         } else if looks_like_codes(text) && !roofs::looks_like_roof(text) {
-            let blank = self.faults.source.span(blank);
+            let blank = self.reporter.source.span(blank);
             let apart = self.house.apart;
-            self.faults.say(say::blank_in_walls(blank, span, apart));
+            self.reporter.say(say::blank_in_walls(blank, span, apart));
             Section::Walls
         } else {
             Section::Roofs
@@ -367,7 +355,7 @@ impl<'a> Reader<'a> {
             .next()
             .is_some_and(words::numeric);
         if header && self.house.blank.is_some() {
-            self.new_house(line.whole(self.faults.source));
+            self.new_house(line.whole(self.reporter.source));
             return Section::Header;
         }
         Section::Roofs
@@ -375,8 +363,8 @@ impl<'a> Reader<'a> {
 
     /// A header after walls or roofs: the line between two houses was forgotten.
     fn new_house(&mut self, header: Span) {
-        let end = self.faults.line_end_text();
-        self.faults.say(say::no_separator(header, end));
+        let end = self.reporter.line_end_text();
+        self.reporter.say(say::no_separator(header, end));
         self.finish_house();
     }
 
@@ -387,10 +375,10 @@ impl<'a> Reader<'a> {
             return;
         };
         if !walls.begun() {
-            self.faults.say(say::no_walls(span));
+            self.reporter.say(say::no_walls(span));
         }
         house.span = span;
-        house.storeys = walls.finish(&mut self.faults);
+        house.storeys = walls.finish(&mut self.reporter);
         let storeys = house.storeys.len();
         if let Some(surplus) = house
             .heights
@@ -400,17 +388,17 @@ impl<'a> Reader<'a> {
             let span = surplus
                 .iter()
                 .fold(surplus[0].span, |all, h| all.to(h.span));
-            let all = self.faults.with_blanks(span);
+            let all = self.reporter.with_blanks(span);
             let heights = house.heights.len();
-            self.faults
+            self.reporter
                 .say(say::surplus_heights(span, all, heights, storeys));
         }
-        draft.header.judge(&house, storeys, &mut self.faults);
+        draft.header.judge(&house, storeys, &mut self.reporter);
         self.document.houses.push(house);
     }
 }
 
-/// Whether a line begins with a tag of the XML form; no line of a legacy text begins so.
+/// Whether a line begins with a tag of the XML form; no line of a legacy file begins so.
 fn is_tag(line: &str) -> bool {
     let mut chars = line.trim_start().chars();
     chars.next() == Some('<')
@@ -419,7 +407,7 @@ fn is_tag(line: &str) -> bool {
             .is_some_and(|c| c.is_ascii_alphabetic() || matches!(c, '?' | '!'))
 }
 
-/// What other languages begin a comment with, at the start of a line.
+/// Comment marks of other languages, at the start of a line.
 fn other_comment(text: &str) -> Option<&str> {
     let signs = ["//", "/*", ";"];
     signs.into_iter().find(|sign| text.starts_with(sign))

@@ -1,6 +1,6 @@
 //! Where the readers' messages go: spans are made here, and a flood of them ends here.
 //!
-//! A file of a million broken lines, or one that is no XML at all, can hold a fault a byte. Nobody reads a million
+//! A file of a million broken lines, or one that is no XML at all, can hold a fault a byte. No one reads a million
 //! messages, and keeping them would take more memory than a file is allowed to (docs/contract.md 7); so after [`ENOUGH`]
 //! the rest is counted only, and the last message says how many there were.
 
@@ -29,7 +29,7 @@ pub(super) struct Reporter<'a> {
     /// All sources but the first, with where they begin.
     more: Vec<(usize, &'a Source)>,
     first: &'a Source,
-    /// What was said already, where something may be read several times.
+    /// Messages already reported, for content that is read several times.
     once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
     /// How the lines of the first source end.
     line_end: &'static str,
@@ -107,7 +107,7 @@ impl<'a> Reporter<'a> {
         source.span(offset(range.start)..offset(range.end))
     }
 
-    /// Whether the next message is made at all: else nobody needs its mends.
+    /// Whether the next message is made at all: else no one needs its fixes.
     pub(super) fn wanted(&self) -> bool {
         self.said < ENOUGH
     }

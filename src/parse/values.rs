@@ -1,6 +1,6 @@
-//! What expressions and names came to when a text was worked out, for editors that show it.
+//! Values of expressions and names, recorded while a file is computed, for editors that show them.
 //!
-//! A place may be worked out many times, in a repetition or a piece that is used often; the first few values are kept.
+//! A place may be computed many times, in a repetition or a piece that is used often; the first few values are kept.
 
 use crate::ast::Value;
 use crate::source::Span;
@@ -10,13 +10,13 @@ use std::collections::BTreeMap;
 /// Different values that are kept of a place.
 const KEPT: usize = 8;
 
-/// What places came to: those of expressions with their braces, and those of names where they are given.
+/// Values by place: of expressions with their braces, and of names where they are defined.
 #[derive(Debug, Default)]
 pub struct Values {
     seen: RefCell<BTreeMap<Span, Seen>>,
 }
 
-/// What one place came to.
+/// The values of one place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Seen {
     /// The first few different values, in the order of the work.
@@ -28,7 +28,7 @@ pub struct Seen {
 }
 
 impl Values {
-    /// What a place came to, if it came to anything.
+    /// The value of a place, if there is one.
     pub fn at(&self, place: Span) -> Option<Seen> {
         self.seen.borrow().get(&place).cloned()
     }

@@ -1,21 +1,20 @@
 //! The XML form (docs/contract.md 3), in three steps: [`tree`] reads the elements of any file, however broken, with their
-//! places; [`language`] works out what is computed in it; the rest turns that tree into the document by the tables of
+//! places; [`language`] computes expressions and definitions; the rest turns that tree into the document by the tables of
 //! [`schema`].
 //!
 //! What the contract leaves open is settled so:
 //! - `true`, `false`, `1`, `0` are read as `yes` and `no`; attributes with a colon in their name, and `xmlns`, are
-//!   other programs' business and passed over; a comment inside codes vanishes and joins what stands round it.
-//! - Each line of codes is cut for itself (see [`read::codes`]). White space round line breaks may be full-width.
-//! - `random` and `replace` may stand in whatever holds parts at any depth, and act on that; a `Floor` may hold its
+//!   other programs' business and passed over; a comment inside codes vanishes and joins what is around it.
+//! - Each line of codes is cut for itself (see [`read::codes`]). White space around line breaks may be full-width.
+//! - `random` and `replace` may be in whatever holds parts at any depth, and act on that; a `Floor` may hold its
 //!   base row as `Row`.
-//! - An unknown word that looks like a known one is read as that one, so that what stands in it is checked too.
-//! - Expressions, conditions and named pieces are worked out on the tree, see [`language`].
+//! - An unknown word that looks like a known one is read as that one, so that its content is checked too.
+//! - Expressions, conditions and named pieces are computed on the tree, see [`language`].
 
 mod edits;
 mod language;
 mod outline;
 mod read;
-pub mod schema;
 mod suggest;
 mod tree;
 mod trees;
@@ -24,12 +23,12 @@ pub(super) use outline::outline;
 pub use trees::Trees;
 
 use super::ReadContext;
-use crate::ast::{Document, House, PartEntry};
+use crate::ast::{Document, House, WrittenPart};
 use crate::diagnostic::Diagnostics;
 use crate::parse::reporter::Reporter;
+use crate::parse::schema::Tag;
 use crate::source::{Limits, Source, SourceCache};
 use read::{Node, Reader};
-use schema::Tag;
 
 /// Deeper nesting would overflow the stack of the passes, which recurse, whatever the limit is raised to.
 const DEEPEST: usize = 256;
@@ -50,7 +49,7 @@ pub(super) fn nearest<'k>(
     suggest::Suggest::new().among(word, known)
 }
 
-/// Reads what stands from this offset of the text on. What was read before is taken from `trees`.
+/// Reads what is from this offset of the text on. What was read before is taken from `trees`.
 pub(super) fn parse_from<'a>(
     source: &'a Source,
     at: usize,
@@ -58,20 +57,25 @@ pub(super) fn parse_from<'a>(
     trees: &mut Trees<'a>,
     out: &mut Diagnostics,
 ) -> Document {
-    let mut faults = Reporter::new(source);
+    let mut reporter = Reporter::new(source);
     let nesting = setting.limits.nesting.min(DEEPEST);
     let tree = match trees.find(source.id(), at) {
         Some(tree) => tree,
         None => {
-            let tree = tree::read(&mut faults, at, nesting, schema::HABITS);
+            let tree = tree::read(
+                &mut reporter,
+                at,
+                nesting,
+                crate::parse::schema::SCHEMA_HINTS,
+            );
             trees.keep(source.id(), at, tree)
         }
     };
-    let made = language::work_out(tree, setting, nesting, trees, &mut faults);
+    let made = language::compute(tree, setting, nesting, trees, &mut reporter);
     let mut reader = Reader {
         turn: None,
         tree: &made.tree,
-        faults: &mut faults,
+        reporter: &mut reporter,
         suggest: suggest::Suggest::new(),
     };
     let mut parts = vec![];
@@ -79,7 +83,7 @@ pub(super) fn parse_from<'a>(
         true => vec![],
         false => reader.houses(&mut parts),
     };
-    out.append(faults.finish());
+    out.append(reporter.finish());
     Document {
         houses,
         parameters: made.parameters,
@@ -89,8 +93,8 @@ pub(super) fn parse_from<'a>(
 }
 
 impl Reader<'_, '_> {
-    /// The houses of the file, and the own parts that all of them know.
-    fn houses(&mut self, parts: &mut Vec<PartEntry>) -> Vec<House> {
+    /// The houses of the file, and the custom parts that all of them know.
+    fn houses(&mut self, parts: &mut Vec<WrittenPart>) -> Vec<House> {
         let mut houses = vec![];
         for node in self.roots() {
             let Node::Element(schema, element) = node else {
@@ -103,7 +107,7 @@ impl Reader<'_, '_> {
                     self.attributes(schema, element);
                     for node in self.children(element, schema.content()) {
                         if let Node::Element(schema, element) = node {
-                            parts.extend(self.part_entry(schema, element));
+                            parts.extend(self.written_part(schema, element));
                         }
                     }
                 }
@@ -113,7 +117,7 @@ impl Reader<'_, '_> {
                     for node in self.children(element, schema.content()) {
                         match node {
                             Node::Element(schema, element) if schema.tag == Tag::PartDef => {
-                                parts.extend(self.part_entry(schema, element));
+                                parts.extend(self.written_part(schema, element));
                             }
                             Node::Element(schema, element) => {
                                 let mut house = self.house(schema, element);

@@ -1,12 +1,12 @@
-//! Texts as bytes in the encoding of the file they came from.
+//! Files as bytes in the encoding of the file they came from.
 
 use crate::source::{FileId, Source};
 use encoding_rs::Encoding;
 
 const MARK: &str = "\u{feff}";
 
-/// The bytes of a text in the encoding of a source, with a byte order mark if it has one. UTF-8 where that encoding
-/// cannot hold the text, or where nobody could tell from the bytes that they are in it.
+/// The bytes of a source file in the encoding of a source, with a byte order mark if it has one. UTF-8 where that encoding
+/// cannot hold the file, or where no one could tell from the bytes that they are in it.
 pub fn encode(text: &str, source: &Source) -> Vec<u8> {
     let marked = source.span(0..0).start > 0;
     let bytes = in_encoding(text, source.encoding(), marked);

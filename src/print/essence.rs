@@ -1,6 +1,6 @@
-//! What a tree says, without where it is written.
+//! The meaning of a tree, without its places.
 //!
-//! Two texts mean the same where the trees of both are the same but for their places. So this serializer writes down
+//! Two files mean the same where the trees of both are the same but for their places. So this serializer writes down
 //! everything but [`Span`](crate::source::Span)s, which go by their name, and knows nothing else of the trees: what is
 //! added to them is compared too.
 

@@ -1,4 +1,4 @@
-//! Lays out a legacy text: codes in their five columns, fields of roof lines below each other, one blank line
+//! Lays out a legacy file: codes in their five columns, fields of roof lines below each other, one blank line
 //! where there are several.
 //!
 //! Conventions, where the contract leaves a choice:
@@ -7,14 +7,15 @@
 //! - a void is `.....`, wherever five blanks say it;
 //! - fields of header lines stand one blank apart; numbers keep their spelling, but the height of a roof has a
 //!   decimal;
-//! - the fields of roof lines stand in the columns of `docs/evidence.md` 6, numbers to the right; where one is too long, the
+//! - the fields of roof lines are in the columns of `docs/evidence.md` 6, numbers to the right; where one is too long, the
 //!   column is as much wider in all roof lines of the house;
 //! - blank lines stand where the author put them, one for several, none at both ends of the file.
 
-use super::table::{Table, tables};
+use super::table::{Table, tables, words};
 use crate::ast::{CodeText, Document, Item, Piece, Row};
 use crate::diagnostic::Diagnostics;
-use crate::parse::legacy::{LineKind, parse_lines};
+use crate::parse::legacy::parse_lines;
+use crate::parse::syntax::LineKind;
 use crate::source::{Limits, Source};
 
 /// Columns of a code.
@@ -23,7 +24,7 @@ const CELL: usize = 5;
 /// A void that can be seen.
 const VOID: &str = ".....";
 
-/// Lays out a text without errors, with line feeds.
+/// Lays out a source file without errors, with line feeds.
 pub(super) fn format(source: &Source, limits: &Limits, document: &Document) -> String {
     let mut lines = vec![];
     let each = &mut |range, kind| lines.push((range, kind));
@@ -70,7 +71,7 @@ fn rows(document: &Document) -> impl Iterator<Item = &Row> {
     loops.flat_map(|walk| &walk.rows).filter_map(one)
 }
 
-/// The thing itself; a legacy text knows no operations.
+/// The thing itself; a legacy form knows no operations.
 fn one<T>(item: &Item<T>) -> Option<&T> {
     match item {
         Item::One(thing) => Some(thing),
@@ -84,7 +85,7 @@ struct Printer {
     gap: bool,
     /// Whether blank lines came since the last line that is no comment.
     apart: bool,
-    /// What the last line was that is no comment.
+    /// The kind of the last line that is not a comment.
     section: Option<LineKind>,
 }
 
@@ -121,16 +122,6 @@ fn header(raw: &str, text: &mut String) {
         text.push_str(raw[key.len()..].trim());
     } else {
         words(raw, text);
-    }
-}
-
-/// Writes the words of a line one blank apart.
-pub(super) fn words(raw: &str, text: &mut String) {
-    for (i, word) in raw.split_whitespace().enumerate() {
-        if i > 0 {
-            text.push(' ');
-        }
-        text.push_str(word);
     }
 }
 

@@ -1,11 +1,11 @@
-//! How two texts differ, line by line.
+//! How two files differ, line by line.
 
 use std::ops::Range;
 
-/// How far apart the same line may stand in both texts.
+/// How far apart the same line may be in both files.
 const NEAR: usize = 60;
 
-/// The lines that differ, as ranges of both texts in their order; all between them are the same.
+/// The lines that differ, as ranges of both files in their order; all between them are the same.
 pub fn changes<L: PartialEq>(old: &[L], new: &[L]) -> Vec<(Range<usize>, Range<usize>)> {
     let (mut i, mut j, mut found) = (0, 0, vec![]);
     while i < old.len() || j < new.len() {
@@ -20,7 +20,7 @@ pub fn changes<L: PartialEq>(old: &[L], new: &[L]) -> Vec<(Range<usize>, Range<u
     found
 }
 
-/// How many lines of both stand before the next one they share; at least one of both texts moves on. As many of one as
+/// How many lines of both are before the next one they share; at least one of both files moves on. As many of one as
 /// of the other come first, since most changes are within lines.
 fn apart<L: PartialEq>(old: &[L], new: &[L]) -> (usize, usize) {
     for distance in 1..=NEAR.min(old.len() + new.len()) {

@@ -1,14 +1,13 @@
 //! The columns of roof lines (`docs/evidence.md` 6): letters to the left, numbers to the right, each field below the same
 //! field of the line above.
 
-use super::legacy::words;
-use crate::parse::legacy::LineKind;
+use crate::parse::syntax::LineKind;
 use std::ops::Range;
 
 /// Fields before the options: covering, direction, height, shape, a0, b0, a1, b1.
 const FIELDS: usize = 8;
 
-/// How wide the fields are at least, so that they stand in columns 1, 3, 5-9, 11-13, 15-17, 19-21, 23-25, 27-29.
+/// How wide the fields are at least, so that they are in columns 1, 3, 5-9, 11-13, 15-17, 19-21, 23-25, 27-29.
 const WIDTHS: [usize; FIELDS] = [1, 1, 5, 3, 3, 3, 3, 3];
 
 /// Fields of numbers.
@@ -26,7 +25,7 @@ impl Default for Table {
     }
 }
 
-/// A table for each house of a text.
+/// A table for each house of a source file.
 pub(super) fn tables(text: &str, lines: &[(Range<usize>, LineKind)]) -> Vec<Table> {
     let mut tables = vec![Table::default()];
     for (range, kind) in lines {
@@ -95,6 +94,16 @@ fn fields(raw: &str) -> Option<Vec<String>> {
         }
         fields
     })
+}
+
+/// Writes the words of a line one blank apart.
+pub(super) fn words(raw: &str, text: &mut String) {
+    for (i, word) in raw.split_whitespace().enumerate() {
+        if i > 0 {
+            text.push(' ');
+        }
+        text.push_str(word);
+    }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! A house as legacy text. It is written from the program of the house, where repetitions and substitutions are
+//! A house in the legacy form. It is written from the program of the house, where repetitions and substitutions are
 //! counted out and expressions have values; what the lines of codes cannot say is reported with its place.
 
 use super::{legacy, table};
@@ -14,7 +14,7 @@ use crate::source::{Source, Span};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Writes the houses of an XML text without errors as legacy text, with its line ends.
+/// Writes the houses of an XML file without errors as legacy form, with its line ends.
 ///
 /// # Errors
 /// `None` where the legacy form cannot say something; `out` says what.
@@ -72,7 +72,7 @@ struct Writer<'s> {
     text: String,
     /// Where they count as standing, and their lines; the last one first.
     comments: Vec<(usize, Vec<String>)>,
-    /// What was said of which place: repeated content would say it again each time.
+    /// What was reported of which place: repeated content would say it again each time.
     told: BTreeSet<(u16, Span)>,
     out: &'s mut Diagnostics,
 }
@@ -191,7 +191,7 @@ impl Writer<'_> {
         let codes = codes
             .into_iter()
             .map(|code| crate::ast::CodeText::new(&code));
-        // Voids of the way to the start may stand on the line already: whole codes all the same.
+        // Voids of the way to the start may be on the line already: whole codes all the same.
         legacy::codes(codes, &mut self.text, control);
         self.text.push('\n');
     }
@@ -299,7 +299,7 @@ impl Writer<'_> {
     }
 }
 
-/// The words of a roof line; what is said for all roofs is said for each.
+/// The words of a roof line; what is stated for all roofs is stated for each.
 fn roof(line: &RoofLine, all: &RoofStyle) -> String {
     let own = &line.style;
     let letter = |kind: RoofKind| {
@@ -361,7 +361,7 @@ fn roof(line: &RoofLine, all: &RoofStyle) -> String {
     words
 }
 
-/// Where something is said of the looks of all roofs.
+/// Where something is reported about the looks of all roofs.
 fn style_span(style: &RoofStyle) -> Option<Span> {
     let numbers = [
         &style.pitch,

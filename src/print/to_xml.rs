@@ -1,16 +1,17 @@
-//! A legacy text as XML: a row for a line, a storey for each `^`, attributes for the header, `Roof`s for the roof
-//! lines. Numbers keep their spelling, comments stand before what they stood before.
+//! A legacy file as XML: a row for a line, a storey for each `^`, attributes for the header, `Roof`s for the roof
+//! lines. Numbers keep their spelling, comments keep their order.
 
 use super::{encode, legacy, xml};
 use crate::ast::{Document, House, Item, Loop, RoofLine, RoofStyle, Row};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::print as say;
-use crate::parse::legacy::{LineKind, parse_lines};
+use crate::parse::legacy::parse_lines;
+use crate::parse::syntax::LineKind;
 use crate::source::{Limits, Source, Span};
 use std::fmt::Write;
 use std::ops::Range;
 
-/// Writes a legacy text without errors as XML, with its line ends.
+/// Writes a legacy form without errors as XML, with its line ends.
 ///
 /// # Errors
 /// `None` where XML cannot say something; `out` says what.
@@ -46,7 +47,7 @@ fn declaration(source: &Source) -> String {
 struct Writer<'s, C: Iterator<Item = Range<usize>>> {
     source: &'s Source,
     text: String,
-    /// What is still to come of them.
+    /// Those that are still to come.
     comments: std::iter::Peekable<C>,
     out: &'s mut Diagnostics,
     sound: bool,
@@ -191,7 +192,7 @@ impl<C: Iterator<Item = Range<usize>>> Writer<'_, C> {
         self.value("plain_ridge", plain);
     }
 
-    /// What the author wrote.
+    /// The source text.
     fn spelled(&self, span: Span) -> &str {
         &self.source.text()[self.source.text_range(span)]
     }
@@ -219,7 +220,7 @@ impl<C: Iterator<Item = Range<usize>>> Writer<'_, C> {
         }
     }
 
-    /// Writes the comments that stand before a place, or all that are left; neighbours become one.
+    /// Writes the comments that are before a place, or all that are left; neighbours become one.
     fn comments_before(&mut self, place: Option<Span>) {
         let end = place.map_or(usize::MAX, |span| self.source.text_range(span).start);
         let mut before: Option<usize> = None;

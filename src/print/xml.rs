@@ -1,4 +1,4 @@
-//! Lays out an XML text: two blanks a level, an element a line, attributes in the author's order.
+//! Lays out an XML file: two blanks a level, an element a line, attributes in the author's order.
 //!
 //! Nothing here depends on what the language knows of an element, but for which of them hold codes ([`HOLDS_CODES`]):
 //! unknown elements and attributes are laid out like any others. Conventions:
@@ -23,7 +23,7 @@ const WIDTH: usize = 100;
 /// Elements whose text is codes of five columns.
 const HOLDS_CODES: [&str; 5] = ["Row", "Floor", "split", "upper", "lower"];
 
-/// Lays out a text with these line ends; `None` where it is not well-formed. Line breaks in values and in sections
+/// Lays out a source file with these line ends; `None` where it is not well-formed. Line breaks in values and in sections
 /// of plain text stay what they are.
 pub(super) fn format(text: &str, end: &'static str) -> Option<String> {
     let nodes = raw::read(text)?;
@@ -54,7 +54,7 @@ fn is_white(text: &str) -> bool {
     text.chars().all(is_blank)
 }
 
-/// White space, as the reader takes it away round line breaks.
+/// White space, as the reader takes it away around line breaks.
 fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
 }
@@ -64,7 +64,7 @@ fn breaks(text: &str) -> usize {
     lines(text).count() - 1
 }
 
-/// The lines of a text, whatever they end with.
+/// The lines of a source file, whatever they end with.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
     text.split('\n').flat_map(|line| {
         let line = line.strip_suffix('\r').unwrap_or(line);
@@ -101,7 +101,7 @@ pub(super) fn comments(text: &str) -> Vec<(usize, Vec<String>)> {
         .collect()
 }
 
-/// Where the elements of a name stand in a well-formed text, and the value of their first attribute.
+/// Where the elements of a name are in a well-formed text, and the value of their first attribute.
 pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a str)> {
     raw::elements(text, name)
 }
@@ -112,7 +112,7 @@ struct Printer {
     line: usize,
     /// Whether tags are written without line breaks, to be measured.
     flat: bool,
-    /// What ends a line.
+    /// The end of a line.
     end: &'static str,
 }
 
@@ -242,7 +242,7 @@ impl Printer {
 
     /// Children in the lines that the author gave them.
     fn broken(&mut self, children: &[Node<'_>], depth: usize) {
-        // A line break where a run of codes begins or ends moves nothing, unless blanks stand there.
+        // A line break where a run of codes begins or ends moves nothing, unless blanks are there.
         let stays: Vec<usize> = (0..children.len())
             .filter(|i| !vanishes(children, *i))
             .collect();

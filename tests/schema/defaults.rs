@@ -74,10 +74,14 @@ fn defaults_are_what_holds_without_them() {
         let host = HOSTS
             .iter()
             .find(|(names, _)| names.contains(&element.name));
-        for bears in element.attributes.iter().filter(|a| !a.default.is_empty()) {
+        for attribute_schema in element.attributes.iter().filter(|a| !a.default.is_empty()) {
             let Some((_, text)) = host else {
-                let known = EXCEPTIONS.contains(&(element.name, bears.name));
-                assert!(known, "no text with a {} {}", element.name, bears.name);
+                let known = EXCEPTIONS.contains(&(element.name, attribute_schema.name));
+                assert!(
+                    known,
+                    "no text with a {} {}",
+                    element.name, attribute_schema.name
+                );
                 continue;
             };
             let tag = format!("<{}", element.name);
@@ -88,11 +92,17 @@ fn defaults_are_what_holds_without_them() {
                 .or_else(|| text.find(&format!("{tag} ")))
                 .expect("it is there")
                 + tag.len();
-            let said = format!(" {}=\"{}\"", bears.name, bears.default);
+            let said = format!(
+                " {}=\"{}\"",
+                attribute_schema.name, attribute_schema.default
+            );
             // Blanks in its place, so that all places in the text are the same.
             let with = |words: &str| building(&format!("{}{words}{}", &text[..at], &text[at..]));
             if with(&said) != with(&" ".repeat(said.len())) {
-                wrong.push(format!("{} {}={}", element.name, bears.name, bears.default));
+                wrong.push(format!(
+                    "{} {}={}",
+                    element.name, attribute_schema.name, attribute_schema.default
+                ));
             }
         }
     }

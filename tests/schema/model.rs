@@ -1,6 +1,6 @@
 //! What both schemas have in common: which elements there are in which surroundings, and the names of types.
 
-use hsd::parse::xml::schema::{Bears, Content, ELEMENTS, Holds, Kind, ROOT, Schema};
+use hsd::parse::schema::{AttributeSchema, Content, ELEMENTS, Holds, Kind, ROOT, Schema};
 
 /// Surroundings in which anything may stand: those of `define`.
 const ANYTHING: &str = "anything";
@@ -126,7 +126,7 @@ pub fn kinds() -> Vec<(String, Kind)> {
 }
 
 /// The name of the type of an attribute's value.
-pub fn kind_name(attribute: &Bears) -> String {
+pub fn kind_name(attribute: &AttributeSchema) -> String {
     let range = |name: &str, least: f64, most: f64| match (least, most) {
         (f64::MIN, f64::MAX) => name.to_owned(),
         _ => format!("{name}_{least}_{most}"),

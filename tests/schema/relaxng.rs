@@ -1,7 +1,7 @@
 //! The RELAX NG schema.
 
 use crate::schema::model::{self, Place, escape};
-use hsd::parse::xml::schema::{Bears, Schema};
+use hsd::parse::schema::{AttributeSchema, Schema};
 use std::fmt::Write;
 
 const HEAD: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
@@ -120,10 +120,10 @@ fn one(out: &mut String, name: &str, element: &Schema, place: &Place) {
         "      <a:documentation>{}</a:documentation>",
         escape(element.en)
     );
-    for bears in element.attributes {
-        attribute(out, bears);
+    for attribute_schema in element.attributes {
+        attribute(out, attribute_schema);
     }
-    let others = if element.bears_anything() {
+    let others = if element.takes_any_attribute() {
         "parameters"
     } else {
         "foreign"
@@ -145,25 +145,25 @@ fn one(out: &mut String, name: &str, element: &Schema, place: &Place) {
     let _ = writeln!(out, "    </element>\n  </define>");
 }
 
-fn attribute(out: &mut String, bears: &Bears) {
-    let names: &[&str] = match bears.name {
+fn attribute(out: &mut String, attribute_schema: &AttributeSchema) {
+    let names: &[&str] = match attribute_schema.name {
         "code" => &["code", "texturecode"],
-        _ => &[bears.name],
+        _ => &[attribute_schema.name],
     };
-    let (open, close) = match (bears.required, names.len()) {
+    let (open, close) = match (attribute_schema.required, names.len()) {
         (true, 1) => ("", ""),
         (true, _) => ("<choice>", "</choice>"),
         (false, 1) => ("<optional>", "</optional>"),
         (false, _) => ("<optional><choice>", "</choice></optional>"),
     };
-    let default = match bears.default {
+    let default = match attribute_schema.default {
         "" => String::new(),
         value => format!(" a:defaultValue=\"{}\"", escape(value)),
     };
     let _ = write!(out, "      {open}");
     for name in names {
-        let kind = model::kind_name(bears);
-        let doc = escape(bears.en);
+        let kind = model::kind_name(attribute_schema);
+        let doc = escape(attribute_schema.en);
         let _ = write!(
             out,
             "<attribute name=\"{name}\"{default}><a:documentation>{doc}</a:documentation><ref name=\"{kind}\"/></attribute>"

@@ -1,7 +1,7 @@
 //! The table itself for other programs: the reference is made of it.
 
 use crate::schema::model::{self, Place};
-use hsd::parse::xml::schema::{Bears, Kind, Schema};
+use hsd::parse::schema::{AttributeSchema, Kind, Schema};
 use serde_json::{Value, json};
 
 /// The table.
@@ -20,7 +20,7 @@ fn element(element: &Schema, places: &[Place]) -> Value {
         "ja": element.ja,
         "language": element.is_language(),
         "attributes": attributes,
-        "anyAttributes": element.bears_anything(),
+        "anyAttributes": element.takes_any_attribute(),
         "holds": held(element, places),
     })
 }
@@ -40,12 +40,12 @@ fn held(element: &Schema, places: &[Place]) -> Option<Vec<&'static str>> {
     Some(own.map(|e| e.name).collect())
 }
 
-fn attribute(bears: &Bears) -> Value {
+fn attribute(attribute_schema: &AttributeSchema) -> Value {
     let numbers = |least: f64, most: f64| {
         let known = |n: f64| (n.abs() < f64::MAX).then_some(n);
         json!([known(least), known(most)])
     };
-    let (kind, range, words): (&str, Value, &[&str]) = match bears.kind {
+    let (kind, range, words): (&str, Value, &[&str]) = match attribute_schema.kind {
         Kind::Text => ("text", Value::Null, &[]),
         Kind::Number(least, most) => ("number", numbers(least, most), &[]),
         Kind::Whole(least, u64::MAX) => ("whole", json!([least, null]), &[]),
@@ -61,13 +61,13 @@ fn attribute(bears: &Bears) -> Value {
         Kind::Positions => ("positions", Value::Null, &[]),
     };
     json!({
-        "name": bears.name,
+        "name": attribute_schema.name,
         "kind": kind,
         "range": range,
         "words": words,
-        "required": bears.required,
-        "default": bears.default,
-        "en": bears.en,
-        "ja": bears.ja,
+        "required": attribute_schema.required,
+        "default": attribute_schema.default,
+        "en": attribute_schema.en,
+        "ja": attribute_schema.ja,
     })
 }

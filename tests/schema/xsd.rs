@@ -2,7 +2,7 @@
 //! `texturecode` may stand for that, and unknown names in other name spaces are let through.
 
 use crate::schema::model::{self, Place, escape};
-use hsd::parse::xml::schema::{Bears, Schema};
+use hsd::parse::schema::{AttributeSchema, Schema};
 use std::fmt::Write;
 
 const HEAD: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
@@ -81,8 +81,8 @@ fn random(out: &mut String, kind: &str, place: &Place) {
         "    <xs:sequence>\n      <xs:element name=\"choice\" type=\"{choice}\" minOccurs=\"0\" maxOccurs=\"unbounded\"/>\n    </xs:sequence>"
     );
     let element = model::elements().find(|e| e.name == "random");
-    for bears in element.expect("the language has draws").attributes {
-        attribute(out, bears);
+    for attribute_schema in element.expect("the language has draws").attributes {
+        attribute(out, attribute_schema);
     }
     let _ = writeln!(
         out,
@@ -111,10 +111,10 @@ fn one(out: &mut String, name: &str, element: &Schema, place: &Place, places: &[
         }
         let _ = writeln!(out, "    </xs:choice>");
     }
-    for bears in element.attributes {
-        attribute(out, bears);
+    for attribute_schema in element.attributes {
+        attribute(out, attribute_schema);
     }
-    let space = if element.bears_anything() {
+    let space = if element.takes_any_attribute() {
         "##any"
     } else {
         "##other"
@@ -133,22 +133,22 @@ fn documentation(out: &mut String, text: &str) {
     );
 }
 
-fn attribute(out: &mut String, bears: &Bears) {
-    let names: &[&str] = match bears.name {
+fn attribute(out: &mut String, attribute_schema: &AttributeSchema) {
+    let names: &[&str] = match attribute_schema.name {
         "code" => &["code", "texturecode"],
-        _ => &[bears.name],
+        _ => &[attribute_schema.name],
     };
-    let needed = match bears.required && names.len() == 1 {
+    let needed = match attribute_schema.required && names.len() == 1 {
         true => " use=\"required\"",
         false => "",
     };
     for name in names {
-        let kind = model::kind_name(bears);
+        let kind = model::kind_name(attribute_schema);
         let _ = writeln!(
             out,
             "    <xs:attribute name=\"{name}\" type=\"{kind}\"{needed}>"
         );
-        documentation(out, bears.en);
+        documentation(out, attribute_schema.en);
         let _ = writeln!(out, "    </xs:attribute>");
     }
 }

@@ -9,7 +9,7 @@ use crate::parse;
 use crate::program::{Content, Line, Loop, Split, Storey, Unit};
 use crate::source::{Span, Spanned};
 
-/// What stands in a bay, and its width in shaku.
+/// The part of a bay, and the bay's width in shaku.
 pub(super) type Bay = (&'static str, f64);
 
 /// Widths of bays are whole multiples of this in U, a tenth of a millimetre: walls close exactly, and storeys stand
@@ -36,7 +36,7 @@ pub(crate) struct Draft {
     pub(crate) storeys: Vec<Storey>,
     pub(super) platform: Option<Platform>,
     pub(super) finials: Vec<Finial>,
-    /// What its roofs look like.
+    /// The style of its roofs.
     pub(super) style: RoofStyle,
     /// Roofs with a place of their own.
     pub(super) lines: Vec<RoofLine>,
@@ -84,7 +84,7 @@ impl Draft {
     /// Adds a storey.
     pub(super) fn storey(&mut self, level: &Level<'_>) {
         let zone = level.order.brackets.as_ref().map_or(0.0, Brackets::zone);
-        // The share of what stands above the base.
+        // The share of what is above the base.
         let wall = level.height - zone;
         let share = (1.0 - level.base / wall.max(0.1)).clamp(0.05, 1.0);
         let lines: Vec<Line> = level
@@ -190,7 +190,7 @@ impl Draft {
         Some(Spanned::new(value, self.span))
     }
 
-    /// What all roofs look like by their measures, with defaults.
+    /// The dimensions of all roofs, with defaults.
     pub(super) fn look(&mut self, measures: &Measures, usual: &Usual) {
         let of = |given: Option<Spanned<f64>>, usual: f64| given.or(self.say(usual));
         self.style = RoofStyle {
@@ -279,7 +279,7 @@ impl Draft {
 /// Sides with stairs, and their width.
 pub(super) type Stairs = (Vec<Side>, f64);
 
-/// What roofs look like where nobody says.
+/// The default style of roofs.
 pub(super) struct Usual {
     pub(super) kind: RoofKind,
     pub(super) shape: RoofShape,
@@ -303,7 +303,7 @@ fn content(code: &str) -> Content {
     part.map_or(Content::Void, Content::Part)
 }
 
-/// Bays of a side, mirrored: `edge` at the ends, `next` beside them, `middle` in so many in the middle.
+/// Bays of a side, mirrored: `edge` at the ends, `next` beside them, `middle` in this many in the middle.
 pub(super) fn bays(
     count: u32,
     width: f64,

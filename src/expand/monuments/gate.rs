@@ -16,7 +16,7 @@ const UPPER: f64 = 0.68;
 /// Overhang as a share of a bay, and the purlin's place in it.
 const EAVES: f64 = 0.706;
 const REACH: f64 = 0.36;
-/// The main roof is steeper than the skirt by so many sun.
+/// The main roof is steeper than the skirt by this many sun.
 const STEEPER: f64 = 1.2;
 /// No columns are lower than this, shaku.
 const LEAST: f64 = 2.0;
@@ -116,7 +116,7 @@ impl Pass<'_, '_> {
     }
 }
 
-/// What the upper storey takes from the lower.
+/// What the upper storey takes over from the lower.
 struct Upper {
     size: [f64; 2],
     bays: [u32; 2],

@@ -9,7 +9,7 @@ use crate::diagnostic::messages::fittings::Scarce;
 /// No columns are lower than this, shaku.
 const LEAST: f64 = 2.0;
 
-/// What a hall or a shrine is like where nobody says; lengths in shaku, shares of a bay.
+/// Defaults of a hall or a shrine; lengths in shaku, shares of a bay.
 struct Kind {
     bays: [u32; 2],
     bay: f64,
@@ -168,7 +168,7 @@ impl Pass<'_, '_> {
         });
     }
 
-    /// What crowns the roof.
+    /// The finial.
     fn crown(&mut self, it: &ast::Hall, draft: &mut Draft) {
         // Pyramids wear their jewel already.
         let pyramid = draft

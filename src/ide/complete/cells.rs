@@ -8,7 +8,7 @@ const CELL: usize = 5;
 /// A code under way.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Cell {
-    /// What a whole code takes the place of.
+    /// The range that a whole code replaces.
     pub(super) range: Range<usize>,
     /// What was typed of it, up to the place that was asked about.
     pub(super) typed: String,
@@ -81,7 +81,7 @@ fn coded(text: &str, run: Range<usize>, at: usize, known: &dyn Fn(&str) -> bool)
     let whole = head(&text[start..run.end], CELL);
     let rest = head(&text[at..run.end], CELL);
     let typed = text[start..at].trim().to_owned();
-    // A code behind the place that stays whole keeps its columns if nothing of it is taken.
+    // A code after the place that stays whole keeps its columns if nothing of it is taken.
     let blank = whole.trim().is_empty();
     let own = blank || into > 0 && known(whole);
     let apart = !own && (into == 0 || !rest.starts_with(' ') && known(rest));
@@ -113,7 +113,7 @@ fn tail(text: &str, columns: usize) -> &str {
     &text[start.unwrap_or(0)..]
 }
 
-/// A code as it stands in its five columns.
+/// A code as it is in its five columns.
 pub(super) fn padded(code: &str) -> String {
     format!("{code:<CELL$}")
 }

@@ -1,13 +1,13 @@
 //! The legacy form: keys of the header, codes and turns of wall lines, and roof lines.
 
-use super::{Ask, Completion, CompletionKind, cells, parts, roofs};
+use super::{Completion, CompletionKind, Request, cells, parts, roofs};
 use crate::diagnostic::{Text, noun};
-use crate::ide::words;
-use crate::parse::legacy::LineKind;
+use crate::ide::vocabulary;
+use crate::parse::syntax::LineKind;
 use crate::text;
 use std::ops::Range;
 
-/// What lines before a place make of its line.
+/// The role of a line, as the lines before it determine.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::ide) struct Before {
     /// Lines of numbers in the header of this house.
@@ -58,41 +58,43 @@ pub(in crate::ide) fn before(a: &crate::ide::Analysis, line: usize) -> Before {
     before
 }
 
-/// What may stand at the place that was asked about.
-pub(super) fn complete(ask: &Ask<'_>) -> Vec<Completion> {
-    let start = ask.text[..ask.at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
-    let end = ask.text[ask.at..]
+/// The completions at the requested place.
+pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
+    let start = request.text[..request.at]
+        .rfind(['\n', '\r'])
+        .map_or(0, |i| i + 1);
+    let end = request.text[request.at..]
         .find(['\n', '\r'])
-        .map_or(ask.text.len(), |i| ask.at + i);
+        .map_or(request.text.len(), |i| request.at + i);
     let line = start..end;
-    let written = &ask.text[line.clone()];
+    let written = &request.text[line.clone()];
     if written.starts_with('#') {
         return vec![];
     }
-    let before = before(ask.a, start);
-    let kind = ask
+    let before = before(request.a, start);
+    let kind = request
         .a
         .outline()
-        .line_at(ask.at)
-        .map(|l| ask.a.outline().lines[l].kind);
+        .line_at(request.at)
+        .map(|l| request.a.outline().lines[l].kind);
     if before.walls > 0 && (before.apart || kind == Some(LineKind::Roof)) {
-        return roofs::complete(ask, &line);
+        return roofs::complete(request, &line);
     }
-    let head = &ask.text[start..ask.at];
+    let head = &request.text[start..request.at];
     if before.walls == 0 {
-        let mut found = header(ask, &line, head, before);
+        let mut found = header(request, &line, head, before);
         let walls = before.numbers > 0 && kind != Some(LineKind::Header);
         if walls && (before.apart || !written.trim().is_empty()) {
-            found.extend(wall(ask, &line, before));
+            found.extend(wall(request, &line, before));
         }
         return found;
     }
-    wall(ask, &line, before)
+    wall(request, &line, before)
 }
 
 /// Codes, and behind whole ones the letters of turns.
-fn wall(ask: &Ask<'_>, line: &Range<usize>, before: Before) -> Vec<Completion> {
-    let written = &ask.text[line.clone()];
+fn wall(request: &Request<'_>, line: &Range<usize>, before: Before) -> Vec<Completion> {
+    let written = &request.text[line.clone()];
     let shown = written.trim_end();
     let turn = shown.ends_with(" L") || shown.ends_with(" R") || shown.ends_with('^');
     let run = line.start
@@ -102,21 +104,21 @@ fn wall(ask: &Ask<'_>, line: &Range<usize>, before: Before) -> Vec<Completion> {
             } else {
                 0
             };
-    if ask.at > run.end {
+    if request.at > run.end {
         return vec![];
     }
-    let cell = cells::under_way(ask.text, run, ask.at, &|code| {
-        parts::meant(ask.a, ask.at, code).is_some()
+    let cell = cells::under_way(request.text, run, request.at, &|code| {
+        parts::meant(request.a, request.at, code).is_some()
     });
     let storey = parts::Storey {
         upper: before.storeys > 0,
         rear: before.rows > 0,
     };
-    let mut found = parts::in_run(ask, &cell, storey);
-    let last = ask.text[ask.at..line.end].trim().is_empty();
+    let mut found = parts::in_run(request, &cell, storey);
+    let last = request.text[request.at..line.end].trim().is_empty();
     if last && cell.typed.is_empty() && cell.range.start > line.start {
         let place = cell.range.start..line.end;
-        for (letter, about) in words::TURNS {
+        for (letter, about) in vocabulary::TURNS {
             found.push(
                 Completion::word(letter, CompletionKind::Turn, (*about).into(), &place).sorted("3"),
             );
@@ -126,25 +128,30 @@ fn wall(ask: &Ask<'_>, line: &Range<usize>, before: Before) -> Vec<Completion> {
 }
 
 /// Keys, their values, and the numbers that come first.
-fn header(ask: &Ask<'_>, line: &Range<usize>, head: &str, before: Before) -> Vec<Completion> {
+fn header(
+    request: &Request<'_>,
+    line: &Range<usize>,
+    head: &str,
+    before: Before,
+) -> Vec<Completion> {
     let typed = head.trim_start();
     let word = line.start + head.len() - typed.len();
     let end = |from: usize| {
-        let more = ask.text[ask.at..line.end].find(char::is_whitespace);
-        from..more.map_or(line.end, |i| ask.at + i)
+        let more = request.text[request.at..line.end].find(char::is_whitespace);
+        from..more.map_or(line.end, |i| request.at + i)
     };
     let Some(key) = typed
         .split_whitespace()
         .next()
         .filter(|_| typed.contains(char::is_whitespace))
     else {
-        return keys(ask, &end(word), typed, before);
+        return keys(request, &end(word), typed, before);
     };
     let value = typed.rfind(char::is_whitespace).map_or(0, |i| i + 1);
     let range = end(word + value);
     // A key has one value.
     if typed[key.len()..value].trim().is_empty() {
-        let list = words::table("", key);
+        let list = vocabulary::table("", key);
         let item = |(rank, (w, about)): (usize, &(&str, crate::diagnostic::Noun))| {
             Completion::word(w, CompletionKind::Value, (*about).into(), &range)
                 .sorted(format!("1{rank}"))
@@ -164,7 +171,12 @@ const UNITS: &[(&str, crate::diagnostic::Noun)] = &[
     ("3.25", noun("Kyo-ma", "京間")),
 ];
 
-fn keys(ask: &Ask<'_>, range: &Range<usize>, typed: &str, before: Before) -> Vec<Completion> {
+fn keys(
+    request: &Request<'_>,
+    range: &Range<usize>,
+    typed: &str,
+    before: Before,
+) -> Vec<Completion> {
     let mut found = vec![];
     if typed.is_empty() && before.numbers < 2 {
         let (label, about): (&str, Text) = match before.numbers {
@@ -185,19 +197,21 @@ fn keys(ask: &Ask<'_>, range: &Range<usize>, typed: &str, before: Before) -> Vec
     if before.numbers == 0 && typed.is_empty() {
         return found;
     }
-    let lines = &ask.a.outline().lines;
+    let lines = &request.a.outline().lines;
     let there = |key: &str| {
         let own = lines.iter().filter(|l| {
-            l.kind == LineKind::Header && !l.range.contains(&ask.at) && l.range.end != ask.at
+            l.kind == LineKind::Header
+                && !l.range.contains(&request.at)
+                && l.range.end != request.at
         });
-        own.map(|l| &ask.text[l.range.clone()])
+        own.map(|l| &request.text[l.range.clone()])
             .any(|l| l.split_whitespace().next() == Some(key))
     };
-    for (rank, (key, about)) in words::KEYS.iter().enumerate() {
+    for (rank, (key, about)) in vocabulary::KEYS.iter().enumerate() {
         if !key.starts_with(&typed.to_ascii_lowercase()) || there(key) {
             continue;
         }
-        let list = words::table("", key);
+        let list = vocabulary::table("", key);
         let list: Vec<&str> = list.iter().map(|(w, _)| *w).collect();
         let value = match list.is_empty() {
             true => format!("${{1:{}}}", sample(key)),

@@ -1,16 +1,17 @@
 //! Names in expressions, and pieces.
 
-use super::{Ask, Completion, CompletionKind};
+use super::place::Tag;
+use super::{Completion, CompletionKind, Request};
 use crate::diagnostic::Text;
-use crate::ide::names::{self, Known};
-use crate::ide::words;
+use crate::ide::names::{self, KnownName};
+use crate::ide::vocabulary;
 use crate::text;
 use std::ops::Range;
 
-/// What may stand in an expression that begins at `from`; `storey` = whether there is a `k`.
-pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Completion> {
-    let before = &ask.text[from..ask.at];
-    // Within quotes a text stands, and no name.
+/// Completions in an expression that begins at `from`; `storey` = whether `k` is known.
+pub(super) fn in_braces(request: &Request<'_>, from: usize, storey: bool) -> Vec<Completion> {
+    let before = &request.text[from..request.at];
+    // Within quotes there is a text, and no name.
     if before.matches('\'').count() % 2 == 1 || before.matches('"').count() % 2 == 1 {
         return vec![];
     }
@@ -19,13 +20,13 @@ pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Complet
         + start.map_or(0, |i| {
             i + before[i..].chars().next().map_or(1, char::len_utf8)
         });
-    let more = ask.text[ask.at..].find(|c: char| !(c.is_alphanumeric() || c == '_'));
-    let range = start..more.map_or(ask.text.len(), |i| ask.at + i);
-    if ask.text[start..ask.at].starts_with(|c: char| c.is_ascii_digit()) {
+    let more = request.text[request.at..].find(|c: char| !(c.is_alphanumeric() || c == '_'));
+    let range = start..more.map_or(request.text.len(), |i| request.at + i);
+    if request.text[start..request.at].starts_with(|c: char| c.is_ascii_digit()) {
         return vec![];
     }
     let mut found = vec![];
-    for (rank, known) in names::values(ask.a, ask.at).iter().enumerate() {
+    for (rank, known) in names::values(request.a, request.at).iter().enumerate() {
         let word = Completion::word(known.name(), CompletionKind::Name, about(known), &range);
         found.push(word.sorted(format!("1{rank:04}")));
     }
@@ -33,7 +34,7 @@ pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Complet
         let about = text!("the number of the storey, from 1", "階の番号(1 から)");
         found.push(Completion::word("k", CompletionKind::Name, about, &range).sorted("2"));
     }
-    for (name, about) in words::FUNCTIONS {
+    for (name, about) in vocabulary::FUNCTIONS {
         let word = Completion::word(name, CompletionKind::Function, (*about).into(), &range);
         found.push(Completion {
             insert: format!("{name}("),
@@ -45,12 +46,12 @@ pub(super) fn in_braces(ask: &Ask<'_>, from: usize, storey: bool) -> Vec<Complet
 }
 
 /// The pieces that a `use` may name.
-pub(super) fn pieces(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
-    let all = names::pieces(ask.a, ask.at).into_iter().enumerate();
+pub(super) fn pieces(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
+    let all = names::pieces(request.a, request.at).into_iter().enumerate();
     all.map(|(rank, piece)| {
         let named = names::parameters(&piece);
-        let named: Vec<&str> = named.iter().map(Known::name).collect();
-        let (list, file) = (named.join(", "), words::file(piece.source));
+        let named: Vec<&str> = named.iter().map(KnownName::name).collect();
+        let (list, file) = (named.join(", "), vocabulary::file(piece.source));
         let about = match list.as_str() {
             "" => text!("piece of {file}", "{file} の部品"),
             _ => text!("piece of {file}; sets {list}", "{file} の部品。変数 {list}"),
@@ -61,8 +62,8 @@ pub(super) fn pieces(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
     .collect()
 }
 
-/// What a name is, in a line.
-pub(in crate::ide) fn about(known: &Known<'_>) -> Text {
+/// A description of a name, in one line.
+pub(in crate::ide) fn about(known: &KnownName<'_>) -> Text {
     let element = known.element();
     if known.is_argument() {
         let default = element.attributes[known.attribute].value.clone();
@@ -92,4 +93,20 @@ pub(in crate::ide) fn about(known: &Known<'_>) -> Text {
     let words = format!("{doc} = {default} {unit}");
     let words = words.split_whitespace().collect::<Vec<_>>().join(" ");
     (words + &bounds).into()
+}
+
+/// The parameters of the piece that a `use` names.
+pub(super) fn of_use<'a>(request: &Request<'a>, tag: &Tag) -> Vec<KnownName<'a>> {
+    let named = tag
+        .attributes
+        .iter()
+        .find(|a| &request.text[a.name.clone()] == "name");
+    let Some(name) = named.and_then(|a| a.inner.clone()) else {
+        return vec![];
+    };
+    let name = request.text[name].trim();
+    let piece = names::pieces(request.a, request.at)
+        .into_iter()
+        .find(|p| p.name() == name);
+    piece.map_or(vec![], |piece| names::parameters(&piece))
 }

@@ -1,10 +1,10 @@
 //! Parts by their codes and by their names in any script.
 
 use super::cells::{Cell, padded};
-use super::{Ask, Completion, CompletionKind, PartKey};
+use super::{Completion, CompletionKind, PartKey, Request};
 use crate::catalog::{Catalog, PartDef, PartId, folded, narrow};
 use crate::diagnostic::Text;
-use crate::ide::{Analysis, words};
+use crate::ide::{Analysis, vocabulary};
 use crate::text;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -19,33 +19,33 @@ pub(super) struct Storey {
 }
 
 /// Parts in a run of codes, each filling its columns.
-pub(super) fn in_run(ask: &Ask<'_>, cell: &Cell, storey: Storey) -> Vec<Completion> {
+pub(super) fn in_run(request: &Request<'_>, cell: &Cell, storey: Storey) -> Vec<Completion> {
     let insert = |part: &PartDef| {
         let code = part.code();
         (code.chars().count() == 5)
             .then(|| format!("{}{}", " ".repeat(cell.pad), padded(visible(code))))
     };
-    proposals(ask, &cell.typed, &cell.range, storey, &insert)
+    proposals(request, &cell.typed, &cell.range, storey, &insert)
 }
 
 /// Parts in a value.
-pub(super) fn in_value(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
-    let typed = &ask.text[range.start..ask.at.clamp(range.start, range.end)];
+pub(super) fn in_value(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
+    let typed = &request.text[range.start..request.at.clamp(range.start, range.end)];
     let insert = |part: &PartDef| Some(visible(part.code()).trim_end().to_owned());
-    proposals(ask, typed, range, Storey::default(), &insert)
+    proposals(request, typed, range, Storey::default(), &insert)
 }
 
 fn proposals(
-    ask: &Ask<'_>,
+    request: &Request<'_>,
     typed: &str,
     replace: &Range<usize>,
     storey: Storey,
     insert: &dyn Fn(&PartDef) -> Option<String>,
 ) -> Vec<Completion> {
-    let catalog = ask.a.catalog();
-    let used = used(ask.a);
+    let catalog = request.a.catalog();
+    let used = used(request.a);
     let wanted = Wanted::new(typed);
-    let known = known(ask.a, ask.at).into_iter();
+    let known = known(request.a, request.at).into_iter();
     known
         .filter_map(|id| {
             let part = catalog.part(id);
@@ -80,7 +80,7 @@ fn proposals(
         .collect()
 }
 
-/// The parts that may stand at an offset.
+/// The parts that may be at an offset.
 pub(in crate::ide) fn known(a: &Analysis, at: usize) -> Vec<PartId> {
     let catalog = a.catalog();
     let mut found = catalog.known(catalog.known_in(0, house_at(a, at)));
@@ -125,7 +125,7 @@ pub(in crate::ide) fn meant(a: &Analysis, at: usize, code: &str) -> Option<PartI
     find(spelled).or_else(|| find(blank.trim_end()))
 }
 
-/// How often each code stands in the text.
+/// How often each code is in the file.
 fn used(a: &Analysis) -> BTreeMap<&str, u32> {
     let outline = a.outline();
     let text = a.text();
@@ -149,7 +149,7 @@ fn used(a: &Analysis) -> BTreeMap<&str, u32> {
     codes.into_iter().zip(times).collect()
 }
 
-/// What was typed, in the forms in which it is compared.
+/// The typed text, in the forms in which it is compared.
 struct Wanted {
     code: String,
     lower: String,
@@ -183,7 +183,7 @@ impl Wanted {
         }
         if !self.ascii {
             let named = part.ja.contains(&*self.lower)
-                || words::class(part.class()).ja.contains(&*self.lower);
+                || vocabulary::class(part.class()).ja.contains(&*self.lower);
             let reads =
                 !self.sound.is_empty() && sounds(part).iter().any(|s| s.contains(&self.sound));
             let begins = part.ja.starts_with(&*self.lower)
@@ -201,7 +201,7 @@ impl Wanted {
         let begins = english
             .split(|c: char| !c.is_alphanumeric())
             .any(|w| w.starts_with(&self.lower));
-        let class = words::class(part.class()).en.starts_with(&self.lower);
+        let class = vocabulary::class(part.class()).en.starts_with(&self.lower);
         let sounds = sounds(part);
         if sounds.iter().any(|s| s.starts_with(&self.sound)) || class {
             return Some(0);
@@ -213,7 +213,7 @@ impl Wanted {
     }
 }
 
-/// How a part's name sounds: as it is read, and with the first sound of each word as it stands alone (`gōshi` is `kōshi`).
+/// How a part's name sounds: as it is read, and with the first sound of each word as it is alone (`gōshi` is `kōshi`).
 fn sounds(part: &PartDef) -> [String; 2] {
     let alone: Vec<String> = part
         .romaji
@@ -229,7 +229,7 @@ fn sounds(part: &PartDef) -> [String; 2] {
     [folded(&part.romaji), folded(&alone.concat())]
 }
 
-/// What a client compares with what was typed.
+/// The text that a client compares with the typed text.
 fn filter(typed: &str, part: &PartDef) -> String {
     let [sound, alone] = sounds(part);
     let code = visible(part.code()).trim_end();

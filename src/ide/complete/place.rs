@@ -1,13 +1,14 @@
-//! What stands round a place of a text in the XML form, by its characters alone: the text is under way, and tags that
+//! The surroundings of a place in a file in the XML form, by its characters alone: the file is being edited, and tags that
 //! are not closed yet would lead a reader of the whole astray.
 
-use crate::parse::xml::schema::{self, Schema};
+use crate::parse::schema;
+use crate::parse::schema::Schema;
 use std::ops::Range;
 
 /// Where a place is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::ide) enum Place {
-    /// Where nothing is proposed: in a comment, a declaration, behind the name of an end tag.
+    /// Where nothing is proposed: in a comment, a declaration, after the name of an end tag.
     Nowhere,
     /// Among elements and codes.
     Content,
@@ -25,7 +26,7 @@ pub(in crate::ide) enum Place {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::ide) struct Tag {
     pub(in crate::ide) name: Range<usize>,
-    pub(in crate::ide) attributes: Vec<Said>,
+    pub(in crate::ide) attributes: Vec<TagAttribute>,
     /// Behind `>`, or where it breaks off.
     pub(in crate::ide) end: usize,
     /// Whether it ends with `/>`.
@@ -36,18 +37,18 @@ pub(in crate::ide) struct Tag {
 
 /// An attribute in a tag.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(in crate::ide) struct Said {
+pub(in crate::ide) struct TagAttribute {
     pub(in crate::ide) name: Range<usize>,
-    /// What stands between the quotes, or where it should.
+    /// The value between the quotes, or the place for it.
     pub(in crate::ide) inner: Option<Range<usize>>,
     /// Whether it has quotes.
     pub(in crate::ide) quoted: bool,
 }
 
-/// What is open round a place, outermost first: names of elements and their start tags.
+/// The open elements around a place, outermost first: their names and start tags.
 pub(in crate::ide) type Open<'t> = Vec<(&'t str, usize)>;
 
-/// Where an offset is, and what is open round it.
+/// Where an offset is, and what is open around it.
 pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
     let mut open: Open<'_> = vec![];
     let mut from = 0;
@@ -115,7 +116,7 @@ fn enter<'t>(open: &mut Open<'t>, text: &'t str, start: usize, tag: &Tag) {
     open.push((name, start));
 }
 
-/// Elements that never stand in one of their kind.
+/// Elements that never are in one of their kind.
 const SINGLE: [&str; 8] = [
     "Row", "Storey", "House", "Floor", "Facade", "Loop", "Roofs", "PartDef",
 ];
@@ -161,12 +162,12 @@ pub(in crate::ide) fn tag(text: &str, start: usize) -> Tag {
     }
 }
 
-fn attribute(text: &str, name: Range<usize>) -> Said {
+fn attribute(text: &str, name: Range<usize>) -> TagAttribute {
     let equals = name.end + blanks(&text[name.end..]);
     if !text[equals..].starts_with('=') {
-        return Said {
+        return TagAttribute {
             name,
-            ..Said::default()
+            ..TagAttribute::default()
         };
     }
     let at = equals + 1 + blanks(&text[equals + 1..]);
@@ -182,7 +183,7 @@ fn attribute(text: &str, name: Range<usize>) -> Said {
         } else {
             at..at + len
         };
-        return Said {
+        return TagAttribute {
             name,
             inner: Some(here),
             quoted: false,
@@ -198,7 +199,7 @@ fn attribute(text: &str, name: Range<usize>) -> Said {
         let tag = text[start..line].rfind('>').map_or(line, |i| start + i);
         tag - usize::from(text[start..tag].ends_with('/'))
     });
-    Said {
+    TagAttribute {
         name,
         inner: Some(start..end),
         quoted: true,
@@ -233,11 +234,17 @@ fn blanks(text: &str) -> usize {
     text.len() - text.trim_start().len()
 }
 
-/// The expression that a place of a text stands in, by the offset behind its opening brace; `from` = where its run of text begins.
+/// The expression that a place of a source file is in, by the offset behind its opening brace; `from` = where its run of text begins.
 pub(in crate::ide) fn braces(text: &str, from: usize, at: usize) -> Option<usize> {
     let before = text.get(from..at)?;
     let open = before.rfind('{')?;
     let inside = &before[open + 1..];
     let ended = inside.contains(['}', '\n', '\r']);
     (!ended).then_some(from + open + 1)
+}
+
+/// Whether `k`, the number of a storey, is known within these elements.
+pub(super) fn is_numbered(open: &[(&str, usize)]) -> bool {
+    open.iter()
+        .any(|(name, _)| matches!(*name, "Storey" | "Floor" | "define"))
 }

@@ -1,13 +1,14 @@
 //! The words of roof lines, each in its turn.
 
-use super::{Ask, Completion, CompletionKind, parts};
+use super::{Completion, CompletionKind, Request, parts};
 use crate::diagnostic::{Noun, Text, noun};
 use crate::geometry::SHAKU;
-use crate::ide::words::{self, Table};
+use crate::ide::vocabulary;
+use crate::ide::vocabulary::Table;
 use crate::text;
 use std::ops::Range;
 
-/// What a word of a roof line is, by its number.
+/// The field of a roof line, by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::ide) enum Field {
     Covering,
@@ -31,26 +32,26 @@ pub(in crate::ide) fn field(number: usize) -> Field {
     }
 }
 
-/// What may stand at the place that was asked about.
-pub(super) fn complete(ask: &Ask<'_>, line: &Range<usize>) -> Vec<Completion> {
-    let head = &ask.text[line.start..ask.at];
+/// The completions at the requested place.
+pub(super) fn complete(request: &Request<'_>, line: &Range<usize>) -> Vec<Completion> {
+    let head = &request.text[line.start..request.at];
     let start = head.rfind(char::is_whitespace).map_or(0, |i| {
         i + head[i..].chars().next().map_or(1, char::len_utf8)
     });
-    let end = ask.text[ask.at..line.end]
+    let end = request.text[request.at..line.end]
         .find(char::is_whitespace)
-        .map_or(line.end, |i| ask.at + i);
+        .map_or(line.end, |i| request.at + i);
     let range = line.start + start..end;
     let number = head[..start].split_whitespace().count();
     let typed = &head[start..];
     match field(number) {
-        Field::Covering => words(words::COVERINGS, typed, &range),
-        Field::Direction => directions(ask, line, typed, &range),
-        Field::Height => heights(ask, &range),
-        Field::Shape => words(words::ROOF_SHAPES, typed, &range),
-        Field::Corner(0) => corners(ask, line.end, &range),
+        Field::Covering => words(vocabulary::COVERINGS, typed, &range),
+        Field::Direction => directions(request, line, typed, &range),
+        Field::Height => heights(request, &range),
+        Field::Shape => words(vocabulary::ROOF_SHAPES, typed, &range),
+        Field::Corner(0) => corners(request, line.end, &range),
         Field::Corner(_) => vec![],
-        Field::Option => options(ask, line, &range),
+        Field::Option => options(request, line, &range),
     }
 }
 
@@ -84,14 +85,14 @@ fn words(table: &Table, typed: &str, range: &Range<usize>) -> Vec<Completion> {
 
 /// Ridges and falls; a shape that is written already takes one or the other.
 fn directions(
-    ask: &Ask<'_>,
+    request: &Request<'_>,
     line: &Range<usize>,
     typed: &str,
     range: &Range<usize>,
 ) -> Vec<Completion> {
-    let shape = ask.text[range.end..line.end].split_whitespace().nth(1);
+    let shape = request.text[range.end..line.end].split_whitespace().nth(1);
     let slope = shape.map(|s| matches!(s, "KAT" | "HIS"));
-    let mut found = words(words::DIRECTIONS, typed, range);
+    let mut found = words(vocabulary::DIRECTIONS, typed, range);
     found.retain(|c| {
         let ridge = matches!(c.label.as_str(), "X" | "Y");
         slope.is_none_or(|slope| slope != ridge)
@@ -100,13 +101,13 @@ fn directions(
 }
 
 /// The tops of the storeys, and whatever stands there.
-fn heights(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
+fn heights(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
     const TOP: Noun = noun("the top of the walls there", "そこの壁の上端");
     let mut found =
         vec![Completion::word("*", CompletionKind::Value, TOP.into(), range).sorted("00")];
-    let houses = &ask.a.checked.building.houses;
+    let houses = &request.a.checked.building.houses;
     let storeys = houses
-        .get(parts::house_at(ask.a, ask.at))
+        .get(parts::house_at(request.a, request.at))
         .map_or(&[][..], |b| &b.house.storeys);
     for storey in storeys {
         let (height, number) = (storey.z1 / SHAKU, storey.number);
@@ -127,13 +128,13 @@ fn heights(ask: &Ask<'_>, range: &Range<usize>) -> Vec<Completion> {
 }
 
 /// The rectangles of the storeys: corner, opposite corner.
-fn corners(ask: &Ask<'_>, end: usize, range: &Range<usize>) -> Vec<Completion> {
-    if !ask.text[range.end..end].trim().is_empty() {
+fn corners(request: &Request<'_>, end: usize, range: &Range<usize>) -> Vec<Completion> {
+    if !request.text[range.end..end].trim().is_empty() {
         return vec![];
     }
-    let houses = &ask.a.checked.building.houses;
+    let houses = &request.a.checked.building.houses;
     let storeys = houses
-        .get(parts::house_at(ask.a, ask.at))
+        .get(parts::house_at(request.a, request.at))
         .map_or(&[][..], |b| &b.house.storeys);
     let mut found: Vec<Completion> = vec![];
     for storey in storeys {
@@ -167,17 +168,17 @@ fn corners(ask: &Ask<'_>, end: usize, range: &Range<usize>) -> Vec<Completion> {
 }
 
 /// Options that the line does not have yet.
-fn options(ask: &Ask<'_>, line: &Range<usize>, range: &Range<usize>) -> Vec<Completion> {
+fn options(request: &Request<'_>, line: &Range<usize>, range: &Range<usize>) -> Vec<Completion> {
     let rest = [
-        &ask.text[line.start..range.start],
-        &ask.text[range.end..line.end],
+        &request.text[line.start..range.start],
+        &request.text[range.end..line.end],
     ];
     let there = |letter: &str| {
         rest.iter()
             .flat_map(|r| r.split_whitespace().skip(8))
             .any(|w| w.starts_with(letter))
     };
-    let shape = ask.text[line.clone()]
+    let shape = request.text[line.clone()]
         .split_whitespace()
         .nth(3)
         .unwrap_or_default();
@@ -186,7 +187,7 @@ fn options(ask: &Ask<'_>, line: &Range<usize>, range: &Range<usize>) -> Vec<Comp
         "R" => shape == "YOS",
         _ => true,
     };
-    let open = words::OPTIONS
+    let open = vocabulary::OPTIONS
         .iter()
         .enumerate()
         .filter(|(_, (l, _))| !there(l) && fits(l));

@@ -1,34 +1,39 @@
 //! Values of attributes: words of a list, codes, names of other things, files.
 
 use super::place::{self, Open, Tag};
-use super::xml::{self, is_numbered};
-use super::{Ask, Completion, CompletionKind, names, parts};
+use super::{Completion, CompletionKind, Request, names, parts};
 use crate::catalog::body;
 use crate::diagnostic::Text;
-use crate::ide::names::Known;
-use crate::ide::words;
+use crate::ide::names::KnownName;
+use crate::ide::vocabulary;
 use crate::material;
-use crate::parse::xml::schema::{self, Kind};
+use crate::parse::schema;
+use crate::parse::schema::Kind;
 use crate::text;
 use std::ops::Range;
 
-/// What may stand in the value of an attribute.
-pub(super) fn complete(ask: &Ask<'_>, open: &Open<'_>, tag: &Tag, index: usize) -> Vec<Completion> {
+/// Completions for the value of an attribute.
+pub(super) fn complete(
+    request: &Request<'_>,
+    open: &Open<'_>,
+    tag: &Tag,
+    index: usize,
+) -> Vec<Completion> {
     let said = &tag.attributes[index];
     let Some(inner) = said.inner.clone() else {
         return vec![];
     };
-    if let Some(from) = place::braces(ask.text, inner.start, ask.at) {
-        return names::in_braces(ask, from, is_numbered(open));
+    if let Some(from) = place::braces(request.text, inner.start, request.at) {
+        return names::in_braces(request, from, place::is_numbered(open));
     }
-    let element = &ask.text[tag.name.clone()];
-    let attribute = &ask.text[said.name.clone()];
+    let element = &request.text[tag.name.clone()];
+    let attribute = &request.text[said.name.clone()];
     let attribute = if attribute == "texturecode" {
         "code"
     } else {
         attribute
     };
-    let mut found = proposals(ask, tag, element, attribute, &inner);
+    let mut found = proposals(request, tag, element, attribute, &inner);
     if !said.quoted {
         for completion in &mut found {
             completion.insert = format!("\"{}\"", completion.insert);
@@ -38,57 +43,64 @@ pub(super) fn complete(ask: &Ask<'_>, open: &Open<'_>, tag: &Tag, index: usize) 
 }
 
 fn proposals(
-    ask: &Ask<'_>,
+    request: &Request<'_>,
     tag: &Tag,
     element: &str,
     attribute: &str,
     inner: &Range<usize>,
 ) -> Vec<Completion> {
-    let item = |divider: &[char]| item(ask, inner, divider);
+    let item = |divider: &[char]| item(request, inner, divider);
     match (element, attribute) {
-        ("Part" | "Texture", "code") | ("PartDef", "base") => parts::in_value(ask, inner),
-        ("random" | "replace", "code" | "with") => parts::in_value(ask, &item(&[','])),
-        ("use", "name") => names::pieces(ask, inner),
-        ("include", "href") => files(ask, inner, &["hsd"]),
-        ("Texture", "src") | ("PartDef", "texture") => files(ask, inner, &["png", "jpg", "jpeg"]),
-        ("Floor", "id") => references(ask, "Floor", inner),
-        ("Facade", "id") => references(ask, "Facade", inner),
+        ("Part" | "Texture", "code") | ("PartDef", "base") => parts::in_value(request, inner),
+        ("random" | "replace", "code" | "with") => parts::in_value(request, &item(&[','])),
+        ("use", "name") => names::pieces(request, inner),
+        ("include", "href") => files(request, inner, &["hsd"]),
+        ("Texture", "src") | ("PartDef", "texture") => {
+            files(request, inner, &["png", "jpg", "jpeg"])
+        }
+        ("Floor", "id") => references(request, "Floor", inner),
+        ("Facade", "id") => references(request, "Facade", inner),
         ("change" | "remove", "element") => shapes(inner),
         ("PartDef", "finish" | "floor") | (_, "finish" | "pane" | "roof" | "end")
             if element == "PartDef" || schema::named(element).is_none() =>
         {
             surfaces(inner)
         }
-        ("use", parameter) => argument(ask, tag, parameter, inner),
-        _ => listed(ask, element, attribute, inner),
+        ("use", parameter) => argument(request, tag, parameter, inner),
+        _ => listed(request, element, attribute, inner),
     }
 }
 
 /// The words of a list.
-fn listed(ask: &Ask<'_>, element: &str, attribute: &str, inner: &Range<usize>) -> Vec<Completion> {
-    let table = words::table(element, attribute);
+fn listed(
+    request: &Request<'_>,
+    element: &str,
+    attribute: &str,
+    inner: &Range<usize>,
+) -> Vec<Completion> {
+    let table = vocabulary::table(element, attribute);
     let word = |(rank, word): (usize, &&str), range: &Range<usize>| {
-        let about = words::meaning(table, word).map_or(Text::default(), Text::from);
+        let about = vocabulary::meaning(table, word).map_or(Text::default(), Text::from);
         Completion::word(word, CompletionKind::Value, about, range).sorted(format!("1{rank:03}"))
     };
     let all = |list: &[&str], range: Range<usize>| -> Vec<Completion> {
         list.iter().enumerate().map(|w| word(w, &range)).collect()
     };
-    let Some(bears) = schema::named(element).and_then(|s| s.attribute(attribute)) else {
+    let Some(attribute_schema) = schema::named(element).and_then(|s| s.attribute(attribute)) else {
         return vec![];
     };
-    match bears.kind {
+    match attribute_schema.kind {
         Kind::Choice(list) | Kind::Either(list, ..) => all(list, inner.clone()),
         Kind::YesNo => all(&["yes", "no"], inner.clone()),
-        Kind::Choices(list) => all(list, item(ask, inner, &[' ', ','])),
+        Kind::Choices(list) => all(list, item(request, inner, &[' ', ','])),
         _ if !table.is_empty() => {
             let list: Vec<&str> = table.iter().map(|(w, _)| *w).collect();
             all(&list, inner.clone())
         }
-        _ if !bears.default.is_empty() => {
+        _ if !attribute_schema.default.is_empty() => {
             let about = text!("what holds without it", "既定値");
             vec![Completion::word(
-                bears.default,
+                attribute_schema.default,
                 CompletionKind::Value,
                 about,
                 inner,
@@ -98,29 +110,30 @@ fn listed(ask: &Ask<'_>, element: &str, attribute: &str, inner: &Range<usize>) -
     }
 }
 
-/// The item of a list that an offset lies in, without the blanks round it.
-fn item(ask: &Ask<'_>, inner: &Range<usize>, dividers: &[char]) -> Range<usize> {
-    let before = &ask.text[inner.start..ask.at];
+/// The item of a list that an offset lies in, without the blanks around it.
+fn item(request: &Request<'_>, inner: &Range<usize>, dividers: &[char]) -> Range<usize> {
+    let before = &request.text[inner.start..request.at];
     let start = before
         .rfind(dividers)
         .map_or(inner.start, |i| inner.start + i + 1);
-    let blanks = ask.text[start..ask.at].len() - ask.text[start..ask.at].trim_start().len();
-    let end = ask.text[ask.at..inner.end]
+    let blanks =
+        request.text[start..request.at].len() - request.text[start..request.at].trim_start().len();
+    let end = request.text[request.at..inner.end]
         .find(dividers)
-        .map_or(inner.end, |i| ask.at + i);
+        .map_or(inner.end, |i| request.at + i);
     start + blanks..end
 }
 
-/// Files below the folder of the text.
-fn files(ask: &Ask<'_>, inner: &Range<usize>, endings: &[&str]) -> Vec<Completion> {
-    let own = ask
+/// Files below the folder of the file.
+fn files(request: &Request<'_>, inner: &Range<usize>, endings: &[&str]) -> Vec<Completion> {
+    let own = request
         .a
         .source
         .name()
         .rsplit(['/', '\\'])
         .next()
         .unwrap_or_default();
-    let mut all: Vec<String> = endings.iter().flat_map(|e| (ask.files)(e)).collect();
+    let mut all: Vec<String> = endings.iter().flat_map(|e| (request.files)(e)).collect();
     all.sort();
     all.dedup();
     let others = all.iter().filter(|f| *f != own);
@@ -128,9 +141,9 @@ fn files(ask: &Ask<'_>, inner: &Range<usize>, endings: &[&str]) -> Vec<Completio
     others.map(word).collect()
 }
 
-/// Names that other elements of a kind bear.
-fn references(ask: &Ask<'_>, element: &str, inner: &Range<usize>) -> Vec<Completion> {
-    let elements = ask.a.outline().elements.iter();
+/// Names that other elements of a kind have.
+fn references(request: &Request<'_>, element: &str, inner: &Range<usize>) -> Vec<Completion> {
+    let elements = request.a.outline().elements.iter();
     let named = elements.filter(|e| e.schema.is_some_and(|s| s.name == element));
     let ids = named.filter_map(|e| e.attribute("id"));
     let others = ids.filter(|a| a.inner != *inner);
@@ -147,7 +160,7 @@ fn references(ask: &Ask<'_>, element: &str, inner: &Range<usize>) -> Vec<Complet
 
 /// The elements that the base of a part may consist of.
 fn shapes(inner: &Range<usize>) -> Vec<Completion> {
-    let real = words::SHAPES
+    let real = vocabulary::SHAPES
         .iter()
         .filter(|(w, _)| body::attributes_of(w).is_some());
     real.map(|(w, about)| Completion::word(w, CompletionKind::Value, (*about).into(), inner))
@@ -162,8 +175,8 @@ fn surfaces(inner: &Range<usize>) -> Vec<Completion> {
 }
 
 /// Values of a parameter: those of its list, and its default.
-fn argument(ask: &Ask<'_>, tag: &Tag, name: &str, inner: &Range<usize>) -> Vec<Completion> {
-    let all = xml::parameters(ask, tag);
+fn argument(request: &Request<'_>, tag: &Tag, name: &str, inner: &Range<usize>) -> Vec<Completion> {
+    let all = names::of_use(request, tag);
     let Some(parameter) = all.iter().find(|p| p.name() == name) else {
         return vec![];
     };
@@ -184,14 +197,14 @@ fn argument(ask: &Ask<'_>, tag: &Tag, name: &str, inner: &Range<usize>) -> Vec<C
         .iter()
         .map(|w| Completion::word(w, CompletionKind::Value, about(), inner).sorted("1"))
         .collect();
-    if parts::meant(ask.a, ask.at, default).is_some() {
-        found.extend(parts::in_value(ask, inner));
+    if parts::meant(request.a, request.at, default).is_some() {
+        found.extend(parts::in_value(request, inner));
     }
     found
 }
 
 /// The default of a parameter, empty where it has none.
-pub(super) fn default_of<'a>(parameter: &Known<'a>) -> &'a str {
+pub(super) fn default_of<'a>(parameter: &KnownName<'a>) -> &'a str {
     let element = parameter.element();
     match parameter.is_argument() {
         true => element.attributes[parameter.attribute].value.trim(),

@@ -1,37 +1,37 @@
 //! Elements, end tags and attributes of the XML form.
 
 use super::place::{self, Open, Place, Tag};
-use super::{Ask, Completion, CompletionKind, cells, names, parts, values};
+use super::{Completion, CompletionKind, Request, cells, names, parts, values};
 use crate::catalog::body;
 use crate::diagnostic::{Noun, Text, noun};
-use crate::ide::names::{self as known, Known};
-use crate::ide::words;
-use crate::parse::xml::schema::{self, Content, ELEMENTS, Holds, ROOT, Schema};
+use crate::ide::vocabulary;
+use crate::parse::schema;
+use crate::parse::schema::{Content, ELEMENTS, Holds, ROOT, Schema};
 use std::ops::Range;
 
-/// What may stand at the place that was asked about.
-pub(super) fn complete(ask: &Ask<'_>) -> Vec<Completion> {
-    let (place, open) = place::place(ask.text, ask.at);
+/// The completions at the requested place.
+pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
+    let (place, open) = place::place(request.text, request.at);
     match place {
         Place::Nowhere => vec![],
         Place::EndTag(range) => end_tags(&open, &range),
         Place::TagName(tag) => {
             let start = tag.name.start - 1;
-            let mut found = elements(ask, &open, start..tag.name.end, &tag);
+            let mut found = elements(request, &open, start..tag.name.end, &tag);
             if tag.name.is_empty() || tag.attributes.is_empty() {
                 found.extend(end_tags(&open, &(start..tag.name.end)));
             }
             found
         }
-        Place::AttributeName(tag, range) => attributes(ask, &open, &tag, range),
-        Place::Value(tag, index) => values::complete(ask, &open, &tag, index),
-        Place::Content => content(ask, &open),
+        Place::AttributeName(tag, range) => attributes(request, &open, &tag, range),
+        Place::Value(tag, index) => values::complete(request, &open, &tag, index),
+        Place::Content => content(request, &open),
     }
 }
 
-/// What an element holds.
+/// The content of an element.
 pub(super) enum Held {
-    /// What the language says.
+    /// The description in the language's tables.
     Known(&'static Content),
     /// Pieces of anything.
     Anything,
@@ -43,7 +43,7 @@ pub(super) enum Held {
     Unknown,
 }
 
-/// What stands in the innermost of the open elements.
+/// The content allowed in the innermost open element.
 pub(super) fn held(open: &[(&str, usize)]) -> Held {
     let Some(((name, _), round)) = open.split_last() else {
         return Held::Known(&ROOT);
@@ -80,24 +80,34 @@ impl Held {
 }
 
 /// Among elements and codes.
-fn content(ask: &Ask<'_>, open: &Open<'_>) -> Vec<Completion> {
+fn content(request: &Request<'_>, open: &Open<'_>) -> Vec<Completion> {
     let held = held(open);
     if held.text() {
-        let from = ask.text[..ask.at].rfind(['>', '\n']).map_or(0, |i| i + 1);
-        if let Some(from) = place::braces(ask.text, from, ask.at) {
-            return names::in_braces(ask, from, is_numbered(open));
+        let from = request.text[..request.at]
+            .rfind(['>', '\n'])
+            .map_or(0, |i| i + 1);
+        if let Some(from) = place::braces(request.text, from, request.at) {
+            return names::in_braces(request, from, place::is_numbered(open));
         }
-        let cell = cells::under_way(ask.text, run(ask.text, ask.at), ask.at, &|code| {
-            parts::meant(ask.a, ask.at, code).is_some()
-        });
-        let mut found = parts::in_run(ask, &cell, storey(ask, open));
+        let cell = cells::under_way(
+            request.text,
+            run(request.text, request.at),
+            request.at,
+            &|code| parts::meant(request.a, request.at, code).is_some(),
+        );
+        let mut found = parts::in_run(request, &cell, storey(request, open));
         if cell.typed.is_empty() && !matches!(held, Held::Anything) {
-            found.extend(elements(ask, open, ask.at..ask.at, &Tag::default()));
+            found.extend(elements(
+                request,
+                open,
+                request.at..request.at,
+                &Tag::default(),
+            ));
         }
         return found;
     }
-    let before = ask.text[..ask.at].trim_end_matches(|c: char| c.is_alphanumeric());
-    elements(ask, open, before.len()..ask.at, &Tag::default())
+    let before = request.text[..request.at].trim_end_matches(|c: char| c.is_alphanumeric());
+    elements(request, open, before.len()..request.at, &Tag::default())
 }
 
 /// The run of codes that an offset lies in: a line, up to tags and braces, without its indentation.
@@ -117,14 +127,8 @@ fn run(text: &str, at: usize) -> Range<usize> {
     start..end
 }
 
-/// Whether there is a number of a storey.
-pub(super) fn is_numbered(open: &[(&str, usize)]) -> bool {
-    open.iter()
-        .any(|(name, _)| matches!(*name, "Storey" | "Floor" | "define"))
-}
-
 /// Which storey and wall a row belongs to, as far as its tags tell.
-fn storey(ask: &Ask<'_>, open: &Open<'_>) -> parts::Storey {
+fn storey(request: &Request<'_>, open: &Open<'_>) -> parts::Storey {
     let start = |name: &str| {
         open.iter()
             .rev()
@@ -132,17 +136,27 @@ fn storey(ask: &Ask<'_>, open: &Open<'_>) -> parts::Storey {
             .map(|(_, at)| *at)
     };
     let before = |from: Option<usize>, tag: &str, to: usize| {
-        from.is_some_and(|from| ask.text.get(from + 1..to).is_some_and(|t| t.contains(tag)))
+        from.is_some_and(|from| {
+            request
+                .text
+                .get(from + 1..to)
+                .is_some_and(|t| t.contains(tag))
+        })
     };
     let (house, storey) = (start("House"), start("Storey"));
     parts::Storey {
-        upper: before(house, "</Storey", storey.unwrap_or(ask.at)),
-        rear: before(storey, "</Row", ask.at),
+        upper: before(house, "</Storey", storey.unwrap_or(request.at)),
+        rear: before(storey, "</Row", request.at),
     }
 }
 
-/// The elements that may stand in the innermost open one. `range` begins with the `<`, where there is one.
-fn elements(ask: &Ask<'_>, open: &Open<'_>, range: Range<usize>, tag: &Tag) -> Vec<Completion> {
+/// The elements that may be in the innermost open one. `range` begins with the `<`, where there is one.
+fn elements(
+    request: &Request<'_>,
+    open: &Open<'_>,
+    range: Range<usize>,
+    tag: &Tag,
+) -> Vec<Completion> {
     let held = held(open);
     let mut found = vec![];
     let mut add = |name: &str, about: Text, form: Form, rank: u32| {
@@ -156,7 +170,7 @@ fn elements(ask: &Ask<'_>, open: &Open<'_>, range: Range<usize>, tag: &Tag) -> V
                 form.plain
             },
             snippet: (!goes_on).then_some(form.snippet),
-            filter: if ask.text[range.clone()].starts_with('<') {
+            filter: if request.text[range.clone()].starts_with('<') {
                 format!("<{name}")
             } else {
                 name.to_owned()
@@ -164,7 +178,7 @@ fn elements(ask: &Ask<'_>, open: &Open<'_>, range: Range<usize>, tag: &Tag) -> V
             ..word.sorted(format!("{rank:03}"))
         });
     };
-    let follows = ask.text[..range.start].trim_end();
+    let follows = request.text[..range.start].trim_end();
     for (rank, schema) in allowed(&held)
         .into_iter()
         .chain(language(&held, open, follows))
@@ -173,14 +187,14 @@ fn elements(ask: &Ask<'_>, open: &Open<'_>, range: Range<usize>, tag: &Tag) -> V
         add(schema.name, about, Form::of(schema), rank);
     }
     if matches!(held, Held::Shapes) {
-        for (rank, (name, about)) in (100..).zip(words::SHAPES) {
+        for (rank, (name, about)) in (100..).zip(vocabulary::SHAPES) {
             add(name, (*about).into(), Form::of_shape(name), rank);
         }
     }
     found
 }
 
-/// What an element may hold, each with its rank.
+/// The content that an element allows, each with its rank.
 fn allowed(held: &Held) -> Vec<(u32, &'static Schema)> {
     let list: Vec<&'static Schema> = match held {
         Held::Known(content) => content.elements().collect(),
@@ -194,7 +208,7 @@ fn allowed(held: &Held) -> Vec<(u32, &'static Schema)> {
     (100..).zip(list).collect()
 }
 
-/// The elements that are worked out before all else, where they may stand behind this text.
+/// The elements that are computed before all else, where they may be behind this file.
 fn language(held: &Held, open: &Open<'_>, follows: &str) -> Vec<(u32, &'static Schema)> {
     let nothing = matches!(held, Held::Known(content) if content.is_nothing());
     if open.is_empty() || nothing || matches!(held, Held::Choices | Held::Shapes) {
@@ -213,7 +227,7 @@ fn language(held: &Held, open: &Open<'_>, follows: &str) -> Vec<(u32, &'static S
         .collect()
 }
 
-/// Elements that stand in no piece.
+/// Elements that are in no piece.
 const OUTER: [&str; 4] = ["Houses", "Catalog", "choice", "PartDef"];
 
 /// How an element is written.
@@ -266,9 +280,9 @@ impl Form {
 }
 
 /// A value that an attribute may begin with.
-fn first(bears: &schema::Bears) -> &'static str {
-    match bears.kind {
-        _ if !bears.default.is_empty() => bears.default,
+fn first(attribute_schema: &schema::AttributeSchema) -> &'static str {
+    match attribute_schema.kind {
+        _ if !attribute_schema.default.is_empty() => attribute_schema.default,
         schema::Kind::Choice(words) => words.first().copied().unwrap_or(""),
         schema::Kind::Whole(..) => "2",
         schema::Kind::Number(..) => "0",
@@ -287,7 +301,7 @@ fn both(en: &'static str, ja: &'static str) -> Text {
     noun(en, ja).into()
 }
 
-/// The end tag of the innermost open element, then those round it.
+/// The end tag of the innermost open element, then those around it.
 fn end_tags(open: &Open<'_>, range: &Range<usize>) -> Vec<Completion> {
     const ENDS: Noun = noun("ends the innermost open element", "開いている要素を閉じる");
     let innermost = open.iter().rev().take(1);
@@ -298,15 +312,20 @@ fn end_tags(open: &Open<'_>, range: &Range<usize>) -> Vec<Completion> {
     tags.collect()
 }
 
-/// The attributes that a tag does not bear yet.
-fn attributes(ask: &Ask<'_>, open: &Open<'_>, tag: &Tag, range: Range<usize>) -> Vec<Completion> {
-    let name = &ask.text[tag.name.clone()];
-    let valued = ask.text[range.end..].trim_start().starts_with('=');
+/// The attributes that a tag does not have yet.
+fn attributes(
+    request: &Request<'_>,
+    open: &Open<'_>,
+    tag: &Tag,
+    range: Range<usize>,
+) -> Vec<Completion> {
+    let name = &request.text[tag.name.clone()];
+    let valued = request.text[range.end..].trim_start().starts_with('=');
     let there: Vec<&str> = tag
         .attributes
         .iter()
         .filter(|a| a.name != range)
-        .map(|a| &ask.text[a.name.clone()])
+        .map(|a| &request.text[a.name.clone()])
         .collect();
     let mut found = vec![];
     let mut add = |attribute: &str, about: Text, form: (&str, &[&str]), rank: u32| {
@@ -318,13 +337,22 @@ fn attributes(ask: &Ask<'_>, open: &Open<'_>, tag: &Tag, range: Range<usize>) ->
     };
     match schema::named(name) {
         Some(schema) => {
-            for (rank, bears) in (0..).zip(schema.attributes) {
-                let rank = if bears.required { rank } else { 100 + rank };
-                let choices = choices(bears, first(bears));
-                add(bears.name, about(bears), (first(bears), &choices), rank);
+            for (rank, attribute_schema) in (0..).zip(schema.attributes) {
+                let rank = if attribute_schema.required {
+                    rank
+                } else {
+                    100 + rank
+                };
+                let choices = choices(attribute_schema, first(attribute_schema));
+                add(
+                    attribute_schema.name,
+                    about(attribute_schema),
+                    (first(attribute_schema), &choices),
+                    rank,
+                );
             }
             let parameters = match name {
-                "use" => parameters(ask, tag),
+                "use" => names::of_use(request, tag),
                 _ => vec![],
             };
             for (rank, parameter) in (50..).zip(&parameters) {
@@ -356,22 +384,25 @@ fn with_value(word: Completion, (default, choices): (&str, &[&str])) -> Completi
     }
 }
 
-/// What an attribute means, and what holds without it.
-fn about(bears: &schema::Bears) -> Text {
-    let (mut en, mut ja) = (bears.en.to_owned(), bears.ja.to_owned());
-    if bears.required {
+/// The meaning of an attribute, and its default.
+fn about(attribute_schema: &schema::AttributeSchema) -> Text {
+    let (mut en, mut ja) = (
+        attribute_schema.en.to_owned(),
+        attribute_schema.ja.to_owned(),
+    );
+    if attribute_schema.required {
         en += " (required)";
         ja += "(必須)";
-    } else if !bears.default.is_empty() {
-        en += &format!(" ({} without)", bears.default);
-        ja += &format!("(既定 {})", bears.default);
+    } else if !attribute_schema.default.is_empty() {
+        en += &format!(" ({} without)", attribute_schema.default);
+        ja += &format!("(既定 {})", attribute_schema.default);
     }
     Text::both(en, ja)
 }
 
 /// The words of an attribute, that which one begins with first.
-fn choices(bears: &schema::Bears, first: &str) -> Vec<&'static str> {
-    let words: &[&str] = match bears.kind {
+fn choices(attribute_schema: &schema::AttributeSchema, first: &str) -> Vec<&'static str> {
+    let words: &[&str] = match attribute_schema.kind {
         schema::Kind::Choice(words) => words,
         schema::Kind::YesNo => &["yes", "no"],
         _ => &[],
@@ -379,22 +410,6 @@ fn choices(bears: &schema::Bears, first: &str) -> Vec<&'static str> {
     let mut words = words.to_vec();
     words.sort_by_key(|w| *w != first);
     words
-}
-
-/// The parameters of the piece that a `use` names.
-pub(super) fn parameters<'a>(ask: &Ask<'a>, tag: &Tag) -> Vec<Known<'a>> {
-    let named = tag
-        .attributes
-        .iter()
-        .find(|a| &ask.text[a.name.clone()] == "name");
-    let Some(name) = named.and_then(|a| a.inner.clone()) else {
-        return vec![];
-    };
-    let name = ask.text[name].trim();
-    let piece = known::pieces(ask.a, ask.at)
-        .into_iter()
-        .find(|p| p.name() == name);
-    piece.map_or(vec![], |piece| known::parameters(&piece))
 }
 
 /// The attributes of an element of shape.

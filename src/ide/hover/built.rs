@@ -1,34 +1,34 @@
-//! What was built of what stands here: walls, storeys, houses, roofs.
+//! The walls, storeys, houses and roofs built from the source at a place.
 
-use super::Ask;
+use super::Request;
 use crate::building::{Built, Finish, House, Ring, Roof, Storey, Wall};
 use crate::diagnostic::{Noun, Text, noun};
 use crate::geometry::{SHAKU, area2};
 use crate::ide::card::short;
-use crate::ide::words;
+use crate::ide::vocabulary;
 use crate::source::Span;
 use crate::text;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Walls of one line that are told of; a repetition makes many.
+/// Walls of one line that are reported about; a repetition makes many.
 const WALLS: usize = 3;
 
 /// A tsubo, square metres.
 const TSUBO: f64 = 400.0 / 121.0;
 
 /// The walls that were built of a row.
-pub(super) fn walls(ask: &Ask<'_>, row: &Range<usize>) -> Vec<Text> {
+pub(super) fn walls(request: &Request<'_>, row: &Range<usize>) -> Vec<Text> {
     let is = |span: Span| {
-        let range = ask.a.source.text_range(span);
-        span.file == ask.a.source.id() && range.start < row.end && row.start < range.end && {
+        let range = request.a.source.text_range(span);
+        span.file == request.a.source.id() && range.start < row.end && row.start < range.end && {
             // The row itself, or the line it was read as.
             range.start >= row.start && range.end <= row.end
                 || row.start >= range.start && row.end <= range.end
         }
     };
     let mut found = vec![];
-    for house in ask.a.checked.building.houses.iter().map(|b| &b.house) {
+    for house in request.a.checked.building.houses.iter().map(|b| &b.house) {
         for storey in &house.storeys {
             for ring in &storey.rings {
                 let walls = ring.walls.iter().filter(|w| is(w.span));
@@ -66,7 +66,7 @@ fn lengths(units: f64, unit: f64) -> (String, String, String) {
     (short(units, 3), short(metres / SHAKU, 2), short(metres, 2))
 }
 
-/// Where a wall stands, seen by one before the house.
+/// The place of a wall, seen by one before the house.
 fn side(ring: &Ring, wall: &Wall) -> Noun {
     let (x, y) = (wall.direction.x, wall.direction.y);
     match (ring.hole || ring.inner, x.abs() >= y.abs()) {
@@ -80,10 +80,10 @@ fn side(ring: &Ring, wall: &Wall) -> Noun {
 }
 
 /// The storeys that were built of an element, or of lines.
-pub(super) fn storeys(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
-    let houses = ask.a.checked.building.houses.iter().map(|b| &b.house);
+pub(super) fn storeys(request: &Request<'_>, element: &Range<usize>) -> Vec<Text> {
+    let houses = request.a.checked.building.houses.iter().map(|b| &b.house);
     let all = houses.flat_map(|h| h.storeys.iter().map(move |s| (h, s)));
-    let own = all.filter(|(_, s)| same(ask, s.span, element));
+    let own = all.filter(|(_, s)| same(request, s.span, element));
     own.take(WALLS).map(|(h, s)| storey(h, s)).collect()
 }
 
@@ -131,9 +131,9 @@ fn measures(house: &House, storey: &Storey) -> (f64, f64) {
 }
 
 /// The houses that were built of an element.
-pub(super) fn houses(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
-    let all = ask.a.checked.building.houses.iter();
-    let own = all.filter(|b| same(ask, b.house.span, element));
+pub(super) fn houses(request: &Request<'_>, element: &Range<usize>) -> Vec<Text> {
+    let all = request.a.checked.building.houses.iter();
+    let own = all.filter(|b| same(request, b.house.span, element));
     own.take(WALLS)
         .map(|Built { house, roofs, .. }| {
             let area: f64 = house.storeys.iter().map(|s| measures(house, s).0).sum();
@@ -151,14 +151,14 @@ pub(super) fn houses(ask: &Ask<'_>, element: &Range<usize>) -> Vec<Text> {
 }
 
 /// The roofs that were built of a line or an element; of the whole section those of its house.
-pub(super) fn roofs(ask: &Ask<'_>, place: &Range<usize>, section: bool) -> Vec<Text> {
+pub(super) fn roofs(request: &Request<'_>, place: &Range<usize>, section: bool) -> Vec<Text> {
     let mut found = vec![];
-    for Built { house, roofs, .. } in &ask.a.checked.building.houses {
-        let here = section && ask.a.source.text_range(house.span).contains(&place.start);
+    for Built { house, roofs, .. } in &request.a.checked.building.houses {
+        let here = section && request.a.source.text_range(house.span).contains(&place.start);
         let own = roofs
             .roofs
             .iter()
-            .filter(|r| here || r.span.is_some_and(|s| same(ask, s, place)));
+            .filter(|r| here || r.span.is_some_and(|s| same(request, s, place)));
         found.extend(own.map(roof));
     }
     found.truncate(2 * WALLS);
@@ -168,7 +168,7 @@ pub(super) fn roofs(ask: &Ask<'_>, place: &Range<usize>, section: bool) -> Vec<T
 fn roof(roof: &Roof) -> Text {
     let letters = roof.shape.letters();
     let shape: Text =
-        words::meaning(words::ROOF_SHAPES, letters).map_or(letters.into(), Text::from);
+        vocabulary::meaning(vocabulary::ROOF_SHAPES, letters).map_or(letters.into(), Text::from);
     let (mut area, mut steepest) = (0.0, (0.0, 0.0));
     for solid in &roof.solids {
         for face in solid
@@ -206,8 +206,8 @@ fn twice(points: &[DVec3]) -> DVec3 {
     pairs.map(|p| (p[0] - *first).cross(p[1] - *first)).sum()
 }
 
-fn same(ask: &Ask<'_>, span: Span, place: &Range<usize>) -> bool {
-    let range = ask.a.source.text_range(span);
+fn same(request: &Request<'_>, span: Span, place: &Range<usize>) -> bool {
+    let range = request.a.source.text_range(span);
     // Some keep the start tag only.
-    span.file == ask.a.source.id() && range.start == place.start && range.end <= place.end
+    span.file == request.a.source.id() && range.start == place.start && range.end <= place.end
 }

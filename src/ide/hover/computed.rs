@@ -1,24 +1,24 @@
-//! Expressions, names and pieces: what they came to in this run.
+//! Expressions, names and pieces: their values in this run.
 
-use super::{Ask, Hover, holds};
+use super::{Hover, Request, holds};
 use crate::diagnostic::Text;
 use crate::ide::complete::names::about;
-use crate::ide::names::{self, Known};
-use crate::ide::words;
+use crate::ide::names::{self, KnownName};
+use crate::ide::vocabulary;
 use crate::parse::Seen;
-use crate::parse::outline::Expression;
+use crate::parse::syntax::Expression;
 use crate::text;
 use std::ops::Range;
 
-/// What an expression came to, or the name in it that stands there.
-pub(super) fn expression(ask: &Ask<'_>, expression: &Expression) -> Option<Hover> {
-    let text = ask.a.text();
-    let seen = ask
+/// The value of an expression, or of the name at the place.
+pub(super) fn expression(request: &Request<'_>, expression: &Expression) -> Option<Hover> {
+    let text = request.a.text();
+    let seen = request
         .a
         .checked
         .values
-        .at(ask.a.source.span(expression.range.clone()));
-    let word = word_at(text, ask.at);
+        .at(request.a.source.span(expression.range.clone()));
+    let word = word_at(text, request.at);
     let name = text.get(word.clone()).unwrap_or_default();
     if name == "k" || expression.names.contains(&word) {
         if name == "k" {
@@ -28,7 +28,7 @@ pub(super) fn expression(ask: &Ask<'_>, expression: &Expression) -> Option<Hover
                 true => "".into(),
                 false => format!("k = {}", list.join(", ")).into(),
             };
-            return ask.told(
+            return request.told(
                 &word,
                 [
                     here,
@@ -36,49 +36,54 @@ pub(super) fn expression(ask: &Ask<'_>, expression: &Expression) -> Option<Hover
                 ],
             );
         }
-        let known = names::values(ask.a, ask.at)
+        let known = names::values(request.a, request.at)
             .into_iter()
             .find(|k| k.name() == name);
         if let Some(known) = known {
-            return value(ask, &word, &known);
+            return value(request, &word, &known);
         }
     }
-    if let Some(about) =
-        words::meaning(words::FUNCTIONS, text.get(word.clone()).unwrap_or_default())
-    {
-        return ask.told(&word, [about.into()]);
+    if let Some(about) = vocabulary::meaning(
+        vocabulary::FUNCTIONS,
+        text.get(word.clone()).unwrap_or_default(),
+    ) {
+        return request.told(&word, [about.into()]);
     }
     let seen = seen?;
     let range = &expression.range;
     let written = &text[range.start + 1..range.end.max(range.start + 2) - 1];
-    ask.told(
+    request.told(
         range,
         [format!("`{}` = {}", written.trim(), list(&seen)).into()],
     )
 }
 
-/// A name: what it came to, and how it was said.
-pub(super) fn value(ask: &Ask<'_>, range: &Range<usize>, known: &Known<'_>) -> Option<Hover> {
+/// A name: what it came to, and how it was reported.
+pub(super) fn value(
+    request: &Request<'_>,
+    range: &Range<usize>,
+    known: &KnownName<'_>,
+) -> Option<Hover> {
     let place = known.source.span(known.place());
     let name = known.name();
-    let came = ask.a.checked.values.at(place);
+    let came = request.a.checked.values.at(place);
     let came: Text = came.map_or("".into(), |seen| {
         format!("`{name}` = {}", list(&seen)).into()
     });
     let (kind, line) = (
         names::word(known.element()),
-        ask.a.line_of(known.source, place),
+        request.a.line_of(known.source, place),
     );
     let about = about(known);
     let said = text!([about, line] "`{kind}` ({line}): {about}", "`{kind}` ({line}): {about}");
-    ask.told(range, [came, said])
+    request.told(range, [came, said])
 }
 
-/// A piece: its parameters with their defaults, and what is said of it.
-pub(super) fn piece(ask: &Ask<'_>, range: &Range<usize>, name: &str) -> Option<Hover> {
-    let found = names::pieces(ask.a, ask.at).into_iter();
+/// A piece: its parameters with their defaults, and what is reported about it.
+pub(super) fn piece(request: &Request<'_>, range: &Range<usize>, name: &str) -> Option<Hover> {
+    let found = names::pieces(request.a, request.at).into_iter();
     let piece = found.into_iter().find(|p| p.name() == name)?;
-    let line = ask
+    let line = request
         .a
         .line_of(piece.source, piece.source.span(piece.place()));
     let head = text!([line] "piece **{name}** ({line})", "部品 **{name}** ({line})");
@@ -91,23 +96,23 @@ pub(super) fn piece(ask: &Ask<'_>, range: &Range<usize>, name: &str) -> Option<H
         let line = |(n, t): &(String, Text)| format!("- `{n}`: {}", if ja { &t.ja } else { &t.en });
         lines.iter().map(line).collect::<Vec<_>>().join("\n")
     };
-    ask.told(
+    request.told(
         range,
         [head, Text::both(in_language(false), in_language(true))],
     )
 }
 
 /// A file that is included: what it defines.
-pub(super) fn file(ask: &Ask<'_>, range: &Range<usize>, href: &str) -> Option<Hover> {
+pub(super) fn file(request: &Request<'_>, range: &Range<usize>, href: &str) -> Option<Hover> {
     let ends = |name: &str| {
         name == href
             || name
                 .replace('\\', "/")
                 .ends_with(&format!("/{}", href.trim_start_matches("./")))
     };
-    let all = ask.a.checked.included.iter().zip(ask.a.outlines());
+    let all = request.a.checked.included.iter().zip(request.a.outlines());
     let (source, outline) = all.into_iter().find(|(s, _)| ends(s.name()))?;
-    let mut lines = vec![format!("**{}**", words::file(source)), String::new()];
+    let mut lines = vec![format!("**{}**", vocabulary::file(source)), String::new()];
     for element in &outline.elements {
         let outer = element
             .parent
@@ -122,7 +127,7 @@ pub(super) fn file(ask: &Ask<'_>, range: &Range<usize>, href: &str) -> Option<Ho
             lines.push(format!("- {kind} `{name}`"));
         }
     }
-    ask.told(range, [lines.join("\n").into()])
+    request.told(range, [lines.join("\n").into()])
 }
 
 /// The values of a place.

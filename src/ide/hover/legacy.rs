@@ -1,27 +1,27 @@
 //! Lines of the legacy form.
 
-use super::{Ask, Hover, built};
+use super::{Hover, Request, built};
 use crate::diagnostic::{Text, noun};
 use crate::geometry::SHAKU;
 use crate::ide::card::short;
 use crate::ide::complete::legacy::before;
 use crate::ide::complete::parts;
 use crate::ide::complete::roofs::{Field, field};
-use crate::ide::words;
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::Line;
+use crate::ide::vocabulary;
+use crate::parse::syntax::Line;
+use crate::parse::syntax::LineKind;
 use crate::text;
 use std::ops::Range;
 
-/// What stands at the place that was asked about.
-pub(super) fn hover(ask: &Ask<'_>) -> Option<Hover> {
-    let outline = ask.a.outline();
-    let line = &outline.lines[outline.line_at(ask.at)?];
+/// The thing at the requested place.
+pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
+    let outline = request.a.outline();
+    let line = &outline.lines[outline.line_at(request.at)?];
     match line.kind {
-        LineKind::Wall => wall(ask, line),
-        LineKind::Header => header(ask, line),
-        LineKind::Roof => roof(ask, line),
-        LineKind::Separator => ask.told(
+        LineKind::Wall => wall(request, line),
+        LineKind::Header => header(request, line),
+        LineKind::Roof => roof(request, line),
+        LineKind::Separator => request.told(
             &line.range,
             [text!("another house begins", "次の建物が始まる")],
         ),
@@ -30,26 +30,26 @@ pub(super) fn hover(ask: &Ask<'_>) -> Option<Hover> {
 }
 
 /// A part on its code, the wall everywhere else.
-fn wall(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
-    let text = ask.a.text();
+fn wall(request: &Request<'_>, line: &Line) -> Option<Hover> {
+    let text = request.a.text();
     let written = |range: &Range<usize>| range.start + text[range.clone()].trim_end().len();
     let code = line
         .codes
         .iter()
-        .find(|c| c.start <= ask.at && ask.at < written(c));
+        .find(|c| c.start <= request.at && request.at < written(c));
     if let Some(code) = code {
-        return ask.part(code, &text[code.clone()]);
+        return request.part(code, &text[code.clone()]);
     }
     let end = line.range.start + text[line.range.clone()].trim_end().len();
     let reset = text[..end].ends_with('^').then(|| end - 1..end);
     let turn = line.turn.clone().or(reset);
-    let turn = turn.filter(|t| super::holds(t, ask.at));
-    let walls = built::walls(ask, &line.range);
+    let turn = turn.filter(|t| super::holds(t, request.at));
+    let walls = built::walls(request, &line.range);
     let letter = turn.clone().map(|t| &text[t]);
-    let meaning = letter.and_then(|l| words::meaning(words::TURNS, l).map(|m| (l, m)));
+    let meaning = letter.and_then(|l| vocabulary::meaning(vocabulary::TURNS, l).map(|m| (l, m)));
     let meaning = meaning.map(|(l, m)| text!([m] "`{l}`: {m}", "`{l}`: {m}"));
     let range = turn.unwrap_or(line.range.clone());
-    ask.told(&range, meaning.into_iter().chain(walls))
+    request.told(&range, meaning.into_iter().chain(walls))
 }
 
 /// The words of a line with their places.
@@ -64,20 +64,20 @@ fn words_of(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
         .collect()
 }
 
-fn header(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
-    let text = ask.a.text();
+fn header(request: &Request<'_>, line: &Line) -> Option<Hover> {
+    let text = request.a.text();
     let words = words_of(text, &line.range);
-    let index = words.iter().position(|w| super::holds(w, ask.at))?;
+    let index = words.iter().position(|w| super::holds(w, request.at))?;
     let (first, word) = (&text[words[0].clone()], &text[words[index].clone()]);
     if !first.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
         let key = first.to_ascii_lowercase();
-        let about: Text = words::meaning(words::KEYS, &key)?.into();
+        let about: Text = vocabulary::meaning(vocabulary::KEYS, &key)?.into();
         let about = text!([about] "`{key}`: {about}", "`{key}`: {about}");
-        let value = words::meaning(words::table("", &key), word).filter(|_| index > 0);
+        let value = vocabulary::meaning(vocabulary::table("", &key), word).filter(|_| index > 0);
         let value = value.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
-        return ask.told(&words[index], [about].into_iter().chain(value));
+        return request.told(&words[index], [about].into_iter().chain(value));
     }
-    if before(ask.a, line.range.start).numbers == 0 {
+    if before(request.a, line.range.start).numbers == 0 {
         const PLACE: [crate::diagnostic::Noun; 3] = [
             noun("x: metres to the east", "x: 東へ(m)"),
             noun("y: metres to the north", "y: 北へ(m)"),
@@ -87,7 +87,7 @@ fn header(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
             ),
         ];
         let about = PLACE.get(index)?;
-        return ask.told(&words[index], [(*about).into()]);
+        return request.told(&words[index], [(*about).into()]);
     }
     let number = index + 1;
     let height: f64 = word.parse().ok()?;
@@ -96,12 +96,12 @@ fn header(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
         "height of storey {number}: {word} shaku = {metres} m",
         "{number}階の高さ: {word} 尺 = {metres} m"
     );
-    let house = ask
+    let house = request
         .a
         .checked
         .building
         .houses
-        .get(parts::house_at(ask.a, ask.at));
+        .get(parts::house_at(request.a, request.at));
     let top = house
         .and_then(|b| b.house.storeys.iter().find(|s| s.number as usize == number))
         .map(|s| {
@@ -111,22 +111,22 @@ fn header(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
                 "上端は土台から {shaku} 尺 = {metres} m"
             )
         });
-    ask.told(&words[index], [about].into_iter().chain(top))
+    request.told(&words[index], [about].into_iter().chain(top))
 }
 
-fn roof(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
-    let text = ask.a.text();
+fn roof(request: &Request<'_>, line: &Line) -> Option<Hover> {
+    let text = request.a.text();
     let words = words_of(text, &line.range);
-    let built = built::roofs(ask, &line.range, false);
-    let Some(index) = words.iter().position(|w| super::holds(w, ask.at)) else {
-        return ask.told(&line.range, built);
+    let built = built::roofs(request, &line.range, false);
+    let Some(index) = words.iter().position(|w| super::holds(w, request.at)) else {
+        return request.told(&line.range, built);
     };
     let word = &text[words[index].clone()];
-    let meaning = |table| words::meaning(table, word).map(Text::from);
+    let meaning = |table| vocabulary::meaning(table, word).map(Text::from);
     let about: Option<Text> = match field(index) {
-        Field::Covering => meaning(words::COVERINGS),
-        Field::Direction => meaning(words::DIRECTIONS),
-        Field::Shape => meaning(words::ROOF_SHAPES),
+        Field::Covering => meaning(vocabulary::COVERINGS),
+        Field::Direction => meaning(vocabulary::DIRECTIONS),
+        Field::Shape => meaning(vocabulary::ROOF_SHAPES),
         Field::Height if word == "*" => {
             Some(text!("the eaves are where the walls end", "軒は壁の上端"))
         }
@@ -151,13 +151,13 @@ fn roof(ask: &Ask<'_>, line: &Line) -> Option<Hover> {
         Field::Option => option(word),
     };
     let head = about.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
-    ask.told(&words[index], head.into_iter().chain(built))
+    request.told(&words[index], head.into_iter().chain(built))
 }
 
 /// An option: what its letter means, and its number.
 fn option(word: &str) -> Option<Text> {
     let (letter, number) = (word.get(..1)?, word.get(1..)?);
-    let about = Text::from(words::meaning(words::OPTIONS, letter)?);
+    let about = Text::from(vocabulary::meaning(vocabulary::OPTIONS, letter)?);
     let Ok(number) = number.parse::<f64>() else {
         return Some(about);
     };

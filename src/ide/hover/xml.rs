@@ -1,54 +1,62 @@
 //! Elements, attributes and codes of the XML form.
 
 use super::computed::{self, expression_at, word_at};
-use super::{Ask, Hover, built, holds};
+use super::{Hover, Request, built, holds};
 use crate::catalog::body;
 use crate::diagnostic::{Text, noun};
 use crate::ide::card::short;
-use crate::ide::names::Known;
-use crate::ide::words;
-use crate::parse::outline::{Attribute, Element};
-use crate::parse::xml::schema::{Bears, Kind};
+use crate::ide::names::KnownName;
+use crate::ide::vocabulary;
+use crate::parse::schema::{AttributeSchema, Kind};
+use crate::parse::syntax::{Attribute, Element};
 use crate::text;
 
-/// What stands at the place that was asked about.
-pub(super) fn hover(ask: &Ask<'_>) -> Option<Hover> {
-    let outline = ask.a.outline();
-    let number = outline.element_at(ask.at)?;
+/// The thing at the requested place.
+pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
+    let outline = request.a.outline();
+    let number = outline.element_at(request.at)?;
     let element = &outline.elements[number];
     let named = [Some(&element.name), element.end_name.as_ref()];
-    if let Some(name) = named.into_iter().flatten().find(|n| holds(n, ask.at)) {
-        return element_told(ask, element, name);
+    if let Some(name) = named.into_iter().flatten().find(|n| holds(n, request.at)) {
+        return element_told(request, element, name);
     }
-    if let Some(attribute) = element.attributes.iter().find(|a| holds(&a.range, ask.at)) {
-        return attribute_told(ask, number, attribute);
+    if let Some(attribute) = element
+        .attributes
+        .iter()
+        .find(|a| holds(&a.range, request.at))
+    {
+        return attribute_told(request, number, attribute);
     }
-    let words = element.words.iter().find(|w| holds(&w.range, ask.at));
-    let text = ask.a.text();
+    let words = element.words.iter().find(|w| holds(&w.range, request.at));
+    let text = request.a.text();
     if let Some(words) = words {
-        if let Some(expression) = expression_at(&words.expressions, ask.at) {
-            return computed::expression(ask, expression);
+        if let Some(expression) = expression_at(&words.expressions, request.at) {
+            return computed::expression(request, expression);
         }
         let end = |c: &std::ops::Range<usize>| c.start + text[c.clone()].trim_end().len();
         if let Some(code) = words
             .codes
             .iter()
-            .find(|c| c.start <= ask.at && ask.at < end(c))
+            .find(|c| c.start <= request.at && request.at < end(c))
         {
-            return ask.part(code, &text[code.clone()]);
+            return request.part(code, &text[code.clone()]);
         }
     }
     let row = element.schema.is_some_and(|s| s.name == "Row");
-    row.then(|| ask.told(&element.range, built::walls(ask, &element.range)))
+    row.then(|| request.told(&element.range, built::walls(request, &element.range)))
         .flatten()
 }
 
-/// What an element is, and what was built of it.
-fn element_told(ask: &Ask<'_>, element: &Element, name: &std::ops::Range<usize>) -> Option<Hover> {
-    let word = &ask.a.text()[name.clone()];
+/// The kind of an element, and the things built from it.
+fn element_told(
+    request: &Request<'_>,
+    element: &Element,
+    name: &std::ops::Range<usize>,
+) -> Option<Hover> {
+    let word = &request.a.text()[name.clone()];
     let Some(schema) = element.schema else {
-        let about: Text = words::meaning(words::SHAPES, word)?.into();
-        return ask.told(
+        let about: Text = vocabulary::meaning(vocabulary::SHAPES, word)?.into();
+        return request.told(
             name,
             [text!([about] "**{word}**: {about}", "**{word}**: {about}")],
         );
@@ -56,11 +64,11 @@ fn element_told(ask: &Ask<'_>, element: &Element, name: &std::ops::Range<usize>)
     let (en, ja) = (schema.en, schema.ja);
     let head = text!("**{word}**: {en}", "**{word}**: {ja}");
     let built = match schema.name {
-        "Row" => built::walls(ask, &element.range),
-        "Storey" | "Floor" => built::storeys(ask, &element.range),
-        "House" | "Structure" => built::houses(ask, &element.range),
-        "Roof" => built::roofs(ask, &element.range, false),
-        "Roofs" => built::roofs(ask, &element.range, true),
+        "Row" => built::walls(request, &element.range),
+        "Storey" | "Floor" => built::storeys(request, &element.range),
+        "House" | "Structure" => built::houses(request, &element.range),
+        "Roof" => built::roofs(request, &element.range, false),
+        "Roofs" => built::roofs(request, &element.range, true),
         _ => vec![],
     };
     let home = schema.home;
@@ -72,10 +80,10 @@ fn element_told(ask: &Ask<'_>, element: &Element, name: &std::ops::Range<usize>)
         }
     };
     let card = match (schema.name, element.value("code")) {
-        ("Part", Some(code)) => ask.part(name, code).map(|h| h.markdown.into()),
+        ("Part", Some(code)) => request.part(name, code).map(|h| h.markdown.into()),
         _ => None,
     };
-    ask.told(
+    request.told(
         name,
         [head].into_iter().chain(built).chain(card).chain([home]),
     )
@@ -87,14 +95,14 @@ fn ja_home(home: &str) -> String {
     names.join("、")
 }
 
-fn attribute_told(ask: &Ask<'_>, number: usize, attribute: &Attribute) -> Option<Hover> {
-    let element = &ask.a.outline().elements[number];
+fn attribute_told(request: &Request<'_>, number: usize, attribute: &Attribute) -> Option<Hover> {
+    let element = &request.a.outline().elements[number];
     let schema = element.schema.map_or("", |s| s.name);
-    if holds(&attribute.name, ask.at) {
-        if let Some(bears) = attribute.bears {
-            return ask.told(&attribute.name, bears_told(bears));
+    if holds(&attribute.name, request.at) {
+        if let Some(attribute_schema) = attribute.attribute_schema {
+            return request.told(&attribute.name, bears_told(attribute_schema));
         }
-        let word = &ask.a.text()[element.name.clone()];
+        let word = &request.a.text()[element.name.clone()];
         let known = body::attributes_of(word).unwrap_or_default();
         let about = known
             .iter()
@@ -102,35 +110,37 @@ fn attribute_told(ask: &Ask<'_>, number: usize, attribute: &Attribute) -> Option
             .map(|(_, about)| *about);
         if let Some(about) = about {
             let name = &attribute.word;
-            return ask.told(&attribute.name, [format!("`{name}`: {about}").into()]);
+            return request.told(&attribute.name, [format!("`{name}`: {about}").into()]);
         }
         return None;
     }
-    if let Some(expression) = expression_at(&attribute.expressions, ask.at) {
-        return computed::expression(ask, expression);
+    if let Some(expression) = expression_at(&attribute.expressions, request.at) {
+        return computed::expression(request, expression);
     }
     let inner = &attribute.inner;
-    if !holds(inner, ask.at) {
+    if !holds(inner, request.at) {
         return None;
     }
     let value = attribute.value.trim();
     match (schema, attribute.word.as_str()) {
-        ("Part" | "Texture", "code") | ("PartDef", "base" | "code") => ask.part(inner, value),
-        ("random" | "replace", "code" | "with") => listed_part(ask, attribute),
-        ("use", "name") => computed::piece(ask, inner, value),
-        ("include", "href") => computed::file(ask, inner, value),
-        ("let" | "Param", "name") => computed::value(ask, inner, &Known::of(ask.a, number)?),
+        ("Part" | "Texture", "code") | ("PartDef", "base" | "code") => request.part(inner, value),
+        ("random" | "replace", "code" | "with") => listed_part(request, attribute),
+        ("use", "name") => computed::piece(request, inner, value),
+        ("include", "href") => computed::file(request, inner, value),
+        ("let" | "Param", "name") => {
+            computed::value(request, inner, &KnownName::of(request.a, number)?)
+        }
         (_, name) => {
-            let table = words::table(schema, name);
-            let word = word_at(ask.a.text(), ask.at);
+            let table = vocabulary::table(schema, name);
+            let word = word_at(request.a.text(), request.at);
             let word = if table.iter().any(|(w, _)| *w == value) {
                 inner.clone()
             } else {
                 word
             };
-            let written = ask.a.text().get(word.clone())?;
-            let about = words::meaning(table, written)?;
-            ask.told(
+            let written = request.a.text().get(word.clone())?;
+            let about = vocabulary::meaning(table, written)?;
+            request.told(
                 &word,
                 [text!([about] "`{written}`: {about}", "`{written}`: {about}")],
             )
@@ -139,39 +149,43 @@ fn attribute_told(ask: &Ask<'_>, number: usize, attribute: &Attribute) -> Option
 }
 
 /// The part in a list of codes that the place is in.
-fn listed_part(ask: &Ask<'_>, attribute: &Attribute) -> Option<Hover> {
-    let text = ask.a.text();
+fn listed_part(request: &Request<'_>, attribute: &Attribute) -> Option<Hover> {
+    let text = request.a.text();
     let inner = &attribute.inner;
-    let start = text[inner.start..ask.at]
+    let start = text[inner.start..request.at]
         .rfind(',')
         .map_or(inner.start, |i| inner.start + i + 1);
-    let end = text[ask.at..inner.end]
+    let end = text[request.at..inner.end]
         .find(',')
-        .map_or(inner.end, |i| ask.at + i);
+        .map_or(inner.end, |i| request.at + i);
     let start = start + text[start..end].len() - text[start..end].trim_start().len();
     let end = start + text[start..end].trim_end().len();
     let range = start..end.max(start);
-    if !holds(&range, ask.at) {
+    if !holds(&range, request.at) {
         return None;
     }
-    ask.part(&range, &text[range.clone()])
+    request.part(&range, &text[range.clone()])
 }
 
-/// What an attribute means, what it may say, and what holds without it.
-fn bears_told(bears: &Bears) -> Vec<Text> {
-    let (name, en, ja) = (bears.name, bears.en, bears.ja);
+/// The meaning of an attribute, its values, and its default.
+fn bears_told(attribute_schema: &AttributeSchema) -> Vec<Text> {
+    let (name, en, ja) = (
+        attribute_schema.name,
+        attribute_schema.en,
+        attribute_schema.ja,
+    );
     let mut told = vec![text!("`{name}`: {en}", "`{name}`: {ja}")];
-    told.extend(form(bears.kind));
-    if bears.required {
+    told.extend(form(attribute_schema.kind));
+    if attribute_schema.required {
         told.push(noun("required", "必須").into());
-    } else if !bears.default.is_empty() {
-        let default = bears.default;
+    } else if !attribute_schema.default.is_empty() {
+        let default = attribute_schema.default;
         told.push(text!("`{default}` without it", "既定値 `{default}`"));
     }
     told
 }
 
-/// What an attribute may say.
+/// The kind of value of an attribute.
 fn form(kind: Kind) -> Option<Text> {
     let number = |least: f64, most: f64| {
         let (least, most) = (bound(least), bound(most));

@@ -1,15 +1,15 @@
 //! The values and pieces that are known at a place, as those who write there see them.
 
-use super::index::{self, named, word};
-use super::scopes::Given;
 use crate::ide::Analysis;
-use crate::parse::outline::{Element, Outline};
+use crate::parse::names::Definition;
+use crate::parse::names::file::{self, named, word};
+use crate::parse::syntax::{Element, Outline};
 use crate::source::Source;
 use std::ops::Range;
 
-/// A name in expressions, or a piece, and where it is said.
+/// A name in expressions, or a piece, and where it is stated.
 #[derive(Clone, Copy)]
-pub(in crate::ide) struct Known<'a> {
+pub(in crate::ide) struct KnownName<'a> {
     pub(in crate::ide) source: &'a Source,
     pub(in crate::ide) outline: &'a Outline,
     /// The `let`, `Param` or `define`.
@@ -18,12 +18,12 @@ pub(in crate::ide) struct Known<'a> {
     pub(in crate::ide) attribute: usize,
 }
 
-impl<'a> Known<'a> {
-    /// What an element of the text names.
-    pub(in crate::ide) fn of(a: &'a Analysis, element: usize) -> Option<Known<'a>> {
+impl<'a> KnownName<'a> {
+    /// The name that an element defines.
+    pub(in crate::ide) fn of(a: &'a Analysis, element: usize) -> Option<KnownName<'a>> {
         let (source, outline) = (&a.source, a.outline());
         let (attribute, _) = named(source.text(), outline.elements.get(element)?)?;
-        Some(Known {
+        Some(KnownName {
             source,
             outline,
             element,
@@ -31,12 +31,12 @@ impl<'a> Known<'a> {
         })
     }
 
-    fn given(a: &'a Analysis, given: Given) -> Option<Known<'a>> {
+    fn given(a: &'a Analysis, given: Definition) -> Option<KnownName<'a>> {
         let (source, outline) = match given.file.checked_sub(1) {
             None => (&a.source, a.outline()),
             Some(n) => (a.checked.included.get(n)?, a.outlines().get(n)?),
         };
-        Some(Known {
+        Some(KnownName {
             source,
             outline,
             element: given.element,
@@ -48,12 +48,12 @@ impl<'a> Known<'a> {
         &self.outline.elements[self.element]
     }
 
-    /// What it is called.
+    /// The name.
     pub(in crate::ide) fn name(&self) -> &'a str {
         self.source.text()[self.place()].trim()
     }
 
-    /// Where the name stands.
+    /// The place of the name.
     pub(in crate::ide) fn place(&self) -> Range<usize> {
         let attribute = &self.element().attributes[self.attribute];
         match attribute.word.as_str() {
@@ -69,37 +69,37 @@ impl<'a> Known<'a> {
 }
 
 /// The values that expressions know at an offset, the nearest first; each name once.
-pub(in crate::ide) fn values(a: &Analysis, at: usize) -> Vec<Known<'_>> {
+pub(in crate::ide) fn values(a: &Analysis, at: usize) -> Vec<KnownName<'_>> {
     let scopes = &a.names(&a.files()).index.scopes;
     let given = scopes.values(scopes.at(0, a.outline(), at), at);
-    let known = given.into_iter().filter_map(|g| Known::given(a, g));
+    let known = given.into_iter().filter_map(|g| KnownName::given(a, g));
     known.collect()
 }
 
 /// The pieces that a `use` at an offset may name, the nearest first; each name once.
-pub(in crate::ide) fn pieces(a: &Analysis, at: usize) -> Vec<Known<'_>> {
+pub(in crate::ide) fn pieces(a: &Analysis, at: usize) -> Vec<KnownName<'_>> {
     let outline = a.outline();
     let scopes = &a.names(&a.files()).index.scopes;
     let round: Vec<usize> = outline
         .element_at(at)
         .map_or(vec![], |e| outline.around(e).collect());
-    // A piece cannot stand in itself.
-    let other = |g: &&Given| g.file != 0 || !round.contains(&g.element);
+    // A piece cannot be in itself.
+    let other = |g: &&Definition| g.file != 0 || !round.contains(&g.element);
     let pieces = scopes.pieces(scopes.at(0, outline, at)).into_iter();
     let given = pieces.filter_map(|(_, piece)| piece.given.iter().rfind(other));
-    given.filter_map(|g| Known::given(a, *g)).collect()
+    given.filter_map(|g| KnownName::given(a, *g)).collect()
 }
 
-/// The parameters of a piece: the attributes of its `define`, and the `Param`s right in it.
-pub(in crate::ide) fn parameters<'a>(piece: &Known<'a>) -> Vec<Known<'a>> {
+/// The parameters of a piece: the attributes of its `define`, and the `Param`s directly in it.
+pub(in crate::ide) fn parameters<'a>(piece: &KnownName<'a>) -> Vec<KnownName<'a>> {
     let (text, elements) = (piece.source.text(), &piece.outline.elements);
-    let known = |element: usize, attribute: usize| Known {
+    let known = |element: usize, attribute: usize| KnownName {
         element,
         attribute,
         ..*piece
     };
-    let own = index::parameters(text, piece.element());
-    let mut found: Vec<Known<'a>> = own.map(|(n, ..)| known(piece.element, n)).collect();
+    let own = file::parameters(text, piece.element());
+    let mut found: Vec<KnownName<'a>> = own.map(|(n, ..)| known(piece.element, n)).collect();
     let inside = elements.iter().enumerate();
     let inside = inside.filter(|(_, e)| e.parent == Some(piece.element) && word(e) == "Param");
     found.extend(inside.filter_map(|(n, e)| Some(known(n, named(text, e)?.0))));

@@ -1,26 +1,28 @@
-//! Another name for something: what it changes, and whether everything means afterwards what it meant before.
+//! Rename: the edits, and whether every name means afterwards what it meant before.
 //!
-//! Of names that is tried out: the files are outlined anew with the edits, and each name in them has to stand for the
+//! That is tested: outlines of the files are made anew with the edits, and each name in them has to stand for the
 //! same as before. So no name can be captured by another, nor clash with one.
 
-use super::codes::{Codes, Form, Site, Spot, key};
-use super::index::{File, Index, Role, word};
-use super::links::Links;
 use super::{Found, Symbol, SymbolKind, Target, target};
 use crate::ast::CodeText;
 use crate::diagnostic::Text;
 use crate::ide::Analysis;
 use crate::parse;
-use crate::parse::outline::{Outline, is_name};
+use crate::parse::names::codes::{CodeForm, CodeOccurrence, Codes, Site, key};
+use crate::parse::names::file::{File, word};
+use crate::parse::names::links::Links;
+use crate::parse::names::resolve;
+use crate::parse::names::table::{NameTable, Role};
+use crate::parse::syntax::{Outline, is_name};
 use crate::print;
 use crate::source::{FileId, Source};
 use crate::text;
 use std::ops::Range;
 
-/// What takes the place of a range in a file.
+/// The replacement of a range in a file.
 pub type Change = (FileId, Range<usize>, String);
 
-/// What a rename at an offset would change, and what it is called now; `None` where nothing can be renamed.
+/// The range that a rename at an offset would change, and the current name; `None` where nothing can be renamed.
 pub fn prepare_rename(a: &Analysis, at: usize) -> Option<(Range<usize>, String)> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -39,14 +41,14 @@ pub fn prepare_rename(a: &Analysis, at: usize) -> Option<(Range<usize>, String)>
         }
         Found::Code(spot) => {
             let site = codes.meaning(&spot)?;
-            (site.form == Form::Part).then(|| spot.range.clone())?
+            (site.form == CodeForm::Part).then(|| spot.range.clone())?
         }
     };
     let now = a.text()[range.clone()].trim_end();
     Some((range.start..range.start + now.len(), now.to_owned()))
 }
 
-/// The edits that give what stands at an offset another name.
+/// The edits that give what is at an offset another name.
 ///
 /// # Errors
 /// Where the name is none, or means something else already.
@@ -61,7 +63,7 @@ pub fn rename(a: &Analysis, at: usize, new: &str) -> Result<Vec<Change>, Text> {
     rename_symbol(a, &symbol, new)
 }
 
-/// The edits that give a thing another name that this text or another one defines.
+/// The edits that give a thing another name that this file or another one defines.
 ///
 /// # Errors
 /// Where the name is none, or means something else already.
@@ -69,15 +71,17 @@ pub fn rename_symbol(a: &Analysis, symbol: &Symbol, new: &str) -> Result<Vec<Cha
     let files = a.files();
     let codes = a.codes(&files);
     match target(a, &files, &codes, symbol) {
-        // Nothing of it stands in this text.
+        // Nothing of it is in this file.
         None => Ok(vec![]),
         Some(Target::Name(number)) => name(a, &files, number, new.trim()),
-        Some(Target::Code(site)) if site.form == Form::Part => code(a, &codes, &site, new.trim()),
+        Some(Target::Code(site)) if site.form == CodeForm::Part => {
+            code(a, &codes, &site, new.trim())
+        }
         Some(Target::Code(_)) => Err(text!(
             "the name of a picture is that of its file",
             "画像の名はファイルの名によります"
         )),
-        Some(Target::Known) => {
+        Some(Target::Builtin) => {
             let code = symbol.name.trim_end();
             Err(text!(
                 "`{code}` comes with the program",
@@ -159,10 +163,10 @@ fn numbered(files: &[File<'_>], old: &str, new: &str) -> bool {
     special(old) || special(new) || (nameless && (number(old) || number(new)))
 }
 
-/// What all names mean: where each stands after some edits, how, and the first that means the same.
+/// The meaning of every name: its place after some edits, its role, and the first name that means the same.
 type Meanings = Vec<(FileId, usize, Role, usize)>;
 
-fn meanings(index: &Index, edits: &[Change]) -> Meanings {
+fn meanings(index: &NameTable, edits: &[Change]) -> Meanings {
     let mut first: Vec<Option<usize>> = vec![None; index.symbols.len()];
     let marks = index.marks.iter().enumerate();
     marks
@@ -187,7 +191,7 @@ fn moved(file: FileId, at: usize, edits: &[Change]) -> usize {
     at + come - gone
 }
 
-/// What all names mean once some edits are made.
+/// The meaning of every name after some edits.
 fn tried(a: &Analysis, files: &[File<'_>], edits: &[Change]) -> Meanings {
     let limits = &a.options.expand.limits;
     let all = std::iter::once(&a.source).chain(&a.checked.included);
@@ -196,7 +200,7 @@ fn tried(a: &Analysis, files: &[File<'_>], edits: &[Change]) -> Meanings {
             let text = applied(source.id(), source.text(), edits);
             let bytes = print::encode(&text, source);
             let after = Source::new(source.id(), source.name(), &bytes);
-            let outline = Outline::of(&after, limits);
+            let outline = parse::outline::of(&after, limits);
             (after, outline)
         })
         .collect();
@@ -209,10 +213,10 @@ fn tried(a: &Analysis, files: &[File<'_>], edits: &[Change]) -> Meanings {
             ..*file
         })
         .collect();
-    meanings(&Index::of(&after, &Links::of(&after)), &[])
+    meanings(&resolve(&after, &Links::of(&after)), &[])
 }
 
-/// A text after the edits of its file.
+/// A source file after the edits of its file.
 fn applied(file: FileId, text: &str, edits: &[Change]) -> String {
     let mut own: Vec<&Change> = edits.iter().filter(|(f, ..)| *f == file).collect();
     own.sort_by_key(|(_, range, _)| range.start);
@@ -226,7 +230,7 @@ fn applied(file: FileId, text: &str, edits: &[Change]) -> String {
     made
 }
 
-/// Another code for a part of one's own.
+/// Another code for a custom part.
 fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<Change>, Text> {
     let old = codes.text(site).trim();
     if old == new {
@@ -240,7 +244,8 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
             "`{new}` はコードにできません。ASCII の五桁か、空白の無い長い名にしてください"
         ));
     }
-    let taken = |spot: &Spot| key(codes.text(spot)) == new && spot.form != Form::Perhaps;
+    let taken =
+        |spot: &CodeOccurrence| key(codes.text(spot)) == new && spot.form != CodeForm::Perhaps;
     let mut used = parse::builtin().find(&CodeText::new(new)).is_some();
     for file in 0..codes.files.len() {
         codes.each(file, &mut |spot| used |= taken(&spot));
@@ -253,16 +258,16 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
     }
     keeps_its_measures(a, codes, site, new)?;
     let spots = codes.alike(old, Some(site));
-    if !five && spots.iter().any(|s| s.form == Form::Columns) {
+    if !five && spots.iter().any(|s| s.form == CodeForm::Columns) {
         return Err(text!(
             "codes in wall lines have five columns, and `{new}` has more",
             "壁の行のコードは五桁です。`{new}` は長すぎます"
         ));
     }
-    let edit = |spot: &Spot| {
+    let edit = |spot: &CodeOccurrence| {
         // A code keeps its columns; where its last blanks were left out it may go on without them.
         let width = match spot.form {
-            Form::Columns => spot.range.len().min(5),
+            CodeForm::Columns => spot.range.len().min(5),
             _ => 0,
         };
         (

@@ -8,9 +8,9 @@ use std::ops::Range;
 /// Bytes in the place of others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Patch {
-    /// What goes, of the bytes that are there.
+    /// The bytes to remove.
     pub range: Range<usize>,
-    /// What comes.
+    /// The new text.
     pub bytes: Vec<u8>,
 }
 
@@ -19,7 +19,7 @@ pub struct Patch {
 pub struct Applied {
     /// Its bytes.
     pub bytes: Vec<u8>,
-    /// What makes of them those that were there before: see [`take_back`].
+    /// The edits that undo it: see [`take_back`].
     pub undo: Patch,
 }
 
@@ -58,12 +58,12 @@ fn spliced(source: &Source, bytes: &[u8], edits: &[Edit]) -> Option<Vec<u8>> {
         at = end;
     }
     new.extend_from_slice(bytes.get(at..)?);
-    // Nobody could tell its encoding by fewer letters that are not ASCII.
+    // No one could tell its encoding by fewer letters that are not ASCII.
     let again = Source::new(source.id(), source.name(), &new);
     (again.encoding() == source.encoding() || new.is_ascii()).then_some(new)
 }
 
-/// What has to be changed in some bytes to make others of them.
+/// The change that turns some bytes into others.
 fn difference(from: &[u8], to: &[u8]) -> Patch {
     let head = from.iter().zip(to).take_while(|(a, b)| a == b).count();
     let (rest, other) = (&from[head..], &to[head..]);

@@ -1,4 +1,4 @@
-//! The walls of a ring while they are drawn: lists of pieces and directions. What becomes of the text is settled when
+//! The walls of a ring while they are drawn: lists of pieces and directions. What becomes of the file is settled when
 //! all is drawn.
 
 use super::refuse;
@@ -9,7 +9,7 @@ use crate::ide::stroke::sheet::{Cell, Form, Inner, Row, What};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// What stands in a wall under way.
+/// The wall that is being read.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     /// Which cell of which wall it is; `None` = it is new.
@@ -22,14 +22,14 @@ pub(super) struct Piece {
     pub(super) what: What,
     /// The width of all of it, U.
     pub(super) width: f64,
-    /// Whether it takes over what was said of the part that stood there.
+    /// Whether it takes over what was reported of the part that stood there.
     pub(super) instead: bool,
-    /// What a `repeat` of several parts makes each time.
+    /// The parts of one round of a `repeat`.
     pub(super) inner: Vec<Piece>,
 }
 
 impl Piece {
-    /// A part of so many units.
+    /// A part of this many units.
     pub(super) fn new(code: &str, what: What, width: f64) -> Piece {
         Piece {
             old: None,
@@ -85,7 +85,7 @@ impl Piece {
         !self.inner.is_empty()
     }
 
-    /// So many of its parts.
+    /// This many of its parts.
     pub(super) fn times(&self, count: u32) -> Piece {
         Piece {
             count,
@@ -102,11 +102,11 @@ fn inner(part: &Inner) -> Piece {
 /// A wall under way.
 #[derive(Clone, Debug)]
 pub(super) struct Line {
-    /// Whose line of the text it keeps.
+    /// Whose line of the file it keeps.
     pub(super) base: Option<usize>,
     /// Where it runs.
     pub(super) direction: DVec2,
-    /// In the order of the text: from its right end, or from its left one where that runs rightwards.
+    /// In the order of the file: from its right end, or from its left one where that runs rightwards.
     pub(super) pieces: Vec<Piece>,
 }
 
@@ -150,7 +150,7 @@ impl End {
     }
 }
 
-/// What a wall is of where nobody says it.
+/// The default wall.
 pub(super) const PLAIN: &str = "KSK";
 
 impl Draft {
@@ -184,7 +184,7 @@ impl Draft {
         self.lines.iter().map(step).collect()
     }
 
-    /// Plain wall as it stands in a wall, so many units of it.
+    /// Plain wall as it is in a wall, this many units of it.
     pub(super) fn plain(&self, line: usize, width: f64) -> Result<Vec<Piece>, Text> {
         let own = self.lines[line].base.and_then(|b| self.plain.get(b));
         let code = own.map_or(PLAIN, |c| c.as_str());
@@ -224,7 +224,7 @@ impl Draft {
         let spare = [What::Plain, What::Void];
         let all = [What::Plain, What::Void, What::Other];
         let mut left = self.take(line, at, by, &spare);
-        // The last round of a repetition is written out, so that its parts may go rather than what stands but once.
+        // The last round of a repetition is written out, so that its parts may go rather than what is but once.
         while left > SAME && self.unroll(line, at) {
             left = self.take(line, at, left, &all);
         }
@@ -253,7 +253,7 @@ impl Draft {
         true
     }
 
-    /// Takes so many units away at one end, of the first kind as long as there is some; answers what is left to take.
+    /// Takes this many units away at one end, of the first kind as long as there is some; answers what is left to take.
     fn take(&mut self, line: usize, end: End, by: f64, kinds: &[What]) -> f64 {
         let mut left = by;
         for &what in kinds {

@@ -1,4 +1,4 @@
-//! What a stroke means, in the building and in the text.
+//! The target of a stroke, in the building and in the source file.
 
 use super::{WallAt, refuse};
 use crate::building::{House, Ring, Storey};
@@ -39,7 +39,7 @@ pub(super) fn ring<'a>(
         .ok_or_else(refuse::no_such_place)
 }
 
-/// What a house or a storey is written as.
+/// The element or lines that a house or a storey is written as.
 pub(super) enum Written {
     /// A house of the legacy form: its lines.
     Lines(sections::House),

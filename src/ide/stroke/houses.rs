@@ -1,9 +1,9 @@
 //! Strokes that draw a house, and take one away.
 
+use super::change::tidy;
 use super::find::{self, Written};
 use super::outline::{self, Walk};
 use super::storeys::checked;
-use super::write::tidy;
 use super::xml::{gap_before, gone, plain};
 use super::{legacy, refuse};
 use crate::building::House;
@@ -12,8 +12,8 @@ use crate::geometry::{Heading, SHAKU};
 use crate::ide::format::Edit;
 use crate::ide::sections;
 use crate::ide::stroke::sheet::{Sheet, name};
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::Element;
+use crate::parse::syntax::Element;
+use crate::parse::syntax::LineKind;
 use glam::{DVec2, dvec2};
 
 /// The height of a first storey in shaku.
@@ -74,7 +74,7 @@ pub(super) fn draw(
     Ok(tidy(edits))
 }
 
-/// A house at the end of a legacy text.
+/// A house at the end of a legacy file.
 fn lines(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<Edit, Text> {
     let text = sheet.text;
     let end = legacy::line_end(text, 0);
@@ -111,7 +111,7 @@ fn lines(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<Edi
     })
 }
 
-/// A house behind the last one of an XML text.
+/// A house behind the last one of an XML file.
 fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<Vec<Edit>, Text> {
     let elements = &sheet.outline.elements;
     let roots: Vec<_> = elements.iter().filter(|e| e.parent.is_none()).collect();

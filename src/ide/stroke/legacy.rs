@@ -1,13 +1,13 @@
 //! A drawn ring in the legacy form: a line a wall, codes in columns, a letter or none at the end.
 
+use super::change::{Change, padded};
 use super::draft::Line;
 use super::refuse;
-use super::write::{Change, padded};
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::{self, Edit};
 use crate::ide::stroke::sheet::{Home, Sheet, What};
-use crate::parse::legacy::LineKind;
+use crate::parse::syntax::LineKind;
 use glam::DVec2;
 use std::ops::Range;
 
@@ -74,7 +74,7 @@ fn line_of(change: &Change<'_>, wall: usize) -> Range<usize> {
     }
 }
 
-/// A line with its end; the last one of a text with the end of that before it.
+/// A line with its end; the last one of a source file with the end of that before it.
 pub(super) fn whole_line(sheet: &Sheet<'_>, line: Range<usize>) -> Range<usize> {
     let text = sheet.text;
     let rest = &text[line.end..];
@@ -105,7 +105,7 @@ pub(super) fn line_end(text: &str, at: usize) -> &str {
     }
 }
 
-/// The codes of a line and its letter, as they stand.
+/// The codes of a line and its letter, as they are.
 fn core_range(change: &Change<'_>, wall: usize) -> Range<usize> {
     let Home::Line(line) = change.rows[wall].home else {
         return 0..0;
@@ -119,7 +119,7 @@ fn core_range(change: &Change<'_>, wall: usize) -> Range<usize> {
     line.range.start..end
 }
 
-/// The letter of a line as it stands.
+/// The letter of a line as it is.
 fn letter<'a>(change: &Change<'a>, wall: usize) -> &'a str {
     let Home::Line(line) = change.rows[wall].home else {
         return "";
@@ -139,7 +139,7 @@ fn leading(change: &Change<'_>) -> String {
     change.sheet.text[start..first.range.start].to_owned()
 }
 
-/// What a line shall end with.
+/// The required end of a line.
 fn ending(change: &Change<'_>, index: usize) -> String {
     let line = &change.draft.lines[index];
     let last = change.ring.walls.len() - 1;

@@ -1,9 +1,9 @@
 //! Outlines that are drawn: looked at, turned to their front, and written as walks.
 
+use super::change::padded;
 use super::legacy;
 use super::refuse;
 use super::walls::inside;
-use super::write::padded;
 use super::xml::plain;
 use crate::diagnostic::Text;
 use crate::geometry::{SAME, area2};
@@ -203,7 +203,7 @@ impl Walk {
         }
     }
 
-    /// Whether it goes round a court.
+    /// Whether it goes around a court.
     pub(super) fn hole_attribute(&self) -> &'static str {
         if self.hole { " hole=\"yes\"" } else { "" }
     }

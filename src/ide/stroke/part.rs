@@ -1,7 +1,8 @@
 //! Another part in the place of a unit.
 
+use super::change::{CELL, Change, tidy};
 use super::draft::{Draft, PLAIN, Piece, plain};
-use super::write::{CELL, Change, tidy};
+use super::write;
 use super::{UnitAt, WallAt, find, refuse};
 use crate::ast::CodeText;
 use crate::building::Wall;
@@ -64,7 +65,7 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
         rows: &rows,
         draft: &draft,
     };
-    Ok(tidy(change.edits()?))
+    Ok(tidy(write::edits(&change)?))
 }
 
 /// The place of a unit in the plan.
@@ -129,7 +130,7 @@ fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
     }
     let pictures = &sheet.a.checked.building.images;
     let named =
-        |e: &crate::parse::outline::Element| name(e) == "Texture" && e.value("code") == Some(code);
+        |e: &crate::parse::syntax::Element| name(e) == "Texture" && e.value("code") == Some(code);
     let picture =
         pictures.iter().any(|p| p.name == code) || sheet.outline.elements.iter().any(named);
     match picture {
@@ -204,7 +205,7 @@ fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result
     }
 }
 
-/// Takes so many units away behind or before a piece, as far as those are plain or go as a whole; answers what is left.
+/// Takes this many units away behind or before a piece, as far as those are plain or go as a whole; answers what is left.
 fn cover(
     pieces: &mut Vec<Piece>,
     index: usize,

@@ -102,7 +102,7 @@ pub(super) fn unknown_part(part: &str) -> Text {
     )
 }
 
-/// A name in a legacy text.
+/// A name in a legacy file.
 pub(super) fn long_name(part: &str) -> Text {
     text!(
         "`{part}` has no code of five columns, and this form knows no others: convert the text to XML first (`hsd fmt --to xml`)",
@@ -134,7 +134,7 @@ pub(super) fn odd_start() -> Text {
     )
 }
 
-/// A height that nobody builds.
+/// A height that no one builds.
 pub(super) fn odd_height() -> Text {
     text!(
         "a storey is between 0.1 and 1000 shaku high",
@@ -182,7 +182,7 @@ pub(super) fn comments() -> Text {
     )
 }
 
-/// Another form of the text.
+/// Another form of the file.
 pub(super) fn structure() -> Text {
     text!(
         "facades are not drawn this way: change the text instead",

@@ -1,8 +1,8 @@
-//! A text as a sheet to draw on: which cells the line of a wall is made of, and which of them a stroke may change.
+//! A source file as a sheet to draw on: which cells the line of a wall is made of, and which of them a stroke may change.
 //!
 //! A [`Cell`] is what can be changed for itself: a code, a `Part`, a `repeat` of one code. Everything else that makes
-//! parts is a block, which may be left, moved or taken away as a whole. Cells stand in the order of the text and do not
-//! touch what stands between them: comments, line breaks, blanks.
+//! parts is a block, which may be left, moved or taken away as a whole. Cells stand in the order of the file and do not
+//! touch what is between them: comments, line breaks, blanks.
 
 mod cells;
 mod reason;
@@ -11,8 +11,8 @@ pub(in crate::ide) use reason::Reason;
 
 use crate::building::{Ring, Wall};
 use crate::ide::Analysis;
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::{Element, Outline};
+use crate::parse::syntax::LineKind;
+use crate::parse::syntax::{Element, Outline};
 use crate::source::{FileId, Span};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -33,13 +33,13 @@ pub(in crate::ide) enum Form {
     Code,
     /// A `Part`.
     Part(usize),
-    /// A `repeat` of plain parts, so many times; where the number stands.
+    /// A `repeat` of plain parts, this many times; where the number stands.
     Run(Range<usize>, u32),
     /// Anything else.
     Block,
 }
 
-/// What a cell makes.
+/// The content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::ide) enum What {
     /// Nothing: the walk goes on.
@@ -55,7 +55,7 @@ pub(in crate::ide) enum What {
 /// A piece of the line of a wall.
 #[derive(Clone, Debug)]
 pub(in crate::ide) struct Cell {
-    /// Where it stands in the text.
+    /// Where it stands in the file.
     pub(in crate::ide) range: Range<usize>,
     /// How it is written.
     pub(in crate::ide) form: Form,
@@ -69,7 +69,7 @@ pub(in crate::ide) struct Cell {
     pub(in crate::ide) units: Range<usize>,
     /// Whether something else changes what is written.
     pub(in crate::ide) altered: bool,
-    /// What a `repeat` of several parts makes each time.
+    /// The parts of one round of a `repeat`.
     pub(in crate::ide) inner: Vec<Inner>,
 }
 
@@ -78,7 +78,7 @@ pub(in crate::ide) struct Cell {
 pub(in crate::ide) struct Inner {
     /// Its code.
     pub(in crate::ide) code: String,
-    /// What it is.
+    /// The kind.
     pub(in crate::ide) what: What,
     /// Its width in U.
     pub(in crate::ide) width: f64,
@@ -89,7 +89,7 @@ pub(in crate::ide) struct Inner {
 pub(in crate::ide) struct Row {
     /// Where it stands.
     pub(in crate::ide) home: Home,
-    /// What it is made of, in the order of the text.
+    /// The elements, in the order of the file.
     pub(in crate::ide) cells: Vec<Cell>,
     /// Whether that runs against the walk.
     pub(in crate::ide) rightwards: bool,
@@ -135,7 +135,7 @@ impl Row {
     }
 }
 
-/// A text to draw on.
+/// A source file to draw on.
 pub(in crate::ide) struct Sheet<'a> {
     pub(in crate::ide) a: &'a Analysis,
     pub(in crate::ide) text: &'a str,
@@ -145,7 +145,7 @@ pub(in crate::ide) struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// The sheet of a text.
+    /// The sheet of a source file.
     pub(in crate::ide) fn of(a: &'a Analysis) -> Sheet<'a> {
         let outline = a.outline();
         let mut owns = vec![false; outline.elements.len()];
@@ -319,7 +319,7 @@ impl<'a> Sheet<'a> {
         row.then_some(Home::Element(element))
     }
 
-    /// Whether it was said that a line is written wrongly. Characters of other widths are read as what they stand for.
+    /// Whether it was reported that a line is written wrongly. Characters of other widths are read as what they stand for.
     fn has_mistakes(&self, span: Span) -> bool {
         let all = &self.a.diagnostics;
         let key = |s: Span| (s.file, s.start);
@@ -332,7 +332,7 @@ impl<'a> Sheet<'a> {
             .any(|d| wrong(d.code.0))
     }
 
-    /// Why what stands in an element is no business of a stroke: what stands round it up to the storey or facade.
+    /// Why the content of an element is no business of a stroke: what is around it up to the storey or facade.
     pub(in crate::ide) fn around_fixed(&self, element: usize) -> Option<Reason> {
         let mut around = self.outline.around(element).skip(1);
         around.find_map(|e| match name(&self.outline.elements[e]) {

@@ -1,8 +1,9 @@
 //! Strokes that move walls: which rings they change, and which roofs follow.
 
+use super::change::{Change, tidy};
 use super::draft::Draft;
 use super::walls::{FARTHEST, outward};
-use super::write::{Change, tidy};
+use super::write;
 use super::{Storeys, WallAt, find, refuse, roofs};
 use crate::building::House;
 use crate::diagnostic::Text;
@@ -126,7 +127,7 @@ fn drawn(
             rows: &rows,
             draft: &draft,
         };
-        edits.extend(change.edits()?);
+        edits.extend(write::edits(&change)?);
         moved.push((*at, draft.corners()));
     }
     Ok((edits, moved))

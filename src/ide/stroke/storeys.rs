@@ -1,11 +1,11 @@
 //! Strokes that add and remove storeys and change their heights.
 
+use super::change::{padded, tidy};
 use super::draft::{Draft, PLAIN};
 use super::find::{self, Written};
 use super::legacy::whole_line;
 use super::outline::{self, Walk};
 use super::roofs::{self, like, words};
-use super::write::{padded, tidy};
 use super::xml::{gap_before, plain};
 use super::{legacy, refuse};
 use crate::ast::StoreyKind;
@@ -15,7 +15,7 @@ use crate::geometry::SHAKU;
 use crate::ide::format::Edit;
 use crate::ide::sections;
 use crate::ide::stroke::sheet::{Reason, Sheet, name};
-use crate::parse::legacy::LineKind;
+use crate::parse::syntax::LineKind;
 use crate::source::Span;
 use glam::DVec2;
 use std::ops::Range;
@@ -23,7 +23,7 @@ use std::ops::Range;
 /// Storey height in shaku where none is written.
 const HEIGHT: f64 = 9.0;
 
-/// What a storey may be high, shaku.
+/// Bounds on the height of a storey, shaku.
 pub(super) fn checked(height: f64) -> Result<f64, Text> {
     let fits = (0.1..=1000.0).contains(&height);
     fits.then_some(height).ok_or_else(refuse::odd_height)

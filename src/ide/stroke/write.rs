@@ -1,117 +1,35 @@
-//! What a drawn ring is in the text: the lines that stay are changed where they differ, others come and go.
+//! Writes a changed ring of walls, in the form of the source file.
 
-use super::draft::{Draft, Piece};
+use super::change::Change;
 use super::{legacy, refuse, xml};
-use crate::building::Ring;
 use crate::diagnostic::Text;
-use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::stroke::sheet::{Home, Row, Sheet};
-use glam::DVec2;
+use crate::ide::stroke::sheet::Home;
 
-/// The columns of a code.
-pub(super) const CELL: usize = 5;
-
-/// A ring, how it is written, and how it shall be.
-pub(super) struct Change<'a> {
-    pub(super) sheet: &'a Sheet<'a>,
-    pub(super) ring: &'a Ring,
-    pub(super) rows: &'a [Row],
-    pub(super) draft: &'a Draft,
-}
-
-impl Change<'_> {
-    /// The edits that make it so.
-    pub(super) fn edits(&self) -> Result<Vec<Edit>, Text> {
-        let touched = |wall: usize| self.draft.lines.iter().any(|l| l.base == Some(wall));
-        for (wall, row) in self.rows.iter().enumerate() {
-            let changes = !touched(wall) || self.differs(wall);
-            if let Some(reason) = row.fixed.filter(|_| changes) {
-                return Err(reason.text());
-            }
-        }
-        for (index, line) in self.draft.lines.iter().enumerate() {
-            let fixed = line.base.and_then(|b| self.rows[b].fixed);
-            if let Some(reason) = fixed.filter(|_| self.turn(index).is_some()) {
-                return Err(reason.text());
-            }
-        }
-        // Facades stand for all their floors.
-        let floors = self.rows.iter().any(|r| self.sheet.floor(r).is_some());
-        let bases = self.draft.lines.iter().map(|l| l.base);
-        if floors && !bases.eq((0..self.rows.len()).map(Some)) {
-            return Err(refuse::other_facades());
-        }
-        match self.rows.first().map(|r| r.home) {
-            Some(Home::Line(_)) => legacy::edits(self),
-            Some(Home::Element(_)) => xml::edits(self),
-            None => Err(refuse::no_such_place()),
+/// The edits that write a change: the lines that stay are changed where they differ, others come and go.
+pub(super) fn edits(change: &Change<'_>) -> Result<Vec<Edit>, Text> {
+    let touched = |wall: usize| change.draft.lines.iter().any(|l| l.base == Some(wall));
+    for (wall, row) in change.rows.iter().enumerate() {
+        let changes = !touched(wall) || change.differs(wall);
+        if let Some(reason) = row.fixed.filter(|_| changes) {
+            return Err(reason.text());
         }
     }
-
-    /// Whether the pieces of a line that stays are others than before.
-    pub(super) fn differs(&self, wall: usize) -> bool {
-        let line = self.draft.lines.iter().find(|l| l.base == Some(wall));
-        let Some(line) = line else { return true };
-        let row = &self.rows[wall];
-        let cells = row.cells.len() - row.leads();
-        let same = |(index, piece): (usize, &Piece)| {
-            let cell = &row.cells[row.leads() + index];
-            let width = (cell.width - piece.width).abs() < SAME;
-            piece.old == Some((wall, row.leads() + index)) && width
-        };
-        cells != line.pieces.len() || !line.pieces.iter().enumerate().all(same)
-    }
-
-    /// Whether the walk begins elsewhere.
-    pub(super) fn starts_anew(&self) -> bool {
-        let old = self.ring.walls.first().map_or(DVec2::ZERO, |w| w.from);
-        old.distance(self.draft.start) > SAME
-    }
-
-    /// The turn that a line needs at its end: `R` or `L`; none where it ends the walk, or stands as it was beside the
-    /// one that it stood beside.
-    pub(super) fn turn(&self, line: usize) -> Option<&'static str> {
-        let lines = &self.draft.lines;
-        let next = lines.get(line + 1)?;
-        let walls = &self.ring.walls;
-        let as_before = lines[line].base.is_some_and(|b| {
-            let was = walls.get(b + 1).map(|w| w.direction);
-            let own = walls[b].direction == lines[line].direction;
-            own && was == Some(next.direction)
-        });
-        let cross = lines[line].direction.perp_dot(next.direction);
-        (!as_before).then_some(if cross > 0.0 { "R" } else { "L" })
-    }
-
-    /// The text of a cell.
-    pub(super) fn slice(&self, cell: (usize, usize)) -> &str {
-        let range = &self.rows[cell.0].cells[cell.1].range;
-        self.sheet.text.get(range.clone()).unwrap_or_default()
-    }
-}
-
-/// A code filled up to its columns.
-pub(super) fn padded(code: &str) -> String {
-    let columns = |c: char| if c == '\u{3000}' { 2 } else { 1 };
-    let width: usize = code.chars().map(columns).sum();
-    let missing = width.next_multiple_of(CELL).max(CELL) - width;
-    format!("{code}{:missing$}", "")
-}
-
-/// Sorted, and those that touch made one.
-pub(super) fn tidy(mut edits: Vec<Edit>) -> Vec<Edit> {
-    edits.retain(|e| !e.range.is_empty() || !e.text.is_empty());
-    edits.sort_by_key(|e| (e.range.start, e.range.end));
-    let mut tidy: Vec<Edit> = Vec::with_capacity(edits.len());
-    for edit in edits {
-        match tidy.last_mut() {
-            Some(last) if edit.range.start <= last.range.end => {
-                last.range.end = last.range.end.max(edit.range.end);
-                last.text += &edit.text;
-            }
-            _ => tidy.push(edit),
+    for (index, line) in change.draft.lines.iter().enumerate() {
+        let fixed = line.base.and_then(|b| change.rows[b].fixed);
+        if let Some(reason) = fixed.filter(|_| change.turn(index).is_some()) {
+            return Err(reason.text());
         }
     }
-    tidy
+    // Facades stand for all their floors.
+    let floors = change.rows.iter().any(|r| change.sheet.floor(r).is_some());
+    let bases = change.draft.lines.iter().map(|l| l.base);
+    if floors && !bases.eq((0..change.rows.len()).map(Some)) {
+        return Err(refuse::other_facades());
+    }
+    match change.rows.first().map(|r| r.home) {
+        Some(Home::Line(_)) => legacy::edits(change),
+        Some(Home::Element(_)) => xml::edits(change),
+        None => Err(refuse::no_such_place()),
+    }
 }

@@ -1,14 +1,14 @@
 //! A drawn ring in the XML form: rows whose codes, parts and repetitions stay where they are, with whatever stands
 //! between them.
 
+use super::change::{CELL, Change, padded};
 use super::draft::Piece;
 use super::refuse;
-use super::write::{CELL, Change, padded};
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
 use crate::ide::stroke::sheet::{Cell, Form, Home, Reason, Sheet, What, name};
-use crate::parse::outline::Element;
+use crate::parse::syntax::Element;
 use std::ops::Range;
 
 /// The edits of the rows of a ring.
@@ -234,7 +234,7 @@ fn recount(cell: &Cell, piece: &Piece, edits: &mut Vec<Edit>) {
     }
 }
 
-/// What goes and what comes between two cells that stay.
+/// The removed and the new text between two cells that stay.
 fn gap(
     change: &Change<'_>,
     wall: usize,
@@ -275,7 +275,7 @@ fn gap(
     }
 }
 
-/// The code of a `Part` for another one, where nothing else was said of the part.
+/// The code of a `Part` for another one, where nothing else was reported of the part.
 fn recoded(sheet: &Sheet<'_>, element: usize, piece: &Piece) -> Option<Edit> {
     let own = &sheet.outline.elements[element];
     let said = own.attribute("width").is_some() || own.attribute("height").is_some();
@@ -416,7 +416,7 @@ fn fill(text: String) -> String {
     text[..code].to_owned() + &filled
 }
 
-/// A copy of a text, without the comments, which stay where they are.
+/// A copy of a source file, without the comments, which stay where they are.
 fn uncommented(text: &str) -> String {
     let mut copy = String::new();
     let mut rest = text;

@@ -1,7 +1,7 @@
 //! Words of expressions.
 
 use super::{List, TokenKind};
-use crate::parse::outline::Expression;
+use crate::parse::syntax::Expression;
 
 /// Words that name nothing of the author's.
 const WORDS: [&str; 8] = ["and", "or", "not", "true", "false", "yes", "no", "k"];

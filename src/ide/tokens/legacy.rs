@@ -1,8 +1,8 @@
 //! Words of the legacy form.
 
 use super::{List, TokenKind};
-use crate::parse::legacy::LineKind;
-use crate::parse::outline::{Line, Outline};
+use crate::parse::syntax::LineKind;
+use crate::parse::syntax::{Line, Outline};
 use std::ops::Range;
 
 /// The words of all lines.

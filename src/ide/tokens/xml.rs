@@ -2,8 +2,8 @@
 
 use super::{List, Modifiers, TokenKind, braces};
 use crate::ide::names::{CodeForm, codes_of_element};
-use crate::parse::outline::{Attribute, Element, Outline};
-use crate::parse::xml::schema::Kind;
+use crate::parse::schema::Kind;
+use crate::parse::syntax::{Attribute, Element, Outline};
 use std::ops::Range;
 
 /// The words of all elements.
@@ -59,7 +59,9 @@ fn name(element: &Element, attribute: &Attribute, list: &mut List<'_>) {
         _ => {
             let foreign = list.text[range.clone()].contains(':');
             let modifiers = Modifiers {
-                unknown: element.schema.is_some() && attribute.bears.is_none() && !foreign,
+                unknown: element.schema.is_some()
+                    && attribute.attribute_schema.is_none()
+                    && !foreign,
                 ..Modifiers::default()
             };
             list.put(range, TokenKind::Attribute, modifiers);
@@ -93,7 +95,7 @@ fn value(
             (CodeForm::Part | CodeForm::Picture, _) => list.declare(range.clone(), TokenKind::Code),
             (CodeForm::Perhaps, None) => plain(element, attribute, range.clone(), list),
             (CodeForm::Columns, _) => continue,
-            // Longer names may be those of pictures, which nobody lists.
+            // Longer names may be those of pictures, which no one lists.
             (_, None) if range.len() != 5 => list.add(range.clone(), TokenKind::Code),
             _ => list.code(range),
         }
@@ -122,7 +124,7 @@ fn plain(element: &Element, attribute: &Attribute, range: Range<usize>, list: &m
         .split([' ', ','])
         .filter(|w| !w.is_empty())
         .peekable();
-    let kind = match attribute.bears.map(|b| b.kind) {
+    let kind = match attribute.attribute_schema.map(|b| b.kind) {
         Some(Kind::Choice(_) | Kind::Choices(_) | Kind::YesNo) => TokenKind::Keyword,
         Some(Kind::Either(..)) if !number(written) => TokenKind::Keyword,
         Some(Kind::Positions) => TokenKind::Number,

@@ -1,4 +1,4 @@
-//! What an expression comes to. `and` and `or` leave out what can no longer matter, so that a test may guard a
+//! The value of an expression. `and` and `or` leave out what can no longer matter, so that a test may guard a
 //! division.
 
 use super::{Expr, Kind, Operator};
@@ -6,7 +6,7 @@ use crate::ast::Value;
 use crate::diagnostic::{Noun, noun};
 use std::ops::Range;
 
-/// Longer texts are nobody's code or name; without a bound a few lines could fill the memory.
+/// Longer texts are no one's code or name; without a bound a few lines could fill the memory.
 const LONGEST: usize = 4096;
 
 /// Why an expression has no value, and the part of it that is to blame.
@@ -44,7 +44,7 @@ pub(in crate::parse) enum Problem {
     Reported,
 }
 
-/// What a name stands for.
+/// The value of a name.
 pub(in crate::parse) type Names<'n> = &'n dyn Fn(&str) -> Result<Value, Problem>;
 
 const NUMBER: Noun = noun("a number", "数値");

@@ -15,7 +15,7 @@ use std::ops::Range;
 /// A void that can be seen.
 const POINTS: &str = ".....";
 
-/// A code, or a void, and where it stands in the text of its line.
+/// A code, or a void, and where it is in the text of its line.
 struct Cell<'l> {
     text: &'l str,
     range: Range<usize>,
@@ -26,9 +26,9 @@ pub(super) fn pieces(
     line: &Line<'_>,
     mut range: Range<usize>,
     turned: bool,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) -> Vec<Item<Piece>> {
-    range.start += leading_shift(line, range.clone(), faults);
+    range.start += leading_shift(line, range.clone(), reporter);
     let text = &line.text[range.clone()];
     let mut pieces = Vec::with_capacity(text.len() / CELL + 1);
     let (mut rest, mut at, mut odd, mut doubtful) = (text, range.start, false, false);
@@ -36,7 +36,7 @@ pub(super) fn pieces(
     while let Ok((next, cell)) = if ascii { five_bytes(rest) } else { five(rest) } {
         odd |= !regular(cell);
         doubtful |= !plain(cell);
-        pieces.push(piece(line, at..at + cell.len(), cell, faults));
+        pieces.push(piece(line, at..at + cell.len(), cell, reporter));
         (rest, at) = (next, at + cell.len());
     }
     // A last code cut short begins like any other.
@@ -46,15 +46,15 @@ pub(super) fn pieces(
     if odd || doubtful {
         let words = in_step(text, range.start);
         if let Some(cells) = words.filter(|c| odd || c.iter().all(|c| plain(c.text))) {
-            return fixed(line, range, &cells, turned, faults);
+            return fixed(line, range, &cells, turned, reporter);
         }
     }
     if odd {
-        point_voids(line, range.clone(), &mut pieces, faults);
+        point_voids(line, range.clone(), &mut pieces, reporter);
     }
-    remainder(line, at..range.end, rest, &mut pieces, faults);
+    remainder(line, at..range.end, rest, &mut pieces, reporter);
     if !turned && text.ends_with("     ") {
-        trailing_voids(line, text, range.start, faults);
+        trailing_voids(line, text, range.start, reporter);
     }
     pieces
 }
@@ -98,7 +98,7 @@ fn regular(cell: &str) -> bool {
 }
 
 /// Whether a cell looks like a code of the catalogue through and through: three capitals, then letters,
-/// and a width. Own parts need not, so a cell that does not is doubtful only.
+/// and a width. Custom parts need not, so a cell that does not is doubtful only.
 fn plain(cell: &str) -> bool {
     match *cell.as_bytes() {
         [] | [b' ' | b'.', ..] => true,
@@ -112,8 +112,8 @@ fn plain(cell: &str) -> bool {
     }
 }
 
-fn piece(line: &Line<'_>, range: Range<usize>, text: &str, faults: &Reporter<'_>) -> Item<Piece> {
-    let span = line.span(faults.source, range);
+fn piece(line: &Line<'_>, range: Range<usize>, text: &str, reporter: &Reporter<'_>) -> Item<Piece> {
+    let span = line.span(reporter.source, range);
     if !text.is_ascii() {
         return Item::One(Piece::Error(span));
     }
@@ -125,15 +125,15 @@ fn piece(line: &Line<'_>, range: Range<usize>, text: &str, faults: &Reporter<'_>
 }
 
 /// Blanks before the first code that are no whole voids shift every code of the line.
-fn leading_shift(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>) -> usize {
+fn leading_shift(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> usize {
     let text = &line.text[range.clone()];
     let lead = text.len() - text.trim_start_matches(' ').len();
     let shift = lead % CELL;
     if shift == 0 || lead == text.len() {
         return 0;
     }
-    let span = line.span(faults.source, range.start..range.start + lead);
-    faults.say(say::shifted(span, lead, lead - shift));
+    let span = line.span(reporter.source, range.start..range.start + lead);
+    reporter.say(say::shifted(span, lead, lead - shift));
     shift
 }
 
@@ -143,23 +143,23 @@ fn remainder(
     range: Range<usize>,
     rest: &str,
     pieces: &mut Vec<Item<Piece>>,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) {
     let trimmed = rest.trim_end_matches(' ');
     let range = range.start..range.start + trimmed.len();
     if trimmed.is_empty() {
         return;
     }
-    let span = line.span(faults.source, range.clone());
+    let span = line.span(reporter.source, range.clone());
     if trimmed.bytes().all(|b| b == b'.' || b == b' ') {
-        faults.say(say::few_points(span, trimmed));
-        pieces.push(piece(line, range, POINTS, faults));
+        reporter.say(say::few_points(span, trimmed));
+        pieces.push(piece(line, range, POINTS, reporter));
     } else if columns(rest) == 1 {
         if trimmed.is_ascii() {
-            faults.say(say::one_over(span, trimmed));
+            reporter.say(say::one_over(span, trimmed));
         }
     } else {
-        pieces.push(piece(line, range, trimmed, faults));
+        pieces.push(piece(line, range, trimmed, reporter));
     }
 }
 
@@ -168,7 +168,7 @@ fn point_voids(
     line: &Line<'_>,
     range: Range<usize>,
     pieces: &mut [Item<Piece>],
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) {
     let (mut rest, mut at) = (&line.text[range.clone()], range.start);
     for slot in pieces {
@@ -176,25 +176,25 @@ fn point_voids(
         let range = at..at + cell.len();
         let points = cell.bytes().all(|b| b == b'.' || b == b' ') && cell.contains('.');
         if points && cell != POINTS {
-            faults.say(say::few_points(
-                line.span(faults.source, range.clone()),
+            reporter.say(say::few_points(
+                line.span(reporter.source, range.clone()),
                 cell,
             ));
-            *slot = piece(line, range, POINTS, faults);
+            *slot = piece(line, range, POINTS, reporter);
         }
         (rest, at) = (next, at + cell.len());
     }
 }
 
 /// Voids at a line end that an editor may trim away (docs/evidence.md 2.6, A4).
-fn trailing_voids(line: &Line<'_>, text: &str, at: usize, faults: &mut Reporter<'_>) {
+fn trailing_voids(line: &Line<'_>, text: &str, at: usize, reporter: &mut Reporter<'_>) {
     let written = text.trim_end_matches(' ');
     let missing = (CELL - columns(written) % CELL) % CELL;
     let start = written.len() + missing;
     let count = text.len().saturating_sub(start) / CELL;
     if count > 0 {
-        let span = line.span(faults.source, at + start..at + start + count * CELL);
-        faults.say(say::trailing_void(span, count));
+        let span = line.span(reporter.source, at + start..at + start + count * CELL);
+        reporter.say(say::trailing_void(span, count));
     }
 }
 
@@ -263,7 +263,7 @@ fn fixed(
     range: Range<usize>,
     cells: &[Cell<'_>],
     turned: bool,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) -> Vec<Item<Piece>> {
     let text = &line.text[range.clone()];
     // The slip is where a code first stands off its column.
@@ -273,22 +273,22 @@ fn fixed(
         .find(off)
         .map_or(range.start, |c| c.range.start);
     let end = range.start + text.trim_end_matches(' ').len();
-    let span = line.span(faults.source, slip..end);
+    let span = line.span(reporter.source, slip..end);
     let meant: String = cells.iter().map(|c| format!("{:5}", c.text)).collect();
-    // A turn that stands right keeps its place behind the five columns of the last code.
+    // A turn that stands right keeps its place after the five columns of the last code.
     let (last, whole) = if turned && text.len().is_multiple_of(CELL) {
         (range.end, &*meant)
     } else {
         (end, meant.trim_end())
     };
-    let all = line.span(faults.source, range.start..last);
+    let all = line.span(reporter.source, range.start..last);
     let column = slip - range.start + 1;
-    faults.say(say::out_of_step(
+    reporter.say(say::out_of_step(
         span,
         column,
         meant.trim_end(),
         (all, whole),
     ));
-    let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, faults);
+    let part = |c: &Cell<'_>| piece(line, c.range.clone(), c.text, reporter);
     cells.iter().map(part).collect()
 }

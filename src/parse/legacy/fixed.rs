@@ -1,4 +1,4 @@
-//! What is said of characters that were mended in a line: how much of it depends on what the line is.
+//! Messages about characters that were fixed in a line; which of them are reported depends on the kind of the line.
 
 use super::line::{Line, Odd, after_name};
 use crate::catalog::PartDef;
@@ -9,7 +9,7 @@ use crate::source::Span;
 use std::ops::Range;
 
 impl Reporter<'_> {
-    /// Reports what was mended in a wall line up to `end`, an offset in `raw` where a comment may begin:
+    /// Reports what was fixed in a wall line up to `end`, an offset in `raw` where a comment may begin:
     /// every character before it stands for a column.
     pub(super) fn fixed_walls(&mut self, line: &Line<'_>, end: usize) {
         for (i, finding) in line.findings.iter().enumerate() {
@@ -19,7 +19,7 @@ impl Reporter<'_> {
         }
     }
 
-    /// Reports what was mended in a line of fields: any white space is as good as a blank there, and a
+    /// Reports what was fixed in a line of fields: any white space is as good as a blank there, and a
     /// word that is still wrong is reported as a word.
     pub(super) fn fixed_fields(&mut self, line: &Line<'_>) {
         for (i, finding) in line.findings.iter().enumerate() {
@@ -29,7 +29,7 @@ impl Reporter<'_> {
         }
     }
 
-    /// Reports what was mended in a line whose text from `free` on, an offset in `raw`, is the author's.
+    /// Reports what was fixed in a line whose text from `free` on, an offset in `raw`, is the author's.
     pub(super) fn fixed_before(&mut self, line: &Line<'_>, free: usize) {
         for (i, finding) in line.findings.iter().enumerate() {
             let own = finding.range.start >= free;
@@ -74,7 +74,7 @@ impl Reporter<'_> {
     }
 }
 
-/// A finding and the wide blanks right behind it: among wide letters they are as wide as these.
+/// A finding and the wide blanks right after it: among wide letters they are as wide as these.
 fn wide_run(line: &Line<'_>, number: usize) -> Range<usize> {
     let range = line.findings[number].range.clone();
     let next = line.findings.get(number + 1);

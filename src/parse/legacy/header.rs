@@ -16,7 +16,7 @@ const KEYS: [&str; 8] = [
 /// Height of a storey whose own cannot be read, shaku (docs/contract.md 1).
 const HEIGHT: f64 = 9.0;
 
-/// Least heights of a ground storey and of an upper one, shaku. Nobody stands upright below them, but a
+/// Least heights of a ground storey and of an upper one, shaku. No one stands upright below them, but a
 /// tsushi-nikai may be 5 shaku high.
 const LOW: (f64, f64) = (5.0, 4.0);
 
@@ -59,7 +59,7 @@ const AGE: Range64 = Range64 {
     unit: noun("years", "年"),
 };
 
-/// What has been read of a header.
+/// The header so far.
 #[derive(Default)]
 pub(super) struct Header {
     place: Option<Span>,
@@ -93,39 +93,39 @@ impl Header {
     }
 
     /// Reads a line of the header into the house.
-    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Reporter<'_>) {
+    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, reporter: &mut Reporter<'_>) {
         let first = plain_words(&line.text).next().unwrap_or_default();
         if !numeric(first) {
-            return self.key(line, house, faults);
+            return self.key(line, house, reporter);
         }
-        faults.fixed_fields(line);
-        let words = words(line, faults);
-        let span = all(&words, faults.source);
+        reporter.fixed_fields(line);
+        let words = words(line, reporter);
+        let span = all(&words, reporter.source);
         match (self.place, self.heights) {
             (None, _) => {
                 self.place = Some(span);
-                place(&words, house, faults);
+                place(&words, house, reporter);
             }
             (_, None) => {
                 self.heights = Some(span);
                 for word in &words {
-                    let height = within(word.text, word.span, &STOREY, faults);
+                    let height = within(word.text, word.span, &STOREY, reporter);
                     // A height that cannot be read must not move the ones after it.
                     let kept = height.unwrap_or(Spanned::new(HEIGHT, word.span));
                     house.heights.push(kept);
                 }
             }
             (_, Some(heights)) => {
-                let more = format!(" {}", faults.written(span));
-                let line = faults.line_of(span);
-                faults.say(say::third_numbers(span, heights, line, more));
+                let more = format!(" {}", reporter.written(span));
+                let line = reporter.line_of(span);
+                reporter.say(say::third_numbers(span, heights, line, more));
             }
         }
     }
 
     /// Looks at the heights once the number of storeys is known: those left out, and those that seem to be
     /// given in another unit.
-    pub(super) fn judge(&self, house: &House, storeys: usize, faults: &mut Reporter<'_>) {
+    pub(super) fn judge(&self, house: &House, storeys: usize, reporter: &mut Reporter<'_>) {
         let heights = &house.heights;
         // Missing heights are the default by contract; numbers that look like heights are worth a word.
         let numbers = [&house.settings.x, &house.settings.y];
@@ -137,32 +137,32 @@ impl Header {
             && like_heights
             && storeys > 0
         {
-            let end = faults.line_end_text();
-            faults.say(say::no_heights(place, end));
+            let end = reporter.line_end_text();
+            reporter.say(say::no_heights(place, end));
         }
         for (storey, height) in heights.iter().enumerate().take(storeys) {
             let least = if storey == 0 { LOW.0 } else { LOW.1 };
             if height.value < least || height.value > HIGH {
-                faults.say(say::odd_height(height.span, height.value));
+                reporter.say(say::odd_height(height.span, height.value));
             }
         }
     }
 
-    fn key(&mut self, line: &Line<'_>, house: &mut House, faults: &mut Reporter<'_>) {
+    fn key(&mut self, line: &Line<'_>, house: &mut House, reporter: &mut Reporter<'_>) {
         let text = &*line.text;
         let start = text.len() - text.trim_start().len();
         let first = plain_words(text).next().unwrap_or_default();
         let (key, len) = key_of(first).unwrap_or(("", first.len()));
-        let span = line.span(faults.source, start..start + len);
+        let span = line.span(reporter.source, start..start + len);
         let free = line.written(start + len);
         if key == "name" {
-            faults.fixed_before(line, free);
+            reporter.fixed_before(line, free);
         } else {
-            faults.fixed_fields(line);
+            reporter.fixed_fields(line);
         }
         if first != key {
-            faults.say(say::unknown_key(
-                line.span(faults.source, start..start + first.len()),
+            reporter.say(say::unknown_key(
+                line.span(reporter.source, start..start + first.len()),
                 first,
                 nearest(key_word(first), &KEYS),
                 first.strip_prefix(key_word(first)).unwrap_or_default(),
@@ -173,15 +173,15 @@ impl Header {
             return;
         }
         if let Some((_, before)) = self.keys.iter().find(|(k, _)| *k == key) {
-            let (first, second) = (faults.line_of(*before), faults.line_of(span));
-            faults.say(say::twice(span, key, *before, [Some(first), Some(second)]));
+            let (first, second) = (reporter.line_of(*before), reporter.line_of(span));
+            reporter.say(say::twice(span, key, *before, [Some(first), Some(second)]));
         }
         self.keys.push((key, span));
         if key == "name" {
-            name(line, free, span, house, faults);
+            name(line, free, span, house, reporter);
         } else {
-            let words = words(line, faults);
-            setting(key, span, value(&words), house, faults);
+            let words = words(line, reporter);
+            setting(key, span, value(&words), house, reporter);
         }
     }
 }
@@ -218,32 +218,32 @@ fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
         .collect()
 }
 
-fn place(words: &[Word<'_>], house: &mut House, faults: &mut Reporter<'_>) {
+fn place(words: &[Word<'_>], house: &mut House, reporter: &mut Reporter<'_>) {
     let settings = &mut house.settings;
     let slots = [&mut settings.x, &mut settings.y, &mut settings.azimuth];
     for ((word, range), slot) in words.iter().zip(&PLACE).zip(slots) {
-        *slot = within(word.text, word.span, range, faults);
+        *slot = within(word.text, word.span, range, reporter);
     }
     if let [only] = words {
-        faults.say(say::missing_number(only.span.after(), "y"));
+        reporter.say(say::missing_number(only.span.after(), "y"));
     }
     if let Some(surplus) = words.get(PLACE.len()..).filter(|w| !w.is_empty()) {
-        let span = all(surplus, faults.source);
-        let place = faults.with_blanks(span);
-        faults.say(say::surplus(span, place, PLACE[2].what));
+        let span = all(surplus, reporter.source);
+        let place = reporter.with_blanks(span);
+        reporter.say(say::surplus(span, place, PLACE[2].what));
     }
 }
 
 /// The rest of the line as written, since a name may hold any character.
-fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, faults: &mut Reporter<'_>) {
+fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, reporter: &mut Reporter<'_>) {
     let rest = line.raw[free..].trim_start_matches(['=', ':']);
     let text = rest.trim();
     if text.is_empty() {
-        let line = faults.line_of(key);
-        return faults.say(say::missing_value(key, line, "name"));
+        let line = reporter.line_of(key);
+        return reporter.say(say::missing_value(key, line, "name"));
     }
     let start = line.at + line.raw.len() - rest.trim_start().len();
-    let span = faults.source.span(start..start + text.len());
+    let span = reporter.source.span(start..start + text.len());
     house.name = Some(Spanned::new(text.to_owned(), span));
 }
 
@@ -252,29 +252,29 @@ fn setting(
     at: Span,
     value: Vec<(&str, Span)>,
     house: &mut House,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) {
     let Some(&(text, span)) = value.first() else {
-        let line = faults.line_of(at);
-        return faults.say(say::missing_value(at, line, key));
+        let line = reporter.line_of(at);
+        return reporter.say(say::missing_value(at, line, key));
     };
     if let [_, second, ..] = value[..] {
         let last = value.last().map_or(second.1, |v| v.1);
         let span = second.1.to(last);
-        let place = faults.with_blanks(span);
-        faults.say(say::surplus(span, place, key));
+        let place = reporter.with_blanks(span);
+        reporter.say(say::surplus(span, place, key));
     }
     let (settings, roofs) = (&mut house.settings, &mut house.roofs);
     match key {
-        "unit" => settings.unit = within(text, span, &UNIT, faults),
-        "seed" => settings.seed = seed(text, span, faults),
-        "street" => settings.street = choice(key, text, span, &STREET, faults),
-        "age" => settings.age = within(text, span, &AGE, faults),
+        "unit" => settings.unit = within(text, span, &UNIT, reporter),
+        "seed" => settings.seed = seed(text, span, reporter),
+        "street" => settings.street = choice(key, text, span, &STREET, reporter),
+        "age" => settings.age = within(text, span, &AGE, reporter),
         "era" => {
-            settings.era = choice(key, text, span, &Era::WORDS, faults);
+            settings.era = choice(key, text, span, &Era::WORDS, reporter);
         }
-        "roofs" => roofs.mode = choice(key, text, span, &MODES, faults),
-        _ => roofs.method = choice(key, text, span, &RoofMethod::ALL, faults),
+        "roofs" => roofs.mode = choice(key, text, span, &MODES, reporter),
+        _ => roofs.method = choice(key, text, span, &RoofMethod::ALL, reporter),
     }
 }
 
@@ -286,23 +286,23 @@ fn choice<T: Copy>(
     text: &str,
     span: Span,
     choices: &[(&'static str, T)],
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) -> Option<Spanned<T>> {
     let find = |word: &str| choices.iter().find(|(w, _)| *w == word).map(|(_, v)| *v);
     let words: Vec<&str> = choices.iter().map(|(w, _)| *w).collect();
     let value = find(text).or_else(|| {
         let near = nearest(text, &words);
-        let place = faults.tail(span, text);
-        faults.say(say::bad_choice(span, place, key, text, near, &words));
+        let place = reporter.tail(span, text);
+        reporter.say(say::bad_choice(span, place, key, text, near, &words));
         near.and_then(find)
     })?;
     Some(Spanned::new(value, span))
 }
 
-fn seed(text: &str, span: Span, faults: &mut Reporter<'_>) -> Option<Spanned<u64>> {
+fn seed(text: &str, span: Span, reporter: &mut Reporter<'_>) -> Option<Spanned<u64>> {
     let value = text.parse().ok().filter(|_| !text.starts_with('+'));
     if value.is_none() {
-        faults.say(match number(text) {
+        reporter.say(match number(text) {
             Some(_) => say::bad_seed(span, text),
             None => say::not_a_number(span, text, noun("the seed", "乱数の種"), None),
         });

@@ -1,6 +1,6 @@
-//! Lines of a text, and what stands in for characters that have no place in one.
+//! Lines of a source file, and the replacements of characters that have no place in one.
 //!
-//! Almost every line is printable ASCII and is borrowed as it stands. The others are mended: full-width
+//! Almost every line is printable ASCII and is borrowed as it is. The others are fixed: full-width
 //! blanks and tabs become blanks, full-width letters become plain ones, so that the rest of the reader
 //! sees what the author meant. A map leads back, so spans always cover what is written.
 
@@ -12,7 +12,7 @@ use std::ops::Range;
 /// Columns of one code.
 pub(super) const CELL: usize = 5;
 
-/// A line without its line end, mended.
+/// A line without its line end, fixed.
 pub(super) struct Line<'a> {
     /// As written.
     pub(super) raw: &'a str,
@@ -22,13 +22,13 @@ pub(super) struct Line<'a> {
     pub(super) text: Cow<'a, str>,
     /// Offset in `raw` of each byte of `text` and of its end; empty where both are the same.
     map: Vec<u32>,
-    /// What was mended.
+    /// The fixed characters.
     pub(super) findings: Vec<Finding>,
 }
 
-/// A run of characters that were mended, or could not be.
+/// A run of characters that were fixed, or could not be.
 pub(super) struct Finding {
-    /// What kind of characters.
+    /// The kind of characters.
     pub(super) kind: Odd,
     /// Where, in `raw`.
     pub(super) range: Range<usize>,
@@ -136,7 +136,7 @@ impl<'a> Line<'a> {
                 Some(Odd::Invisible) => {}
                 Some(Odd::Replacement | Odd::Foreign | Odd::PartName) | None => text.push(c),
             }
-            // A blank typed among full-width letters stands in one of their columns.
+            // A blank typed among full-width letters is in one of their columns.
             wide_run = matches!(kind, Some(Odd::Wide)) || wide_run && c == '\u{3000}';
             column += text[before..].chars().count();
             self.map.extend((before..text.len()).map(|_| at as u32));
@@ -157,7 +157,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The code of the part whose name stands here as a word, and where the name ends.
+/// The code of the part whose name is here as a word, and where the name ends.
 fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
     let foreign = |c: char| odd(c) == Some(Odd::Foreign);
     if raw[..at].ends_with(foreign) {
@@ -198,7 +198,7 @@ fn narrow(c: char) -> char {
 /// Carriage returns before a line feed that make one line end with it. A file may be a megabyte of them.
 const RETURNS: usize = 8;
 
-/// The ranges of the lines of a text and of their line ends: LF, CR LF (with several CR), or CR.
+/// The ranges of the lines of a source file and of their line ends: LF, CR LF (with several CR), or CR.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
     let bytes = text.as_bytes();
     let mut at = 0;

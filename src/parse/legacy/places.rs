@@ -1,4 +1,4 @@
-//! Places round a place, for mends: a whole line, a word with the blanks before it, the digits of a glued word.
+//! Places around a place, for fixes: a whole line, a word with the blanks before it, the digits of a glued word.
 
 use super::line::after_line_end;
 use crate::parse::reporter::Reporter;
@@ -8,7 +8,7 @@ use crate::source::Span;
 const ENDS: [char; 2] = ['\n', '\r'];
 
 impl Reporter<'_> {
-    /// What is written in a place.
+    /// The text at a place.
     pub(super) fn written(&self, span: Span) -> &str {
         &self.source.text()[self.source.text_range(span)]
     }
@@ -23,7 +23,7 @@ impl Reporter<'_> {
             .span(start..after_line_end(text.as_bytes(), end))
     }
 
-    /// The place, or its whole line if nothing else stands there: a line left blank could end a section.
+    /// The place, or its whole line if nothing else is there: a line left blank could end a section.
     pub(super) fn or_line(&self, span: Span) -> Span {
         let (text, range) = (self.source.text(), self.source.text_range(span));
         let before = text[..range.start].trim_end_matches(' ');
@@ -40,7 +40,7 @@ impl Reporter<'_> {
         self.source.span(before.len()..range.end)
     }
 
-    /// Where a text is written that ends a place; nothing where it is written in other letters.
+    /// The range of a text that ends a place; nothing where it is written in other letters.
     pub(super) fn tail(&self, span: Span, text: &str) -> Option<Span> {
         let range = self.source.text_range(span);
         let fits = self.source.text()[range.clone()].ends_with(text);

@@ -71,7 +71,7 @@ pub(super) const OPTIONS: [(char, Range64); 8] = [
     ),
 ];
 
-/// What authors call the shapes who write them out.
+/// Long names of shapes.
 pub(super) const SHAPE_NAMES: [(&str, &[&str]); 11] = [
     ("KIR", &["切妻", "切妻造", "切妻屋根", "kirizuma", "gable"]),
     ("YOS", &["寄棟", "寄棟造", "寄棟屋根", "yosemune", "hip"]),

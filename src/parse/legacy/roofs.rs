@@ -43,15 +43,15 @@ pub(super) fn looks_like_roof(text: &str) -> bool {
 }
 
 /// Reads one line; without its corners a roof has no place and is left out.
-pub(super) fn read(line: &Line<'_>, faults: &mut Reporter<'_>) -> Option<RoofLine> {
-    faults.fixed_fields(line);
-    let words = words(line, faults);
+pub(super) fn read(line: &Line<'_>, reporter: &mut Reporter<'_>) -> Option<RoofLine> {
+    reporter.fixed_fields(line);
+    let words = words(line, reporter);
     let mut fields = Fields {
         rest: &words,
-        end: line.whole(faults.source).after(),
+        end: line.whole(reporter.source).after(),
         lower: None,
         strange: false,
-        faults,
+        reporter,
     };
     let mut style = RoofStyle::default();
     let (kind, direction) = fields.kind_and_direction();
@@ -61,15 +61,15 @@ pub(super) fn read(line: &Line<'_>, faults: &mut Reporter<'_>) -> Option<RoofLin
     let corners = fields.corners();
     fields.options(&mut style);
     if let Some(lower) = fields.lower {
-        let capitals = fields.faults.written(lower).to_ascii_uppercase();
-        fields.faults.say(say::lower_roof(lower, &capitals));
+        let capitals = fields.reporter.written(lower).to_ascii_uppercase();
+        fields.reporter.say(say::lower_roof(lower, &capitals));
     }
     // A roof of another shape than its author meant would only bring on more messages.
     let strange = fields.strange;
-    let direction = fitting(direction, style.shape, faults);
+    let direction = fitting(direction, style.shape, reporter);
     let corners = corners.filter(|_| !strange)?;
     Some(RoofLine {
-        span: line.whole(faults.source),
+        span: line.whole(reporter.source),
         style,
         direction,
         height,
@@ -85,7 +85,7 @@ struct Fields<'w, 't, 's> {
     lower: Option<Span>,
     /// Whether the shape is none that exists.
     strange: bool,
-    faults: &'t mut Reporter<'s>,
+    reporter: &'t mut Reporter<'s>,
 }
 
 impl<'w> Fields<'w, '_, '_> {
@@ -113,7 +113,8 @@ impl<'w> Fields<'w, '_, '_> {
             Some(_) => "* ",
             None => " *",
         };
-        self.faults.say(say::missing_field(self.gap(), what, star));
+        self.reporter
+            .say(say::missing_field(self.gap(), what, star));
     }
 
     /// The word in capitals; lower case is noted.
@@ -137,18 +138,18 @@ impl<'w> Fields<'w, '_, '_> {
         match second {
             None if kind.is_none() && first != '*' => {
                 let near = named(word.text, &KIND_NAMES);
-                self.faults
+                self.reporter
                     .say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
             }
             None => (kind, self.direction()),
             Some(d) if letters.next().is_none() && kind.is_some() && direction(d).is_some() => {
-                self.faults.say(say::glued(word.span, word.text));
+                self.reporter.say(say::glued(word.span, word.text));
                 (kind, direction(d).map(|d| Spanned::new(d, word.span)))
             }
             Some(_) => {
                 let near = named(word.text, &KIND_NAMES);
-                self.faults
+                self.reporter
                     .say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
             }
@@ -164,7 +165,7 @@ impl<'w> Fields<'w, '_, '_> {
             .and_then(direction)
             .filter(|_| letters.next().is_none());
         if found.is_none() && text != "*" {
-            self.faults
+            self.reporter
                 .say(say::unknown_direction(word.span, word.text));
         }
         found.map(|d| Spanned::new(d, word.span))
@@ -188,7 +189,7 @@ impl<'w> Fields<'w, '_, '_> {
                 if word.text == "*" {
                     return None;
                 }
-                within(word.text, word.span, &HEIGHT, self.faults)
+                within(word.text, word.span, &HEIGHT, self.reporter)
             }
             _ => {
                 self.missing(noun("its height", "高さ"));
@@ -209,7 +210,7 @@ impl<'w> Fields<'w, '_, '_> {
             self.strange = true;
             let letters = RoofShape::ALL.map(|(letters, _)| letters);
             let near = named(word.text, &SHAPE_NAMES).or_else(|| nearest(&text, &letters));
-            self.faults
+            self.reporter
                 .say(say::unknown_shape(word.span, word.text, near));
         }
         found.map(|s| Spanned::new(s, word.span))
@@ -227,14 +228,14 @@ impl<'w> Fields<'w, '_, '_> {
         let mut values = [0.0; 4];
         let mut good = count == 4;
         for (word, value) in corners.iter().zip(&mut values) {
-            match within(word.text, word.span, &CORNER, self.faults) {
+            match within(word.text, word.span, &CORNER, self.reporter) {
                 Some(read) => *value = read.value,
                 None => good = false,
             }
         }
         if count < 4 {
             let at = corners.last().map_or(self.gap(), |w| w.span.after());
-            self.faults.say(say::missing_corners(at, count));
+            self.reporter.say(say::missing_corners(at, count));
         }
         let [a0, b0, a1, b1] = corners else {
             return None;
@@ -247,20 +248,20 @@ impl<'w> Fields<'w, '_, '_> {
             ('b', b0, b1, values[1] == values[3]),
         ] {
             if same {
-                self.faults
+                self.reporter
                     .say(say::no_extent(to.span, from.span, axis, to.text));
                 good = false;
             }
         }
-        good.then(|| Spanned::new(values, all(corners, self.faults.source)))
+        good.then(|| Spanned::new(values, all(corners, self.reporter.source)))
     }
 
     fn options(&mut self, style: &mut RoofStyle) {
         let mut seen: Vec<(char, &Word<'_>)> = vec![];
         while let Some(word) = self.next() {
             if numeric(word.text) {
-                let place = self.faults.with_blanks(word.span);
-                self.faults.say(say::surplus(
+                let place = self.reporter.with_blanks(word.span);
+                self.reporter.say(say::surplus(
                     word.span,
                     place,
                     noun("the corners", "隅の数値"),
@@ -273,10 +274,11 @@ impl<'w> Fields<'w, '_, '_> {
                 let places = [*before, word].map(|w| {
                     // A number that stands apart would be left over.
                     let whole = w.text.len() > 1 || letter == 'O';
-                    whole.then(|| self.faults.with_blanks(w.span))
+                    whole.then(|| self.reporter.with_blanks(w.span))
                 });
                 let (key, before) = (letter.to_string(), before.span);
-                self.faults.say(say::twice(word.span, &key, before, places));
+                self.reporter
+                    .say(say::twice(word.span, &key, before, places));
             } else {
                 seen.push((letter, word));
             }
@@ -293,7 +295,7 @@ impl<'w> Fields<'w, '_, '_> {
         let known = OPTIONS.iter().find(|(l, _)| *l == letter);
         let Some((_, range)) = known.filter(|_| rest.is_empty() || !rest.starts_with(alphabetic))
         else {
-            return self.faults.say(say::unknown_option(word.span, word.text));
+            return self.reporter.say(say::unknown_option(word.span, word.text));
         };
         let (text, span) = if rest.is_empty() {
             let apart = self.peek().filter(|w| numeric(w.text));
@@ -304,9 +306,9 @@ impl<'w> Fields<'w, '_, '_> {
                     end: number.span.start,
                     ..word.span
                 },
-                None => self.faults.with_blanks(word.span),
+                None => self.reporter.with_blanks(word.span),
             };
-            self.faults.say(say::bare_option(
+            self.reporter.say(say::bare_option(
                 word.span, letter, range.what, value, place,
             ));
             let Some(apart) = self.next().filter(|_| value.is_some()) else {
@@ -316,7 +318,7 @@ impl<'w> Fields<'w, '_, '_> {
         } else {
             (rest, word.span)
         };
-        let Some(value) = within(text, span, range, self.faults) else {
+        let Some(value) = within(text, span, range, self.reporter) else {
             return;
         };
         self.store(letter, value, text, style);
@@ -335,9 +337,9 @@ impl<'w> Fields<'w, '_, '_> {
                 style.noshi = Some(Spanned::new(value.value as u32, value.span));
             }
             _ => {
-                let place = self.faults.tail(value.span, text);
+                let place = self.reporter.tail(value.span, text);
                 let whole = place.map(|place| (place, value.value.round()));
-                self.faults
+                self.reporter
                     .say(say::no_whole_number(value.span, text, whole));
             }
         }
@@ -348,7 +350,7 @@ impl<'w> Fields<'w, '_, '_> {
 fn fitting(
     direction: Option<Spanned<RoofDirection>>,
     shape: Option<Spanned<RoofShape>>,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) -> Option<Spanned<RoofDirection>> {
     let (Some(d), Some(s)) = (direction, shape) else {
         return direction;
@@ -364,8 +366,8 @@ fn fitting(
     };
     if !fits {
         // Glued to the kind, it has no place of its own.
-        let own = faults.written(d.span).chars().count() == 1;
-        faults.say(say::direction_misfit(
+        let own = reporter.written(d.span).chars().count() == 1;
+        reporter.say(say::direction_misfit(
             d.span,
             s.span,
             s.value.letters(),

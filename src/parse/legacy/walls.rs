@@ -10,7 +10,7 @@ use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 use std::ops::Range;
 
-/// What a line end asks for, other than the turn to the right it always means.
+/// The control at a line's end, besides the turn to the right that every line end means.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Control {
     Left,
@@ -36,17 +36,17 @@ impl Walls {
     }
 
     /// Reads one line of codes.
-    pub(super) fn read(&mut self, line: &Line<'_>, faults: &mut Reporter<'_>) {
-        let end = comment(line, faults);
-        faults.fixed_walls(line, line.written(end));
+    pub(super) fn read(&mut self, line: &Line<'_>, reporter: &mut Reporter<'_>) {
+        let end = comment(line, reporter);
+        reporter.fixed_walls(line, line.written(end));
         let mut next = 0..end;
         while !next.is_empty() {
             let this = match first_turn(&line.text[next.clone()]) {
                 Some(at) => next.start..next.start + at + 1,
-                None => before_reset(line, next.clone(), faults),
+                None => before_reset(line, next.clone(), reporter),
             };
-            if !self.inner_turn(line, this.clone(), end, faults) {
-                self.wall(line, this.clone(), faults);
+            if !self.inner_turn(line, this.clone(), end, reporter) {
+                self.wall(line, this.clone(), reporter);
             }
             let rest = &line.text[this.end..end];
             next = end - rest.trim_start_matches(' ').len()..end;
@@ -54,19 +54,19 @@ impl Walls {
     }
 
     /// Closes the last storey and hands the storeys over.
-    pub(super) fn finish(&mut self, faults: &mut Reporter<'_>) -> Vec<Item<Storey>> {
+    pub(super) fn finish(&mut self, reporter: &mut Reporter<'_>) -> Vec<Item<Storey>> {
         if let Some(reset) = self.reset.filter(|_| !self.storeys.is_empty()) {
-            faults.say(say::last_reset(reset));
+            reporter.say(say::last_reset(reset));
         }
         self.close();
         std::mem::take(&mut self.storeys)
     }
 
-    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>) {
-        let (codes, control) = ending(line, range.clone(), faults);
-        let pieces = pieces(line, range.start..codes, control.is_some(), faults);
-        let span = line.span(faults.source, range);
-        let control = control.map(|(c, at)| (c, line.span(faults.source, at)));
+    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) {
+        let (codes, control) = ending(line, range.clone(), reporter);
+        let pieces = pieces(line, range.start..codes, control.is_some(), reporter);
+        let span = line.span(reporter.source, range);
+        let control = control.map(|(c, at)| (c, line.span(reporter.source, at)));
         let turn = control.and_then(|(c, at)| match c {
             Control::Left => Some(Spanned::new(-90.0, at)),
             Control::Right => Some(Spanned::new(90.0, at)),
@@ -77,8 +77,8 @@ impl Walls {
         if reset.is_none() || !pieces.is_empty() {
             self.rows.push(Item::One(Row { span, pieces, turn }));
         } else if self.rows.is_empty() {
-            let line = faults.or_line(span);
-            faults.say(say::empty_storey(span, line, self.storeys.len() + 1));
+            let line = reporter.or_line(span);
+            reporter.say(say::empty_storey(span, line, self.storeys.len() + 1));
         }
         self.span = Some(self.span.map_or(span, |s| s.to(span)));
         if reset.is_some() {
@@ -94,30 +94,32 @@ impl Walls {
         line: &Line<'_>,
         range: Range<usize>,
         end: usize,
-        faults: &mut Reporter<'_>,
+        reporter: &mut Reporter<'_>,
     ) -> bool {
         let rest = line.text[range.end..end].trim_start_matches(' ');
         let text = line.text[range.clone()].trim_start_matches(' ');
         if rest.is_empty() || !text.ends_with(['L', 'R']) {
             return false;
         }
-        let span = line.span(faults.source, range.end - 1..range.end);
+        let span = line.span(reporter.source, range.end - 1..range.end);
         let (letter, leads) = (&text[text.len() - 1..], text.len() == 1);
         let gap = line.span(
-            faults.source,
+            reporter.source,
             if leads { range.start } else { range.end }..end - rest.len(),
         );
         let fix = if leads {
-            self.rows.last().and_then(|row| before(row, letter, faults))
+            self.rows
+                .last()
+                .and_then(|row| before(row, letter, reporter))
         } else {
             None
         };
         let fix = match (leads, fix) {
             (true, fix) => fix.map(|there| vec![Edit::new(gap, ""), there]),
-            (false, _) => Some(vec![Edit::new(gap, faults.line_end_text())]),
+            (false, _) => Some(vec![Edit::new(gap, reporter.line_end_text())]),
         };
         let message = say::inner_turn(span, letter, leads, fix.unwrap_or_default());
-        faults.say(message);
+        reporter.say(message);
         if let Some(Item::One(row)) = self.rows.last_mut().filter(|_| leads) {
             let degrees = if letter == "L" { -90.0 } else { 90.0 };
             row.turn.get_or_insert(Spanned::new(degrees, span));
@@ -143,7 +145,7 @@ impl Walls {
 }
 
 /// The end of what is no comment. A `#` inside a code is a character like any other.
-fn comment(line: &Line<'_>, faults: &mut Reporter<'_>) -> usize {
+fn comment(line: &Line<'_>, reporter: &mut Reporter<'_>) -> usize {
     let text = &*line.text;
     if !text.as_bytes().contains(&b'#') {
         return text.len();
@@ -156,13 +158,13 @@ fn comment(line: &Line<'_>, faults: &mut Reporter<'_>) -> usize {
     }) else {
         return text.len();
     };
-    let span = line.span(faults.source, at..text.trim_end().len());
-    say_comment(line, span, faults);
+    let span = line.span(reporter.source, at..text.trim_end().len());
+    say_comment(line, span, reporter);
     text[..at].trim_end_matches(' ').len()
 }
 
 /// Where an `L` or `R` stands as a word of its own with codes after it. In the fifth column of a code it is
-/// left alone: own parts may be called so.
+/// left alone: custom parts may be called so.
 fn first_turn(text: &str) -> Option<usize> {
     // No farther than the next `^`, and each column counted once: a line may be a megabyte of either.
     let end = text.bytes().position(|b| b == b'^').unwrap_or(text.len());
@@ -186,7 +188,7 @@ fn first_turn(text: &str) -> Option<usize> {
 }
 
 /// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
-fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>) -> Range<usize> {
+fn before_reset(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> Range<usize> {
     let text = &line.text[range.clone()];
     let Some(at) = text.bytes().position(|b| b == b'^') else {
         return range;
@@ -195,10 +197,13 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>)
     if rest.is_empty() {
         return range;
     }
-    let span = line.span(faults.source, range.end - rest.len()..range.end);
-    let gap = line.span(faults.source, range.start + at + 1..range.end - rest.len());
-    let end = faults.line_end_text();
-    faults.say(say::after_reset(span, gap, end));
+    let span = line.span(reporter.source, range.end - rest.len()..range.end);
+    let gap = line.span(
+        reporter.source,
+        range.start + at + 1..range.end - rest.len(),
+    );
+    let end = reporter.line_end_text();
+    reporter.say(say::after_reset(span, gap, end));
     range.start..range.start + at + 1
 }
 
@@ -206,7 +211,7 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, faults: &mut Reporter<'_>)
 fn ending(
     line: &Line<'_>,
     range: Range<usize>,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) -> (usize, Option<(Control, Range<usize>)>) {
     let text = line.text[range.clone()].trim_end_matches(' ');
     let Some((control, lower)) = text.chars().next_back().and_then(control) else {
@@ -214,14 +219,14 @@ fn ending(
     };
     let before = &text[..text.len() - 1];
     let at = range.start + before.len()..range.start + text.len();
-    let span = line.span(faults.source, at.clone());
+    let span = line.span(reporter.source, at.clone());
     if columns(before).is_multiple_of(CELL) {
         if lower {
-            faults.say(say::lower_control(span, &text[before.len()..]));
+            reporter.say(say::lower_control(span, &text[before.len()..]));
         }
         if at.end < range.end {
-            let blanks = line.span(faults.source, at.end..range.end);
-            faults.say(say::blanks_after(blanks, &text[before.len()..]));
+            let blanks = line.span(reporter.source, at.end..range.end);
+            reporter.say(say::blanks_after(blanks, &text[before.len()..]));
         }
         return (at.start, Some((control, at)));
     }
@@ -235,8 +240,8 @@ fn ending(
         // `L^`: the turn before a reset counts for nothing.
         let turn = &codes[codes.len() - 1..];
         codes = &codes[..codes.len() - 1];
-        let gap = line.span(faults.source, range.start + codes.len()..at.start);
-        faults.say(say::second_control(
+        let gap = line.span(reporter.source, range.start + codes.len()..at.start);
+        reporter.say(say::second_control(
             span,
             letter,
             columns(before),
@@ -246,8 +251,8 @@ fn ending(
         return (range.start + codes.len(), Some((control, at)));
     }
     let surplus = columns(before) % CELL;
-    let blanks = line.span(faults.source, at.start.saturating_sub(surplus)..at.start);
-    faults.say(say::misplaced_control(
+    let blanks = line.span(reporter.source, at.start.saturating_sub(surplus)..at.start);
+    reporter.say(say::misplaced_control(
         span,
         letter,
         (columns(before), columns(codes)),
@@ -257,16 +262,16 @@ fn ending(
 }
 
 /// The change that ends a row, which has no turn yet, with a letter right after the five columns of its last code.
-fn before(row: &Item<Row>, letter: &str, faults: &Reporter<'_>) -> Option<Edit> {
+fn before(row: &Item<Row>, letter: &str, reporter: &Reporter<'_>) -> Option<Edit> {
     let Item::One(row) = row else { return None };
-    let text = faults.written(row.span);
+    let text = reporter.written(row.span);
     if row.turn.is_some() || !text.is_ascii() {
         return None;
     }
     let codes = text.trim_end_matches(' ').len();
     let column = codes.next_multiple_of(CELL).max(text.len() / CELL * CELL);
-    let range = faults.source.text_range(row.span);
-    let place = faults.source.span(range.start + codes..range.end);
+    let range = reporter.source.text_range(row.span);
+    let place = reporter.source.span(range.start + codes..range.end);
     let blanks = column - codes;
     Some(Edit::new(place, format!("{:blanks$}{letter}", "")))
 }

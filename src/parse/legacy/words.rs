@@ -19,30 +19,30 @@ pub(super) struct Word<'l> {
 }
 
 /// The words of a line, up to a comment that does not belong there.
-pub(super) fn words<'l>(line: &'l Line<'_>, faults: &mut Reporter<'_>) -> Vec<Word<'l>> {
+pub(super) fn words<'l>(line: &'l Line<'_>, reporter: &mut Reporter<'_>) -> Vec<Word<'l>> {
     let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
     while let Ok((next, (read, word))) = word(rest) {
         let end = at + read.len();
         let start = end - word.len();
         let text = &line.text[start..end];
         if text.starts_with('#') {
-            let comment = line.span(faults.source, start..line.text.trim_end().len());
-            say_comment(line, comment, faults);
+            let comment = line.span(reporter.source, start..line.text.trim_end().len());
+            say_comment(line, comment, reporter);
             break;
         }
-        let span = line.span(faults.source, start..end);
+        let span = line.span(reporter.source, start..end);
         found.push(Word { text, span });
         (rest, at) = (next, end);
     }
     found
 }
 
-/// Says that a comment stands behind something on its line, and offers to put it before.
-pub(super) fn say_comment(line: &Line<'_>, comment: Span, faults: &mut Reporter<'_>) {
-    let start = faults.source.span(line.at..line.at);
-    let (place, end) = (faults.with_blanks(comment), faults.line_end_text());
-    let text = [faults.written(comment), end].concat();
-    faults.say(say::comment_column(comment, place, start, text));
+/// Says that a comment is behind something on its line, and offers to put it before.
+pub(super) fn say_comment(line: &Line<'_>, comment: Span, reporter: &mut Reporter<'_>) {
+    let start = reporter.source.span(line.at..line.at);
+    let (place, end) = (reporter.with_blanks(comment), reporter.line_end_text());
+    let text = [reporter.written(comment), end].concat();
+    reporter.say(say::comment_column(comment, place, start, text));
 }
 
 /// The words of a text, without places.
@@ -50,7 +50,7 @@ pub(super) fn plain_words(text: &str) -> impl Iterator<Item = &str> {
     text.split_ascii_whitespace()
 }
 
-/// What was read, blanks included, and the word in it. Blanks are ASCII, so bytes do.
+/// The characters read, blanks included, and the word in them. Blanks are ASCII, so bytes do.
 fn word(input: &[u8]) -> IResult<&[u8], (&[u8], &[u8])> {
     consumed(preceded(take_while(blank), take_till1(blank))).parse(input)
 }
@@ -73,7 +73,7 @@ pub(super) fn numeric(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// What a number is for, and what it may be.
+/// The purpose of a number, and its bounds.
 pub(super) struct Range64 {
     /// As messages call it.
     pub(super) what: Noun,
@@ -88,7 +88,7 @@ pub(super) fn within(
     text: &str,
     span: Span,
     range: &Range64,
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
 ) -> Option<Spanned<f64>> {
     let value = number(text).or_else(|| {
         let bare = text
@@ -97,18 +97,18 @@ pub(super) fn within(
         let meant = [bare.to_owned(), text.replacen(',', ".", 1)];
         let meant = meant.into_iter().find_map(|m| Some((number(&m)?, m)));
         let fix = meant.as_ref().and_then(|(value, text_meant)| {
-            let place = faults.tail(span, text)?;
+            let place = reporter.tail(span, text)?;
             let good = range.bounds.contains(value);
             good.then_some((place, &**text_meant))
         });
-        faults.say(say::not_a_number(span, text, range.what, fix));
+        reporter.say(say::not_a_number(span, text, range.what, fix));
         meant.map(|(value, _)| value)
     })?;
     if range.bounds.contains(&value) {
         return Some(Spanned::new(value, span));
     }
     let (least, most) = (*range.bounds.start(), *range.bounds.end());
-    faults.say(say::out_of_range(
+    reporter.say(say::out_of_range(
         span, text, range.what, least, most, range.unit,
     ));
     None

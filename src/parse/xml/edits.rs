@@ -1,26 +1,27 @@
-//! What mends change in elements: their tags, attributes, and two of which there should be one.
+//! Fixes for elements: their tags, attributes, and duplicates.
 
-use super::schema::{Bears, Kind, canonical};
 use super::suggest::alike;
 use super::tree::{Element, Tree};
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml::Tags;
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::schema::{AttributeSchema, Kind, canonical};
+use crate::parse::xml::tree::chars::is_blank;
+use crate::parse::xml::tree::token::Attribute;
 use crate::source::Span;
 use std::ops::Range;
 
-/// Words that a mend offers one by one.
+/// Words that a fix offers one by one.
 const FEW: usize = 8;
 
 /// Where the end tag of an element stands, and the name in it.
-fn end_tag(faults: &Reporter<'_>, element: &Element<'_>) -> Option<(Range<usize>, Range<usize>)> {
+fn end_tag(reporter: &Reporter<'_>, element: &Element<'_>) -> Option<(Range<usize>, Range<usize>)> {
     /// No end tag is longer.
     const LONGEST: usize = 256;
-    if element.tag.end >= element.range.end || !faults.wanted() {
+    if element.tag.end >= element.range.end || !reporter.wanted() {
         return None;
     }
-    let written = faults.quote(&element.range);
+    let written = reporter.quote(&element.range);
     let tail = written.len().saturating_sub(LONGEST);
     let at = written.as_bytes()[tail..]
         .windows(2)
@@ -36,26 +37,26 @@ fn end_tag(faults: &Reporter<'_>, element: &Element<'_>) -> Option<(Range<usize>
 }
 
 /// The tags of an element.
-pub(super) fn tags(faults: &Reporter<'_>, element: &Element<'_>) -> Tags {
+pub(super) fn tags(reporter: &Reporter<'_>, element: &Element<'_>) -> Tags {
     let mut tags = Tags {
-        names: vec![faults.span(&element.name_range)],
-        whole: vec![faults.span(&element.tag)],
+        names: vec![reporter.span(&element.name_range)],
+        whole: vec![reporter.span(&element.tag)],
     };
-    if let Some((whole, name)) = end_tag(faults, element) {
-        tags.names.push(faults.span(&name));
-        tags.whole.push(faults.span(&whole));
+    if let Some((whole, name)) = end_tag(reporter, element) {
+        tags.names.push(reporter.span(&name));
+        tags.whole.push(reporter.span(&whole));
     }
     tags
 }
 
-/// Where the name of an element stands in its end tag.
-pub(super) fn end_name(faults: &Reporter<'_>, element: &Element<'_>) -> Option<Span> {
-    end_tag(faults, element).map(|(_, name)| faults.span(&name))
+/// Where the name of an element is in its end tag.
+pub(super) fn end_name(reporter: &Reporter<'_>, element: &Element<'_>) -> Option<Span> {
+    end_tag(reporter, element).map(|(_, name)| reporter.span(&name))
 }
 
-/// What an attribute may say, if that is one of a few words.
-pub(super) fn few_words(bears: &Bears) -> &'static [&'static str] {
-    match bears.kind {
+/// The words that an attribute may have as its value, if they are few.
+pub(super) fn few_words(attribute_schema: &AttributeSchema) -> &'static [&'static str] {
+    match attribute_schema.kind {
         Kind::YesNo => &["yes", "no"],
         Kind::Choice(words) if words.len() <= FEW => words,
         _ => &[],
@@ -64,51 +65,51 @@ pub(super) fn few_words(bears: &Bears) -> &'static [&'static str] {
 
 /// How to put a second element into the first, and how to leave it out.
 pub(super) fn of_two(
-    faults: &Reporter<'_>,
+    reporter: &Reporter<'_>,
     tree: &Tree<'_>,
     first: Span,
     second: &Element<'_>,
 ) -> [Option<Vec<Edit>>; 2] {
-    if !faults.wanted() {
+    if !reporter.wanted() {
         return [None, None];
     }
-    let removed = Edit::new(faults.with_gap(&second.range), "");
-    // Where elements do not stand in their order, since they come from pieces, the search finds none.
-    let before = |e: &Element<'_>| faults.span(&e.name_range).start < first.start;
+    let removed = Edit::new(reporter.with_gap(&second.range), "");
+    // Where elements do not are in their order, since they come from pieces, the search finds none.
+    let before = |e: &Element<'_>| reporter.span(&e.name_range).start < first.start;
     let found = tree.elements.get(tree.elements.partition_point(before));
     let is_first = |e: &&Element<'_>| {
-        let place = faults.span(&e.name_range);
+        let place = reporter.span(&e.name_range);
         place.file == first.file && place.end <= first.end
     };
     let first = found.filter(is_first);
-    let joined = first.and_then(|first| joined(faults, first, second));
+    let joined = first.and_then(|first| joined(reporter, first, second));
     let joined = joined.map(|edits| edits.into_iter().chain([removed.clone()]).collect());
     [joined, Some(vec![removed])]
 }
 
-/// Puts the attributes and the content of an element into another one before it, if nothing is said twice then.
-fn joined(faults: &Reporter<'_>, first: &Element<'_>, second: &Element<'_>) -> Option<Vec<Edit>> {
-    let bears = |of: &Attribute<'_>| {
+/// Puts the attributes and the content of an element into another one before it, if nothing is stated twice then.
+fn joined(reporter: &Reporter<'_>, first: &Element<'_>, second: &Element<'_>) -> Option<Vec<Edit>> {
+    let attribute_schema = |of: &Attribute<'_>| {
         let mut all = first.attributes.iter();
         all.any(|a| canonical(a.name) == canonical(of.name))
     };
-    let apart = faults.span(&first.range).file == faults.span(&second.range).file
+    let apart = reporter.span(&first.range).file == reporter.span(&second.range).file
         && first.range.end <= second.range.start
         && first.name == second.name
-        && !second.attributes.iter().any(bears);
+        && !second.attributes.iter().any(attribute_schema);
     if !apart {
         return None;
     }
-    let written = |a: &Attribute<'_>| format!(" {}", faults.quote(&a.range));
+    let written = |a: &Attribute<'_>| format!(" {}", reporter.quote(&a.range));
     let attributes: String = second.attributes.iter().map(written).collect();
-    let end = end_tag(faults, second).map_or(second.tag.end, |(end, _)| end.start);
-    let content = faults.quote(&(second.tag.end..end.max(second.tag.end)));
+    let end = end_tag(reporter, second).map_or(second.tag.end, |(end, _)| end.start);
+    let content = reporter.quote(&(second.tag.end..end.max(second.tag.end)));
     let content = content.trim_end_matches(is_blank);
-    let start = faults.quote(&first.tag);
+    let start = reporter.quote(&first.tag);
     let mark = if start.ends_with("/>") { 2 } else { 1 };
     let head = start[..start.len().checked_sub(mark)?].trim_end_matches(is_blank);
     let head = first.tag.start + head.len()..first.tag.end;
-    let edit = |range: Range<usize>, text: String| Edit::new(faults.span(&range), text);
+    let edit = |range: Range<usize>, text: String| Edit::new(reporter.span(&range), text);
     if content.is_empty() {
         return Some(vec![edit(head.start..head.start, attributes)]);
     }
@@ -116,8 +117,8 @@ fn joined(faults: &Reporter<'_>, first: &Element<'_>, second: &Element<'_>) -> O
         let text = format!("{attributes}>{content}</{}>", first.name);
         return Some(vec![edit(head, text)]);
     }
-    let (end, _) = end_tag(faults, first)?;
-    let inside = faults.quote(&(first.tag.end..end.start));
+    let (end, _) = end_tag(reporter, first)?;
+    let inside = reporter.quote(&(first.tag.end..end.start));
     let at = first.tag.end + inside.trim_end_matches(is_blank).len();
     let mut edits = vec![edit(at..at, content.to_owned())];
     if !attributes.is_empty() {

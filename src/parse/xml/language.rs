@@ -1,8 +1,8 @@
-//! What is computed in a file (docs/contract.md 3), worked out on its elements: from a tree with expressions, parameters,
+//! Computes expressions, conditions and named pieces (docs/contract.md 3) on the elements of a file: from a tree with expressions, parameters,
 //! conditions, named pieces and other files to a tree without any of them, which the rest of the reader then reads
 //! like any other. So every attribute of every element can be an expression, and no later pass knows of them.
 //!
-//! | file | works out |
+//! | file | computes |
 //! |---|---|
 //! | `braces` | `{...}` in attributes and codes |
 //! | `scope` | which names are known where |
@@ -12,12 +12,12 @@
 //! | `storeys` | the number `k`, and repetitions in which it stands |
 //! | `pieces` | `define` and `use` |
 //! | `files` | `include` |
-//! | `mends` | what editors offer to change |
+//! | `fixes` | what editors offer to change |
 //!
-//! - A name is known behind its `let` or `Param` in the same element and whatever stands in that; a piece in the whole
+//! - A name is known behind its `let` or `Param` in the same element and all the content of that; a piece in the whole
 //!   element. `if` and `else` count as what they hold, so that names given in them are known behind them.
 //! - A piece knows the names of the place where it is defined, and its own parameters; not those of the place of use.
-//! - What stands in the tree keeps its places: that of a computed value are the braces, that of a piece its definition.
+//! - The content of the tree keeps its places: that of a computed value are the braces, that of a piece its definition.
 //! - A file without any of this goes through as it is.
 
 mod braces;
@@ -32,7 +32,6 @@ mod storeys;
 
 pub(super) use braces::{Segment, segments};
 
-use super::schema::{self, Tag};
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};
 use super::trees::Trees;
@@ -41,6 +40,8 @@ use crate::diagnostic::messages::xml as say;
 use crate::parse::ReadContext;
 use crate::parse::expr::Expr;
 use crate::parse::reporter::Reporter;
+use crate::parse::schema;
+use crate::parse::schema::{Tag, is_language};
 use crate::parse::xml::tree::text::Text;
 use crate::source::Span;
 use conditions::Branch;
@@ -53,14 +54,14 @@ use storeys::Storeys;
 /// What the parts of a house cost is counted by `expand`; a copied element takes more room here than a part there.
 const ELEMENT: u64 = 8;
 
-/// Messages that list what is known; nobody reads more of them.
+/// Messages that list what is known; no one reads more of them.
 const HINTS: u32 = 200;
 
 /// Columns of text that take the room of a part.
 const COLUMNS: usize = 5;
 
 /// A tree in which nothing is left to be computed.
-pub(super) struct Made<'a> {
+pub(super) struct Computed<'a> {
     pub(super) tree: Rc<Tree<'a>>,
     pub(super) parameters: Vec<Parameter>,
     /// Whether it grew beyond the limit, and was given up.
@@ -68,23 +69,23 @@ pub(super) struct Made<'a> {
 }
 
 /// Works out what is computed in a tree. Elements nest at most `nesting` deep in the result.
-pub(super) fn work_out<'a>(
+pub(super) fn compute<'a>(
     tree: Rc<Tree<'a>>,
     setting: ReadContext<'a>,
     nesting: usize,
     trees: &mut Trees<'a>,
-    faults: &mut Reporter<'a>,
-) -> Made<'a> {
-    if is_plain(&tree, faults) {
-        return Made {
+    reporter: &mut Reporter<'a>,
+) -> Computed<'a> {
+    if is_plain(&tree, reporter) {
+        return Computed {
             tree,
             parameters: vec![],
             over: false,
         };
     }
-    faults.say_once();
-    let mut maker = Maker {
-        faults,
+    reporter.say_once();
+    let mut expander = Expander {
+        reporter,
         setting,
         trees,
         nesting,
@@ -104,34 +105,28 @@ pub(super) fn work_out<'a>(
     };
     let scope = Frame::outermost();
     for root in &tree.roots {
-        let made = maker.copy(&tree, *root, &scope);
-        maker.made.roots.extend(made);
+        let made = expander.copy(&tree, *root, &scope);
+        expander.made.roots.extend(made);
     }
-    Made {
-        tree: Rc::new(maker.made),
-        parameters: maker.parameters,
-        over: maker.over,
+    Computed {
+        tree: Rc::new(expander.made),
+        parameters: expander.parameters,
+        over: expander.over,
     }
 }
 
 /// Whether nothing is to be computed.
-fn is_plain(tree: &Tree<'_>, faults: &Reporter<'_>) -> bool {
+fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
     const NAMES: [&str; 8] = [
         "Param", "let", "define", "use", "if", "else", "include", "choice",
     ];
     let computes = |e: &Element<'_>| NAMES.contains(&e.name);
-    !faults.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
-}
-
-/// The elements that are worked out here.
-pub(super) fn is_language(tag: Tag) -> bool {
-    use Tag::{Define, Else, If, Include, Let, Param, Use};
-    matches!(tag, Define | Else | If | Include | Let | Param | Use)
+    !reporter.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }
 
 /// The state of the work.
-struct Maker<'a, 'f> {
-    faults: &'f mut Reporter<'a>,
+struct Expander<'a, 'f> {
+    reporter: &'f mut Reporter<'a>,
     setting: ReadContext<'a>,
     trees: &'f mut Trees<'a>,
     nesting: usize,
@@ -158,12 +153,12 @@ struct Maker<'a, 'f> {
 }
 
 /// An element of a tree.
-struct Spot<'s, 'a> {
+struct ElementRef<'s, 'a> {
     tree: &'s Rc<Tree<'a>>,
     index: usize,
 }
 
-impl<'s, 'a> Spot<'s, 'a> {
+impl<'s, 'a> ElementRef<'s, 'a> {
     fn element(&self) -> &'s Element<'a> {
         &self.tree.elements[self.index]
     }
@@ -172,30 +167,30 @@ impl<'s, 'a> Spot<'s, 'a> {
         schema::named(self.element().name).map(|s| s.tag)
     }
 
-    fn child(&self, index: usize) -> Spot<'s, 'a> {
-        Spot { index, ..*self }
+    fn child(&self, index: usize) -> ElementRef<'s, 'a> {
+        ElementRef { index, ..*self }
     }
 }
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// Makes an element; `None` where it would nest too deep or there is no more room.
     fn copy(&mut self, tree: &Rc<Tree<'a>>, index: usize, scope: &Scope<'a>) -> Option<usize> {
-        let spot = Spot { tree, index };
-        match spot.tag() {
-            Some(Tag::Storey | Tag::Floor) => self.storey(&spot, scope),
+        let element_ref = ElementRef { tree, index };
+        match element_ref.tag() {
+            Some(Tag::Storey | Tag::Floor) => self.storey(&element_ref, scope),
             Some(Tag::House | Tag::Facade) => {
                 let outside = std::mem::take(&mut self.storeys);
-                let made = self.element(&spot, scope);
+                let made = self.element(&element_ref, scope);
                 self.storeys = outside;
                 made
             }
-            _ => self.element(&spot, scope),
+            _ => self.element(&element_ref, scope),
         }
     }
 
     /// Makes an element with its attributes and all it holds.
-    fn element(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) -> Option<usize> {
-        let element = spot.element();
+    fn element(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) -> Option<usize> {
+        let element = element_ref.element();
         if !self.take(
             ELEMENT * (1 + element.attributes.len() as u64),
             &element.name_range,
@@ -223,9 +218,9 @@ impl<'a> Maker<'a, '_> {
             children: vec![],
             cut: element.cut,
         });
-        self.enter(spot, made);
-        self.inside(&spot.element().name_range, made, |maker| {
-            maker.content(spot, scope, made);
+        self.enter(element_ref, made);
+        self.inside(&element_ref.element().name_range, made, |expander| {
+            expander.content(element_ref, scope, made);
         });
         self.leave();
         Some(made)
@@ -241,7 +236,7 @@ impl<'a> Maker<'a, '_> {
         if self.depth >= self.nesting {
             let limit = self.nesting;
             self.made.elements[into].cut = true;
-            self.faults.at(place, |s| say::nested_too_deep(s, limit));
+            self.reporter.at(place, |s| say::nested_too_deep(s, limit));
             return;
         }
         self.depth += 1;
@@ -249,31 +244,31 @@ impl<'a> Maker<'a, '_> {
         self.depth -= 1;
     }
 
-    /// Makes what stands in an element.
-    fn content(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
-        let children = &spot.element().children;
+    /// Makes the content of an element.
+    fn content(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let children = &element_ref.element().children;
         let names = |child: &Child<'_>| match child {
             Child::Element(index) => {
-                let child = spot.child(*index);
+                let child = element_ref.child(*index);
                 child.tag().is_some_and(is_language) || draws::is_choice(&child)
             }
             Child::Text(_) => false,
         };
         if children.iter().any(names) {
-            self.list(spot, &Frame::within(scope), into);
+            self.list(element_ref, &Frame::within(scope), into);
         } else {
-            self.list(spot, scope, into);
+            self.list(element_ref, scope, into);
         }
     }
 
-    /// Makes what stands in an element, whose names are those of this frame.
-    fn list(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
-        let children = &spot.element().children;
+    /// Makes the content of an element, whose names are those of this frame.
+    fn list(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        let children = &element_ref.element().children;
         for child in children {
             if let Child::Element(index) = child
-                && spot.child(*index).tag() == Some(Tag::Define)
+                && element_ref.child(*index).tag() == Some(Tag::Define)
             {
-                self.define(&spot.child(*index), scope);
+                self.define(&element_ref.child(*index), scope);
             }
         }
         let mut branch = Branch::None;
@@ -287,46 +282,48 @@ impl<'a> Maker<'a, '_> {
                     self.codes(text, scope, into);
                 }
                 Child::Element(index) => {
-                    let child = spot.child(*index);
-                    branch = self.child(&child, spot, scope, into, branch);
+                    let child = element_ref.child(*index);
+                    branch = self.child(&child, element_ref, scope, into, branch);
                 }
             }
         }
     }
 
-    /// Makes a child of an element; returns what an `else` behind it would mean.
+    /// Makes a child of an element; returns what an `else` after it would mean.
     fn child(
         &mut self,
-        spot: &Spot<'_, 'a>,
-        parent: &Spot<'_, 'a>,
+        element_ref: &ElementRef<'_, 'a>,
+        parent: &ElementRef<'_, 'a>,
         scope: &Scope<'a>,
         into: usize,
         branch: Branch,
     ) -> Branch {
-        match spot.tag() {
-            Some(Tag::Param) => self.param(spot, parent, scope),
-            Some(Tag::Let) => self.assign(spot, scope),
+        match element_ref.tag() {
+            Some(Tag::Param) => self.param(element_ref, parent, scope),
+            Some(Tag::Let) => self.assign(element_ref, scope),
             Some(Tag::Define) => {}
-            Some(Tag::Use) => self.use_piece(spot, scope, into),
-            Some(Tag::If) => return self.condition(spot, parent, scope, into, Branch::Open),
-            Some(Tag::Else) => return self.condition(spot, parent, scope, into, branch),
-            Some(Tag::Include) => self.include(spot, scope, into),
-            Some(Tag::Repeat) => self.repeat(spot, scope, into),
-            Some(Tag::Random) if draws::is_choice(spot) => self.choose(spot, scope, into),
-            _ => self.add(spot, scope, into),
+            Some(Tag::Use) => self.use_piece(element_ref, scope, into),
+            Some(Tag::If) => return self.condition(element_ref, parent, scope, into, Branch::Open),
+            Some(Tag::Else) => return self.condition(element_ref, parent, scope, into, branch),
+            Some(Tag::Include) => self.include(element_ref, scope, into),
+            Some(Tag::Repeat) => self.repeat(element_ref, scope, into),
+            Some(Tag::Random) if draws::is_choice(element_ref) => {
+                self.choose(element_ref, scope, into)
+            }
+            _ => self.add(element_ref, scope, into),
         }
         Branch::None
     }
 
     /// Makes an element in another.
-    fn add(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
-        if let Some(made) = self.copy(spot.tree, spot.index, scope) {
+    fn add(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
+        if let Some(made) = self.copy(element_ref.tree, element_ref.index, scope) {
             let child = Child::Element(made);
             self.made.elements[into].children.push(child);
         }
     }
 
-    /// What is known, for a message, as long as there is use in it.
+    /// The known names for a message, as long as listing them is useful.
     fn known(&mut self, gather: impl FnOnce() -> Vec<String>) -> Vec<String> {
         if self.hints == 0 {
             return vec![];
@@ -343,7 +340,7 @@ impl<'a> Maker<'a, '_> {
         }
     }
 
-    /// Takes room for so many parts, if more is made than is written; false when there is none left.
+    /// Takes room for this many parts, if more is made than is written; false when there is none left.
     fn take(&mut self, parts: u64, place: &std::ops::Range<usize>) -> bool {
         if self.copying || !self.uses.is_empty() {
             match self.room.checked_sub(parts) {
@@ -360,7 +357,7 @@ impl<'a> Maker<'a, '_> {
             self.over = true;
             let chain: Vec<(String, Span)> = self.chain();
             let limit = self.setting.limits.parts;
-            self.faults
+            self.reporter
                 .at(place, |s| say::copies_too_large(s, limit, &chain));
         }
     }

@@ -3,28 +3,35 @@
 use super::DEEPEST;
 use super::language::{Segment, segments};
 use super::read::Reader;
-use super::schema::{self, Schema};
 use super::suggest::Suggest;
 use super::tree::{self, Child, Tree};
 use crate::ast::Item;
-use crate::parse::outline as made;
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::schema;
+use crate::parse::schema::Schema;
+use crate::parse::syntax as made;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::Text;
+use crate::parse::xml::tree::token::Attribute;
 use crate::source::Source;
 use made::{Expression, Outline, Words};
 use std::ops::Range;
 
-/// The outline of what stands from this offset of the text on.
+/// The outline of what is from this offset of the text on.
 pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> Outline {
-    let mut faults = Reporter::new(source);
-    let tree = tree::read(&mut faults, at, nesting.min(DEEPEST), schema::HABITS);
+    let mut reporter = Reporter::new(source);
+    let tree = tree::read(
+        &mut reporter,
+        at,
+        nesting.min(DEEPEST),
+        schema::SCHEMA_HINTS,
+    );
     let mut writer = Writer {
         text: source.text(),
         reader: Reader {
             turn: None,
             tree: &tree,
-            faults: &mut faults,
+            reporter: &mut reporter,
             suggest: Suggest::new(),
         },
         outline: Outline::default(),
@@ -43,7 +50,7 @@ struct Writer<'t, 'a> {
 }
 
 impl Writer<'_, '_> {
-    /// Adds an element and all that stands in it.
+    /// Adds an element and all that is in it.
     fn element(&mut self, tree: &Tree<'_>, index: usize, parent: Option<usize>) {
         let element = &tree.elements[index];
         let own = self.outline.elements.len();
@@ -91,7 +98,7 @@ impl Writer<'_, '_> {
                         Item::One(piece) => piece.code(),
                         _ => None,
                     });
-                    let source = self.reader.faults.source;
+                    let source = self.reader.reporter.source;
                     words.codes.extend(codes.map(|c| source.text_range(c.span)));
                 }
                 Segment::Expression(range) => words.expressions.push(expression(text, range)),
@@ -110,7 +117,7 @@ fn attribute(from: &Attribute<'_>, schema: Option<&'static Schema>, text: &str) 
         Segment::Plain(_) | Segment::Loose(_) => None,
     });
     made::Attribute {
-        bears: schema.and_then(|s| s.attribute(word)),
+        attribute_schema: schema.and_then(|s| s.attribute(word)),
         word: word.to_owned(),
         name: from.name_range.clone(),
         inner: inner(text, from),
@@ -120,7 +127,7 @@ fn attribute(from: &Attribute<'_>, schema: Option<&'static Schema>, text: &str) 
     }
 }
 
-/// What stands between the quotes of a value; all of it where they are missing.
+/// The range between the quotes of a value; the whole range where they are missing.
 fn inner(text: &str, attribute: &Attribute<'_>) -> Range<usize> {
     let value = attribute.value.whole();
     if !value.is_empty() {

@@ -1,4 +1,4 @@
-//! What every element's reader shares: its children and attributes, checked against the tables.
+//! The parts that all element readers share: children and attributes, checked against the tables.
 
 pub(in crate::parse::xml) mod parts;
 pub(in crate::parse::xml) mod facades;
@@ -11,26 +11,28 @@ pub(in crate::parse::xml) mod codes;
 pub(in crate::parse::xml) mod monuments;
 
 use super::edits;
-use super::schema::{self, Content, Kind, Schema, Tag};
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::schema;
+use crate::parse::schema::{Content, Kind, Schema, Tag};
+use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::Text;
+use crate::parse::xml::tree::token::Attribute;
 use crate::source::Span;
 use std::ops::{Range, RangeInclusive};
 
 /// The state of the second step, from the tree to the document.
 pub(super) struct Reader<'t, 'a> {
     pub(super) tree: &'t Tree<'t>,
-    pub(super) faults: &'t mut Reporter<'a>,
+    pub(super) reporter: &'t mut Reporter<'a>,
     pub(super) suggest: Suggest,
-    /// Where the row under way could bear a `turn`, if it bears none.
+    /// Where the row under way could have a `turn`, if it has none.
     pub(super) turn: Option<usize>,
 }
 
-/// A child that may stand where it stands.
+/// A child that may be where it stands.
 pub(super) enum Node<'t> {
     /// An element.
     Element(&'static Schema, &'t Element<'t>),
@@ -56,7 +58,7 @@ impl<'t> Attributes<'t> {
         found.map(|(_, attribute, _)| *attribute)
     }
 
-    /// What an attribute may say.
+    /// The kind of value of an attribute.
     pub(super) fn kind(&self, name: &str) -> Kind {
         self.schema.attribute(name).map_or(Kind::Text, |a| a.kind)
     }
@@ -96,12 +98,12 @@ impl<'t> Attributes<'t> {
 impl<'t> Reader<'t, '_> {
     /// The span of a whole element.
     pub(super) fn whole(&self, element: &Element<'_>) -> Span {
-        self.faults.span(&element.range)
+        self.reporter.span(&element.range)
     }
 
     /// The span of an element's start tag.
     pub(super) fn start(&self, element: &Element<'_>) -> Span {
-        self.faults.span(&element.tag)
+        self.reporter.span(&element.tag)
     }
 
     /// The outermost elements.
@@ -113,8 +115,8 @@ impl<'t> Reader<'t, '_> {
         nodes
     }
 
-    /// The children of an element that may stand in it. What may not is reported; the children of unknown
-    /// elements count as those of the element round them.
+    /// The children of an element that may be in it. What may not is reported; the children of unknown
+    /// elements count as those of the element around them.
     pub(super) fn children(
         &mut self,
         element: &'t Element<'t>,
@@ -125,7 +127,7 @@ impl<'t> Reader<'t, '_> {
         nodes
     }
 
-    /// Reports whatever stands in an element that holds nothing.
+    /// Reports all the content of an element that holds nothing.
     pub(super) fn no_children(&mut self, element: &'t Element<'t>) {
         self.children(element, &schema::NOTHING);
     }
@@ -155,19 +157,19 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Reports a text that stands in an element of elements.
+    /// Reports a text that is in an element of elements.
     pub(super) fn misplaced(&mut self, range: &Range<usize>, text: &str, parent: &str) {
-        // A lone `<` was told of as a tag that is none.
-        let (written, verbatim) = (self.faults.quote(range), "[CDATA[");
+        // A lone `<` was reported of as a tag that is none.
+        let (written, verbatim) = (self.reporter.quote(range), "[CDATA[");
         let before = range.start.saturating_sub(verbatim.len())..range.start;
-        if written == "<" && self.faults.quote(&before) != verbatim {
+        if written == "<" && self.reporter.quote(&before) != verbatim {
             return;
         }
-        self.faults
+        self.reporter
             .at(range, |s| say::text_not_allowed(s, text, parent, written));
     }
 
-    /// Puts an element among the nodes if it may stand there.
+    /// Puts an element among the nodes if it may be there.
     fn element(
         &mut self,
         element: &'t Element<'t>,
@@ -184,14 +186,14 @@ impl<'t> Reader<'t, '_> {
             Some(schema)
                 if schema.tag == Tag::Roof
                     && content.tags.contains(&Tag::Roofs)
-                    && !schema.required().any(|name| element.bears(name)) =>
+                    && !schema.required().any(|name| element.has_attribute(name)) =>
             {
-                let tags = edits::tags(self.faults, element);
-                self.faults.at(range, |s| say::roof_for_roofs(s, &tags));
+                let tags = edits::tags(self.reporter, element);
+                self.reporter.at(range, |s| say::roof_for_roofs(s, &tags));
                 nodes.extend(schema::named("Roofs").map(|s| Node::Element(s, element)));
             }
             Some(schema) => {
-                self.faults
+                self.reporter
                     .at(range, |s| say::wrong_place(s, name, parent, schema.home));
             }
             None => self.unknown(element, parent, content, nodes),
@@ -210,8 +212,8 @@ impl<'t> Reader<'t, '_> {
         let near = self.suggest.among(element.name, here.map(|e| e.name));
         let near = near.or_else(|| self.suggest.among(element.name, all.map(|e| e.name)));
         if is_name(element.name) {
-            let tags = edits::tags(self.faults, element);
-            self.faults.at(&element.name_range, |s| {
+            let tags = edits::tags(self.reporter, element);
+            self.reporter.at(&element.name_range, |s| {
                 say::unknown_element(s, element.name, near, parent, &tags)
             });
         }
@@ -230,13 +232,13 @@ impl<'t> Reader<'t, '_> {
         schema: &'static Schema,
         element: &'t Element<'t>,
     ) -> Attributes<'t> {
-        check(self.faults, &mut self.suggest, schema, element)
+        check(self.reporter, &mut self.suggest, schema, element)
     }
 }
 
 /// The attributes of an element, checked by name.
 pub(super) fn check<'t>(
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
     suggest: &mut Suggest,
     schema: &'static Schema,
     element: &'t Element<'t>,
@@ -250,13 +252,13 @@ pub(super) fn check<'t>(
         if attribute.is_foreign() {
             continue;
         }
-        if let Some(name) = attribute_name(faults, suggest, schema, element, attribute) {
-            found.add(faults, name, attribute);
+        if let Some(name) = attribute_name(reporter, suggest, schema, element, attribute) {
+            found.add(reporter, name, attribute);
         }
     }
     for required in schema.required() {
         if !found.list.iter().any(|(n, ..)| *n == required) {
-            faults.at(&element.name_range, |s| {
+            reporter.at(&element.name_range, |s| {
                 let words = schema.attribute(required).map_or(&[][..], edits::few_words);
                 say::attribute_missing(s, schema.name, required, words)
             });
@@ -266,7 +268,7 @@ pub(super) fn check<'t>(
 }
 
 fn attribute_name(
-    faults: &mut Reporter<'_>,
+    reporter: &mut Reporter<'_>,
     suggest: &mut Suggest,
     schema: &'static Schema,
     element: &Element<'_>,
@@ -276,16 +278,19 @@ fn attribute_name(
     if let Some(known) = schema.attribute(canonical) {
         return Some(known.name);
     }
-    let bears = schema.attributes.iter().map(|a| a.name);
-    let code = bears.clone().find(|a| *a == "code").map(|_| "texturecode");
+    let attribute_schema = schema.attributes.iter().map(|a| a.name);
+    let code = attribute_schema
+        .clone()
+        .find(|a| *a == "code")
+        .map(|_| "texturecode");
     let near = schema::meant(schema.tag, attribute.name).or_else(|| {
-        let words = bears.clone().chain(code);
+        let words = attribute_schema.clone().chain(code);
         suggest.among(attribute.name, words)
     });
     if !attribute.faulty {
-        let whole = faults.with_gap(&attribute.range);
-        faults.at(&attribute.name_range, |s| {
-            let known: Vec<&str> = bears.clone().collect();
+        let whole = reporter.with_gap(&attribute.range);
+        reporter.at(&attribute.name_range, |s| {
+            let known: Vec<&str> = attribute_schema.clone().collect();
             let is = |near, a: &Attribute<'_>| schema::canonical(a.name) == schema::canonical(near);
             let near = near.map(|near| (near, element.attributes.iter().any(|a| is(near, a))));
             let (name, of) = (attribute.name, schema.name);
@@ -293,18 +298,23 @@ fn attribute_name(
         });
     }
     let near = schema::canonical(near?);
-    bears.into_iter().find(|a| *a == near)
+    attribute_schema.into_iter().find(|a| *a == near)
 }
 
 impl<'t> Attributes<'t> {
-    fn add(&mut self, faults: &mut Reporter<'_>, name: &'static str, attribute: &'t Attribute<'t>) {
+    fn add(
+        &mut self,
+        reporter: &mut Reporter<'_>,
+        name: &'static str,
+        attribute: &'t Attribute<'t>,
+    ) {
         let first = self.list.iter().find(|(n, ..)| *n == name);
         if let Some((_, first, _)) = first {
             // Twins of the same spelling were reported by the tree.
             if first.name != attribute.name && !attribute.faulty {
-                let before = faults.span(&first.name_range);
-                let both = [&first.range, &attribute.range].map(|range| faults.with_gap(range));
-                faults.at(&attribute.name_range, |s| {
+                let before = reporter.span(&first.name_range);
+                let both = [&first.range, &attribute.range].map(|range| reporter.with_gap(range));
+                reporter.at(&attribute.name_range, |s| {
                     say::attribute_twice(s, attribute.name, first.name, before, both)
                 });
             }
@@ -314,8 +324,8 @@ impl<'t> Attributes<'t> {
         let empty = text.trim_matches(is_blank).is_empty() && !void(text);
         if empty && !attribute.faulty {
             let needed = self.schema.required().any(|required| required == name);
-            let spared = (!needed).then(|| faults.with_gap(&attribute.range));
-            faults.at(&attribute.range, |s| {
+            let spared = (!needed).then(|| reporter.with_gap(&attribute.range));
+            reporter.at(&attribute.range, |s| {
                 say::value_empty(s, attribute.name, spared)
             });
         }
@@ -329,5 +339,5 @@ fn void(text: &str) -> bool {
 }
 
 fn is_name(name: &str) -> bool {
-    name.starts_with(crate::parse::xml::tree::tag::is_name_start)
+    name.starts_with(crate::parse::xml::tree::chars::is_name_start)
 }

@@ -1,11 +1,13 @@
-//! The elements of an XML file as a tree with places. It knows no element of the language but what [`Habits`]
+//! The elements of an XML file as a tree with places. It knows no element of the language but what [`SchemaHints`]
 //! tells, and it is there whatever is wrong with the file.
 //!
 //! Invariants: ranges are of [`Source::text`](crate::source::Source::text) and lie within it; elements nest at most
 //! as deep as the limit says, so that later steps may recurse; children are in the order of the file; texts of
 //! white space only are left out. The tree itself is built and dropped without recursion.
 
+pub(in crate::parse::xml) mod chars;
 pub(in crate::parse::xml) mod quotes;
+pub(in crate::parse::xml) mod token;
 pub(in crate::parse::xml) mod text;
 pub(in crate::parse::xml) mod tag;
 pub(in crate::parse::xml) mod instruction;
@@ -16,30 +18,16 @@ use super::suggest::alike;
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::scan::{EndTag, Scanner, StartTag, Token};
+use crate::parse::schema::SchemaHints;
+use crate::parse::xml::tree::chars::is_blank;
+use crate::parse::xml::tree::scan::Scanner;
 use crate::parse::xml::tree::slash::Slashes;
-use crate::parse::xml::tree::tag::{Attribute, is_blank};
 use crate::parse::xml::tree::text::{Run, Text};
+use crate::parse::xml::tree::token::Attribute;
+use crate::parse::xml::tree::token::{EndTag, StartTag, Token};
 use crate::source::Span;
 use std::collections::HashMap;
 use std::ops::Range;
-
-/// What recovery must know of a language's elements.
-#[derive(Clone, Copy)]
-pub(super) struct Habits {
-    /// Never holds anything.
-    pub(super) leaf: fn(&str) -> bool,
-    /// Never stands directly in another of its name.
-    pub(super) alone: fn(&str) -> bool,
-    /// An element of the language.
-    pub(super) known: fn(&str) -> bool,
-    /// An element that must bear an attribute.
-    pub(super) needs: fn(&str, &str) -> bool,
-    /// An element and an attribute of it that says yes or no.
-    pub(super) switch: fn(&str, &str) -> bool,
-    /// What holds several elements of these names, if anything does.
-    pub(super) around: fn(&[&str]) -> Option<&'static str>,
-}
 
 /// All elements of a file.
 #[derive(Default)]
@@ -50,7 +38,7 @@ pub(super) struct Tree<'a> {
 }
 
 impl Tree<'_> {
-    /// Moves all places in the file, since another one stands before it.
+    /// Moves all places in the file, since another one is before it.
     pub(super) fn shift(&mut self, by: usize) {
         let shift = |range: &mut Range<usize>| *range = range.start + by..range.end + by;
         for element in &mut self.elements {
@@ -86,13 +74,13 @@ pub(super) struct Element<'a> {
 }
 
 impl Element<'_> {
-    /// Whether it bears one of these attributes.
-    pub(super) fn bears(&self, name: &str) -> bool {
+    /// Whether it has one of these attributes.
+    pub(super) fn has_attribute(&self, name: &str) -> bool {
         self.attributes.iter().any(|a| a.name == name)
     }
 }
 
-/// What stands in an element.
+/// The content of an element.
 pub(super) enum Child<'a> {
     /// An element, by its index.
     Element(usize),
@@ -102,10 +90,10 @@ pub(super) enum Child<'a> {
 
 /// Reads a file from an offset on.
 pub(super) fn read<'a>(
-    faults: &mut Reporter<'a>,
+    reporter: &mut Reporter<'a>,
     at: usize,
     nesting: usize,
-    habits: Habits,
+    habits: SchemaHints,
 ) -> Tree<'a> {
     let mut builder = Builder {
         tree: Tree {
@@ -119,18 +107,18 @@ pub(super) fn read<'a>(
         habits,
         slashes: Slashes::new(),
     };
-    let mut scanner = Scanner::new(faults, at, habits);
+    let mut scanner = Scanner::new(reporter, at, habits);
     while let Some(token) = scanner.token() {
         let (at, text) = (scanner.at, scanner.text);
-        let faults = &mut *scanner.faults;
+        let reporter = &mut *scanner.reporter;
         match token {
-            Token::Text(range) => builder.text(range, true, faults),
-            Token::Verbatim(range) => builder.text(range, false, faults),
-            Token::Start(tag) => builder.start(tag, &text[at..], faults),
-            Token::End(tag) => builder.end(&tag, &text[at..], faults),
+            Token::Text(range) => builder.text(range, true, reporter),
+            Token::Verbatim(range) => builder.text(range, false, reporter),
+            Token::Start(tag) => builder.start(tag, &text[at..], reporter),
+            Token::End(tag) => builder.end(&tag, &text[at..], reporter),
         }
     }
-    builder.finish(faults);
+    builder.finish(reporter);
     builder.tree
 }
 
@@ -151,19 +139,19 @@ struct Builder<'a> {
     counts: HashMap<&'a str, usize>,
     run: Run<'a>,
     nesting: usize,
-    habits: Habits,
+    habits: SchemaHints,
     slashes: Slashes,
 }
 
 impl<'a> Builder<'a> {
-    fn text(&mut self, range: Range<usize>, raw: bool, faults: &mut Reporter<'a>) {
+    fn text(&mut self, range: Range<usize>, raw: bool, reporter: &mut Reporter<'a>) {
         let inside = self.open.last().is_some_and(|o| o.element.is_some());
-        let whole = faults.source.text();
+        let whole = reporter.source.text();
         if inside && range.is_empty() {
             return;
         }
         if inside && raw {
-            self.run.raw(range, faults);
+            self.run.raw(range, reporter);
         } else if inside {
             self.run.literal(whole, range);
         } else if self.open.is_empty() {
@@ -171,21 +159,21 @@ impl<'a> Builder<'a> {
             let start = range.start + text.len() - text.trim_start_matches(is_blank).len();
             let end = start + text.trim_matches(is_blank).len();
             if start < end {
-                self.outside(start..end, faults);
+                self.outside(start..end, reporter);
             } else if !raw {
-                self.outside(range.start - 9..range.end + 3, faults);
+                self.outside(range.start - 9..range.end + 3, reporter);
             }
         }
     }
 
-    /// Reports text that stands in no element.
-    fn outside(&self, range: Range<usize>, faults: &mut Reporter<'a>) {
-        // A lone `<` was told of as a tag that is none.
-        if &faults.source.text()[range.clone()] == "<" {
+    /// Reports text that is in no element.
+    fn outside(&self, range: Range<usize>, reporter: &mut Reporter<'a>) {
+        // A lone `<` was reported of as a tag that is none.
+        if &reporter.source.text()[range.clone()] == "<" {
             return;
         }
-        let written = faults.quote(&range);
-        faults.at(&range, |s| say::text_outside(s, written));
+        let written = reporter.quote(&range);
+        reporter.at(&range, |s| say::text_outside(s, written));
     }
 
     /// Ends the run of text under way.
@@ -199,21 +187,21 @@ impl<'a> Builder<'a> {
         }
     }
 
-    fn start(&mut self, tag: StartTag<'a>, rest: &str, faults: &mut Reporter<'a>) {
+    fn start(&mut self, tag: StartTag<'a>, rest: &str, reporter: &mut Reporter<'a>) {
         self.flush();
         let twin = self.open.last().is_some_and(|o| o.name == tag.name);
         if twin && self.is_end_without_slash(&tag, rest) {
             if let Some(open) = self.pop(tag.range.end) {
-                let start = faults.span(&open.name_range);
-                faults.at(&tag.range, |s| say::slash_forgotten(s, tag.name, start));
+                let start = reporter.span(&open.name_range);
+                reporter.at(&tag.range, |s| say::slash_forgotten(s, tag.name, start));
             }
             return;
         }
         if twin && (self.habits.alone)(tag.name) {
-            let next = faults.span(&tag.name_range);
-            self.unfinished(tag.range.start, Some((next, tag.name)), faults);
+            let next = reporter.span(&tag.name_range);
+            self.unfinished(tag.range.start, Some((next, tag.name)), reporter);
         }
-        let place = self.place(&tag, faults);
+        let place = self.place(&tag, reporter);
         // A leaf whose `>` is missing would swallow what follows, unless its end tag does follow.
         let own_end = rest
             .strip_prefix("</")
@@ -242,14 +230,14 @@ impl<'a> Builder<'a> {
     }
 
     /// Whether an element gets a place in the tree; what is wrong with it is reported.
-    fn place(&mut self, tag: &StartTag<'a>, faults: &mut Reporter<'a>) -> bool {
+    fn place(&mut self, tag: &StartTag<'a>, reporter: &mut Reporter<'a>) -> bool {
         let Some(parent) = self.open.last() else {
             return self.nesting > 0; // a second one is reported at the end
         };
         let fits = self.open.len() < self.nesting;
         if let (false, Some(parent)) = (fits, parent.element) {
             self.tree.elements[parent].cut = true;
-            faults.at(&tag.name_range, |s| say::nested_too_deep(s, self.nesting));
+            reporter.at(&tag.name_range, |s| say::nested_too_deep(s, self.nesting));
         }
         fits && parent.element.is_some()
     }
@@ -274,13 +262,13 @@ impl<'a> Builder<'a> {
         index
     }
 
-    fn end(&mut self, tag: &EndTag<'a>, rest: &str, faults: &mut Reporter<'a>) {
+    fn end(&mut self, tag: &EndTag<'a>, rest: &str, reporter: &mut Reporter<'a>) {
         self.flush();
         let known = self.counts.get(tag.name).is_some_and(|n| *n > 0);
         if known {
-            let here = faults.span(&tag.range);
+            let here = reporter.span(&tag.range);
             while self.open.last().is_some_and(|o| o.name != tag.name) {
-                self.unfinished(tag.range.start, Some((here, tag.name)), faults);
+                self.unfinished(tag.range.start, Some((here, tag.name)), reporter);
             }
             self.pop(tag.range.end);
         } else if self.is_misspelt(tag, rest) {
@@ -288,21 +276,21 @@ impl<'a> Builder<'a> {
                 // Where the end tag is right and the start tag wrong, the next step says so of that one.
                 let known = self.habits.known;
                 if known(open.name) || !known(tag.name) || !alike(open.name, tag.name) {
-                    let start = faults.span(&open.name_range);
-                    faults.at(&tag.range, |s| {
+                    let start = reporter.span(&open.name_range);
+                    reporter.at(&tag.range, |s| {
                         say::end_differs(s, tag.name, open.name, start)
                     });
                 }
             }
         } else {
             let inside = self.open.last();
-            let inside = inside.map(|o| (o.name, faults.span(&o.name_range)));
-            faults.at(&tag.range, |s| say::stray_end(s, tag.name, inside));
+            let inside = inside.map(|o| (o.name, reporter.span(&o.name_range)));
+            reporter.at(&tag.range, |s| say::stray_end(s, tag.name, inside));
         }
     }
 
     /// Whether an end tag that closes nothing was meant for the innermost element: it has no name, nearly that
-    /// element's name, or the end of the element round that follows.
+    /// element's name, or the end of the element around that follows.
     fn is_misspelt(&self, tag: &EndTag<'_>, rest: &str) -> bool {
         let Some(innermost) = self.open.last() else {
             return false;
@@ -319,15 +307,20 @@ impl<'a> Builder<'a> {
     }
 
     /// Closes the innermost element where its end tag is missing; `before` = the tag that shows it.
-    fn unfinished(&mut self, end: usize, before: Option<(Span, &str)>, faults: &mut Reporter<'a>) {
+    fn unfinished(
+        &mut self,
+        end: usize,
+        before: Option<(Span, &str)>,
+        reporter: &mut Reporter<'a>,
+    ) {
         let Some(open) = self.pop(end) else { return };
         let leaf = (self.habits.leaf)(open.name);
-        let (at, text) = match faults.wanted() {
-            true => closing(faults.source.text(), &open, end, leaf),
+        let (at, text) = match reporter.wanted() {
+            true => closing(reporter.source.text(), &open, end, leaf),
             false => (end, String::new()),
         };
-        let fix = Edit::new(faults.span(&(at..at)), text);
-        faults.at(&open.name_range, |s| {
+        let fix = Edit::new(reporter.span(&(at..at)), text);
+        reporter.at(&open.name_range, |s| {
             say::not_closed(s, open.name, before, fix)
         });
     }
@@ -341,21 +334,21 @@ impl<'a> Builder<'a> {
         Some(open)
     }
 
-    fn finish(&mut self, faults: &mut Reporter<'a>) {
+    fn finish(&mut self, reporter: &mut Reporter<'a>) {
         self.flush();
-        let end = faults.source.text().len();
+        let end = reporter.source.text().len();
         while !self.open.is_empty() {
-            self.unfinished(end, None, faults);
+            self.unfinished(end, None, reporter);
         }
         match self.tree.roots[..] {
-            [] => faults.at(&(end..end), say::no_element),
+            [] => reporter.at(&(end..end), say::no_element),
             [_] => {}
-            [first, ..] => self.several(first, faults),
+            [first, ..] => self.several(first, reporter),
         }
     }
 
     /// Reports all outermost elements but the first.
-    fn several(&self, first: usize, faults: &mut Reporter<'a>) {
+    fn several(&self, first: usize, reporter: &mut Reporter<'a>) {
         let roots = self
             .tree
             .roots
@@ -365,20 +358,20 @@ impl<'a> Builder<'a> {
         let start = self.tree.elements[first].range.start;
         let end = roots.clone().map(|r| r.range.end).max().unwrap_or(start);
         let edits = (self.habits.around)(&names).map(|name| {
-            let edit = |at: usize, text: String| Edit::new(faults.span(&(at..at)), text);
+            let edit = |at: usize, text: String| Edit::new(reporter.span(&(at..at)), text);
             let tags = (format!("<{name}>\n"), format!("\n</{name}>"));
             vec![edit(start, tags.0), edit(end, tags.1)]
         });
-        let first = faults.span(&self.tree.elements[first].name_range);
+        let first = reporter.span(&self.tree.elements[first].name_range);
         for root in roots.skip(1) {
-            faults.at(&root.name_range, |s| {
+            reporter.at(&root.name_range, |s| {
                 say::second_root(s, root.name, first, edits.clone())
             });
         }
     }
 }
 
-/// Where to close an element without an end tag, before `end`, and how: on the line of what stands before, or on a
+/// Where to close an element without an end tag, before `end`, and how: on the line of what is before, or on a
 /// line of its own where its content has lines of their own; and that of a leaf right in its start tag.
 fn closing(text: &str, open: &Open<'_>, end: usize, leaf: bool) -> (usize, String) {
     /// Longer elements have more than one line.
@@ -402,7 +395,7 @@ fn closing(text: &str, open: &Open<'_>, end: usize, leaf: bool) -> (usize, Strin
     if inside.len() < LINE && !inside.contains('\n') {
         return (before.len(), format!("</{name}>"));
     }
-    // What stands before the tag on its line, if that is white space.
+    // What is before the tag on its line, if that is white space.
     let before_tag = text[..start].trim_end_matches('<');
     let line = before_tag.trim_end_matches([' ', '\t']);
     let indent = match line.ends_with('\n') {

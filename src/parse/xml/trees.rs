@@ -5,7 +5,7 @@ use super::tree::Tree;
 use crate::source::FileId;
 use std::rc::Rc;
 
-/// What was read of some files.
+/// The content of the files that were read.
 #[derive(Default)]
 pub struct Trees<'a> {
     /// Of which file, and from which offset on.

@@ -7,7 +7,7 @@ use std::ops::Range;
 /// Elements nested deeper are refused, as by the reader of the language, since the printer recurses.
 const DEEPEST: usize = 256;
 
-/// A piece of the text.
+/// A piece of the file.
 pub(super) enum Node<'a> {
     /// Text with its references.
     Text(&'a str),
@@ -40,7 +40,7 @@ pub(super) struct Attribute<'a> {
     pub(super) value: &'a str,
 }
 
-/// The nodes of a text; `None` where it is not well-formed, has a document type, or nests too deep.
+/// The nodes of a source file; `None` where it is not well-formed, has a document type, or nests too deep.
 pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
     let mut reader = Reader::from_str(text);
     let mut open: Vec<Element<'_>> = vec![];
@@ -61,7 +61,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
         match event {
             Event::Start(tag) => {
                 let mut element = element(text, &tag)?;
-                // What stands before it waits in its place.
+                // What is before it waits in its place.
                 std::mem::swap(&mut element.children, &mut nodes);
                 open.push(element);
                 (open.len() <= DEEPEST).then_some(())?;
@@ -109,7 +109,7 @@ pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a 
     found
 }
 
-/// Every event of a text with its range, up to the first fault.
+/// Every event of a source file with its range, up to the first fault.
 fn each<'a>(text: &'a str, mut see: impl FnMut(Event<'a>, Range<usize>)) {
     let mut reader = Reader::from_str(text);
     loop {

@@ -5,7 +5,7 @@ use crate::building::Wall;
 use crate::catalog::Stance;
 use crate::geometry::SAME;
 use crate::ide::stroke::sheet::{Cell, Form, Home, Inner, Reason, Row, Sheet, What, name};
-use crate::parse::outline::Words;
+use crate::parse::syntax::Words;
 use crate::program::{Content, Unit};
 use crate::source::FileId;
 use std::ops::Range;
@@ -92,7 +92,7 @@ impl Sheet<'_> {
         attributes.iter().any(|a| !a.expressions.is_empty())
     }
 
-    /// A `repeat` of parts of which nothing more is said.
+    /// A `repeat` of parts of which nothing more is stated.
     fn run(&self, element: usize) -> Option<Form> {
         let own = &self.outline.elements[element];
         let num = own.attribute("num").filter(|_| !self.computes(element))?;
@@ -221,7 +221,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// What a unit is.
+    /// The content of a unit.
     pub(in crate::ide) fn what(&self, unit: &Unit) -> What {
         match &unit.content {
             Content::Void => What::Void,

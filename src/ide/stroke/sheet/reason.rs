@@ -1,4 +1,4 @@
-//! Why a thing cannot be drawn: what is worked out by the text is changed in the text.
+//! Why a thing cannot be drawn: what is computed by the file is changed in the file.
 
 use crate::diagnostic::Text;
 use crate::text;

@@ -1,15 +1,15 @@
 //! `{...}`: finding expressions in texts, and putting their values in their place.
 
-use super::{Maker, Scope, fixes};
+use super::{Expander, Scope, fixes};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr::{self, Expr, Problem};
-use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::{REPORTED, Text};
 use std::ops::Range;
 use std::rc::Rc;
 
-/// Longer texts are nobody's code or name; without a bound a few lines could fill the memory.
+/// Longer texts are no one's code or name; without a bound a few lines could fill the memory.
 const LONGEST: usize = 4096;
 
 /// A piece of a text with braces.
@@ -72,7 +72,7 @@ fn end_of(text: &str, from: usize) -> (usize, bool) {
     (at, false)
 }
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// The value of an attribute: that of its expression if it is nothing else, else what its text reads as; `None`
     /// where something was reported.
     pub(super) fn value(&mut self, text: &Text<'_>, scope: &Scope<'a>) -> Option<Value> {
@@ -110,7 +110,7 @@ impl<'a> Maker<'a, '_> {
             }
         }
         if filled.as_str().len() > LONGEST.max(text.as_str().len()) {
-            self.faults.at(&text.whole(), say::value_too_long);
+            self.reporter.at(&text.whole(), say::value_too_long);
             return None;
         }
         sound.then_some(filled)
@@ -144,15 +144,15 @@ impl<'a> Maker<'a, '_> {
         }
     }
 
-    /// Reports a brace without a partner in a value, or else among codes, where it cannot stand for itself.
+    /// Reports a brace without a partner in a value, or else among codes, where it cannot be for itself.
     fn loose(&mut self, text: &Text<'_>, range: Range<usize>, plain: bool, scope: &Scope<'a>) {
         let opens = text.as_str()[range.clone()].starts_with('{');
         let brace = range.start..range.start + 1;
         let partner = self.partner(text, range, plain, scope);
         // A number or a word cannot hold one; what has several words may.
         let prose = || text.as_str().trim_matches(is_blank).contains(is_blank);
-        let plain = plain && partner.is_none() && self.faults.wanted() && prose();
-        self.faults.at(&text.range(brace), |s| {
+        let plain = plain && partner.is_none() && self.reporter.wanted() && prose();
+        self.reporter.at(&text.range(brace), |s| {
             say::brace_alone(s, opens, partner, plain)
         });
     }
@@ -179,7 +179,7 @@ impl<'a> Maker<'a, '_> {
         };
         let trouble = match expr::evaluate(&expr, &names) {
             Ok(value) => {
-                let place = self.faults.span(&text.range(range));
+                let place = self.reporter.span(&text.range(range));
                 self.note(place, &value);
                 return Some(value);
             }
@@ -202,7 +202,7 @@ impl<'a> Maker<'a, '_> {
         let inner = &text.as_str()[range.start + 1..range.end - 1];
         let parsed = if inner.chars().all(is_blank) {
             let alone = text.as_str().trim_matches(is_blank).len() == range.len();
-            self.faults.at(&place, |s| say::empty_braces(s, alone));
+            self.reporter.at(&place, |s| say::empty_braces(s, alone));
             None
         } else {
             let found = expr::parse(inner).map_err(|fault| {
@@ -216,7 +216,7 @@ impl<'a> Maker<'a, '_> {
                 };
                 let place = text.range(start + at.start..start + end);
                 let fix = self.fixed(text, start..range.end - 1, &at);
-                self.faults.at(&place, |s| {
+                self.reporter.at(&place, |s| {
                     say::bad_expression(s, fault.wanted, quoted, fix)
                 });
             });
@@ -238,34 +238,38 @@ impl<'a> Maker<'a, '_> {
             Problem::Unknown(name) => {
                 let known = self.known(|| scope.names());
                 let near = self.suggest.among(name, known.iter().map(|n| &**n));
-                self.faults.at(place, |s| {
+                self.reporter.at(place, |s| {
                     say::unknown_name(s, name, near, &known, compared)
                 });
             }
             Problem::NoFunction(name) => {
                 let near = self.suggest.among(name, expr::FUNCTIONS.iter().copied());
-                self.faults.at(place, |s| {
+                self.reporter.at(place, |s| {
                     say::unknown_function(s, name, near, &expr::FUNCTIONS)
                 });
             }
-            Problem::NoStorey => self.faults.at(place, say::no_storey),
+            Problem::NoStorey => self.reporter.at(place, say::no_storey),
             Problem::Mismatch { wanted, found } => self
-                .faults
+                .reporter
                 .at(place, |s| say::wrong_type(s, quoted, *wanted, found)),
             Problem::Arguments {
                 function,
                 wanted,
                 found,
-            } => self.faults.at(place, |s| {
+            } => self.reporter.at(place, |s| {
                 say::wrong_arguments(s, function, *wanted, *found)
             }),
-            Problem::Division => self.faults.at(place, |s| say::division_by_zero(s, quoted)),
+            Problem::Division => self
+                .reporter
+                .at(place, |s| say::division_by_zero(s, quoted)),
             Problem::Bounds => {
                 let swapped = self.swapped(place);
-                self.faults.at(place, |s| say::clamp_bounds(s, swapped));
+                self.reporter.at(place, |s| say::clamp_bounds(s, swapped));
             }
-            Problem::Overflow => self.faults.at(place, |s| say::number_too_large(s, quoted)),
-            Problem::TooLong => self.faults.at(place, say::value_too_long),
+            Problem::Overflow => self
+                .reporter
+                .at(place, |s| say::number_too_large(s, quoted)),
+            Problem::TooLong => self.reporter.at(place, say::value_too_long),
         }
     }
 }

@@ -1,12 +1,13 @@
 //! `if` and `else`: one of them stands for what it holds.
 
 use super::super::read::check;
-use super::super::schema::{self, Tag};
-use super::{Maker, Scope, Spot};
+use super::{ElementRef, Expander, Scope};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
+use crate::parse::schema;
+use crate::parse::schema::Tag;
 
-/// What an `else` means where it stands.
+/// What an `else` at this place belongs to.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Branch {
     /// Nothing: there is no `if` before it.
@@ -17,29 +18,29 @@ pub(super) enum Branch {
     Chosen,
 }
 
-impl<'a> Maker<'a, '_> {
-    /// Works out an `if`, or an `else` behind that. An `else` with a test is another condition.
+impl<'a> Expander<'a, '_> {
+    /// Works out an `if`, or an `else` after that. An `else` with a test is another condition.
     pub(super) fn condition(
         &mut self,
-        spot: &Spot<'_, 'a>,
-        parent: &Spot<'_, 'a>,
+        element_ref: &ElementRef<'_, 'a>,
+        parent: &ElementRef<'_, 'a>,
         scope: &Scope<'a>,
         into: usize,
         branch: Branch,
     ) -> Branch {
-        let element = spot.element();
+        let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
             return branch;
         };
         if branch == Branch::None {
-            let fix = self.behind_the_if(spot, parent);
-            self.faults
+            let fix = self.behind_the_if(element_ref, parent);
+            self.reporter
                 .at(&element.name_range, |s| say::else_without_if(s, fix));
             return Branch::None;
         }
-        let of = check(self.faults, &mut self.suggest, schema, element);
+        let of = check(self.reporter, &mut self.suggest, schema, element);
         let test = of.get("test").map(|a| &a.value);
-        // Without a sound test neither this nor what follows is chosen: nobody knows which was meant.
+        // Without a sound test neither this nor what follows is chosen: is unknown which was meant.
         let holds = match test {
             _ if branch == Branch::Chosen => false,
             None if schema.tag == Tag::Else => true,
@@ -50,7 +51,7 @@ impl<'a> Maker<'a, '_> {
                     let quoted = test.as_str();
                     let worth = self.worth(quoted, scope);
                     let sound = matches!(worth, Some(Value::Truth(_)));
-                    self.faults.at(&test.whole(), |s| {
+                    self.reporter.at(&test.whole(), |s| {
                         say::test_no_truth(s, quoted, &found, sound)
                     });
                     return Branch::Chosen;
@@ -59,8 +60,8 @@ impl<'a> Maker<'a, '_> {
             },
         };
         if holds {
-            self.inside(&element.name_range, into, |maker| {
-                maker.list(spot, scope, into);
+            self.inside(&element.name_range, into, |expander| {
+                expander.list(element_ref, scope, into);
             });
         }
         match (schema.tag, test) {

@@ -1,17 +1,18 @@
-//! What is drawn while a file is read: which `choice` of a `random` stands in its place, and the parameters that nobody
+//! What is drawn while a file is read: which `choice` of a `random` is in its place, and the parameters that no one
 //! sets.
 //!
 //! A draw's key is the path that leads to it in what is made: the seed, the name or the number of the house, then for
 //! each element on the way its kind and its number among its like; last the number of the `random` in its element, or
-//! the name of the parameter. So only what stands beside it, or beside what it stands in, moves a draw. These keys are
+//! the name of the parameter. So only what is beside it, or beside what it is in, moves a draw. These keys are
 //! part of the language, as those of [`crate::rng`] are.
 
 use super::super::read::check;
-use super::super::schema::{self, Tag};
 use super::super::tree::Child;
-use super::{Maker, Scope, Spot};
+use super::{ElementRef, Expander, Scope};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::{parts, xml as say};
+use crate::parse::schema;
+use crate::parse::schema::Tag;
 use crate::rng::Place;
 use crate::source::Span;
 use crate::text;
@@ -36,7 +37,7 @@ struct Level<'a> {
     place: Place,
     /// Elements so far by their kinds; an element holds few of them.
     kinds: Vec<(&'a str, u64)>,
-    /// What was drawn right in it.
+    /// The draws made directly in it.
     draws: u64,
 }
 
@@ -104,20 +105,20 @@ impl<'a> Open<'a> {
 }
 
 /// Whether a `random` chooses among pieces of text, not among codes.
-pub(super) fn is_choice(spot: &Spot<'_, '_>) -> bool {
+pub(super) fn is_choice(element_ref: &ElementRef<'_, '_>) -> bool {
     let holds = |child: &Child<'_>| match child {
-        Child::Element(index) => spot.child(*index).tag() == Some(Tag::Choice),
+        Child::Element(index) => element_ref.child(*index).tag() == Some(Tag::Choice),
         Child::Text(_) => false,
     };
-    spot.tag() == Some(Tag::Random) && spot.element().children.iter().any(holds)
+    element_ref.tag() == Some(Tag::Random) && element_ref.element().children.iter().any(holds)
 }
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// Goes into an element that was made.
-    pub(super) fn enter(&mut self, spot: &Spot<'_, 'a>, made: usize) {
-        let place = match spot.tag() {
+    pub(super) fn enter(&mut self, element_ref: &ElementRef<'_, 'a>, made: usize) {
+        let place = match element_ref.tag() {
             Some(Tag::House) => Some(self.place_of_house(made)),
-            _ => self.open.place_of(spot.element().name),
+            _ => self.open.place_of(element_ref.element().name),
         };
         let place = place.unwrap_or(Place::seed(0));
         self.open.levels.push(Level::new(place));
@@ -149,21 +150,26 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// Puts one of the choices of a `random` in its place.
-    pub(super) fn choose(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
-        let element = spot.element();
+    pub(super) fn choose(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let element = element_ref.element();
         for attribute in element.attributes.iter().filter(|a| !a.is_foreign()) {
-            let whole = self.faults.with_gap(&attribute.range);
-            self.faults.at(&attribute.name_range, |s| {
+            let whole = self.reporter.with_gap(&attribute.range);
+            self.reporter.at(&attribute.name_range, |s| {
                 say::attribute_beside_choices(s, attribute.name, whole)
             });
         }
         let (mut choices, mut sums, mut sum) = (vec![], vec![], 0.0);
         for child in &element.children {
             let child = match child {
-                Child::Element(index) => spot.child(*index),
+                Child::Element(index) => element_ref.child(*index),
                 Child::Text(text) => {
                     let fix = self.chosen(&text.whole());
-                    self.faults
+                    self.reporter
                         .at(&text.whole(), |s| say::beside_choices(s, fix));
                     continue;
                 }
@@ -171,7 +177,7 @@ impl<'a> Maker<'a, '_> {
             if child.tag() != Some(Tag::Choice) {
                 let place = child.element().name_range.clone();
                 let fix = self.chosen(&child.element().range);
-                self.faults.at(&place, |s| say::beside_choices(s, fix));
+                self.reporter.at(&place, |s| say::beside_choices(s, fix));
                 continue;
             }
             sum += self.weight(&child, scope);
@@ -180,23 +186,23 @@ impl<'a> Maker<'a, '_> {
         }
         let place = self.open.next();
         if sum <= 0.0 {
-            let span = self.faults.span(&element.name_range);
-            self.faults.push(|| say::no_weight(span, None));
+            let span = self.reporter.span(&element.name_range);
+            self.reporter.push(|| say::no_weight(span, None));
             return;
         }
         let chosen = &choices[place.pick(&sums)];
-        self.inside(&chosen.element().name_range, into, |maker| {
-            maker.list(chosen, scope, into);
+        self.inside(&chosen.element().name_range, into, |expander| {
+            expander.list(chosen, scope, into);
         });
     }
 
     /// The weight of a choice: 1 where none is given, or no sound one.
-    fn weight(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) -> f64 {
-        let element = spot.element();
+    fn weight(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) -> f64 {
+        let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
             return 1.0;
         };
-        let of = check(self.faults, &mut self.suggest, schema, element);
+        let of = check(self.reporter, &mut self.suggest, schema, element);
         let Some(attribute) = of.get("weight") else {
             return 1.0;
         };
@@ -204,7 +210,7 @@ impl<'a> Maker<'a, '_> {
             Some(Value::Number(number)) => number,
             Some(found) => {
                 let text = found.to_string();
-                self.faults.at(&attribute.value.whole(), |s| {
+                self.reporter.at(&attribute.value.whole(), |s| {
                     say::not_a_number(s, "weight", &text, None)
                 });
                 return 1.0;
@@ -215,7 +221,7 @@ impl<'a> Maker<'a, '_> {
             return given;
         }
         let text = given.to_string();
-        self.faults.at(&attribute.value.whole(), |s| {
+        self.reporter.at(&attribute.value.whole(), |s| {
             let bounds = text!(
                 "a number from 0 to 1000000000",
                 "0 から 1000000000 までの数"
@@ -226,7 +232,7 @@ impl<'a> Maker<'a, '_> {
         1.0
     }
 
-    /// Draws a parameter that nobody sets, in a run with a seed. `weights` are those that were written.
+    /// Draws a parameter that no one sets, in a run with a seed. `weights` are those that were written.
     pub(super) fn drawn(
         &mut self,
         of: &Parameter,
@@ -240,7 +246,7 @@ impl<'a> Maker<'a, '_> {
         let place = place.named("param").named(&of.name);
         let values = values(of);
         let Some(values) = values else {
-            self.faults.push(|| say::nothing_to_draw(span, &of.name));
+            self.reporter.push(|| say::nothing_to_draw(span, &of.name));
             return None;
         };
         let weights = match weights {
@@ -266,19 +272,19 @@ impl<'a> Maker<'a, '_> {
     fn fitting(&mut self, weights: Vec<f64>, span: Span, values: usize) -> Option<Vec<f64>> {
         if weights.len() != values {
             let given = weights.len();
-            self.faults
+            self.reporter
                 .push(|| parts::weight_count(span, given, values, None));
             return None;
         }
         if weights.iter().sum::<f64>() <= 0.0 {
-            self.faults.push(|| say::no_weight(span, Some(values)));
+            self.reporter.push(|| say::no_weight(span, Some(values)));
             return None;
         }
         Some(weights)
     }
 }
 
-/// What a parameter may be.
+/// The values that a parameter accepts.
 enum Values<'p> {
     Listed(&'p [Value]),
     Truths,
@@ -300,7 +306,7 @@ impl Values<'_> {
         match self {
             Values::Listed(values) => values[index].clone(),
             Values::Truths => Value::Truth(index == 0),
-            // Steps of a tenth leave a tail of digits, which nobody would have written.
+            // Steps of a tenth leave a tail of digits, which no one would have written.
             Values::Numbers(least, step, _) => {
                 Value::Number(((least + step * index as f64) * 1e9).round() / 1e9)
             }
@@ -308,7 +314,7 @@ impl Values<'_> {
     }
 }
 
-/// The values of a parameter, if they can be told.
+/// The values of a parameter, if they can be reported.
 fn values(of: &Parameter) -> Option<Values<'_>> {
     if !of.choices.is_empty() {
         return Some(Values::Listed(&of.choices));

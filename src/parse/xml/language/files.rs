@@ -1,16 +1,17 @@
-//! `include`: what another file defines. Of that file count the parameters, names, pieces, own parts and includes in
-//! its outermost element; its houses do not. Each file is read once, however often it is included. Its own parts are
+//! `include`: what another file defines. Of that file count the parameters, names, pieces, custom parts and includes in
+//! its outermost element; its houses do not. Each file is read once, however often it is included. Its custom parts are
 //! put into the element that includes it, as if they stood there.
 
 use super::super::read::check;
-use super::super::schema::{self, HABITS, Tag};
 use super::super::tree::{self, Child};
 use super::conditions::Branch;
 use super::draws::is_choice;
 use super::scope::Frame;
-use super::{Maker, Scope, Spot, is_language};
+use super::{ElementRef, Expander, Scope};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::is_readable;
+use crate::parse::schema;
+use crate::parse::schema::{SCHEMA_HINTS, Tag, is_language};
 use crate::source::{IncludeError, Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -25,26 +26,31 @@ pub(super) struct Files<'a> {
     open: Vec<(String, Span)>,
 }
 
-/// What a file defines.
+/// The definitions of a file.
 struct Included<'a> {
     scope: Scope<'a>,
-    /// Its own parts, and those of the files that it includes: elements of the tree that is being made.
+    /// Its custom parts, and those of the files that it includes: elements of the tree that is being made.
     parts: Vec<usize>,
 }
 
-/// What counts in the outermost element of a file.
+/// The content of a file's outermost element that counts.
 fn defines(tag: Tag) -> bool {
     is_language(tag) || tag == Tag::PartDef
 }
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// Takes over what a file defines.
-    pub(super) fn include(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
-        let element = spot.element();
+    pub(super) fn include(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
             return;
         };
-        let of = check(self.faults, &mut self.suggest, schema, element);
+        let of = check(self.reporter, &mut self.suggest, schema, element);
         let Some(href) = of.get("href") else {
             return;
         };
@@ -56,10 +62,10 @@ impl<'a> Maker<'a, '_> {
             return;
         };
         if let Some(first) = self.files.open.iter().position(|(p, _)| *p == path) {
-            let span = self.faults.span(&place);
+            let span = self.reporter.span(&place);
             let mut chain = self.files.open[first..].to_vec();
             chain.push((path, span));
-            self.faults.push(|| say::include_cycle(span, &chain));
+            self.reporter.push(|| say::include_cycle(span, &chain));
             return;
         }
         if !self.files.done.contains_key(&path) {
@@ -82,54 +88,55 @@ impl<'a> Maker<'a, '_> {
     fn path(&mut self, href: &str, place: &Range<usize>) -> Option<String> {
         let scheme = href.split_once(':').is_some_and(|(s, _)| !s.contains('/'));
         if scheme || href.starts_with('/') || href.contains(['\\', '\0']) {
-            self.faults.at(place, |s| say::include_outside(s, href));
+            self.reporter.at(place, |s| say::include_outside(s, href));
             return None;
         }
-        let (_, from) = self.faults.source_at(place.start);
+        let (_, from) = self.reporter.source_at(place.start);
         match self.setting.world.text(from.name(), href) {
             Ok(path) => Some(path),
             Err(IncludeError::Outside) => {
-                self.faults.at(place, |s| say::include_outside(s, href));
+                self.reporter.at(place, |s| say::include_outside(s, href));
                 None
             }
             Err(IncludeError::Missing) => {
-                self.faults
+                self.reporter
                     .at(place, |s| say::include_missing(s, href, None));
                 None
             }
         }
     }
 
-    /// What a file defines; `None` where nothing came of it.
+    /// The definitions of a file; `None` where it could not be read.
     fn file(&mut self, path: &str, place: &Range<usize>) -> Option<Included<'a>> {
         let source = self.source(path, place)?;
-        let base = self.faults.enter(source);
+        let base = self.reporter.enter(source);
         let mut readable = true;
         if self.files.open.len() >= self.nesting {
             let limit = self.nesting;
-            self.faults.at(&(0..0), |s| say::nested_too_deep(s, limit));
+            self.reporter
+                .at(&(0..0), |s| say::nested_too_deep(s, limit));
             readable = false;
         }
-        let faults = &mut *self.faults;
-        readable &= is_readable(source, &self.setting.limits, &mut |d| faults.say(d));
+        let reporter = &mut *self.reporter;
+        readable &= is_readable(source, &self.setting.limits, &mut |d| reporter.say(d));
         if readable && !source.text().trim_start().starts_with(['<', '＜']) {
-            self.faults.at(&(0..0), say::include_no_xml);
+            self.reporter.at(&(0..0), say::include_no_xml);
             readable = false;
         }
         if !readable {
-            self.faults.leave();
+            self.reporter.leave();
             return None;
         }
         let tree = match self.trees.find(source.id(), base) {
             Some(tree) => tree,
             None => {
-                let mut tree = tree::read(self.faults, 0, self.nesting, HABITS);
+                let mut tree = tree::read(self.reporter, 0, self.nesting, SCHEMA_HINTS);
                 tree.shift(base);
                 self.trees.keep(source.id(), base, tree)
             }
         };
-        self.faults.leave();
-        let span = self.faults.span(place);
+        self.reporter.leave();
+        let span = self.reporter.span(place);
         self.files.open.push((path.to_owned(), span));
         let scope = Frame::outermost();
         let parts = self.definitions(&tree, &scope);
@@ -147,7 +154,7 @@ impl<'a> Maker<'a, '_> {
             Ok(bytes) => bytes,
             Err(error) => {
                 let why = error.to_string();
-                self.faults
+                self.reporter
                     .at(place, |s| say::include_missing(s, path, Some(&why)));
                 return None;
             }
@@ -155,25 +162,26 @@ impl<'a> Maker<'a, '_> {
         let source = cache.add(path, &bytes);
         if source.is_none() {
             let limit = self.setting.limits.includes;
-            self.faults.at(place, |s| say::too_many_includes(s, limit));
+            self.reporter
+                .at(place, |s| say::too_many_includes(s, limit));
         }
         source
     }
 
-    /// What the outermost element of a file defines; returns its own parts.
+    /// What the outermost element of a file defines; returns its custom parts.
     fn definitions(&mut self, tree: &Rc<tree::Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
         let Some(root) = tree.roots.first() else {
             return vec![];
         };
-        let root = Spot { tree, index: *root };
+        let root = ElementRef { tree, index: *root };
         let storeys = std::mem::take(&mut self.storeys);
         let children = root.element().children.iter();
-        let spots: Vec<Spot<'_, 'a>> = children
+        let spots: Vec<ElementRef<'_, 'a>> = children
             .filter_map(|child| match child {
                 Child::Element(index) => Some(root.child(*index)),
                 Child::Text(_) => None,
             })
-            .filter(|spot| spot.tag().is_some_and(defines) || is_choice(spot))
+            .filter(|element_ref| element_ref.tag().is_some_and(defines) || is_choice(element_ref))
             .collect();
         let (pieces, others): (Vec<_>, Vec<_>) =
             spots.iter().partition(|s| s.tag() == Some(Tag::Define));
@@ -181,14 +189,14 @@ impl<'a> Maker<'a, '_> {
             self.define(piece, scope);
         }
         if pieces.is_empty() && others.is_empty() {
-            self.faults
+            self.reporter
                 .at(&root.element().name_range, say::include_nothing);
         }
-        // What is no definition lands in an element that nobody reads.
+        // What is no definition lands in an element that no one reads.
         let aside = self.aside(&root);
         let mut branch = Branch::None;
-        for spot in others {
-            branch = self.child(spot, &root, scope, aside, branch);
+        for element_ref in others {
+            branch = self.child(element_ref, &root, scope, aside, branch);
         }
         self.storeys = storeys;
         let made = &self.made.elements;
@@ -201,7 +209,7 @@ impl<'a> Maker<'a, '_> {
         elements.filter(is_part).collect()
     }
 
-    fn aside(&mut self, root: &Spot<'_, 'a>) -> usize {
+    fn aside(&mut self, root: &ElementRef<'_, 'a>) -> usize {
         let element = root.element();
         self.made.elements.push(tree::Element {
             name: element.name,

@@ -1,20 +1,20 @@
-//! What mends change in expressions, conditions and pieces. Whatever they put in is tried before it is offered.
+//! Fixes for expressions, conditions and pieces. Whatever they put in is tried before it is offered.
 
 use super::super::edits::tags;
 use super::super::suggest::narrow_ascii;
 use super::super::tree::{Child, Element};
-use super::{Maker, Scope, Spot, Tag};
+use super::{ElementRef, Expander, Scope, Tag};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
 use crate::diagnostic::{self, Edit};
 use crate::parse::expr::{self, Problem};
-use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::Text;
 use crate::source::Span;
 use std::ops::Range;
 
-impl<'a> Maker<'a, '_> {
-    /// What a text would be worth as an expression.
+impl<'a> Expander<'a, '_> {
+    /// The value of a text as an expression.
     pub(super) fn worth(&self, text: &str, scope: &Scope<'a>) -> Option<Value> {
         let expr = expr::parse(text).ok()?;
         let names = |name: &str| {
@@ -30,18 +30,18 @@ impl<'a> Maker<'a, '_> {
 
     /// The span of a place in a text where something may be put in.
     fn before(&self, text: &Text<'_>, at: usize) -> Span {
-        self.faults.span(&text.range(at..at))
+        self.reporter.span(&text.range(at..at))
     }
 
     /// How to make an expression of what is none: by the quote or the parenthesis that it lacks, or by half-width signs.
-    /// `inner` = what stands between the braces, `at` = where the fault is in that.
+    /// `inner` = what is between the braces, `at` = where the fault is in that.
     pub(super) fn fixed(
         &self,
         text: &Text<'_>,
         inner: Range<usize>,
         at: &Range<usize>,
     ) -> Option<(diagnostic::Text, Vec<Edit>)> {
-        if !self.faults.wanted() {
+        if !self.reporter.wanted() {
             return None;
         }
         let whole = &text.as_str()[inner.clone()];
@@ -61,7 +61,7 @@ impl<'a> Maker<'a, '_> {
                     '"' => "&quot;".to_owned(),
                     c => c.to_string(),
                 };
-                Some(Edit::new(self.faults.span(&place), narrow))
+                Some(Edit::new(self.reporter.span(&place), narrow))
             });
             return Some((say::expression_fix(None), wide.collect()));
         }
@@ -69,13 +69,13 @@ impl<'a> Maker<'a, '_> {
         let put = quote.unwrap_or(')');
         let place = text.range(inner.start + at.start..inner.start + at.end.max(at.start + 1));
         // A quote that is written as it is may be written so again.
-        let plain = quote.is_none_or(|c| self.faults.quote(&place).starts_with(c));
+        let plain = quote.is_none_or(|c| self.reporter.quote(&place).starts_with(c));
         let lacks = plain && expr::parse(&format!("{}{put}", &whole[..end])).is_ok();
         let edit = Edit::new(self.before(text, inner.start + end), put);
         lacks.then(|| (say::expression_fix(Some(put)), vec![edit]))
     }
 
-    /// Where the partner of a lonely brace may stand; `plain` = the text is no code, but a value.
+    /// Where the partner of a lonely brace may be; `plain` = the text is no code, but a value.
     pub(super) fn partner(
         &self,
         text: &Text<'_>,
@@ -85,7 +85,7 @@ impl<'a> Maker<'a, '_> {
     ) -> Option<Span> {
         /// No expression before a lonely brace is longer.
         const LONGEST: usize = 1024;
-        if !self.faults.wanted() {
+        if !self.reporter.wanted() {
             return None;
         }
         let whole = text.as_str();
@@ -112,9 +112,9 @@ impl<'a> Maker<'a, '_> {
         Some(self.before(text, start))
     }
 
-    /// How to swap the bounds of a `clamp` that stands at a place.
+    /// How to swap the bounds of a `clamp` that is at a place.
     pub(super) fn swapped(&self, place: &Range<usize>) -> Option<Vec<Edit>> {
-        let written = self.faults.quote(place);
+        let written = self.reporter.quote(place);
         let inside = written.strip_suffix(')')?;
         let mut commas = inside.match_indices(',').map(|(i, _)| i);
         let (first, second) = (commas.next()?, commas.next()?);
@@ -125,7 +125,7 @@ impl<'a> Maker<'a, '_> {
         let (least, most) = (&inside[first + 1..second], &inside[second + 1..]);
         let edit = |part: &str, from: usize, other: &str| {
             let start = place.start + from + (part.len() - part.trim_start().len());
-            let span = self.faults.span(&(start..start + part.trim().len()));
+            let span = self.reporter.span(&(start..start + part.trim().len()));
             Edit::new(span, other.trim())
         };
         Some(vec![
@@ -134,25 +134,25 @@ impl<'a> Maker<'a, '_> {
         ])
     }
 
-    /// How to end a `use` with its start tag and leave behind it what stands in it.
+    /// How to end a `use` with its start tag and leave after it its content.
     pub(super) fn emptied(&self, element: &Element<'a>) -> Option<Vec<Edit>> {
-        let tags = tags(self.faults, element);
+        let tags = tags(self.reporter, element);
         let [_, end] = tags.whole[..] else {
             return None;
         };
         let at = element.tag.end - 1;
-        let closed = self.faults.quote(&(at..element.tag.end)) == ">";
-        let slash = Edit::new(self.faults.span(&(at..at)), "/");
+        let closed = self.reporter.quote(&(at..element.tag.end)) == ">";
+        let slash = Edit::new(self.reporter.span(&(at..at)), "/");
         closed.then(|| vec![slash, Edit::new(end, "")])
     }
 
-    /// How to put an `else` behind the `if` that stands before it in the same element.
+    /// How to put an `else` after the `if` that is before it in the same element.
     pub(super) fn behind_the_if(
         &self,
-        spot: &Spot<'_, 'a>,
-        parent: &Spot<'_, 'a>,
+        element_ref: &ElementRef<'_, 'a>,
+        parent: &ElementRef<'_, 'a>,
     ) -> Option<Vec<Edit>> {
-        if !self.faults.wanted() {
+        if !self.reporter.wanted() {
             return None;
         }
         let mut last = None;
@@ -163,10 +163,10 @@ impl<'a> Maker<'a, '_> {
                 continue;
             };
             let other = parent.child(*index);
-            if *index == spot.index {
+            if *index == element_ref.index {
                 break;
             }
-            let tested = other.element().bears("test");
+            let tested = other.element().has_attribute("test");
             match other.tag() {
                 Some(Tag::If) => (last, open) = (Some(*index), true),
                 // Behind an `else` without a test nothing more can come.
@@ -176,22 +176,22 @@ impl<'a> Maker<'a, '_> {
         }
         let last = parent.child(last?);
         let place = last.element().range.end;
-        let range = &spot.element().range;
+        let range = &element_ref.element().range;
         let moved = Edit::new(
-            self.faults.span(&(place..place)),
-            self.faults.quote(range).to_owned(),
+            self.reporter.span(&(place..place)),
+            self.reporter.quote(range).to_owned(),
         );
-        Some(vec![moved, Edit::new(self.faults.with_gap(range), "")])
+        Some(vec![moved, Edit::new(self.reporter.with_gap(range), "")])
     }
 
     /// Tags of a `choice` round something.
     pub(super) fn chosen(&self, range: &Range<usize>) -> Vec<Edit> {
-        let edit = |at: usize, tag: &str| Edit::new(self.faults.span(&(at..at)), tag);
+        let edit = |at: usize, tag: &str| Edit::new(self.reporter.span(&(at..at)), tag);
         vec![edit(range.start, "<choice>"), edit(range.end, "</choice>")]
     }
 }
 
-/// The name with a number that nobody has.
+/// The name with a number that no one has.
 pub(super) fn free(name: &str, taken: impl Fn(&str) -> bool) -> String {
     let numbered = (2..).map(|number: u32| format!("{name}{number}"));
     let mut free = numbered.filter(|name| !taken(name));

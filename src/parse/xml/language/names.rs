@@ -1,12 +1,13 @@
 //! `let` and `Param`: names for values.
 
 use super::super::read::{Attributes, check};
-use super::super::schema::{self, Tag};
 use super::scope::Bound;
-use super::{Maker, Scope, Spot, fixes};
+use super::{ElementRef, Expander, Scope, fixes};
 use crate::ast::{Parameter, Value};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::expr;
+use crate::parse::schema;
+use crate::parse::schema::Tag;
 use crate::source::{Span, Spanned};
 
 /// Where a parameter's value comes from.
@@ -17,14 +18,14 @@ pub(super) enum Given {
     Use(Option<Spanned<Option<Value>>>),
 }
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// Takes a `let`.
-    pub(super) fn assign(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) {
-        let element = spot.element();
+    pub(super) fn assign(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) {
+        let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
             return;
         };
-        let of = check(self.faults, &mut self.suggest, schema, element);
+        let of = check(self.reporter, &mut self.suggest, schema, element);
         let value = of.get("value").map(|v| self.value(&v.value, scope));
         if let Some(name) = self.name(&of) {
             self.bind(&name, value.flatten(), scope);
@@ -32,15 +33,20 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// Takes the parameter of a house or a file.
-    pub(super) fn param(&mut self, spot: &Spot<'_, 'a>, parent: &Spot<'_, 'a>, scope: &Scope<'a>) {
+    pub(super) fn param(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        parent: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+    ) {
         match schema::named(parent.element().name) {
             Some(s) if s.tag == Tag::Define => {} // taken by its use
-            Some(s) if s.takes_parameters() => self.parameter(spot, scope, Given::Run),
+            Some(s) if s.takes_parameters() => self.parameter(element_ref, scope, Given::Run),
             _ => {
-                let element = spot.element();
+                let element = element_ref.element();
                 let home = schema::named(element.name).map_or("", |s| s.home);
                 let outer = parent.element().name;
-                self.faults.at(&element.name_range, |s| {
+                self.reporter.at(&element.name_range, |s| {
                     say::wrong_place(s, element.name, Some(outer), home)
                 });
             }
@@ -48,18 +54,23 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// Works out a parameter and gives its name its value.
-    pub(super) fn parameter(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, given: Given) {
-        let element = spot.element();
+    pub(super) fn parameter(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        given: Given,
+    ) {
+        let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
             return;
         };
-        let of = check(self.faults, &mut self.suggest, schema, element);
+        let of = check(self.reporter, &mut self.suggest, schema, element);
         let Some(name) = self.name(&of) else {
             return;
         };
         let written = of.get("default").is_some();
         let mut parameter = Parameter {
-            span: self.faults.span(&element.tag),
+            span: self.reporter.span(&element.tag),
             default: of.get("default").and_then(|d| self.value(&d.value, scope)),
             value: None,
             min: self.bound(&of, "min", scope),
@@ -76,7 +87,7 @@ impl<'a> Maker<'a, '_> {
             && !parameter.admits(default)
         {
             let place = place.value.whole();
-            self.faults.at(&place, |s| {
+            self.reporter.at(&place, |s| {
                 say::default_out_of_range(s, default, &parameter)
             });
         }
@@ -88,11 +99,11 @@ impl<'a> Maker<'a, '_> {
         if parameter.value.is_none() && !written && !at_run {
             let span = self.uses.last().map_or(name.span, |u| u.span);
             let at = self.uses.last().map(|u| (&parameter, u.tag));
-            self.faults
+            self.reporter
                 .push(|| say::parameter_missing(span, &name.value, Some(name.span), at));
         } else if parameter.value.is_none() && !written {
-            let at = Some((&parameter, self.faults.span(&element.name_range)));
-            self.faults
+            let at = Some((&parameter, self.reporter.span(&element.name_range)));
+            self.reporter
                 .push(|| say::parameter_missing(name.span, &name.value, None, at));
         }
         self.bind(&name, parameter.value.clone(), scope);
@@ -131,7 +142,7 @@ impl<'a> Maker<'a, '_> {
         if to.admits(&value) {
             return Some(Some(value));
         }
-        self.faults
+        self.reporter
             .push(|| say::value_out_of_range(span, &value, to, name));
         None
     }
@@ -143,10 +154,10 @@ impl<'a> Maker<'a, '_> {
         let name = attribute.value.as_str().trim();
         if !expr::is_name(name) || expr::RESERVED.contains(&name) {
             let plain = plain_name(name);
-            self.faults.at(&place, |s| say::no_name(s, name, &plain));
+            self.reporter.at(&place, |s| say::no_name(s, name, &plain));
             return None;
         }
-        Some(Spanned::new(name.to_owned(), self.faults.span(&place)))
+        Some(Spanned::new(name.to_owned(), self.reporter.span(&place)))
     }
 
     /// Gives a name to a value; one name is given once in an element.
@@ -156,14 +167,14 @@ impl<'a> Maker<'a, '_> {
             self.note(place, value);
         }
         if let Some(before) = scope.bind(&name.value, Bound { value, place }) {
-            self.faults.push(|| {
+            self.reporter.push(|| {
                 let free = fixes::free(&name.value, |n| scope.value(n).is_some());
                 say::named_twice(place, &name.value, before, &free)
             });
         }
     }
 
-    /// Takes down what a place came to, if anybody asks.
+    /// Takes down what a place came to, if requested.
     pub(super) fn note(&self, place: Span, value: &Value) {
         if let Some(values) = self.setting.values {
             values.note(place, value, self.storeys.number);
@@ -176,7 +187,7 @@ impl<'a> Maker<'a, '_> {
             Value::Number(number) => Some(number),
             found => {
                 let text = found.to_string();
-                self.faults.at(&attribute.value.whole(), |s| {
+                self.reporter.at(&attribute.value.whole(), |s| {
                     say::not_a_number(s, name, &text, None)
                 });
                 None
@@ -193,7 +204,7 @@ impl<'a> Maker<'a, '_> {
             Some(Value::Truth(truth)) => truth,
             Some(found) => {
                 let text = found.to_string();
-                self.faults.at(&attribute.value.whole(), |s| {
+                self.reporter.at(&attribute.value.whole(), |s| {
                     say::not_a_choice(s, name, &text, &["yes", "no"], None)
                 });
                 false
@@ -212,13 +223,13 @@ impl<'a> Maker<'a, '_> {
             match Value::read(piece) {
                 Value::Number(weight) if (0.0..=1e9).contains(&weight) => weights.push(weight),
                 _ => {
-                    self.faults
+                    self.reporter
                         .at(&place, |s| say::not_a_number(s, "weights", piece, None));
                     return None;
                 }
             }
         }
-        Some((weights, self.faults.span(&place)))
+        Some((weights, self.reporter.span(&place)))
     }
 
     fn choices(&mut self, of: &Attributes<'_>, scope: &Scope<'a>) -> Vec<Value> {
@@ -235,7 +246,7 @@ impl<'a> Maker<'a, '_> {
     }
 }
 
-/// What a name would be with letters, digits and `_` only; empty where it cannot be mended so.
+/// The name with only letters, digits and `_`; empty where that leaves nothing.
 fn plain_name(name: &str) -> String {
     let plain: String = name
         .chars()

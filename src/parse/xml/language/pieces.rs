@@ -2,14 +2,15 @@
 //! must be given), and so are the `Param`s in it; those of a `use` set them.
 
 use super::super::read::check;
-use super::super::schema::{self, Tag};
 use super::super::tree::{Child, Element};
 use super::names::Given;
 use super::scope::{Frame, Piece};
-use super::{ELEMENT, Maker, Scope, Spot, fixes};
+use super::{ELEMENT, ElementRef, Expander, Scope, fixes};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
-use crate::parse::xml::tree::tag::Attribute;
+use crate::parse::schema;
+use crate::parse::schema::Tag;
+use crate::parse::xml::tree::token::Attribute;
 use crate::source::{Span, Spanned};
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -23,10 +24,10 @@ pub(super) struct Used<'a> {
     pub(super) tag: Span,
 }
 
-/// What a use sets, by name. `None` = this was reported.
+/// The arguments of a `use`, by name. `None` = this was reported.
 type Arguments<'s, 'a> = BTreeMap<String, (&'s Attribute<'a>, Option<Value>)>;
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// The names of the uses under way and where they stand.
     pub(super) fn chain(&self) -> Vec<(String, Span)> {
         let uses = self.uses.iter();
@@ -34,19 +35,19 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// Takes a `define`.
-    pub(super) fn define(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) {
-        let element = spot.element();
+    pub(super) fn define(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) {
+        let element = element_ref.element();
         let Some(name) = self.piece_name(element, scope) else {
             return;
         };
         let place = name.span;
         let piece = Piece {
-            tree: Rc::clone(spot.tree),
-            index: spot.index,
+            tree: Rc::clone(element_ref.tree),
+            index: element_ref.index,
             place,
         };
         if let Some(before) = scope.define(&name.value, piece) {
-            self.faults.push(|| {
+            self.reporter.push(|| {
                 let free = fixes::free(&name.value, |n| scope.piece(n).is_some());
                 say::named_twice(place, &name.value, before, &free)
             });
@@ -54,11 +55,16 @@ impl<'a> Maker<'a, '_> {
     }
 
     /// Puts a piece in the place of its `use`.
-    pub(super) fn use_piece(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
-        let element = spot.element();
+    pub(super) fn use_piece(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
+        let element = element_ref.element();
         if let Some(Child::Element(_) | Child::Text(_)) = element.children.first() {
             let fix = self.emptied(element);
-            self.faults
+            self.reporter
                 .at(&element.name_range, |s| say::use_with_content(s, fix));
         }
         let Some(name) = self.piece_name(element, scope) else {
@@ -67,20 +73,20 @@ impl<'a> Maker<'a, '_> {
         let Some((piece, home)) = scope.piece(&name.value) else {
             let known = self.known(|| scope.pieces());
             let near = self.suggest.among(&name.value, known.iter().map(|n| &**n));
-            self.faults
+            self.reporter
                 .push(|| say::unknown_piece(name.span, &name.value, near, &known));
             return;
         };
         if let Some(first) = self.uses.iter().position(|u| u.piece.is(&piece)) {
             let mut chain = self.chain().split_off(first);
             chain.push((name.value.clone(), name.span));
-            self.faults
+            self.reporter
                 .push(|| say::piece_in_itself(name.span, &chain, piece.place));
             return;
         }
         let arguments = self.arguments(element, scope);
         let tree = Rc::clone(&piece.tree);
-        let body = Spot {
+        let body = ElementRef {
             tree: &tree,
             index: piece.index,
         };
@@ -88,19 +94,19 @@ impl<'a> Maker<'a, '_> {
             name: name.value.clone(),
             piece,
             span: name.span,
-            tag: self.faults.span(&element.name_range),
+            tag: self.reporter.span(&element.name_range),
         });
         if self.take(ELEMENT, &element.name_range) {
             let frame = Frame::within(&home);
             self.parameters_of(&body, &name, arguments, &frame);
-            self.inside(&element.name_range, into, |maker| {
-                maker.list(&body, &frame, into);
+            self.inside(&element.name_range, into, |expander| {
+                expander.list(&body, &frame, into);
             });
         }
         self.uses.pop();
     }
 
-    /// What a use sets, worked out where it stands.
+    /// The arguments of a `use`, computed at its place.
     fn arguments<'s>(&mut self, element: &'s Element<'a>, scope: &Scope<'a>) -> Arguments<'s, 'a> {
         let mut arguments = BTreeMap::new();
         for attribute in parameters(element) {
@@ -114,7 +120,7 @@ impl<'a> Maker<'a, '_> {
     /// Gives a piece's parameters their values.
     fn parameters_of(
         &mut self,
-        body: &Spot<'_, 'a>,
+        body: &ElementRef<'_, 'a>,
         name: &Spanned<String>,
         mut arguments: Arguments<'_, 'a>,
         frame: &Scope<'a>,
@@ -122,13 +128,13 @@ impl<'a> Maker<'a, '_> {
         let mut known = vec![];
         for parameter in parameters(body.element()) {
             known.push(parameter.name.to_owned());
-            let place = self.faults.span(&parameter.name_range);
+            let place = self.reporter.span(&parameter.name_range);
             let given = arguments.remove(parameter.name);
             let default = &parameter.value;
             let value = match given {
                 Some((_, value)) => value,
                 None if default.as_str().trim().is_empty() => {
-                    self.faults.push(|| {
+                    self.reporter.push(|| {
                         say::parameter_missing(name.span, parameter.name, Some(place), None)
                     });
                     None
@@ -142,47 +148,47 @@ impl<'a> Maker<'a, '_> {
             let Child::Element(index) = child else {
                 continue;
             };
-            let spot = body.child(*index);
-            if spot.tag() != Some(Tag::Param) {
+            let element_ref = body.child(*index);
+            if element_ref.tag() != Some(Tag::Param) {
                 continue;
             }
-            let mut attributes = spot.element().attributes.iter();
+            let mut attributes = element_ref.element().attributes.iter();
             let name = attributes.find(|a| a.name == "name");
             let name = name.map_or("", |n| n.value.as_str().trim());
             known.push(name.to_owned());
             let given = arguments.remove(name).map(|(attribute, value)| {
                 let place = attribute.value.whole();
-                Spanned::new(value, self.faults.span(&place))
+                Spanned::new(value, self.reporter.span(&place))
             });
-            self.parameter(&spot, frame, Given::Use(given));
+            self.parameter(&element_ref, frame, Given::Use(given));
         }
         for (unknown, (attribute, _)) in arguments {
             let near = self.suggest.among(&unknown, known.iter().map(|n| &**n));
-            let whole = self.faults.with_gap(&attribute.range);
-            self.faults.at(&attribute.name_range, |s| {
+            let whole = self.reporter.with_gap(&attribute.range);
+            self.reporter.at(&attribute.name_range, |s| {
                 say::unknown_parameter(s, &unknown, &name.value, near, &known, whole)
             });
         }
     }
 
-    /// The name of a piece. At a `use` it may be worked out, so that a parameter can choose among pieces.
+    /// The name of a piece. At a `use` it may be computed, so that a parameter can choose among pieces.
     fn piece_name(&mut self, element: &Element<'a>, scope: &Scope<'a>) -> Option<Spanned<String>> {
         let mut attributes = element.attributes.iter();
         let Some(name) = attributes.find(|a| a.name == "name") else {
             let schema = schema::named(element.name)?;
-            check(self.faults, &mut self.suggest, schema, element);
+            check(self.reporter, &mut self.suggest, schema, element);
             return None;
         };
         let filled = self.filled(&name.value, scope)?;
         let text = filled.as_str().trim();
         if text.is_empty() {
             if !name.faulty {
-                self.faults
+                self.reporter
                     .at(&name.range, |s| say::value_empty(s, name.name, None));
             }
             return None;
         }
-        let span = self.faults.span(&name.value.whole());
+        let span = self.reporter.span(&name.value.whole());
         Some(Spanned::new(text.to_owned(), span))
     }
 }

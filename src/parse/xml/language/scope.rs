@@ -1,4 +1,4 @@
-//! Which names and pieces are known where: frames inside one another, each a list of what was said in an element.
+//! Which names and pieces are known where: frames inside one another, each the names that one element defines.
 
 use super::super::tree::Tree;
 use crate::ast::Value;
@@ -10,7 +10,7 @@ use std::rc::Rc;
 /// A frame that several hold.
 pub(super) type Scope<'a> = Rc<Frame<'a>>;
 
-/// What was said in an element, and the frame round it.
+/// The names that an element defines, and the frame around it.
 #[derive(Default)]
 pub(super) struct Frame<'a> {
     outer: Option<Scope<'a>>,
@@ -20,7 +20,7 @@ pub(super) struct Frame<'a> {
     files: RefCell<Vec<Scope<'a>>>,
 }
 
-/// What a name stands for.
+/// The value of a name.
 #[derive(Clone)]
 pub(super) struct Bound {
     /// `None` = this was reported.
@@ -89,7 +89,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// What a name stands for.
+    /// The value of a name.
     pub(super) fn value(&self, name: &str) -> Option<Bound> {
         let own = |frame: &Frame<'a>| frame.names.borrow().get(name).cloned();
         self.frames().find_map(|frame| {
@@ -143,7 +143,7 @@ impl<'a> Frame<'a> {
         found
     }
 
-    /// This frame and those round it.
+    /// This frame and those around it.
     fn frames(&self) -> impl Iterator<Item = &Frame<'a>> {
         std::iter::successors(Some(self), |frame| frame.outer.as_deref())
     }

@@ -1,9 +1,9 @@
 //! The number of the storey, `k`. It is counted over the expanded storeys of a house, or of a facade, from 1 and
-//! without parapets; so a repetition of storeys in which it stands is written out here, and each copy bears its own.
+//! without parapets; so a repetition of storeys in which it stands is written out here, and each copy has its own.
 //! So is a repetition in which something is drawn, since each round draws for itself.
 
 use super::super::tree::Child;
-use super::{Maker, Scope, Spot};
+use super::{ElementRef, Expander, Scope};
 use crate::parse::xml::tree::text::Text;
 use std::cell::Cell;
 
@@ -18,11 +18,15 @@ pub(super) struct Storeys {
     pub(super) asked: Cell<bool>,
 }
 
-impl<'a> Maker<'a, '_> {
+impl<'a> Expander<'a, '_> {
     /// Makes a storey or a floor. A parapet has the number of the storey below it.
-    pub(super) fn storey(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>) -> Option<usize> {
+    pub(super) fn storey(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+    ) -> Option<usize> {
         let outside = self.storeys.number.replace(self.storeys.count + 1);
-        let attributes = &spot.element().attributes;
+        let attributes = &element_ref.element().attributes;
         let kind = attributes.iter().find(|a| a.name == "kind");
         let kind = kind.and_then(|kind| self.filled(&kind.value, scope));
         let parapet = kind.is_some_and(|kind| kind.as_str().trim() == "parapet");
@@ -31,17 +35,22 @@ impl<'a> Maker<'a, '_> {
         } else {
             self.storeys.count += 1;
         }
-        let made = self.element(spot, scope);
+        let made = self.element(element_ref, scope);
         self.storeys.number = outside;
         made
     }
 
     /// Makes a repetition; where storeys in it ask for their number, a repetition for each round.
-    pub(super) fn repeat(&mut self, spot: &Spot<'_, 'a>, scope: &Scope<'a>, into: usize) {
+    pub(super) fn repeat(
+        &mut self,
+        element_ref: &ElementRef<'_, 'a>,
+        scope: &Scope<'a>,
+        into: usize,
+    ) {
         let before = self.storeys.count;
         let asked = self.storeys.asked.replace(false);
         let drawn = self.open.forget();
-        let Some(first) = self.element(spot, scope) else {
+        let Some(first) = self.element(element_ref, scope) else {
             return;
         };
         self.put(first, into);
@@ -59,7 +68,7 @@ impl<'a> Maker<'a, '_> {
         self.once(first);
         let copying = std::mem::replace(&mut self.copying, true);
         for _ in 1..rounds {
-            let Some(next) = self.element(spot, scope) else {
+            let Some(next) = self.element(element_ref, scope) else {
                 break;
             };
             self.once(next);
@@ -73,7 +82,7 @@ impl<'a> Maker<'a, '_> {
         self.made.elements[into].children.push(child);
     }
 
-    /// How often a repetition goes round; 1 where that cannot be told.
+    /// How often a repetition goes round; 1 where that cannot be reported.
     fn rounds(&self, made: usize) -> u64 {
         let mut attributes = self.made.elements[made].attributes.iter();
         let num = attributes.find(|a| a.name == "num");

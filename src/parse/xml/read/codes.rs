@@ -1,6 +1,6 @@
 //! Runs of text as codes of five columns (docs/contract.md 3, "Codes").
 //!
-//! A run is what stands between two children. Line breaks and the white space round them go; each line is cut into
+//! A run is what is between two children. Line breaks and the white space around them go; each line is cut into
 //! fives for itself and its last code padded, since the blanks that end a code before a line break are gone with
 //! it. Blanks at the start of a run on the line of its tag are columns. A run of white space only never comes here.
 
@@ -8,12 +8,12 @@ use crate::ast::{Item, Piece};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::xml::read::Reader;
 use crate::parse::xml::suggest::narrow_ascii;
-use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::parse::xml::tree::text::{REPORTED, Text};
 use crate::source::Spanned;
 use std::ops::Range;
 
-/// A column: what stands in it, and its range of the text. `None` = something that was reported.
+/// A column: its content, and its range of the text. `None` = something that was reported.
 struct Column {
     byte: Option<u8>,
     range: Range<usize>,
@@ -51,7 +51,7 @@ impl Reader<'_, '_> {
         turn
     }
 
-    /// The columns of a line; what cannot be a column is reported and replaced by its mend.
+    /// The columns of a line; what cannot be a column is reported and replaced by its fix.
     fn columns(&mut self, text: &Text<'_>, range: Range<usize>) -> Vec<Column> {
         let whole = text.as_str();
         let mut line = vec![];
@@ -79,7 +79,7 @@ impl Reader<'_, '_> {
                 // To the end of the code under way; each further tab is a void.
                 let from = line.len();
                 let blanks = 5 * quoted.len() - from % 5;
-                self.faults
+                self.reporter
                     .at(&place, |s| say::tab_in_codes(s, from + 1, blanks));
                 for _ in 0..blanks {
                     push(line, Some(b' '), range.clone());
@@ -87,7 +87,7 @@ impl Reader<'_, '_> {
             }
             Some(REPORTED) => {}
             _ => self
-                .faults
+                .reporter
                 .at(&place, |s| say::not_a_column(s, quoted, &plain(quoted))),
         }
         if quoted.starts_with('\t') {
@@ -118,13 +118,13 @@ impl Reader<'_, '_> {
                 Some(letter @ (b'L' | b'R' | b'^')) if code.len() == 1 => {
                     let place = text.range(code[0].range.clone());
                     let bear = self.turn.filter(|_| turns);
-                    let bear = bear.map(|at| self.faults.span(&(at..at)));
-                    self.faults.at(&place, |s| {
+                    let bear = bear.map(|at| self.reporter.span(&(at..at)));
+                    self.reporter.at(&place, |s| {
                         say::control_letter(s, letter as char, turns, bear)
                     });
                     let degrees = if letter == b'L' { -90.0 } else { 90.0 };
                     turn =
-                        (letter != b'^').then(|| Spanned::new(degrees, self.faults.span(&place)));
+                        (letter != b'^').then(|| Spanned::new(degrees, self.reporter.span(&place)));
                 }
                 _ => parts.extend(self.code(text, code)),
             }
@@ -146,7 +146,7 @@ impl Reader<'_, '_> {
             }
         }
         let range = columns.first()?.range.start..columns.last()?.range.end;
-        let span = self.faults.span(&text.range(range));
+        let span = self.reporter.span(&text.range(range));
         Some(Item::One(Piece::Code(five, span)))
     }
 }
@@ -169,7 +169,7 @@ fn same_kind(text: &str) -> usize {
     text.find(|c| kind(c) != first).unwrap_or(text.len())
 }
 
-/// The mend of full-width characters; empty where there is none.
+/// The fix of full-width characters; empty where there is none.
 fn plain(text: &str) -> String {
     text.chars()
         .filter_map(narrow_ascii)

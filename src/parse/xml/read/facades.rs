@@ -2,23 +2,11 @@
 
 use crate::ast::{Facade, Floor, Picture, StoreyKind, Structure, Texture};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::schema::vocabulary::{PART_ORDERS, REFLECTIONS, STOREY_KINDS};
+use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::{Node, Reader};
-use crate::parse::xml::schema::{Schema, Tag};
 use crate::parse::xml::tree::Element;
 use crate::source::Spanned;
-
-/// What a storey or a floor is for.
-pub(in crate::parse::xml) const KINDS: [(&str, StoreyKind); 2] = [
-    ("storey", StoreyKind::Storey),
-    ("parapet", StoreyKind::Parapet),
-];
-
-/// Whether parts run rightwards.
-pub(in crate::parse::xml) const ORDERS: [(&str, bool); 2] = [("left", false), ("right", true)];
-
-/// Whether glass mirrors.
-pub(in crate::parse::xml) const REFLECTIONS: [(&str, bool); 2] =
-    [("enable", true), ("disable", false)];
 
 impl<'t> Reader<'t, '_> {
     /// Reads a structure and the textures in it.
@@ -28,7 +16,7 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
     ) -> (Structure, Vec<Texture>) {
         let of = self.attributes(schema, element);
-        let order = self.choice(&of, "order", &ORDERS);
+        let order = self.choice(&of, "order", &PART_ORDERS);
         let mut structure = Structure {
             span: self.start(element),
             size: self.number(&of, "size"),
@@ -68,7 +56,7 @@ impl<'t> Reader<'t, '_> {
 
     fn floor(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Floor {
         let of = self.attributes(schema, element);
-        let kind = self.choice(&of, "kind", &KINDS);
+        let kind = self.choice(&of, "kind", &STOREY_KINDS);
         Floor {
             span: self.start(element),
             id: self.text(&of, "id"),
@@ -89,7 +77,7 @@ impl<'t> Reader<'t, '_> {
         let reflection = self.number(&of, "reflection");
         let code = self.text(&of, "code");
         let from = || {
-            self.faults
+            self.reporter
                 .source_at(element.range.start)
                 .1
                 .name()
@@ -111,7 +99,7 @@ impl<'t> Reader<'t, '_> {
             return given;
         }
         let share = given.value / 100.0;
-        self.faults
+        self.reporter
             .push(|| say::per_cent(given.span, given.value, share));
         Spanned::new(share, given.span)
     }

@@ -1,27 +1,15 @@
-//! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`: what stands at a house besides walls and roofs.
+//! `Platform`, `Posts`, `Veranda`, `Brackets`, `Finial`: fittings of a house.
 
 use crate::ast::{
     Brackets, Finial, FinialKind, House, Order, Paint, Platform, Posts, Rail, Side, Veranda,
 };
 use crate::diagnostic::messages::xml as say;
+use crate::parse::schema::vocabulary::{RAILS, SIDES};
+use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::edits;
 use crate::parse::xml::read::{Attributes, Reader};
-use crate::parse::xml::schema::{Schema, Tag};
 use crate::parse::xml::tree::Element;
 use crate::source::Span;
-
-pub(in crate::parse::xml) const SIDES: [(&str, Side); 4] = [
-    ("F", Side::Front),
-    ("B", Side::Back),
-    ("L", Side::Left),
-    ("R", Side::Right),
-];
-
-pub(in crate::parse::xml) const RAILS: [(&str, Rail); 3] = [
-    ("none", Rail::None),
-    ("crossed", Rail::Crossed),
-    ("knobbed", Rail::Knobbed),
-];
 
 impl<'t> Reader<'t, '_> {
     /// Reads what belongs to a house as a whole. False where it is something else.
@@ -90,8 +78,8 @@ impl<'t> Reader<'t, '_> {
         first: Option<Span>,
     ) {
         if let Some(first) = first {
-            let fixes = edits::of_two(self.faults, self.tree, first, element);
-            self.faults.at(&element.name_range, |s| {
+            let fixes = edits::of_two(self.reporter, self.tree, first, element);
+            self.reporter.at(&element.name_range, |s| {
                 say::second_of(s, schema.name, parent, first, fixes)
             });
         }

@@ -2,18 +2,16 @@
 
 use crate::ast::{Edit, Era, House, Loop, Row, Settings, Storey, StoreyKind};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::schema;
+use crate::parse::schema::vocabulary::{STOREY_KINDS, TURNS};
+use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::edits;
-use crate::parse::xml::read::facades::KINDS;
 use crate::parse::xml::read::pieces::Line;
 use crate::parse::xml::read::{Attributes, Node, Reader};
-use crate::parse::xml::schema;
-use crate::parse::xml::schema::{Schema, Tag};
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::Element;
-use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::source::{Span, Spanned};
-
-pub(in crate::parse::xml) const TURNS: [(&str, f64); 2] = [("R", 90.0), ("L", -90.0)];
 
 impl<'t> Reader<'t, '_> {
     /// Reads a house.
@@ -40,19 +38,19 @@ impl<'t> Reader<'t, '_> {
                     house.structures.push(structure);
                     house.textures.extend(textures);
                 }
-                Tag::PartDef => house.parts.extend(self.part_entry(schema, child)),
+                Tag::PartDef => house.parts.extend(self.written_part(schema, child)),
                 Tag::Texture => house.textures.extend(self.texture(schema, child)),
                 Tag::Roofs => {
                     let read = self.roofs(schema, child);
                     if let Some(first) = roofs {
-                        let fixes = edits::of_two(self.faults, self.tree, first, child);
-                        self.faults.at(&child.name_range, |s| {
+                        let fixes = edits::of_two(self.reporter, self.tree, first, child);
+                        self.reporter.at(&child.name_range, |s| {
                             say::second_of(s, schema.name, element.name, first, fixes)
                         });
                         house.roofs.lines.extend(read.lines);
                     } else {
                         house.roofs = read;
-                        roofs = Some(self.faults.span(&child.name_range));
+                        roofs = Some(self.reporter.span(&child.name_range));
                     }
                 }
                 Tag::Pagoda | Tag::Gate | Tag::Hall | Tag::Shrine => {
@@ -109,7 +107,7 @@ impl<'t> Reader<'t, '_> {
 
     fn storey(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Storey {
         let of = self.attributes(schema, element);
-        let kind = self.choice(&of, "kind", &KINDS);
+        let kind = self.choice(&of, "kind", &STOREY_KINDS);
         let mut storey = Storey {
             span: self.whole(element),
             height: self.number(&of, "height"),
@@ -117,7 +115,7 @@ impl<'t> Reader<'t, '_> {
             kind: kind.map_or(StoreyKind::Storey, |k| k.value),
             ..Storey::default()
         };
-        // Rows that stand in the storey itself form its first loop.
+        // Rows that are in the storey itself form its first loop.
         let mut own = Loop {
             span: storey.span,
             ..Loop::default()
@@ -173,7 +171,7 @@ impl<'t> Reader<'t, '_> {
         } else {
             self.number(&of, "turn")
         };
-        self.turn = (!element.bears("turn")).then_some(element.name_range.end);
+        self.turn = (!element.has_attribute("turn")).then_some(element.name_range.end);
         let Line { pieces, turn } = self.line(element, schema.content(), true);
         Row {
             span: self.whole(element),

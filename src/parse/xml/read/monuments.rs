@@ -1,9 +1,9 @@
 //! `Pagoda`, `Gate`, `Hall`, `Shrine`: houses written short.
 
 use crate::ast::{Gate, Hall, House, Measures, Monument, Pagoda, Paint, RoofShape};
-use crate::parse::xml::read::roofs::KINDS;
+use crate::parse::schema::vocabulary::COVERINGS;
+use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::read::{Attributes, Reader};
-use crate::parse::xml::schema::{Schema, Tag};
 use crate::parse::xml::tree::Element;
 
 impl<'t> Reader<'t, '_> {
@@ -68,7 +68,7 @@ impl<'t> Reader<'t, '_> {
             eaves: self.number(of, "eaves"),
             sori: self.number(of, "sori"),
             thickness: self.number(of, "thickness"),
-            kind: self.choice(of, "kind", &KINDS),
+            kind: self.choice(of, "kind", &COVERINGS),
             shape: self.choice(of, "shape", &RoofShape::ALL),
             platform: self.number(of, "platform"),
             margin: self.pair(of, "margin"),

@@ -1,37 +1,38 @@
-//! Own parts: `PartDef` with its bodies as they are written. What they mean is the business of the catalogue.
+//! Custom parts: `PartDef` with its bodies as they are written. What they mean is the business of the catalogue.
 
-use crate::ast::{BodyEntry, PartEntry, Said};
+use crate::ast::{WrittenAttribute, WrittenBody, WrittenPart};
+use crate::parse::schema::Schema;
 use crate::parse::xml::edits;
 use crate::parse::xml::read::Reader;
-use crate::parse::xml::schema::Schema;
-use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::xml::tree::chars::is_blank;
+use crate::parse::xml::tree::token::Attribute;
 use crate::parse::xml::tree::{Child, Element};
 use crate::source::Spanned;
 
 impl<'t> Reader<'t, '_> {
     /// Reads a part; nothing where it has no code.
-    pub(in crate::parse::xml) fn part_entry(
+    pub(in crate::parse::xml) fn written_part(
         &mut self,
         schema: &'static Schema,
         element: &'t Element<'t>,
-    ) -> Option<PartEntry> {
+    ) -> Option<WrittenPart> {
         let of = self.attributes(schema, element);
-        let given = schema.attributes.iter().filter_map(|bears| {
-            let attribute = of.get(bears.name)?;
-            Some(self.said(bears.name, attribute))
+        let given = schema.attributes.iter().filter_map(|attribute_schema| {
+            let attribute = of.get(attribute_schema.name)?;
+            Some(self.written_attribute(attribute_schema.name, attribute))
         });
         let attributes = given.collect();
         let body = self.bodies(element);
         of.get("code")?;
-        Some(PartEntry {
-            span: self.faults.span(&element.name_range),
-            whole: Some(self.faults.with_gap(&element.range)),
+        Some(WrittenPart {
+            span: self.reporter.span(&element.name_range),
+            whole: Some(self.reporter.with_gap(&element.range)),
             attributes,
             body,
         })
     }
 
-    fn bodies(&mut self, element: &'t Element<'t>) -> Vec<BodyEntry> {
+    fn bodies(&mut self, element: &'t Element<'t>) -> Vec<WrittenBody> {
         let mut bodies = vec![];
         for child in &element.children {
             match child {
@@ -42,13 +43,13 @@ impl<'t> Reader<'t, '_> {
                 Child::Element(index) => {
                     let child = &self.tree.elements[*index];
                     let own = child.attributes.iter().filter(|a| !a.is_foreign());
-                    let attributes = own.map(|a| self.said(a.name, a)).collect();
-                    bodies.push(BodyEntry {
+                    let attributes = own.map(|a| self.written_attribute(a.name, a)).collect();
+                    bodies.push(WrittenBody {
                         word: Spanned::new(
                             child.name.to_owned(),
-                            self.faults.span(&child.name_range),
+                            self.reporter.span(&child.name_range),
                         ),
-                        end: edits::end_name(self.faults, child),
+                        end: edits::end_name(self.reporter, child),
                         attributes,
                         children: self.bodies(child),
                     });
@@ -58,10 +59,10 @@ impl<'t> Reader<'t, '_> {
         bodies
     }
 
-    fn said(&self, name: &str, attribute: &Attribute<'_>) -> Said {
+    fn written_attribute(&self, name: &str, attribute: &Attribute<'_>) -> WrittenAttribute {
         let value = attribute.value.as_str().to_owned();
-        Said {
-            name: Spanned::new(name.to_owned(), self.faults.span(&attribute.name_range)),
+        WrittenAttribute {
+            name: Spanned::new(name.to_owned(), self.reporter.span(&attribute.name_range)),
             value: Spanned::new(value, self.value_span(attribute)),
         }
     }

@@ -1,13 +1,13 @@
-//! What stands in a wall line: parts, codes, and the operations on them.
+//! The items of a wall line: parts, codes, and the operations on them.
 
 use crate::ast::{CodeText, Half, Item, Part, Piece, Random, Repeat, Replace, Split};
 use crate::diagnostic::messages::xml as say;
+use crate::parse::schema;
+use crate::parse::schema::{Content, Schema, Tag};
 use crate::parse::xml::edits;
 use crate::parse::xml::read::{Attributes, Node, Reader};
-use crate::parse::xml::schema;
-use crate::parse::xml::schema::{Content, Schema, Tag};
 use crate::parse::xml::tree::Element;
-use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::source::Spanned;
 
 /// The content of a wall line.
@@ -36,8 +36,8 @@ impl<'t> Reader<'t, '_> {
                 Node::Element(schema, child) if schema.tag == Tag::Row => {
                     let of = self.attributes(schema, child);
                     if let Some(turn) = of.get("turn") {
-                        let whole = self.faults.with_gap(&turn.range);
-                        self.faults
+                        let whole = self.reporter.with_gap(&turn.range);
+                        self.reporter
                             .at(&turn.name_range, |s| say::turn_in_floor(s, whole));
                     }
                     line.pieces
@@ -112,8 +112,8 @@ impl<'t> Reader<'t, '_> {
             let place = &mut halves[usize::from(schema.tag == Tag::Lower)];
             if let Some(first) = place {
                 let before = first.span;
-                let fixes = edits::of_two(self.faults, self.tree, before, child);
-                self.faults.at(&child.name_range, |s| {
+                let fixes = edits::of_two(self.reporter, self.tree, before, child);
+                self.reporter.at(&child.name_range, |s| {
                     say::second_of(s, schema.name, element.name, before, fixes)
                 });
             } else {
@@ -122,7 +122,7 @@ impl<'t> Reader<'t, '_> {
         }
         for (half, name) in halves.iter().zip(["upper", "lower"]) {
             if half.is_none() && !element.cut {
-                self.faults.at(&element.name_range, |s| {
+                self.reporter.at(&element.name_range, |s| {
                     say::child_missing(s, element.name, name)
                 });
             }
@@ -150,7 +150,7 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         let num = self.whole_number(&of, "num");
         if num.is_some() && element.children.is_empty() && !element.cut {
-            self.faults.at(&element.range, say::repeats_nothing);
+            self.reporter.at(&element.range, say::repeats_nothing);
         }
         num.map_or(Spanned::new(1, self.start(element)), |n| {
             Spanned::new(u32::try_from(n.value).unwrap_or(u32::MAX), n.span)
@@ -242,7 +242,7 @@ impl<'t> Reader<'t, '_> {
             return Some(weights);
         }
         let (span, count) = (weights.span, weights.value.len());
-        self.faults.push(|| say::no_weight(span, Some(count)));
+        self.reporter.push(|| say::no_weight(span, Some(count)));
         None
     }
 
@@ -254,9 +254,12 @@ impl<'t> Reader<'t, '_> {
     ) -> Option<Replace> {
         let of = self.attributes(schema, element);
         self.no_children(element);
-        let bears = |name: &str| of.element.attributes.iter().any(|a| a.name == name);
-        if !["code", "texturecode", "at"].into_iter().any(bears) {
-            self.faults.at(&element.name_range, say::replaces_nothing);
+        let attribute_schema = |name: &str| of.element.attributes.iter().any(|a| a.name == name);
+        if !["code", "texturecode", "at"]
+            .into_iter()
+            .any(attribute_schema)
+        {
+            self.reporter.at(&element.name_range, say::replaces_nothing);
         }
         let at = self.positions(&of, "at");
         let codes = self.text(&of, "code");

@@ -1,35 +1,12 @@
 //! `Roofs` and `Roof`.
 
-use crate::ast::{
-    RoofDirection, RoofKind, RoofLine, RoofMethod, RoofMode, RoofShape, RoofStyle, Roofs,
-};
+use crate::ast::{RoofLine, RoofMethod, RoofShape, RoofStyle, Roofs};
+use crate::parse::schema::Schema;
+use crate::parse::schema::vocabulary::{COVERINGS, RIDGE_DIRECTIONS, ROOF_MODES};
 use crate::parse::xml::read::{Attributes, Node, Reader};
-use crate::parse::xml::schema::Schema;
 use crate::parse::xml::tree::Element;
-use crate::parse::xml::tree::tag::is_blank;
+use crate::parse::xml::tree::chars::is_blank;
 use crate::source::Spanned;
-
-pub(in crate::parse::xml) const DIRECTIONS: [(&str, RoofDirection); 6] = [
-    ("X", RoofDirection::AlongFront),
-    ("Y", RoofDirection::AcrossFront),
-    ("F", RoofDirection::Front),
-    ("B", RoofDirection::Back),
-    ("L", RoofDirection::Left),
-    ("R", RoofDirection::Right),
-];
-
-pub(in crate::parse::xml) const KINDS: [(&str, RoofKind); 7] = [
-    ("K", RoofKind::Tiles),
-    ("G", RoofKind::CoverTiles),
-    ("I", RoofKind::Boards),
-    ("S", RoofKind::Shingles),
-    ("H", RoofKind::Bark),
-    ("Y", RoofKind::Thatch),
-    ("T", RoofKind::Metal),
-];
-
-pub(in crate::parse::xml) const MODES: [(&str, RoofMode); 2] =
-    [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
 
 impl<'t> Reader<'t, '_> {
     /// Reads a roof section.
@@ -41,7 +18,7 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         let mut roofs = Roofs {
             span: Some(self.start(element)),
-            mode: self.choice(&of, "mode", &MODES),
+            mode: self.choice(&of, "mode", &ROOF_MODES),
             method: self.choice(&of, "method", &RoofMethod::ALL),
             style: self.style(&of),
             lines: vec![],
@@ -59,7 +36,7 @@ impl<'t> Reader<'t, '_> {
         let of = self.attributes(schema, element);
         self.no_children(element);
         let style = self.style(&of);
-        let direction = self.choice(&of, "ridge", &DIRECTIONS);
+        let direction = self.choice(&of, "ridge", &RIDGE_DIRECTIONS);
         let star = |h: &str| h.trim_matches(is_blank) == "*";
         let automatic = of.get("height").is_some_and(|h| star(h.value.as_str()));
         let height = (!automatic).then(|| self.number(&of, "height"));
@@ -80,7 +57,7 @@ impl<'t> Reader<'t, '_> {
 
     fn style(&mut self, of: &Attributes<'t>) -> RoofStyle {
         RoofStyle {
-            kind: self.choice(of, "kind", &KINDS),
+            kind: self.choice(of, "kind", &COVERINGS),
             shape: self.choice(of, "shape", &RoofShape::ALL),
             pitch: self.number(of, "pitch"),
             eaves: self.number(of, "eaves"),

@@ -1,9 +1,10 @@
-//! What attributes say: numbers, choices, lists, places.
+//! Values of attributes: numbers, choices, lists, places.
 
 use crate::diagnostic::messages::xml as say;
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::suggest::narrow_ascii;
-use crate::parse::xml::tree::tag::{Attribute, is_blank};
+use crate::parse::xml::tree::chars::is_blank;
+use crate::parse::xml::tree::token::Attribute;
 use crate::source::{Span, Spanned};
 use crate::text;
 use std::ops::{Range, RangeInclusive};
@@ -13,10 +14,10 @@ const YES_NO: [(&str, bool); 2] = [("yes", true), ("no", false)];
 impl<'t> Reader<'t, '_> {
     /// The span of an attribute's value.
     pub(in crate::parse::xml) fn value_span(&self, attribute: &Attribute<'_>) -> Span {
-        self.faults.span(&attribute.value.whole())
+        self.reporter.span(&attribute.value.whole())
     }
 
-    /// A text as it stands, without blanks round it.
+    /// A text as it is, without blanks around it.
     pub(in crate::parse::xml) fn text(
         &self,
         of: &Attributes<'t>,
@@ -27,12 +28,12 @@ impl<'t> Reader<'t, '_> {
         if text == "     " {
             return Some(Spanned::new(
                 text.to_owned(),
-                self.faults.span(&value.whole()),
+                self.reporter.span(&value.whole()),
             ));
         }
         let start = text.len() - text.trim_start_matches(is_blank).len();
         let end = text.trim_end_matches(is_blank).len();
-        let span = self.faults.span(&value.range(start..end));
+        let span = self.reporter.span(&value.range(start..end));
         Some(Spanned::new(text[start..end].to_owned(), span))
     }
 
@@ -69,13 +70,13 @@ impl<'t> Reader<'t, '_> {
             Ok(value) if range.contains(&value) => Some(Spanned::new(value, span)),
             Err(_) if text.parse::<f64>().is_err() => {
                 let fix = narrowed(text).filter(|t| t.parse::<u64>().is_ok());
-                self.faults
+                self.reporter
                     .push(|| say::not_a_number(span, name, text, fix.as_deref()));
                 fix?.parse().ok().map(|v| Spanned::new(v, span))
             }
             _ => {
                 let (least, most) = (*range.start(), *range.end());
-                self.faults.push(|| {
+                self.reporter.push(|| {
                     let bounds = text!(
                         "a whole number from {least} to {most}",
                         "{least} から {most} までの整数"
@@ -131,7 +132,7 @@ impl<'t> Reader<'t, '_> {
             return found;
         }
         let near = self.suggest.among(text, words.iter().map(|(w, _)| *w));
-        self.faults.push(|| {
+        self.reporter.push(|| {
             let all: Vec<&str> = words.iter().map(|(w, _)| *w).collect();
             say::not_a_choice(span, name, text, &all, near)
         });
@@ -168,7 +169,7 @@ impl<'t> Reader<'t, '_> {
         if let [a, b] = list.value[..] {
             return Some(Spanned::new((a, b), list.span));
         }
-        self.faults
+        self.reporter
             .push(|| say::not_a_point(list.span, name, list.value.len()));
         None
     }
@@ -184,7 +185,7 @@ impl<'t> Reader<'t, '_> {
             [both] => Some(Spanned::new([both; 2], list.span)),
             [one, two] => Some(Spanned::new([one, two], list.span)),
             _ => {
-                self.faults
+                self.reporter
                     .push(|| say::not_a_pair(list.span, name, &list.value));
                 None
             }
@@ -203,7 +204,7 @@ impl<'t> Reader<'t, '_> {
         let Some(part) = pair.value.iter().find(|n| n.fract() != 0.0) else {
             return Some(pair);
         };
-        self.faults.push(|| {
+        self.reporter.push(|| {
             let bounds = text!(
                 "whole numbers from {least} to {most}",
                 "{least} から {most} までの整数"
@@ -228,7 +229,7 @@ impl<'t> Reader<'t, '_> {
         let text = attribute.value.as_str();
         let found = pieces(text, |c| is_blank(c) || c == ',' || c == '、');
         let word = |piece: Range<usize>| {
-            let span = self.faults.span(&attribute.value.range(piece.clone()));
+            let span = self.reporter.span(&attribute.value.range(piece.clone()));
             self.word(span, name, &text[piece], words)
         };
         found.into_iter().filter_map(word).collect()
@@ -245,17 +246,18 @@ impl<'t> Reader<'t, '_> {
         let (mut list, mut good) = (vec![], true);
         for piece in pieces(text, |c| is_blank(c) || c == ',' || c == '、') {
             let quoted = &text[piece.clone()];
-            let span = self.faults.span(&attribute.value.range(piece));
+            let span = self.reporter.span(&attribute.value.range(piece));
             let found = position(quoted);
             let fixed = || found.or_else(|| position(&plain_dashes(quoted)));
             let Some((first, last)) = fixed() else {
-                self.faults.push(|| say::not_a_position(span, quoted, None));
+                self.reporter
+                    .push(|| say::not_a_position(span, quoted, None));
                 good = false;
                 continue;
             };
             let range = (first.min(last), first.max(last));
             if found.is_none() || first > last {
-                self.faults
+                self.reporter
                     .push(|| say::not_a_position(span, quoted, Some(range)));
             }
             list.push(range);
@@ -271,7 +273,7 @@ impl<'t> Reader<'t, '_> {
         range: &RangeInclusive<f64>,
     ) -> Option<f64> {
         let text = attribute.value.as_str()[piece.clone()].trim_matches(is_blank);
-        let span = self.faults.span(&attribute.value.range(piece));
+        let span = self.reporter.span(&attribute.value.range(piece));
         let (name, plain) = (attribute.name, decimal(text));
         let fix = || {
             narrowed(text)
@@ -282,7 +284,7 @@ impl<'t> Reader<'t, '_> {
             Some(value) => value,
             None => {
                 let fix = fix();
-                self.faults
+                self.reporter
                     .push(|| say::not_a_number(span, name, text, fix.as_deref()));
                 decimal(&fix?)?
             }
@@ -291,7 +293,7 @@ impl<'t> Reader<'t, '_> {
             return Some(value);
         }
         let (least, most) = (*range.start(), *range.end());
-        self.faults.push(|| {
+        self.reporter.push(|| {
             let bounds = text!(
                 "a number from {least} to {most}",
                 "{least} から {most} までの数値"

@@ -3,14 +3,9 @@
 
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::{file, xml as say};
+use crate::parse::xml::tree::chars::{is_blank, is_forbidden, is_name};
 use crate::parse::xml::tree::scan::Scanner;
-use crate::parse::xml::tree::tag::{is_blank, is_name};
 use std::ops::Range;
-
-/// Whether XML allows a character nowhere.
-pub(in crate::parse::xml) fn is_forbidden(c: char) -> bool {
-    matches!(c, '\0'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}')
-}
 
 impl Scanner<'_, '_> {
     /// Reports what is wrong with `<?...?>`.
@@ -23,32 +18,32 @@ impl Scanner<'_, '_> {
             let sound = target == "xml" && is_declaration(rest);
             if whole.start > 0 || !sound {
                 let start = self.declared(&whole, sound);
-                self.faults
+                self.reporter
                     .at(&whole, |s| say::bad_declaration(s, sound, start));
             }
         } else if !is_name(target) {
             let place = whole.start + 2..(whole.start + 2 + target.len());
             let place = if target.is_empty() { whole } else { place };
-            self.faults.at(&place, |s| say::bad_name(s, target));
+            self.reporter.at(&place, |s| say::bad_name(s, target));
         }
     }
 
-    /// What to write at the start of the file in the place of a declaration, if there is none yet.
+    /// The declaration to write at the start of the file, if there is none yet.
     fn declared(&self, whole: &Range<usize>, sound: bool) -> Option<Edit> {
         const PLAIN: &str = r#"<?xml version="1.0" encoding="UTF-8"?>"#;
         let declares = |text: &str| text.starts_with("<?xml") && !text.starts_with("<?xml-");
-        if !sound && self.faults.source.encoding() != "UTF-8" {
+        if !sound && self.reporter.source.encoding() != "UTF-8" {
             return None;
         }
         if whole.start == 0 {
-            return Some(Edit::new(self.faults.span(whole), PLAIN));
+            return Some(Edit::new(self.reporter.span(whole), PLAIN));
         }
         let text = if sound {
-            self.faults.quote(whole)
+            self.reporter.quote(whole)
         } else {
             PLAIN
         };
-        let start = self.faults.span(&(0..0));
+        let start = self.reporter.span(&(0..0));
         (!declares(self.text)).then(|| Edit::new(start, format!("{text}\n")))
     }
 
@@ -57,13 +52,13 @@ impl Scanner<'_, '_> {
         for (at, found) in self.text[range.clone()].match_indices(is_forbidden) {
             let here = range.start + at..range.start + at + found.len();
             let character = found.chars().next().unwrap_or_default();
-            self.faults
+            self.reporter
                 .at(&here, |s| file::control_character(s, character));
         }
     }
 }
 
-/// Whether this is what stands in `<?xml ...?>`: a version, then an encoding and `standalone` at will.
+/// Whether this is the content of `<?xml ...?>`: a version, then an encoding and `standalone` at will.
 fn is_declaration(text: &str) -> bool {
     let mut rest = text;
     let mut next = || {

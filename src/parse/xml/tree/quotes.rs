@@ -2,8 +2,8 @@
 
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
+use crate::parse::xml::tree::chars::{ends_name, is_blank, is_name, narrow};
 use crate::parse::xml::tree::scan::Scanner;
-use crate::parse::xml::tree::tag::{ends_name, is_blank, is_name, narrow};
 use crate::source::Span;
 use std::ops::Range;
 
@@ -21,7 +21,7 @@ pub(in crate::parse::xml) fn closers(open: char) -> &'static [char] {
 }
 
 impl<'a> Scanner<'a, '_> {
-    /// Reads `=` and a value, or what stands in their place; the range within the quotes, and whether all is there.
+    /// Reads `=` and a value, or the content of their place; the range within the quotes, and whether all is there.
     pub(in crate::parse::xml) fn value(
         &mut self,
         name: &'a str,
@@ -38,8 +38,9 @@ impl<'a> Scanner<'a, '_> {
             (true, None) => self.unquoted(name, place),
             (_, Some(quote)) => {
                 if !equals {
-                    let gap = self.faults.span(&(place.end..self.at));
-                    self.faults.at(place, |s| say::equals_missing(s, name, gap));
+                    let gap = self.reporter.span(&(place.end..self.at));
+                    self.reporter
+                        .at(place, |s| say::equals_missing(s, name, gap));
                 }
                 self.quoted(name, quote)
             }
@@ -56,10 +57,10 @@ impl<'a> Scanner<'a, '_> {
     fn missing(&mut self, name: &str, place: &Range<usize>) {
         let element = self.element;
         let range = place.start..self.at;
-        let whole = self.faults.span(&range);
+        let whole = self.reporter.span(&range);
         let switch = (self.habits.switch)(element, name);
-        let spared = (!(self.habits.needs)(element, name)).then(|| self.faults.with_gap(&range));
-        self.faults.at(place, |s| {
+        let spared = (!(self.habits.needs)(element, name)).then(|| self.reporter.with_gap(&range));
+        self.reporter.at(place, |s| {
             say::value_missing(s, name, whole, switch, spared)
         });
     }
@@ -84,8 +85,8 @@ impl<'a> Scanner<'a, '_> {
         let plain = narrow(quote).unwrap_or(quote);
         self.wide_marks(&[open..from, end..self.at], plain);
         if self.at == end {
-            let fix = Edit::new(self.faults.span(&(end..end)), plain);
-            self.faults
+            let fix = Edit::new(self.reporter.span(&(end..end)), plain);
+            self.reporter
                 .at(&(open..from), |s| say::quote_not_closed(s, name, fix));
         }
         self.signs(from..end);
@@ -97,7 +98,7 @@ impl<'a> Scanner<'a, '_> {
         self.at += self.peek().map_or(0, char::len_utf8);
     }
 
-    /// Reports the full-width ones of the marks round a value, for which `plain` should stand.
+    /// Reports the full-width ones of the marks around a value, for which `plain` should stand.
     fn wide_marks(&mut self, marks: &[Range<usize>; 2], plain: char) {
         let first = |mark: &Range<usize>| self.text[mark.clone()].chars().next();
         let wide = marks.iter().filter_map(|mark| {
@@ -107,10 +108,10 @@ impl<'a> Scanner<'a, '_> {
         let wide: Vec<(char, &Range<usize>)> = wide.collect();
         let all: Vec<Span> = wide
             .iter()
-            .map(|(_, mark)| self.faults.span(mark))
+            .map(|(_, mark)| self.reporter.span(mark))
             .collect();
         for (c, mark) in wide {
-            self.faults
+            self.reporter
                 .at(mark, |s| say::full_width_markup(s, c, plain, &all));
         }
     }
@@ -122,10 +123,10 @@ impl<'a> Scanner<'a, '_> {
             return;
         };
         let place = |i: usize| value.start + i..value.start + i + 1;
-        let few = if self.faults.wanted() { MANY } else { 0 };
+        let few = if self.reporter.wanted() { MANY } else { 0 };
         let all = [first].into_iter().chain(signs.map(|(i, _)| i).take(few));
-        let all: Vec<Span> = all.map(|i| self.faults.span(&place(i))).collect();
-        self.faults
+        let all: Vec<Span> = all.map(|i| self.reporter.span(&place(i))).collect();
+        self.reporter
             .at(&place(first), |s| say::less_than_in_value(s, &all));
     }
 
@@ -147,7 +148,7 @@ impl<'a> Scanner<'a, '_> {
         self.text.len()
     }
 
-    /// Whether the closing quote of a value is really the opening one of the next attribute: ` next=` stands before
+    /// Whether the closing quote of a value is really the opening one of the next attribute: ` next=` is before
     /// it and no end of a tag or value behind.
     fn runs_on(&self, value: Range<usize>) -> bool {
         let Some(before) = self.text[value.clone()]
@@ -164,7 +165,7 @@ impl<'a> Scanner<'a, '_> {
             && after.is_some_and(|c| !is_blank(c) && !matches!(c, '>' | '/'))
     }
 
-    /// The likely end of a value whose closing quote is missing; reading goes on behind it.
+    /// The likely end of a value whose closing quote is missing; reading goes on after it.
     fn guess_end(&mut self, value: Range<usize>) -> usize {
         let text = &self.text[value.clone()];
         let line = &text[..text.find('\n').unwrap_or(text.len())];
@@ -191,8 +192,8 @@ impl<'a> Scanner<'a, '_> {
             let value = start + inner.start..start + inner.end;
             let close = self.text[value.end..].chars().next();
             self.at = value.end + close.map_or(0, char::len_utf8);
-            let text = self.faults.quote(&value);
-            self.faults
+            let text = self.reporter.quote(&value);
+            self.reporter
                 .at(&(start..self.at), |s| say::value_in_brackets(s, name, text));
             return value;
         }
@@ -206,8 +207,8 @@ impl<'a> Scanner<'a, '_> {
         if value.is_empty() {
             self.missing(name, place);
         } else {
-            let text = self.faults.quote(&value).trim_matches(['"', '\'', '”']);
-            self.faults
+            let text = self.reporter.quote(&value).trim_matches(['"', '\'', '”']);
+            self.reporter
                 .at(&value, |s| say::value_not_quoted(s, name, text));
         }
         value

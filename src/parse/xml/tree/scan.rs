@@ -8,12 +8,13 @@
 use crate::diagnostic::messages::xml as say;
 use crate::diagnostic::{Edit, Noun, noun};
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::Habits;
-use crate::parse::xml::tree::tag::{Attribute, is_blank, is_name_start, narrow};
+use crate::parse::schema::SchemaHints;
+use crate::parse::xml::tree::chars::{is_blank, is_name_start, narrow};
+use crate::parse::xml::tree::token::{EndTag, Token};
 use quick_xml::{Reader, events::Event};
 use std::ops::Range;
 
-/// What may hold a `<`: how it begins, what it is, how it ends. A document type is refused, ended or not.
+/// Markup that may contain a `<`: its start, its name, its end. A document type is refused, ended or not.
 const ENCLOSED: [(&str, Noun, &str); 4] = [
     ("<!--", noun("comment `<!--`", "注釈 `<!--` "), "-->"),
     (
@@ -29,59 +30,30 @@ const ENCLOSED: [(&str, Noun, &str); 4] = [
     ("<!DOCTYPE", noun("", ""), ">"),
 ];
 
-/// Comments that are longer are not mended.
+/// Comments that are longer are not fixed.
 const LONG: usize = 1 << 16;
-
-/// A piece of the file.
-pub(in crate::parse::xml) enum Token<'a> {
-    /// `<name ...>` or `<name .../>`.
-    Start(StartTag<'a>),
-    /// `</name>`.
-    End(EndTag<'a>),
-    /// Text that may hold references.
-    Text(Range<usize>),
-    /// Text that holds none.
-    Verbatim(Range<usize>),
-}
-
-/// `<name ...>` or `<name .../>`.
-pub(in crate::parse::xml) struct StartTag<'a> {
-    pub(in crate::parse::xml) name: &'a str,
-    pub(in crate::parse::xml) name_range: Range<usize>,
-    pub(in crate::parse::xml) range: Range<usize>,
-    pub(in crate::parse::xml) attributes: Vec<Attribute<'a>>,
-    pub(in crate::parse::xml) empty: bool,
-    /// Whether the `>` is there.
-    pub(in crate::parse::xml) closed: bool,
-}
-
-/// `</name>`.
-pub(in crate::parse::xml) struct EndTag<'a> {
-    pub(in crate::parse::xml) name: &'a str,
-    pub(in crate::parse::xml) range: Range<usize>,
-}
 
 /// The state of reading.
 pub(in crate::parse::xml) struct Scanner<'a, 'f> {
-    pub(in crate::parse::xml) faults: &'f mut Reporter<'a>,
+    pub(in crate::parse::xml) reporter: &'f mut Reporter<'a>,
     pub(in crate::parse::xml) text: &'a str,
     pub(in crate::parse::xml) at: usize,
-    pub(in crate::parse::xml) habits: Habits,
+    pub(in crate::parse::xml) habits: SchemaHints,
     /// The element whose start tag is being read.
     pub(in crate::parse::xml) element: &'a str,
-    /// Which of [`ENCLOSED`] were without an end, so that nobody looks for one again.
+    /// Which of [`ENCLOSED`] were without an end, so that no one looks for one again.
     endless: [bool; ENCLOSED.len()],
 }
 
 impl<'a, 'f> Scanner<'a, 'f> {
     pub(in crate::parse::xml) fn new(
-        faults: &'f mut Reporter<'a>,
+        reporter: &'f mut Reporter<'a>,
         at: usize,
-        habits: Habits,
+        habits: SchemaHints,
     ) -> Self {
         Scanner {
-            text: faults.source.text(),
-            faults,
+            text: reporter.source.text(),
+            reporter,
             at,
             habits,
             element: "",
@@ -131,7 +103,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         })
     }
 
-    /// What quick-xml makes of the markup here; it is stepped over then.
+    /// Reads the markup here with quick-xml and steps over it.
     fn event(&mut self) -> Option<Event<'a>> {
         let rest = self.rest();
         let inner = rest.strip_prefix('<')?;
@@ -171,7 +143,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.at = range.end;
         if let Some(narrow) = narrow(c) {
             let message = |s| say::full_width_markup(s, c, narrow, &[s]);
-            self.faults.at(&range, message);
+            self.reporter.at(&range, message);
         }
     }
 
@@ -183,7 +155,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
             let same = self.rest().find(|d| d != c).unwrap_or(self.rest().len());
             self.at += same;
             if c == '\u{3000}' {
-                self.faults.at(&(from..self.at), say::full_width_blank);
+                self.reporter.at(&(from..self.at), say::full_width_blank);
             }
         }
         self.at > start
@@ -224,7 +196,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.at += end.map_or(rest.len(), |i| first + i);
         for (i, end) in self.text[start..self.at].match_indices("]]>") {
             let range = start + i..start + i + end.len();
-            self.faults.at(&range, say::stray_cdata_end);
+            self.reporter.at(&range, say::stray_cdata_end);
         }
         start..self.at
     }
@@ -239,7 +211,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
             self.endless(start)
         } else if inner.starts_with('>') {
             self.at += open + 1;
-            self.faults.at(&(start..self.at), say::nameless_tag);
+            self.reporter.at(&(start..self.at), say::nameless_tag);
             None
         } else if next.is_some_and(|c| matches!(c, '/' | '／')) {
             self.end_tag(start)
@@ -249,19 +221,19 @@ impl<'a, 'f> Scanner<'a, 'f> {
             Some(Token::Start(self.start_tag(start)))
         } else {
             self.at += open;
-            self.faults.at(&(start..self.at), say::bare_less_than);
+            self.reporter.at(&(start..self.at), say::bare_less_than);
             Some(Token::Verbatim(start..self.at))
         }
     }
 
-    /// Steps over `<`, and blanks that do not belong behind it.
+    /// Steps over `<`, and blanks that do not belong after it.
     pub(in crate::parse::xml) fn open(&mut self, parts: usize) {
         for _ in 0..parts {
             self.bump();
             let from = self.at;
             self.at += self.rest().len() - self.rest().trim_start_matches(is_blank).len();
             if self.at > from {
-                self.faults.at(&(from..self.at), say::blank_before_name);
+                self.reporter.at(&(from..self.at), say::blank_before_name);
             }
         }
     }
@@ -284,15 +256,15 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.at += stop.map_or(rest.len(), |(i, _)| i);
         if matches!(self.peek(), Some('>' | '＞')) {
             if self.at > junk {
-                let words = self.faults.quote(&(junk..self.at));
-                self.faults
+                let words = self.reporter.quote(&(junk..self.at));
+                self.reporter
                     .at(&(junk..self.at), |s| say::junk_in_end_tag(s, words));
             }
             self.bump();
         } else {
             self.at = name_end;
-            let end = Edit::new(self.faults.span(&(name_end..name_end)), ">");
-            self.faults.at(&(start..name_end), |s| {
+            let end = Edit::new(self.reporter.span(&(name_end..name_end)), ">");
+            self.reporter.at(&(start..name_end), |s| {
                 say::tag_not_closed(s, name, false, end)
             });
         }
@@ -308,7 +280,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
             let range = start..self.at;
             self.at = self.resumption();
             let fix = self.ending(range.end..self.at, end);
-            self.faults
+            self.reporter
                 .at(&range, |s| say::not_ended(s, *what, end, fix));
             return None;
         }
@@ -328,7 +300,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         let part = parts.into_iter().find(|(part, _)| inside.ends_with(part));
         let at = range.start + inside.len();
         let text = part.map_or_else(|| format!(" {end}"), |(_, rest)| rest.to_owned());
-        Edit::new(self.faults.span(&(at..at)), text)
+        Edit::new(self.reporter.span(&(at..at)), text)
     }
 
     /// Reports `<!DOCTYPE ...>`, whatever it holds.
@@ -337,8 +309,8 @@ impl<'a, 'f> Scanner<'a, 'f> {
         let end = word.find(|c| is_blank(c) || c == '>');
         let range = start..start + end.unwrap_or(word.len());
         self.at = self.at.max(range.end);
-        let whole = whole.map(|end| self.faults.span(&(start..end)));
-        self.faults.at(&range, |s| say::document_type(s, whole));
+        let whole = whole.map(|end| self.reporter.span(&(start..end)));
+        self.reporter.at(&range, |s| say::document_type(s, whole));
         None
     }
 
@@ -351,7 +323,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         let touching = inside.ends_with('-').then(|| inside.len() - 1);
         let at = from + inside.find("--").or(touching)?;
         if self.text[..at].ends_with("<!") {
-            let open = self.faults.span(&(comment.start..from));
+            let open = self.reporter.span(&(comment.start..from));
             let within = at - 2;
             // The first line that begins with markup shows where the comment should have ended.
             let mut end = from;
@@ -366,11 +338,11 @@ impl<'a, 'f> Scanner<'a, 'f> {
                 }
             }
             let fix = self.ending(from..end, "-->");
-            self.faults
+            self.reporter
                 .at(&(within..at + 2), |s| say::comment_in_comment(s, open, fix));
         } else {
             let fix = self.undashed(from..to);
-            self.faults
+            self.reporter
                 .at(&(at..at + 2), |s| say::dashes_in_comment(s, fix));
         }
         None
@@ -380,7 +352,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
     fn undashed(&self, inside: Range<usize>) -> Vec<Edit> {
         let text = &self.text[inside.clone()];
         let (mut edits, mut at) = (vec![], 0);
-        if !self.faults.wanted() || text.len() > LONG {
+        if !self.reporter.wanted() || text.len() > LONG {
             return edits;
         }
         while let Some(start) = text[at..].find('-').map(|i| at + i) {
@@ -389,7 +361,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
             at = start + count;
             let last = at == text.len();
             let place = inside.start + start..inside.start + at;
-            let span = self.faults.span(&place);
+            let span = self.reporter.span(&place);
             match count {
                 1 if last => edits.push(Edit::new(span.after(), " ")),
                 1 => {}

@@ -1,9 +1,9 @@
 //! Start tags that were meant as end tags: `<Row>KTU  <Row>`, where the slash is forgotten.
 //!
-//! Such a tag bears no attributes, stands directly in an element of its name, and leaves two ends missing: its own
-//! and that of the element round it. Where only one is missing, the end tag before it was forgotten altogether.
+//! Such a tag has no attributes, is directly in an element of its name, and leaves two ends missing: its own
+//! and that of the element around it. Where only one is missing, the end tag before it was forgotten altogether.
 
-use crate::parse::xml::tree::Habits;
+use crate::parse::schema::SchemaHints;
 
 /// Searches for end tags cost time, and a file full of such tags must not spend it each time.
 const SEARCHES: u32 = 50;
@@ -27,7 +27,7 @@ impl Slashes {
         name: &str,
         rest: &str,
         open: impl DoubleEndedIterator<Item = &'a str>,
-        habits: Habits,
+        habits: SchemaHints,
     ) -> bool {
         if (habits.alone)(name) {
             return is_hollow(name, rest);
@@ -43,7 +43,7 @@ impl Slashes {
     }
 }
 
-/// Whether nothing stands in an element that would begin here, and it has no end tag either.
+/// Whether nothing is in an element that would begin here, and it has no end tag either.
 fn is_hollow(name: &str, rest: &str) -> bool {
     let next = rest.trim_start();
     let Some(tag) = next.strip_prefix('<') else {

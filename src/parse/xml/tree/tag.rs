@@ -4,31 +4,14 @@
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
 use crate::parse::reporter::Reporter;
+use crate::parse::xml::tree::chars::{ends_name, is_blank, is_name, narrow};
 use crate::parse::xml::tree::quotes::closers;
-use crate::parse::xml::tree::scan::{EndTag, Scanner, StartTag};
-use crate::parse::xml::tree::text::{Run, Text};
+use crate::parse::xml::tree::scan::Scanner;
+use crate::parse::xml::tree::text::Run;
+use crate::parse::xml::tree::token::{Attribute, EndTag, StartTag};
 use quick_xml::events::{BytesEnd, BytesStart};
 use std::collections::HashMap;
 use std::ops::Range;
-
-/// `name="value"`.
-#[derive(Clone)]
-pub(in crate::parse::xml) struct Attribute<'a> {
-    pub(in crate::parse::xml) name: &'a str,
-    pub(in crate::parse::xml) name_range: Range<usize>,
-    pub(in crate::parse::xml) value: Text<'a>,
-    /// Name, `=` and value with its quotes.
-    pub(in crate::parse::xml) range: Range<usize>,
-    /// Whether something was wrong with it, so that nobody complains of it again.
-    pub(in crate::parse::xml) faulty: bool,
-}
-
-impl Attribute<'_> {
-    /// Whether it is other programs' business: name spaces, schema locations, xml:lang.
-    pub(in crate::parse::xml) fn is_foreign(&self) -> bool {
-        self.name.contains(':') || self.name == "xmlns"
-    }
-}
 
 /// How a start tag ends.
 enum End {
@@ -36,40 +19,6 @@ enum End {
     Empty,
     /// Without `>`; `true` = there was a `/`.
     Missing(bool),
-}
-
-/// White space of XML, and the full-width blank that Japanese input methods put in its place.
-pub(in crate::parse::xml) fn is_blank(c: char) -> bool {
-    matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
-}
-
-/// Whether a name may begin with it.
-pub(in crate::parse::xml) fn is_name_start(c: char) -> bool {
-    c.is_alphabetic() || c == '_' || c == ':'
-}
-
-/// What a full-width mark of a tag stands for.
-pub(in crate::parse::xml) fn narrow(c: char) -> Option<char> {
-    Some(match c {
-        '＜' => '<',
-        '＞' => '>',
-        '／' => '/',
-        '＝' => '=',
-        '“' | '”' | '„' | '＂' => '"',
-        '‘' | '’' | '＇' => '\'',
-        _ => return None,
-    })
-}
-
-/// Whether a name ends before it.
-pub(in crate::parse::xml) fn ends_name(c: char) -> bool {
-    is_blank(c) || narrow(c).is_some() || matches!(c, '<' | '>' | '/' | '=' | '"' | '\'')
-}
-
-/// Whether XML allows it as a name.
-pub(in crate::parse::xml) fn is_name(name: &str) -> bool {
-    let fits = |c: char| c.is_alphanumeric() || !c.is_ascii() || "_:-.".contains(c);
-    name.starts_with(is_name_start) && name.chars().all(fits)
 }
 
 impl<'a> Scanner<'a, '_> {
@@ -111,12 +60,12 @@ impl<'a> Scanner<'a, '_> {
         Some(EndTag { name, range })
     }
 
-    /// Where a name stands that quick-xml has found, if it is one.
+    /// The place of a name that quick-xml has found, if it is one.
     fn sound_name(&self, name: &str) -> Option<Range<usize>> {
         (is_name(name) && !name.contains(ends_name)).then(|| self.range(name))
     }
 
-    /// Where a part of the text stands in it.
+    /// Where a part of the text is in it.
     fn range(&self, part: &str) -> Range<usize> {
         let start = part.as_ptr() as usize - self.text.as_ptr() as usize;
         start..start + part.len()
@@ -124,9 +73,9 @@ impl<'a> Scanner<'a, '_> {
 
     /// Reports a name that XML does not allow; whether it is one.
     fn check_name(&mut self, range: &Range<usize>) -> bool {
-        let name = self.faults.quote(range);
+        let name = self.reporter.quote(range);
         if !is_name(name) {
-            self.faults.at(range, |s| say::bad_name(s, name));
+            self.reporter.at(range, |s| say::bad_name(s, name));
         }
         is_name(name)
     }
@@ -154,7 +103,7 @@ impl<'a> Scanner<'a, '_> {
                 (slash, false)
             }
         };
-        report_twins(&mut attributes, self.faults);
+        report_twins(&mut attributes, self.reporter);
         StartTag {
             name,
             name_range,
@@ -168,12 +117,12 @@ impl<'a> Scanner<'a, '_> {
     /// Reports a start tag without `>`, which ends here. That of an element that holds nothing should end with `/>`.
     fn unclosed(&mut self, range: Range<usize>, name: &str, slash: bool) {
         let end = self.text[..self.at].trim_end_matches(is_blank).len();
-        let end = self.faults.span(&(end..end));
+        let end = self.reporter.span(&(end..end));
         let own_end = self.rest().strip_prefix("</");
         let held = own_end.is_some_and(|rest| rest.starts_with(name));
         let empty = !slash && !held && (self.habits.leaf)(name);
         let mark = if empty { "/>" } else { ">" };
-        self.faults.at(&range, |s| {
+        self.reporter.at(&range, |s| {
             say::tag_not_closed(s, name, slash, Edit::new(end, mark))
         });
     }
@@ -201,7 +150,7 @@ impl<'a> Scanner<'a, '_> {
                 Some(_) => {
                     if !spaced && !list.is_empty() {
                         let here = self.at..self.at;
-                        self.faults.at(&here, say::no_blank_between);
+                        self.reporter.at(&here, say::no_blank_between);
                     }
                     list.extend(self.attribute());
                 }
@@ -224,14 +173,15 @@ impl<'a> Scanner<'a, '_> {
         match self.peek() {
             Some('>' | '＞') => {
                 if self.at > after {
-                    self.faults.at(&(after..self.at), say::blank_before_closing);
+                    self.reporter
+                        .at(&(after..self.at), say::blank_before_closing);
                 }
                 self.bump();
                 Some(End::Empty)
             }
             None | Some('<') => Some(End::Missing(true)),
             _ => {
-                self.faults
+                self.reporter
                     .at(&(start..after), |s| say::stray_in_tag(s, "/"));
                 None
             }
@@ -256,10 +206,10 @@ impl<'a> Scanner<'a, '_> {
         })
     }
 
-    /// The attribute of a name and a value that stand here, up to its end.
+    /// The attribute of a name and a value that are here, up to its end.
     fn resolved(&mut self, name: Range<usize>, end: usize, value: Range<usize>) -> Attribute<'a> {
         let mut run = Run::default();
-        run.raw(value.clone(), self.faults);
+        run.raw(value.clone(), self.reporter);
         Attribute {
             name: &self.text[name.clone()],
             range: name.start..end,
@@ -286,22 +236,22 @@ impl<'a> Scanner<'a, '_> {
             self.at += first.len_utf8();
         }
         let range = start..self.at;
-        let junk = self.faults.quote(&range);
-        self.faults.at(&range, |s| say::stray_in_tag(s, junk));
+        let junk = self.reporter.quote(&range);
+        self.reporter.at(&range, |s| say::stray_in_tag(s, junk));
     }
 }
 
 /// Reports attributes of the same name and keeps the first of them.
-fn report_twins(attributes: &mut [Attribute<'_>], faults: &mut Reporter<'_>) {
+fn report_twins(attributes: &mut [Attribute<'_>], reporter: &mut Reporter<'_>) {
     let mut first = HashMap::new();
     for twin in attributes {
-        let (name, span) = (twin.name, faults.span(&twin.name_range));
+        let (name, span) = (twin.name, reporter.span(&twin.name_range));
         let range = twin.range.clone();
         let (before, whole) = first.entry(name).or_insert((span, range.clone()));
         if *before != span {
             twin.faulty = true;
-            let both = [faults.with_gap(whole), faults.with_gap(&range)];
-            faults.push(|| say::attribute_twice(span, name, name, *before, both));
+            let both = [reporter.with_gap(whole), reporter.with_gap(&range)];
+            reporter.push(|| say::attribute_twice(span, name, name, *before, both));
         }
     }
 }

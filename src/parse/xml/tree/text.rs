@@ -5,7 +5,7 @@
 
 use crate::diagnostic::messages::{file, xml as say};
 use crate::parse::reporter::Reporter;
-use crate::parse::xml::tree::instruction::is_forbidden;
+use crate::parse::xml::tree::chars::is_forbidden;
 use quick_xml::escape::resolve_predefined_entity;
 use quick_xml::events::{BytesRef, Event};
 use quick_xml::reader::Reader;
@@ -34,7 +34,7 @@ struct Piece {
 }
 
 impl<'a> Text<'a> {
-    /// A text in the place of what stands at a range of the file.
+    /// A text in the place of what is at a range of the file.
     pub(in crate::parse::xml) fn instead(text: String, place: Range<usize>) -> Text<'a> {
         let first = Piece {
             at: 0,
@@ -103,7 +103,7 @@ impl<'a> Text<'a> {
         &self.text
     }
 
-    /// Where a range of the text stands in the file's text.
+    /// Where a range of the text is in the file's text.
     pub(in crate::parse::xml) fn range(&self, range: Range<usize>) -> Range<usize> {
         let start = self.place(range.start).start;
         if range.end <= range.start {
@@ -140,7 +140,7 @@ pub(in crate::parse::xml) struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// Adds a range of the file as it stands.
+    /// Adds a range of the file as it is.
     pub(in crate::parse::xml) fn literal(&mut self, whole: &'a str, range: Range<usize>) {
         let slice = &whole[range.clone()];
         let last = self.more.last_mut().or(self.first.as_mut());
@@ -163,8 +163,8 @@ impl<'a> Run<'a> {
     }
 
     /// Adds a range of the file with its references, as quick-xml finds them, resolved; bad ones are reported.
-    pub(in crate::parse::xml) fn raw(&mut self, range: Range<usize>, faults: &mut Reporter<'a>) {
-        let whole = faults.source.text();
+    pub(in crate::parse::xml) fn raw(&mut self, range: Range<usize>, reporter: &mut Reporter<'a>) {
+        let whole = reporter.source.text();
         let mut from = range.start;
         // Only a value can hold `<`, which was reported then.
         for (i, part) in whole[range].split('<').enumerate() {
@@ -179,8 +179,8 @@ impl<'a> Run<'a> {
                 let event = reader.read_event();
                 let to = end - reader.get_ref().len();
                 match event {
-                    Ok(Event::GeneralRef(body)) => self.reference(&body, from..to, faults),
-                    _ => self.plain(from..to, faults),
+                    Ok(Event::GeneralRef(body)) => self.reference(&body, from..to, reporter),
+                    _ => self.plain(from..to, reporter),
                 }
                 from = to;
             }
@@ -216,10 +216,10 @@ impl<'a> Run<'a> {
     }
 
     /// Adds a range without references; an `&` that begins it and control characters are reported.
-    fn plain(&mut self, range: Range<usize>, faults: &mut Reporter<'a>) {
-        let whole = faults.source.text();
+    fn plain(&mut self, range: Range<usize>, reporter: &mut Reporter<'a>) {
+        let whole = reporter.source.text();
         if whole[range.clone()].starts_with('&') {
-            faults.at(&(range.start..range.start + 1), say::bare_ampersand);
+            reporter.at(&(range.start..range.start + 1), say::bare_ampersand);
         }
         let mut from = range.start;
         for (i, found) in whole[range.clone()].match_indices(is_forbidden) {
@@ -228,7 +228,7 @@ impl<'a> Run<'a> {
                 self.literal(whole, from..here.start);
             }
             let character = found.chars().next().unwrap_or(REPORTED);
-            faults.at(&here, |s| file::control_character(s, character));
+            reporter.at(&here, |s| file::control_character(s, character));
             from = here.end;
             self.atom(REPORTED, here);
         }
@@ -237,11 +237,11 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Adds the character of a reference; what only happens to stand between `&` and `;` is none.
-    fn reference(&mut self, body: &BytesRef<'_>, range: Range<usize>, faults: &mut Reporter<'a>) {
+    /// Adds the character of a reference; what only happens to are between `&` and `;` is none.
+    fn reference(&mut self, body: &BytesRef<'_>, range: Range<usize>, reporter: &mut Reporter<'a>) {
         let fits = |c: char| c.is_alphanumeric() || matches!(c, '#' | '_' | '-' | '.' | ':');
         if body.is_empty() || body.len() >= 40 || !body.chars().all(fits) {
-            return self.plain(range, faults);
+            return self.plain(range, reporter);
         }
         let allowed = |c: &char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{fffd}' | '\u{10000}'..);
         let character = match body.resolve_char_ref() {
@@ -249,8 +249,8 @@ impl<'a> Run<'a> {
             number => number.ok().flatten().filter(allowed),
         };
         if character.is_none() {
-            let quoted = faults.quote(&range);
-            faults.at(&range, |s| say::unknown_entity(s, quoted));
+            let quoted = reporter.quote(&range);
+            reporter.at(&range, |s| say::unknown_entity(s, quoted));
         }
         self.atom(character.unwrap_or(REPORTED), range);
     }

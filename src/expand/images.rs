@@ -2,10 +2,10 @@
 //! Each place draws its own, when all else is settled, by a key of its own: the seed, the house, the storey, the line and the
 //! position. So nothing that is edited elsewhere changes a draw, and a variant more only takes some places from the others.
 
-use super::Pass;
-use super::codes::Found;
-use super::codes::Which;
 use crate::diagnostic::messages::pictures as say;
+use crate::expand::Pass;
+use crate::expand::codes::Found;
+use crate::expand::codes::Which;
 use crate::program::{Content, PictureId, Storey, Unit};
 use crate::rng::Place;
 

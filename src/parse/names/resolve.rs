@@ -1,138 +1,49 @@
-//! Which names stand where, and which of them mean the same: the scopes of [`language`](crate::parse::xml) seen from
-//! outside, on the outlines of a text and of the files that were read for it. `scopes` says what is known where.
+//! Fills the table: finds which names are where in the outlines of source files, and which of them mean the same, by the
+//! rules of scope by which [`xml`](crate::parse::xml) computes a file.
 //!
-//! Names of one frame are one symbol however often they are given there: the branches of an `if` give one each. The
+//! Names of one frame are one symbol however often they are defined there: the branches of an `if` define one each. The
 //! parameters of pieces that one `use` may mean are one symbol too, since its attributes set them all.
 
 use super::SymbolKind;
+use super::file::{File, named, parameters, trimmed, word};
+use super::ids;
 use super::links::Links;
-use super::scopes::{Frames, Given, Named as Value, Scopes};
-use crate::parse::outline::{Attribute, Element, Outline};
+use super::scopes::{Binding, Definition, Frames};
+use super::table::{NameTable, Occurrence, Role};
+use crate::parse::syntax::{Attribute, Element};
 use crate::source::FileId;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What a mark does with its symbol.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Role {
-    /// Names it.
-    Declares,
-    /// Means it.
-    Uses,
-    /// May mean it: the name is worked out.
-    Computed,
+/// Resolves the names of source files, the first of which includes the others.
+pub(crate) fn resolve(files: &[File<'_>], links: &Links) -> NameTable {
+    let mut resolver = Resolver {
+        files,
+        index: NameTable::default(),
+        parameters: BTreeMap::new(),
+    };
+    for number in 0..files.len() {
+        resolver.declare(number);
+    }
+    resolver.include(links);
+    for number in 0..files.len() {
+        resolver.resolve(number);
+    }
+    let mut index = resolver.index;
+    for number in 0..index.marks.len() {
+        index.marks[number].symbol = index.root(index.marks[number].symbol);
+    }
+    let key = |m: &Occurrence| (m.file, m.range.start, m.range.end, m.symbol, m.role);
+    index.marks.sort_by_key(key);
+    index.marks.dedup();
+    index
 }
 
-/// A name in a text.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Mark {
-    pub(super) file: FileId,
-    pub(super) range: Range<usize>,
-    pub(super) symbol: usize,
-    pub(super) role: Role,
-}
-
-/// What a name means.
-#[derive(Clone, Debug)]
-pub(super) struct Named {
-    pub(super) kind: SymbolKind,
-    pub(super) name: String,
-}
-
-/// A file as the index needs it.
-#[derive(Clone, Copy)]
-pub(super) struct File<'a> {
-    pub(super) id: FileId,
-    pub(super) name: &'a str,
-    pub(super) text: &'a str,
-    pub(super) outline: &'a Outline,
-}
-
-/// All names of a text and of the files that were read for it.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Index {
-    pub(super) symbols: Vec<Named>,
-    /// By file and place.
-    pub(super) marks: Vec<Mark>,
-    /// What is known where.
-    pub(super) scopes: Scopes,
-    /// Which symbol stands for one, where several turned out to be the same.
-    same: Vec<usize>,
-}
-
-struct Maker<'a> {
+struct Resolver<'a> {
     files: &'a [File<'a>],
-    index: Index,
+    index: NameTable,
     /// The parameters of each piece, by name.
     parameters: BTreeMap<usize, BTreeMap<String, usize>>,
-}
-
-impl Index {
-    /// The names of some files.
-    pub(super) fn of(files: &[File<'_>], links: &Links) -> Index {
-        let mut maker = Maker {
-            files,
-            index: Index::default(),
-            parameters: BTreeMap::new(),
-        };
-        for number in 0..files.len() {
-            maker.declare(number);
-        }
-        maker.include(links);
-        for number in 0..files.len() {
-            maker.resolve(number);
-        }
-        let mut index = maker.index;
-        for number in 0..index.marks.len() {
-            index.marks[number].symbol = index.root(index.marks[number].symbol);
-        }
-        let key = |m: &Mark| (m.file, m.range.start, m.range.end, m.symbol, m.role);
-        index.marks.sort_by_key(key);
-        index.marks.dedup();
-        index
-    }
-
-    fn root(&self, mut symbol: usize) -> usize {
-        while self.same[symbol] != symbol {
-            symbol = self.same[symbol];
-        }
-        symbol
-    }
-
-    fn join(&mut self, one: usize, other: usize) {
-        let (one, other) = (self.root(one), self.root(other));
-        self.same[one.max(other)] = one.min(other);
-    }
-
-    pub(super) fn add(&mut self, kind: SymbolKind, name: &str) -> usize {
-        self.same.push(self.symbols.len());
-        self.symbols.push(Named {
-            kind,
-            name: name.to_owned(),
-        });
-        self.symbols.len() - 1
-    }
-
-    /// The marks at an offset, those with the shortest range.
-    pub(super) fn at(&self, file: FileId, at: usize) -> impl Iterator<Item = &Mark> {
-        let touches = move |m: &&Mark| m.range.start <= at && at <= m.range.end;
-        let marks = self.in_file(file).iter().filter(touches);
-        // Between two names the one that begins here counts.
-        let better = move |m: &&Mark| (m.range.end == at && m.range.start < at, m.range.len());
-        let best = marks.clone().map(|m| better(&m)).min();
-        marks.filter(move |m| Some(better(m)) == best)
-    }
-
-    /// The marks of a symbol.
-    pub(super) fn of_symbol(&self, symbol: usize) -> impl Iterator<Item = &Mark> {
-        self.marks.iter().filter(move |m| m.symbol == symbol)
-    }
-
-    fn in_file(&self, file: FileId) -> &[Mark] {
-        let start = self.marks.partition_point(|m| m.file < file);
-        let end = self.marks.partition_point(|m| m.file <= file);
-        &self.marks[start..end]
-    }
 }
 
 /// Whether it stands for what it holds.
@@ -140,40 +51,7 @@ fn is_open(word: &str) -> bool {
     matches!(word, "if" | "else" | "choice" | "random")
 }
 
-/// The word of the language that an element is, if it is one.
-pub(in crate::ide) fn word(element: &Element) -> &'static str {
-    element.schema.map_or("", |s| s.name)
-}
-
-/// The part of a value that is no white space at its ends; `None` where references stand in it or it is empty.
-pub(super) fn trimmed(text: &str, attribute: &Attribute) -> Option<Range<usize>> {
-    let written = text.get(attribute.inner.clone())?;
-    if written != attribute.value || written.trim().is_empty() {
-        return None;
-    }
-    let start = attribute.inner.start + written.len() - written.trim_start().len();
-    Some(start..start + written.trim().len())
-}
-
-/// The attributes of a `define` or a `use` that are parameters, with their numbers and their names as written.
-pub(in crate::ide) fn parameters<'e>(
-    text: &'e str,
-    element: &'e Element,
-) -> impl Iterator<Item = (usize, &'e str, &'e Attribute)> {
-    let all = element.attributes.iter().enumerate();
-    let all = all.map(|(number, a)| (number, &text[a.name.clone()], a));
-    all.filter(|(_, name, _)| *name != "name" && *name != "xmlns" && !name.contains(':'))
-}
-
-/// The attribute that names an element, and its name.
-pub(in crate::ide) fn named(text: &str, element: &Element) -> Option<(usize, Range<usize>)> {
-    let mut all = element.attributes.iter().enumerate();
-    let (number, name) = all.find(|(_, a)| a.word == "name")?;
-    let fixed = name.expressions.is_empty();
-    Some((number, trimmed(text, name).filter(|_| fixed)?))
-}
-
-impl<'a> Maker<'a> {
+impl<'a> Resolver<'a> {
     /// The frames of a file, and what is named in them.
     fn declare(&mut self, number: usize) {
         let elements = &self.files[number].outline.elements;
@@ -215,7 +93,7 @@ impl<'a> Maker<'a> {
         let element = &file.outline.elements[own];
         let frames = &self.index.scopes.of[number];
         let (around, inside) = (frames.around[own], frames.inside[own]);
-        let given = |attribute: usize, from: usize| Given {
+        let given = |attribute: usize, from: usize| Definition {
             file: number,
             element: own,
             attribute,
@@ -277,7 +155,7 @@ impl<'a> Maker<'a> {
     }
 
     /// Gives a name to a value or a piece in a frame.
-    fn give(&mut self, kind: SymbolKind, frame: usize, range: Range<usize>, given: Given) {
+    fn give(&mut self, kind: SymbolKind, frame: usize, range: Range<usize>, given: Definition) {
         let file = self.files[given.file];
         let name = &file.text[range.clone()];
         let known = &mut self.index.scopes.frames[frame];
@@ -293,7 +171,7 @@ impl<'a> Maker<'a> {
             None => {
                 let symbol = self.index.symbols.len();
                 let given = vec![given];
-                list.insert(name.to_owned(), Value { symbol, given });
+                list.insert(name.to_owned(), Binding { symbol, given });
                 self.index.add(kind, name)
             }
         };
@@ -301,7 +179,7 @@ impl<'a> Maker<'a> {
     }
 
     fn mark(&mut self, file: FileId, range: Range<usize>, symbol: usize, role: Role) {
-        self.index.marks.push(Mark {
+        self.index.marks.push(Occurrence {
             file,
             range,
             symbol,
@@ -350,7 +228,7 @@ impl<'a> Maker<'a> {
                 self.used(file, element, around);
             }
         }
-        super::floors::marks(file, &mut self.index);
+        ids::marks(file, &mut self.index);
     }
 
     /// A name in an expression.
@@ -405,7 +283,7 @@ fn literals<'t>(text: &'t str, range: &Range<usize>, attribute: &Attribute) -> V
     found
 }
 
-/// Whether a name has these texts in it, the first at its start and the last at its end.
+/// Whether a name has these files in it, the first at its start and the last at its end.
 fn is_like(name: &str, literals: &[&str]) -> bool {
     let [first, middle @ .., last] = literals else {
         return false;

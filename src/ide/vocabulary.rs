@@ -1,4 +1,4 @@
-//! What the words of the language mean: those of values, of roof lines, of the legacy header, and letters of classes.
+//! Meanings of the language's words: values, roof lines, the legacy header, and letters of classes.
 
 mod shapes;
 mod stuffs;
@@ -12,7 +12,7 @@ use crate::source::Source;
 /// Words with what they mean.
 pub(super) type Table = [(&'static str, Noun)];
 
-/// What covers a roof.
+/// The covering of a roof.
 pub(super) const COVERINGS: &Table = &[
     ("K", noun("pantiles (sangawara)", "桟瓦葺")),
     ("G", noun("cover tiles (hon-gawara)", "本瓦葺")),
@@ -294,7 +294,7 @@ pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
     }
 }
 
-/// What a word of a table means.
+/// The meaning of a word of a table.
 pub(super) fn meaning(table: &Table, word: &str) -> Option<Noun> {
     table.iter().find(|(w, _)| *w == word).map(|(_, n)| *n)
 }
@@ -305,7 +305,7 @@ pub(super) fn file(source: &Source) -> &str {
     name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
 
-/// What a class of parts is called.
+/// The name of a class of parts.
 pub(super) fn class(letter: char) -> Noun {
     match letter {
         'K' => noun("wall", "壁"),
@@ -319,7 +319,7 @@ pub(super) fn class(letter: char) -> Noun {
     }
 }
 
-/// What weathers in a weathering class.
+/// The materials of a weathering class.
 pub(super) fn weathering(class: &str) -> Option<Noun> {
     Some(match class {
         "WD" => noun(
@@ -353,7 +353,7 @@ pub(super) fn weathering(class: &str) -> Option<Noun> {
     })
 }
 
-/// What a function of expressions does.
+/// A description of a function of expressions.
 pub(super) const FUNCTIONS: &Table = &[
     (
         "min",

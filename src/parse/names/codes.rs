@@ -1,25 +1,25 @@
-//! The codes of parts: where they stand, and which part of one's own each of them means.
+//! The codes of parts: where they stand, and which custom part each of them means.
 //!
 //! A code means the part that the house knows in which it stands: its own one, that of its file, of files named for the
-//! run, of the file beside the text, and at last the one that comes with the program (see [`catalog`](crate::catalog)).
+//! run, of the file beside the source file, and at last the one that comes with the program (see [`catalog`](crate::catalog)).
 
-use super::index::{File, word};
-use super::links::Links;
 use crate::ast::CodeText;
-use crate::parse::outline::{Attribute, Element, Outline};
+use crate::parse::names::file::{File, word};
+use crate::parse::names::links::Links;
+use crate::parse::syntax::{Attribute, Element, Outline};
 use crate::source::FileId;
 use std::ops::Range;
 
 /// How a code stands where it stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::ide) enum Form {
+pub(crate) enum CodeForm {
     /// Five columns of a wall line; shorter where blanks at its end were left out.
     Columns,
     /// Text of an attribute or an expression.
     Value,
     /// The code of a `PartDef`.
     Part,
-    /// What a `PartDef` is based on.
+    /// The base of a `PartDef`.
     Base,
     /// A picture that a `Texture` names, with a file of its own.
     Picture,
@@ -29,44 +29,44 @@ pub(in crate::ide) enum Form {
     Perhaps,
 }
 
-/// A code in a text.
+/// A code in a source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Spot {
+pub(crate) struct CodeOccurrence {
     /// The number of the file in the list of files.
-    pub(super) file: usize,
-    pub(super) range: Range<usize>,
-    pub(super) element: Option<usize>,
-    pub(super) form: Form,
+    pub(crate) file: usize,
+    pub(crate) range: Range<usize>,
+    pub(crate) element: Option<usize>,
+    pub(crate) form: CodeForm,
 }
 
-/// A part or picture that a text defines: where its code stands.
-pub(super) type Site = Spot;
+/// A part or picture that a source file defines: where its code stands.
+pub(crate) type Site = CodeOccurrence;
 
-/// What all codes of a text are looked up in.
-pub(super) struct Codes<'a> {
-    pub(super) files: &'a [File<'a>],
+/// The tables in which codes of a source file are looked up.
+pub(crate) struct Codes<'a> {
+    pub(crate) files: &'a [File<'a>],
     sites: Vec<Site>,
-    /// For each file in which houses of the text its parts are known; `None` = in all of them.
+    /// For each file in which houses of the source file its parts are known; `None` = in all of them.
     homes: Vec<Option<Vec<usize>>>,
-    /// The files that are read without being included: first those named for the run, then the one beside the text.
+    /// The files that are read without being included: first those named for the run, then the one beside the source file.
     given: usize,
 }
 
 /// A code without the blanks that fill it up.
-pub(super) fn key(code: &str) -> &str {
+pub(crate) fn key(code: &str) -> &str {
     code.trim()
 }
 
 impl<'a> Codes<'a> {
-    /// What is defined in some files. So many of them behind the first are named for the run.
-    pub(super) fn of(files: &'a [File<'a>], links: &Links, given: usize) -> Codes<'a> {
+    /// Collects the definitions of source files. This many of them after the first are named for the run.
+    pub(crate) fn of(files: &'a [File<'a>], links: &Links, given: usize) -> Codes<'a> {
         let mut sites = vec![];
         for number in 0..files.len() {
             for element in 0..files[number].outline.elements.len() {
                 let name = word(&files[number].outline.elements[element]);
                 if matches!(name, "PartDef" | "Texture") {
-                    let of = &mut |spot: Spot| {
-                        if matches!(spot.form, Form::Part | Form::Picture) {
+                    let of = &mut |spot: CodeOccurrence| {
+                        if matches!(spot.form, CodeForm::Part | CodeForm::Picture) {
                             sites.push(spot);
                         }
                     };
@@ -102,11 +102,11 @@ impl<'a> Codes<'a> {
     }
 
     /// The text of a code.
-    pub(super) fn text(&self, spot: &Spot) -> &'a str {
+    pub(crate) fn text(&self, spot: &CodeOccurrence) -> &'a str {
         &self.files[spot.file].text[spot.range.clone()]
     }
 
-    /// The house round an element.
+    /// The house around an element.
     fn house(&self, file: usize, element: Option<usize>) -> Option<usize> {
         let outline = self.files[file].outline;
         let mut around = outline.around(element?);
@@ -114,26 +114,29 @@ impl<'a> Codes<'a> {
     }
 
     /// The part or picture that a code means; `None` = one that comes with the program, or none at all.
-    pub(super) fn meaning(&self, spot: &Spot) -> Option<&Site> {
-        if spot.form == Form::Part || spot.form == Form::Picture {
+    pub(crate) fn meaning(&self, spot: &CodeOccurrence) -> Option<&Site> {
+        if spot.form == CodeForm::Part || spot.form == CodeForm::Picture {
             return self.sites.iter().find(|s| *s == spot);
         }
         let key = key(self.text(spot));
         let house = self.house(spot.file, spot.element);
-        let itself =
-            |s: &Site| spot.form == Form::Base && s.file == spot.file && s.element == spot.element;
-        let of = |form: Form| {
+        let itself = |s: &Site| {
+            spot.form == CodeForm::Base && s.file == spot.file && s.element == spot.element
+        };
+        let of = |form: CodeForm| {
             let like = self.sites.iter().enumerate();
-            let like = like.filter(move |(_, s)| s.form == form && self::key(self.text(s)) == key);
+            let like = like.filter(move |(_, s)| {
+                s.form == form && crate::parse::names::codes::key(self.text(s)) == key
+            });
             like.filter(|(_, s)| !itself(s))
                 .min_by_key(|(number, s)| (self.distance(s, spot.file, house), *number))
                 .map(|(_, s)| s)
         };
         match spot.form {
-            Form::Shown => of(Form::Picture),
-            _ => of(Form::Part).or_else(|| {
+            CodeForm::Shown => of(CodeForm::Picture),
+            _ => of(CodeForm::Part).or_else(|| {
                 let known = crate::parse::builtin().find(&CodeText::new(key)).is_some();
-                of(Form::Picture).filter(|_| !known)
+                of(CodeForm::Picture).filter(|_| !known)
             }),
         }
     }
@@ -160,7 +163,7 @@ impl<'a> Codes<'a> {
     }
 
     /// All codes of all files that mean the same as one of them, itself included.
-    pub(super) fn alike(&self, code: &str, meaning: Option<&Site>) -> Vec<Spot> {
+    pub(crate) fn alike(&self, code: &str, meaning: Option<&Site>) -> Vec<CodeOccurrence> {
         let mut found = vec![];
         for number in 0..self.files.len() {
             self.each(number, &mut |spot| {
@@ -176,10 +179,10 @@ impl<'a> Codes<'a> {
     }
 
     /// The code at an offset of a file.
-    pub(super) fn at(&self, file: usize, at: usize) -> Option<Spot> {
+    pub(crate) fn at(&self, file: usize, at: usize) -> Option<CodeOccurrence> {
         let outline = self.files[file].outline;
-        let mut found: Option<Spot> = None;
-        let mut take = |spot: Spot| {
+        let mut found: Option<CodeOccurrence> = None;
+        let mut take = |spot: CodeOccurrence| {
             // Between two codes the one that begins here counts.
             let behind = spot.range.end == at && found.is_some();
             if spot.range.start <= at && at <= spot.range.end && !behind {
@@ -187,7 +190,7 @@ impl<'a> Codes<'a> {
             }
         };
         if let Some(element) = outline.element_at(at) {
-            // At the end of a tag the text round it may begin.
+            // At the end of a tag the text after it may begin.
             let outer = outline.elements[element].parent;
             for element in [Some(element), outer].into_iter().flatten() {
                 spots_of_element(self.files, file, element, &mut take);
@@ -199,7 +202,7 @@ impl<'a> Codes<'a> {
     }
 
     /// Every code of a file.
-    pub(super) fn each(&self, file: usize, take: &mut dyn FnMut(Spot)) {
+    pub(crate) fn each(&self, file: usize, take: &mut dyn FnMut(CodeOccurrence)) {
         let outline = self.files[file].outline;
         for line in 0..outline.lines.len() {
             spots_of_line(self.files, file, line, take);
@@ -210,26 +213,36 @@ impl<'a> Codes<'a> {
     }
 
     /// The number of a file.
-    pub(super) fn number(&self, file: FileId) -> Option<usize> {
+    pub(crate) fn number(&self, file: FileId) -> Option<usize> {
         self.files.iter().position(|f| f.id == file)
     }
 }
 
-fn spots_of_line(files: &[File<'_>], file: usize, line: usize, take: &mut dyn FnMut(Spot)) {
+fn spots_of_line(
+    files: &[File<'_>],
+    file: usize,
+    line: usize,
+    take: &mut dyn FnMut(CodeOccurrence),
+) {
     for range in &files[file].outline.lines[line].codes {
-        take(Spot {
+        take(CodeOccurrence {
             file,
             range: range.clone(),
             element: None,
-            form: Form::Columns,
+            form: CodeForm::Columns,
         });
     }
 }
 
-fn spots_of_element(files: &[File<'_>], file: usize, number: usize, take: &mut dyn FnMut(Spot)) {
+fn spots_of_element(
+    files: &[File<'_>],
+    file: usize,
+    number: usize,
+    take: &mut dyn FnMut(CodeOccurrence),
+) {
     let File { text, outline, .. } = files[file];
     of_element(text, outline, number, &mut |range, form| {
-        take(Spot {
+        take(CodeOccurrence {
             file,
             range,
             element: Some(number),
@@ -238,22 +251,22 @@ fn spots_of_element(files: &[File<'_>], file: usize, number: usize, take: &mut d
     });
 }
 
-/// The codes of an element, those of its attributes and those right in it.
-pub(in crate::ide) fn of_element(
+/// The codes of an element, those of its attributes and those directly in it.
+pub(crate) fn of_element(
     text: &str,
     outline: &Outline,
     number: usize,
-    take: &mut dyn FnMut(Range<usize>, Form),
+    take: &mut dyn FnMut(Range<usize>, CodeForm),
 ) {
     let element = &outline.elements[number];
     for words in &element.words {
         words
             .codes
             .iter()
-            .for_each(|c| take(c.clone(), Form::Columns));
+            .for_each(|c| take(c.clone(), CodeForm::Columns));
         let expressions = words.expressions.iter();
         let quoted = expressions.flat_map(|e| quoted(text, &e.range));
-        quoted.for_each(|range| take(range, Form::Perhaps));
+        quoted.for_each(|range| take(range, CodeForm::Perhaps));
     }
     for attribute in &element.attributes {
         let Some(form) = form(element, attribute) else {
@@ -264,30 +277,32 @@ pub(in crate::ide) fn of_element(
         }
         let expressions = &attribute.expressions;
         let inside = expressions.iter().flat_map(|e| quoted(text, &e.range));
-        inside.for_each(|range| take(range, Form::Perhaps));
+        inside.for_each(|range| take(range, CodeForm::Perhaps));
         if expressions.is_empty() {
-            let single =
-                matches!(form, Form::Part | Form::Base | Form::Shown) || word(element) == "Part";
+            let single = matches!(form, CodeForm::Part | CodeForm::Base | CodeForm::Shown)
+                || word(element) == "Part";
             let pieces = pieces(text, &attribute.inner, single);
             pieces.into_iter().for_each(|range| take(range, form));
         }
     }
 }
 
-/// What an attribute of an element has to do with codes.
-fn form(element: &Element, attribute: &Attribute) -> Option<Form> {
+/// How an attribute of an element refers to codes.
+fn form(element: &Element, attribute: &Attribute) -> Option<CodeForm> {
     let form = match (word(element), &*attribute.word) {
-        ("PartDef", "code") => Form::Part,
-        ("PartDef", "base") => Form::Base,
-        ("PartDef", "texture") => Form::Shown,
-        ("Texture", "code") if element.attribute("src").is_some() => Form::Picture,
-        ("Part" | "Texture" | "random" | "replace", "code") | ("replace", "with") => Form::Value,
+        ("PartDef", "code") => CodeForm::Part,
+        ("PartDef", "base") => CodeForm::Base,
+        ("PartDef", "texture") => CodeForm::Shown,
+        ("Texture", "code") if element.attribute("src").is_some() => CodeForm::Picture,
+        ("Part" | "Texture" | "random" | "replace", "code") | ("replace", "with") => {
+            CodeForm::Value
+        }
         ("use" | "define", "name") => return None,
         ("use" | "define", _) | ("let", "value") | ("Param", "default" | "choices") => {
-            Form::Perhaps
+            CodeForm::Perhaps
         }
         _ if attribute.expressions.is_empty() => return None,
-        _ => Form::Perhaps,
+        _ => CodeForm::Perhaps,
     };
     Some(form)
 }
@@ -311,7 +326,7 @@ fn quoted(text: &str, range: &Range<usize>) -> Vec<Range<usize>> {
 fn pieces(text: &str, range: &Range<usize>, single: bool) -> Vec<Range<usize>> {
     let written = &text[range.clone()];
     let known = |code: &str| crate::parse::builtin().find(&CodeText::new(code)).is_some();
-    // `GDE 2` is one code, own ones of this form as well.
+    // `GDE 2` is one code, custom ones of this form as well.
     let one = |code: &str| {
         known(code) || (code.len() == 5 && code.is_ascii() && !code[..4].trim_end().contains(' '))
     };

@@ -1,7 +1,7 @@
-//! What parts are made of, as the catalogue says it.
+//! The bodies of parts, as the catalogue defines them.
 
-use super::Table;
 use crate::diagnostic::noun;
+use crate::ide::vocabulary::Table;
 
 /// The words of the catalogue.
 #[rustfmt::skip]

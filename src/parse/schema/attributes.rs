@@ -1,11 +1,11 @@
-//! The attributes of every element: what each may say, what holds without it, and what it means.
+//! The attributes of every element: values, default and meaning of each.
 
-use super::kinds::Kind::{
+use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
+use crate::parse::schema::kinds::Kind::{
     Choice, Choices, Either, Number, Numbers, Pair, Point, Positions, Text, Whole, WholePair, YesNo,
 };
-use super::kinds::{Bears, Kind, join, may, must, words};
-use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
-use crate::parse::xml::read::{facades, fittings, house, roofs};
+use crate::parse::schema::kinds::{AttributeSchema, Kind, join, may, must, words};
+use crate::parse::schema::vocabulary;
 
 /// Further from the origin than any house of this world in metres, and further than any wall in U or shaku.
 const FAR: f64 = 1e8;
@@ -23,9 +23,9 @@ const TURN: Kind = Number(-360.0, 360.0);
 const SCALE: Kind = Number(1e-6, 1e6);
 /// Any number of an expression.
 const ANY: Kind = Number(f64::MIN, f64::MAX);
-/// What reads as a truth.
+/// The words that are read as a truth value.
 const TRUTH: Kind = Choice(&["yes", "no", "true", "false"]);
-/// Heights and depths of what stands at a house, shaku: no platform is higher than a hill.
+/// Heights and depths of what is at a house, shaku: no platform is higher than a hill.
 const NEAR: Kind = Number(0.0, 300.0);
 /// Posts and the like, shaku.
 const THICK: Kind = Number(0.1, 20.0);
@@ -38,14 +38,14 @@ const SPAN: Kind = Number(0.1, 1000.0);
 /// Repetitions that anybody can mean.
 const MANY: u64 = 10_000_000;
 
-const STOREYS: Kind = Choice(&words(&facades::KINDS));
+const STOREYS: Kind = Choice(&words(&vocabulary::STOREY_KINDS));
 const PAINT: Kind = Choice(&words(&Paint::ALL));
-const SIDES: Kind = Choices(&words(&fittings::SIDES));
-const COVERING: Kind = Choice(&words(&roofs::KINDS));
+const SIDES: Kind = Choices(&words(&vocabulary::SIDES));
+const COVERING: Kind = Choice(&words(&vocabulary::COVERINGS));
 const SHAPE: Kind = Choice(&words(&RoofShape::ALL));
 
 #[rustfmt::skip]
-const HOUSE_OWN: [Bears; 8] = [
+const HOUSE_OWN: [AttributeSchema; 8] = [
     may("name", Text, "", "its name, which also keys its draws", "建物の名。抽選の鍵にもなる"),
     may("unit", Number(0.1, 100.0), "3", "one unit in shaku: 3 (Edo-ma), 3.15, 3.25 (Kyo-ma)", "1ユニットの長さ(尺)。3(江戸間)、3.15、3.25(京間)"),
     may("seed", Whole(0, u64::MAX), "0", "key of the draws: another seed, another house of the same kind", "抽選の種。変えると同じ型の別の建物になる"),
@@ -57,87 +57,87 @@ const HOUSE_OWN: [Bears; 8] = [
 ];
 /// How old houses are.
 #[rustfmt::skip]
-const AGED: [Bears; 2] = [
+const AGED: [AttributeSchema; 2] = [
     may("age", Number(0.0, 2000.0), "", "years since it was built: it has weathered; without, nothing has", "築年数。経年変化を表す。無ければ変化しない"),
     may("era", Choice(&words(&Era::WORDS)), "", "when it was built: E Edo, M Meiji to early Showa, N contemporary; parts of a later era are younger", "建てた時代。E 江戸、M 明治から昭和初期、N 現代。後の時代の部材は新しくなる"),
 ];
-pub(super) const HOUSES: &[Bears] = &AGED;
-pub(super) const HOUSE: &[Bears] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
+pub(super) const HOUSES: &[AttributeSchema] = &AGED;
+pub(super) const HOUSE: &[AttributeSchema] = &join::<8, 2, 10>(HOUSE_OWN, AGED);
 #[rustfmt::skip]
-pub(super) const STOREY: &[Bears] = &[
+pub(super) const STOREY: &[AttributeSchema] = &[
     may("height", SIZE, "9", "from its floor to the next, shaku", "階高(尺)"),
     may("start", PLACE, "0 0", "where its walk starts, units to the left and back from the house's origin", "歩き始めの位置。原点から左へ、奥へ(ユニット)"),
     may("kind", STOREYS, "storey", "a `parapet` stands on the storey below and bears no roof of its own", "`parapet` は下の階に載る胸壁で、屋根を持たない"),
 ];
 #[rustfmt::skip]
-pub(super) const LOOP: &[Bears] = &[
+pub(super) const LOOP: &[AttributeSchema] = &[
     may("hole", YesNo, "no", "the walls of a courtyard, walked counter-clockwise round it", "中庭の壁。中庭の周りを反時計回りに歩く"),
     may("inner", YesNo, "no", "a wall inside a storey, which need not close and bears no roof", "階の内側の壁。閉じなくてもよく、屋根を受けない"),
     may("start", PLACE, "", "where its walk starts, units to the left and back", "歩き始めの位置。左へ、奥へ(ユニット)"),
 ];
 #[rustfmt::skip]
-pub(super) const ROW: &[Bears] = &[
-    may("turn", Either(&words(&house::TURNS), -360.0, 360.0), "R",
+pub(super) const ROW: &[AttributeSchema] = &[
+    may("turn", Either(&words(&vocabulary::TURNS), -360.0, 360.0), "R",
         "the turn at its end: `R` right, `L` left, or degrees to the right", "行末の曲がり。`R` 右、`L` 左、または右への角度(度)"),
 ];
 #[rustfmt::skip]
-pub(super) const PART: &[Bears] = &[
+pub(super) const PART: &[AttributeSchema] = &[
     must("code", Text, "its code in the catalogue, or the name of an own part or a picture", "部材コード。自作部材や画像の名でもよい"),
     may("width", LENGTH, "", "units, in place of the code's own width", "幅(ユニット)。コードの幅に代わる"),
     may("height", SIZE, "", "shaku, in place of the storey's height", "高さ(尺)。階高に代わる"),
 ];
 #[rustfmt::skip]
-pub(super) const STRUCTURE: &[Bears] = &[
+pub(super) const STRUCTURE: &[AttributeSchema] = &[
     may("size", SIZE, "", "width of a facade of ratio 1, in size units; 1 where only `scale` or a `ratio` is given", "比 1 の壁面の幅(寸法単位)。`scale` か `ratio` だけのときは 1"),
     may("scale", SCALE, "", "one size unit in metres; 0.1 where only `size` or a `ratio` is given", "寸法単位の長さ(m)。`size` か `ratio` だけのときは 0.1"),
-    may("order", Choice(&words(&facades::ORDERS)), "left", "to which side the parts of a floor run, seen from outside", "外から見て部材がどちらへ並ぶか"),
+    may("order", Choice(&words(&vocabulary::PART_ORDERS)), "left", "to which side the parts of a floor run, seen from outside", "外から見て部材がどちらへ並ぶか"),
 ];
 #[rustfmt::skip]
-pub(super) const FACADE: &[Bears] = &[
+pub(super) const FACADE: &[AttributeSchema] = &[
     may("id", Text, "", "its name, in the names of part pictures", "壁面の名。部材画像の名に使う"),
     may("ratio", SCALE, "", "its width in those of the structure's `size`", "幅。`size` に対する比"),
     may("angle", TURN, "90", "the turn from the facade before, degrees to the right; the first one has 0", "前の壁面からの曲がり。右へ(度)。最初の壁面は 0"),
-    may("reflection", Choice(&words(&facades::REFLECTIONS)), "disable", "its glass mirrors the neighbours", "ガラスに周囲を映す"),
+    may("reflection", Choice(&words(&vocabulary::REFLECTIONS)), "disable", "its glass mirrors the neighbours", "ガラスに周囲を映す"),
 ];
 #[rustfmt::skip]
-pub(super) const FLOOR: &[Bears] = &[
+pub(super) const FLOOR: &[AttributeSchema] = &[
     may("id", Text, "", "floors of one name share a row: one says it, the others take it", "同じ名の階は並びを共有する"),
     may("height", SIZE, "11.55", "from its floor to the next, shaku; 11.55 is 3.5 m", "階高(尺)。11.55 は 3.5 m"),
     may("kind", STOREYS, "storey", "a `parapet` stands on the floor below", "`parapet` は下の階に載る胸壁"),
 ];
 #[rustfmt::skip]
-pub(super) const REPEAT: &[Bears] = &[
+pub(super) const REPEAT: &[AttributeSchema] = &[
     must("num", Whole(0, MANY), "how often its content stands there", "中身を繰り返す回数"),
 ];
 #[rustfmt::skip]
-pub(super) const SPLIT: &[Bears] = &[
+pub(super) const SPLIT: &[AttributeSchema] = &[
     may("ratio", Number(0.001, 0.999), "0.5", "the share of the upper half", "上の部分の割合"),
 ];
 #[rustfmt::skip]
-pub(super) const RANDOM: &[Bears] = &[
+pub(super) const RANDOM: &[AttributeSchema] = &[
     must("code", Text, "codes divided by commas, of which one is drawn; not beside `choice`", "コンマで区切ったコード。どれかひとつを抽選する。`choice` とは併用しない"),
     may("weights", Numbers(0.0, 1e9), "", "how often each of them comes, one number a code; all alike without", "それぞれの出やすさ。無ければ等しい"),
 ];
 #[rustfmt::skip]
-pub(super) const CHOICE: &[Bears] = &[
+pub(super) const CHOICE: &[AttributeSchema] = &[
     may("weight", Number(0.0, 1e9), "1", "how often it comes, beside the others", "ほかに対する出やすさ"),
 ];
 #[rustfmt::skip]
-pub(super) const REPLACE: &[Bears] = &[
+pub(super) const REPLACE: &[AttributeSchema] = &[
     may("code", Text, "", "which codes are changed; without, all at `at`", "取り替えるコード。無ければ `at` の全部"),
     must("with", Text, "the codes that come in their place, drawn where several", "代わりに置くコード。複数なら抽選する"),
     may("at", Positions, "", "which places, from 1, such as `2,5-7`", "取り替える位置。1 から数え、`2,5-7` のように書く"),
 ];
 #[rustfmt::skip]
-pub(super) const TEXTURE: &[Bears] = &[
+pub(super) const TEXTURE: &[AttributeSchema] = &[
     must("code", Text, "which part or picture it is said of", "対象の部材または画像"),
     may("reflection", Number(0.0, 100.0), "", "share of light that it mirrors, 0 to 1", "映り込みの割合。0 から 1"),
     may("src", Text, "", "the file of its picture, from the folder of this file and below the root", "画像のファイル。このファイルのフォルダーから数え、ルートの下に限る"),
 ];
 
-/// What roofs look like.
+/// The style of roofs.
 #[rustfmt::skip]
-const STYLE: [Bears; 11] = [
+const STYLE: [AttributeSchema; 11] = [
     may("kind", COVERING, "", "covering: K pantiles, G cover tiles, I boards, S shingles, H bark, Y thatch, T metal",
         "葺き材。K 桟瓦、G 本瓦、I 板、S 杮、H 檜皮、Y 茅、T 金属"),
     may("shape", SHAPE, "", "KIR gable, YOS hip, YOK gable along the short side, IRI hip and gable, HAK half-hip, HOG pyramid, KAT lean-to, HIS pent roof, TER temple, KAR karahafu, RIK flat",
@@ -152,10 +152,10 @@ const STYLE: [Bears; 11] = [
     may("ratio", Number(0.0, 1.0), "", "length of a hipped roof's ridge, share of the roof's length", "寄棟の棟の長さ。屋根の長さに対する割合"),
     may("plain_ridge", YesNo, "no", "no ridge-end tiles", "鬼瓦を置かない"),
 ];
-const ROOFS_OWN: [Bears; 2] = [
+const ROOFS_OWN: [AttributeSchema; 2] = [
     may(
         "mode",
-        Choice(&words(&roofs::MODES)),
+        Choice(&words(&vocabulary::ROOF_MODES)),
         "auto",
         "`auto`: written roofs, and automatic ones for the rest; `explicit`: only the written ones",
         "`auto` は書いた屋根と残りの自動屋根、`explicit` は書いた屋根だけ",
@@ -169,58 +169,58 @@ const ROOFS_OWN: [Bears; 2] = [
     ),
 ];
 #[rustfmt::skip]
-const ROOF_OWN: [Bears; 6] = [
+const ROOF_OWN: [AttributeSchema; 6] = [
     must("a0", ANYWHERE, "a corner of the walls below, units to the left", "下の壁の角。左へ(ユニット)"),
     must("b0", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)"),
     must("a1", ANYWHERE, "the opposite corner, units to the left", "対角の角。左へ(ユニット)"),
     must("b1", ANYWHERE, "the same, units back", "同じく奥へ(ユニット)"),
-    may("ridge", Choice(&words(&roofs::DIRECTIONS)), "", "X along the first line, Y across it; one slope falls to F front, B back, L left, R right",
+    may("ridge", Choice(&words(&vocabulary::RIDGE_DIRECTIONS)), "", "X along the first line, Y across it; one slope falls to F front, B back, L left, R right",
         "X は最初の行に平行、Y は直交。片流れは F 前、B 奥、L 左、R 右へ下る"),
     may("height", Either(&["*"], -FAR, FAR), "*", "of the eaves above the ground sill, shaku; `*` is the top of the walls there", "軒の高さ(尺)。`*` はそこの壁の上端"),
 ];
-pub(super) const ROOFS: &[Bears] = &join::<2, 11, 13>(ROOFS_OWN, STYLE);
-pub(super) const ROOF: &[Bears] = &join::<6, 11, 17>(ROOF_OWN, STYLE);
+pub(super) const ROOFS: &[AttributeSchema] = &join::<2, 11, 13>(ROOFS_OWN, STYLE);
+pub(super) const ROOF: &[AttributeSchema] = &join::<6, 11, 17>(ROOF_OWN, STYLE);
 
 #[rustfmt::skip]
-pub(super) const PLATFORM: &[Bears] = &[
+pub(super) const PLATFORM: &[AttributeSchema] = &[
     may("height", NEAR, "3", "shaku", "高さ(尺)"),
     may("margin", Pair(0.0, 300.0), "6", "from the walls to its edge, shaku; two numbers: left and right, front and back", "壁から縁まで(尺)。ふたつ書けば左右と前後"),
     may("stairs", SIDES, "", "sides with stairs: F, B, L, R", "階段のある側。F 前、B 奥、L 左、R 右"),
     may("width", SIZE, "", "of the stairs, shaku; the middle bay without", "階段の幅(尺)。無ければ中央間"),
 ];
 #[rustfmt::skip]
-pub(super) const POSTS: &[Bears] = &[
+pub(super) const POSTS: &[AttributeSchema] = &[
     may("size", THICK, "0.4", "thickness, shaku", "太さ(尺)"),
     may("round", YesNo, "no", "round posts", "丸柱にする"),
     may("paint", PAINT, "cedar", "wood or colour", "材または色"),
     may("nageshi", Whole(0, 5), "0", "rows of tie beams", "長押の段数"),
 ];
 #[rustfmt::skip]
-pub(super) const VERANDA: &[Bears] = &[
+pub(super) const VERANDA: &[AttributeSchema] = &[
     may("width", LENGTH, "3", "shaku", "幅(尺)"),
     may("height", NEAR, "0", "of its boards: on the ground storey it raises the house, upstairs it counts from the storey's foot, shaku", "床の高さ(尺)。1階では建物を上げ、上階では階の足元から測る"),
-    may("rail", Choice(&words(&fittings::RAILS)), "none", "railing: crossed or knobbed posts", "高欄。組高欄または擬宝珠"),
+    may("rail", Choice(&words(&vocabulary::RAILS)), "none", "railing: crossed or knobbed posts", "高欄。組高欄または擬宝珠"),
     may("stairs", SIDES, "", "sides with stairs: F, B, L, R", "階段のある側。F 前、B 奥、L 左、R 右"),
     may("paint", PAINT, "", "wood or colour; that of the posts without", "材または色。無ければ柱と同じ"),
 ];
 #[rustfmt::skip]
-pub(super) const BRACKETS: &[Bears] = &[
+pub(super) const BRACKETS: &[AttributeSchema] = &[
     may("steps", STEPS, "0", "steps outwards", "手先の数"),
     may("height", NEAR, "", "what they take of the storey's top, shaku", "階の上端から占める高さ(尺)"),
     may("out", NEAR, "", "from the wall to the purlin they bear, shaku", "壁から丸桁まで(尺)"),
     may("paint", PAINT, "", "wood or colour; that of the posts without", "材または色。無ければ柱と同じ"),
 ];
 #[rustfmt::skip]
-pub(super) const FINIAL: &[Bears] = &[
+pub(super) const FINIAL: &[AttributeSchema] = &[
     must("kind", Choice(&words(&FinialKind::ALL)), "sorin 相輪, hoju 宝珠, shibi 鴟尾, chigi 千木・鰹木", "sorin 相輪、hoju 宝珠、shibi 鴟尾、chigi 千木・鰹木"),
     may("height", SIZE, "", "shaku", "高さ(尺)"),
     may("count", Whole(0, 99), "", "of logs (katsuogi)", "鰹木の数"),
     may("at", PLACE, "", "over which place, units; the highest roof without", "どこの上か(ユニット)。無ければいちばん高い屋根"),
 ];
 
-/// What all houses written short may bear.
+/// Attributes of all monuments.
 #[rustfmt::skip]
-const MEASURES: [Bears; 12] = [
+const MEASURES: [AttributeSchema; 12] = [
     may("columns", SPAN, "", "height of the columns, shaku", "柱の高さ(尺)"),
     may("post", THICK, "", "diameter of the columns, shaku", "柱の径(尺)"),
     may("paint", PAINT, "", "wood or colour", "材または色"),
@@ -235,7 +235,7 @@ const MEASURES: [Bears; 12] = [
     may("margin", Pair(0.0, 300.0), "", "from the walls to the platform's edge, shaku", "壁から基壇の縁まで(尺)"),
 ];
 #[rustfmt::skip]
-const PAGODA_OWN: [Bears; 6] = [
+const PAGODA_OWN: [AttributeSchema; 6] = [
     may("storeys", Whole(1, 15), "5", "number of storeys", "重数"),
     may("width", SPAN, "18", "of the first storey, shaku", "初重の幅(尺)"),
     may("bays", Whole(1, 9), "3", "bays a side", "一辺の間数"),
@@ -244,7 +244,7 @@ const PAGODA_OWN: [Bears; 6] = [
     may("sorin", NEAR, "", "height of the spire, shaku; 0.3 of the whole without", "相輪の高さ(尺)。無ければ総高の 0.3"),
 ];
 #[rustfmt::skip]
-const GATE_OWN: [Bears; 6] = [
+const GATE_OWN: [AttributeSchema; 6] = [
     may("bays", BAYS, "5 2", "along and across", "間口と奥行の間数"),
     may("bay", Pair(0.1, 1000.0), "17", "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行"),
     may("storeys", Whole(1, 2), "2", "storeys", "重数"),
@@ -252,12 +252,12 @@ const GATE_OWN: [Bears; 6] = [
     may("inset", NEAR, "", "how far the upper storey stands back, shaku", "上重の引っ込み(尺)"),
     may("upper", SPAN, "", "height of the upper columns, shaku", "上重の柱の高さ(尺)"),
 ];
-pub(super) const PAGODA: &[Bears] = &join::<6, 12, 18>(PAGODA_OWN, MEASURES);
-pub(super) const GATE: &[Bears] = &join::<6, 12, 18>(GATE_OWN, MEASURES);
+pub(super) const PAGODA: &[AttributeSchema] = &join::<6, 12, 18>(PAGODA_OWN, MEASURES);
+pub(super) const GATE: &[AttributeSchema] = &join::<6, 12, 18>(GATE_OWN, MEASURES);
 
-/// What halls and shrines may bear.
+/// Attributes of halls and shrines.
 #[rustfmt::skip]
-const HALL_OWN: [Bears; 6] = [
+const HALL_OWN: [AttributeSchema; 6] = [
     may("doors", Whole(0, 60), "", "bays with doors in the front", "正面の扉の間数"),
     may("aisle", NEAR, "0", "depth of the aisle round the core, shaku", "庇の深さ(尺)"),
     may("upper", SPAN, "", "height of the core above the aisle's roof, shaku", "庇の屋根から上の身舎の高さ(尺)"),
@@ -267,18 +267,18 @@ const HALL_OWN: [Bears; 6] = [
 ];
 /// The bays of a hall or a shrine: how many, and how wide.
 #[rustfmt::skip]
-const fn bays(number: &'static str, width: &'static str) -> [Bears; 2] {
+const fn bays(number: &'static str, width: &'static str) -> [AttributeSchema; 2] {
     [
         may("bays", BAYS, number, "along and across", "間口と奥行の間数"),
         may("bay", Pair(0.1, 1000.0), width, "width of a bay, shaku; two numbers: along, across", "柱間(尺)。ふたつ書けば間口と奥行"),
     ]
 }
-const HALLS: [Bears; 18] = join::<6, 12, 18>(HALL_OWN, MEASURES);
-pub(super) const HALL: &[Bears] = &join::<2, 18, 20>(bays("5 5", "10"), HALLS);
-pub(super) const SHRINE: &[Bears] = &join::<2, 18, 20>(bays("3 2", "7"), HALLS);
+const HALLS: [AttributeSchema; 18] = join::<6, 12, 18>(HALL_OWN, MEASURES);
+pub(super) const HALL: &[AttributeSchema] = &join::<2, 18, 20>(bays("5 5", "10"), HALLS);
+pub(super) const SHRINE: &[AttributeSchema] = &join::<2, 18, 20>(bays("3 2", "7"), HALLS);
 
 #[rustfmt::skip]
-pub(super) const PARAM: &[Bears] = &[
+pub(super) const PARAM: &[AttributeSchema] = &[
     must("name", Text, "what expressions call it", "式の中での名"),
     may("default", Text, "", "its value where nobody sets it", "指定が無いときの値"),
     may("min", ANY, "", "its least value", "最小値"),
@@ -292,28 +292,28 @@ pub(super) const PARAM: &[Bears] = &[
     may("doc_ja", Text, "", "the same in Japanese, for `--lang ja`", "日本語での意味。`--lang ja` のときに出る"),
 ];
 #[rustfmt::skip]
-pub(super) const LET: &[Bears] = &[
+pub(super) const LET: &[AttributeSchema] = &[
     must("name", Text, "what expressions call it", "式の中での名"),
     must("value", Text, "its value", "値"),
 ];
 #[rustfmt::skip]
-pub(super) const DEFINE: &[Bears] = &[
+pub(super) const DEFINE: &[AttributeSchema] = &[
     must("name", Text, "what `use` calls it; all other attributes are parameters with their defaults", "`use` での名。ほかの属性はすべて変数とその既定値"),
 ];
 #[rustfmt::skip]
-pub(super) const USE: &[Bears] = &[
+pub(super) const USE: &[AttributeSchema] = &[
     must("name", Text, "which piece; all other attributes set its parameters", "使う部品の名。ほかの属性はすべて変数"),
 ];
 #[rustfmt::skip]
-pub(super) const IF: &[Bears] = &[must("test", TRUTH, "whether its content counts", "中身を生かすかどうか")];
+pub(super) const IF: &[AttributeSchema] = &[must("test", TRUTH, "whether its content counts", "中身を生かすかどうか")];
 #[rustfmt::skip]
-pub(super) const ELSE: &[Bears] = &[may("test", TRUTH, "", "a further condition", "さらに付ける条件")];
+pub(super) const ELSE: &[AttributeSchema] = &[may("test", TRUTH, "", "a further condition", "さらに付ける条件")];
 #[rustfmt::skip]
-pub(super) const INCLUDE: &[Bears] = &[
+pub(super) const INCLUDE: &[AttributeSchema] = &[
     must("href", Text, "a file, from the folder of this one and below the root", "ファイル名。このファイルのフォルダーから数え、ルートの下に限る"),
 ];
 #[rustfmt::skip]
-pub(super) const PART_DEF: &[Bears] = &[
+pub(super) const PART_DEF: &[AttributeSchema] = &[
     must("code", Text, "five columns, or a longer name", "五桁のコード、またはそれより長い名"),
     may("base", Text, "", "the part that it takes over what it does not say from", "書かない値を引き継ぐ部材"),
     may("ja", Text, "", "its name in Japanese", "和名"),

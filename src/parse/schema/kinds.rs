@@ -1,7 +1,7 @@
-//! What an attribute may say. The reader takes its bounds and words from here, and so do the schemas in `grammar/schema`
+//! The kind of value of an attribute. The reader takes its bounds and words from here, and so do the schemas in `grammar/schema`
 //! and the reference.
 
-/// What is written in the value of an attribute, if it is no expression.
+/// The value of an attribute, if it is not an expression.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Any text that is not empty.
@@ -30,18 +30,18 @@ pub enum Kind {
     Positions,
 }
 
-/// An attribute that an element may bear.
+/// An attribute that an element may have.
 #[derive(Clone, Copy, Debug)]
-pub struct Bears {
+pub struct AttributeSchema {
     /// Its name; `code` stands for `texturecode` too.
     pub name: &'static str,
-    /// What it says.
+    /// The content.
     pub kind: Kind,
     /// Whether it must be there.
     pub required: bool,
-    /// What holds where it is not there; empty where that follows from other things.
+    /// The default; empty where it follows from other things.
     pub default: &'static str,
-    /// What it means, in English.
+    /// The description in English.
     pub en: &'static str,
     /// The same in Japanese.
     pub ja: &'static str,
@@ -54,8 +54,8 @@ pub(super) const fn may(
     default: &'static str,
     en: &'static str,
     ja: &'static str,
-) -> Bears {
-    Bears {
+) -> AttributeSchema {
+    AttributeSchema {
         name,
         kind,
         required: false,
@@ -71,8 +71,8 @@ pub(super) const fn must(
     kind: Kind,
     en: &'static str,
     ja: &'static str,
-) -> Bears {
-    Bears {
+) -> AttributeSchema {
+    AttributeSchema {
         required: true,
         ..may(name, kind, "", en, ja)
     }
@@ -91,9 +91,9 @@ pub(super) const fn words<T, const N: usize>(list: &[(&'static str, T); N]) -> [
 
 /// Some attributes, then others.
 pub(super) const fn join<const A: usize, const B: usize, const N: usize>(
-    first: [Bears; A],
-    then: [Bears; B],
-) -> [Bears; N] {
+    first: [AttributeSchema; A],
+    then: [AttributeSchema; B],
+) -> [AttributeSchema; N] {
     assert!(A + B == N);
     let mut all = [may("", Kind::Text, "", "", ""); N];
     let mut at = 0;

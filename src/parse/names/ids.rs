@@ -1,9 +1,10 @@
 //! Floors and facades by their ids: floors of one id in a structure share a row, and pictures are called by both
 //! (`f1f2f3` shows place 3 of floor 2 of facade 1).
 
-use super::SymbolKind;
-use super::index::{File, Index, Mark, Role, trimmed, word};
-use crate::parse::outline::Element;
+use crate::parse::names::SymbolKind;
+use crate::parse::names::file::{File, trimmed, word};
+use crate::parse::names::table::{NameTable, Occurrence, Role};
+use crate::parse::syntax::Element;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -11,7 +12,7 @@ use std::ops::Range;
 type Ids<'a> = BTreeMap<(usize, SymbolKind, &'a str), usize>;
 
 /// Marks the ids of a file.
-pub(super) fn marks(file: File<'_>, index: &mut Index) {
+pub(crate) fn marks(file: File<'_>, index: &mut NameTable) {
     let elements = &file.outline.elements;
     let mut structures: Vec<Option<usize>> = vec![];
     let mut filled = vec![false; elements.len()];
@@ -60,8 +61,8 @@ fn letter(id: &str) -> &str {
     if id == "top" { "t" } else { id }
 }
 
-fn mark(file: File<'_>, range: Range<usize>, symbol: usize, role: Role) -> Mark {
-    Mark {
+fn mark(file: File<'_>, range: Range<usize>, symbol: usize, role: Role) -> Occurrence {
+    Occurrence {
         file: file.id,
         range,
         symbol,
@@ -70,7 +71,13 @@ fn mark(file: File<'_>, range: Range<usize>, symbol: usize, role: Role) -> Mark 
 }
 
 /// Marks the ids in the names of pictures.
-fn pictures(file: File<'_>, element: &Element, structure: usize, ids: &Ids<'_>, index: &mut Index) {
+fn pictures(
+    file: File<'_>,
+    element: &Element,
+    structure: usize,
+    ids: &Ids<'_>,
+    index: &mut NameTable,
+) {
     if !matches!(word(element), "Part" | "random" | "replace" | "Texture") {
         return;
     }

@@ -1,17 +1,17 @@
-//! The elements of the language: what each may bear and hold (docs/contract.md 3). Everything that the reader says about
+//! The elements of the language: their attributes and content (docs/contract.md 3). Everything that the reader says about
 //! unknown words, wrong places and values comes from these tables; the schemas in `grammar/schema` and the reference
 //! are made of them.
 
 mod attributes;
 mod kinds;
+pub(in crate::parse) mod vocabulary;
 
-use super::tree::Habits;
 use attributes as bear;
-pub use kinds::{Bears, Kind};
+pub use kinds::{AttributeSchema, Kind};
 
 /// An element of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tag {
+pub(in crate::parse) enum Tag {
     Houses,
     House,
     Storey,
@@ -52,50 +52,73 @@ pub(super) enum Tag {
     PartDef,
 }
 
-/// What an element looks like.
+/// Whether an element is computed away before the document is read: conditions, definitions, inclusions.
+pub(in crate::parse) fn is_language(tag: Tag) -> bool {
+    use Tag::{Define, Else, If, Include, Let, Param, Use};
+    matches!(tag, Define | Else | If | Include | Let | Param | Use)
+}
+
+/// What recovery from errors asks about a language's elements.
+#[derive(Clone, Copy)]
+pub(in crate::parse) struct SchemaHints {
+    /// Never holds anything.
+    pub(in crate::parse) leaf: fn(&str) -> bool,
+    /// Never is directly in another of its name.
+    pub(in crate::parse) alone: fn(&str) -> bool,
+    /// An element of the language.
+    pub(in crate::parse) known: fn(&str) -> bool,
+    /// An element that must have an attribute.
+    pub(in crate::parse) needs: fn(&str, &str) -> bool,
+    /// An element and an attribute of it that says yes or no.
+    pub(in crate::parse) switch: fn(&str, &str) -> bool,
+    /// The element that contains several elements of these names, if there is one.
+    pub(in crate::parse) around: fn(&[&str]) -> Option<&'static str>,
+}
+
+/// The schema of an element.
 #[derive(Debug)]
 pub struct Schema {
-    pub(super) tag: Tag,
+    pub(in crate::parse) tag: Tag,
     /// Its name.
     pub name: &'static str,
-    /// Attributes it may bear.
-    pub attributes: &'static [Bears],
-    /// What may stand in it.
+    /// Attributes it may have.
+    pub attributes: &'static [AttributeSchema],
+    /// The allowed content.
     pub holds: Holds,
     /// Where it belongs, for the message when it stands elsewhere.
     pub home: &'static str,
-    /// What it is, in English.
+    /// The English name.
     pub en: &'static str,
     /// The same in Japanese.
     pub ja: &'static str,
 }
 
-/// What may stand in an element.
+/// Completions for the content of an element.
 #[derive(Clone, Copy, Debug)]
 pub enum Holds {
     /// This.
     Only(&'static Content),
-    /// What is repeated in the element round it.
+    /// The repeated content of the element around it.
     Repeated,
-    /// The same as in the element round it.
+    /// The same as in the element around it.
     Same,
     /// Pieces of anything.
     Anything,
     /// Elements of shape, which only the catalogue knows.
     Shapes,
-    /// `choice` elements, which hold the same as the element round it; or nothing.
+    /// `choice` elements, which hold the same as the element around it; or nothing.
     Choices,
 }
 
-/// What may stand somewhere.
+/// Content that is allowed in a place.
 #[derive(Debug)]
 pub struct Content {
     /// A name for it.
     pub name: &'static str,
-    pub(super) tags: &'static [Tag],
+    pub(in crate::parse) tags: &'static [Tag],
     /// Whether text is codes there.
     pub text: bool,
-    /// What a `repeat` holds there, if not the same.
+    /// The content of a `repeat` there, if it differs.
     again: Option<&'static Content>,
 }
 
@@ -108,41 +131,41 @@ impl Content {
 
 impl Schema {
     /// The attribute of a name.
-    pub fn attribute(&self, name: &str) -> Option<&'static Bears> {
+    pub fn attribute(&self, name: &str) -> Option<&'static AttributeSchema> {
         self.attributes.iter().find(|a| a.name == name)
     }
 
-    /// The attributes that it must bear.
-    pub(super) fn required(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
+    /// The attributes that it must have.
+    pub(in crate::parse) fn required(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
         let all = self.attributes.iter();
         all.filter(|a| a.required).map(|a| a.name)
     }
 
-    /// What may stand in it, besides elements of the language; nothing where that depends on the element round it.
-    pub(super) fn content(&self) -> &'static Content {
+    /// The content allowed in it, besides elements of the language; nothing where that depends on the element around it.
+    pub(in crate::parse) fn content(&self) -> &'static Content {
         match self.holds {
             Only(content) => content,
             Repeated | Same | Anything | Choices | Shapes => &NOTHING,
         }
     }
 
-    /// Whether it has neither elements nor text in it, whatever stands round it.
+    /// Whether it has neither elements nor text in it, whatever stands around it.
     pub fn is_leaf(&self) -> bool {
         matches!(self.holds, Holds::Only(content) if content.is_nothing())
     }
 
-    /// Whether `Param` may stand right in it.
+    /// Whether `Param` may is directly in it.
     pub fn takes_parameters(&self) -> bool {
         use Tag::{Catalog, Define, House, Houses, Structure};
         matches!(self.tag, Catalog | Define | House | Houses | Structure)
     }
 
     /// Whether its other attributes are parameters of a piece.
-    pub fn bears_anything(&self) -> bool {
+    pub fn takes_any_attribute(&self) -> bool {
         matches!(self.tag, Tag::Define | Tag::Use)
     }
 
-    /// Whether it stands in a `random`.
+    /// Whether it is in a `random`.
     pub fn is_choice(&self) -> bool {
         self.tag == Tag::Choice
     }
@@ -152,19 +175,19 @@ impl Schema {
         self.tag == Tag::Else
     }
 
-    /// Whether it is worked out before all else, and so may stand anywhere.
+    /// Whether it is computed before all else, and so may be anywhere.
     pub fn is_language(&self) -> bool {
-        super::language::is_language(self.tag)
+        is_language(self.tag)
     }
 }
 
 impl Content {
-    /// The elements that may stand there, besides those of the language.
+    /// The elements that may be there, besides those of the language.
     pub fn elements(&self) -> impl Iterator<Item = &'static Schema> + use<'_> {
         ELEMENTS.iter().filter(|e| self.tags.contains(&e.tag))
     }
 
-    /// What a `repeat` holds there.
+    /// The content of a `repeat` there.
     pub fn repeated(&'static self) -> &'static Content {
         self.again.unwrap_or(self)
     }
@@ -173,7 +196,7 @@ impl Content {
 const fn element(
     tag: Tag,
     name: &'static str,
-    attributes: &'static [Bears],
+    attributes: &'static [AttributeSchema],
     holds: Holds,
     home: &'static str,
     about: [&'static str; 2],
@@ -190,7 +213,7 @@ const fn element(
     }
 }
 
-/// Where elements of [`language`](super::language) belong.
+/// Where elements of [`language`](crate::parse::xml::language) belong.
 const ANY: &str = "any element";
 
 use Holds::{Anything, Choices, Only, Repeated, Same, Shapes};
@@ -293,13 +316,13 @@ const fn repeating(again: &'static Content, name: &'static str, tags: &'static [
     }
 }
 
-/// What may be the outermost element.
+/// The elements that may be outermost.
 pub static ROOT: Content = content(
     "root",
     &[Tag::House, Tag::Houses, Tag::Structure, Tag::Catalog],
 );
-pub(super) static HOUSES: Content = content("houses", &[Tag::House, Tag::PartDef]);
-pub(super) static HOUSE: Content = repeating(
+pub(in crate::parse) static HOUSES: Content = content("houses", &[Tag::House, Tag::PartDef]);
+pub(in crate::parse) static HOUSE: Content = repeating(
     &STOREYS,
     "house",
     &[
@@ -321,11 +344,11 @@ pub(super) static HOUSE: Content = repeating(
         Tag::PartDef,
     ],
 );
-pub(super) static STOREYS: Content = content(
+pub(in crate::parse) static STOREYS: Content = content(
     "storeys",
     &[Tag::Storey, Tag::Repeat, Tag::Random, Tag::Replace],
 );
-pub(super) static STOREY: Content = repeating(
+pub(in crate::parse) static STOREY: Content = repeating(
     &ROWS,
     "storey",
     &[
@@ -339,9 +362,9 @@ pub(super) static STOREY: Content = repeating(
         Tag::Brackets,
     ],
 );
-pub(super) static ROWS: Content =
+pub(in crate::parse) static ROWS: Content =
     content("rows", &[Tag::Row, Tag::Repeat, Tag::Random, Tag::Replace]);
-pub(super) static PIECES: Content = Content {
+pub(in crate::parse) static PIECES: Content = Content {
     name: "pieces",
     tags: &[
         Tag::Part,
@@ -354,7 +377,7 @@ pub(super) static PIECES: Content = Content {
     again: None,
 };
 /// A floor may hold its base row as a `Row` too (docs/evidence.md 8).
-pub(super) static FLOOR: Content = Content {
+pub(in crate::parse) static FLOOR: Content = Content {
     name: "floor",
     tags: &[
         Tag::Part,
@@ -367,20 +390,21 @@ pub(super) static FLOOR: Content = Content {
     text: true,
     again: Some(&PIECES),
 };
-pub(super) static SPLIT: Content = content("split", &[Tag::Upper, Tag::Lower]);
-pub(super) static STRUCTURE: Content = content("structure", &[Tag::Facades, Tag::Texture]);
-pub(super) static FACADES: Content = content(
+pub(in crate::parse) static SPLIT: Content = content("split", &[Tag::Upper, Tag::Lower]);
+pub(in crate::parse) static STRUCTURE: Content =
+    content("structure", &[Tag::Facades, Tag::Texture]);
+pub(in crate::parse) static FACADES: Content = content(
     "facades",
     &[Tag::Facade, Tag::Repeat, Tag::Random, Tag::Replace],
 );
-pub(super) static FACADE: Content = content(
+pub(in crate::parse) static FACADE: Content = content(
     "facade",
     &[Tag::Floor, Tag::Repeat, Tag::Random, Tag::Replace],
 );
-pub(super) static ROOFS: Content = content("roofs", &[Tag::Roof]);
+pub(in crate::parse) static ROOFS: Content = content("roofs", &[Tag::Roof]);
 /// Things that only other files use.
-pub(super) static DEFINITIONS: Content = content("definitions", &[Tag::PartDef]);
-pub(super) static NOTHING: Content = content("nothing", &[]);
+pub(in crate::parse) static DEFINITIONS: Content = content("definitions", &[Tag::PartDef]);
+pub(in crate::parse) static NOTHING: Content = content("nothing", &[]);
 
 /// The element of a name.
 pub fn named(name: &str) -> Option<&'static Schema> {
@@ -388,26 +412,26 @@ pub fn named(name: &str) -> Option<&'static Schema> {
 }
 
 /// The attribute that a name stands for.
-pub(super) fn canonical(attribute: &str) -> &str {
+pub(in crate::parse) fn canonical(attribute: &str) -> &str {
     match attribute {
         "texturecode" => "code",
         other => other,
     }
 }
 
-/// What an element bears by this name.
-fn borne(element: &str, attribute: &str) -> Option<&'static Bears> {
+/// The schema of an element's attribute.
+fn borne(element: &str, attribute: &str) -> Option<&'static AttributeSchema> {
     named(element)?.attribute(canonical(attribute))
 }
 
 /// The attribute meant by a word that other programs use for it.
-pub(super) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
+pub(in crate::parse) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
     let counts = ["count", "times", "n", "number", "repeat"];
     (tag == Tag::Repeat && counts.iter().any(|c| word.eq_ignore_ascii_case(c))).then_some("num")
 }
 
-/// What the tree must know to recover well.
-pub(super) static HABITS: Habits = Habits {
+/// The hints for recovery from the tables of elements.
+pub(in crate::parse) static SCHEMA_HINTS: SchemaHints = SchemaHints {
     leaf: |name| {
         let leaf = |e: &Schema| match e.holds {
             Only(content) => content.is_nothing(),

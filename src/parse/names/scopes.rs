@@ -1,63 +1,64 @@
 //! What is known where: each element that names something is a frame, and so is each file; a place knows what its frame
-//! names before it, then what the frames round that do, and the files that they include.
+//! names before it, then what the frame around that do, and the files that they include.
 
-use crate::parse::outline::Outline;
+use crate::parse::names::file::word;
+use crate::parse::syntax::Outline;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The frames of a text and of the files that were read for it.
+/// The frames of a source file and of the files that were read for it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scopes {
-    pub(super) frames: Vec<Frame>,
+pub(crate) struct Scopes {
+    pub(crate) frames: Vec<Frame>,
     /// Those of each file.
-    pub(super) of: Vec<Frames>,
+    pub(crate) of: Vec<Frames>,
 }
 
-/// What is named in an element.
+/// The names that an element defines.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     outer: Option<usize>,
-    /// Whether it is that of a piece: what stands round it counts as it is where the piece is used.
+    /// Whether it is that of a piece: what is around it counts as it is where the piece is used.
     piece: bool,
-    pub(super) values: BTreeMap<String, Named>,
-    pub(super) pieces: BTreeMap<String, Named>,
+    pub(crate) values: BTreeMap<String, Binding>,
+    pub(crate) pieces: BTreeMap<String, Binding>,
     /// The frames of included files, and from where on.
-    pub(super) files: Vec<(usize, usize)>,
+    pub(crate) files: Vec<(usize, usize)>,
 }
 
 /// A name in a frame.
 #[derive(Clone, Debug)]
-pub(super) struct Named {
+pub(crate) struct Binding {
     /// Its number in the index.
-    pub(super) symbol: usize,
+    pub(crate) symbol: usize,
     /// Where it is given: in several branches, or again further on.
-    pub(super) given: Vec<Given>,
+    pub(crate) given: Vec<Definition>,
 }
 
 /// Where a name is given.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Given {
+pub(crate) struct Definition {
     /// The number of the file.
-    pub(super) file: usize,
+    pub(crate) file: usize,
     /// The `let`, `Param` or `define`.
-    pub(super) element: usize,
+    pub(crate) element: usize,
     /// The attribute that names it: `name`, or of a `define` the parameter itself.
-    pub(super) attribute: usize,
+    pub(crate) attribute: usize,
     /// From where on it is known.
-    pub(super) from: usize,
+    pub(crate) from: usize,
 }
 
-/// The frames of one file: round each element, and in it.
+/// The frames of one file: around each element, and in it.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Frames {
-    pub(super) around: Vec<usize>,
-    pub(super) inside: Vec<usize>,
+pub(crate) struct Frames {
+    pub(crate) around: Vec<usize>,
+    pub(crate) inside: Vec<usize>,
     /// Round all of them.
-    pub(super) outermost: usize,
+    pub(crate) outermost: usize,
 }
 
 impl Scopes {
     /// A new frame.
-    pub(super) fn frame(&mut self, outer: Option<usize>, piece: bool) -> usize {
+    pub(crate) fn frame(&mut self, outer: Option<usize>, piece: bool) -> usize {
         self.frames.push(Frame {
             outer,
             piece,
@@ -67,13 +68,13 @@ impl Scopes {
     }
 
     /// The frame of an offset of a file.
-    pub(super) fn at(&self, file: usize, outline: &Outline, at: usize) -> usize {
+    pub(crate) fn at(&self, file: usize, outline: &Outline, at: usize) -> usize {
         let frames = &self.of[file];
         let Some(own) = outline.element_at(at) else {
             return frames.outermost;
         };
         let element = &outline.elements[own];
-        let inside = at >= element.tag.end || super::index::word(element) == "define";
+        let inside = at >= element.tag.end || word(element) == "define";
         if inside {
             frames.inside[own]
         } else {
@@ -108,8 +109,8 @@ impl Scopes {
         }
     }
 
-    /// What a name means in a frame at a place.
-    pub(super) fn value(&self, frame: usize, name: &str, at: usize) -> Option<usize> {
+    /// The meaning of a name in a frame at a place.
+    pub(crate) fn value(&self, frame: usize, name: &str, at: usize) -> Option<usize> {
         let known = self.known(frame, Some(at)).into_iter();
         let mut values = known.filter_map(|(f, at)| Some((self.frames[f].values.get(name)?, at)));
         let value = values.find(|(value, at)| value.before(*at).is_some());
@@ -117,12 +118,12 @@ impl Scopes {
     }
 
     /// The values that a frame knows at a place, the nearest first; each name once.
-    pub(super) fn values(&self, frame: usize, at: usize) -> Vec<Given> {
+    pub(crate) fn values(&self, frame: usize, at: usize) -> Vec<Definition> {
         let (mut names, mut found) = (BTreeSet::new(), vec![]);
         for (frame, at) in self.known(frame, Some(at)) {
             let all = self.frames[frame].values.iter();
             let all = all.filter_map(|(name, value)| Some((name, value.before(at)?)));
-            let mut new: Vec<Given> = all
+            let mut new: Vec<Definition> = all
                 .filter(|(n, _)| names.insert(*n))
                 .map(|(_, g)| g)
                 .collect();
@@ -133,14 +134,14 @@ impl Scopes {
     }
 
     /// The piece of a name.
-    pub(super) fn piece(&self, frame: usize, name: &str) -> Option<usize> {
+    pub(crate) fn piece(&self, frame: usize, name: &str) -> Option<usize> {
         let mut known = self.known(frame, None).into_iter();
         let piece = known.find_map(|(f, _)| self.frames[f].pieces.get(name));
         piece.map(|p| p.symbol)
     }
 
     /// The pieces that a frame knows, the nearest first; each name once.
-    pub(super) fn pieces(&self, frame: usize) -> Vec<(&str, &Named)> {
+    pub(crate) fn pieces(&self, frame: usize) -> Vec<(&str, &Binding)> {
         let (mut names, mut found) = (BTreeSet::new(), vec![]);
         for (frame, _) in self.known(frame, None) {
             let all = self.frames[frame].pieces.iter();
@@ -151,10 +152,10 @@ impl Scopes {
     }
 }
 
-impl Named {
+impl Binding {
     /// Where it is given last before a place; `None` = anywhere.
-    fn before(&self, at: Option<usize>) -> Option<Given> {
-        let known = |g: &&Given| at.is_none_or(|at| g.from <= at);
+    fn before(&self, at: Option<usize>) -> Option<Definition> {
+        let known = |g: &&Definition| at.is_none_or(|at| g.from <= at);
         self.given.iter().rfind(known).copied()
     }
 }

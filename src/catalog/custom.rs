@@ -1,10 +1,10 @@
-//! Own parts: which of them are known where, and how one is made from its base.
+//! Custom parts: which of them are known where, and how one is made from its base.
 //!
-//! A base is found as a code is: among the parts of the same place, then outwards. A part that bears the code of its base
+//! A base is found as a code is: among the parts of the same place, then outwards. A part that has the code of its base
 //! takes the one outside, and so changes a part of the catalogue for the houses that know it.
 
-use super::{Catalog, PartDef, PartId, ScopeId, read};
-use crate::ast::{BodyEntry, CodeText, PartEntry, Said, said};
+use crate::ast::{CodeText, WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
+use crate::catalog::{Catalog, PartDef, PartId, ScopeId, read};
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::catalog as say;
 use crate::diagnostic::messages::xml as elements;
@@ -15,30 +15,30 @@ use std::collections::BTreeMap;
 const DEEPEST: usize = 64;
 
 /// How many scopes are looked through for one that is just the same.
-const LATELY: usize = 64;
+const RECENT: usize = 64;
 
 /// Numbers for parts; the last one means none.
 const MOST: usize = u16::MAX as usize - 1;
 
-/// Own parts that are known somewhere, and where to look on.
+/// Custom parts that are known somewhere, and where to look on.
 #[derive(Clone, Debug)]
 pub(super) struct Scope {
     pub(super) outer: ScopeId,
     pub(super) names: BTreeMap<Box<str>, PartId>,
-    /// What it was made from.
-    entries: Vec<PartEntry>,
+    /// The definitions that it was made from.
+    entries: Vec<WrittenPart>,
 }
 
 /// The parts of one scope on their way into the catalogue.
-struct Making<'e> {
-    entries: Vec<&'e PartEntry>,
+struct ScopeBuilder<'e> {
+    entries: Vec<&'e WrittenPart>,
     /// By code, the first of each.
     codes: BTreeMap<String, usize>,
     made: Vec<Option<PartId>>,
     scope: ScopeId,
 }
 
-/// What a part is based on.
+/// The base of a part.
 enum Base {
     None,
     /// One of the same scope.
@@ -52,7 +52,7 @@ impl Catalog {
     pub(super) fn scope(
         &mut self,
         outer: ScopeId,
-        entries: &[&PartEntry],
+        entries: &[&WrittenPart],
         out: &mut Diagnostics,
     ) -> ScopeId {
         if entries.is_empty() {
@@ -60,9 +60,9 @@ impl Catalog {
         }
         // Variants of a text define the same again and again.
         let alike = |s: &Scope| s.outer == outer && s.entries.iter().eq(entries.iter().copied());
-        let lately = self.scopes.len().saturating_sub(LATELY);
-        if let Some(at) = self.scopes[lately..].iter().rposition(alike) {
-            return ScopeId((lately + at + 1) as u32);
+        let recent = self.scopes.len().saturating_sub(RECENT);
+        if let Some(at) = self.scopes[recent..].iter().rposition(alike) {
+            return ScopeId((recent + at + 1) as u32);
         }
         self.scopes.push(Scope {
             outer,
@@ -70,17 +70,17 @@ impl Catalog {
             entries: entries.iter().map(|e| (*e).clone()).collect(),
         });
         let scope = ScopeId(self.scopes.len() as u32);
-        let mut making = Making {
+        let mut builder = ScopeBuilder {
             entries: entries.to_vec(),
             codes: BTreeMap::new(),
             made: vec![None; entries.len()],
             scope,
         };
         for (index, entry) in entries.iter().enumerate() {
-            making.enter(index, entry, out);
+            builder.enter(index, entry, out);
         }
         for index in 0..entries.len() {
-            self.make(&mut making, index, outer, out);
+            self.make(&mut builder, index, outer, out);
         }
         scope
     }
@@ -88,7 +88,7 @@ impl Catalog {
     /// Makes a part and before it those on which it is based.
     fn make(
         &mut self,
-        making: &mut Making<'_>,
+        builder: &mut ScopeBuilder<'_>,
         index: usize,
         outer: ScopeId,
         out: &mut Diagnostics,
@@ -96,11 +96,11 @@ impl Catalog {
         let mut chain = vec![index];
         let mut base = loop {
             let last = chain[chain.len() - 1];
-            if making.made[last].is_some() || !making.is_first(last) {
+            if builder.made[last].is_some() || !builder.is_first(last) {
                 chain.pop();
                 break None;
             }
-            let next = match self.base(making, last, outer, out) {
+            let next = match self.base(builder, last, outer, out) {
                 Base::Own(next) => next,
                 Base::Outer(id) => break Some(id),
                 Base::None => break None,
@@ -109,49 +109,49 @@ impl Catalog {
                 let links = chain[first..]
                     .iter()
                     .chain([&next])
-                    .map(|i| making.link(*i));
-                let span = making.link(last).1;
+                    .map(|i| builder.link(*i));
+                let span = builder.link(last).1;
                 out.push(say::base_cycle(span, &links.collect::<Vec<_>>()));
                 break None;
             }
             if chain.len() >= DEEPEST {
-                out.push(say::bases_too_deep(making.link(last).1, DEEPEST));
+                out.push(say::bases_too_deep(builder.link(last).1, DEEPEST));
                 break None;
             }
-            if let Some(id) = making.made[next] {
+            if let Some(id) = builder.made[next] {
                 break Some(id);
             }
             chain.push(next);
         };
         while let Some(last) = chain.pop() {
             if self.parts.len() >= MOST {
-                out.push(say::too_many_parts(making.entries[last].span, MOST));
+                out.push(say::too_many_parts(builder.entries[last].span, MOST));
                 return;
             }
-            let part = self.derived(making.entries[last], base, out);
+            let part = self.derived(builder.entries[last], base, out);
             let id = PartId(self.parts.len() as u16);
             let name: Box<str> = part.code().into();
-            let scope = making.scope.0 as usize - 1; // counted from 1
+            let scope = builder.scope.0 as usize - 1; // counted from 1
             self.scopes[scope].names.insert(name, id);
             self.parts.push(part);
-            making.made[last] = Some(id);
+            builder.made[last] = Some(id);
             base = Some(id);
         }
     }
 
-    /// What a part is based on; what is wrong with that is reported.
+    /// Finds the base of a part and reports what is wrong with it.
     fn base(
         &self,
-        making: &Making<'_>,
+        builder: &ScopeBuilder<'_>,
         index: usize,
         outer: ScopeId,
         out: &mut Diagnostics,
     ) -> Base {
-        let Some(base) = said(&making.entries[index].attributes, "base") else {
+        let Some(base) = attribute_value(&builder.entries[index].attributes, "base") else {
             return Base::None;
         };
         let code = CodeText::new(base.value.trim());
-        match making.codes.get(code.as_str()) {
+        match builder.codes.get(code.as_str()) {
             Some(own) if *own != index => return Base::Own(*own),
             _ => {}
         }
@@ -168,7 +168,7 @@ impl Catalog {
     }
 
     /// A part made from its base.
-    fn derived(&self, entry: &PartEntry, base: Option<PartId>, out: &mut Diagnostics) -> PartDef {
+    fn derived(&self, entry: &WrittenPart, base: Option<PartId>, out: &mut Diagnostics) -> PartDef {
         let base = base.map(|id| self.part(id));
         let whole = merged(entry, base.map(|b| &b.written), out);
         let class = base.map(PartDef::class);
@@ -176,10 +176,10 @@ impl Catalog {
     }
 }
 
-impl Making<'_> {
+impl ScopeBuilder<'_> {
     /// Takes the code of a part, unless another one has it.
-    fn enter(&mut self, index: usize, entry: &PartEntry, out: &mut Diagnostics) {
-        let Some(code) = said(&entry.attributes, "code") else {
+    fn enter(&mut self, index: usize, entry: &WrittenPart, out: &mut Diagnostics) {
+        let Some(code) = attribute_value(&entry.attributes, "code") else {
             return; // reported by the reader
         };
         let text = CodeText::new(code.value.trim());
@@ -201,7 +201,7 @@ impl Making<'_> {
 
     /// Whether a part is the one that its code means.
     fn is_first(&self, index: usize) -> bool {
-        let code = said(&self.entries[index].attributes, "code");
+        let code = attribute_value(&self.entries[index].attributes, "code");
         let code = code.map(|c| CodeText::new(c.value.trim()));
         code.is_some_and(|c| self.codes.get(c.as_str()) == Some(&index))
     }
@@ -209,20 +209,20 @@ impl Making<'_> {
     /// The code of a part, and where it names its base.
     fn link(&self, index: usize) -> (String, Span) {
         let entry = self.entries[index];
-        let code = said(&entry.attributes, "code").map_or("", |c| c.value.trim());
-        let base = said(&entry.attributes, "base");
+        let code = attribute_value(&entry.attributes, "code").map_or("", |c| c.value.trim());
+        let base = attribute_value(&entry.attributes, "base");
         (code.to_owned(), base.map_or(entry.span, |b| b.span))
     }
 }
 
 /// A part with what it takes over from its base.
-fn merged(entry: &PartEntry, base: Option<&PartEntry>, out: &mut Diagnostics) -> PartEntry {
-    let mut whole = PartEntry {
+fn merged(entry: &WrittenPart, base: Option<&WrittenPart>, out: &mut Diagnostics) -> WrittenPart {
+    let mut whole = WrittenPart {
         span: entry.span,
         ..base.cloned().unwrap_or_default()
     };
     // A code of five columns tells its own width.
-    let columns = said(&entry.attributes, "code").map(|c| CodeText::new(c.value.trim()));
+    let columns = attribute_value(&entry.attributes, "code").map(|c| CodeText::new(c.value.trim()));
     if columns.is_some_and(|code| read::column(&code).is_some()) {
         whole.attributes.retain(|a| a.name.value != "width");
     }
@@ -236,16 +236,16 @@ fn merged(entry: &PartEntry, base: Option<&PartEntry>, out: &mut Diagnostics) ->
     {
         code.value.value = code.value.value.trim().to_owned();
     }
-    let mut bodies: Vec<BodyEntry> = vec![];
+    let mut bodies: Vec<WrittenBody> = vec![];
     for own in &entry.body {
         match own.word.value.as_str() {
             "change" | "remove" => change(&mut whole.body, own, out),
             _ => bodies.push(own.clone()),
         }
     }
-    let textured = said(&entry.attributes, "texture").is_some();
+    let textured = attribute_value(&entry.attributes, "texture").is_some();
     if textured && entry.body.is_empty() && !has(&whole.body, "picture") {
-        whole.body = vec![BodyEntry {
+        whole.body = vec![WrittenBody {
             word: Spanned::new("picture".into(), entry.span),
             end: None,
             attributes: vec![],
@@ -258,8 +258,8 @@ fn merged(entry: &PartEntry, base: Option<&PartEntry>, out: &mut Diagnostics) ->
 }
 
 /// Gives what shows the texture the depth that the part asks for.
-fn extrude(whole: &mut PartEntry, entry: &PartEntry, out: &mut Diagnostics) {
-    let Some(depth) = said(&entry.attributes, "depth") else {
+fn extrude(whole: &mut WrittenPart, entry: &WrittenPart, out: &mut Diagnostics) {
+    let Some(depth) = attribute_value(&entry.attributes, "depth") else {
         return;
     };
     if !has(&whole.body, "picture") {
@@ -267,7 +267,7 @@ fn extrude(whole: &mut PartEntry, entry: &PartEntry, out: &mut Diagnostics) {
         out.push(say::nothing_to_change(depth.span, "picture", &words, false));
         return;
     }
-    let given = |name: &str, value: String| Said {
+    let given = |name: &str, value: String| WrittenAttribute {
         name: Spanned::new(name.into(), depth.span),
         value: Spanned::new(value, depth.span),
     };
@@ -282,7 +282,7 @@ fn extrude(whole: &mut PartEntry, entry: &PartEntry, out: &mut Diagnostics) {
 }
 
 /// Runs a `change` or a `remove` on the body of the base.
-fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
+fn change(body: &mut Vec<WrittenBody>, own: &WrittenBody, out: &mut Diagnostics) {
     let is_change = own.word.value == "change";
     if let Some(child) = own.children.first() {
         let Spanned { value, span } = &child.word;
@@ -293,7 +293,7 @@ fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
             "`PartDef`",
         ));
     }
-    let Some(word) = said(&own.attributes, "element") else {
+    let Some(word) = attribute_value(&own.attributes, "element") else {
         if is_change {
             out.push(elements::attribute_missing(
                 own.word.span,
@@ -306,11 +306,11 @@ fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
         }
         return;
     };
-    let at = said(&own.attributes, "at");
+    let at = attribute_value(&own.attributes, "at");
     let wanted: Option<usize> = at.and_then(|at| at.value.trim().parse().ok());
     let (mut seen, mut hit) = (0, false);
     let known = ["element", "at"];
-    let news: Vec<Said> = own
+    let news: Vec<WrittenAttribute> = own
         .attributes
         .iter()
         .filter(|a| !known.contains(&a.name.value.as_str()))
@@ -339,7 +339,7 @@ fn change(body: &mut Vec<BodyEntry>, own: &BodyEntry, out: &mut Diagnostics) {
 }
 
 /// Every element of a word, those inside others too.
-fn each(body: &mut [BodyEntry], word: &str, act: &mut dyn FnMut(&mut BodyEntry)) {
+fn each(body: &mut [WrittenBody], word: &str, act: &mut dyn FnMut(&mut WrittenBody)) {
     for element in body {
         if element.word.value == word {
             act(element);
@@ -349,7 +349,7 @@ fn each(body: &mut [BodyEntry], word: &str, act: &mut dyn FnMut(&mut BodyEntry))
 }
 
 /// Keeps the elements of a word for which `stays` holds, and all others.
-fn retain(body: &mut Vec<BodyEntry>, word: &str, stays: &mut dyn FnMut() -> bool) {
+fn retain(body: &mut Vec<WrittenBody>, word: &str, stays: &mut dyn FnMut() -> bool) {
     body.retain_mut(|element| {
         let stays_itself = element.word.value != word || stays();
         if stays_itself {
@@ -359,13 +359,13 @@ fn retain(body: &mut Vec<BodyEntry>, word: &str, stays: &mut dyn FnMut() -> bool
     });
 }
 
-fn has(body: &[BodyEntry], word: &str) -> bool {
+fn has(body: &[WrittenBody], word: &str) -> bool {
     body.iter()
         .any(|e| e.word.value == word || has(&e.children, word))
 }
 
 /// The words of a body, each once.
-fn words(body: &[BodyEntry]) -> Vec<String> {
+fn words(body: &[WrittenBody]) -> Vec<String> {
     let mut found: Vec<String> = vec![];
     for element in body {
         let inside = words(&element.children);
@@ -379,7 +379,7 @@ fn words(body: &[BodyEntry]) -> Vec<String> {
 }
 
 /// Sets attributes anew; those that are not named stay.
-fn set(attributes: &mut Vec<Said>, news: &[Said]) {
+fn set(attributes: &mut Vec<WrittenAttribute>, news: &[WrittenAttribute]) {
     for new in news {
         match attributes
             .iter_mut()

@@ -1,30 +1,30 @@
 //! Which `include` leads to which file.
 
-use super::index::{File, trimmed, word};
+use crate::parse::names::file::{File, trimmed, word};
 use std::ops::Range;
 
 /// An `include`.
 #[derive(Clone, Debug)]
-pub(super) struct Link {
+pub(crate) struct Link {
     /// In which file, by number in the list of files.
-    pub(super) from: usize,
+    pub(crate) from: usize,
     /// Its element there.
-    pub(super) element: usize,
+    pub(crate) element: usize,
     /// Its path, without the quotes.
-    pub(super) range: Range<usize>,
+    pub(crate) range: Range<usize>,
     /// To which file.
-    pub(super) to: usize,
+    pub(crate) to: usize,
 }
 
 /// All of them.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Links {
-    pub(super) list: Vec<Link>,
+pub(crate) struct Links {
+    pub(crate) list: Vec<Link>,
 }
 
 impl Links {
     /// The links between files.
-    pub(super) fn of(files: &[File<'_>]) -> Links {
+    pub(crate) fn of(files: &[File<'_>]) -> Links {
         let mut list = vec![];
         let names: Vec<Vec<&str>> = files.iter().map(|f| steps(&[f.name])).collect();
         for (from, file) in files.iter().enumerate() {
@@ -65,7 +65,7 @@ fn target(from: &str, href: &str, names: &[Vec<&str>]) -> Option<usize> {
 }
 
 /// Whether two paths are the same but for their spelling.
-pub(super) fn same(one: &str, other: &str) -> bool {
+pub(crate) fn same(one: &str, other: &str) -> bool {
     one == other || steps(&[one]) == steps(&[other])
 }
 

@@ -1,0 +1,47 @@
+//! A source file with its outline, and the names in its elements.
+
+use crate::parse::syntax::{Attribute, Element, Outline};
+use crate::source::FileId;
+use std::ops::Range;
+
+/// A source file with its outline.
+#[derive(Clone, Copy)]
+pub(crate) struct File<'a> {
+    pub(crate) id: FileId,
+    pub(crate) name: &'a str,
+    pub(crate) text: &'a str,
+    pub(crate) outline: &'a Outline,
+}
+
+/// The word of the language that an element is, if it is one.
+pub(crate) fn word(element: &Element) -> &'static str {
+    element.schema.map_or("", |s| s.name)
+}
+
+/// The part of a value that is no white space at its ends; `None` where references are in it or it is empty.
+pub(crate) fn trimmed(text: &str, attribute: &Attribute) -> Option<Range<usize>> {
+    let written = text.get(attribute.inner.clone())?;
+    if written != attribute.value || written.trim().is_empty() {
+        return None;
+    }
+    let start = attribute.inner.start + written.len() - written.trim_start().len();
+    Some(start..start + written.trim().len())
+}
+
+/// The attributes of a `define` or a `use` that are parameters, with their numbers and their names as written.
+pub(crate) fn parameters<'e>(
+    text: &'e str,
+    element: &'e Element,
+) -> impl Iterator<Item = (usize, &'e str, &'e Attribute)> {
+    let all = element.attributes.iter().enumerate();
+    let all = all.map(|(number, a)| (number, &text[a.name.clone()], a));
+    all.filter(|(_, name, _)| *name != "name" && *name != "xmlns" && !name.contains(':'))
+}
+
+/// The attribute that names an element, and its name.
+pub(crate) fn named(text: &str, element: &Element) -> Option<(usize, Range<usize>)> {
+    let mut all = element.attributes.iter().enumerate();
+    let (number, name) = all.find(|(_, a)| a.word == "name")?;
+    let fixed = name.expressions.is_empty();
+    Some((number, trimmed(text, name).filter(|_| fixed)?))
+}

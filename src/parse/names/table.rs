@@ -1,0 +1,90 @@
+//! The symbols of source files, with the places of their definitions and uses.
+
+use super::SymbolKind;
+use super::scopes::Scopes;
+use crate::source::FileId;
+use std::ops::Range;
+
+/// The role of an occurrence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Role {
+    /// Names it.
+    Declares,
+    /// Means it.
+    Uses,
+    /// May mean it: the name is computed.
+    Computed,
+}
+
+/// A name in a source file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Occurrence {
+    pub(crate) file: FileId,
+    pub(crate) range: Range<usize>,
+    pub(crate) symbol: usize,
+    pub(crate) role: Role,
+}
+
+/// The meaning of a name.
+#[derive(Clone, Debug)]
+pub(crate) struct NamedThing {
+    pub(crate) kind: SymbolKind,
+    pub(crate) name: String,
+}
+
+/// All names of a source file and of the files that were read for it.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct NameTable {
+    pub(crate) symbols: Vec<NamedThing>,
+    /// By file and place.
+    pub(crate) marks: Vec<Occurrence>,
+    /// Which names are known where.
+    pub(crate) scopes: Scopes,
+    /// Which symbol stands for one, where several turned out to be the same.
+    pub(super) same: Vec<usize>,
+}
+
+impl NameTable {
+    pub(super) fn root(&self, mut symbol: usize) -> usize {
+        while self.same[symbol] != symbol {
+            symbol = self.same[symbol];
+        }
+        symbol
+    }
+
+    pub(super) fn join(&mut self, one: usize, other: usize) {
+        let (one, other) = (self.root(one), self.root(other));
+        self.same[one.max(other)] = one.min(other);
+    }
+
+    pub(crate) fn add(&mut self, kind: SymbolKind, name: &str) -> usize {
+        self.same.push(self.symbols.len());
+        self.symbols.push(NamedThing {
+            kind,
+            name: name.to_owned(),
+        });
+        self.symbols.len() - 1
+    }
+
+    /// The marks at an offset, those with the shortest range.
+    pub(crate) fn at(&self, file: FileId, at: usize) -> impl Iterator<Item = &Occurrence> {
+        let touches = move |m: &&Occurrence| m.range.start <= at && at <= m.range.end;
+        let marks = self.in_file(file).iter().filter(touches);
+        // Between two names the one that begins here counts.
+        let better =
+            move |m: &&Occurrence| (m.range.end == at && m.range.start < at, m.range.len());
+        let best = marks.clone().map(|m| better(&m)).min();
+        marks.filter(move |m| Some(better(m)) == best)
+    }
+
+    /// The marks of a symbol.
+    pub(crate) fn of_symbol(&self, symbol: usize) -> impl Iterator<Item = &Occurrence> {
+        self.marks.iter().filter(move |m| m.symbol == symbol)
+    }
+
+    fn in_file(&self, file: FileId) -> &[Occurrence] {
+        let start = self.marks.partition_point(|m| m.file < file);
+        let end = self.marks.partition_point(|m| m.file <= file);
+        &self.marks[start..end]
+    }
+}

@@ -1,0 +1,52 @@
+//! Words that attributes may have as values, with their meanings in the tree.
+
+use crate::ast::{Rail, RoofDirection, RoofKind, RoofMode, Side, StoreyKind};
+
+/// The kind of a storey or a floor.
+pub(in crate::parse) const STOREY_KINDS: [(&str, StoreyKind); 2] = [
+    ("storey", StoreyKind::Storey),
+    ("parapet", StoreyKind::Parapet),
+];
+
+/// Whether parts run rightwards.
+pub(in crate::parse) const PART_ORDERS: [(&str, bool); 2] = [("left", false), ("right", true)];
+
+/// Whether glass mirrors.
+pub(in crate::parse) const REFLECTIONS: [(&str, bool); 2] = [("enable", true), ("disable", false)];
+
+pub(in crate::parse) const SIDES: [(&str, Side); 4] = [
+    ("F", Side::Front),
+    ("B", Side::Back),
+    ("L", Side::Left),
+    ("R", Side::Right),
+];
+
+pub(in crate::parse) const RAILS: [(&str, Rail); 3] = [
+    ("none", Rail::None),
+    ("crossed", Rail::Crossed),
+    ("knobbed", Rail::Knobbed),
+];
+
+pub(in crate::parse) const TURNS: [(&str, f64); 2] = [("R", 90.0), ("L", -90.0)];
+
+pub(in crate::parse) const RIDGE_DIRECTIONS: [(&str, RoofDirection); 6] = [
+    ("X", RoofDirection::AlongFront),
+    ("Y", RoofDirection::AcrossFront),
+    ("F", RoofDirection::Front),
+    ("B", RoofDirection::Back),
+    ("L", RoofDirection::Left),
+    ("R", RoofDirection::Right),
+];
+
+pub(in crate::parse) const COVERINGS: [(&str, RoofKind); 7] = [
+    ("K", RoofKind::Tiles),
+    ("G", RoofKind::CoverTiles),
+    ("I", RoofKind::Boards),
+    ("S", RoofKind::Shingles),
+    ("H", RoofKind::Bark),
+    ("Y", RoofKind::Thatch),
+    ("T", RoofKind::Metal),
+];
+
+pub(in crate::parse) const ROOF_MODES: [(&str, RoofMode); 2] =
+    [("auto", RoofMode::Auto), ("explicit", RoofMode::Explicit)];
