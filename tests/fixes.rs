@@ -164,6 +164,21 @@ fn fixes_of_several_slips_do_not_hinder_one_another() {
     assert_none(&findings);
 }
 
+/// The letter that turns a line to the left belongs to the legacy form: behind the codes of a row it would be a code.
+#[test]
+fn rows_are_not_turned_by_a_letter() {
+    let lengths = [6, 4, 3, 2, 3, 2]; // the third has to turn to the left
+    let legacy = lengths.map(|n| "KSK  ".repeat(n) + "\n").concat();
+    let rows = lengths.map(|n| format!("<Row>{}</Row>", "KSK  ".repeat(n)));
+    let xml = format!("<House><Storey>{}</Storey></House>", rows.concat());
+    for (text, offers) in [(format!("0 0\n9\n\n{legacy}"), 1), (xml, 0)] {
+        let run = crate::support::compile("house.hsd", text.as_bytes());
+        let wrong = run.diagnostics.iter().find(|d| d.code == Code(403));
+        let fixes = &wrong.expect("a turn is wrong").fixes;
+        assert_eq!(fixes.len(), offers, "{fixes:?}");
+    }
+}
+
 #[test]
 fn codes_offer_a_fix_or_have_a_reason() {
     let halves = [legacy_half::WITHOUT_FIX, xml_half::WITHOUT_FIX];

@@ -438,3 +438,22 @@ impl UsedImages {
         });
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_number_of_a_variant_stands_before_the_extension_of_an_image() {
+        for (name, second) in [
+            ("", ""),
+            ("front", "front.2"),
+            ("front.png", "front.2.png"),
+            ("front.JPG", "front.2.JPG"),
+            ("shop.front.jpeg", "shop.front.2.jpeg"),
+            ("fig.4", "fig.4.2"),
+        ] {
+            assert_eq!(variant(name, 2), second);
+        }
+    }
+}

@@ -5,7 +5,7 @@ use crate::expand::build::*;
 use crate::support::cpu::assert_linear;
 use hsd::ast::{Item, Piece};
 use hsd::expand::Options;
-use hsd::source::{Limits, NoFiles};
+use hsd::source::{Limits, NoFiles, Span};
 
 fn assert_too_many(house: hsd::ast::House) {
     let (program, said) = run(house);
@@ -52,6 +52,39 @@ fn the_sum_counts_as_well() {
     assert!(said.is_empty(), "{said:?}");
     let (_, said) = run_in(house(vec![storey(rows(51))]), &NoFiles, &options);
     assert_eq!(numbers(&said), [904]);
+}
+
+/// What a repetition would make is counted at its number, whatever it repeats, and not at the part that is one too many.
+#[test]
+fn repetitions_are_caught_at_their_number() {
+    fn number<T>(item: &Item<T>) -> Span {
+        match item {
+            Item::Repeat(repeat) => repeat.num.span,
+            _ => unreachable!("is a repetition"),
+        }
+    }
+    let limits = Limits {
+        parts: 100,
+        ..Limits::default()
+    };
+    let options = Options {
+        limits,
+        ..Options::default()
+    };
+    let parts = || codes(&"KTU  ".repeat(20));
+    let storeys = repeat(6, vec![Item::One(storey(vec![row(parts())]))]);
+    let rows = repeat(6, vec![row(parts())]);
+    let floors = repeat(6, vec![floor("1", parts())]);
+    let spans = [number(&storeys), number(&rows), number(&floors)];
+    let mut high = house(vec![]);
+    high.storeys = vec![storeys];
+    let long = house(vec![storey(vec![rows])]);
+    let broad = structure(None, vec![facade(vec![floors])]);
+    for (house, span) in [high, long, broad].into_iter().zip(spans) {
+        let (_, said) = run_in(house, &NoFiles, &options);
+        assert_eq!(numbers(&said), [904]);
+        assert_eq!(said[0].span, span);
+    }
 }
 
 #[test]

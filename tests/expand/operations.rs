@@ -4,6 +4,7 @@ use crate::expand::build::*;
 use hsd::ast::{Edit, House, Item, Random};
 use hsd::expand::Options;
 use hsd::program::{Content, Program};
+use hsd::source::NoFiles;
 
 #[test]
 fn repetitions_nest() {
@@ -27,6 +28,32 @@ fn the_example_of_the_contract_has_a_slot_in_a_row() {
     let units = &line(&program, 0, 0).units;
     assert_eq!((units.len(), width(units)), (4, 6.0));
     assert!(["TSH 2", "TKD 2"].contains(&name(&program, &units[1]).as_str()));
+}
+
+#[test]
+fn slots_of_one_row_draw_for_themselves() {
+    let slot = || random("KTU, KJU, KSK");
+    let one = one_row(vec![slot(), part("APW")]);
+    let two = one_row(vec![slot(), part("APW"), slot()]);
+    let mut alike = 0;
+    for seed in 0..60 {
+        let options = Options {
+            seed: Some(seed),
+            ..Options::default()
+        };
+        let drawn = |house: &House, unit: usize| {
+            let (program, said) = run_in(house.clone(), &NoFiles, &options);
+            assert!(said.is_empty(), "{said:?}");
+            name(&program, &line(&program, 0, 0).units[unit])
+        };
+        assert_eq!(
+            drawn(&one, 0),
+            drawn(&two, 0),
+            "what follows changes no draw"
+        );
+        alike += usize::from(drawn(&two, 0) == drawn(&two, 2));
+    }
+    assert!((8..35).contains(&alike), "{alike} of 60 draws are alike");
 }
 
 #[test]

@@ -97,7 +97,7 @@ fn answers_take_linear_time() {
 fn every_part_has_a_page_with_its_image() {
     let a = analysis("a.hsd", "0 0 180\n9\n\nGSI  KSK\n", &[]);
     for part in hsd::parse::builtin().parts() {
-        if part.code().trim_matches('.').is_empty() {
+        if part.code().trim().is_empty() {
             continue; // a void has nothing to show
         }
         let code = part.code().to_owned();

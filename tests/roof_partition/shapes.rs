@@ -66,6 +66,12 @@ fn the_span_of_a_lean_to_is_twice_its_depth() {
 }
 
 #[test]
+fn a_plan_knows_its_coordinates() {
+    let l = plan(&[[0, 0, 14, 6], [0, 6, 6, 12]]);
+    assert_eq!(l.coordinates(), (vec![0, 6, 14], vec![0, 6, 12]));
+}
+
+#[test]
 fn l_the_square_wing_runs_into_the_trunk() {
     for method in ALL {
         let found = roofs(&plan(&[[0, 0, 14, 6], [0, 6, 6, 12]]), method);

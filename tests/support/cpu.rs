@@ -4,12 +4,13 @@
 use cpu_time::ThreadTime;
 use std::time::Duration;
 
-/// The most that work on four times the input may take, as a multiple: linear growth takes 4, quadratic 16.
-const LINEAR: u32 = 8;
+/// The most that work on four times the input may take, as a multiple: linear growth takes 4, a little more where the larger
+/// input no longer fits a cache, quadratic 16.
+const LINEAR: u32 = 10;
 
 /// Measurements of each size before growth is called more than linear; the least of each counts, since whatever disturbs
 /// a measurement makes it longer.
-const ROUNDS: u32 = 10;
+const ROUNDS: u32 = 20;
 
 /// Smaller differences are the machine's.
 const NOISE: Duration = Duration::from_micros(200);

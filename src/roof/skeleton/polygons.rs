@@ -138,11 +138,21 @@ mod tests {
 
     #[test]
     fn walls_upon_an_edge_divide_it() {
-        let wall = [dvec2(3.0, 0.001), dvec2(1.0, 0.0)];
-        let tags: Vec<(f64, u32)> = tagged(&square(0.0, 0.0, 4.0), &[wall])[..3]
-            .iter()
-            .map(|s| (s.0.x, s.1))
-            .collect();
-        assert_eq!(tags, [(0.0, 0), (1.0, FLUSH), (3.0, 0)]);
+        let tags = |walls: &[[DVec2; 2]]| -> Vec<(f64, u32)> {
+            let starts = tagged(&square(0.0, 0.0, 4.0), walls);
+            let front = starts.iter().filter(|s| s.0.y == 0.0);
+            front.map(|s| (s.0.x, s.1)).collect()
+        };
+        let (one, other) = (dvec2(3.0, 0.001), dvec2(1.0, 0.0));
+        for wall in [[one, other], [other, one]] {
+            assert_eq!(tags(&[wall]), [(0.0, 0), (1.0, FLUSH), (3.0, 0), (4.0, 0)]);
+        }
+        let from_a_corner_on = [dvec2(0.0, 0.0), dvec2(2.0, 0.0)];
+        assert_eq!(
+            tags(&[from_a_corner_on]),
+            [(0.0, FLUSH), (2.0, 0), (4.0, 0)]
+        );
+        let beyond = [dvec2(4.0, 0.0), dvec2(7.0, 0.0)];
+        assert_eq!(tags(&[beyond]), [(0.0, 0), (4.0, 0)]);
     }
 }

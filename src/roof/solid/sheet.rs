@@ -452,6 +452,16 @@ mod tests {
     }
 
     #[test]
+    fn corners_at_one_place_are_one() {
+        let plain = square(0.0, 0.0, 4.0, 2.0);
+        let mut doubled = plain.clone();
+        doubled.0.insert(1, plain.0[1]);
+        doubled.0.push(plain.0[0]);
+        let solids = |piece| format!("{:?}", sheet(&[piece], 0.1, &COAT, 0.0));
+        assert_eq!(solids(doubled), solids(plain));
+    }
+
+    #[test]
     fn pieces_that_touch_in_a_corner_are_two_solids() {
         let pieces = [square(0.0, 0.0, 1.0, 1.0), square(1.0, 1.0, 2.0, 2.0)];
         assert_eq!(sheet(&pieces, 0.1, &COAT, 0.0).len(), 2);

@@ -174,3 +174,37 @@ fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
     };
     Some(roots.iter().map(number).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn faces(corners: &[[u32; 3]]) -> Vec<Polygon> {
+        let face = |c: &[u32; 3]| (c.to_vec(), Finish::Plaster);
+        corners.iter().map(face).collect()
+    }
+
+    #[test]
+    fn only_closed_faces_are_solids() {
+        let one = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+        let other = one.map(|face| face.map(|c| c + 4));
+        let both = [one, other].concat();
+        assert_eq!(
+            components(8, &faces(&both)),
+            Some(vec![0, 0, 0, 0, 1, 1, 1, 1])
+        );
+        assert_eq!(components(4, &faces(&one[1..])), None, "one is missing");
+        let mut turned = one;
+        turned[0].swap(0, 1);
+        assert_eq!(components(4, &faces(&turned)), None, "one looks inwards");
+        // Two that share an edge, and a third face upon it.
+        let beside = [[0, 1, 4], [1, 0, 5], [0, 4, 5], [1, 5, 4]];
+        let touching = [&one[..], &beside[..]].concat();
+        assert_eq!(
+            components(6, &faces(&touching)),
+            Some(vec![0, 0, 0, 0, 1, 1, 1, 1])
+        );
+        let fin = [&one[..], &[[0, 1, 4]]].concat();
+        assert_eq!(components(5, &faces(&fin)), None, "a face too many");
+    }
+}
