@@ -11,7 +11,7 @@
 //! assert!(!out.has_errors());
 //! ```
 //!
-//! [`compile`] makes the model, [`glb`] writes it, [`check`] only reports, [`format`] lays a file out, [`roof_over`]
+//! [`compile`] makes the model, [`glb`] writes it, [`check`](check()) only reports, [`format`](format()) lays a file out, [`roof_over`]
 //! roofs an outline. These and the types they take are the public interface. The modules below are public only to the
 //! program, its tests, benchmarks and fuzz targets, which are crates of their own; they are hidden from this page and
 //! follow no semantic versioning.
@@ -26,14 +26,14 @@
 //! # The chain
 //!
 //! Each step is a plain function from one typed tree to the next. It reports errors to
-//! [`Diagnostics`](diagnostic::Diagnostics) and continues; none panics. [`compile`] runs them all.
+//! [`Diagnostics`] and continues; none panics. [`compile`] runs them all.
 //!
 //! From expansion to fittings the unit of work is a house: [`driver::house`] makes one from its syntax and an id, and a
 //! run is a loop over houses. A house is the same alone and in any company, so it may be made again, or elsewhere.
 //!
 //! | step | makes | what no longer exists after it |
 //! |---|---|---|
-//! | [`Source::new`](source::Source::new) | [`Source`](source::Source) | encodings; spans count bytes of the original file ever after |
+//! | [`Source::new`] | [`Source`] | encodings; spans count bytes of the original file ever after |
 //! | [`parse::parse`] | [`ast::Document`] | syntax: the legacy text and XML give one tree; expressions, parameters, conditions, named pieces, included files |
 //! | [`expand::Expander::house`] | [`program::House`] | repeat, split lists, random, replace, unknown codes, defaults |
 //! | [`lower::house`] | [`building::House`] | turns and rows: every wall has two ends |

@@ -38,7 +38,7 @@
 //!
 //! What a stroke comes to are [`Edit`]s of [`Source::text`](crate::source::Source::text), sorted, none of which touches
 //! another. A stroke that cannot be made is refused in a sentence that says why and what to do instead, and changes
-//! nothing. [`apply`] makes the edits in the bytes of the file, in its encoding, and tells what takes them back.
+//! nothing. `apply` makes the edits in the bytes of the file, in its encoding, and tells what takes them back.
 
 mod apply;
 mod draft;
