@@ -125,6 +125,7 @@ fn courses_lie_level_and_run_up_the_slope() {
         kind: RoofKind::Tiles,
         dress: Trim::default(),
         attic: Attic::default(),
+        surface: hsd::building::RoofSurface::of(std::slice::from_ref(&solid)),
         solids: vec![solid],
     });
     let scene = tessellate(&building, hsd::parse::builtin(), Detail::Everything);

@@ -154,7 +154,12 @@ pub(super) fn houses(request: &Request<'_>, element: &Range<usize>) -> Vec<Text>
 pub(super) fn roofs(request: &Request<'_>, place: &Range<usize>, section: bool) -> Vec<Text> {
     let mut found = vec![];
     for Built { house, roofs, .. } in &request.a.checked.building.houses {
-        let here = section && request.a.source.text_range(house.span).contains(&place.start);
+        let here = section
+            && request
+                .a
+                .source
+                .text_range(house.span)
+                .contains(&place.start);
         let own = roofs
             .roofs
             .iter()

@@ -178,6 +178,7 @@ fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::building::Finish;
 
     fn faces(corners: &[[u32; 3]]) -> Vec<Polygon> {
         let face = |c: &[u32; 3]| (c.to_vec(), Finish::Plaster);
