@@ -20,6 +20,7 @@ const pages = new Map([
   ['grammar/README.ja.md', 'ja/language.html'],
   ['README.md', 'readme.html'],
   ['README.ja.md', 'ja/readme.html'],
+  ['docs/glossary.md', 'glossary.html'],
 ]);
 for (const name of readdirSync(join(root, 'grammar')).filter(n => n.endsWith('.md') && !n.startsWith('README'))) {
   const japanese = name.endsWith('.ja.md');
@@ -33,11 +34,12 @@ for (const name of readdirSync(join(root, 'grammar/diagnostics')).filter(n => n.
 const folders = new Map([['grammar/diagnostics', 'messages/index.html'], ['grammar/diagnostics/ja', 'ja/messages/index.html'], ['grammar/pictures/legacy', 'legacy.html'], ['examples', 'readme.html']]);
 
 const menu = {
-  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['elements.html', 'Elements'], ['legacy.html', 'Legacy form'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Custom parts'],
-    ['types.html', 'House types'], ['roofs.html', 'Roofs'], ['dressing.html', 'Dressing'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Messages']],
-  ja: [['ja/index.html', 'はじめに'], ['ja/language.html', '言語'], ['ja/tutorial.html', 'チュートリアル'], ['ja/elements.html', '要素'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'],
-    ['ja/catalogs.html', '自作の部材'], ['ja/types.html', '家の類型'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根に載るもの'],
-    ['ja/partitions.html', '平面の分け方'], ['ja/materials.html', '材料'], ['ja/messages/index.html', '指摘']],
+  en: [['index.html', 'The language'], ['tutorial.html', 'Tutorial'], ['reference.html', 'Reference'], ['legacy.html', 'Legacy form'], ['catalogue.html', 'Parts'], ['catalogs.html', 'Custom parts'],
+    ['types.html', 'House types'], ['roofs.html', 'Roofs'], ['dressing.html', 'Roof details'], ['partitions.html', 'Partitions'], ['materials.html', 'Materials'], ['messages/index.html', 'Diagnostics'],
+    ['glossary.html', 'Glossary']],
+  ja: [['ja/index.html', 'はじめに'], ['ja/language.html', '言語'], ['ja/tutorial.html', 'チュートリアル'], ['ja/reference.html', 'リファレンス'], ['ja/legacy.html', '旧形式'], ['ja/catalogue.html', '部材'],
+    ['ja/catalogs.html', '自作部材'], ['ja/types.html', '家のひな形'], ['ja/roofs.html', '屋根'], ['ja/dressing.html', '屋根の納まり'],
+    ['ja/partitions.html', '平面の分け方'], ['ja/materials.html', '材料'], ['ja/messages/index.html', '指摘'], ['glossary.html', '用語集']],
 };
 
 const relative = (from, to) => posix.relative(posix.dirname(from), to) || posix.basename(to);
@@ -115,6 +117,15 @@ function joined(text) {
   return text.split(/(^```[^]*?^```)/m).map((piece, i) => i % 2 ? piece : piece.replace(breaks, '')).join('');
 }
 
+/** Adds an id to each row of the reference (`House-azimuth`), so that the search finds attributes. */
+function withRows(source, html) {
+  if (!/reference(\.ja)?\.md$/.test(source)) return html;
+  return html.split(/(?=<h[23] )/).map(section => {
+    const [, id, name] = section.match(/^<h[23] id="([^"]*)">(?:<code>([^<]*))?/) ?? [];
+    return section.replace(/<tr>(\s*<td><code>([\w-]+)<\/code>)/g, `<tr id="${name ?? id}-$2">$1`);
+  }).join('');
+}
+
 /** Renders a Markdown file as a page. */
 function markdown(source, page) {
   const text = joined(readFileSync(join(root, source), 'utf8'));
@@ -139,7 +150,7 @@ function markdown(source, page) {
     },
   };
   const title = text.match(/^# (.*)$/m)?.[1] ?? page;
-  write(page, title, new Marked({ renderer }).parse(text));
+  write(page, title, withRows(source, new Marked({ renderer }).parse(text)));
 }
 
 for (const [source, page] of pages) markdown(source, page);

@@ -36,7 +36,7 @@ fn the_page_shows_every_text_every_form_and_every_covering() {
                 findings.push(format!("no {picture}"));
             }
         }
-        if !page.contains(&format!("[text](roofs/{name}.hsd)")) {
+        if !page.contains(&format!("[source](roofs/{name}.hsd)")) {
             findings.push(format!("the page does not link {name}.hsd"));
         }
         for roof in compile_file(&path)

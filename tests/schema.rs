@@ -4,6 +4,7 @@
 mod agree;
 mod defaults;
 mod model;
+mod reference;
 mod relaxng;
 mod table;
 mod xsd;
@@ -31,6 +32,30 @@ fn the_schemas_are_those_of_the_reader() {
         assert!(
             there == text,
             "{FOLDER}/{name} is stale: HSD_UPDATE=1 cargo test --release schema"
+        );
+    }
+}
+
+#[test]
+fn the_reference_explains_everything() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("grammar");
+    let explanations = folder.join("reference.toml");
+    let text = fs::read_to_string(explanations).expect("the explanations are there");
+    let (pages, findings) = reference::make(&text);
+    assert!(
+        findings.is_empty(),
+        "reference.toml:\n{}",
+        findings.join("\n")
+    );
+    for (name, page) in ["reference.md", "reference.ja.md"].iter().zip(pages) {
+        let path = folder.join(name);
+        if std::env::var_os("HSD_UPDATE").is_some() {
+            fs::write(&path, &page).expect("the page can be written");
+        }
+        let there = fs::read_to_string(&path).unwrap_or_default();
+        assert!(
+            there == page,
+            "grammar/{name} is stale: HSD_UPDATE=1 cargo test --release schema"
         );
     }
 }

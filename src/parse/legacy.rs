@@ -34,9 +34,20 @@ use crate::parse::syntax::LineKind;
 use crate::source::{Limits, Source, SourceCache, Span};
 use header::Header;
 use line::Line;
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use walls::Walls;
+
+/// Returns the keys of header settings.
+pub fn settings() -> &'static [&'static str] {
+    &header::KEYS
+}
+
+/// Returns the roof line options that take a number: letter and range.
+pub fn options() -> impl Iterator<Item = (char, RangeInclusive<f64>)> {
+    let all = roof_words::OPTIONS.iter();
+    all.map(|(letter, range)| (*letter, range.bounds.clone()))
+}
 
 /// Reads a file of the legacy form.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {

@@ -26,7 +26,7 @@ fn element(element: &Schema, places: &[Place]) -> Value {
 }
 
 /// The elements that may stand in an element; `None` = what may stand round it.
-fn held(element: &Schema, places: &[Place]) -> Option<Vec<&'static str>> {
+pub fn held(element: &Schema, places: &[Place]) -> Option<Vec<&'static str>> {
     // The last place is that of anything.
     let anything = places.last()?;
     let inside = model::inside(element, anything);

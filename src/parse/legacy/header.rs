@@ -9,7 +9,7 @@ use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 
 /// Keys of header lines.
-const KEYS: [&str; 8] = [
+pub(super) const KEYS: [&str; 8] = [
     "unit", "seed", "roofs", "method", "street", "name", "age", "era",
 ];
 
