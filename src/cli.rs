@@ -24,7 +24,7 @@ mod textures;
 mod view;
 pub use crate::diagnostic::{Language, Text};
 use crate::text;
-use clap::error::{ContextKind, ContextValue, ErrorKind as Wrong};
+use clap::error::{ContextKind, ContextValue, ErrorKind as ClapError};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
@@ -53,7 +53,7 @@ impl Exit {
 
 /// The reason a run was aborted.
 #[derive(Debug)]
-enum Stop {
+enum Failure {
     /// The command line is invalid (exit status 2).
     Usage(Text),
     /// A file could not be read or written (exit status 3).
@@ -62,30 +62,30 @@ enum Stop {
     Pipe,
 }
 
-impl Stop {
+impl Failure {
     /// An I/O error, with the file or program it concerns.
-    fn at(what: impl std::fmt::Display, error: io::Error) -> Stop {
+    fn at(what: impl std::fmt::Display, error: io::Error) -> Failure {
         let why = crate::cli::files::reason::of(&error);
         match error.kind() {
-            ErrorKind::BrokenPipe => Stop::Pipe,
-            _ => Stop::Io(text!([why] "{what}: {why}", "{what}: {why}")),
+            ErrorKind::BrokenPipe => Failure::Pipe,
+            _ => Failure::Io(text!([why] "{what}: {why}", "{what}: {why}")),
         }
     }
 }
 
-impl Stop {
+impl Failure {
     /// Standard input is named more than once.
-    fn stdin_twice() -> Stop {
-        Stop::Usage(text!(
+    fn stdin_twice() -> Failure {
+        Failure::Usage(text!(
             "standard input can be read only once",
             "標準入力を読めるのは一度だけです"
         ))
     }
 
     /// Two inputs have the same output.
-    fn one_output(a: &Path, b: &Path, output: &Path) -> Stop {
+    fn one_output(a: &Path, b: &Path, output: &Path) -> Failure {
         let (a, b, out) = (a.display(), b.display(), output.display());
-        Stop::Usage(text!(
+        Failure::Usage(text!(
             "{a} and {b} would both be written to {out}",
             "{a} と {b} の出力先がどちらも {out} になります"
         ))
@@ -93,17 +93,17 @@ impl Stop {
 }
 
 /// An error at standard output or standard error.
-impl From<io::Error> for Stop {
+impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         let why = crate::cli::files::reason::of(&error);
         match error.kind() {
-            ErrorKind::BrokenPipe => Stop::Pipe,
-            _ => Stop::Io(text!([why] "cannot write: {why}", "書き込めません: {why}")),
+            ErrorKind::BrokenPipe => Failure::Pipe,
+            _ => Failure::Io(text!([why] "cannot write: {why}", "書き込めません: {why}")),
         }
     }
 }
 
-type Outcome = Result<Exit, Stop>;
+type Outcome = Result<Exit, Failure>;
 
 /// Compile house files into textured 3D models.
 #[derive(Debug, Parser)]
@@ -150,7 +150,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let parsed = command(language).try_get_matches_from(arguments);
     let cli = match parsed.and_then(|matches| Cli::from_arg_matches(&matches)) {
         Ok(cli) => cli,
-        Err(error) => return refused(&error, language),
+        Err(error) => return print_clap_error(&error, language),
     };
     let outcome = match cli.command {
         Command::Build(c) => c.run(language),
@@ -172,9 +172,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let (message, status) = match outcome {
         Ok(exit) => return ExitCode::from(exit as u8),
-        Err(Stop::Pipe) => return ExitCode::SUCCESS,
-        Err(Stop::Usage(message)) => (message, 2),
-        Err(Stop::Io(message)) => (message, 3),
+        Err(Failure::Pipe) => return ExitCode::SUCCESS,
+        Err(Failure::Usage(message)) => (message, 2),
+        Err(Failure::Io(message)) => (message, 3),
     };
     let _ = writeln!(io::stderr(), "hsd: {}", message.in_language(language));
     ExitCode::from(status)
@@ -189,8 +189,8 @@ fn command(language: Language) -> clap::Command {
 }
 
 /// Prints help, the version or a usage error, and returns the exit status.
-fn refused(error: &clap::Error, language: Language) -> ExitCode {
-    if let Some(name) = text_for_command(error) {
+fn print_clap_error(error: &clap::Error, language: Language) -> ExitCode {
+    if let Some(name) = file_for_command(error) {
         let hint = text!(
             "`{name}` is a file; to build a model from it: hsd build {name}",
             "`{name}` はファイルです。モデルを作るには: hsd build {name}"
@@ -200,9 +200,9 @@ fn refused(error: &clap::Error, language: Language) -> ExitCode {
     }
     let helps = matches!(
         error.kind(),
-        Wrong::DisplayHelp
-            | Wrong::DisplayHelpOnMissingArgumentOrSubcommand
-            | Wrong::DisplayVersion
+        ClapError::DisplayHelp
+            | ClapError::DisplayHelpOnMissingArgumentOrSubcommand
+            | ClapError::DisplayVersion
     );
     // Errors of standard output and error are ignored: there is nowhere to report them.
     let _ = match language {
@@ -219,9 +219,9 @@ fn refused(error: &clap::Error, language: Language) -> ExitCode {
 }
 
 /// The existing file named in place of a subcommand, if that is the error.
-fn text_for_command(error: &clap::Error) -> Option<&str> {
+fn file_for_command(error: &clap::Error) -> Option<&str> {
     let word = match error.get(ContextKind::InvalidSubcommand) {
-        Some(ContextValue::String(word)) if error.kind() == Wrong::InvalidSubcommand => word,
+        Some(ContextValue::String(word)) if error.kind() == ClapError::InvalidSubcommand => word,
         _ => return None,
     };
     Path::new(word).is_file().then_some(word)

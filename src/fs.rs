@@ -1,7 +1,7 @@
-//! Part pictures on disk, and texts that others include.
+//! Part images and included files on disk.
 //!
-//! A picture's name is looked up in a listing of the folder, never joined to a path, and what is found must lie in the
-//! folder after all links are followed: whatever a text says, no file outside is read.
+//! Image names are looked up in a listing of the folder, never joined to a path, and the resolved file must be inside the
+//! folder. Whatever a source file contains, no file outside the given folders is read.
 
 mod roots;
 
@@ -16,24 +16,24 @@ use roots::Roots;
 
 const ENDINGS: [&str; 6] = ["png", "jpg", "jpeg", "PNG", "JPG", "JPEG"];
 
-/// Texture folders, searched in order.
+/// File access limited to texture folders, searched in order, and include roots.
 #[derive(Debug)]
 pub struct FolderWorld {
     folders: Vec<Folder>,
     roots: Roots,
-    /// Bytes of a file worth reading: more cannot be a picture within the limit of pixels.
+    /// The maximum size of an image file in bytes; larger files would exceed the pixel limit.
     bytes: u64,
 }
 
 #[derive(Debug)]
 struct Folder {
     path: PathBuf,
-    /// Names of its files; read when a picture is first asked for.
+    /// The names of its files, listed on first use.
     names: OnceLock<BTreeSet<String>>,
 }
 
 impl FolderWorld {
-    /// A world of these folders. Missing ones count as empty.
+    /// Creates a world of these texture folders, with a limit of pixels per image. Missing folders count as empty.
     pub fn new(folders: Vec<PathBuf>, pixels: u64) -> FolderWorld {
         let folder = |path| Folder {
             path,
@@ -46,7 +46,7 @@ impl FolderWorld {
         }
     }
 
-    /// The same with texts below these folders.
+    /// Adds folders below which includes are allowed.
     #[must_use]
     pub fn with_roots(self, roots: Vec<PathBuf>) -> FolderWorld {
         let roots = Roots::new(roots);
@@ -55,7 +55,7 @@ impl FolderWorld {
 }
 
 impl Folder {
-    /// The file of a picture's name.
+    /// Returns the file of an image name, with or without its extension.
     fn find(&self, name: &str) -> Option<PathBuf> {
         let names = self.names.get_or_init(|| list(&self.path));
         let known = name
@@ -67,7 +67,7 @@ impl Folder {
         self.inside(&self.path.join(file))
     }
 
-    /// A path, if it leads to a file in this folder.
+    /// Returns the path if it resolves to a file in this folder.
     fn inside(&self, path: &Path) -> Option<PathBuf> {
         let (root, real) = (self.path.canonicalize().ok()?, path.canonicalize().ok()?);
         (real.starts_with(root) && real.is_file()).then(|| path.to_owned())
@@ -89,12 +89,12 @@ impl World for FolderWorld {
         let path = Path::new(path);
         let inside = |f: &Folder| path.parent() == Some(&*f.path) && f.inside(path).is_some();
         if !self.folders.iter().any(inside) && !self.roots.hold(path) {
-            let message = "it lies outside the texture folders";
+            let message = "the file is outside the texture folders";
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         }
         if fs::metadata(path)?.len() > self.bytes {
             return Err(io::Error::other(
-                "the file is larger than any picture allowed here",
+                "the file exceeds the size limit of images",
             ));
         }
         fs::read(path)
@@ -109,7 +109,7 @@ impl World for FolderWorld {
     }
 }
 
-/// A picture by its path. A file that is none is found all the same, so that a message can say what is wrong with it.
+/// Returns an image by its path. Files that are not images are returned too, so that a diagnostic can report them.
 fn file(path: &str) -> PictureFile {
     let size = header(Path::new(path)).filter(|(w, h)| *w > 0 && *h > 0);
     PictureFile {
@@ -118,7 +118,7 @@ fn file(path: &str) -> PictureFile {
     }
 }
 
-/// Width and height, from the first bytes of a file.
+/// Reads the width and height from the header of an image.
 fn header(path: &Path) -> Option<(u32, u32)> {
     let reader = image::ImageReader::open(path).ok()?;
     reader.with_guessed_format().ok()?.into_dimensions().ok()

@@ -1,22 +1,23 @@
-//! The language server: what [`ide`](crate::ide) knows, in the words of the Language Server Protocol.
+//! The language server: exposes [`ide`](crate::ide) through the Language Server Protocol.
 //!
-//! Nobody else knows the protocol. The server is one loop on one thread: it takes in all messages that wait, so that a
-//! request that was cancelled meanwhile is never begun, and a text that was changed ten times is read once; then it
-//! answers the oldest; where nothing waits, it reads a text that has changed and publishes what is wrong with it.
-//! A whole check of a text takes milliseconds, so nothing is kept from the state before a change.
+//! The server is a loop on one thread. It first receives all pending messages, so that cancelled requests are never started
+//! and a document with several changes is analysed once. Then it answers the oldest request. If there is none, it
+//! analyses a changed document and publishes its diagnostics. A full check takes milliseconds, so analyses are not
+//! incremental.
 //!
-//! Whatever a client does, the loop goes on: broken messages, positions outside of texts, texts that are not open,
-//! requests in any order. A fault of the program ends a request, never the server.
+//! The loop tolerates malformed messages, invalid positions, unknown documents and requests in any order. A panic fails a
+//! request, never the server.
 //!
-//! | file | does |
+//! | file | purpose |
 //! |---|---|
-//! | `transport` | messages from and to a stream |
-//! | `server`, `requests` | the loop; what each request gets |
-//! | `client`, `settings` | what the client knows and wishes |
-//! | `documents`, `world` | texts that are open, and files round them |
+//! | `transport` | reads and writes messages |
+//! | `server`, `requests` | the loop; request handlers |
+//! | `session` | the state of a client connection |
+//! | `client`, `settings` | capabilities and settings of the client |
+//! | `documents`, `world` | open documents, and the files around them |
 //! | `preview` | the live preview beside the editor |
-//! | `publish`, `actions` | diagnostics and their mends |
-//! | `proto`, `lines`, `uri` | places, positions and names of the protocol |
+//! | `publish`, `actions` | diagnostics and their fixes |
+//! | `proto`, `lines`, `uri` | conversion of locations, positions and file names |
 
 mod actions;
 mod client;
@@ -27,6 +28,7 @@ mod proto;
 mod publish;
 mod requests;
 mod server;
+mod session;
 mod settings;
 mod transport;
 mod uri;
@@ -36,8 +38,8 @@ use crate::diagnostic::Language;
 use lsp_server::Connection;
 use std::io::{BufRead, Write};
 
-/// Serves a client on a stream until it says `exit`, or the stream ends. `language` is that of messages where the
-/// client names none. Returns whether the client has said good-bye as it should.
+/// Serves a client on a stream until `exit` or the end of the stream. `language` applies if the client names none. Returns
+/// whether the client has sent `shutdown` before.
 pub fn serve(
     input: impl BufRead + Send + 'static,
     output: impl Write + Send + 'static,
@@ -45,14 +47,14 @@ pub fn serve(
 ) -> bool {
     let (server, client) = Connection::memory();
     let (written, writer) = transport::start(client, input, output);
-    let polite = server::Server::new(server, Some(written.clone()), language).run();
-    // What was said last is to be written before the program ends.
+    let orderly = server::Server::new(server, Some(written.clone()), language).run();
+    // Writes all pending messages before the program ends.
     let _ = written.send(transport::END.to_vec());
     let _ = writer.join();
-    polite
+    orderly
 }
 
-/// The same on messages.
+/// Like [`serve`], on messages.
 pub fn serve_on(connection: Connection, language: Language) -> bool {
     server::Server::new(connection, None, language).run()
 }

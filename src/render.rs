@@ -1,12 +1,12 @@
-//! Pictures of scenes, drawn without a browser: what an eye far away sees along parallel lines, in sunlight with shadows.
-//! For contact sheets, where many houses are compared; for the look of one, open its model in a viewer.
+//! The software renderer: parallel projections in sunlight with shadows, for contact sheets, and reflections for
+//! `--bake`.
 //!
-//! - [`raster`]: which lines of sight meet a triangle, and where;
-//! - [`view`]: the nearest thing on each line;
-//! - [`light`]: its colour in sun and shadow;
-//! - [`sheet`]: pictures side by side, with their numbers;
-//! - [`beam`]: the nearest thing on lines that an eye sends over a mirror;
-//! - [`mirror`]: what the glass of facades mirrors, as pictures for plain viewers.
+//! - [`raster`]: intersection of parallel rays with triangles;
+//! - [`view`]: the nearest hit of each ray;
+//! - [`light`]: shading with sun, sky and shadows;
+//! - [`sheet`]: contact sheets with seed numbers;
+//! - [`beam`]: the nearest hits of rays reflected by a plane;
+//! - [`mirror`]: reflections baked into textures.
 
 pub mod beam;
 mod digits;
@@ -22,22 +22,22 @@ use image::RgbImage;
 use raster::Grid;
 use view::{Frame, Triangle, View};
 
-/// Lines of sight a pixel in each direction.
+/// Rays per pixel in each direction.
 const FINE: u32 = 3;
 
-/// Share of a picture that is left free round the house.
+/// The margin around the house, as a fraction of the image.
 const MARGIN: f64 = 0.06;
 
-/// Where the eye looks to: from the left before the house, and from above.
+/// The viewing direction: from the front left and above.
 const WAY: DVec3 = dvec3(0.42, 0.86, -0.27);
 
-/// Where the sun shines to.
+/// The direction of sunlight.
 const SUN: DVec3 = dvec3(0.62, 0.55, -0.80);
 
-/// How far the ground is drawn round the house, metres.
+/// The extent of the ground around the house in metres.
 const GROUND: f64 = 90.0;
 
-/// A picture of some houses of a scene, so many pixels wide and high.
+/// Renders some houses of a scene to an image of `width` x `height` pixels.
 pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) -> RgbImage {
     let mut triangles = view::triangles(scene, houses);
     let eye = Frame::new(WAY);
@@ -51,7 +51,7 @@ pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) ->
     let open = |triangle: &Triangle, weights| looks.open(triangle, weights);
     let seen = View::of(&triangles, eye, grid, open);
     let sun = Frame::new(SUN);
-    // A shadow needs no finer grid than the picture has.
+    // Shadows need no finer grid than the image.
     let lit = Grid::around(
         triangles
             .iter()
@@ -66,7 +66,7 @@ pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) ->
     light::shine(&triangles, &looks, seen, &shade, FINE, |_| light::SKY)
 }
 
-/// The ground under everything.
+/// Returns the ground below the triangles.
 fn ground(triangles: &[Triangle]) -> [Triangle; 2] {
     let corners = triangles.iter().flat_map(|t| t.corners);
     let start = (DVec3::MAX, DVec3::MIN);
@@ -85,7 +85,7 @@ fn ground(triangles: &[Triangle]) -> [Triangle; 2] {
     [[a, b, c], [a, c, d]].map(Triangle::ground)
 }
 
-/// What comes of every item, in their order, made on all processors.
+/// Maps items in parallel, keeping their order.
 fn on_all_processors<I: Sync, T: Send>(items: &[I], one: impl Fn(&I) -> T + Sync) -> Vec<T> {
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let share = items.len().div_ceil(threads).max(1);

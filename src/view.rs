@@ -1,41 +1,43 @@
-//! The live preview: a page on loopback that shows what texts make, and keeps up with them.
+//! The live preview: a local web page that shows the models of source files and follows their changes.
 //!
-//! It answers on loopback, to no foreign page, reads no file outside of the folder that is shown, and asks nothing of any
-//! network. The page itself is written in TypeScript in `view/` and embedded by `build.rs`; what both say to one another
-//! stands in `view/src/server/api.ts`.
+//! The server listens on loopback only, rejects requests of other pages, reads no file outside the opened folder and makes
+//! no network requests. The page is written in TypeScript in `view/` and embedded by `build.rs`; `view/src/server/api.ts`
+//! defines the API.
 //!
-//! | file | does |
+//! | file | purpose |
 //! |---|---|
-//! | `desk` | where texts lie as they are written, and where the editor is |
-//! | `hall`, `made` | which files are shown; what each makes |
-//! | `houses` | its model house by house, so that a page reads again only what has changed |
-//! | `watch` | notices what is saved |
-//! | `routes`, `guard` | what the page asks for; who may ask |
-//! | `strokes` | what was drawn in the page, so that it can be taken back |
-//! | `studio` | takes the pictures that the page draws for documents |
-//! | `beside` | models that were made before, and the pictures beside them |
-//! | `page` | the files of the page |
+//! | `editor_host` | access to source files and the editor |
+//! | `workspace`, `snapshot` | the files that can be shown; the compiled state of each |
+//! | `houses` | models house by house, so that a page loads only what has changed |
+//! | `watch` | notices saved files |
+//! | `routes`, `guard` | the API; access control |
+//! | `strokes`, `history` | edits drawn in the page; undo and redo |
+//! | `screenshots` | receives the images that the page renders for documents |
+//! | `model_file` | existing models and their external textures |
+//! | `page` | the embedded files of the page |
+//! | `fingerprint` | content hashes |
 
-mod beside;
-mod desk;
+mod editor_host;
+mod fingerprint;
 mod guard;
-mod hall;
+mod history;
 mod houses;
-mod made;
+mod model_file;
 mod page;
 mod routes;
+mod screenshots;
+mod snapshot;
 mod strokes;
-mod studio;
 mod watch;
+mod workspace;
 
-pub use desk::Desk;
+pub use editor_host::EditorHost;
 pub use notify_debouncer_full::notify::RecursiveMode;
-pub use page::{how_to_get_it, there};
-pub use studio::Still;
+pub use page::{how_to_build, is_built};
+pub use screenshots::Screenshot;
 
 use crate::diagnostic::{Diagnostic, Language};
 use crate::source::{Source, reference};
-use hall::Hall;
 use std::collections::BTreeSet;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
@@ -44,77 +46,89 @@ use std::sync::Arc;
 use std::sync::mpsc::Sender;
 use std::thread::{self, JoinHandle};
 use watch::Watch;
+use workspace::Workspace;
 
-/// What is to be shown, and how.
-pub struct Show {
-    /// The folder below which all files lie that may be read.
+/// Options of a preview.
+pub struct PreviewOptions {
+    /// The folder that contains all readable files.
     pub root: PathBuf,
-    /// The only file that is shown, by its path below the root with `/`.
+    /// The only file to show, as a path relative to the root with `/`.
     pub only: Option<String>,
-    /// Of messages and of the page.
+    /// The language of diagnostics and of the page.
     pub language: Language,
-    /// Where texts lie as they are written, and where the editor is.
-    pub desk: Box<dyn Desk>,
-    /// The port; 0 = any that is free.
+    /// Access to source files and the editor.
+    pub host: Box<dyn EditorHost>,
+    /// The port; 0 for any free port.
     pub port: u16,
-    /// Folders in which files may be saved that matter.
+    /// Folders to watch for changes.
     pub watched: Vec<(PathBuf, RecursiveMode)>,
 }
 
-/// What is wrong with the pictures beside a model that was made before, and the model as a file that messages speak of.
+/// Checks the external textures of an existing model. Returns the model as a source without text, and the diagnostics.
 ///
 /// # Errors
-/// Where the model cannot be read.
-pub fn complaints(model: &Path) -> io::Result<(Source, Vec<Diagnostic>)> {
+/// If the model cannot be read.
+pub fn check_model(model: &Path) -> io::Result<(Source, Vec<Diagnostic>)> {
     let path = model.canonicalize()?;
     let root = path.parent().unwrap_or(Path::new("/"));
-    let read = beside::Model::read(root, &path)?;
-    // As the author named it.
+    let read = model_file::ModelFile::read(root, &path)?;
+    // Diagnostics show the path as given.
     let source = Source::new(read.source.id(), model.to_string_lossy(), b"");
-    Ok((source, read.said))
+    Ok((source, read.diagnostics))
 }
 
-/// The folders below that of a model in which its pictures lie: whoever shows it watches them. `model` = a real path.
-pub fn picture_folders(model: &Path) -> BTreeSet<PathBuf> {
-    beside::folders(model)
+/// Returns the folders of the external textures of a model, to be watched. `model` is a canonical path.
+pub fn texture_folders(model: &Path) -> BTreeSet<PathBuf> {
+    model_file::folders(model)
 }
 
-/// A preview that runs, on threads of its own, until the program ends.
+/// A running preview. Its threads run until the program ends.
 pub struct Preview {
-    hall: Arc<Hall>,
+    workspace: Arc<Workspace>,
     address: SocketAddr,
     server: JoinHandle<io::Result<()>>,
     _watch: Option<Watch>,
 }
 
 impl Preview {
-    /// Begins to show.
+    /// Starts a preview.
     ///
     /// # Errors
-    /// Where the root is not there, the port is taken, or folders cannot be watched.
-    pub fn start(show: Show) -> io::Result<Preview> {
-        Preview::begin(show, None)
+    /// If the root does not exist, the port is in use, or a folder cannot be watched.
+    pub fn start(options: PreviewOptions) -> io::Result<Preview> {
+        Preview::begin(options, None)
     }
 
-    /// Begins to show to a page that draws pictures for documents; `taker` gets them.
+    /// Starts a preview whose page renders images for documents and sends them to `sink`.
     ///
     /// # Errors
     /// As [`Preview::start`].
-    pub fn with_stills(show: Show, taker: Sender<Still>) -> io::Result<Preview> {
-        Preview::begin(show, Some(taker))
+    pub fn with_screenshots(
+        options: PreviewOptions,
+        sink: Sender<Screenshot>,
+    ) -> io::Result<Preview> {
+        Preview::begin(options, Some(sink))
     }
 
-    fn begin(show: Show, stills: Option<Sender<Still>>) -> io::Result<Preview> {
-        let root = show.root.canonicalize()?;
-        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, show.port))?;
+    fn begin(
+        options: PreviewOptions,
+        screenshots: Option<Sender<Screenshot>>,
+    ) -> io::Result<Preview> {
+        let root = options.root.canonicalize()?;
+        let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, options.port))?;
         listener.set_nonblocking(true)?;
         let address = listener.local_addr()?;
-        let hall = Arc::new(Hall::new(root, show.only, show.language, show.desk));
-        let watch = match &show.watched[..] {
+        let workspace = Arc::new(Workspace::new(
+            root,
+            options.only,
+            options.language,
+            options.host,
+        ));
+        let watch = match &options.watched[..] {
             [] => None,
-            folders => Some(watch::watch(&hall, folders).map_err(io::Error::other)?),
+            folders => Some(watch::watch(&workspace, folders).map_err(io::Error::other)?),
         };
-        let routes = routes::routes(hall.clone(), address.port(), stills);
+        let routes = routes::routes(workspace.clone(), address.port(), screenshots);
         let runtime = tokio::runtime::Builder::new_current_thread()
             .enable_io()
             .enable_time()
@@ -128,39 +142,39 @@ impl Preview {
                 })
             })?;
         Ok(Preview {
-            hall,
+            workspace,
             address,
             server,
             _watch: watch,
         })
     }
 
-    /// Where the page is.
+    /// Returns the address of the page.
     pub fn url(&self) -> String {
         format!("http://{}/", self.address)
     }
 
-    /// The page of a file, by its path below the root with `/`.
+    /// Returns the address of the page for a file, given as a path relative to the root with `/`.
     pub fn page(&self, file: &str) -> String {
         format!("{}?file={}", self.url(), reference(file))
     }
 
-    /// Something has changed that is not noticed by itself.
+    /// Notifies the preview of a change outside the watched folders.
     pub fn changed(&self) {
-        self.hall.changed();
+        self.workspace.changed();
     }
 
-    /// The editor stands at an offset of the text of a file.
+    /// Notifies the preview of the cursor position in a file, as a byte offset.
     pub fn cursor(&self, path: &Path, at: usize) {
-        self.hall.cursor(path, at);
+        self.workspace.cursor(path, at);
     }
 
-    /// Waits until it ends, which it does for a failure only.
+    /// Waits until the server fails.
     ///
     /// # Errors
-    /// That failure.
+    /// The failure of the server.
     pub fn wait(self) -> io::Result<()> {
-        let fault = || io::Error::other("a fault of the program");
+        let fault = || io::Error::other("internal error");
         self.server.join().map_err(|_| fault())?
     }
 }

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 use hsd::backend::images::Library;
 use hsd::backend::{flat, gltf as write, obj};
 use hsd::diagnostic::Diagnostics;
-use hsd::render::mirror::{Wishes, bake};
+use hsd::render::mirror::{BakeOptions, bake};
 use hsd::scene::Scene;
 use hsd::source::{FileId, NoFiles, Source};
 use serde_json::Value;
@@ -26,7 +26,7 @@ const DARK: &str = "-6 -9 0\n7.0\n\nKYI  KYI  KYI  KYI  KYI  KYI\nKYI  KYI  KYI\
 
 const EYE: DVec3 = dvec3(-4.0, -5.0, 1.6);
 
-const WISHES: Wishes = Wishes {
+const WISHES: BakeOptions = BakeOptions {
     eye: Some(EYE),
     longest: 160,
 };
@@ -267,7 +267,7 @@ fn panes_weigh_the_picture_by_their_shares() {
 #[test]
 fn an_eye_of_its_own_stays_in_the_street() {
     // Nobody says where the eye is: the dark house is 9 m away, and the glass shows all of what its middle faces.
-    let own = Wishes {
+    let own = BakeOptions {
         eye: None,
         ..WISHES
     };

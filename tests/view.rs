@@ -2,13 +2,13 @@
 
 mod houses;
 mod models;
-mod stills;
+mod screenshots;
 mod web;
 
 use hsd::diagnostic::Language;
 use hsd::fs::FolderWorld;
 use hsd::source::{FileId, Source, Span, World};
-use hsd::view::{Desk, Preview, RecursiveMode, Show};
+use hsd::view::{EditorHost, Preview, PreviewOptions, RecursiveMode};
 use serde_json::{Value, json};
 use std::fs;
 use std::io;
@@ -26,7 +26,7 @@ struct Files {
     read_only: bool,
 }
 
-impl Desk for Files {
+impl EditorHost for Files {
     fn read(
         &self,
         path: &Path,
@@ -80,11 +80,11 @@ fn show(texts: &[(&str, &str)], only: Option<&str>, files: Files) -> Shown {
         fs::create_dir_all(path.parent().expect("lies in a folder")).expect("can be made");
         fs::write(path, text).expect("can be written");
     }
-    let preview = Preview::start(Show {
+    let preview = Preview::start(PreviewOptions {
         root: folder.path().to_owned(),
         only: only.map(str::to_owned),
         language: Language::English,
-        desk: Box::new(files.clone()),
+        host: Box::new(files.clone()),
         port: 0,
         watched: vec![(folder.path().to_owned(), RecursiveMode::Recursive)],
     });

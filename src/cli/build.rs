@@ -4,8 +4,8 @@ mod bake;
 mod variants;
 pub(in crate::cli) mod watch;
 
-use super::options::{Fineness, Reading, exit, report};
-use super::{Outcome, Stop};
+use super::options::{DetailArgs, InputArgs, exit, report};
+use super::{Failure, Outcome};
 #[cfg(feature = "compress")]
 use crate::backend::gltf::{Glb, Ktx2};
 use crate::backend::images::Library;
@@ -38,7 +38,7 @@ Examples:
   hsd build street/*.hsd -o models/       one model per source file, in the folder `models`")]
 pub(super) struct Build {
     #[command(flatten)]
-    pub(super) reading: Reading,
+    pub(super) input_args: InputArgs,
 
     /// Write the model to this file, one model per source file into this folder (`models/`), or to standard output (`-`).
     ///
@@ -74,10 +74,10 @@ pub(super) struct Build {
     sheet: Option<PathBuf>,
 
     #[command(flatten)]
-    fineness: Fineness,
+    detail_args: DetailArgs,
 
     #[command(flatten)]
-    baking: bake::Baking,
+    bake_args: bake::BakeArgs,
 
     /// Rebuild whenever a source file or an image changes, until interrupted.
     #[arg(long)]
@@ -114,7 +114,7 @@ pub(super) struct Job {
 
 impl Build {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        self.reading.check_folders()?;
+        self.input_args.check_folders()?;
         self.check_inputs()?;
         if let Some(sheet) = &self.sheet {
             variants::check_sheet(sheet, self.variants)?;
@@ -122,8 +122,8 @@ impl Build {
         let jobs = self.jobs()?;
         for job in &jobs {
             self.check_compress(job)?;
-            job.keeps_its_texts()?;
-            job.spares_the_screen()?;
+            job.check_overwrite()?;
+            job.check_terminal()?;
         }
         if self.watch {
             return watch::run(self, &jobs, language);
@@ -137,29 +137,29 @@ impl Build {
 
     /// Runs all jobs; a failed job does not stop the others.
     pub(super) fn all(&self, jobs: &[Job], language: Language) -> Outcome {
-        let status = Status::new(self.quiet, jobs.len(), language);
+        let progress = Progress::new(self.quiet, jobs.len(), language);
         let (mut spoiled, mut failure) = (0, None);
         for job in jobs {
-            match self.one(job, &status) {
+            match self.one(job, &progress) {
                 Ok(true) => spoiled += 1,
                 Ok(false) => {}
-                Err(Stop::Io(message)) => {
-                    if let Some(Stop::Io(before)) = failure.replace(Stop::Io(message)) {
-                        status.line(&text!([before] "hsd: {before}", "hsd: {before}"))?;
+                Err(Failure::Io(message)) => {
+                    if let Some(Failure::Io(before)) = failure.replace(Failure::Io(message)) {
+                        progress.line(&text!([before] "hsd: {before}", "hsd: {before}"))?;
                     }
                 }
                 Err(stop) => return Err(stop),
             }
-            status.advance();
+            progress.advance();
         }
-        status.finish();
+        progress.finish();
         if let Some(stop) = failure {
             return Err(stop);
         }
         if jobs.len() > 1 && !self.quiet {
             let written = counted(jobs.len() - spoiled, MODEL);
             let unwritten = counted(spoiled, MODEL);
-            status.line(&match spoiled {
+            progress.line(&match spoiled {
                 0 => text!([written] "wrote {written}", "{written}を書きました"),
                 _ => text!([written, unwritten]
                     "wrote {written}, {unwritten} not written",
@@ -171,12 +171,12 @@ impl Build {
     }
 
     /// Runs one job; returns whether its source files have errors.
-    fn one(&self, job: &Job, status: &Status) -> Result<bool, Stop> {
+    fn one(&self, job: &Job, progress: &Progress) -> Result<bool, Failure> {
         let start = Instant::now();
         let mut out = Diagnostics::new();
-        let limits = self.reading.limits();
+        let limits = self.input_args.limits();
         let inputs = Inputs::read(&job.inputs, limits.bytes, &mut out)?;
-        let world = self.reading.world(&job.inputs);
+        let world = self.input_args.world(&job.inputs);
         let options = self.options(job.seed, &inputs, &mut out)?;
         let mut compiled = driver::compile(&inputs.accepted(), &world, &options, &mut out);
         let Compiled {
@@ -188,16 +188,16 @@ impl Build {
         driver::flaws(&compiled, &mut out);
         let list = out.into_sorted();
         let included = std::mem::take(&mut compiled.included);
-        status.report(&inputs.and(included), &list)?;
-        if list.iter().any(|d| self.reading.spoils(d.severity)) {
+        progress.report(&inputs.and(included), &list)?;
+        if list.iter().any(|d| self.input_args.spoils(d.severity)) {
             return Ok(true);
         }
         let mut times = std::mem::take(&mut compiled.times);
         // Only the scene is needed from here on; frees the memory of a town's walls and roofs.
         let houses = std::mem::take(&mut compiled.building).houses.len();
-        if self.baking.bake {
+        if self.bake_args.bake {
             driver::timed(&mut times, "bake", || {
-                self.baking.run(&mut compiled.scene, &mut library);
+                self.bake_args.run(&mut compiled.scene, &mut library);
             });
         }
         let scene = &compiled.scene;
@@ -209,12 +209,12 @@ impl Build {
             let files = job.model.files(scene, &library, &job.output, beside);
             output::write(&job.output, files)
         })?;
-        if status.chatty || self.stats {
+        if progress.verbose || self.stats {
             let counts = (houses, scene.stats().triangles);
-            status.line(&told(&job.output, counts, size, start.elapsed()))?;
+            progress.line(&summary(&job.output, counts, size, start.elapsed()))?;
         }
         if self.stats {
-            status.line(&statistics(scene, &times))?;
+            progress.line(&statistics(scene, &times))?;
         }
         Ok(false)
     }
@@ -225,10 +225,10 @@ impl Build {
         seed: Option<u64>,
         inputs: &Inputs,
         out: &mut Diagnostics,
-    ) -> Result<driver::Options, Stop> {
+    ) -> Result<driver::Options, Failure> {
         let mut options = driver::Options {
-            detail: self.fineness.detail(),
-            ..self.reading.options(inputs, out)?
+            detail: self.detail_args.detail(),
+            ..self.input_args.options(inputs, out)?
         };
         match seed {
             Some(_) => options.expand.seed = seed,
@@ -238,12 +238,12 @@ impl Build {
     }
 
     /// Fails if an input is a model: its name was meant for `-o`.
-    fn check_inputs(&self) -> Result<(), Stop> {
-        let is_model = |i: &&PathBuf| Model::of_ending(i).is_some();
-        match self.reading.inputs.iter().find(is_model) {
+    fn check_inputs(&self) -> Result<(), Failure> {
+        let is_model = |i: &&PathBuf| Model::of_extension(i).is_some();
+        match self.input_args.inputs.iter().find(is_model) {
             Some(model) => {
                 let shown = model.display();
-                Err(Stop::Usage(text!(
+                Err(Failure::Usage(text!(
                     "{shown} is a model, not a source file: name the output with -o, as in `-o {shown}`",
                     "{shown} はテキストではなくモデルです。出力先は `-o {shown}` のように -o で指定してください"
                 )))
@@ -253,7 +253,7 @@ impl Build {
     }
 
     /// Fails if `--compress` is given but not supported by the format or this build.
-    fn check_compress(&self, job: &Job) -> Result<(), Stop> {
+    fn check_compress(&self, job: &Job) -> Result<(), Failure> {
         let message = match (self.compress, job.model) {
             (false, _) => return Ok(()),
             (true, Model::Glb) if cfg!(feature = "compress") => return Ok(()),
@@ -263,15 +263,15 @@ impl Build {
                 "--compress で書けるのは .glb だけです",
             ),
         };
-        Err(Stop::Usage(message.into()))
+        Err(Failure::Usage(message.into()))
     }
 
     /// Returns the models to build.
-    fn jobs(&self) -> Result<Vec<Job>, Stop> {
-        let inputs = &self.reading.inputs;
+    fn jobs(&self) -> Result<Vec<Job>, Failure> {
+        let inputs = &self.input_args.inputs;
         let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
         if stdin > 1 || (stdin > 0 && self.watch) {
-            return Err(Stop::stdin_twice());
+            return Err(Failure::stdin_twice());
         }
         if self.sheet.is_some() && self.output.is_none() {
             return Ok(vec![]);
@@ -280,13 +280,13 @@ impl Build {
             let model = self.format.unwrap_or_default();
             return each(inputs, model, |input| match input.as_os_str() == STDIN {
                 true => input.to_owned(),
-                false => input.with_extension(model.ending()),
+                false => input.with_extension(model.extension()),
             });
         };
         let text = output.to_string_lossy();
         if output.is_dir() || text.ends_with(['/', std::path::MAIN_SEPARATOR]) {
             let made = std::fs::create_dir_all(output);
-            made.map_err(|e| Stop::at(output.display(), e))?;
+            made.map_err(|e| Failure::at(output.display(), e))?;
             let model = self.format.unwrap_or_default();
             let jobs = each(inputs, model, |input| {
                 let stem = if input.as_os_str() == STDIN {
@@ -295,7 +295,7 @@ impl Build {
                     input
                 };
                 let name = stem.file_name().map(PathBuf::from).unwrap_or_default();
-                output.join(name.with_extension(model.ending()))
+                output.join(name.with_extension(model.extension()))
             })?;
             return self.each_variant(jobs);
         }
@@ -307,7 +307,7 @@ impl Build {
         };
         let several = self.textures_beside || matches!(model, Model::Gltf | Model::Obj);
         if stdout && several {
-            return Err(Stop::Usage(text!(
+            return Err(Failure::Usage(text!(
                 "only a single file can be written to standard output: .glb or .stl, with textures embedded",
                 "標準出力に書けるのは単一のファイル (.glb か .stl、テクスチャーは埋め込み) だけです"
             )));
@@ -323,14 +323,14 @@ impl Build {
 
 impl Job {
     /// Fails if the model would overwrite a source file.
-    fn keeps_its_texts(&self) -> Result<(), Stop> {
+    fn check_overwrite(&self) -> Result<(), Failure> {
         let real = |p: &Path| p.canonicalize().ok();
         let output = real(&self.output);
         let same = |input: &&PathBuf| output.is_some() && real(input) == output;
         match self.inputs.iter().find(same) {
             Some(text) if text.is_file() => {
                 let shown = text.display();
-                Err(Stop::Usage(text!(
+                Err(Failure::Usage(text!(
                     "{shown} is an input and would be overwritten",
                     "{shown} は入力のテキストなので、上書きできません"
                 )))
@@ -340,9 +340,9 @@ impl Job {
     }
 
     /// Fails if the model would be written to a terminal.
-    fn spares_the_screen(&self) -> Result<(), Stop> {
+    fn check_terminal(&self) -> Result<(), Failure> {
         if self.output.as_os_str() == STDIN && io::stdout().is_terminal() {
-            return Err(Stop::Usage(text!(
+            return Err(Failure::Usage(text!(
                 "a model cannot be printed on a terminal; name a file with -o, as in `-o house.glb`",
                 "モデルは端末に出力できません。`-o house.glb` のように -o でファイルを指定してください"
             )));
@@ -361,7 +361,7 @@ fn each(
     inputs: &[PathBuf],
     model: Model,
     output: impl Fn(&Path) -> PathBuf,
-) -> Result<Vec<Job>, Stop> {
+) -> Result<Vec<Job>, Failure> {
     let mut jobs: Vec<Job> = vec![];
     let mut taken = std::collections::HashMap::new();
     // The catalogue file of a folder contains no house.
@@ -370,7 +370,7 @@ fn each(
         let output = output(input);
         let key = output.to_string_lossy().to_lowercase();
         if let Some(other) = taken.insert(key, input) {
-            return Err(Stop::one_output(other, input, &output));
+            return Err(Failure::one_output(other, input, &output));
         }
         jobs.push(Job {
             inputs: vec![input.clone()],
@@ -384,19 +384,19 @@ fn each(
 
 /// Writes a compressed model and returns its size in bytes.
 #[cfg(feature = "compress")]
-fn compressed(scene: &Scene, library: &Library, output: &Path) -> Result<u64, Stop> {
+fn compressed(scene: &Scene, library: &Library, output: &Path) -> Result<u64, Failure> {
     let pictures = Ktx2::new(scene, library);
     let glb = Glb::compressed(scene, &pictures);
     output::write(output, output::Files::glb(glb))
 }
 
 #[cfg(not(feature = "compress"))]
-fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Stop> {
-    Err(Stop::Usage(NO_COMPRESS.into()))
+fn compressed(_: &Scene, _: &Library, _: &Path) -> Result<u64, Failure> {
+    Err(Failure::Usage(NO_COMPRESS.into()))
 }
 
 /// The summary of a model: `wrote shop.glb: 1 house, 5230 triangles, 1.2 MB in 12 ms`.
-fn told(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> Text {
+fn summary(output: &Path, (houses, triangles): (usize, usize), size: u64, took: Duration) -> Text {
     let place = match output.as_os_str() == STDIN {
         true => text!("the model", "モデル"),
         false => output.display().to_string().into(),
@@ -426,21 +426,21 @@ fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> Text {
 }
 
 /// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
-struct Status {
+struct Progress {
     language: Language,
     /// Whether a line is printed for each model.
-    chatty: bool,
+    verbose: bool,
     start: Instant,
     jobs: usize,
     done: std::cell::Cell<u64>,
     bar: OnceCell<ProgressBar>,
 }
 
-impl Status {
-    fn new(quiet: bool, jobs: usize, language: Language) -> Status {
-        Status {
+impl Progress {
+    fn new(quiet: bool, jobs: usize, language: Language) -> Progress {
+        Progress {
             language,
-            chatty: !quiet && jobs == 1,
+            verbose: !quiet && jobs == 1,
             start: Instant::now(),
             jobs,
             done: 0.into(),
@@ -448,13 +448,13 @@ impl Status {
         }
     }
 
-    fn line(&self, text: &Text) -> Result<(), Stop> {
+    fn line(&self, text: &Text) -> Result<(), Failure> {
         let text = text.in_language(self.language);
         self.above(|| writeln!(io::stderr(), "{text}"))?;
         Ok(())
     }
 
-    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<(), Stop> {
+    fn report(&self, sources: &[Source], list: &[Diagnostic]) -> Result<(), Failure> {
         if list.is_empty() {
             return Ok(());
         }

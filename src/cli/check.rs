@@ -1,6 +1,6 @@
 //! `hsd check`: prints the diagnostics of source files.
 
-use super::options::{FormatArg, Reading, exit, report};
+use super::options::{FormatArg, InputArgs, exit, report};
 use super::{Exit, Outcome};
 use crate::cli::files::input::Inputs;
 use crate::cli::files::terminal::{FILE, HOUSE, counted};
@@ -22,7 +22,7 @@ Examples:
   hsd check -D warnings --format short *.hsd    print one line per diagnostic; treat warnings as errors")]
 pub(super) struct Check {
     #[command(flatten)]
-    reading: Reading,
+    input_args: InputArgs,
 
     /// Set the format of diagnostics on standard output.
     #[arg(long, value_enum, default_value_t)]
@@ -31,13 +31,13 @@ pub(super) struct Check {
 
 impl Check {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        self.reading.check_folders()?;
-        let limits = self.reading.limits();
+        self.input_args.check_folders()?;
+        let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
-        let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
-        let options = self.reading.options(&inputs, &mut out)?;
+        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out)?;
+        let options = self.input_args.options(&inputs, &mut out)?;
         let sources = inputs.accepted();
-        let world = self.reading.world(&self.reading.inputs);
+        let world = self.input_args.world(&self.input_args.inputs);
         let checked = driver::check(&sources, &world, &options, &mut out);
         let list = out.into_sorted();
         let format = Format::from(self.format);
@@ -61,6 +61,8 @@ impl Check {
         if failed {
             return Ok(Exit::Unread);
         }
-        Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))
+        Ok(exit(
+            list.iter().any(|d| self.input_args.spoils(d.severity)),
+        ))
     }
 }

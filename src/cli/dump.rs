@@ -1,7 +1,7 @@
 //! `hsd dump`: prints the intermediate representations of the compiler.
 
-use super::options::{Reading, exit, report};
-use super::{Outcome, Stop};
+use super::options::{InputArgs, exit, report};
+use super::{Failure, Outcome};
 use crate::backend::dump;
 use crate::backend::regions_svg::regions_svg;
 use crate::cli::files::input::Inputs;
@@ -23,19 +23,19 @@ Examples:
   hsd dump --stage program shop.hsd | jq .houses     print resolved codes and expanded repeats")]
 pub(super) struct Dump {
     #[command(flatten)]
-    reading: Reading,
+    input_args: InputArgs,
 
     /// Select the stage.
     #[arg(long, value_enum)]
     stage: Stage,
 
     /// Set the output format.
-    #[arg(long, value_enum, default_value_t = Form::Json)]
-    format: Form,
+    #[arg(long, value_enum, default_value_t = DumpFormat::Json)]
+    format: DumpFormat,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Form {
+enum DumpFormat {
     /// One line of JSON.
     Json,
     /// A drawing; only for regions.
@@ -58,21 +58,21 @@ enum Stage {
 
 impl Dump {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        if self.format == Form::Svg && self.stage != Stage::Regions {
-            return Err(Stop::Usage(text!(
+        if self.format == DumpFormat::Svg && self.stage != Stage::Regions {
+            return Err(Failure::Usage(text!(
                 "`--format svg` requires `--stage regions`",
                 "`--format svg` は `--stage regions` でしか使えません"
             )));
         }
-        self.reading.check_folders()?;
+        self.input_args.check_folders()?;
         let mut out = Diagnostics::new();
-        let limit = self.reading.limits().bytes;
-        let inputs = Inputs::read(&self.reading.inputs, limit, &mut out)?;
+        let limit = self.input_args.limits().bytes;
+        let inputs = Inputs::read(&self.input_args.inputs, limit, &mut out)?;
         let mut included = vec![];
-        let options = self.reading.options(&inputs, &mut out)?;
+        let options = self.input_args.options(&inputs, &mut out)?;
         let text = self.text(&inputs.accepted(), &options, &mut included, &mut out);
-        let text =
-            text.map_err(|e| Stop::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}")))?;
+        let text = text
+            .map_err(|e| Failure::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}")))?;
         let list = out.into_sorted();
         if !list.is_empty() {
             report(
@@ -84,7 +84,9 @@ impl Dump {
         let mut stdout = io::stdout().lock();
         stdout.write_all(text.as_bytes())?;
         stdout.flush()?;
-        Ok(exit(list.iter().any(|d| self.reading.spoils(d.severity))))
+        Ok(exit(
+            list.iter().any(|d| self.input_args.spoils(d.severity)),
+        ))
     }
 
     fn text(
@@ -94,7 +96,7 @@ impl Dump {
         included: &mut Vec<Source>,
         out: &mut Diagnostics,
     ) -> serde_json::Result<String> {
-        let world = self.reading.world(&self.reading.inputs);
+        let world = self.input_args.world(&self.input_args.inputs);
         let driver::Read {
             documents,
             included: read,
@@ -110,7 +112,7 @@ impl Dump {
         }
         let building = driver::building(program, &catalog, out);
         match self.stage {
-            Stage::Regions if self.format == Form::Svg => Ok(regions_svg(&building)),
+            Stage::Regions if self.format == DumpFormat::Svg => Ok(regions_svg(&building)),
             Stage::Regions => dump::regions(&building),
             Stage::Scene => {
                 let scene = driver::scene(&building, &catalog, Detail::default());

@@ -1,6 +1,6 @@
 //! `hsd explain`: prints the page of a diagnostic.
 
-use super::{Exit, Outcome, Stop};
+use super::{Exit, Failure, Outcome};
 use crate::diagnostic::{Code, Language, pages};
 use crate::report::title;
 use crate::text;
@@ -49,9 +49,9 @@ fn number(text: &str) -> Option<u16> {
     digits.parse().ok()
 }
 
-fn unknown(text: &str) -> Stop {
+fn unknown(text: &str) -> Failure {
     let Some(wanted) = number(text) else {
-        return Stop::Usage(text!(
+        return Failure::Usage(text!(
             "{text:?} is not a diagnostic code; codes look like HSD0104, `hsd explain` lists them",
             "{text:?} は指摘のコードではありません。コードは HSD0104 のような形で、`hsd explain` で一覧できます"
         ));
@@ -62,7 +62,7 @@ fn unknown(text: &str) -> Stop {
     near.sort_unstable();
     let near: Vec<String> = near.iter().map(Code::to_string).collect();
     let (wanted, near) = (Code(wanted), near.join(", "));
-    Stop::Usage(text!(
+    Failure::Usage(text!(
         "no diagnostic {wanted}; the nearest are {near}",
         "{wanted} という指摘はありません。近いものは {near} です"
     ))

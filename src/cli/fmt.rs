@@ -1,7 +1,7 @@
 //! `hsd fmt`: formats source files, in place or to other files.
 
-use super::options::{Reading, report};
-use super::{Exit, Outcome, Stop};
+use super::options::{InputArgs, report};
+use super::{Exit, Failure, Outcome};
 use crate::cli::files::diff;
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output;
@@ -32,7 +32,7 @@ Examples:
   hsd fmt --to xml shop.hsd -o shop-xml.hsd    convert to the XML notation")]
 pub(super) struct Fmt {
     #[command(flatten)]
-    reading: Reading,
+    input_args: InputArgs,
 
     /// Write to this file, into this folder (`tidy/`), or to standard output (`-`) instead of in place.
     #[arg(short, long, value_name = "OUT")]
@@ -46,23 +46,23 @@ pub(super) struct Fmt {
     ///
     /// Anything the notation cannot express is reported as an error. The legacy notation has no repeats; they are expanded.
     #[arg(long, value_enum, value_name = "FORM")]
-    to: Option<To>,
+    to: Option<Notation>,
 }
 
 /// The notations of `--to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum To {
+enum Notation {
     /// Elements and attributes.
     Xml,
     /// Lines of five-character codes.
     Legacy,
 }
 
-impl To {
+impl Notation {
     fn form(self) -> Form {
         match self {
-            To::Xml => Form::Xml,
-            To::Legacy => Form::Legacy,
+            Notation::Xml => Form::Xml,
+            Notation::Legacy => Form::Legacy,
         }
     }
 }
@@ -78,12 +78,12 @@ struct Tally {
 
 impl Fmt {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        self.reading.check_folders()?;
+        self.input_args.check_folders()?;
         let targets = self.targets()?;
-        let limits = self.reading.limits();
+        let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
-        let inputs = Inputs::readable(&self.reading.inputs, limits.bytes, &mut out)?;
-        let options = self.reading.options(&inputs, &mut out)?;
+        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out)?;
+        let options = self.input_args.options(&inputs, &mut out)?;
         let mut tally = Tally::default();
         for ((source, target), accepted) in inputs.sources.iter().zip(&targets).zip(inputs.taken())
         {
@@ -95,8 +95,8 @@ impl Fmt {
         }
         let list = out.into_sorted();
         if !list.is_empty() {
-            let told = Report::new(&inputs.sources, &list).in_language(language);
-            report(&told, Format::Human, &mut io::stderr())?;
+            let written = Report::new(&inputs.sources, &list).in_language(language);
+            report(&written, Format::Human, &mut io::stderr())?;
         }
         self.sum_up(&tally, inputs.sources.len(), language)?;
         Ok(match () {
@@ -117,7 +117,7 @@ impl Fmt {
         if self.to.is_none_or(|to| to.form() == here) {
             return print::format(source, &options.expand.limits, out);
         }
-        let world = self.reading.world(&self.reading.inputs);
+        let world = self.input_args.world(&self.input_args.inputs);
         driver::convert(source, &world, options, out)
     }
 
@@ -129,7 +129,7 @@ impl Fmt {
         target: &Path,
         tally: &mut Tally,
         language: Language,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Failure> {
         let changes = text != source.text();
         tally.changed += usize::from(changes);
         if self.check {
@@ -145,18 +145,18 @@ impl Fmt {
         }
         if in_place && fs::metadata(target).is_ok_and(|m| m.permissions().readonly()) {
             let denied = io::Error::from(io::ErrorKind::PermissionDenied);
-            return Err(Stop::at(target.display(), denied));
+            return Err(Failure::at(target.display(), denied));
         }
         let bytes = print::encode(text, source);
         output::write(target, Files::bytes(bytes)).map(drop)
     }
 
     /// Returns the output path of each input.
-    fn targets(&self) -> Result<Vec<PathBuf>, Stop> {
-        let inputs = &self.reading.inputs;
+    fn targets(&self) -> Result<Vec<PathBuf>, Failure> {
+        let inputs = &self.input_args.inputs;
         let stdin = inputs.iter().filter(|i| i.as_os_str() == STDIN).count();
         if stdin > 1 {
-            return Err(Stop::stdin_twice());
+            return Err(Failure::stdin_twice());
         }
         let Some(output) = &self.output else {
             return Ok(inputs.clone());
@@ -165,12 +165,12 @@ impl Fmt {
             .to_string_lossy()
             .ends_with(['/', std::path::MAIN_SEPARATOR]);
         if output.is_dir() || folder {
-            fs::create_dir_all(output).map_err(|e| Stop::at(output.display(), e))?;
+            fs::create_dir_all(output).map_err(|e| Failure::at(output.display(), e))?;
             return into_folder(inputs, output);
         }
         if inputs.len() > 1 {
             let shown = output.display();
-            return Err(Stop::Usage(text!(
+            return Err(Failure::Usage(text!(
                 "{shown} is a single file; for several inputs name a folder, as in `-o {shown}/`",
                 "{shown} に書けるテキストはひとつです。複数の場合は `-o {shown}/` のようにフォルダーを指定してください"
             )));
@@ -178,13 +178,13 @@ impl Fmt {
         Ok(vec![output.clone()])
     }
 
-    fn sum_up(&self, tally: &Tally, all: usize, language: Language) -> Result<(), Stop> {
+    fn sum_up(&self, tally: &Tally, all: usize, language: Language) -> Result<(), Failure> {
         let stdout = |path: &PathBuf| path.as_os_str() == STDIN;
-        if self.output.is_some() || self.reading.inputs.iter().any(stdout) {
+        if self.output.is_some() || self.input_args.inputs.iter().any(stdout) {
             return Ok(());
         }
         let (files, changed) = (counted(all, FILE), tally.changed);
-        let told = if self.check {
+        let written = if self.check {
             text!([files]
                 "{files}, {changed} would be reformatted",
                 "{files}中 {changed} が整形の対象です"
@@ -192,13 +192,13 @@ impl Fmt {
         } else {
             text!([files] "{files}, {changed} reformatted", "{files}中 {changed} を整形しました")
         };
-        writeln!(io::stderr(), "{}", told.in_language(language))?;
+        writeln!(io::stderr(), "{}", written.in_language(language))?;
         Ok(())
     }
 }
 
 /// Returns a path in `folder` for each input, with the same file name.
-fn into_folder(inputs: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Stop> {
+fn into_folder(inputs: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let mut taken = std::collections::BTreeMap::new();
     let mut targets = vec![];
     for input in inputs {
@@ -208,7 +208,7 @@ fn into_folder(inputs: &[PathBuf], folder: &Path) -> Result<Vec<PathBuf>, Stop> 
         };
         let target = folder.join(name);
         if let Some(other) = taken.insert(target.to_string_lossy().to_lowercase(), input) {
-            return Err(Stop::one_output(other, input, &target));
+            return Err(Failure::one_output(other, input, &target));
         }
         targets.push(target);
     }

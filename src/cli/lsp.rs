@@ -19,8 +19,8 @@ pub(super) struct Lsp {
 
 impl Lsp {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        let polite = lsp::serve(BufReader::new(io::stdin()), io::stdout(), language);
+        let orderly = lsp::serve(BufReader::new(io::stdin()), io::stdout(), language);
         // The protocol requires status 1 for `exit` without a preceding `shutdown`.
-        Ok(if polite { Exit::Done } else { Exit::Errors })
+        Ok(if orderly { Exit::Done } else { Exit::Errors })
     }
 }

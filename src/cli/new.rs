@@ -1,6 +1,6 @@
 //! `hsd new`: creates a source file from a template.
 
-use super::{Exit, Outcome, Stop};
+use super::{Exit, Failure, Outcome};
 use crate::cli::files::input::STDIN;
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
@@ -50,22 +50,22 @@ impl New {
             None => PathBuf::from(format!("{}.hsd", kind.word)),
         };
         let shown = path.display();
-        let screen = path.as_os_str() == STDIN;
+        let stdout = path.as_os_str() == STDIN;
         // A dangling link counts as existing.
-        if !screen && !self.force && path.symlink_metadata().is_ok() {
-            return Err(Stop::Io(text!(
+        if !stdout && !self.force && path.symlink_metadata().is_ok() {
+            return Err(Failure::Io(text!(
                 "{shown} already exists; overwrite it with --force or choose another name with -o",
                 "{shown} はすでにあります。--force で上書きするか、-o で別の名前を指定してください"
             )));
         }
         output::write(&path, Files::bytes(kind.text().into_bytes()))?;
-        if !screen {
+        if !stdout {
             let (ja, en) = (kind.ja, kind.en);
-            let said = text!(
+            let message = text!(
                 "wrote {shown}: {ja}, {en}; `hsd params {shown}` lists its parameters",
                 "{shown} を書きました: {ja}。パラメーターは `hsd params {shown}` で一覧できます"
             );
-            writeln!(io::stderr(), "{}", said.in_language(language))?;
+            writeln!(io::stderr(), "{}", message.in_language(language))?;
         }
         Ok(Exit::Done)
     }
@@ -103,29 +103,29 @@ fn list(language: Language) -> Outcome {
 }
 
 /// Returns the error for a name that matches several templates, or none.
-fn undecided(name: &str, found: &[&Template]) -> Stop {
+fn undecided(name: &str, found: &[&Template]) -> Failure {
     let list = |templates: &[&Template]| {
         let names = templates.iter().map(|t| format!("{} ({})", t.word, t.ja));
         names.collect::<Vec<_>>().join(", ")
     };
     if !found.is_empty() {
         let found = list(found);
-        return Stop::Usage(text!(
+        return Failure::Usage(text!(
             "{name:?} is ambiguous: choose one of {found} with `hsd new TYPE`",
             "{name:?} に当てはまるのは {found} です。`hsd new TYPE` でひとつを選んでください"
         ));
     }
     if let Some(note) = Template::absent(name) {
-        return Stop::Usage(Text::from(*note));
+        return Failure::Usage(Text::from(*note));
     }
     match &*Template::nearest(name) {
-        [] => Stop::Usage(text!(
+        [] => Failure::Usage(text!(
             "no house type {name:?}; `hsd new` lists them all",
             "{name:?} という類型はありません。`hsd new` で一覧できます"
         )),
         near => {
             let near = list(near);
-            Stop::Usage(text!(
+            Failure::Usage(text!(
                 "no house type {name:?}; the nearest are {near}; `hsd new` lists them all",
                 "{name:?} という類型はありません。近いものは {near} です。`hsd new` で一覧できます"
             ))

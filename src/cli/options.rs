@@ -1,6 +1,6 @@
 //! Options shared by several subcommands.
 
-use super::{Exit, Stop};
+use super::{Exit, Failure};
 use crate::cli::files::input::{Inputs, STDIN};
 use crate::diagnostic::{Diagnostics, Severity};
 use crate::driver;
@@ -17,26 +17,26 @@ use std::path::{Path, PathBuf};
 
 /// Input files and the options for reading them.
 #[derive(Clone, Debug, Args)]
-pub(super) struct Reading {
+pub(super) struct InputArgs {
     /// House files to read; `-` for standard input.
     #[arg(required = true, value_name = "IN")]
     pub(super) inputs: Vec<PathBuf>,
 
     #[command(flatten)]
-    pub(super) manner: Manner,
+    pub(super) read_args: ReadArgs,
 }
 
-impl Deref for Reading {
-    type Target = Manner;
+impl Deref for InputArgs {
+    type Target = ReadArgs;
 
-    fn deref(&self) -> &Manner {
-        &self.manner
+    fn deref(&self) -> &ReadArgs {
+        &self.read_args
     }
 }
 
 /// Options for reading source files.
 #[derive(Clone, Debug, Args)]
-pub(super) struct Manner {
+pub(super) struct ReadArgs {
     /// Search this folder for part images; repeatable.
     ///
     /// By default, the folder of each source file and its `textures` subfolder are searched.
@@ -90,20 +90,20 @@ pub(super) struct Manner {
 
 /// The level of detail of a model.
 #[derive(Clone, Copy, Debug, Args)]
-pub(super) struct Fineness {
+pub(super) struct DetailArgs {
     /// Set the level of detail: 0 walls and roofs, 1 a texture per part, 2 openings and heavy bars as geometry,
     /// 3 everything as geometry.
     #[arg(long, value_name = "0..3", default_value_t = 3, value_parser = clap::value_parser!(u8).range(0..=3))]
     detail: u8,
 }
 
-impl Fineness {
+impl DetailArgs {
     pub(super) fn detail(self) -> Detail {
         Detail::ALL[usize::from(self.detail)]
     }
 }
 
-impl Manner {
+impl ReadArgs {
     pub(super) fn limits(&self) -> Limits {
         Limits {
             bytes: self.max_bytes.min(u32::MAX as usize), // spans count in 32 bits
@@ -119,7 +119,7 @@ impl Manner {
         &self,
         inputs: &Inputs,
         out: &mut Diagnostics,
-    ) -> Result<driver::Options, Stop> {
+    ) -> Result<driver::Options, Failure> {
         let expand = expand::Options {
             seed: self.seed,
             limits: self.limits(),
@@ -181,12 +181,12 @@ impl Manner {
     }
 
     /// Fails if a folder named on the command line does not exist.
-    pub(super) fn check_folders(&self) -> Result<(), Stop> {
+    pub(super) fn check_folders(&self) -> Result<(), Failure> {
         let mut named = self.textures.iter().chain(&self.root);
         match named.find(|f| !f.is_dir()) {
             Some(f) => {
                 let shown = f.display();
-                Err(Stop::Io(text!(
+                Err(Failure::Io(text!(
                     "{shown}: no such folder",
                     "{shown}: そのようなフォルダーはありません"
                 )))
@@ -255,7 +255,7 @@ pub(super) fn report(
     report: &Report<'_>,
     format: Format,
     stream: &mut (impl Write + IsTerminal),
-) -> Result<(), Stop> {
+) -> Result<(), Failure> {
     let style = crate::cli::files::terminal::style(stream);
     let mut text = vec![];
     report.write(format, style, &mut text)?;

@@ -1,7 +1,7 @@
 //! `hsd params`: lists the parameters of source files.
 
-use super::options::{Reading, exit, report};
-use super::{Outcome, Stop};
+use super::options::{InputArgs, exit, report};
+use super::{Failure, Outcome};
 use crate::ast::{Document, Parameter};
 use crate::cli::files::input::Inputs;
 use crate::diagnostic::messages::xml::bounds;
@@ -23,7 +23,7 @@ Examples:
   hsd build machiya.hsd --param frontage=5       set one of them")]
 pub(super) struct Params {
     #[command(flatten)]
-    reading: Reading,
+    input_args: InputArgs,
 
     /// Set the output format.
     #[arg(long, value_enum, default_value_t)]
@@ -49,12 +49,12 @@ struct Row<'a> {
 
 impl Params {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        self.reading.check_folders()?;
-        let limits = self.reading.limits();
+        self.input_args.check_folders()?;
+        let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
-        let inputs = Inputs::read(&self.reading.inputs, limits.bytes, &mut out)?;
-        let options = self.reading.options(&inputs, &mut out)?;
-        let world = self.reading.world(&self.reading.inputs);
+        let inputs = Inputs::read(&self.input_args.inputs, limits.bytes, &mut out)?;
+        let options = self.input_args.options(&inputs, &mut out)?;
+        let world = self.input_args.world(&self.input_args.inputs);
         let sources = inputs.accepted();
         let read = driver::documents(&sources, &world, &options, &mut out);
         let names = sources.iter().map(|s| s.name());
@@ -68,7 +68,7 @@ impl Params {
                     .collect();
                 let text = serde_json::to_string_pretty(&rows);
                 text.map_err(|e| {
-                    Stop::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
+                    Failure::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
                 })? + "\n"
             }
         };

@@ -4,7 +4,7 @@ mod custom;
 mod sheet;
 
 use super::options::exit;
-use super::{Outcome, Stop};
+use super::{Failure, Outcome};
 use crate::catalog::{PartDef, Query};
 use crate::cli::files::terminal::{padded, width};
 use crate::diagnostic::{Language, Noun, Text, noun};
@@ -20,10 +20,10 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Examples:
-  hsd parts lattice            list the parts with `lattice` in a name
-  hsd parts --format json K    list all walls as JSON
-  hsd parts --sheet parts.html write a page with an image of each part
-  hsd parts --catalog own.hsd  list the custom parts of a file
+  hsd parts lattice                list the parts with `lattice` in a name
+  hsd parts --format json K        list all walls as JSON
+  hsd parts --sheet parts.html     write a page with an image of each part
+  hsd parts --catalog custom.hsd   list the custom parts of a file
 
 Classes: K wall, T door, M window, G lattice, H post, A opening, N contemporary.")]
 pub(super) struct Parts {
@@ -34,7 +34,7 @@ pub(super) struct Parts {
 
     /// Set the output format.
     #[arg(long, value_enum, default_value_t)]
-    format: List,
+    format: ListFormat,
 
     /// List the custom parts of this file instead; repeatable.
     #[arg(long = "catalog", value_name = "FILE")]
@@ -46,7 +46,7 @@ pub(super) struct Parts {
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum List {
+enum ListFormat {
     /// A table.
     #[default]
     Table,
@@ -56,12 +56,12 @@ enum List {
 
 impl Parts {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        let own;
+        let custom;
         let (all, sound): (&[PartDef], bool) = match self.catalogs.is_empty() {
             true => (parse::builtin().parts(), true),
             false => {
-                own = crate::cli::parts::custom::read(&self.catalogs, language)?;
-                (own.parts(), own.sound)
+                custom = custom::read(&self.catalogs, language)?;
+                (custom.parts(), custom.sound)
             }
         };
         let parts: Vec<&PartDef> = all.iter().filter(|p| self.takes(p)).collect();
@@ -70,11 +70,11 @@ impl Parts {
             return Ok(exit(!sound));
         }
         let text = match self.format {
-            List::Table => table(&parts, language),
-            List::Json => {
+            ListFormat::Table => table(&parts, language),
+            ListFormat::Json => {
                 let text = serde_json::to_string_pretty(&parts);
                 text.map_err(|e| {
-                    Stop::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
+                    Failure::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
                 })? + "\n"
             }
         };

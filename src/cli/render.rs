@@ -2,9 +2,9 @@
 
 mod browser;
 
-use super::options::{Fineness, Manner, exit, report};
-use super::view::{Disk, page_is_there};
-use super::{Outcome, Stop};
+use super::options::{DetailArgs, ReadArgs, exit, report};
+use super::view::{FileHost, check_page};
+use super::{Failure, Outcome};
 use crate::cli::files::input::Inputs;
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
@@ -14,7 +14,7 @@ use crate::report::{Format, Report};
 use crate::source::Source;
 use crate::text;
 use crate::texture;
-use crate::view::{self, Preview, Show, Still};
+use crate::view::{self, Preview, PreviewOptions, Screenshot};
 use browser::Browser;
 use clap::{Args, ValueEnum};
 use std::io::{self, Write};
@@ -26,10 +26,10 @@ use std::time::{Duration, Instant};
 const QUALITY: u8 = 88;
 
 /// The maximum time without a response from the browser.
-const PATIENCE: Duration = Duration::from_secs(300);
+const TIMEOUT: Duration = Duration::from_secs(300);
 
 /// The interval of the checks whether the browser still runs.
-const PULSE: Duration = Duration::from_millis(250);
+const POLL_INTERVAL: Duration = Duration::from_millis(250);
 
 /// Render images of houses for documents.
 ///
@@ -47,10 +47,10 @@ pub(super) struct Render {
     inputs: Vec<PathBuf>,
 
     #[command(flatten)]
-    manner: Manner,
+    read_args: ReadArgs,
 
     #[command(flatten)]
-    fineness: Fineness,
+    detail_args: DetailArgs,
 
     /// Write the image to this file (.png or .jpg), or several images into this folder (`pictures/`).
     #[arg(short, long, value_name = "OUT")]
@@ -64,7 +64,7 @@ pub(super) struct Render {
         default_value = "front",
         value_name = "VIEW"
     )]
-    views: Vec<View>,
+    views: Vec<Viewpoint>,
 
     /// Set the image size in pixels.
     #[arg(long, value_name = "WxH", default_value = "960x640", value_parser = size)]
@@ -76,7 +76,7 @@ pub(super) struct Render {
 
     /// Set the format of images in a folder.
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]
-    format: Kind,
+    format: ImageFormat,
 
     /// Print only diagnostics.
     #[arg(short, long)]
@@ -85,7 +85,7 @@ pub(super) struct Render {
 
 /// Views of a house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum View {
+enum Viewpoint {
     /// From the left of the street.
     Front,
     /// Like front, from the height of the eaves.
@@ -102,24 +102,24 @@ enum View {
     Top,
 }
 
-impl View {
+impl Viewpoint {
     /// The name of the view in the page's URL.
     fn word(self) -> &'static str {
         match self {
-            View::Front => "front",
-            View::Eaves => "eaves",
-            View::Above => "above",
-            View::Back => "back",
-            View::Left => "left",
-            View::Right => "right",
-            View::Top => "top",
+            Viewpoint::Front => "front",
+            Viewpoint::Eaves => "eaves",
+            Viewpoint::Above => "above",
+            Viewpoint::Back => "back",
+            Viewpoint::Left => "left",
+            Viewpoint::Right => "right",
+            Viewpoint::Top => "top",
         }
     }
 }
 
 /// Image formats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-enum Kind {
+enum ImageFormat {
     /// Lossless.
     #[default]
     Png,
@@ -127,41 +127,41 @@ enum Kind {
     Jpg,
 }
 
-impl Kind {
-    fn of(path: &Path) -> Option<Kind> {
+impl ImageFormat {
+    fn of(path: &Path) -> Option<ImageFormat> {
         match &*path.extension()?.to_string_lossy().to_lowercase() {
-            "png" => Some(Kind::Png),
-            "jpg" | "jpeg" => Some(Kind::Jpg),
+            "png" => Some(ImageFormat::Png),
+            "jpg" | "jpeg" => Some(ImageFormat::Jpg),
             _ => None,
         }
     }
 
-    fn ending(self) -> &'static str {
+    fn extension(self) -> &'static str {
         match self {
-            Kind::Png => "png",
-            Kind::Jpg => "jpg",
+            ImageFormat::Png => "png",
+            ImageFormat::Jpg => "jpg",
         }
     }
 }
 
 /// The output of a run.
 enum Target<'a> {
-    File(&'a Path, Kind),
-    Folder(&'a Path, Kind),
+    File(&'a Path, ImageFormat),
+    Folder(&'a Path, ImageFormat),
 }
 
 impl Render {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        self.manner.check_folders()?;
+        self.read_args.check_folders()?;
         let target = self.target()?;
-        page_is_there()?;
+        check_page()?;
         let browser = Browser::find()?;
         if let Target::Folder(folder, _) = target {
-            std::fs::create_dir_all(folder).map_err(|e| Stop::at(folder.display(), e))?;
+            std::fs::create_dir_all(folder).map_err(|e| Failure::at(folder.display(), e))?;
         }
         let mut spoiled = false;
         for input in &self.inputs {
-            match self.complaints(input, language)? {
+            match self.report_diagnostics(input, language)? {
                 true => spoiled = true,
                 false => self.one(input, &target, &browser, language)?,
             }
@@ -170,23 +170,23 @@ impl Render {
     }
 
     /// Returns the output. Fails for several images in one file, or two with the same name.
-    fn target(&self) -> Result<Target<'_>, Stop> {
+    fn target(&self) -> Result<Target<'_>, Failure> {
         let output = &self.output;
         let named = output.to_string_lossy();
         let folder = output.is_dir() || named.ends_with(['/', std::path::MAIN_SEPARATOR]);
         let several = self.inputs.len() * self.views.len() > 1;
         let shown = output.display();
         if !folder && !several {
-            return match Kind::of(output) {
+            return match ImageFormat::of(output) {
                 Some(kind) => Ok(Target::File(output, kind)),
-                None => Err(Stop::Usage(text!(
+                None => Err(Failure::Usage(text!(
                     "{shown}: the extension of an image must be .png or .jpg",
                     "{shown}: 画像の拡張子は .png か .jpg です"
                 ))),
             };
         }
-        if !folder && Kind::of(output).is_some() {
-            return Err(Stop::Usage(text!(
+        if !folder && ImageFormat::of(output).is_some() {
+            return Err(Failure::Usage(text!(
                 "{shown} is a single image; for several name a folder, as in `-o pictures/`",
                 "{shown} に書ける画像はひとつです。複数の場合は`-o pictures/` のようにフォルダーを指定してください"
             )));
@@ -202,20 +202,20 @@ impl Render {
                     == stem
             };
             if let Some(other) = self.inputs[..n].iter().find(same) {
-                return Err(Stop::one_output(other, input, output));
+                return Err(Failure::one_output(other, input, output));
             }
         }
         Ok(Target::Folder(output, self.format))
     }
 
     /// Prints the diagnostics of a source file or a model; returns whether they make it fail.
-    fn complaints(&self, input: &PathBuf, language: Language) -> Result<bool, Stop> {
+    fn report_diagnostics(&self, input: &PathBuf, language: Language) -> Result<bool, Failure> {
         let model = input
             .extension()
             .is_some_and(|e| e.eq_ignore_ascii_case("glb"));
         let (sources, list) = if model {
-            let told = view::complaints(input);
-            let (source, list) = told.map_err(|e| Stop::at(input.display(), e))?;
+            let message = view::check_model(input);
+            let (source, list) = message.map_err(|e| Failure::at(input.display(), e))?;
             (vec![source], list)
         } else {
             self.checked(input)?
@@ -224,16 +224,16 @@ impl Render {
             let written = Report::new(&sources, &list).in_language(language);
             report(&written, Format::Human, &mut io::stderr())?;
         }
-        Ok(list.iter().any(|d| self.manner.spoils(d.severity)))
+        Ok(list.iter().any(|d| self.read_args.spoils(d.severity)))
     }
 
     /// Checks a source file; returns the sources and their diagnostics.
-    fn checked(&self, input: &PathBuf) -> Result<(Vec<Source>, Vec<Diagnostic>), Stop> {
+    fn checked(&self, input: &PathBuf) -> Result<(Vec<Source>, Vec<Diagnostic>), Failure> {
         let mut out = Diagnostics::new();
         let own = std::slice::from_ref(input);
-        let inputs = Inputs::read(own, self.manner.limits().bytes, &mut out)?;
-        let options = self.manner.options(&inputs, &mut out)?;
-        let world = self.manner.world(own);
+        let inputs = Inputs::read(own, self.read_args.limits().bytes, &mut out)?;
+        let options = self.read_args.options(&inputs, &mut out)?;
+        let world = self.read_args.world(own);
         let checked = driver::check(&inputs.accepted(), &world, &options, &mut out);
         Ok((inputs.and(checked.included), out.into_sorted()))
     }
@@ -245,30 +245,30 @@ impl Render {
         target: &Target<'_>,
         browser: &Browser,
         language: Language,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Failure> {
         let begun = Instant::now();
-        let failed = |e| Stop::at(input.display(), e);
+        let failed = |e| Failure::at(input.display(), e);
         let real = input.canonicalize().map_err(failed)?;
         let name = real
             .file_name()
             .unwrap_or_default()
             .to_string_lossy()
             .into_owned();
-        let (taker, stills) = mpsc::channel();
-        let show = Show {
+        let (sink, screenshots) = mpsc::channel();
+        let options = PreviewOptions {
             root: real.parent().unwrap_or(Path::new("/")).to_owned(),
             only: Some(name.clone()),
             language,
-            desk: Box::new(Disk {
-                manner: self.manner.clone(),
-                detail: self.fineness.detail(),
+            host: Box::new(FileHost {
+                read_args: self.read_args.clone(),
+                detail: self.detail_args.detail(),
                 editor: None,
                 writes: false,
             }),
             port: 0,
             watched: vec![],
         };
-        let preview = Preview::with_stills(show, taker).map_err(failed)?;
+        let preview = Preview::with_screenshots(options, sink).map_err(failed)?;
         let views: Vec<&str> = self.views.iter().map(|v| v.word()).collect();
         let (views, (width, height)) = (views.join(","), self.size);
         let url = format!(
@@ -277,7 +277,7 @@ impl Render {
             self.samples
         );
         let running = browser.open(&url)?;
-        self.take(input, target, &stills, running, language, begun)
+        self.take(input, target, &screenshots, running, language, begun)
     }
 
     /// Writes the images received from the page until it reports completion.
@@ -285,17 +285,17 @@ impl Render {
         &self,
         input: &Path,
         target: &Target<'_>,
-        stills: &Receiver<Still>,
+        screenshots: &Receiver<Screenshot>,
         mut running: browser::Running,
         language: Language,
         begun: Instant,
-    ) -> Result<(), Stop> {
+    ) -> Result<(), Failure> {
         let shown = input.display();
-        let mut heard = Instant::now();
+        let mut last_response = Instant::now();
         loop {
-            match stills.recv_timeout(PULSE) {
-                Ok(Still::Picture { view, png }) => {
-                    heard = Instant::now();
+            match screenshots.recv_timeout(POLL_INTERVAL) {
+                Ok(Screenshot::Picture { view, png }) => {
+                    last_response = Instant::now();
                     // The page names the view; only requested views become file names.
                     let Some(view) = self.views.iter().find(|v| v.word() == view) else {
                         continue;
@@ -303,25 +303,25 @@ impl Render {
                     let path = write(input, target, *view, png)?;
                     if !self.quiet {
                         let (path, ms) = (path.display(), begun.elapsed().as_millis());
-                        let told =
+                        let message =
                             text!("wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
-                        writeln!(io::stderr(), "{}", told.in_language(language))?;
+                        writeln!(io::stderr(), "{}", message.in_language(language))?;
                     }
                 }
-                Ok(Still::Done(errors)) if errors.is_empty() => return Ok(()),
-                Ok(Still::Done(errors)) => {
+                Ok(Screenshot::Done(errors)) if errors.is_empty() => return Ok(()),
+                Ok(Screenshot::Done(errors)) => {
                     let why = errors.join("; ");
-                    return Err(Stop::Io(text!("{shown}: {why}", "{shown}: {why}")));
+                    return Err(Failure::Io(text!("{shown}: {why}", "{shown}: {why}")));
                 }
                 Err(RecvTimeoutError::Timeout) if running.ended() => {
-                    return Err(Stop::Io(text!(
+                    return Err(Failure::Io(text!(
                         "{shown}: the browser exited before the image was complete",
                         "{shown}: 画像ができる前にブラウザーが終了しました"
                     )));
                 }
-                Err(RecvTimeoutError::Timeout) if heard.elapsed() < PATIENCE => {}
+                Err(RecvTimeoutError::Timeout) if last_response.elapsed() < TIMEOUT => {}
                 Err(_) => {
-                    return Err(Stop::Io(text!(
+                    return Err(Failure::Io(text!(
                         "{shown}: no response from the browser",
                         "{shown}: ブラウザーから応答がありません"
                     )));
@@ -332,20 +332,25 @@ impl Render {
 }
 
 /// Writes an image and returns its path.
-fn write(input: &Path, target: &Target<'_>, view: View, png: Vec<u8>) -> Result<PathBuf, Stop> {
+fn write(
+    input: &Path,
+    target: &Target<'_>,
+    view: Viewpoint,
+    png: Vec<u8>,
+) -> Result<PathBuf, Failure> {
     let (path, kind) = match target {
         Target::File(path, kind) => (path.to_path_buf(), *kind),
         Target::Folder(folder, kind) => {
             let stem = input.file_stem().unwrap_or_default().to_string_lossy();
-            let name = format!("{stem}-{}.{}", view.word(), kind.ending());
+            let name = format!("{stem}-{}.{}", view.word(), kind.extension());
             (folder.join(name), *kind)
         }
     };
     let drawn = image::load_from_memory_with_format(&png, image::ImageFormat::Png);
-    let drawn = drawn.map_err(|e| Stop::at(path.display(), io::Error::other(e.to_string())))?;
+    let drawn = drawn.map_err(|e| Failure::at(path.display(), io::Error::other(e.to_string())))?;
     let bytes = match kind {
-        Kind::Png => png,
-        Kind::Jpg => texture::jpeg(&drawn.into_rgb8(), QUALITY),
+        ImageFormat::Png => png,
+        ImageFormat::Jpg => texture::jpeg(&drawn.into_rgb8(), QUALITY),
     };
     output::write(&path, Files::bytes(bytes))?;
     Ok(path)

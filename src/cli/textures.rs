@@ -1,6 +1,6 @@
 //! `hsd textures`: writes the procedural textures of the materials.
 
-use super::{Exit, Outcome, Stop};
+use super::{Exit, Failure, Outcome};
 use crate::cli::files::terminal::counted;
 use crate::diagnostic::{Language, noun};
 use crate::text;
@@ -31,19 +31,19 @@ impl Textures {
     pub(super) fn run(&self, language: Language) -> Outcome {
         if let Some(folder) = &self.output {
             let shown = folder.display();
-            let files = texture::write_all(folder).map_err(|e| Stop::at(&shown, e))?;
+            let files = texture::write_all(folder).map_err(|e| Failure::at(&shown, e))?;
             let count = counted(files.len(), noun("texture", "テクスチャー{}枚"));
-            let told = text!([count]
+            let message = text!([count]
                 "wrote {count} to {shown}",
                 "{count}を {shown} に書きました"
             );
-            writeln!(io::stderr(), "{}", told.in_language(language))?;
+            writeln!(io::stderr(), "{}", message.in_language(language))?;
         }
         if let Some(file) = &self.sheet {
             let shown = file.display();
-            std::fs::write(file, texture::contact_sheet()).map_err(|e| Stop::at(&shown, e))?;
-            let told = text!("wrote {shown}", "{shown} を書きました");
-            writeln!(io::stderr(), "{}", told.in_language(language))?;
+            std::fs::write(file, texture::contact_sheet()).map_err(|e| Failure::at(&shown, e))?;
+            let message = text!("wrote {shown}", "{shown} を書きました");
+            writeln!(io::stderr(), "{}", message.in_language(language))?;
         }
         Ok(Exit::Done)
     }

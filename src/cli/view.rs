@@ -1,14 +1,14 @@
 //! `hsd view`: runs the live preview.
 
-mod disk;
+mod file_host;
 
-use super::options::{Fineness, Manner};
-use super::{Exit, Outcome, Stop};
+use super::options::{DetailArgs, ReadArgs};
+use super::{Exit, Failure, Outcome};
 use crate::diagnostic::Language;
 use crate::text;
-use crate::view::{self, Preview, RecursiveMode, Show};
+use crate::view::{self, Preview, PreviewOptions, RecursiveMode};
 use clap::Args;
-pub(super) use disk::Disk;
+pub(super) use file_host::FileHost;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -29,10 +29,10 @@ pub(super) struct View {
     input: PathBuf,
 
     #[command(flatten)]
-    manner: Manner,
+    read_args: ReadArgs,
 
     #[command(flatten)]
-    fineness: Fineness,
+    detail_args: DetailArgs,
 
     /// Run this command to go to a location in your editor; {file}, {line} and {column} are replaced.
     #[arg(long, value_name = "COMMAND", env = "HSD_EDITOR")]
@@ -53,16 +53,16 @@ pub(super) struct View {
 
 impl View {
     pub(super) fn run(&self, language: Language) -> Outcome {
-        self.manner.check_folders()?;
-        page_is_there()?;
-        let editor = self.editor.as_deref().map(disk::editor).transpose()?;
-        let disk = Disk {
-            manner: self.manner.clone(),
-            detail: self.fineness.detail(),
+        self.read_args.check_folders()?;
+        check_page()?;
+        let editor = self.editor.as_deref().map(file_host::editor).transpose()?;
+        let host = FileHost {
+            read_args: self.read_args.clone(),
+            detail: self.detail_args.detail(),
             editor,
             writes: !self.read_only,
         };
-        let preview = start(&self.input, &self.manner, disk, self.port, language)?;
+        let preview = start(&self.input, &self.read_args, host, self.port, language)?;
         let url = preview.url();
         writeln!(io::stdout(), "{url}")?;
         io::stdout().flush()?;
@@ -73,28 +73,28 @@ impl View {
             );
             writeln!(io::stderr(), "hsd: {}", hint.in_language(language))?;
         }
-        preview.wait().map_err(|e| Stop::at(&url, e))?;
+        preview.wait().map_err(|e| Failure::at(&url, e))?;
         Ok(Exit::Done)
     }
 }
 
 /// Fails if the program was built without the page.
-pub(super) fn page_is_there() -> Result<(), Stop> {
-    match view::there() {
+pub(super) fn check_page() -> Result<(), Failure> {
+    match view::is_built() {
         true => Ok(()),
-        false => Err(Stop::Usage(view::how_to_get_it())),
+        false => Err(Failure::Usage(view::how_to_build())),
     }
 }
 
 /// Starts the preview of a file or a folder.
 pub(super) fn start(
     input: &Path,
-    manner: &Manner,
-    disk: Disk,
+    read_args: &ReadArgs,
+    host: FileHost,
     port: u16,
     language: Language,
-) -> Result<Preview, Stop> {
-    let failed = |e: io::Error| Stop::at(input.display(), e);
+) -> Result<Preview, Failure> {
+    let failed = |e: io::Error| Failure::at(input.display(), e);
     let real = input.canonicalize().map_err(failed)?;
     let (root, only, mode) = if real.is_dir() {
         (real, None, RecursiveMode::Recursive)
@@ -106,9 +106,9 @@ pub(super) fn start(
     let mut watched = vec![(root.clone(), mode)];
     let inputs = only.iter().map(|name| root.join(name));
     let inputs: Vec<PathBuf> = inputs.collect();
-    let beside = manner.folders(&inputs).into_iter();
-    let beside = beside.chain(manner.catalog_folders());
-    let beside = beside.chain(inputs.iter().flat_map(|path| view::picture_folders(path)));
+    let beside = read_args.folders(&inputs).into_iter();
+    let beside = beside.chain(read_args.catalog_folders());
+    let beside = beside.chain(inputs.iter().flat_map(|path| view::texture_folders(path)));
     for folder in beside.filter_map(|f| f.canonicalize().ok()) {
         let known = |(f, mode): &(PathBuf, RecursiveMode)| {
             *f == folder || *mode == RecursiveMode::Recursive && folder.starts_with(f)
@@ -117,11 +117,11 @@ pub(super) fn start(
             watched.push((folder, RecursiveMode::NonRecursive));
         }
     }
-    Preview::start(Show {
+    Preview::start(PreviewOptions {
         root,
         only,
         language,
-        desk: Box::new(disk),
+        host: Box::new(host),
         port,
         watched,
     })

@@ -1,12 +1,12 @@
-//! Texts that others include, on disk. A name leads from the folder of the text in which it stands, and never out of
-//! the root folder of the build: neither by `..` nor by links.
+//! Included files on disk. Paths are relative to the including file and cannot leave the root folders, neither by `..` nor
+//! by links.
 
 use crate::source::IncludeError;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Component, Path, PathBuf};
 
-/// Folders below which everything lies that may be read.
+/// Folders that contain all readable files.
 #[derive(Debug, Default)]
 pub(super) struct Roots {
     list: Vec<PathBuf>,
@@ -17,7 +17,7 @@ impl Roots {
         Roots { list }
     }
 
-    /// The path of what the text of this name includes.
+    /// Returns the path of the file that `from` includes as `href`.
     pub(super) fn find(&self, from: &str, href: &str) -> Result<String, IncludeError> {
         let folder = Path::new(from).parent().unwrap_or(Path::new(""));
         let mut path = folder.to_owned();
@@ -32,7 +32,7 @@ impl Roots {
                 Component::RootDir | Component::Prefix(_) => return Err(IncludeError::Outside),
             }
         }
-        // What lies above the root is never opened.
+        // Nothing outside the roots is opened.
         let roots: Vec<PathBuf> = self.list.iter().filter_map(|r| real(r)).collect();
         let folder = real(path.parent().unwrap_or(Path::new("")));
         let inside = |p: &Path| roots.iter().any(|r| p.starts_with(r));
@@ -51,7 +51,7 @@ impl Roots {
         }
     }
 
-    /// Whether a path leads to a file below a root.
+    /// Returns whether a path resolves to a file below a root.
     pub(super) fn hold(&self, path: &Path) -> bool {
         real(path).is_some_and(|p| self.inside(&p))
     }
@@ -61,10 +61,10 @@ impl Roots {
         roots.any(|r| real_path.starts_with(r)) && real_path.is_file()
     }
 
-    /// The bytes of a text that was found; at most `limit`, and one more where there are more.
+    /// Returns the contents of a file found before: at most `limit` bytes, plus one if there are more.
     pub(super) fn bytes(&self, path: &str, limit: usize) -> io::Result<Vec<u8>> {
         let Some(found) = real(Path::new(path)).filter(|p| self.inside(p)) else {
-            let message = "it lies outside the root folder";
+            let message = "the file is outside the root folder";
             return Err(io::Error::new(io::ErrorKind::NotFound, message));
         };
         let mut bytes = vec![];
@@ -78,7 +78,7 @@ fn ends_in_name(path: &Path) -> bool {
     matches!(path.components().next_back(), Some(Component::Normal(_)))
 }
 
-/// A path with all links followed.
+/// Returns the canonical path.
 fn real(path: &Path) -> Option<PathBuf> {
     if path.as_os_str().is_empty() {
         return Path::new(".").canonicalize().ok();

@@ -1,4 +1,4 @@
-//! Fixes as code actions: one each, and all of a text at once.
+//! Fixes as code actions: individually, and all fixes of a document at once.
 
 use super::documents::{Document, Documents};
 use super::lines::Encoding;
@@ -8,27 +8,27 @@ use crate::ide::fix::fix_all;
 use crate::text;
 use gen_lsp_types as lsp;
 
-/// Fixes everything that can be mended without further thought.
+/// The kind of the action that applies all safe fixes.
 pub(super) const ALL: &str = "source.fixAll.hsd";
 
-/// How often a text is mended and read again, where that is asked for.
+/// The maximum number of rounds of fixing and analysing, if the client requests the action explicitly.
 const ROUNDS: usize = 8;
 
-/// What the client can do with actions, and how its columns count.
+/// The settings and capabilities that code actions depend on.
 #[derive(Clone, Copy)]
-pub(super) struct Manner<'s> {
+pub(super) struct ActionContext<'s> {
     pub(super) encoding: Encoding,
     pub(super) settings: &'s Settings,
     pub(super) versions: bool,
 }
 
-/// The actions for a range of a text. Whoever includes the text may have found something in it.
+/// Returns the actions for a range of a document, including fixes from analyses of documents that include it.
 pub(super) fn actions(
     documents: &Documents,
     uri: &str,
     range: lsp::Range,
     only: Option<&[String]>,
-    manner: Manner<'_>,
+    context: ActionContext<'_>,
 ) -> Vec<lsp::CodeAction> {
     let wanted = |kind: &str| {
         only.is_none_or(|o| {
@@ -38,7 +38,7 @@ pub(super) fn actions(
     };
     let mut found: Vec<lsp::CodeAction> = vec![];
     for document in documents.iter().filter(|_| wanted("quickfix")) {
-        for action in quick_fixes(documents, document, uri, range, manner) {
+        for action in quick_fixes(documents, document, uri, range, context) {
             let same = |f: &lsp::CodeAction| f.title == action.title && f.edit == action.edit;
             if !found.iter().any(same) {
                 found.push(action);
@@ -47,27 +47,27 @@ pub(super) fn actions(
     }
     if wanted(ALL) {
         let document = documents.get(uri);
-        found.extend(document.and_then(|d| all(documents, d, only.is_some(), manner)));
+        found.extend(document.and_then(|d| all(documents, d, only.is_some(), context)));
     }
     found
 }
 
-/// The mends of what a reading says of a range of a text.
+/// Returns the fixes of one analysis for a range of a document.
 fn quick_fixes(
     documents: &Documents,
     document: &Document,
     uri: &str,
     range: lsp::Range,
-    manner: Manner<'_>,
+    context: ActionContext<'_>,
 ) -> Vec<lsp::CodeAction> {
     let Some(analysis) = &document.analysis else {
         return vec![];
     };
-    let places = Places::new(documents, document, analysis, manner.encoding);
+    let places = Places::new(documents, document, analysis, context.encoding);
     let mut found = vec![];
     let fixable = analysis.diagnostics.iter().filter(|d| !d.fixes.is_empty());
     for diagnostic in fixable.filter(|d| places.uri(d.span.file) == Some(uri)) {
-        let Some((_, shown)) = places.diagnostic(diagnostic, manner.settings.language) else {
+        let Some((_, shown)) = places.diagnostic(diagnostic, context.settings.language) else {
             continue;
         };
         if shown.range.start > range.end || shown.range.end < range.start {
@@ -78,11 +78,11 @@ fn quick_fixes(
                 continue;
             };
             found.push(lsp::CodeAction {
-                title: fix.title.in_language(manner.settings.language).to_owned(),
+                title: fix.title.in_language(context.settings.language).to_owned(),
                 kind: Some(lsp::CodeActionKind::QuickFix),
                 diagnostics: Some(vec![shown.clone()]),
                 is_preferred: (index == 0).then_some(true),
-                edit: Some(changes.finish(manner.versions)),
+                edit: Some(changes.finish(context.versions)),
                 ..lsp::CodeAction::default()
             });
         }
@@ -90,16 +90,16 @@ fn quick_fixes(
     found
 }
 
-/// All mends of a text at once, if they make it better. Where nobody has asked for them, one round has to do.
+/// Returns the action that applies all fixes of a document, if they improve it. Unless `asked`, one round is tried.
 fn all(
     documents: &Documents,
     document: &Document,
     asked: bool,
-    manner: Manner<'_>,
+    context: ActionContext<'_>,
 ) -> Option<lsp::CodeAction> {
     let analysis = document.analysis.as_ref()?;
-    let places = Places::new(documents, document, analysis, manner.encoding);
-    let read = |text: &str| documents.trial(&document.uri, text, manner.settings);
+    let places = Places::new(documents, document, analysis, context.encoding);
+    let read = |text: &str| documents.trial(&document.uri, text, context.settings);
     let rounds = if asked { ROUNDS } else { 1 };
     let (count, edits) = fix_all(analysis, &read, rounds)?;
     let (own, mut changes) = (analysis.source.id(), Changes::default());
@@ -108,13 +108,13 @@ fn all(
         changes.add(place, places.version(own), edit.text);
     }
     let title = text!(
-        "Fix all that can be mended ({count})",
-        "直せるところをすべて直す({count}か所)"
+        "Apply all fixes ({count})",
+        "修正候補をすべて適用({count}か所)"
     );
     Some(lsp::CodeAction {
-        title: title.in_language(manner.settings.language).to_owned(),
+        title: title.in_language(context.settings.language).to_owned(),
         kind: Some(lsp::CodeActionKind::from(ALL.to_owned())),
-        edit: Some(changes.finish(manner.versions)),
+        edit: Some(changes.finish(context.versions)),
         ..lsp::CodeAction::default()
     })
 }

@@ -1,35 +1,34 @@
-//! What the client is able to do.
+//! Capabilities of the client.
 
 use super::lines::Encoding;
 use crate::diagnostic::Language;
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// The abilities of a client that matter here. They are read leniently: what a client says in a way of its own does
-/// not keep the server from serving it.
+/// The relevant capabilities of a client. Unknown or malformed values are ignored.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Client {
-    /// What columns count.
+    /// The unit of columns.
     pub(super) encoding: Encoding,
-    /// Its language, if it says so.
+    /// The language of the client, if known.
     pub(super) language: Option<Language>,
-    /// The folder it was opened on.
+    /// The workspace folder.
     pub(super) folder: Option<PathBuf>,
-    /// Whether completions may hold places to jump to.
+    /// Whether completions may be snippets.
     pub(super) snippets: bool,
-    /// Whether every row of a list of completions can say more than its label.
+    /// Whether completion items can have label details.
     pub(super) label_details: bool,
-    /// Whether edits may name versions.
+    /// Whether edits can be versioned.
     pub(super) versions: bool,
-    /// Whether it can be asked for settings.
+    /// Whether settings can be requested.
     pub(super) configuration: bool,
-    /// Whether it tells of changed files where it is asked to.
+    /// Whether it can watch files.
     pub(super) watches: bool,
-    /// Whether inlay hints can be asked for anew.
+    /// Whether inlay hints can be refreshed.
     pub(super) refreshes_hints: bool,
-    /// Whether it changes texts where it is asked to.
+    /// Whether it can apply edits.
     pub(super) applies_edits: bool,
-    /// Whether it can be sent to places.
+    /// Whether it can show documents.
     pub(super) shows_documents: bool,
 }
 

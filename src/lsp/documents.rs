@@ -1,4 +1,4 @@
-//! The texts that are open, and what is known of them.
+//! Open documents and their analyses.
 
 use super::lines::{Encoding, Lines};
 use super::settings::Settings;
@@ -10,28 +10,28 @@ use gen_lsp_types::{Range, TextDocumentContentChangeEvent};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// One open text.
+/// An open document.
 pub(super) struct Document {
-    /// As the client writes it.
+    /// The URI, as the client writes it.
     pub(super) uri: String,
-    /// What other texts know it by.
+    /// The path by which other documents include it.
     path: Option<PathBuf>,
-    /// The client's count of changes.
+    /// The version number of the client.
     pub(super) version: i32,
-    /// The whole text.
+    /// The text.
     pub(super) text: String,
-    /// Its lines.
+    /// The lines of the text.
     pub(super) lines: Lines,
-    /// What is known of the text, unless it has changed since.
+    /// The analysis, unless the text has changed since.
     pub(super) analysis: Option<Analysis>,
-    /// Whether the program failed over the text as it is.
+    /// Whether the analysis of this text has panicked.
     given_up: bool,
-    /// The texts that it asked for when it was last read.
+    /// The files requested by the last analysis.
     asked: BTreeSet<PathBuf>,
 }
 
 impl Document {
-    /// Bytes of the text that [`Analysis`] does not count: a byte order mark.
+    /// Returns the length of the byte order mark, which [`Analysis`] does not count.
     pub(super) fn mark(&self) -> usize {
         if self.text.starts_with(MARK) {
             MARK.len()
@@ -40,13 +40,13 @@ impl Document {
         }
     }
 
-    /// Notes that nothing is known of the text any more.
+    /// Discards the analysis.
     fn forget(&mut self) {
         self.analysis = None;
         self.given_up = false;
     }
 
-    /// Takes over changes, one after the other.
+    /// Applies changes in order.
     pub(super) fn edit(
         &mut self,
         changes: Vec<TextDocumentContentChangeEvent>,
@@ -73,40 +73,40 @@ impl Document {
     }
 }
 
-/// All open texts.
+/// All open documents.
 #[derive(Default)]
 pub(super) struct Documents {
     open: BTreeMap<String, Document>,
-    /// Those that are files: what texts see that include them.
+    /// The open documents that are files, as seen by documents that include them.
     pub(super) files: Open,
-    /// Counts up whenever anything may have changed.
+    /// Incremented whenever anything may have changed.
     pub(super) edition: u64,
 }
 
 impl Documents {
-    /// An open text.
+    /// Returns an open document.
     pub(super) fn get(&self, uri: &str) -> Option<&Document> {
         self.open.get(uri)
     }
 
-    /// All open texts.
+    /// Returns all open documents.
     pub(super) fn iter(&self) -> impl Iterator<Item = &Document> {
         self.open.values()
     }
 
-    /// The open text of a file.
+    /// Returns the open document of a file.
     pub(super) fn of_file(&self, path: &Path) -> Option<&Document> {
         let key = key(path);
         self.iter().find(|d| d.path.as_ref() == Some(&key))
     }
 
-    /// What the client calls its files, and whether it counts a mark among their characters.
+    /// Returns the URIs of the open files, and whether their texts start with a byte order mark.
     pub(super) fn names(&self) -> BTreeMap<PathBuf, (String, bool)> {
         let name = |d: &Document| Some((d.path.clone()?, (d.uri.clone(), d.mark() > 0)));
         self.iter().filter_map(name).collect()
     }
 
-    /// Opens a text.
+    /// Opens a document.
     pub(super) fn open(&mut self, uri: String, version: i32, text: String) {
         let path = uri::to_path(&uri).map(|p| key(&p));
         let lines = Lines::new(&text);
@@ -124,7 +124,7 @@ impl Documents {
         self.changed(&uri);
     }
 
-    /// Changes a text; nothing happens where it is not open.
+    /// Changes a document, if it is open.
     pub(super) fn edit(
         &mut self,
         uri: &str,
@@ -139,7 +139,7 @@ impl Documents {
         }
     }
 
-    /// Closes a text: what includes it sees the file on disk again.
+    /// Closes a document; documents that include it see the file on disk again.
     pub(super) fn close(&mut self, uri: &str) -> Option<Document> {
         let closed = self.open.remove(uri)?;
         if let Some(path) = &closed.path {
@@ -149,7 +149,7 @@ impl Documents {
         Some(closed)
     }
 
-    /// Notes that a text is another, for itself and for whoever reads it.
+    /// Discards the analyses of a changed document and of those that include it.
     fn changed(&mut self, uri: &str) {
         let Some(document) = self.open.get_mut(uri) else {
             return;
@@ -162,7 +162,7 @@ impl Documents {
         }
     }
 
-    /// Notes that a file is another, for whoever reads it.
+    /// Discards the analyses of documents that read a changed file.
     pub(super) fn forget(&mut self, path: &Path) {
         self.edition += 1;
         for document in self.open.values_mut() {
@@ -172,7 +172,7 @@ impl Documents {
         }
     }
 
-    /// Notes that anything may have changed.
+    /// Discards all analyses.
     pub(super) fn forget_all(&mut self) {
         self.edition += 1;
         for document in self.open.values_mut() {
@@ -180,20 +180,20 @@ impl Documents {
         }
     }
 
-    /// A text of which nothing is known and that may be read.
+    /// Returns a document to be analysed.
     pub(super) fn stale(&self) -> Option<&str> {
         let stale = |d: &&Document| d.analysis.is_none() && !d.given_up;
         self.open.values().find(stale).map(|d| &*d.uri)
     }
 
-    /// Leaves a text unread until it changes: the program failed over it, and would again.
+    /// Excludes a document from analysis until it changes, because analysing it has panicked.
     pub(super) fn give_up(&mut self, uri: &str) {
         if let Some(document) = self.open.get_mut(uri) {
             document.given_up = true;
         }
     }
 
-    /// Reads a text, unless it is known already; says whether it was read.
+    /// Analyses a document unless its analysis is up to date; returns whether it did.
     pub(super) fn analyse(&mut self, uri: &str, settings: &Settings) -> bool {
         let Some(document) = self.open.get(uri).filter(|d| d.analysis.is_none()) else {
             return false;
@@ -206,12 +206,12 @@ impl Documents {
         true
     }
 
-    /// What would be known of a text if it read so.
+    /// Analyses a document as if it had this text.
     pub(super) fn trial(&self, uri: &str, text: &str, settings: &Settings) -> Analysis {
         self.read(uri, text, settings).0
     }
 
-    /// Reads a text; tells which others it asked for.
+    /// Analyses a text; returns the files it requested.
     fn read(&self, uri: &str, text: &str, settings: &Settings) -> (Analysis, BTreeSet<PathBuf>) {
         let path = uri::to_path(uri);
         let folder = path.as_deref().and_then(Path::parent);

@@ -1,15 +1,15 @@
-//! Lines and columns as the protocol counts them: lines end with `\n`, `\r\n` or `\r`, columns count bytes, UTF-16
-//! units or characters, whatever client and server have agreed on.
+//! Lines and columns of the protocol: lines end with `\n`, `\r\n` or `\r`; columns count bytes, UTF-16 units or characters,
+//! as negotiated with the client.
 
 use gen_lsp_types::{Position, Range};
 use std::ops;
 
-/// What columns count.
+/// The unit of columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Encoding {
     /// Bytes.
     Utf8,
-    /// What every client knows.
+    /// UTF-16 units, which every client supports.
     #[default]
     Utf16,
     /// Characters.
@@ -17,7 +17,7 @@ pub(super) enum Encoding {
 }
 
 impl Encoding {
-    /// Its name in the protocol.
+    /// Returns its name in the protocol.
     pub(super) fn name(self) -> &'static str {
         match self {
             Encoding::Utf8 => "utf-8",
@@ -26,7 +26,7 @@ impl Encoding {
         }
     }
 
-    /// The one that is cheapest here among those a client knows.
+    /// Returns the cheapest encoding among those the client supports.
     pub(super) fn choose(known: &[String]) -> Encoding {
         let knows = |e: &Encoding| known.iter().any(|k| k == e.name());
         let best = [Encoding::Utf8, Encoding::Utf32].into_iter().find(knows);
@@ -51,23 +51,23 @@ impl Encoding {
     }
 }
 
-/// Where the lines of a text begin.
+/// The start offsets of the lines of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Lines {
     starts: Vec<usize>,
 }
 
 impl Lines {
-    /// The lines of a text.
+    /// Finds the lines of a text.
     pub(super) fn new(text: &str) -> Lines {
         let mut starts = vec![0];
         starts.extend(starts_in(text, 0..text.len()));
         Lines { starts }
     }
 
-    /// Takes over a change: the range of the old text is now as long as `len`; `text` is the new text.
+    /// Updates the lines after an edit that replaced `range` by `len` bytes; `text` is the new text.
     pub(super) fn edit(&mut self, range: &ops::Range<usize>, len: usize, text: &str) {
-        // A line feed that comes behind a carriage return, or goes from there, changes the line before.
+        // Adding or removing a line feed after a carriage return affects the line before.
         let first = self.line(range.start).saturating_sub(1);
         let last = (self.line(range.end) + 2).min(self.starts.len());
         let moved = |at: usize| at - range.end + range.start + len;
@@ -80,12 +80,12 @@ impl Lines {
         self.starts.splice(first + 1..last, new);
     }
 
-    /// The line, from 0, in which an offset lies.
+    /// Returns the line of an offset, counted from 0.
     fn line(&self, at: usize) -> usize {
         self.starts.partition_point(|s| *s <= at) - 1
     }
 
-    /// The position of an offset.
+    /// Returns the position of an offset.
     pub(super) fn position(&self, text: &str, at: usize, encoding: Encoding) -> Position {
         let line = self.line(at);
         let before = text.get(self.starts[line]..at).unwrap_or_default();
@@ -95,7 +95,7 @@ impl Lines {
         }
     }
 
-    /// A range of offsets.
+    /// Returns the positions of a range of offsets.
     pub(super) fn range(&self, text: &str, range: &ops::Range<usize>, encoding: Encoding) -> Range {
         Range {
             start: self.position(text, range.start, encoding),
@@ -103,7 +103,7 @@ impl Lines {
         }
     }
 
-    /// The offset of a position; what lies behind the end of a line is its end, before its line end.
+    /// Returns the offset of a position; positions past the end of a line are moved to its end.
     pub(super) fn offset(&self, text: &str, position: Position, encoding: Encoding) -> usize {
         let line = position.line as usize;
         let Some(&start) = self.starts.get(line) else {
@@ -131,7 +131,7 @@ impl Lines {
         end
     }
 
-    /// The offsets of a range; its end is never before its start.
+    /// Returns the offsets of a range; its end is never before its start.
     pub(super) fn offsets(
         &self,
         text: &str,
@@ -143,7 +143,7 @@ impl Lines {
     }
 }
 
-/// Where lines begin whose line before ends within a range.
+/// Returns the starts of the lines that follow a line end within a range.
 fn starts_in(text: &str, range: ops::Range<usize>) -> Vec<usize> {
     let bytes = text.as_bytes();
     let ends = |at: &usize| match bytes[*at] {

@@ -1,5 +1,5 @@
-//! The live preview of an editor: it shows the texts as they stand there, saved or not, sends the editor to what is
-//! clicked on, and changes texts through it, so that its own undo takes strokes back too.
+//! The live preview beside an editor. It shows documents as they are in the editor, saved or not, opens clicked locations
+//! there, and edits through the editor, so that the editor can undo strokes.
 
 use super::client::Client;
 use super::documents::Documents;
@@ -10,7 +10,7 @@ use super::world::{MARK, Open, Overlay, key};
 use crate::driver::Options;
 use crate::ide::format;
 use crate::source::{FileId, Limits, Source, Span, World};
-use crate::view::{Desk, Preview, Show};
+use crate::view::{EditorHost, Preview, PreviewOptions};
 use lsp_server::{Request, RequestId};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -24,45 +24,45 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::Duration;
 
-/// How long a client may take to change a text.
+/// The maximum time for a client to apply an edit.
 const PATIENCE: Duration = Duration::from_secs(3);
 
-/// Says something to the client.
-pub(super) type Say = Arc<dyn Fn(Request) + Send + Sync>;
+/// Sends a request to the client.
+pub(super) type RequestSender = Arc<dyn Fn(Request) + Send + Sync>;
 
-/// All previews of a server, one a folder.
+/// The previews of a server, one per folder.
 #[derive(Default)]
 pub(super) struct Previews {
     running: Option<Running>,
 }
 
-/// Previews by the folders that they show.
+/// Previews by folder.
 type Folders = BTreeMap<PathBuf, Arc<Preview>>;
 
 struct Running {
     shared: Arc<Shared>,
     folders: Arc<Mutex<Folders>>,
-    /// Wakes the thread that builds.
-    nudge: Sender<()>,
-    /// The changes of the texts that are shown.
+    /// Wakes the compiling thread.
+    wake: Sender<()>,
+    /// The edition of the documents that is shown.
     edition: u64,
 }
 
-/// What the server and the threads of previews share.
+/// The state shared by the server and the preview threads.
 struct Shared {
     texts: Mutex<Texts>,
-    /// Whenever texts change.
+    /// Signals changed texts.
     changed: Condvar,
     client: Client,
-    say: Say,
-    /// Counts what was asked of the client.
+    sender: RequestSender,
+    /// The number of requests sent.
     asked: AtomicU32,
 }
 
-/// The texts as they stand in the editor.
+/// The texts in the editor.
 struct Texts {
     open: Open,
-    /// By the same keys: what the client calls them, and whether it counts a mark among its characters.
+    /// The URIs by the same keys, and whether the texts start with a byte order mark.
     names: BTreeMap<PathBuf, (String, bool)>,
     settings: Settings,
 }
@@ -85,13 +85,13 @@ impl Previews {
     /// Shows a file; returns the address of its page.
     ///
     /// # Errors
-    /// Where no server can be started.
+    /// If no server can be started.
     pub(super) fn show(
         &mut self,
         path: &Path,
         documents: &Documents,
         settings: &Settings,
-        (client, say): (&Client, &Say),
+        (client, sender): (&Client, &RequestSender),
     ) -> io::Result<String> {
         let path = key(path);
         let own = path.parent().unwrap_or(Path::new("/"));
@@ -103,7 +103,7 @@ impl Previews {
                 texts: Mutex::new(Texts::of(documents, settings)),
                 changed: Condvar::new(),
                 client: client.clone(),
-                say: say.clone(),
+                sender: sender.clone(),
                 asked: AtomicU32::new(0),
             });
             Running::new(shared, documents.edition)
@@ -114,22 +114,22 @@ impl Previews {
         let preview = match folders.entry(root) {
             Entry::Occupied(there) => there.into_mut(),
             Entry::Vacant(free) => {
-                let show = Show {
+                let options = PreviewOptions {
                     root: free.key().clone(),
                     only: None,
                     language: settings.language,
-                    desk: Box::new(EditorDesk(running.shared.clone())),
+                    host: Box::new(LspHost(running.shared.clone())),
                     port: 0,
-                    // The client tells of what is saved by others.
+                    // The client reports changed files.
                     watched: vec![],
                 };
-                free.insert(Arc::new(Preview::start(show)?))
+                free.insert(Arc::new(Preview::start(options)?))
             }
         };
         Ok(preview.page(&file))
     }
 
-    /// Shows the texts as they are now.
+    /// Updates the previews if documents have changed.
     pub(super) fn follow(&mut self, documents: &Documents, settings: &Settings) {
         let Some(running) = &mut self.running else {
             return;
@@ -138,11 +138,11 @@ impl Previews {
             running.edition = documents.edition;
             *lock(&running.shared.texts) = Texts::of(documents, settings);
             running.shared.changed.notify_all();
-            let _ = running.nudge.send(());
+            let _ = running.wake.send(());
         }
     }
 
-    /// The cursor stands at an offset of a text, a mark not counted.
+    /// Shows the position of the cursor, as an offset without the byte order mark.
     pub(super) fn cursor(&self, path: &Path, at: usize) {
         let Some(running) = &self.running else {
             return;
@@ -157,12 +157,12 @@ impl Previews {
 impl Running {
     fn new(shared: Arc<Shared>, edition: u64) -> Running {
         let folders: Arc<Mutex<Folders>> = Arc::default();
-        let (nudge, nudges) = mpsc::channel();
+        let (wake, wakeups) = mpsc::channel();
         let built = folders.clone();
-        // The server goes on reading keys while a house is built.
+        // The server continues to handle messages while a house is compiled.
         thread::spawn(move || {
-            while nudges.recv().is_ok() {
-                while nudges.try_recv().is_ok() {}
+            while wakeups.recv().is_ok() {
+                while wakeups.try_recv().is_ok() {}
                 let all: Vec<Arc<Preview>> = lock(&built).values().cloned().collect();
                 all.iter().for_each(|preview| preview.changed());
             }
@@ -170,24 +170,24 @@ impl Running {
         Running {
             shared,
             folders,
-            nudge,
+            wake,
             edition,
         }
     }
 }
 
-/// The desk of an author who works in an editor.
-struct EditorDesk(Arc<Shared>);
+/// The editor connected to the language server.
+struct LspHost(Arc<Shared>);
 
-impl EditorDesk {
-    /// Asks the client for something; its answer is not waited for.
+impl LspHost {
+    /// Sends a request to the client without waiting for the response.
     fn ask(&self, method: &str, params: Value) {
         let number = self.0.asked.fetch_add(1, Ordering::Relaxed);
         let id = RequestId::from(format!("hsd/preview {number}"));
-        (self.0.say)(Request::new(id, method.to_owned(), params));
+        (self.0.sender)(Request::new(id, method.to_owned(), params));
     }
 
-    /// The name that the client knows a file by, and the text that its positions count in.
+    /// Returns the URI of a file and its text as the client counts it.
     fn named(&self, path: &Path, text: &str) -> (String, String) {
         let texts = lock(&self.0.texts);
         let plain = text.strip_prefix(MARK).unwrap_or(text);
@@ -199,7 +199,7 @@ impl EditorDesk {
     }
 }
 
-impl Desk for EditorDesk {
+impl EditorHost for LspHost {
     fn read(
         &self,
         path: &Path,
@@ -253,7 +253,7 @@ impl Desk for EditorDesk {
         let texts = lock(&self.0.texts);
         let waited = self.0.changed.wait_timeout_while(texts, PATIENCE, waits);
         match waited.unwrap_or_else(PoisonError::into_inner).1.timed_out() {
-            true => Err(io::Error::other("the editor did not take the change")),
+            true => Err(io::Error::other("the editor did not apply the edit")),
             false => Ok(()),
         }
     }

@@ -1,4 +1,4 @@
-//! Places, positions and changes in the words of the protocol.
+//! Conversion of locations, diagnostics and edits to protocol types.
 
 use super::documents::{Document, Documents};
 use super::lines::{Encoding, Lines};
@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::ops;
 use std::path::Path;
 
-/// The places of one analysis: those in open texts, and those in files on disk.
+/// The files of one analysis, open or on disk, for conversion of locations.
 pub(super) struct Places<'a> {
     document: &'a Document,
     analysis: &'a Analysis,
@@ -21,11 +21,11 @@ pub(super) struct Places<'a> {
     files: BTreeMap<FileId, File<'a>>,
 }
 
-/// A text with its lines.
+/// An included file.
 struct File<'a> {
     uri: String,
     source: &'a Source,
-    /// The text as the client has it.
+    /// The open document of the file, if any.
     open: Option<&'a Document>,
     lines: OnceCell<Lines>,
 }
@@ -59,7 +59,7 @@ impl<'a> Places<'a> {
         }
     }
 
-    /// The text as a client names it.
+    /// Returns the URI of a file.
     pub(super) fn uri(&self, file: FileId) -> Option<&str> {
         if file == self.analysis.source.id() {
             return Some(&self.document.uri);
@@ -67,7 +67,7 @@ impl<'a> Places<'a> {
         self.files.get(&file).map(|f| &*f.uri)
     }
 
-    /// The client's count of changes of a text that is open.
+    /// Returns the version of a file that is open.
     pub(super) fn version(&self, file: FileId) -> Option<i32> {
         if file == self.analysis.source.id() {
             return Some(self.document.version);
@@ -75,10 +75,10 @@ impl<'a> Places<'a> {
         self.files.get(&file)?.open.map(|d| d.version)
     }
 
-    /// A range of a text's offsets.
+    /// Converts a range of offsets in a file.
     pub(super) fn range(&self, file: FileId, range: &ops::Range<usize>) -> Option<lsp::Range> {
         if file == self.analysis.source.id() {
-            return Some(self.own(range));
+            return Some(self.range_here(range));
         }
         let file = self.files.get(&file)?;
         Some(match file.open {
@@ -91,17 +91,17 @@ impl<'a> Places<'a> {
         })
     }
 
-    /// A range of the text itself.
-    pub(super) fn own(&self, range: &ops::Range<usize>) -> lsp::Range {
+    /// Converts a range of offsets in the document itself.
+    pub(super) fn range_here(&self, range: &ops::Range<usize>) -> lsp::Range {
         in_document(self.document, range, self.encoding)
     }
 
-    /// An offset of the text itself.
+    /// Converts an offset in the document itself.
     pub(super) fn position(&self, at: usize) -> lsp::Position {
-        self.own(&(at..at)).start
+        self.range_here(&(at..at)).start
     }
 
-    /// A place in any of the texts.
+    /// Returns a location in any of the files.
     pub(super) fn location(
         &self,
         file: FileId,
@@ -113,13 +113,13 @@ impl<'a> Places<'a> {
         })
     }
 
-    /// The place of a span.
+    /// Converts a span.
     pub(super) fn span(&self, span: Span) -> Option<lsp::Location> {
         let source = self.analysis.file(span.file)?;
         self.location(span.file, &source.text_range(span))
     }
 
-    /// A diagnostic and the text it is about.
+    /// Converts a diagnostic; returns it with the URI of its file.
     pub(super) fn diagnostic(
         &self,
         d: &diagnostic::Diagnostic,
@@ -133,7 +133,7 @@ impl<'a> Places<'a> {
             })
         });
         let related: Vec<_> = related.collect();
-        let made = lsp::Diagnostic {
+        let converted = lsp::Diagnostic {
             range: place.range,
             severity: Some(match d.severity {
                 Severity::Error => lsp::DiagnosticSeverity::Error,
@@ -146,10 +146,10 @@ impl<'a> Places<'a> {
             related_information: (!related.is_empty()).then_some(related),
             ..lsp::Diagnostic::default()
         };
-        Some((place.uri.to_string(), made))
+        Some((place.uri.to_string(), converted))
     }
 
-    /// Changes of texts; each stands at a span.
+    /// Converts edits.
     pub(super) fn edits(&self, edits: &[diagnostic::Edit]) -> Option<Changes> {
         let mut changes = Changes::default();
         for edit in edits {
@@ -166,7 +166,7 @@ fn in_document(document: &Document, range: &ops::Range<usize>, encoding: Encodin
     document.lines.range(&document.text, &range, encoding)
 }
 
-/// What an editor shows of a message: what is wrong, and in a line of its own how to mend it.
+/// Returns the message of a diagnostic, followed by a line with its help.
 fn message(d: &diagnostic::Diagnostic, language: Language) -> String {
     let (message, help) = (&d.message, &d.help);
     let whole = match help.is_empty() {
@@ -176,14 +176,14 @@ fn message(d: &diagnostic::Diagnostic, language: Language) -> String {
     whole.in_language(language).to_owned()
 }
 
-/// Changes of several texts, in the order of their names.
+/// Edits of several files, ordered by URI.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Changes {
     texts: BTreeMap<String, (Option<i32>, Vec<lsp::TextEdit>)>,
 }
 
 impl Changes {
-    /// Adds one.
+    /// Adds an edit.
     pub(super) fn add(&mut self, place: lsp::Location, version: Option<i32>, new_text: String) {
         let entry = self.texts.entry(place.uri.to_string());
         let range = place.range;
@@ -191,7 +191,7 @@ impl Changes {
         edits.push(lsp::TextEdit { range, new_text });
     }
 
-    /// Adds one that is not there yet.
+    /// Adds an edit unless it is present already.
     pub(super) fn add_new(&mut self, place: lsp::Location, version: Option<i32>, text: String) {
         let there = self.texts.get(place.uri.as_ref());
         let same = |e: &lsp::TextEdit| e.range == place.range && e.new_text == text;
@@ -200,7 +200,7 @@ impl Changes {
         }
     }
 
-    /// As the client can take them.
+    /// Converts the edits to the format that the client supports.
     pub(super) fn finish(self, versions: bool) -> lsp::WorkspaceEdit {
         if !versions {
             let texts = self.texts.into_iter();

@@ -1,5 +1,5 @@
-//! Which diagnostics the client is shown. A text may be read for itself and for others that include it; what any of
-//! these readings says of it is shown once.
+//! Publishing of diagnostics. A file can be analysed on its own and as an include of other documents; the diagnostics of
+//! all these analyses are merged.
 
 use super::documents::{Document, Documents};
 use super::lines::Encoding;
@@ -8,14 +8,14 @@ use crate::diagnostic::Language;
 use gen_lsp_types as lsp;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What each reading says of which text.
+/// The diagnostics of each analysis by file.
 #[derive(Default)]
 pub(super) struct Published {
     readings: BTreeMap<String, BTreeMap<String, Vec<lsp::Diagnostic>>>,
 }
 
 impl Published {
-    /// Takes what the last reading of a text says; returns what the client is to be shown now.
+    /// Records the diagnostics of an analysis; returns the updates for the client.
     pub(super) fn take(
         &mut self,
         documents: &Documents,
@@ -23,20 +23,20 @@ impl Published {
         encoding: Encoding,
         language: Language,
     ) -> Vec<lsp::PublishDiagnosticsParams> {
-        let mut said: BTreeMap<String, Vec<lsp::Diagnostic>> = BTreeMap::new();
-        said.insert(document.uri.clone(), vec![]);
+        let mut reported: BTreeMap<String, Vec<lsp::Diagnostic>> = BTreeMap::new();
+        reported.insert(document.uri.clone(), vec![]);
         if let Some(analysis) = &document.analysis {
             let places = Places::new(documents, document, analysis, encoding);
             for diagnostic in &analysis.diagnostics {
-                if let Some((uri, made)) = places.diagnostic(diagnostic, language) {
-                    said.entry(uri).or_default().push(made);
+                if let Some((uri, converted)) = places.diagnostic(diagnostic, language) {
+                    reported.entry(uri).or_default().push(converted);
                 }
             }
         }
-        self.replace(&document.uri, said, documents)
+        self.replace(&document.uri, reported, documents)
     }
 
-    /// Forgets the readings of a text that was closed.
+    /// Removes the diagnostics of a closed document; returns the updates for the client.
     pub(super) fn close(
         &mut self,
         uri: &str,
@@ -44,7 +44,7 @@ impl Published {
     ) -> Vec<lsp::PublishDiagnosticsParams> {
         let mut shown = self.replace(uri, BTreeMap::new(), documents);
         self.readings.remove(uri);
-        // Nothing is said of the closed text itself any more, unless another one includes it.
+        // Clears the diagnostics of the closed document, unless another one includes it.
         if shown.is_empty() {
             shown.push(self.shown(uri, documents));
         }
@@ -54,11 +54,11 @@ impl Published {
     fn replace(
         &mut self,
         reading: &str,
-        said: BTreeMap<String, Vec<lsp::Diagnostic>>,
+        reported: BTreeMap<String, Vec<lsp::Diagnostic>>,
         documents: &Documents,
     ) -> Vec<lsp::PublishDiagnosticsParams> {
-        let mut texts: BTreeSet<String> = said.keys().cloned().collect();
-        let before = self.readings.insert(reading.to_owned(), said);
+        let mut texts: BTreeSet<String> = reported.keys().cloned().collect();
+        let before = self.readings.insert(reading.to_owned(), reported);
         for (text, old) in before.into_iter().flatten() {
             let same = self.readings[reading].get(&text) == Some(&old);
             if same && text != reading {
@@ -70,12 +70,14 @@ impl Published {
         texts.iter().map(|t| self.shown(t, documents)).collect()
     }
 
-    /// All that is said of a text.
+    /// Returns all diagnostics of a file.
     fn shown(&self, uri: &str, documents: &Documents) -> lsp::PublishDiagnosticsParams {
         let mut diagnostics: Vec<lsp::Diagnostic> = vec![];
-        for said in self.readings.values().filter_map(|r| r.get(uri)) {
+        for reported in self.readings.values().filter_map(|r| r.get(uri)) {
             let alone = diagnostics.is_empty();
-            let new = said.iter().filter(|d| alone || !diagnostics.contains(d));
+            let new = reported
+                .iter()
+                .filter(|d| alone || !diagnostics.contains(d));
             let new: Vec<lsp::Diagnostic> = new.cloned().collect();
             diagnostics.extend(new);
         }

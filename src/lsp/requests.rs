@@ -1,10 +1,10 @@
-//! What each request gets: positions to offsets, a question to [`ide`], and its answer back.
+//! Request handlers: convert positions to offsets, query [`ide`] and convert the result.
 
-use super::actions::{self, Manner};
+use super::actions::{self, ActionContext};
 use super::documents::Document;
 use super::lines::Encoding;
 use super::proto::{Changes, Places};
-use super::server::Server;
+use super::session::Session;
 use super::uri;
 use crate::diagnostic::Text;
 use crate::ide::{self, Analysis};
@@ -19,16 +19,17 @@ use serde_json::{Value, json};
 use std::ops::Range;
 
 mod complete;
+mod symbols;
 mod tokens;
 
-/// A refusal and its reason.
-type Refused = (ErrorCode, String);
-type Answer<T> = Result<T, Refused>;
+/// An error code and its message.
+type RequestError = (ErrorCode, String);
+type RequestResult<T> = Result<T, RequestError>;
 
-/// The command that shows a text in the live preview: its URI, and whether the server shall open the page.
+/// The command that shows a document in the live preview. Its arguments are the URI, and whether the server opens the page.
 const VIEW: &str = "hsd.view";
 
-/// What the server can do.
+/// Returns the capabilities of the server.
 pub(super) fn capabilities(encoding: Encoding) -> Value {
     json!({
         "positionEncoding": encoding.name(),
@@ -59,62 +60,66 @@ pub(super) fn capabilities(encoding: Encoding) -> Value {
 }
 
 /// Answers a request.
-pub(super) fn answer(server: &mut Server, method: &str, params: Value) -> Answer<Box<RawValue>> {
+pub(super) fn answer(
+    session: &mut Session,
+    method: &str,
+    params: Value,
+) -> RequestResult<Box<RawValue>> {
     match method {
-        "textDocument/completion" => run(server, params, complete::completion),
-        "completionItem/resolve" => run(server, params, complete::resolve),
-        "textDocument/hover" => run(server, params, hover),
-        "textDocument/definition" => run(server, params, definition),
-        "textDocument/references" => run(server, params, references),
-        "textDocument/documentHighlight" => run(server, params, highlights),
-        "textDocument/documentSymbol" => run(server, params, symbols),
-        "textDocument/codeAction" => run(server, params, code_actions),
-        "textDocument/formatting" => run(server, params, formatting),
-        "textDocument/rangeFormatting" => run(server, params, range_formatting),
-        "textDocument/prepareRename" => run(server, params, prepare_rename),
-        "textDocument/rename" => run(server, params, rename),
-        "textDocument/foldingRange" => run(server, params, folding),
-        "textDocument/selectionRange" => run(server, params, selection),
-        "textDocument/semanticTokens/full" => run(server, params, tokens::full),
-        "textDocument/semanticTokens/range" => run(server, params, tokens::range),
-        "textDocument/inlayHint" => run(server, params, inlay_hints),
-        "workspace/executeCommand" => run(server, params, execute),
+        "textDocument/completion" => run(session, params, complete::completion),
+        "completionItem/resolve" => run(session, params, complete::resolve),
+        "textDocument/hover" => run(session, params, hover),
+        "textDocument/definition" => run(session, params, definition),
+        "textDocument/references" => run(session, params, references),
+        "textDocument/documentHighlight" => run(session, params, highlights),
+        "textDocument/documentSymbol" => run(session, params, symbols::symbols),
+        "textDocument/codeAction" => run(session, params, code_actions),
+        "textDocument/formatting" => run(session, params, formatting),
+        "textDocument/rangeFormatting" => run(session, params, range_formatting),
+        "textDocument/prepareRename" => run(session, params, prepare_rename),
+        "textDocument/rename" => run(session, params, rename),
+        "textDocument/foldingRange" => run(session, params, folding),
+        "textDocument/selectionRange" => run(session, params, selection),
+        "textDocument/semanticTokens/full" => run(session, params, tokens::full),
+        "textDocument/semanticTokens/range" => run(session, params, tokens::range),
+        "textDocument/inlayHint" => run(session, params, inlay_hints),
+        "workspace/executeCommand" => run(session, params, execute),
         _ => Err((
             ErrorCode::MethodNotFound,
-            format!("{method}: not known here"),
+            format!("{method}: unknown method"),
         )),
     }
 }
 
-/// Reads the parameters, works, writes the result: as text at once, since a tree of it would take longer than all the rest.
+/// Parses the parameters, runs a handler and serializes the result, without an intermediate value for speed.
 fn run<P: DeserializeOwned, R: Serialize>(
-    server: &mut Server,
+    session: &mut Session,
     params: Value,
-    work: fn(&mut Server, P) -> Answer<R>,
-) -> Answer<Box<RawValue>> {
+    work: fn(&mut Session, P) -> RequestResult<R>,
+) -> RequestResult<Box<RawValue>> {
     let params = serde_json::from_value(params);
     let params = params.map_err(|e| (ErrorCode::InvalidParams, e.to_string()))?;
-    let result = work(server, params)?;
+    let result = work(session, params)?;
     to_raw_value(&result).map_err(|e| (ErrorCode::InternalError, e.to_string()))
 }
 
-/// An open text with all that is known of it.
-struct View<'s> {
+/// An open document with its analysis.
+struct DocumentView<'s> {
     document: &'s Document,
     analysis: &'s Analysis,
     places: Places<'s>,
     encoding: Encoding,
 }
 
-impl Server {
-    /// An open text, read if it has changed; `None` where it is not open.
-    fn view(&mut self, text: &lsp::TextDocumentIdentifier) -> Option<View<'_>> {
+impl Session {
+    /// Returns an open document, analysed if it has changed; `None` if it is not open.
+    fn document_view(&mut self, text: &lsp::TextDocumentIdentifier) -> Option<DocumentView<'_>> {
         let uri = text.uri.as_ref();
         self.refresh(uri);
         let encoding = self.client.encoding;
         let document = self.documents.get(uri)?;
         let analysis = document.analysis.as_ref()?;
-        Some(View {
+        Some(DocumentView {
             document,
             analysis,
             places: Places::new(&self.documents, document, analysis, encoding),
@@ -123,8 +128,8 @@ impl Server {
     }
 }
 
-impl View<'_> {
-    /// The offset of a position, as [`ide`] counts.
+impl DocumentView<'_> {
+    /// Returns the offset of a position in the text of the analysis.
     fn offset(&self, position: lsp::Position) -> usize {
         let document = self.document;
         let lines = &document.lines;
@@ -139,23 +144,23 @@ impl View<'_> {
 
     fn text_edits(&self, edits: Vec<ide::format::Edit>) -> Vec<lsp::TextEdit> {
         let edits = edits.into_iter().map(|e| lsp::TextEdit {
-            range: self.places.own(&e.range),
+            range: self.places.range_here(&e.range),
             new_text: e.text,
         });
         edits.collect()
     }
 }
 
-fn hover(server: &mut Server, params: lsp::HoverParams) -> Answer<Option<lsp::Hover>> {
-    let (language, pictures) = (server.settings.language, server.settings.pictures);
+fn hover(session: &mut Session, params: lsp::HoverParams) -> RequestResult<Option<lsp::Hover>> {
+    let (language, pictures) = (session.settings.language, session.settings.pictures);
     let place = params.text_document_position_params;
-    let Some(view) = server.view(&place.text_document) else {
+    let Some(document) = session.document_view(&place.text_document) else {
         return Ok(None);
     };
-    let at = view.offset(place.position);
-    let found = ide::hover::hover(view.analysis, at, language, pictures);
+    let at = document.offset(place.position);
+    let found = ide::hover::hover(document.analysis, at, language, pictures);
     Ok(found.map(|hover| lsp::Hover {
-        range: Some(view.places.own(&hover.range)),
+        range: Some(document.places.range_here(&hover.range)),
         contents: lsp::Contents::MarkupContent(lsp::MarkupContent {
             kind: lsp::MarkupKind::Markdown,
             value: hover.markdown,
@@ -163,42 +168,48 @@ fn hover(server: &mut Server, params: lsp::HoverParams) -> Answer<Option<lsp::Ho
     }))
 }
 
-fn definition(server: &mut Server, params: lsp::DefinitionParams) -> Answer<Vec<lsp::Location>> {
+fn definition(
+    session: &mut Session,
+    params: lsp::DefinitionParams,
+) -> RequestResult<Vec<lsp::Location>> {
     let place = params.text_document_position_params;
-    let Some(view) = server.view(&place.text_document) else {
+    let Some(document) = session.document_view(&place.text_document) else {
         return Ok(vec![]);
     };
-    let at = view.offset(place.position);
-    let found = ide::names::definition(view.analysis, at).into_iter();
-    let found = found.filter_map(|p| view.places.location(p.file, &p.range));
+    let at = document.offset(place.position);
+    let found = ide::names::definition(document.analysis, at).into_iter();
+    let found = found.filter_map(|p| document.places.location(p.file, &p.range));
     Ok(found.collect())
 }
 
-/// The uses in all open texts.
-fn references(server: &mut Server, params: lsp::ReferenceParams) -> Answer<Vec<lsp::Location>> {
+/// Returns the uses in all open documents.
+fn references(
+    session: &mut Session,
+    params: lsp::ReferenceParams,
+) -> RequestResult<Vec<lsp::Location>> {
     let place = params.text_document_position_params;
     let uri = place.text_document.uri.to_string();
-    let Some(view) = server.view(&place.text_document) else {
+    let Some(document) = session.document_view(&place.text_document) else {
         return Ok(vec![]);
     };
-    let at = view.offset(place.position);
+    let at = document.offset(place.position);
     let declared = params.context.include_declaration;
-    let found = ide::names::references(view.analysis, at, declared);
-    let symbol = ide::names::symbol_at(view.analysis, at);
+    let found = ide::names::references(document.analysis, at, declared);
+    let symbol = ide::names::symbol_at(document.analysis, at);
     let locate = |places: &Places<'_>, found: Vec<ide::Place>| -> Vec<lsp::Location> {
         let found = found.into_iter();
         found
             .filter_map(|p| places.location(p.file, &p.range))
             .collect()
     };
-    let mut all = locate(&view.places, found);
+    let mut all = locate(&document.places, found);
     let Some(symbol) = symbol else {
         return Ok(all);
     };
-    for uri in server.others(&uri) {
-        if let Some(view) = server.view(&uri) {
-            let found = ide::names::uses_of(view.analysis, &symbol);
-            for location in locate(&view.places, found) {
+    for uri in session.others(&uri) {
+        if let Some(document) = session.document_view(&uri) {
+            let found = ide::names::uses_of(document.analysis, &symbol);
+            for location in locate(&document.places, found) {
                 if !all.contains(&location) {
                     all.push(location);
                 }
@@ -208,8 +219,8 @@ fn references(server: &mut Server, params: lsp::ReferenceParams) -> Answer<Vec<l
     Ok(all)
 }
 
-impl Server {
-    /// The open texts but one.
+impl Session {
+    /// Returns all open documents except one.
     fn others(&self, uri: &str) -> Vec<lsp::TextDocumentIdentifier> {
         let others = self.documents.iter().filter(|d| d.uri != uri);
         let named = others.map(|d| lsp::TextDocumentIdentifier {
@@ -220,193 +231,154 @@ impl Server {
 }
 
 fn highlights(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::DocumentHighlightParams,
-) -> Answer<Vec<lsp::DocumentHighlight>> {
+) -> RequestResult<Vec<lsp::DocumentHighlight>> {
     let place = params.text_document_position_params;
-    // Clients ask this wherever the cursor comes to rest.
-    server.point(&place);
-    let Some(view) = server.view(&place.text_document) else {
+    // Clients send this request whenever the cursor rests.
+    session.show_cursor(&place);
+    let Some(document) = session.document_view(&place.text_document) else {
         return Ok(vec![]);
     };
-    let at = view.offset(place.position);
-    let found = ide::names::highlights(view.analysis, at).into_iter();
-    let made = found.map(|(range, written)| lsp::DocumentHighlight {
-        range: view.places.own(&range),
+    let at = document.offset(place.position);
+    let found = ide::names::highlights(document.analysis, at).into_iter();
+    let converted = found.map(|(range, written)| lsp::DocumentHighlight {
+        range: document.places.range_here(&range),
         kind: Some(match written {
             true => lsp::DocumentHighlightKind::Write,
             false => lsp::DocumentHighlightKind::Read,
         }),
     });
-    Ok(made.collect())
+    Ok(converted.collect())
 }
 
-/// Shows a text in the live preview; returns the address of the page.
-fn execute(server: &mut Server, params: lsp::ExecuteCommandParams) -> Answer<String> {
+/// Shows a document in the live preview; returns the address of the page.
+fn execute(session: &mut Session, params: lsp::ExecuteCommandParams) -> RequestResult<String> {
     if params.command != VIEW {
-        let why = format!("{}: not known here", params.command);
+        let why = format!("{}: unknown command", params.command);
         return Err((ErrorCode::InvalidParams, why));
     }
     let failed = |why: &Text| {
-        let why = why.in_language(server.settings.language).to_owned();
+        let why = why.in_language(session.settings.language).to_owned();
         (ErrorCode::RequestFailed, why)
     };
-    if !view::there() {
-        return Err(failed(&view::how_to_get_it()));
+    if !view::is_built() {
+        return Err(failed(&view::how_to_build()));
     }
     let given = params.arguments.unwrap_or_default();
     let uri = given.first().and_then(Value::as_str).unwrap_or_default();
     let Some(path) = uri::to_path(uri) else {
         return Err(failed(&text!(
-            "save the text in a file first",
+            "save the document to a file first",
             "先にテキストをファイルに保存してください"
         )));
     };
-    let (documents, settings) = (&server.documents, &server.settings);
-    let (client, say) = (&server.client, server.say());
-    let shown = server
+    let (documents, settings) = (&session.documents, &session.settings);
+    let (client, sender) = (&session.client, session.request_sender());
+    let shown = session
         .previews
-        .show(&path, documents, settings, (client, &say));
+        .show(&path, documents, settings, (client, &sender));
     let url = shown.map_err(|e| (ErrorCode::RequestFailed, e.to_string()))?;
-    if server.client.shows_documents && given.get(1) != Some(&Value::Bool(false)) {
+    if session.client.shows_documents && given.get(1) != Some(&Value::Bool(false)) {
         let page = json!({ "uri": url, "external": true });
-        server.ask("hsd/page", "window/showDocument", page);
+        session.ask("hsd/page", "window/showDocument", page);
     }
     Ok(url)
 }
 
-fn symbols(
-    server: &mut Server,
-    params: lsp::DocumentSymbolParams,
-) -> Answer<Vec<lsp::DocumentSymbol>> {
-    let Some(view) = server.view(&params.text_document) else {
-        return Ok(vec![]);
-    };
-    let found = ide::symbols::symbols(view.analysis);
-    Ok(found.into_iter().map(|s| symbol(&view, s)).collect())
-}
-
-fn symbol(view: &View<'_>, from: ide::symbols::Symbol) -> lsp::DocumentSymbol {
-    use ide::symbols::SymbolKind as Kind;
-    let children = from.children.into_iter().map(|c| symbol(view, c));
-    #[expect(deprecated)] // the field has to be given all the same
-    lsp::DocumentSymbol {
-        name: from.name,
-        detail: (!from.detail.is_empty()).then_some(from.detail),
-        kind: match from.kind {
-            Kind::House => lsp::SymbolKind::Class,
-            Kind::Storey => lsp::SymbolKind::Namespace,
-            Kind::Row | Kind::Loop => lsp::SymbolKind::Array,
-            Kind::Facade => lsp::SymbolKind::Interface,
-            Kind::Roof => lsp::SymbolKind::Event,
-            Kind::Piece => lsp::SymbolKind::Function,
-            Kind::Parameter => lsp::SymbolKind::Variable,
-            Kind::Value => lsp::SymbolKind::Constant,
-            Kind::Part => lsp::SymbolKind::EnumMember,
-            Kind::File => lsp::SymbolKind::File,
-            Kind::Fitting => lsp::SymbolKind::Property,
-        },
-        tags: None,
-        deprecated: None,
-        range: view.places.own(&from.range),
-        selection_range: view.places.own(&from.selection),
-        children: Some(children.collect()),
-    }
-}
-
 fn code_actions(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::CodeActionParams,
-) -> Answer<Vec<lsp::CodeAction>> {
+) -> RequestResult<Vec<lsp::CodeAction>> {
     let uri = params.text_document.uri.to_string();
-    server.refresh(&uri);
+    session.refresh(&uri);
     let only = params.context.only;
     let only = only.map(|kinds| kinds.iter().map(ToString::to_string).collect::<Vec<_>>());
-    let manner = Manner {
-        encoding: server.client.encoding,
-        settings: &server.settings,
-        versions: server.client.versions,
+    let context = ActionContext {
+        encoding: session.client.encoding,
+        settings: &session.settings,
+        versions: session.client.versions,
     };
-    let documents = &server.documents;
+    let documents = &session.documents;
     Ok(actions::actions(
         documents,
         &uri,
         params.range,
         only.as_deref(),
-        manner,
+        context,
     ))
 }
 
 fn formatting(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::DocumentFormattingParams,
-) -> Answer<Option<Vec<lsp::TextEdit>>> {
-    let Some(view) = server.view(&params.text_document) else {
+) -> RequestResult<Option<Vec<lsp::TextEdit>>> {
+    let Some(document) = session.document_view(&params.text_document) else {
         return Ok(None);
     };
-    let edits = ide::format::format(view.analysis);
-    Ok(edits.map(|e| view.text_edits(e)))
+    let edits = ide::format::format(document.analysis);
+    Ok(edits.map(|e| document.text_edits(e)))
 }
 
 fn range_formatting(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::DocumentRangeFormattingParams,
-) -> Answer<Option<Vec<lsp::TextEdit>>> {
-    let Some(view) = server.view(&params.text_document) else {
+) -> RequestResult<Option<Vec<lsp::TextEdit>>> {
+    let Some(document) = session.document_view(&params.text_document) else {
         return Ok(None);
     };
-    let edits = ide::format::format_range(view.analysis, view.offsets(params.range));
-    Ok(edits.map(|e| view.text_edits(e)))
+    let edits = ide::format::format_range(document.analysis, document.offsets(params.range));
+    Ok(edits.map(|e| document.text_edits(e)))
 }
 
 fn prepare_rename(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::PrepareRenameParams,
-) -> Answer<Option<lsp::PrepareRenamePlaceholder>> {
+) -> RequestResult<Option<lsp::PrepareRenamePlaceholder>> {
     let place = params.text_document_position_params;
-    let Some(view) = server.view(&place.text_document) else {
+    let Some(document) = session.document_view(&place.text_document) else {
         return Ok(None);
     };
-    let found = ide::names::prepare_rename(view.analysis, view.offset(place.position));
+    let found = ide::names::prepare_rename(document.analysis, document.offset(place.position));
     Ok(
         found.map(|(range, placeholder)| lsp::PrepareRenamePlaceholder {
-            range: view.places.own(&range),
+            range: document.places.range_here(&range),
             placeholder,
         }),
     )
 }
 
-/// A rename in all open texts that mean the same by the name.
-fn rename(server: &mut Server, params: lsp::RenameParams) -> Answer<lsp::WorkspaceEdit> {
+/// Renames a symbol in all open documents that share it.
+fn rename(session: &mut Session, params: lsp::RenameParams) -> RequestResult<lsp::WorkspaceEdit> {
     let place = params.text_document_position_params;
-    let (language, versions) = (server.settings.language, server.client.versions);
+    let (language, versions) = (session.settings.language, session.client.versions);
     let uri = place.text_document.uri.to_string();
-    let Some(view) = server.view(&place.text_document) else {
+    let Some(document) = session.document_view(&place.text_document) else {
         let why = format!("{uri}: not open");
         return Err((ErrorCode::InvalidParams, why));
     };
-    let (at, new) = (view.offset(place.position), &*params.new_name);
+    let (at, new) = (document.offset(place.position), &*params.new_name);
     let mut changes = Changes::default();
     let refuse = |why: crate::diagnostic::Text| {
         let why = why.in_language(language).to_owned();
         (ErrorCode::RequestFailed, why)
     };
-    let edits = ide::names::rename(view.analysis, at, new).map_err(refuse)?;
-    changes.extend(&view.places, edits);
-    let symbol = ide::names::symbol_at(view.analysis, at);
-    let others = symbol.as_ref().map(|_| server.others(&uri));
+    let edits = ide::names::rename(document.analysis, at, new).map_err(refuse)?;
+    changes.extend(&document.places, edits);
+    let symbol = ide::names::symbol_at(document.analysis, at);
+    let others = symbol.as_ref().map(|_| session.others(&uri));
     for other in others.into_iter().flatten() {
-        let (Some(view), Some(symbol)) = (server.view(&other), &symbol) else {
+        let (Some(document), Some(symbol)) = (session.document_view(&other), &symbol) else {
             continue;
         };
-        let edits = ide::names::rename_symbol(view.analysis, symbol, new).map_err(refuse)?;
-        changes.extend(&view.places, edits);
+        let edits = ide::names::rename_symbol(document.analysis, symbol, new).map_err(refuse)?;
+        changes.extend(&document.places, edits);
     }
     Ok(changes.finish(versions))
 }
 
 impl Changes {
-    /// Adds changes that are not there yet: a file may be changed for each text that includes it.
+    /// Adds edits that are not present yet: a file may be edited for each document that includes it.
     fn extend(&mut self, places: &Places<'_>, edits: Vec<(FileId, Range<usize>, String)>) {
         for (file, range, text) in edits {
             if let Some(location) = places.location(file, &range) {
@@ -416,14 +388,17 @@ impl Changes {
     }
 }
 
-fn folding(server: &mut Server, params: lsp::FoldingRangeParams) -> Answer<Vec<lsp::FoldingRange>> {
+fn folding(
+    session: &mut Session,
+    params: lsp::FoldingRangeParams,
+) -> RequestResult<Vec<lsp::FoldingRange>> {
     use ide::folding::FoldKind as Kind;
-    let Some(view) = server.view(&params.text_document) else {
+    let Some(document) = session.document_view(&params.text_document) else {
         return Ok(vec![]);
     };
-    let folds = ide::folding::folds(view.analysis).into_iter();
-    let made = folds.map(|fold| {
-        let range = view.places.own(&fold.range);
+    let folds = ide::folding::folds(document.analysis).into_iter();
+    let converted = folds.map(|fold| {
+        let range = document.places.range_here(&fold.range);
         lsp::FoldingRange {
             start_line: range.start.line,
             end_line: range.end.line,
@@ -435,22 +410,22 @@ fn folding(server: &mut Server, params: lsp::FoldingRangeParams) -> Answer<Vec<l
             ..lsp::FoldingRange::default()
         }
     });
-    Ok(made.filter(|f| f.start_line < f.end_line).collect())
+    Ok(converted.filter(|f| f.start_line < f.end_line).collect())
 }
 
 fn selection(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::SelectionRangeParams,
-) -> Answer<Vec<lsp::SelectionRange>> {
-    let Some(view) = server.view(&params.text_document) else {
+) -> RequestResult<Vec<lsp::SelectionRange>> {
+    let Some(document) = session.document_view(&params.text_document) else {
         return Ok(vec![]);
     };
     let positions = params.positions.into_iter();
     let chains = positions.map(|position| {
-        let ranges = ide::selection::selection(view.analysis, view.offset(position));
+        let ranges = ide::selection::selection(document.analysis, document.offset(position));
         let mut parent = None;
         for range in ranges.iter().rev() {
-            let range = view.places.own(range);
+            let range = document.places.range_here(range);
             parent = Some(Box::new(lsp::SelectionRange { range, parent }));
         }
         let here = lsp::Range {
@@ -468,15 +443,21 @@ fn selection(
     Ok(chains.collect())
 }
 
-fn inlay_hints(server: &mut Server, params: lsp::InlayHintParams) -> Answer<Vec<lsp::InlayHint>> {
-    let (language, wanted) = (server.settings.language, server.settings.inlay_hints);
-    let Some(view) = server.view(&params.text_document).filter(|_| wanted) else {
+fn inlay_hints(
+    session: &mut Session,
+    params: lsp::InlayHintParams,
+) -> RequestResult<Vec<lsp::InlayHint>> {
+    let (language, wanted) = (session.settings.language, session.settings.inlay_hints);
+    let Some(document) = session
+        .document_view(&params.text_document)
+        .filter(|_| wanted)
+    else {
         return Ok(vec![]);
     };
-    let range = view.offsets(params.range);
-    let hints = ide::inlay::inlays(view.analysis, range, language).into_iter();
-    let made = hints.map(|hint| lsp::InlayHint {
-        position: view.places.position(hint.at),
+    let range = document.offsets(params.range);
+    let hints = ide::inlay::inlays(document.analysis, range, language).into_iter();
+    let converted = hints.map(|hint| lsp::InlayHint {
+        position: document.places.position(hint.at),
         label: lsp::Label::String(hint.label),
         kind: None,
         text_edits: None,
@@ -487,5 +468,5 @@ fn inlay_hints(server: &mut Server, params: lsp::InlayHintParams) -> Answer<Vec<
         padding_right: None,
         data: None,
     });
-    Ok(made.collect())
+    Ok(converted.collect())
 }

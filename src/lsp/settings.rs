@@ -1,43 +1,43 @@
-//! What a client may wish: `initializationOptions`, or the section `hsd` of its settings.
+//! Settings of the client: `initializationOptions`, or the section `hsd` of its configuration.
 //!
 //! | key | meaning |
 //! |---|---|
 //! | `language` | `en`, `ja` or `auto`: that of the editor |
-//! | `textures` | folders of part pictures, in place of the text's own and its `textures` |
-//! | `catalogs` | files of own parts |
+//! | `textures` | folders of part images, instead of that of the document and its `textures` subfolder |
+//! | `catalogs` | files of custom parts |
 //! | `parameters` | names and values of parameters |
-//! | `seed` | in place of the seeds of houses |
-//! | `root` | the folder below which included files lie |
-//! | `pictures` | whether cards show pictures of parts; unless said they do not, since terminals show a page of letters in their place |
-//! | `inlayHints` | whether lengths are shown behind wall lines |
+//! | `seed` | overrides the random seeds of houses |
+//! | `root` | the folder below which includes are allowed |
+//! | `pictures` | whether cards contain images of parts; off by default, because terminals show them as text |
+//! | `inlayHints` | whether lengths are shown after wall lines |
 
 use crate::diagnostic::Language;
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// The wishes of a client.
+/// The settings of a client.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Settings {
-    /// Of messages and cards.
+    /// The language of diagnostics and cards.
     pub(super) language: Language,
-    /// Folders of part pictures; none = beside the text.
+    /// Folders of part images; if empty, those of the document.
     pub(super) textures: Vec<PathBuf>,
-    /// Files of own parts.
+    /// Files of custom parts.
     pub(super) catalogs: Vec<PathBuf>,
     /// Parameters and their values.
     pub(super) parameters: Vec<(String, String)>,
-    /// In place of the seeds of houses.
+    /// Overrides the random seeds of houses.
     pub(super) seed: Option<u64>,
-    /// The folder below which included files lie.
+    /// The folder below which includes are allowed.
     pub(super) root: Option<PathBuf>,
-    /// Whether cards show pictures.
+    /// Whether cards contain images.
     pub(super) pictures: bool,
-    /// Whether lengths are shown behind lines.
+    /// Whether lengths are shown after wall lines.
     pub(super) inlay_hints: bool,
 }
 
 impl Settings {
-    /// What holds where nothing is said.
+    /// Returns the default settings.
     pub(super) fn new(language: Language) -> Settings {
         Settings {
             language,
@@ -51,9 +51,9 @@ impl Settings {
         }
     }
 
-    /// Reads what is said; what makes no sense is passed over. Relative paths begin at the folder of the work.
-    pub(super) fn read(said: &Value, locale: Language, folder: Option<&PathBuf>) -> Settings {
-        let mut settings = Settings::new(match said["language"].as_str() {
+    /// Parses settings; invalid values are ignored. Relative paths are resolved against the workspace folder.
+    pub(super) fn read(values: &Value, locale: Language, folder: Option<&PathBuf>) -> Settings {
+        let mut settings = Settings::new(match values["language"].as_str() {
             Some("en") => Language::English,
             Some("ja") => Language::Japanese,
             _ => locale,
@@ -63,13 +63,13 @@ impl Settings {
             Some(folder.map_or_else(|| PathBuf::from(path), |f| f.join(path)))
         };
         let paths = |key: &str| {
-            let list = said[key].as_array().into_iter().flatten();
+            let list = values[key].as_array().into_iter().flatten();
             list.filter_map(path).collect::<Vec<_>>()
         };
         settings.textures = paths("textures");
         settings.catalogs = paths("catalogs");
-        settings.root = path(&said["root"]);
-        let parameters = said["parameters"].as_object().into_iter().flatten();
+        settings.root = path(&values["root"]);
+        let parameters = values["parameters"].as_object().into_iter().flatten();
         settings.parameters = parameters
             .map(|(name, value)| match value {
                 Value::String(text) => (name.clone(), text.clone()),
@@ -77,9 +77,9 @@ impl Settings {
                 other => (name.clone(), other.to_string()),
             })
             .collect();
-        settings.seed = said["seed"].as_u64();
-        settings.pictures = said["pictures"].as_bool().unwrap_or(false);
-        settings.inlay_hints = said["inlayHints"].as_bool().unwrap_or(true);
+        settings.seed = values["seed"].as_u64();
+        settings.pictures = values["pictures"].as_bool().unwrap_or(false);
+        settings.inlay_hints = values["inlayHints"].as_bool().unwrap_or(true);
         settings
     }
 }

@@ -1,4 +1,4 @@
-//! Messages from and to a stream. What is no message is answered as such, and the next one read.
+//! Reads and writes messages. Malformed messages are reported to the server, and reading continues.
 
 use lsp_server::{Connection, Message};
 use serde::Serialize;
@@ -6,23 +6,23 @@ use std::io::{self, BufRead, Error, ErrorKind, Read, Write};
 use std::sync::mpsc::{self, Sender};
 use std::thread::{self, JoinHandle};
 
-/// The longest message that is read, bytes; of a longer one nothing is kept.
+/// The maximum length of a message in bytes; longer ones are skipped.
 const LONGEST: u64 = 1 << 28;
 
-/// Reads and writes in the background. The writer takes messages as [`bytes`] has them, and ends with [`END`]: others than
-/// the server may hold on to its channel, as previews do.
+/// Starts the reader and writer threads. The writer takes messages serialized by [`bytes`] and ends with [`END`], since
+/// previews may keep its channel open.
 pub(super) fn start(
     client: Connection,
     mut input: impl BufRead + Send + 'static,
     mut output: impl Write + Send + 'static,
 ) -> (Sender<Vec<u8>>, JoinHandle<()>) {
     let sender = client.sender;
-    // Nobody waits for the reader: it may hang on a stream that never ends.
+    // The reader is not joined: its stream may never end.
     thread::spawn(move || {
         loop {
             let message = match read(&mut input) {
                 Ok(Some(message)) => message,
-                // The stream goes on behind what could not be read.
+                // Continues after a malformed message.
                 Err(error) if error.kind() == ErrorKind::InvalidData => lsp_server::Notification {
                     method: BROKEN.into(),
                     params: error.to_string().into(),
@@ -50,10 +50,10 @@ pub(super) fn start(
     (written, writer)
 }
 
-/// The last message, which is none.
+/// The marker that ends the writer.
 pub(super) const END: &[u8] = &[];
 
-/// A message as it goes over a stream.
+/// Serializes a message with its header.
 pub(super) fn bytes(message: &impl Serialize) -> Vec<u8> {
     let body = serde_json::to_vec(message).unwrap_or_default();
     let mut whole = format!("Content-Length: {}\r\n\r\n", body.len()).into_bytes();
@@ -61,8 +61,8 @@ pub(super) fn bytes(message: &impl Serialize) -> Vec<u8> {
     whole
 }
 
-/// The next message; `None` at the end of the stream. Room is made for what comes, not for what is announced: a header
-/// may say anything.
+/// Reads a message; `None` at the end of the stream. Memory is allocated for received data only, whatever length the
+/// header announces.
 fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
     let broken = |why: &dyn std::fmt::Display| Error::new(ErrorKind::InvalidData, why.to_string());
     let mut length = None;
@@ -100,5 +100,5 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
         .map_err(|e| broken(&e))
 }
 
-/// The name under which a broken message is passed on.
+/// The method name that stands for a malformed message.
 pub(super) const BROKEN: &str = "$/broken";

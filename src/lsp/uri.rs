@@ -1,16 +1,16 @@
-//! File names as the protocol writes them.
+//! File URIs.
 
 use crate::source::reference;
 use percent_encoding::percent_decode_str;
 use std::path::{Path, PathBuf};
 
-/// The file that a URI names, if it names one of this machine.
+/// Returns the path of a file URI, if it is on this machine.
 pub(super) fn to_path(uri: &str) -> Option<PathBuf> {
     let rest = uri.strip_prefix("file://")?;
     let rest = rest.strip_prefix("localhost").unwrap_or(rest);
     let path = percent_decode_str(rest.split(['?', '#']).next()?);
     let path = path.decode_utf8().ok()?;
-    // `/c:/houses` is a drive of Windows.
+    // `/c:/houses` is a Windows drive.
     let drive = path.as_bytes().get(1..3);
     let drive = drive.is_some_and(|d| d[0].is_ascii_alphabetic() && d[1] == b':');
     match cfg!(windows) && drive {
@@ -19,7 +19,7 @@ pub(super) fn to_path(uri: &str) -> Option<PathBuf> {
     }
 }
 
-/// The URI of an absolute path.
+/// Returns the URI of an absolute path.
 pub(super) fn from_path(path: &Path) -> String {
     let text = path
         .to_string_lossy()
@@ -40,7 +40,7 @@ mod tests {
             assert_eq!(to_path(&uri), Some(PathBuf::from(name)));
         }
         assert_eq!(to_path("file:///a/%E5%AE%B6.hsd"), Some("/a/家.hsd".into()));
-        // As browsers read it, for clients that escape too little.
+        // As in browsers, for clients that do not escape `%`.
         assert_eq!(to_path("file:///a%b.hsd"), Some("/a%b.hsd".into()));
         for other in ["untitled:Untitled-1", "file:///a%E5", "http://a/b"] {
             assert_eq!(to_path(other), None);

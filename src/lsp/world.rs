@@ -1,4 +1,4 @@
-//! Texts as they stand in the editor: what is open and not yet saved goes before what lies on disk.
+//! File access of documents: unsaved texts in the editor take precedence over files on disk.
 
 use super::settings::Settings;
 use crate::driver::Options;
@@ -10,7 +10,7 @@ use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::{fs, io};
 
-/// What a path is known by, however it is written and whatever links lead to it.
+/// Returns the canonical form of a path, also if the file does not exist.
 pub(super) fn key(path: &Path) -> PathBuf {
     if let Ok(real) = path.canonicalize() {
         return real;
@@ -25,7 +25,7 @@ pub(super) fn key(path: &Path) -> PathBuf {
             other => plain.push(other),
         }
     }
-    // The file may not be there yet while its folder is.
+    // The folder may exist even if the file does not.
     let real = plain.parent().and_then(|p| p.canonicalize().ok());
     match (real, plain.file_name()) {
         (Some(folder), Some(name)) => folder.join(name),
@@ -33,32 +33,32 @@ pub(super) fn key(path: &Path) -> PathBuf {
     }
 }
 
-/// Open texts by [`key`], each with the mark that says it is UTF-8.
+/// Open texts by [`key`], each with a byte order mark.
 pub(super) type Open = BTreeMap<PathBuf, Arc<str>>;
 
-/// Says that a file is UTF-8, whatever its XML declaration says: editors hand over characters.
+/// The byte order mark, which marks a text as UTF-8 whatever its XML declaration says.
 pub(super) const MARK: &str = "\u{feff}";
 
-/// A text as others see it that read it.
+/// Returns a text with a byte order mark.
 pub(super) fn marked(text: &str) -> String {
     let mark = if text.starts_with(MARK) { "" } else { MARK };
     [mark, text].concat()
 }
 
-/// Files on disk with open texts before them.
+/// Files on disk, overlaid by open texts.
 pub(super) struct Overlay<'a> {
-    /// What lies on disk.
+    /// Files on disk.
     pub(super) disk: FolderWorld,
-    /// Folders below which texts may be included.
+    /// Folders below which includes are allowed.
     pub(super) roots: Vec<PathBuf>,
     /// Open texts by [`key`].
     pub(super) open: &'a Open,
-    /// The files that were asked for, by [`key`], whether they are there or not.
+    /// The requested files by [`key`], whether they exist or not.
     asked: Mutex<BTreeSet<PathBuf>>,
 }
 
 impl<'a> Overlay<'a> {
-    /// The files that a text in this folder may use.
+    /// Creates the file access for a document in this folder.
     pub(super) fn new(folder: Option<&Path>, settings: &Settings, open: &'a Open) -> Overlay<'a> {
         let own = || folder.map(Path::to_owned).into_iter();
         let textures = match &settings.textures[..] {
@@ -77,7 +77,7 @@ impl<'a> Overlay<'a> {
         }
     }
 
-    /// Returns the files that were asked for, by [`key`], whether they exist or not.
+    /// Returns the requested files by [`key`], whether they exist or not.
     pub(super) fn into_asked(self) -> BTreeSet<PathBuf> {
         let asked = self.asked.into_inner();
         asked.unwrap_or_else(PoisonError::into_inner)
@@ -88,7 +88,7 @@ impl<'a> Overlay<'a> {
         asked.insert(key);
     }
 
-    /// The options of a run; files of custom parts that cannot be read are left out.
+    /// Returns the compiler options; unreadable files of custom parts are left out.
     pub(super) fn options(&self, settings: &Settings) -> Options {
         let read = settings.catalogs.iter().filter_map(|path| {
             let key = key(path);
@@ -114,7 +114,7 @@ impl<'a> Overlay<'a> {
         }
     }
 
-    /// A text that is open and not on disk, if it may be read.
+    /// Returns the path of an open text that is not on disk, if it may be included.
     fn unsaved(&self, from: &str, href: &str) -> Option<String> {
         let path = Path::new(from).parent()?.join(href);
         let key = key(&path);
@@ -124,7 +124,7 @@ impl<'a> Overlay<'a> {
     }
 }
 
-/// The bytes of a file that is not too large.
+/// Returns the contents of a file, unless it is too large.
 fn small(path: &Path) -> Option<Vec<u8>> {
     let limit = Limits::default().bytes as u64;
     let size = fs::metadata(path).ok()?.len();

@@ -1,72 +1,72 @@
-//! Beam tracing in one level (003-18): the pyramid that an eye, mirrored in a plane, sends through a rectangle of the plane
-//! holds everything that the rectangle mirrors. Lines of sight run over the plane, as even as the pixels of its picture.
+//! Beam tracing with one reflection (003-18): the pyramid from the mirrored viewpoint through a rectangle of a plane contains
+//! everything that the rectangle reflects. Rays are evenly spaced on the plane, like the pixels of its image.
 
 use crate::render::raster::Grid;
 use crate::render::view::{Hit, Triangle};
 use glam::{DVec2, DVec3, dvec3};
 
-/// What is nearer to the plane than this belongs to the wall that mirrors, metres.
+/// Anything nearer to the plane than this, in metres, belongs to the reflecting wall.
 pub(super) const NEAR: f64 = 0.2;
 
-/// An upright plane and its frame: x to the right as seen from outside, y the height in the world, z out of the plane.
+/// A vertical plane and its frame: x to the right as seen from outside, y the world height, z out of the plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Plane {
-    /// A point of it at height 0.
+    /// A point of the plane at height 0.
     pub at: DVec3,
-    /// Level, of unit length.
+    /// The horizontal unit normal.
     pub out: DVec3,
 }
 
 impl Plane {
-    /// The way to the right.
+    /// Returns the direction to the right.
     pub fn right(&self) -> DVec3 {
         DVec3::Z.cross(self.out)
     }
 
-    /// A point of the world in the frame.
+    /// Transforms a point from world space to the frame.
     pub fn of(&self, p: DVec3) -> DVec3 {
         let p = p - self.at;
         dvec3(self.right().dot(p), p.z, self.out.dot(p))
     }
 
-    /// A point of the frame in the world.
+    /// Transforms a point from the frame to world space.
     pub fn world(&self, p: DVec3) -> DVec3 {
         self.at + self.right() * p.x + DVec3::Z * p.y + self.out * p.z
     }
 }
 
-/// What an eye sees in a rectangle of a plane; all in the plane's frame.
+/// The reflection in a rectangle of a plane from a viewpoint, in the frame of the plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam {
-    /// The eye before the plane.
+    /// The viewpoint in front of the plane.
     pub eye: DVec3,
-    /// Corners of the rectangle.
+    /// The lower corner of the rectangle.
     pub low: DVec2,
-    /// Corners of the rectangle.
+    /// The upper corner of the rectangle.
     pub high: DVec2,
 }
 
-/// A piece of a triangle before the plane: where its corners are seen, how far from the mirrored eye they are, and their
-/// weights of the triangle's corners.
+/// A corner of a clipped triangle: its projection to the plane, its depth from the mirrored viewpoint, and its barycentric
+/// weights.
 type Corner = (DVec2, f64, DVec3);
 
 impl Beam {
-    /// Where a point before the plane is seen in it.
+    /// Projects a point in front of the plane to its reflection in the plane.
     pub fn on_plane(&self, p: DVec3) -> DVec2 {
         let share = self.eye.z / (self.eye.z + p.z);
         let eye = self.eye.truncate();
         eye + (p.truncate() - eye) * share
     }
 
-    /// The way on which light comes to a point of the plane that the eye sees there.
+    /// Returns the direction of the reflected ray at a point of the plane.
     pub fn way(&self, q: DVec2) -> DVec3 {
         (q - self.eye.truncate()).extend(self.eye.z).normalize()
     }
 
-    /// Whether something with these corners may reach into the beam.
+    /// Returns whether the convex hull of these points may intersect the beam.
     pub fn holds(&self, corners: &[DVec3]) -> bool {
         let eye = self.eye.truncate();
-        // Points beyond a side of the pyramid: `at` is where it leaves the plane.
+        // Tests a point against a side of the pyramid, which intersects the plane at `at`.
         let beyond = |sign: f64, p: f64, eye: f64, at: f64, depth: f64| {
             sign * ((p - eye) * self.eye.z - (at - eye) * (self.eye.z + depth)) > 0.0
         };
@@ -80,7 +80,7 @@ impl Beam {
         !sides.iter().any(|side| corners.iter().all(side))
     }
 
-    /// The nearest hit on every line of a grid on the plane; triangles by their corners in the plane's frame.
+    /// Returns the nearest hit of each ray of a grid on the plane; `corners` are those of the triangles in the frame.
     pub fn look(
         &self,
         triangles: &[Triangle],
@@ -97,7 +97,7 @@ impl Beam {
             for k in 2..count {
                 let piece = [pieces[0], pieces[k - 1], pieces[k]];
                 grid.meet(piece.map(|(q, ..)| q), |place, weights| {
-                    // What is even in the world is even over the plane when it is divided by the distance.
+                    // Perspective-correct interpolation: attributes divided by depth are linear on the plane.
                     let shares = [0, 1, 2].map(|k| weights[k] / piece[k].1);
                     let depth = 1.0 / shares.iter().sum::<f64>();
                     let hit = &mut hits[place];
@@ -119,7 +119,7 @@ impl Beam {
         hits
     }
 
-    /// The part of a triangle that lies before the plane: three or four corners, or none.
+    /// Clips a triangle at the plane; returns the corners and their number: three, four or none.
     fn pieces(&self, corners: &[DVec3; 3]) -> ([Corner; 4], usize) {
         let mut kept = [(DVec2::ZERO, 1.0, DVec3::ZERO); 4];
         let mut count = 0;
@@ -167,7 +167,7 @@ mod tests {
     fn beams_hold_what_they_meet() {
         assert!(BEAM.holds(&[dvec3(0.0, 1.0, 5.0)]));
         assert!(!BEAM.holds(&[dvec3(0.0, 1.0, -5.0), dvec3(9.0, 9.0, 0.0)]));
-        // Ten metres out the beam is three times as wide as the rectangle.
+        // Ten metres from the plane the beam is three times as wide as the rectangle.
         assert!(BEAM.holds(&[dvec3(6.9, 1.0, 10.0)]) && !BEAM.holds(&[dvec3(7.1, 1.0, 10.0)]));
         assert!(BEAM.holds(&[dvec3(-10.9, 1.0, 10.0)]) && !BEAM.holds(&[dvec3(-11.1, 1.0, 10.0)]));
     }
@@ -181,7 +181,7 @@ mod tests {
                 dvec3(0.0, 30.0, z),
             ]
         };
-        // One that leans through the plane stands before the others on the left.
+        // A triangle that intersects the plane covers the others on the left.
         let leaning = [
             dvec3(-9.0, -30.0, -1.0),
             dvec3(-9.0, 30.0, -1.0),

@@ -1,8 +1,8 @@
-//! Digits for the numbers of pictures, three by five dots.
+//! A digit font of three by five dots, for numbers in images.
 
 use image::{Rgb, RgbImage};
 
-/// Rows of three dots from the top, the left one in the highest bit.
+/// Rows of three dots from top to bottom; the left dot is the highest bit.
 const DIGITS: [[u8; 5]; 10] = [
     [0b111, 0b101, 0b101, 0b101, 0b111],
     [0b010, 0b110, 0b010, 0b010, 0b111],
@@ -18,7 +18,7 @@ const DIGITS: [[u8; 5]; 10] = [
 
 const INK: Rgb<u8> = Rgb([0x2b, 0x27, 0x24]);
 
-/// Writes a number into a picture, its upper left corner here, `dot` pixels a dot.
+/// Draws a number with its upper left corner at (`x`, `y`) and `dot` pixels per dot.
 pub(super) fn write(number: u64, picture: &mut RgbImage, (x, y): (u32, u32), dot: u32) {
     for (k, digit) in (0..).zip(number.to_string().bytes()) {
         let rows = DIGITS[usize::from(digit - b'0')];

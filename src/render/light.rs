@@ -1,4 +1,4 @@
-//! The colours of what is seen, in sun, sky and shadow.
+//! Shading with sun, sky and shadows.
 
 use crate::render::raster::Grid;
 use crate::render::view::{Hit, Triangle, View};
@@ -7,43 +7,43 @@ use crate::texture::samples::{self, Samples, encoded};
 use glam::{DVec2, DVec3, dvec3};
 use image::{GenericImageView, Rgb, RgbImage, RgbaImage};
 
-/// Linear light of the background and of the ground.
+/// Linear colours of the background and of the ground.
 pub(super) const SKY: DVec3 = dvec3(0.74, 0.80, 0.88);
 const GROUND: DVec3 = dvec3(0.55, 0.52, 0.46);
 
-/// What plain colour stands for a picture that an author made.
+/// The plain colour of custom images that are not available.
 const OWN_PICTURE: DVec3 = dvec3(0.5, 0.5, 0.5);
 
-/// What glass mirrors, and how much of it where nobody says so.
+/// The colour that glass reflects, and its default reflectance.
 const MIRRORED: DVec3 = dvec3(0.10, 0.14, 0.19);
 const MIRRORS: f64 = 0.5;
 
-/// Light from the sky on what looks up, and on what looks down.
+/// Light on surfaces facing up and down, from the sky, and from the sun.
 const FROM_ABOVE: f64 = 0.52;
 const FROM_BELOW: f64 = 0.30;
 const FROM_SUN: f64 = 0.85;
 
-/// So far before what it falls on must lie what throws a shadow, metres.
+/// The minimum distance between an occluder and its shadow in metres.
 const BIAS: f64 = 0.06;
 
-/// What is drawn on a material.
+/// The texture of a material.
 enum Drawn<'a> {
     Plain,
     Surface(&'static Samples),
-    /// A page of joinery.
+    /// A baked texture of parts.
     Page(&'a RgbaImage),
-    /// A picture that an author made.
+    /// A custom image.
     Own(RgbImage),
 }
 
-/// How all materials of a scene look.
+/// The appearance of all materials of a scene.
 pub(super) struct Looks<'a> {
     scene: &'a Scene,
     drawn: Vec<Drawn<'a>>,
 }
 
 impl<'a> Looks<'a> {
-    /// `pictures` are those that authors made, by their numbers; where there is none, a plain colour stands for it.
+    /// Collects the textures; `pictures` returns custom images by index, and missing ones are replaced by a plain colour.
     pub(super) fn new(scene: &'a Scene, pictures: &dyn Fn(u32) -> Option<RgbImage>) -> Looks<'a> {
         let drawn = scene.materials.iter().map(|m| match m.image {
             Image::Surface(name) => samples::samples(name).map(Drawn::Surface),
@@ -60,7 +60,7 @@ impl<'a> Looks<'a> {
         }
     }
 
-    /// Whether a material has a hole at some weights of a triangle's corners.
+    /// Returns whether a triangle has a hole at some weights.
     pub(super) fn open(&self, triangle: &Triangle, weights: [f64; 3]) -> bool {
         let Some(id) = triangle.material.map(|id| id.0 as usize) else {
             return false;
@@ -74,7 +74,7 @@ impl<'a> Looks<'a> {
         }
     }
 
-    /// What colour a triangle has where a line meets it.
+    /// Returns the unlit colour of a triangle at some weights.
     fn dye(&self, triangle: &Triangle, weights: [f64; 3]) -> DVec3 {
         let Some(id) = triangle.material.map(|id| id.0 as usize) else {
             return GROUND;
@@ -104,7 +104,7 @@ impl<'a> Looks<'a> {
     }
 }
 
-/// The pixel at texture coordinates, v upwards.
+/// Returns the pixel at texture coordinates, with v upwards.
 fn pixel<I: GenericImageView>(picture: &I, uv: DVec2) -> Option<I::Pixel> {
     let (width, height) = picture.dimensions();
     let at = |t: f64, n: u32| ((t * f64::from(n)).max(0.0) as u32).min(n.saturating_sub(1));
@@ -112,8 +112,7 @@ fn pixel<I: GenericImageView>(picture: &I, uv: DVec2) -> Option<I::Pixel> {
     (width > 0 && height > 0).then(|| picture.get_pixel(x, y))
 }
 
-/// The picture of what lines of sight meet first, `fine` x `fine` of them a pixel; `shade` is what the sun sees, and `sky`
-/// what is behind everything.
+/// Shades the hits of rays, `fine` x `fine` per pixel; `shade` is the view from the sun, and `sky` returns the background.
 pub(super) fn shine(
     triangles: &[Triangle],
     looks: &Looks<'_>,
@@ -143,7 +142,7 @@ pub(super) fn shine(
     })
 }
 
-/// How much light falls where a line meets a triangle.
+/// Returns the light at a hit.
 fn light(triangle: &Triangle, hit: &Hit, shade: &View) -> f64 {
     let [a, b, c] = hit.weights.map(f64::from);
     let [p, q, r] = triangle.corners;
@@ -155,7 +154,7 @@ fn light(triangle: &Triangle, hit: &Hit, shade: &View) -> f64 {
     if sun <= 0.0 {
         return sky;
     }
-    // Away from the surface, so that it throws no shadow on itself, where the sun's lines stand far apart too.
+    // Offset from the surface to avoid self-shadowing, also with a coarse grid.
     let bias = BIAS.max(1.5 * shade.grid.step);
     let from = at + normal * bias;
     let before = shade

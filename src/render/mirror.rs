@@ -1,12 +1,11 @@
-//! What the glass of facades mirrors, as pictures for viewers that know no mirrors (003-13, 003-14, 003-18).
+//! Reflections of facade glass baked into textures, for viewers that cannot draw reflections (003-13, 003-14, 003-18).
 //!
-//! Walls of a house that lie in one plane mirror in one picture. The eye stands on the ground before the middle of their
-//! panes, so far away that it has all of them within 60 degrees, but not beyond what stands opposite: somebody in the
-//! street. In the picture are other houses, the wings of the own one, ground and sky, in the light of all pictures of
-//! [`picture`](super); other glass mirrors nothing in it.
+//! Coplanar walls of a house share one texture. The viewpoint is above the ground in front of the centre of their panes, far
+//! enough away to see all of them within 60 degrees, but not beyond the building opposite. The texture shows other houses,
+//! other wings of the house itself, ground and sky, lit as by [`picture`](super); it has no reflections of reflections.
 //!
-//! - [`walls`]: which panes mirror, and how they come to show a picture;
-//! - [`scenery`]: what stands in the beam of a wall.
+//! - [`walls`]: the reflecting panes and their texture coordinates;
+//! - [`scenery`]: the geometry within the beam of a wall.
 
 mod scenery;
 mod walls;
@@ -23,50 +22,49 @@ use image::{RgbImage, imageops};
 use scenery::Town;
 use walls::Wall;
 
-/// Lines of sight a pixel in each direction.
+/// Rays per pixel in each direction.
 const FINE: u32 = 2;
 
-/// Most pixels a metre: what is mirrored is seen from afar.
+/// The maximum resolution in pixels per metre: reflections are seen from a distance.
 const DENSITY: f64 = 48.0;
 
-/// Rows of pixels that are drawn at once.
+/// Rows of pixels rendered at once.
 const BAND: u32 = 64;
 
-/// Height of the eye above the ground, metres.
+/// The height of the viewpoint above the ground in metres.
 const EYE: f64 = 1.6;
 
-/// The eye comes no nearer, metres.
+/// The minimum distance of the viewpoint in metres.
 const NEAREST: f64 = 2.0;
 
-/// Of the way to what stands opposite, how far the eye goes.
+/// The maximum distance of the viewpoint, as a fraction of the distance to the building opposite.
 const FREE: f64 = 0.9;
 
-/// How far to go for each metre of wall, to see it within 60 degrees.
+/// The distance per metre of wall at which it is seen within 60 degrees.
 const AWAY: f64 = 0.866;
 
-/// Lines of the sun in each direction, and how far from the wall shadows fall, metres.
+/// Sun rays in each direction, and the extent of shadows from the wall in metres.
 const SUNBEAMS: u32 = 1024;
 const SHADOWS: f64 = 60.0;
 
-/// Linear light of the sky at the horizon and overhead: darker than sunlit plaster, as in a photograph of both.
+/// Linear sky colours at the horizon and the zenith; darker than sunlit plaster, as in a photograph.
 const HORIZON: DVec3 = dvec3(0.56, 0.66, 0.78);
 const ZENITH: DVec3 = dvec3(0.16, 0.30, 0.58);
 
-/// What is wished for of the pictures.
+/// Options of baking.
 #[derive(Clone, Copy, Debug)]
-pub struct Wishes {
-    /// Where the eye stands, metres to the east and north and up; walls that turn their backs on it are seen by one of
-    /// their own.
+pub struct BakeOptions {
+    /// The viewpoint in metres east, north and up; walls that face away from it use their default viewpoint.
     pub eye: Option<DVec3>,
-    /// Most pixels of a picture's longer side.
+    /// The maximum number of pixels of the longer side of a texture.
     pub longest: u32,
 }
 
-/// Draws what walls mirror into pictures of the scene, and lets their panes show them; returns how many there are.
-/// `pictures` are those that authors made, by their numbers.
+/// Bakes the reflections of all walls of the scene and assigns them to their panes; returns the number of textures.
+/// `pictures` returns custom images by index.
 pub fn bake(
     scene: &mut Scene,
-    wishes: Wishes,
+    options: BakeOptions,
     pictures: &dyn Fn(u32) -> Option<RgbImage>,
 ) -> usize {
     let walls = walls::walls(scene);
@@ -78,8 +76,8 @@ pub fn bake(
     let drawn: Vec<(Sheet, RgbImage)> = walls
         .iter()
         .map(|wall| {
-            let sheet = Sheet::of(wall, wishes.longest);
-            (sheet, draw(&town, &looks, wall, sheet, wishes.eye))
+            let sheet = Sheet::of(wall, options.longest);
+            (sheet, draw(&town, &looks, wall, sheet, options.eye))
         })
         .collect();
     let count = drawn.len();
@@ -87,18 +85,18 @@ pub fn bake(
     count
 }
 
-/// How a picture lies on the plane of a wall.
+/// The position of a texture on the plane of a wall.
 #[derive(Clone, Copy, Debug)]
 struct Sheet {
     low: DVec2,
-    /// Metres.
+    /// The size in metres.
     size: DVec2,
-    /// Pixels.
+    /// The size in pixels.
     pixels: (u32, u32),
 }
 
 impl Sheet {
-    /// A sheet over all panes of a wall. Its sides are multiples of four pixels, as graphics cards want them.
+    /// Returns the texture that covers all panes of a wall. Its sides are multiples of four pixels, for texture compression.
     fn of(wall: &Wall, longest: u32) -> Sheet {
         let longest = (longest & !3).max(4);
         let span = (wall.high - wall.low).max(DVec2::splat(1e-3));
@@ -116,22 +114,22 @@ impl Sheet {
         }
     }
 
-    /// Metres of a pixel.
+    /// Returns the size of a pixel in metres.
     fn pixel(&self) -> f64 {
         self.size.x / f64::from(self.pixels.0)
     }
 }
 
-/// The picture of what a wall mirrors.
+/// Renders the reflection of a wall.
 fn draw(
     town: &Town<'_>,
     looks: &Looks<'_>,
     wall: &Wall,
     sheet: Sheet,
-    wished: Option<DVec3>,
+    requested: Option<DVec3>,
 ) -> RgbImage {
     let beam = Beam {
-        eye: eye(town, wall, wished),
+        eye: eye(town, wall, requested),
         low: sheet.low,
         high: sheet.low + sheet.size,
     };
@@ -153,7 +151,7 @@ fn draw(
     let (width, height) = sheet.pixels;
     let band = |first: u32| {
         let rows = BAND.min(height - first);
-        // Rows of a grid run upwards, those of a picture downwards.
+        // Rows of a grid run upwards, those of an image downwards.
         let below = f64::from((height - first - rows) * FINE) * step;
         let origin = sheet.low + dvec2(0.0, below) + step / 2.0;
         let grid = Grid {
@@ -181,10 +179,10 @@ fn draw(
     picture
 }
 
-/// Where the eye stands, in the plane's frame.
-fn eye(town: &Town<'_>, wall: &Wall, wished: Option<DVec3>) -> DVec3 {
-    let wished = wished.map(|eye| wall.plane.of(eye));
-    if let Some(eye) = wished.filter(|eye| eye.z >= NEAREST / 4.0) {
+/// Returns the viewpoint in the frame of the plane.
+fn eye(town: &Town<'_>, wall: &Wall, requested: Option<DVec3>) -> DVec3 {
+    let requested = requested.map(|eye| wall.plane.of(eye));
+    if let Some(eye) = requested.filter(|eye| eye.z >= NEAREST / 4.0) {
         return eye;
     }
     let middle = (wall.low.x + wall.high.x) / 2.0;

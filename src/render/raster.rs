@@ -1,22 +1,22 @@
-//! A grid of parallel lines of sight, seen from the end: which of them meet a triangle.
+//! A grid of parallel rays in projection, and their intersection with triangles.
 
 use glam::{DVec2, dvec2};
 
-/// Lines at equal distances.
+/// Rays at equal distances.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// Where the first line runs.
+    /// The first ray.
     pub origin: DVec2,
-    /// From line to line, in both directions.
+    /// The distance between rays, in both directions.
     pub step: f64,
-    /// Lines in a row.
+    /// Rays per row.
     pub width: usize,
     /// Rows.
     pub height: usize,
 }
 
 impl Grid {
-    /// The finest grid of so many lines that holds all points in its middle, with a margin as a share of its sides.
+    /// Returns the finest grid of `width` x `height` rays centred on all points, with a margin as a fraction of its sides.
     pub fn around(
         points: impl Iterator<Item = DVec2>,
         (width, height): (u32, u32),
@@ -40,13 +40,13 @@ impl Grid {
         }
     }
 
-    /// Where the line of a place runs.
+    /// Returns the position of a ray by its index.
     pub fn at(&self, place: usize) -> DVec2 {
         let line = dvec2((place % self.width) as f64, (place / self.width) as f64);
         self.origin + line * self.step
     }
 
-    /// The line nearest to a point, if the grid reaches there.
+    /// Returns the index of the ray nearest to a point, if it is in the grid.
     pub fn nearest(&self, point: DVec2) -> Option<usize> {
         let line = ((point - self.origin) / self.step).round();
         let inside = line.cmpge(DVec2::ZERO).all()
@@ -55,8 +55,8 @@ impl Grid {
         inside.then(|| line.y as usize * self.width + line.x as usize)
     }
 
-    /// Visits every line that meets the triangle: its place, and the weights of the three corners there. Triangles that
-    /// are seen edge-on are met by none.
+    /// Visits every ray that intersects the triangle, with its index and the barycentric weights. Triangles seen edge-on are
+    /// not visited.
     pub fn meet(&self, [p, q, r]: [DVec2; 3], mut visit: impl FnMut(usize, [f64; 3])) {
         let area = (q - p).perp_dot(r - p);
         if area.abs() < 1e-12 {
@@ -103,7 +103,7 @@ mod tests {
                 assert!((there - grid.at(place)).length() < 1e-12);
             });
         }
-        // Lines upon the common edge meet both.
+        // Rays on the common edge intersect both.
         assert_eq!(met.iter().filter(|n| **n > 0).count(), 16);
         assert_eq!(met.iter().sum::<i32>(), 20);
         assert_eq!(grid.nearest(dvec2(2.4, 1.6)), Some(12));

@@ -1,4 +1,4 @@
-//! A contact sheet: a picture of every variant, each with the number of its seed.
+//! Contact sheets: an image of each variant with its seed.
 
 use crate::building::Built;
 use crate::render::{digits, on_all_processors, picture};
@@ -6,15 +6,15 @@ use crate::scene::{NodeId, Scene};
 use image::{RgbImage, imageops};
 use std::collections::BTreeMap;
 
-/// Between pictures, pixels.
+/// The gap between images in pixels.
 const GAP: u32 = 6;
 
 const PAPER: image::Rgb<u8> = image::Rgb([0xf6, 0xf3, 0xec]);
 
-/// Widths of a picture: the first where there are few, and from how many on the next.
+/// Image widths in pixels by the minimum number of images.
 const WIDTHS: [(usize, u32); 4] = [(0, 360), (25, 240), (101, 160), (401, 96)];
 
-/// The sheet of a scene whose houses are these, in order.
+/// Draws the contact sheet of a scene; `houses` are its houses in order.
 pub fn sheet(scene: &Scene, houses: &[Built]) -> RgbImage {
     let cells = cells(scene, houses);
     let wide = WIDTHS.iter().rev().find(|(from, _)| cells.len() >= *from);
@@ -39,7 +39,7 @@ pub fn sheet(scene: &Scene, houses: &[Built]) -> RgbImage {
     sheet
 }
 
-/// The houses of a variant.
+/// The houses of one variant.
 struct Cell {
     seed: u64,
     nodes: Vec<NodeId>,

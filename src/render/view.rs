@@ -1,10 +1,10 @@
-//! What is seen along parallel lines of sight: the nearest triangle on each.
+//! Parallel projection: the nearest triangle along each ray.
 
 use crate::render::raster::Grid;
 use crate::scene::{MaterialId, Node, NodeId, Scene};
 use glam::{DVec2, DVec3};
 
-/// Axes of an eye: to the right, up, and the way it looks.
+/// The axes of a camera: right, up, and the viewing direction.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     right: DVec3,
@@ -13,7 +13,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// An eye that looks this way and holds its head upright.
+    /// Creates an upright camera with this viewing direction.
     pub fn new(way: DVec3) -> Frame {
         let way = way.normalize();
         let right = way.cross(DVec3::Z).try_normalize().unwrap_or(DVec3::X);
@@ -24,42 +24,42 @@ impl Frame {
         }
     }
 
-    /// A point as the eye sees it.
+    /// Projects a point to the image plane.
     pub fn of(&self, p: DVec3) -> DVec2 {
         DVec2::new(self.right.dot(p), self.up.dot(p))
     }
 
-    /// How far away a point is.
+    /// Returns the depth of a point along the viewing direction.
     pub fn depth(&self, p: DVec3) -> f64 {
         self.way.dot(p)
     }
 
-    /// Where the eye looks.
+    /// Returns the viewing direction.
     pub fn way(&self) -> DVec3 {
         self.way
     }
 }
 
-/// A triangle in the world.
+/// A triangle in world space.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle {
-    /// Metres.
+    /// Corners in metres.
     pub corners: [DVec3; 3],
-    /// At the corners, of unit length.
+    /// Unit normals at the corners.
     pub normals: [DVec3; 3],
     /// Texture coordinates at the corners.
     pub uvs: [DVec2; 3],
-    /// `None` = the ground.
+    /// The material; `None` for the ground.
     pub material: Option<MaterialId>,
 }
 
 impl Triangle {
-    /// Texture coordinates at some weights of the corners.
+    /// Returns the texture coordinates at barycentric weights.
     pub(super) fn uv(&self, [a, b, c]: [f64; 3]) -> DVec2 {
         self.uvs[0] * a + self.uvs[1] * b + self.uvs[2] * c
     }
 
-    /// A piece of the ground.
+    /// Creates a triangle of the ground.
     pub(super) fn ground(corners: [DVec3; 3]) -> Triangle {
         Triangle {
             corners,
@@ -70,28 +70,28 @@ impl Triangle {
     }
 }
 
-/// Where a node stands in the world: how it is turned about the vertical, and its origin.
+/// The transform of a node to world space: a rotation about the vertical and a translation.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
-    /// (cos, sin).
+    /// The rotation as (cos, sin).
     pub turn: DVec2,
-    /// Metres.
+    /// The translation in metres.
     pub at: DVec3,
 }
 
 impl Place {
-    /// A way of the node's frame in the world.
+    /// Transforms a direction to world space.
     pub fn way(&self, v: DVec3) -> DVec3 {
         self.turn.rotate(v.truncate()).extend(v.z)
     }
 
-    /// A point of the node's frame in the world.
+    /// Transforms a point to world space.
     pub fn point(&self, p: DVec3) -> DVec3 {
         self.way(p) + self.at
     }
 }
 
-/// The places of all nodes. They stand behind their parents: one walk tells where each is.
+/// Returns the transforms of all nodes. Parents precede their children, so one pass suffices.
 pub fn places(scene: &Scene) -> Vec<Place> {
     let mut places: Vec<Place> = Vec::with_capacity(scene.nodes.len());
     for node in &scene.nodes {
@@ -113,7 +113,7 @@ pub fn places(scene: &Scene) -> Vec<Place> {
     places
 }
 
-/// The root above each node.
+/// Returns the root of each node.
 pub fn roots(scene: &Scene) -> Vec<NodeId> {
     let mut roots: Vec<NodeId> = Vec::with_capacity(scene.nodes.len());
     for (n, node) in (0..).zip(&scene.nodes) {
@@ -123,12 +123,12 @@ pub fn roots(scene: &Scene) -> Vec<NodeId> {
     roots
 }
 
-/// A corner of an array of the scene.
+/// Converts a vertex position or normal.
 pub(super) fn point(p: [f32; 3]) -> DVec3 {
     DVec3::from_array(p.map(f64::from))
 }
 
-/// Adds the triangles that a node in its place shows.
+/// Adds the triangles of a node in world space.
 pub fn pour(scene: &Scene, node: &Node, place: Place, into: &mut Vec<Triangle>) {
     let Some(mesh) = node.mesh else {
         return;
@@ -149,7 +149,7 @@ pub fn pour(scene: &Scene, node: &Node, place: Place, into: &mut Vec<Triangle>) 
     }
 }
 
-/// All triangles of some houses, each given by its node, in the world.
+/// Returns all triangles of some houses, given by their root nodes, in world space.
 pub fn triangles(scene: &Scene, houses: &[NodeId]) -> Vec<Triangle> {
     let mut found = vec![];
     let nodes = scene.nodes.iter().zip(places(scene)).zip(roots(scene));
@@ -159,29 +159,29 @@ pub fn triangles(scene: &Scene, houses: &[NodeId]) -> Vec<Triangle> {
     found
 }
 
-/// What one line of sight meets first.
+/// The nearest intersection of a ray.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
-    /// Metres along the line.
+    /// Distance along the ray in metres.
     pub depth: f64,
-    /// Index of the triangle.
+    /// The index of the triangle.
     pub triangle: u32,
-    /// Shares of its corners there.
+    /// Barycentric weights of its corners.
     pub weights: [f32; 3],
 }
 
-/// The nearest hit on every line.
+/// The nearest hits of a grid of rays.
 pub struct View {
-    /// How the eye stands.
+    /// The axes of the camera.
     pub frame: Frame,
-    /// Its lines of sight.
+    /// The rays.
     pub grid: Grid,
-    /// By their places in the grid.
+    /// Hits by ray index.
     pub hits: Vec<Option<Hit>>,
 }
 
 impl View {
-    /// Looks at triangles; one may be `open` at some weights of its corners.
+    /// Casts all rays on triangles; `open` tells whether a triangle has a hole at some weights.
     pub fn of(
         triangles: &[Triangle],
         frame: Frame,

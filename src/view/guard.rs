@@ -1,26 +1,26 @@
-//! Who may ask: the page itself, on this machine. A foreign page in the same browser can send requests here too, and a
-//! name of its own can be made to lead to loopback (DNS rebinding): both are told by their headers and refused. Programs of
-//! this machine can write any header: they are not kept out.
+//! Access control: only the page itself is served. Other pages in the browser can send requests too, and their host names
+//! can resolve to loopback (DNS rebinding); both are recognized by their headers and rejected. Local programs can set any
+//! header and are not kept out.
 
 use axum::extract::{Request, State};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
-/// What a page may do: show and run what comes from here, and nothing made of text but the machine code that unpacks models.
+/// The content security policy of the page: only its own files, and WebAssembly for decoding models.
 const PAGE: &str = "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; img-src 'self' blob: data:; \
     connect-src 'self' blob:; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-/// What the workers may do that unpack pictures: make functions from text, and nothing else. They see numbers only.
+/// The content security policy of the texture decoding workers: `eval`, and nothing else.
 const WORKER: &str = "default-src 'none'; script-src 'unsafe-eval'";
 
-/// What a file of the page may do.
+/// Returns the content security policy of a file of the page.
 pub(super) fn allowed(name: &str) -> &'static str {
     if name == "unpack.js" { WORKER } else { PAGE }
 }
 
-/// What browsers are told of every answer.
-const TOLD: [(HeaderName, &str); 5] = [
+/// Security headers of all responses.
+const HEADERS: [(HeaderName, &str); 5] = [
     (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
     (header::X_FRAME_OPTIONS, "DENY"),
     (header::REFERRER_POLICY, "no-referrer"),
@@ -34,14 +34,14 @@ const TOLD: [(HeaderName, &str); 5] = [
     ),
 ];
 
-/// Lets through what comes from the page.
+/// Middleware that rejects requests of other pages.
 pub(super) async fn guard(State(port): State<u16>, request: Request, next: Next) -> Response {
     let mut response = match refusal(request.method(), request.headers(), port) {
         Some(why) => (StatusCode::FORBIDDEN, why).into_response(),
         None => next.run(request).await,
     };
     let headers = response.headers_mut();
-    for (name, value) in TOLD {
+    for (name, value) in HEADERS {
         headers.insert(name, HeaderValue::from_static(value));
     }
     headers
@@ -53,7 +53,7 @@ pub(super) async fn guard(State(port): State<u16>, request: Request, next: Next)
     response
 }
 
-/// Why a request is refused; `None` = it comes from the page, or from a program of this machine that only looks.
+/// Returns the reason why a request is rejected; `None` if it comes from the page, or is a read by a local program.
 fn refusal(method: &Method, headers: &HeaderMap, port: u16) -> Option<&'static str> {
     let names = ["127.0.0.1", "localhost", "[::1]"];
     let own = |host: &str| names.iter().any(|n| host == format!("{n}:{port}"));
@@ -63,22 +63,22 @@ fn refusal(method: &Method, headers: &HeaderMap, port: u16) -> Option<&'static s
             .and_then(|v: &HeaderValue| v.to_str().ok())
     };
     if headers.get_all(header::HOST).iter().count() != 1 || !word(header::HOST).is_some_and(own) {
-        return Some("this server answers to 127.0.0.1 and localhost only");
+        return Some("this server accepts requests to 127.0.0.1 and localhost only");
     }
     let origin = headers.get(header::ORIGIN).map(HeaderValue::to_str);
     let same = |o: &str| o.strip_prefix("http://").is_some_and(own);
     match origin {
         Some(Ok(origin)) if same(origin) => None,
-        Some(_) => Some("this server answers to its own page only"),
+        Some(_) => Some("this server accepts requests of its own page only"),
         None if method == Method::GET || method == Method::HEAD => {
             let foreign = ["cross-site", "same-site"];
-            // A page may be opened from anywhere; nothing else of another page's is answered.
+            // Other sites may link to the page, but not request its data.
             let site = word(HeaderName::from_static("sec-fetch-site")).unwrap_or_default();
             let mode = word(HeaderName::from_static("sec-fetch-mode")).unwrap_or_default();
             (foreign.contains(&site) && mode != "navigate")
-                .then_some("this server answers to its own page only")
+                .then_some("this server accepts requests of its own page only")
         }
-        None => Some("what changes something must name its origin"),
+        None => Some("requests that change something need an Origin header"),
     }
 }
 
@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_page_itself_is_answered() {
+    fn only_the_page_itself_is_served() {
         let own = ("host", "127.0.0.1:4000");
         let good: [&[_]; 5] = [
             &[own],

@@ -1,9 +1,9 @@
-//! The model of a text, house by house: a page that has most of the houses from the revision before reads only the others.
+//! Models house by house: a page that has most houses of the previous revision loads only the others.
 //!
-//! A house is known by its key, which is the same for what looks the same and stands in the same place. Where its parts are
-//! written and what it is called is no part of it: that changes for all houses behind the one that is being written.
+//! Houses are identified by keys that depend on shape, material and position. Names and source locations are not part of
+//! them, since editing a house shifts the locations of all houses after it.
 
-use super::made::{STEM, print};
+use super::fingerprint::fingerprint;
 use crate::backend::gltf::Glb;
 use crate::backend::images::Library;
 use crate::backend::{Images, SurfaceFiles};
@@ -13,12 +13,15 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::hash::Hash;
 use std::ops::Range;
 
-/// The houses of a text.
+/// The name of the model, and of the folder of its textures.
+const STEM: &str = "house";
+
+/// The houses of a source file.
 pub(super) struct Houses {
     scene: Scene,
     library: Library,
     houses: Vec<House>,
-    /// How many nodes are written, then where each is, as [`Houses::others`] hands it out.
+    /// The number of nodes and their source locations, encoded as in [`Houses::others`].
     places: Vec<u8>,
 }
 
@@ -29,7 +32,7 @@ struct House {
 }
 
 impl Houses {
-    /// The houses of a scene, and the pictures beside their model by their names in it.
+    /// Divides a scene into houses; returns them with the external textures of the model by name.
     pub(super) fn new(scene: Scene, library: Library) -> (Houses, BTreeMap<String, Vec<u8>>) {
         let (glb, files) = Glb::beside(&scene, &library, STEM);
         let nodes: Vec<(usize, &Node)> = glb.nodes().collect();
@@ -49,29 +52,28 @@ impl Houses {
         (houses, pictures)
     }
 
-    /// All of them, as a `.glb` with its pictures beside it.
+    /// Returns the whole model as a `.glb` with external textures.
     pub(super) fn whole(&self) -> Vec<u8> {
         let (glb, _) = Glb::beside(&self.scene, &self.library, STEM);
         glb.bytes()
     }
 
-    /// The key and the name of each.
+    /// Returns the keys and names of all houses.
     pub(super) fn known(&self) -> impl Iterator<Item = (&str, &str)> {
         let named = |house: &House| self.scene.nodes[house.nodes.start].called();
         self.houses.iter().map(move |h| (&*h.key, named(h)))
     }
 
-    /// Where everything is written.
+    /// Returns the encoded source locations of all nodes.
     pub(super) fn places(&self) -> &[u8] {
         &self.places
     }
 
-    /// Where all parts are written, and the houses that are not among those which somebody has; `None` where that is all of
-    /// them.
+    /// Returns the source locations of all nodes and the houses whose keys are not in `had`; `None` if that is all houses.
     ///
-    /// Numbers are u32, little-endian: how many nodes the whole has; for each, in its order, the number of its source, and
-    /// its first byte there and the one behind its last (`u32::MAX`, 0, 0 = it is not written); how many houses follow, and
-    /// the number of each; then a `.glb` of them, if there are any.
+    /// The encoding, with numbers as little-endian u32: the number of nodes; for each node its source, start and end byte
+    /// offset (`u32::MAX`, 0, 0 if it has none); the number of houses that follow and the index of each; a `.glb` of these
+    /// houses, if there are any.
     pub(super) fn others(&self, had: &[String]) -> Option<Vec<u8>> {
         let had: HashSet<&str> = had.iter().map(|key| &**key).collect();
         let lacks = |number: &usize| !had.contains(&*self.houses[*number].key);
@@ -94,7 +96,7 @@ impl Houses {
     }
 }
 
-/// Where a node is written.
+/// Returns the source location of a node.
 fn place(node: &Node) -> [u32; 3] {
     let nowhere = [u32::MAX, 0, 0];
     node.span.map_or(nowhere, |Span { file, start, end }| {
@@ -102,26 +104,30 @@ fn place(node: &Node) -> [u32; 3] {
     })
 }
 
-/// The houses among the nodes that are written, and their keys.
+/// Groups the exported nodes by house and computes the keys.
 fn houses(scene: &Scene, images: &dyn Images, nodes: &[(usize, &Node)]) -> Vec<House> {
-    let looks: Vec<u64> = scene.materials.iter().map(|m| look(m, images)).collect();
+    let materials: Vec<u64> = scene
+        .materials
+        .iter()
+        .map(|m| material_fingerprint(m, images))
+        .collect();
     let mut shapes: Vec<Option<u64>> = vec![None; scene.meshes.len()];
     let mut shape = |mesh: usize| {
         let known = shapes.get_mut(mesh)?;
-        Some(*known.get_or_insert_with(|| outline(&scene.meshes[mesh], &looks)))
+        Some(*known.get_or_insert_with(|| mesh_fingerprint(&scene.meshes[mesh], &materials)))
     };
     let mut alike: HashMap<u64, u32> = HashMap::new();
     let groups = nodes.chunk_by(|_, (_, node)| node.parent.is_some());
     let house = |group: &[(usize, &Node)]| {
         let (first, last) = (group[0].0, group[group.len() - 1].0);
-        let key = print(|p| {
+        let key = fingerprint(|p| {
             for (number, node) in group {
                 (number - first).hash(p);
                 lines(node, first).hash(p);
                 node.mesh.and_then(|m| shape(m.0 as usize)).hash(p);
             }
         });
-        // Of houses that are alike in everything each has a key of its own.
+        // Identical houses get distinct keys.
         let count = alike.entry(key).and_modify(|n| *n += 1).or_default();
         House {
             nodes: first..last + 1,
@@ -131,8 +137,8 @@ fn houses(scene: &Scene, images: &dyn Images, nodes: &[(usize, &Node)]) -> Vec<H
     groups.map(house).collect()
 }
 
-/// What of a node is seen or told, but for its mesh and what a house is called; nodes go by their places behind the first
-/// one.
+/// Returns the hashed properties of a node, except for its mesh and the name of a house. Nodes are numbered relative to
+/// `first`.
 fn lines(node: &Node, first: usize) -> impl Hash + use<'_> {
     let Node {
         parent,
@@ -158,13 +164,13 @@ fn lines(node: &Node, first: usize) -> impl Hash + use<'_> {
     )
 }
 
-/// What is the same for meshes that are alike, whatever they are called.
-fn outline(mesh: &Mesh, looks: &[u64]) -> u64 {
+/// Returns the fingerprint of a mesh, without its name.
+fn mesh_fingerprint(mesh: &Mesh, materials: &[u64]) -> u64 {
     let Mesh {
         name: _,
         primitives,
     } = mesh;
-    print(|p| {
+    fingerprint(|p| {
         for primitive in primitives {
             let Primitive {
                 material,
@@ -174,7 +180,7 @@ fn outline(mesh: &Mesh, looks: &[u64]) -> u64 {
                 mirror_uvs,
                 indices,
             } = primitive;
-            looks.get(material.0 as usize).hash(p);
+            materials.get(material.0 as usize).hash(p);
             for triples in [positions, normals] {
                 triples.len().hash(p);
                 triples.iter().for_each(|t| t.map(f32::to_bits).hash(p));
@@ -188,8 +194,8 @@ fn outline(mesh: &Mesh, looks: &[u64]) -> u64 {
     })
 }
 
-/// What is the same for materials that look alike, whatever they are called.
-fn look(material: &Material, images: &dyn Images) -> u64 {
+/// Returns the fingerprint of a material, without its name.
+fn material_fingerprint(material: &Material, images: &dyn Images) -> u64 {
     let Material {
         name: _,
         image,
@@ -203,16 +209,18 @@ fn look(material: &Material, images: &dyn Images) -> u64 {
     } = material;
     let drawn = |files: SurfaceFiles<'_>| {
         let others = [files.normal, files.orm].map(|file| file.map(|f| f.bytes));
-        print(|p| (files.metres.to_bits(), files.color.bytes, others).hash(p))
+        fingerprint(|p| (files.metres.to_bits(), files.color.bytes, others).hash(p))
     };
     let picture = match image {
         Image::None => None,
-        // Drawn by the program itself.
-        Image::Surface(name) => Some(print(|p| name.hash(p))),
-        Image::Picture(index) => images.picture(*index).map(|f| print(|p| f.bytes.hash(p))),
+        // Procedural textures are identified by name.
+        Image::Surface(name) => Some(fingerprint(|p| name.hash(p))),
+        Image::Picture(index) => images
+            .picture(*index)
+            .map(|f| fingerprint(|p| f.bytes.hash(p))),
         Image::Baked(index) => images.baked(*index).map(drawn),
     };
-    print(|p| {
+    fingerprint(|p| {
         (tint.map(f32::to_bits), picture).hash(p);
         [roughness, metallic].map(|x| x.to_bits()).hash(p);
         (double_sided, cutout, mirrored).hash(p);

@@ -1,27 +1,27 @@
-//! The page, where it was built before the program (`view/` in the sources).
+//! The embedded files of the page, if it was built (`view/` in the sources).
 
 use crate::diagnostic::Text;
 use crate::text;
 
-/// The files of the page by their names, each packed with gzip.
+/// The files of the page by name, compressed with gzip.
 const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/page.rs"));
 
-/// Whether there is a page to be shown.
-pub fn there() -> bool {
+/// Returns whether this build contains the page.
+pub fn is_built() -> bool {
     file("index.html").is_some()
 }
 
-/// How to make a program that has the page.
-pub fn how_to_get_it() -> Text {
+/// Returns the message for a build without the page.
+pub fn how_to_build() -> Text {
     text!(
-        "this hsd is built without its page; with Node.js at hand, `npm ci --prefix view && npm run build --prefix view` and \
-         `cargo build --release` make one that has it",
-        "この hsd には画面が含まれていません。Node.js があれば `npm ci --prefix view && npm run build --prefix view` のあと \
-         `cargo build --release` で含めて作れます"
+        "this hsd was built without its page; to build one with it (requires Node.js): \
+         `npm ci --prefix view && npm run build --prefix view`, then `cargo build --release`",
+        "この hsd は画面なしでビルドされています。Node.js があれば、`npm ci --prefix view && npm run build --prefix view` のあと \
+         `cargo build --release` で使えるようになります"
     )
 }
 
-/// A file of the page and its media type.
+/// Returns the media type and the contents of a file.
 pub(super) fn file(name: &str) -> Option<(&'static str, &'static [u8])> {
     let (_, bytes) = FILES.iter().find(|(own, _)| *own == name)?;
     let kind = match name.rsplit('.').next() {

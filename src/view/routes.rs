@@ -1,9 +1,9 @@
-//! What the page asks for. Every answer is worked out on a thread that may take its time.
+//! The API of the page. Requests are handled on blocking threads.
 
-use super::hall::{Eye, Hall, Listed, News, Room, TEXT};
-use super::made::Made;
-use super::studio::{self, Still};
-use super::{beside, guard, page};
+use super::screenshots::{self, Screenshot};
+use super::snapshot::Snapshot;
+use super::workspace::{Document, FileEntry, TEXT, Update, Viewer, Workspace};
+use super::{guard, model_file, page};
 use crate::catalog::PartDef;
 use crate::diagnostic::{Language, Text};
 use crate::ide::card::part_picture;
@@ -25,16 +25,20 @@ use tokio_stream::wrappers::BroadcastStream;
 use tokio_stream::wrappers::errors::BroadcastStreamRecvError;
 use tokio_stream::{Stream, StreamExt};
 
-/// The largest picture that `hsd render` takes from the page, bytes.
+/// The maximum size of an image received by `hsd render`, in bytes.
 const PICTURE: usize = 256 << 20;
 
-/// The kind of a `.glb`.
+/// The media type of `.glb`.
 const GLB: &str = "model/gltf-binary";
 
-type Shared = State<Arc<Hall>>;
+type Shared = State<Arc<Workspace>>;
 
-/// All that is answered, on a port of this machine.
-pub(super) fn routes(hall: Arc<Hall>, port: u16, stills: Option<Sender<Still>>) -> Router {
+/// Returns all routes, for a server on `port`.
+pub(super) fn routes(
+    workspace: Arc<Workspace>,
+    port: u16,
+    screenshots: Option<Sender<Screenshot>>,
+) -> Router {
     Router::new()
         .route("/", get(async || asset("index.html")))
         .route(
@@ -53,43 +57,43 @@ pub(super) fn routes(hall: Arc<Hall>, port: u16, stills: Option<Sender<Still>>) 
         .route("/api/stroke", post(stroke))
         .route("/api/undo", post(undo))
         .route("/api/redo", post(redo))
-        .merge(studio::routes(stills))
+        .merge(screenshots::routes(screenshots))
         .layer(DefaultBodyLimit::max(PICTURE))
         .layer(middleware::from_fn_with_state(port, guard::guard))
-        .with_state(hall)
+        .with_state(workspace)
 }
 
-/// A refusal and its reason.
-struct Refused(StatusCode, String);
+/// An error response and its reason.
+struct ApiError(StatusCode, String);
 
-impl IntoResponse for Refused {
+impl IntoResponse for ApiError {
     fn into_response(self) -> Response {
         (self.0, self.1).into_response()
     }
 }
 
-impl From<io::Error> for Refused {
-    fn from(error: io::Error) -> Refused {
+impl From<io::Error> for ApiError {
+    fn from(error: io::Error) -> ApiError {
         let status = match error.kind() {
             io::ErrorKind::NotFound => StatusCode::NOT_FOUND,
             _ => StatusCode::INTERNAL_SERVER_ERROR,
         };
-        Refused(status, error.to_string())
+        ApiError(status, error.to_string())
     }
 }
 
-type Answer<T> = Result<T, Refused>;
+type ApiResult<T> = Result<T, ApiError>;
 
-/// Works on a thread of its own.
+/// Runs a task on a blocking thread.
 async fn work<T: Send + 'static>(
-    hall: &Arc<Hall>,
-    task: impl FnOnce(&Hall) -> Answer<T> + Send + 'static,
-) -> Answer<T> {
-    let hall = hall.clone();
-    let done = tokio::task::spawn_blocking(move || task(&hall)).await;
+    workspace: &Arc<Workspace>,
+    task: impl FnOnce(&Workspace) -> ApiResult<T> + Send + 'static,
+) -> ApiResult<T> {
+    let workspace = workspace.clone();
+    let done = tokio::task::spawn_blocking(move || task(&workspace)).await;
     done.unwrap_or_else(|_| {
-        let fault = "a fault of the program".to_owned();
-        Err(Refused(StatusCode::INTERNAL_SERVER_ERROR, fault))
+        let fault = "internal error".to_owned();
+        Err(ApiError(StatusCode::INTERNAL_SERVER_ERROR, fault))
     })
 }
 
@@ -111,177 +115,206 @@ struct Hello {
     version: &'static str,
     language: &'static str,
     root: String,
-    files: Vec<Listed>,
+    files: Vec<FileEntry>,
     file: Option<String>,
     writes: bool,
     opens: bool,
 }
 
-async fn hello(State(hall): Shared) -> Answer<Json<Hello>> {
-    let said = work(&hall, |hall| {
-        let files = hall.files();
+async fn hello(State(workspace): Shared) -> ApiResult<Json<Hello>> {
+    let hello = work(&workspace, |workspace| {
+        let files = workspace.files();
         let first = files.iter().find(|f| f.kind == TEXT).or(files.first());
-        let name = hall.root.file_name().unwrap_or_default();
+        let name = workspace.root.file_name().unwrap_or_default();
         Ok(Hello {
             version: env!("CARGO_PKG_VERSION"),
-            language: match hall.language {
+            language: match workspace.language {
                 Language::English => "en",
                 Language::Japanese => "ja",
             },
             root: name.to_string_lossy().into_owned(),
             file: first.map(|f| f.path.clone()),
             files,
-            writes: hall.desk.writes(),
-            opens: hall.desk.opens(),
+            writes: workspace.host.writes(),
+            opens: workspace.host.opens(),
         })
     });
-    said.await.map(Json)
+    hello.await.map(Json)
 }
 
 #[derive(Deserialize)]
-struct Of {
+struct FileQuery {
     file: String,
 }
 
-/// What a file makes now.
-async fn made(hall: &Arc<Hall>, Of { file }: Of) -> Answer<Arc<Made>> {
-    work(hall, move |hall| Ok(hall.made(&*hall.room(&file)?)?)).await
+/// Returns the current snapshot of a file.
+async fn snapshot(
+    workspace: &Arc<Workspace>,
+    FileQuery { file }: FileQuery,
+) -> ApiResult<Arc<Snapshot>> {
+    work(workspace, move |workspace| {
+        Ok(workspace.snapshot(&*workspace.document(&file)?)?)
+    })
+    .await
 }
 
-/// What a file makes, if it is still what the page asks for.
-async fn made_at(hall: &Arc<Hall>, of: Of, revision: u64) -> Answer<Arc<Made>> {
-    let made = made(hall, of).await?;
-    match made.revision == revision {
-        true => Ok(made),
-        false => Err(Refused(StatusCode::GONE, "there is a newer one".to_owned())),
+/// Returns the snapshot of a file if it still has the requested revision.
+async fn snapshot_at(
+    workspace: &Arc<Workspace>,
+    of: FileQuery,
+    revision: u64,
+) -> ApiResult<Arc<Snapshot>> {
+    let snapshot = snapshot(workspace, of).await?;
+    match snapshot.revision == revision {
+        true => Ok(snapshot),
+        false => Err(ApiError(
+            StatusCode::GONE,
+            "there is a newer revision".to_owned(),
+        )),
     }
 }
 
-async fn state(State(hall): Shared, Query(of): Query<Of>) -> Answer<Response> {
-    let made = made(&hall, of).await?;
+async fn state(State(workspace): Shared, Query(of): Query<FileQuery>) -> ApiResult<Response> {
+    let snapshot = snapshot(&workspace, of).await?;
     let kind = [(header::CONTENT_TYPE, "application/json")];
-    Ok((kind, made.state.clone()).into_response())
+    Ok((kind, snapshot.state.clone()).into_response())
 }
 
 async fn model(
-    State(hall): Shared,
+    State(workspace): Shared,
     Path(revision): Path<u64>,
-    Query(of): Query<Of>,
-) -> Answer<Response> {
-    let made = made_at(&hall, of, revision).await?;
-    let bytes = work(&hall, move |_| Ok(made.whole())).await?;
+    Query(of): Query<FileQuery>,
+) -> ApiResult<Response> {
+    let snapshot = snapshot_at(&workspace, of, revision).await?;
+    let bytes = work(&workspace, move |_| Ok(snapshot.whole())).await?;
     Ok(([(header::CONTENT_TYPE, GLB)], bytes).into_response())
 }
 
-/// A page that has houses of a revision before.
+/// A request for the houses that a page does not have yet; `had` holds the keys of those it has.
 #[derive(Deserialize)]
-struct Had {
+struct HousesRequest {
     file: String,
     revision: u64,
     had: Vec<String>,
 }
 
-/// The houses that a page lacks, or the whole model where it has none of them: the kind of the answer says which.
-async fn houses(State(hall): Shared, Json(asks): Json<Had>) -> Answer<Response> {
-    let Had {
+/// Returns the houses that a page does not have, or the whole model if it has none; the media type tells which.
+async fn houses(State(workspace): Shared, Json(asks): Json<HousesRequest>) -> ApiResult<Response> {
+    let HousesRequest {
         file,
         revision,
         had,
     } = asks;
-    let made = made_at(&hall, Of { file }, revision).await?;
-    let answer = work(&hall, move |_| {
-        Ok(match made.others(&had) {
+    let snapshot = snapshot_at(&workspace, FileQuery { file }, revision).await?;
+    let answer = work(&workspace, move |_| {
+        Ok(match snapshot.others(&had) {
             Some(others) => ("application/octet-stream", others),
-            None => (GLB, made.whole()),
+            None => (GLB, snapshot.whole()),
         })
     });
     let (kind, bytes) = answer.await?;
     Ok(([(header::CONTENT_TYPE, kind)], bytes).into_response())
 }
 
-/// A picture beside a model. The model names it without the query that it was fetched with, so any file of this revision
-/// is meant.
+/// Returns an external texture of a model. The URI has no query, so the texture is searched in all documents with this
+/// revision.
 async fn picture(
-    State(hall): Shared,
+    State(workspace): Shared,
     Path((revision, name)): Path<(u64, String)>,
-) -> Answer<Response> {
-    let found = work(&hall, move |hall| Ok(hall.picture(revision, &name)));
+) -> ApiResult<Response> {
+    let found = work(&workspace, move |workspace| {
+        Ok(workspace.picture(revision, &name))
+    });
     let Some(bytes) = found.await? else {
-        return Err(Refused(StatusCode::NOT_FOUND, "no such picture".to_owned()));
+        return Err(ApiError(
+            StatusCode::NOT_FOUND,
+            "no such texture".to_owned(),
+        ));
     };
-    let kind = beside::kind(&bytes).unwrap_or("application/octet-stream");
+    let kind = model_file::kind(&bytes).unwrap_or("application/octet-stream");
     Ok(([(header::CONTENT_TYPE, kind)], bytes).into_response())
 }
 
-/// The parts that stand in the palette, in the order of the catalogue.
-async fn parts(State(hall): Shared, Query(of): Query<Of>) -> Answer<Response> {
-    let made = made(&hall, of).await?;
-    let catalog = &made.catalog;
+/// Returns the parts of the palette, in the order of the catalogue.
+async fn parts(State(workspace): Shared, Query(of): Query<FileQuery>) -> ApiResult<Response> {
+    let snapshot = snapshot(&workspace, of).await?;
+    let catalog = &snapshot.catalog;
     let known = catalog.known(catalog.known_in(0, 0)).into_iter();
     let list: Vec<&PartDef> = known.map(|id| catalog.part(id)).collect();
     Ok(Json(list).into_response())
 }
 
 #[derive(Deserialize)]
-struct OfPart {
+struct PartQuery {
     file: String,
     code: String,
 }
 
-/// What a part looks like.
-async fn part(State(hall): Shared, Query(of): Query<OfPart>) -> Answer<Response> {
-    let drawn = work(&hall, move |hall| {
-        let made = hall.made(&*hall.room(&of.file)?)?;
-        let parts = made.catalog.parts().iter();
-        // Of several with one code the last is the one that counts.
+/// Returns an image of a part.
+async fn part(State(workspace): Shared, Query(of): Query<PartQuery>) -> ApiResult<Response> {
+    let drawn = work(&workspace, move |workspace| {
+        let snapshot = workspace.snapshot(&*workspace.document(&of.file)?)?;
+        let parts = snapshot.catalog.parts().iter();
+        // The last definition of a code overrides the others.
         let part = parts.rev().find(|p| p.code() == of.code);
         Ok(part.and_then(part_picture))
     });
     let Some(picture) = drawn.await? else {
-        return Err(Refused(StatusCode::NOT_FOUND, "nothing to see".to_owned()));
+        return Err(ApiError(
+            StatusCode::NOT_FOUND,
+            "the part is invisible".to_owned(),
+        ));
     };
     Ok(([(header::CONTENT_TYPE, "image/jpeg")], picture.to_vec()).into_response())
 }
 
-/// Keeps a page up with its file.
-async fn events(State(hall): Shared, Query(Of { file }): Query<Of>) -> Answer<Response> {
-    let looks = work(&hall, move |hall| {
-        let room = hall.room(&file)?;
-        let (eye, news) = hall.look(&room);
-        // What there is now comes first, so that nothing is missed in between.
-        let now = hall.made(&room).ok().map(|made| made.revision);
-        Ok((room, eye, news, now))
+/// Streams updates of a file to a page.
+async fn events(
+    State(workspace): Shared,
+    Query(FileQuery { file }): Query<FileQuery>,
+) -> ApiResult<Response> {
+    let viewing = work(&workspace, move |workspace| {
+        let document = workspace.document(&file)?;
+        let (viewer, updates) = workspace.add_viewer(&document);
+        // Sends the current state first, so that no update is missed.
+        let now = workspace
+            .snapshot(&document)
+            .ok()
+            .map(|snapshot| snapshot.revision);
+        Ok((document, viewer, updates, now))
     });
-    let (room, eye, news, now) = looks.await?;
-    let news = BroadcastStream::new(news);
+    let (document, viewer, updates, now) = viewing.await?;
+    let updates = BroadcastStream::new(updates);
     let first = tokio_stream::iter(now.map(state_event));
-    let told = first.chain(told(room, eye, news)).map(Ok::<_, Infallible>);
-    Ok(Sse::new(told)
+    let events = first
+        .chain(update_events(document, viewer, updates))
+        .map(Ok::<_, Infallible>);
+    Ok(Sse::new(events)
         .keep_alive(KeepAlive::default())
         .into_response())
 }
 
-/// What a page that looks at a room hears.
-fn told(
-    room: Arc<Room>,
-    eye: Eye,
-    news: impl Stream<Item = Result<News, BroadcastStreamRecvError>>,
+/// Returns the events for a page that shows a document.
+fn update_events(
+    document: Arc<Document>,
+    viewer: Viewer,
+    updates: impl Stream<Item = Result<Update, BroadcastStreamRecvError>>,
 ) -> impl Stream<Item = Event> {
-    news.filter_map(move |news| {
-        let _looks = &eye;
-        match news {
-            Ok(News::State { file, revision }) => {
-                (*file == *room.file).then(|| state_event(revision))
+    updates.filter_map(move |update| {
+        let _viewing = &viewer;
+        match update {
+            Ok(Update::State { file, revision }) => {
+                (*file == *document.file).then(|| state_event(revision))
             }
-            Ok(News::Cursor { file, place }) => {
+            Ok(Update::Cursor { file, place }) => {
                 let data = serde_json::to_string(&place).unwrap_or_default();
-                (*file == *room.file).then(|| Event::default().event("cursor").data(data))
+                (*file == *document.file).then(|| Event::default().event("cursor").data(data))
             }
-            Ok(News::Files) => Some(Event::default().event("files").data("{}")),
-            // The page was too slow to hear all; the newest is what counts.
-            Err(BroadcastStreamRecvError::Lagged(_)) => {
-                room.last().map(|made| state_event(made.revision))
-            }
+            Ok(Update::Files) => Some(Event::default().event("files").data("{}")),
+            // The page missed updates; only the newest matters.
+            Err(BroadcastStreamRecvError::Lagged(_)) => document
+                .last()
+                .map(|snapshot| state_event(snapshot.revision)),
         }
     })
 }
@@ -291,67 +324,74 @@ fn state_event(revision: u64) -> Event {
     Event::default().event("state").data(data)
 }
 
-/// A place that the editor shall go to.
+/// A location to open in the editor.
 #[derive(Deserialize)]
-struct Place {
+struct Location {
     file: String,
     #[serde(default)]
     id: u16,
     span: [u32; 2],
 }
 
-async fn open(State(hall): Shared, Json(place): Json<Place>) -> Answer<Json<Value>> {
-    let opened = work(&hall, move |hall| {
-        let room = hall.room(&place.file)?;
-        hall.open(&room, place.id, place.span)?;
+async fn open(State(workspace): Shared, Json(place): Json<Location>) -> ApiResult<Json<Value>> {
+    let opened = work(&workspace, move |workspace| {
+        let document = workspace.document(&place.file)?;
+        workspace.open(&document, place.id, place.span)?;
         Ok(json!({}))
     });
     opened.await.map(Json)
 }
 
-/// Something drawn on the plan of a revision.
+/// A stroke drawn on the plan of a revision.
 #[derive(Deserialize)]
-struct Drawn {
+struct StrokeRequest {
     file: String,
     revision: u64,
     stroke: Stroke,
 }
 
-async fn stroke(State(hall): Shared, Json(drawn): Json<Drawn>) -> Answer<Json<Value>> {
-    let done = work(&hall, move |hall| {
-        let room = hall.room(&drawn.file)?;
-        match hall.stroke(&room, drawn.revision, &drawn.stroke)? {
+async fn stroke(
+    State(workspace): Shared,
+    Json(drawn): Json<StrokeRequest>,
+) -> ApiResult<Json<Value>> {
+    let done = work(&workspace, move |workspace| {
+        let document = workspace.document(&drawn.file)?;
+        match workspace.stroke(&document, drawn.revision, &drawn.stroke)? {
             Ok(revision) => Ok(json!({ "revision": revision })),
-            Err(why) => Ok(refused(hall, &why)),
+            Err(why) => Ok(refusal(workspace, &why)),
         }
     });
     done.await.map(Json)
 }
 
 #[derive(Deserialize)]
-struct Step {
+struct StepRequest {
     file: String,
 }
 
-async fn undo(State(hall): Shared, Json(step): Json<Step>) -> Answer<Json<Value>> {
-    take_step(&hall, step, false).await
+async fn undo(State(workspace): Shared, Json(step): Json<StepRequest>) -> ApiResult<Json<Value>> {
+    take_step(&workspace, step, false).await
 }
 
-async fn redo(State(hall): Shared, Json(step): Json<Step>) -> Answer<Json<Value>> {
-    take_step(&hall, step, true).await
+async fn redo(State(workspace): Shared, Json(step): Json<StepRequest>) -> ApiResult<Json<Value>> {
+    take_step(&workspace, step, true).await
 }
 
-async fn take_step(hall: &Arc<Hall>, step: Step, redo: bool) -> Answer<Json<Value>> {
-    let done = work(hall, move |hall| {
-        let room = hall.room(&step.file)?;
-        match hall.step(&room, redo)? {
+async fn take_step(
+    workspace: &Arc<Workspace>,
+    step: StepRequest,
+    redo: bool,
+) -> ApiResult<Json<Value>> {
+    let done = work(workspace, move |workspace| {
+        let document = workspace.document(&step.file)?;
+        match workspace.step(&document, redo)? {
             Ok(revision) => Ok(json!({ "revision": revision })),
-            Err(why) => Ok(refused(hall, &why)),
+            Err(why) => Ok(refusal(workspace, &why)),
         }
     });
     done.await.map(Json)
 }
 
-fn refused(hall: &Hall, why: &Text) -> Value {
-    json!({ "refused": why.in_language(hall.language) })
+fn refusal(workspace: &Workspace, why: &Text) -> Value {
+    json!({ "refused": why.in_language(workspace.language) })
 }

@@ -1,45 +1,47 @@
-//! What was drawn in the page, so that it can be taken back. A stroke is taken back only where the text still reads as it
-//! did after it; what somebody else has written since is never lost.
+//! Edits drawn in the page.
 
-use super::hall::{Hall, Room, lock};
-use super::made::print;
+use super::history::Step;
+use super::workspace::{Document, Workspace, lock};
 use crate::diagnostic::Text;
 use crate::ide::Analysis;
-use crate::ide::stroke::{self, Applied, Patch, Stroke, apply, take_back};
+use crate::ide::stroke::{self, Stroke, apply};
 use crate::text;
-use std::hash::Hash;
 use std::io;
 
-impl Hall {
-    /// Makes a stroke that was drawn on the plan of a revision; returns what the text makes then, by its revision, or why
-    /// it cannot be made.
+impl Workspace {
+    /// Applies a stroke drawn on the plan of a revision. Returns the new revision, or the reason why the stroke is refused.
     ///
     /// # Errors
-    /// Where the text cannot be read or written.
+    /// If the source file cannot be read or written.
     pub(super) fn stroke(
         &self,
-        room: &Room,
+        document: &Document,
         revision: u64,
         stroke: &Stroke,
     ) -> io::Result<Result<u64, Text>> {
-        self.drawn(room, revision, stroke).or_else(in_words)
+        self.drawn(document, revision, stroke).or_else(in_words)
     }
 
-    fn drawn(&self, room: &Room, revision: u64, stroke: &Stroke) -> io::Result<Result<u64, Text>> {
+    fn drawn(
+        &self,
+        document: &Document,
+        revision: u64,
+        stroke: &Stroke,
+    ) -> io::Result<Result<u64, Text>> {
         if let Err(why) = self.may_write() {
             return Ok(Err(why));
         }
-        let path = self.root.join(&*room.file);
-        let mut history = lock(&room.history);
-        let before = self.desk.bytes(&path)?;
-        let made = self.made(room)?;
+        let path = self.root.join(&*document.file);
+        let mut history = lock(&document.history);
+        let before = self.host.bytes(&path)?;
+        let snapshot = self.snapshot(document)?;
         let mut drawn = None;
-        self.desk.read(&path, &mut |source, world, options| {
-            let shown = made
+        self.host.read(&path, &mut |source, world, options| {
+            let shown = snapshot
                 .sources
                 .first()
                 .is_some_and(|s| s.text() == source.text());
-            if made.revision == revision && shown {
+            if snapshot.revision == revision && shown {
                 let read = Analysis::new(source, world, options);
                 let edits = stroke::edits(&read, stroke);
                 drawn = Some(edits.map(|edits| apply(&read.source, &before, &edits)));
@@ -50,58 +52,58 @@ impl Hall {
             Some(Err(why)) => return Ok(Err(why)),
             None => return Ok(Err(changed_meanwhile())),
         };
-        self.desk.write(&path, &before, &applied.bytes)?;
+        self.host.write(&path, &before, &applied.bytes)?;
         history.note(Step::of(applied));
         drop(history);
         self.changed();
-        Ok(Ok(self.made(room)?.revision))
+        Ok(Ok(self.snapshot(document)?.revision))
     }
 
-    /// Takes back the last stroke, or makes it again.
+    /// Undoes or redoes a stroke. Returns the new revision, or the reason why there is nothing to undo or redo.
     ///
     /// # Errors
-    /// Where the text cannot be read or written.
-    pub(super) fn step(&self, room: &Room, redo: bool) -> io::Result<Result<u64, Text>> {
-        self.stepped(room, redo).or_else(in_words)
+    /// If the source file cannot be read or written.
+    pub(super) fn step(&self, document: &Document, redo: bool) -> io::Result<Result<u64, Text>> {
+        self.stepped(document, redo).or_else(in_words)
     }
 
-    fn stepped(&self, room: &Room, redo: bool) -> io::Result<Result<u64, Text>> {
+    fn stepped(&self, document: &Document, redo: bool) -> io::Result<Result<u64, Text>> {
         if let Err(why) = self.may_write() {
             return Ok(Err(why));
         }
-        let path = self.root.join(&*room.file);
-        let mut history = lock(&room.history);
-        let now = self.desk.bytes(&path)?;
+        let path = self.root.join(&*document.file);
+        let mut history = lock(&document.history);
+        let now = self.host.bytes(&path)?;
         let Some(applied) = history.step(redo, &now) else {
             return Ok(Err(history.nothing(redo)));
         };
-        self.desk.write(&path, &now, &applied.bytes)?;
+        self.host.write(&path, &now, &applied.bytes)?;
         history.stepped(redo, Step::of(applied));
         drop(history);
         self.changed();
-        Ok(Ok(self.made(room)?.revision))
+        Ok(Ok(self.snapshot(document)?.revision))
     }
 
     fn may_write(&self) -> Result<(), Text> {
-        match self.desk.writes() {
+        match self.host.writes() {
             true => Ok(()),
             false => Err(text!(
-                "texts are not to be changed from here; start `hsd view` without --read-only",
-                "ここからテキストを変えることはできません。--read-only なしで `hsd view` を起動してください"
+                "editing is disabled; start `hsd view` without --read-only",
+                "編集は無効です。--read-only なしで `hsd view` を起動してください"
             )),
         }
     }
 }
 
-/// What keeps a file from being changed, where an author can do something about it.
+/// Turns errors that the author can resolve into messages.
 fn in_words(error: io::Error) -> io::Result<Result<u64, Text>> {
     match error.kind() {
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => Ok(Err(text!(
-            "the file, or its folder, may not be written to",
-            "ファイルかそのフォルダーに書き込めません"
+            "no permission to write to the file or its folder",
+            "ファイルまたはフォルダーへの書き込みが許可されていません"
         ))),
         io::ErrorKind::NotFound => Ok(Err(text!(
-            "the file is no longer there",
+            "the file no longer exists",
             "ファイルがなくなっています"
         ))),
         _ => Err(error),
@@ -110,80 +112,7 @@ fn in_words(error: io::Error) -> io::Result<Result<u64, Text>> {
 
 fn changed_meanwhile() -> Text {
     text!(
-        "the text was changed meanwhile; look at it and draw again",
-        "その間にテキストが変わりました。確かめて、もう一度描いてください"
+        "the source file has changed; check it and draw again",
+        "テキストが変更されています。確かめて、もう一度描いてください"
     )
-}
-
-/// A way back from a text, or forth again.
-#[derive(Debug)]
-struct Step {
-    /// What is the same for the same text.
-    print: u64,
-    patch: Patch,
-}
-
-impl Step {
-    /// The way back from a text that was just changed.
-    fn of(Applied { bytes, undo }: Applied) -> Step {
-        Step {
-            print: print(|p| bytes.hash(p)),
-            patch: undo,
-        }
-    }
-}
-
-/// Strokes that are kept.
-const KEPT: usize = 500;
-
-/// The strokes of one file.
-#[derive(Debug, Default)]
-pub(super) struct History {
-    done: Vec<Step>,
-    undone: Vec<Step>,
-}
-
-impl History {
-    /// Notes a stroke; what was undone before is gone.
-    fn note(&mut self, step: Step) {
-        if self.done.len() == KEPT {
-            self.done.remove(0);
-        }
-        self.done.push(step);
-        self.undone.clear();
-    }
-
-    /// The text before the last stroke, or behind the one that was taken back last; `None` where there is none, or the text
-    /// is not as it was left.
-    fn step(&self, redo: bool, now: &[u8]) -> Option<Applied> {
-        let last = match redo {
-            true => self.undone.last(),
-            false => self.done.last(),
-        };
-        let print = print(|p| now.hash(p));
-        let step = last.filter(|step| step.print == print)?;
-        take_back(now, &step.patch)
-    }
-
-    /// Notes that a step was made, and the way back from it.
-    fn stepped(&mut self, redo: bool, back: Step) {
-        let (from, to) = match redo {
-            true => (&mut self.undone, &mut self.done),
-            false => (&mut self.done, &mut self.undone),
-        };
-        from.pop();
-        to.push(back);
-    }
-
-    /// Why there is no step.
-    fn nothing(&self, redo: bool) -> Text {
-        match (redo, self.done.len(), self.undone.len()) {
-            (false, 0, _) => text!("there is nothing to take back", "元に戻すものがありません"),
-            (true, _, 0) => text!("there is nothing to do again", "やり直すものがありません"),
-            _ => text!(
-                "the text was changed elsewhere since; take it back there",
-                "その後テキストがほかで変更されています。そちらで元に戻してください"
-            ),
-        }
-    }
 }

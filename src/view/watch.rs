@@ -1,7 +1,6 @@
-//! Notices what is saved. Editors write a file in several steps: they are waited for, but no longer than a reader would
-//! notice.
+//! Watches folders for saved files. Editors write a file in several steps, which are gathered into one update.
 
-use super::hall::{Hall, News};
+use super::workspace::{Update, Workspace};
 use notify_debouncer_full::notify::event::{AccessKind, AccessMode, ModifyKind};
 use notify_debouncer_full::notify::{
     self, Event, EventKind, RecommendedWatcher, RecursiveMode, Watcher,
@@ -12,22 +11,22 @@ use std::sync::{Arc, Weak};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A pause after which a file that nobody has closed counts as written.
+/// The pause after which a file counts as written, even if it was not closed.
 const QUIET: Duration = Duration::from_millis(12);
-/// How long changes one after the other are gathered.
+/// The maximum time that consecutive changes are gathered.
 const PATIENCE: Duration = Duration::from_millis(60);
 
-/// Folders under watch; they are left when it is dropped.
+/// The watched folders; watching ends on drop.
 pub(super) struct Watch {
     _watcher: RecommendedWatcher,
 }
 
-/// Watches folders, and tells the hall of what is saved in them.
+/// Watches folders and notifies the workspace of saved files.
 ///
 /// # Errors
-/// Where the system cannot watch a folder.
+/// If a folder cannot be watched.
 pub(super) fn watch(
-    hall: &Arc<Hall>,
+    workspace: &Arc<Workspace>,
     folders: &[(PathBuf, RecursiveMode)],
 ) -> notify::Result<Watch> {
     let (sender, events) = mpsc::channel();
@@ -37,17 +36,24 @@ pub(super) fn watch(
     for (folder, mode) in folders {
         watcher.watch(folder, *mode)?;
     }
-    let only = hall.only.as_ref().map(|only| hall.root.join(only));
-    let hall = Arc::downgrade(hall);
+    let only = workspace
+        .only
+        .as_ref()
+        .map(|only| workspace.root.join(only));
+    let workspace = Arc::downgrade(workspace);
     thread::Builder::new()
         .name("hsd watch".to_owned())
-        .spawn(move || tell(&events, &hall, only.as_deref()))
+        .spawn(move || send(&events, &workspace, only.as_deref()))
         .map_err(notify::Error::io)?;
     Ok(Watch { _watcher: watcher })
 }
 
-/// Tells the hall until either is gone. `only` is a file that is read whatever its name ends with.
-fn tell(events: &Receiver<notify::Result<Event>>, hall: &Weak<Hall>, only: Option<&Path>) {
+/// Forwards events until the watcher or the workspace is dropped. `only` is a file that is read whatever its extension.
+fn send(
+    events: &Receiver<notify::Result<Event>>,
+    workspace: &Weak<Workspace>,
+    only: Option<&Path>,
+) {
     let is_read = |path: &Path| only == Some(path) || is_read(path);
     while let Ok(first) = events.recv() {
         let mut batch = Batch::default();
@@ -60,24 +66,26 @@ fn tell(events: &Receiver<notify::Result<Event>>, hall: &Weak<Hall>, only: Optio
                 Err(RecvTimeoutError::Disconnected) => return,
             }
         }
-        let Some(hall) = hall.upgrade() else { return };
+        let Some(workspace) = workspace.upgrade() else {
+            return;
+        };
         if batch.texts {
-            hall.changed();
+            workspace.changed();
         }
         if batch.files {
-            hall.tell(News::Files);
+            workspace.send(Update::Files);
         }
     }
 }
 
-/// What has happened at once.
+/// The changes of an update.
 #[derive(Default)]
 struct Batch {
-    /// Something that texts are made of has changed.
+    /// A source file, an included file or an image has changed.
     texts: bool,
-    /// Files have come or gone.
+    /// Files have been added or removed.
     files: bool,
-    /// The last of it is whole: a file was closed, or put in the place of another.
+    /// The last change is complete: a file was closed or renamed.
     closed: bool,
 }
 
@@ -99,7 +107,7 @@ impl Batch {
     }
 }
 
-/// Whether a file may be read for a text, or shown. A folder that comes or goes may hold some.
+/// Returns whether a file can be shown or read by a source file. Folders may contain such files.
 fn is_read(path: &Path) -> bool {
     let Some(ending) = path.extension() else {
         return !path.is_file();

@@ -61,10 +61,10 @@ fn pictures_beside_a_model_are_found_and_nothing_else_is() {
         .map(|d| (&d["code"], d["message"].as_str().expect("is text")))
         .collect();
     for (name, why) in [
-        (names[1], "it is not a PNG, JPEG or KTX2 picture"),
-        (names[2], "it is not there"),
-        (names[3], "its end is missing"),
-        (names[4], "it lies outside of the folder that is shown"),
+        (names[1], "the file is not a PNG, JPEG or KTX2 image"),
+        (names[2], "the file does not exist"),
+        (names[3], "the file is truncated"),
+        (names[4], "the file is outside the opened folder"),
     ] {
         let expected = |(code, m): &&(&Value, &str)| {
             *code == "HSD0605" && m.contains(name) && m.ends_with(why)

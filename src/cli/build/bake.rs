@@ -2,14 +2,14 @@
 
 use crate::backend::images::Library;
 use crate::render::mirror;
-use crate::render::mirror::Wishes;
+use crate::render::mirror::BakeOptions;
 use crate::scene::Scene;
 use clap::Args;
 use glam::DVec3;
 
 /// The options of `--bake`.
 #[derive(Clone, Copy, Debug, Args)]
-pub(super) struct Baking {
+pub(super) struct BakeArgs {
     /// Bake reflections of houses and sky into the glass of facades with `reflection`, for viewers that cannot draw
     /// reflections.
     ///
@@ -31,15 +31,15 @@ pub(super) struct Baking {
     bake_size: u32,
 }
 
-impl Baking {
+impl BakeArgs {
     /// Bakes the reflections if `--bake` was given.
     pub(super) fn run(&self, scene: &mut Scene, library: &mut Library) {
         if self.bake {
-            let wishes = Wishes {
+            let options = BakeOptions {
                 eye: self.bake_eye,
                 longest: self.bake_size,
             };
-            mirror::bake(scene, wishes, &|number| library.pixels(number));
+            mirror::bake(scene, options, &|number| library.pixels(number));
             library.mirror(&scene.mirrored);
         }
     }

@@ -1,7 +1,7 @@
 //! `hsd build --watch`: rebuilds when a source file or an image changes.
 
 use crate::cli::build::{Build, Job};
-use crate::cli::{Outcome, Stop};
+use crate::cli::{Failure, Outcome};
 use crate::diagnostic::Language;
 use crate::text;
 use notify_debouncer_full::notify::{EventKind, RecursiveMode};
@@ -23,16 +23,16 @@ pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Ou
     let inputs: Vec<PathBuf> = jobs.iter().flat_map(|j| j.inputs()).cloned().collect();
     let mut texts = BTreeSet::new();
     let mut folders = BTreeSet::new();
-    let read = inputs.iter().chain(&build.reading.catalogs);
+    let read = inputs.iter().chain(&build.input_args.catalogs);
     for input in read {
         // The folder is watched rather than the file, because editors replace files when saving.
         let folder = input.parent().filter(|p| !p.as_os_str().is_empty());
         let folder = folder.unwrap_or(Path::new(".")).canonicalize();
-        let folder = folder.map_err(|e| Stop::at(input.display(), e))?;
+        let folder = folder.map_err(|e| Failure::at(input.display(), e))?;
         texts.extend(input.file_name().map(|name| folder.join(name)));
         folders.insert(folder);
     }
-    let pictures = build.reading.folders(&inputs).into_iter();
+    let pictures = build.input_args.folders(&inputs).into_iter();
     folders.extend(pictures.filter_map(|f| f.canonicalize().ok()));
     for folder in &folders {
         debouncer
@@ -42,7 +42,7 @@ pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Ou
     loop {
         match build.all(jobs, language) {
             Ok(_) => {}
-            Err(Stop::Io(message)) => {
+            Err(Failure::Io(message)) => {
                 writeln!(io::stderr(), "hsd: {}", message.in_language(language))?;
             }
             Err(stop) => return Err(stop),
@@ -57,8 +57,8 @@ pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Ou
     }
 }
 
-fn unwatched(error: &dyn std::fmt::Display) -> Stop {
-    Stop::Io(text!(
+fn unwatched(error: &dyn std::fmt::Display) -> Failure {
+    Failure::Io(text!(
         "cannot watch for changes: {error}",
         "変更を監視できません: {error}"
     ))
@@ -68,10 +68,10 @@ fn unwatched(error: &dyn std::fmt::Display) -> Stop {
 fn matters(event: &DebouncedEvent, texts: &BTreeSet<PathBuf>) -> bool {
     // Other .hsd files in the folder may be included.
     let read = |p: &Path| {
-        let ending = p.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        let extension = p.extension().and_then(|e| e.to_str()).unwrap_or_default();
         ["png", "jpg", "jpeg", "hsd"]
             .iter()
-            .any(|e| ending.eq_ignore_ascii_case(e))
+            .any(|e| extension.eq_ignore_ascii_case(e))
     };
     !matches!(event.kind, EventKind::Access(_))
         && event.paths.iter().any(|p| texts.contains(p) || read(p))

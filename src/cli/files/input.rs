@@ -1,6 +1,6 @@
 //! Reads the input files.
 
-use crate::cli::Stop;
+use crate::cli::Failure;
 use crate::cli::files::reason;
 use crate::diagnostic::Diagnostics;
 use crate::diagnostic::messages::file as say;
@@ -21,7 +21,7 @@ pub(in crate::cli) struct Inputs {
     /// For each source, whether the file is over the limit or unreadable. Such a source is empty and has a diagnostic.
     refused: Vec<bool>,
     /// The error of the first unreadable file.
-    failure: Option<Stop>,
+    failure: Option<Failure>,
 }
 
 impl Inputs {
@@ -30,7 +30,7 @@ impl Inputs {
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
-    ) -> Result<Inputs, Stop> {
+    ) -> Result<Inputs, Failure> {
         Inputs::from(0, paths, limit, out)
     }
 
@@ -40,7 +40,7 @@ impl Inputs {
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
-    ) -> Result<Inputs, Stop> {
+    ) -> Result<Inputs, Failure> {
         let mut inputs = Inputs::numbered(first, paths, limit, out)?;
         inputs.failure.take().map_or(Ok(inputs), Err)
     }
@@ -55,7 +55,7 @@ impl Inputs {
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
-    ) -> Result<Inputs, Stop> {
+    ) -> Result<Inputs, Failure> {
         Inputs::numbered(0, paths, limit, out)
     }
 
@@ -64,7 +64,7 @@ impl Inputs {
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
-    ) -> Result<Inputs, Stop> {
+    ) -> Result<Inputs, Failure> {
         let mut inputs = Inputs {
             sources: vec![],
             refused: vec![],
@@ -72,7 +72,7 @@ impl Inputs {
         };
         for (path, number) in paths.iter().zip(first..) {
             let id = u16::try_from(number).map_err(|_| {
-                Stop::Usage(text!(
+                Failure::Usage(text!(
                     "too many inputs: at most 65,536 files can be read in one run",
                     "入力が多すぎます。一度に読めるのは 65,536 ファイルまでです"
                 ))
@@ -94,7 +94,7 @@ impl Inputs {
             }
             if let Some(error) = failure {
                 out.push(say::unreadable(start, reason::of(&error)));
-                inputs.failure.get_or_insert(Stop::at(&shown, error));
+                inputs.failure.get_or_insert(Failure::at(&shown, error));
             }
             inputs.sources.push(source);
         }

@@ -2,7 +2,7 @@
 
 use crate::backend::gltf::{self, Glb};
 use crate::backend::{Images, OutFile, obj, stl};
-use crate::cli::Stop;
+use crate::cli::Failure;
 use crate::cli::files::input::STDIN;
 use crate::cli::files::reason;
 use crate::diagnostic::Text;
@@ -30,7 +30,7 @@ pub(in crate::cli) enum Model {
 }
 
 impl Model {
-    pub(in crate::cli) fn ending(self) -> &'static str {
+    pub(in crate::cli) fn extension(self) -> &'static str {
         match self {
             Model::Glb => "glb",
             Model::Gltf => "gltf",
@@ -40,16 +40,16 @@ impl Model {
     }
 
     /// Returns the format for the extension of a path.
-    pub(in crate::cli) fn of_ending(path: &Path) -> Option<Model> {
-        let ending = path.extension()?;
+    pub(in crate::cli) fn of_extension(path: &Path) -> Option<Model> {
+        let extension = path.extension()?;
         let mut all = [Model::Glb, Model::Gltf, Model::Obj, Model::Stl].into_iter();
-        all.find(|m| ending.eq_ignore_ascii_case(m.ending()))
+        all.find(|m| extension.eq_ignore_ascii_case(m.extension()))
     }
 
     /// Returns the format of an output; `.glb` for a device or a pipe without an extension.
-    pub(in crate::cli) fn of(path: &Path) -> Result<Model, Stop> {
+    pub(in crate::cli) fn of(path: &Path) -> Result<Model, Failure> {
         let device = || fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir());
-        if let Some(model) = Model::of_ending(path) {
+        if let Some(model) = Model::of_extension(path) {
             return Ok(model);
         }
         if path.extension().is_none() && device() {
@@ -63,7 +63,7 @@ impl Model {
             ),
             Some(_) => Text::default(),
         };
-        Err(Stop::Usage(text!([folder]
+        Err(Failure::Usage(text!([folder]
             "{shown}: the extension of a model must be .glb, .gltf, .obj or .stl{folder}",
             "{shown}: モデルの拡張子は .glb、.gltf、.obj、.stl のどれかです{folder}"
         )))
@@ -141,7 +141,7 @@ enum Content<'a> {
 
 impl Content<'_> {
     /// Writes to a seekable file; returns the number of bytes.
-    fn fill(&self, file: &mut fs::File) -> io::Result<u64> {
+    fn write_file(&self, file: &mut fs::File) -> io::Result<u64> {
         match self {
             Content::Bytes(bytes) => file.write_all(bytes).map(|()| bytes.len() as u64),
             Content::Glb(glb) => glb.write(file),
@@ -149,7 +149,7 @@ impl Content<'_> {
     }
 
     /// Writes to a stream; returns the number of bytes.
-    fn pour(&self, out: &mut impl Write) -> io::Result<u64> {
+    fn write_stream(&self, out: &mut impl Write) -> io::Result<u64> {
         match self {
             Content::Bytes(bytes) => out.write_all(bytes).map(|()| bytes.len() as u64),
             Content::Glb(glb) => {
@@ -162,10 +162,10 @@ impl Content<'_> {
 }
 
 /// Writes the files of a model at and beside `path`; returns their total size in bytes.
-pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> {
+pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failure> {
     if path.as_os_str() == STDIN {
         let mut out = io::stdout().lock();
-        let length = files.main.pour(&mut out)?;
+        let length = files.main.write_stream(&mut out)?;
         out.flush()?;
         return Ok(length);
     }
@@ -180,13 +180,13 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Stop> 
     let (mut ready, mut length) = (vec![], 0);
     for (target, content) in beside.chain([main]) {
         let prepared = prepare(&target, &content);
-        let (bytes, file) = prepared.map_err(|e| Stop::at(target.display(), e))?;
+        let (bytes, file) = prepared.map_err(|e| Failure::at(target.display(), e))?;
         length += bytes;
         ready.extend(file);
     }
     for (temporary, target) in ready {
         let renamed = temporary.persist(&target);
-        renamed.map_err(|e| Stop::at(target.display(), e.error))?;
+        renamed.map_err(|e| Failure::at(target.display(), e.error))?;
     }
     Ok(length)
 }
@@ -205,7 +205,7 @@ fn prepare(
         }
         Ok(known) if !known.is_file() => {
             let mut device = fs::OpenOptions::new().write(true).open(target)?;
-            return Ok((content.pour(&mut device)?, None));
+            return Ok((content.write_stream(&mut device)?, None));
         }
         Ok(known) => {
             rights = Some(known.permissions());
@@ -228,7 +228,7 @@ fn prepare(
     }
     // Drops the temporary path from the error message.
     let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
-    let length = content.fill(file.as_file_mut())?;
+    let length = content.write_file(file.as_file_mut())?;
     // Keeps the permissions of an existing file.
     if let Some(rights) = rights {
         file.as_file().set_permissions(rights)?;

@@ -7,24 +7,24 @@ use std::io::{Error, ErrorKind};
 
 /// A bilingual description, as the payload of an I/O error.
 #[derive(Debug)]
-struct Own(Text);
+struct Bilingual(Text);
 
-impl fmt::Display for Own {
+impl fmt::Display for Bilingual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
     }
 }
 
-impl std::error::Error for Own {}
+impl std::error::Error for Bilingual {}
 
 /// Returns an I/O error with a bilingual description.
 pub(in crate::cli) fn error(kind: ErrorKind, why: Text) -> Error {
-    Error::new(kind, Own(why))
+    Error::new(kind, Bilingual(why))
 }
 
 /// Returns the description of an error; common system errors are translated.
 pub(in crate::cli) fn of(error: &Error) -> Text {
-    if let Some(own) = error.get_ref().and_then(|e| e.downcast_ref::<Own>()) {
+    if let Some(own) = error.get_ref().and_then(|e| e.downcast_ref::<Bilingual>()) {
         return own.0.clone();
     }
     let ja = match error.kind() {

@@ -1,7 +1,7 @@
 //! Custom parts of catalogue files, for the list and the sheet.
 
 use crate::catalog::{Catalog, PartDef};
-use crate::cli::Stop;
+use crate::cli::Failure;
 use crate::cli::files::input::Inputs;
 use crate::cli::options::report;
 use crate::diagnostic::{Diagnostics, Language};
@@ -14,14 +14,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// The catalogue with the custom parts of files.
-pub(super) struct Own {
+pub(super) struct CustomParts {
     catalog: Cow<'static, Catalog>,
     builtin: usize,
     /// Whether the files have no errors.
     pub(super) sound: bool,
 }
 
-impl Own {
+impl CustomParts {
     /// Returns the custom parts.
     pub(super) fn parts(&self) -> &[PartDef] {
         &self.catalog.parts()[self.builtin..]
@@ -29,7 +29,7 @@ impl Own {
 }
 
 /// Reads catalogue files and prints their diagnostics.
-pub(super) fn read(paths: &[PathBuf], language: Language) -> Result<Own, Stop> {
+pub(super) fn read(paths: &[PathBuf], language: Language) -> Result<CustomParts, Failure> {
     let limits = Limits::default();
     let mut out = Diagnostics::new();
     let inputs = Inputs::read(paths, limits.bytes, &mut out)?;
@@ -37,17 +37,17 @@ pub(super) fn read(paths: &[PathBuf], language: Language) -> Result<Own, Stop> {
     let folders: Vec<PathBuf> = paths.iter().map(folder).collect();
     let world = FolderWorld::new(folders.clone(), limits.pixels).with_roots(folders);
     let sources = inputs.accepted();
-    let mut own = driver::documents(&sources, &world, &driver::Options::default(), &mut out);
-    let included = std::mem::take(&mut own.included);
+    let mut read = driver::documents(&sources, &world, &driver::Options::default(), &mut out);
+    let included = std::mem::take(&mut read.included);
     let sound = !out.has_errors();
     let list = out.into_sorted();
     if !list.is_empty() {
         let sources = inputs.and(included);
-        let told = Report::new(&sources, &list).in_language(language);
-        report(&told, Format::Human, &mut io::stderr())?;
+        let written = Report::new(&sources, &list).in_language(language);
+        report(&written, Format::Human, &mut io::stderr())?;
     }
-    Ok(Own {
-        catalog: own.catalog,
+    Ok(CustomParts {
+        catalog: read.catalog,
         builtin: crate::parse::builtin().parts().len(),
         sound,
     })

@@ -5,7 +5,7 @@ use crate::backend::images::Library;
 use crate::catalog::PartDef;
 use crate::cli::files::output;
 use crate::cli::files::output::{Files, Model};
-use crate::cli::{Exit, Outcome, Stop};
+use crate::cli::{Exit, Failure, Outcome};
 use crate::scene::Detail;
 use crate::tessellate::part_sheet;
 use crate::text;
@@ -20,8 +20,8 @@ const DENSITY: f64 = 150.0;
 
 /// Writes the page or the model, depending on the file extension.
 pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
-    let ending = to.extension().map(|e| e.to_ascii_lowercase());
-    match ending.as_ref().and_then(|e| e.to_str()) {
+    let extension = to.extension().map(|e| e.to_ascii_lowercase());
+    match extension.as_ref().and_then(|e| e.to_str()) {
         Some("html" | "htm") => {
             let page = page(parts).into_bytes();
             output::write(to, Files::bytes(page))?;
@@ -33,7 +33,7 @@ pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
         }
         _ => {
             let shown = to.display();
-            return Err(Stop::Usage(text!(
+            return Err(Failure::Usage(text!(
                 "{shown}: the extension of a sheet must be .html or .glb",
                 "{shown}: 図録の拡張子は .html か .glb です"
             )));

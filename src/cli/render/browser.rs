@@ -1,6 +1,6 @@
 //! An installed browser, run headless.
 
-use crate::cli::Stop;
+use crate::cli::Failure;
 use crate::text;
 use std::env;
 use std::path::{Path, PathBuf};
@@ -64,7 +64,7 @@ pub(super) struct Running {
 
 impl Browser {
     /// Returns the browser named by HSD_CHROMIUM, or the first one found.
-    pub(super) fn find() -> Result<Browser, Stop> {
+    pub(super) fn find() -> Result<Browser, Failure> {
         if let Some(named) = env::var_os("HSD_CHROMIUM").filter(|n| !n.is_empty()) {
             let path = PathBuf::from(named);
             let found = if path.is_file() {
@@ -74,7 +74,7 @@ impl Browser {
             };
             return found.map(Browser).ok_or_else(|| {
                 let shown = path.display();
-                Stop::Io(text!(
+                Failure::Io(text!(
                     "HSD_CHROMIUM={shown}: no such program",
                     "HSD_CHROMIUM={shown}: そのようなプログラムはありません"
                 ))
@@ -87,7 +87,7 @@ impl Browser {
         let below = folders.flat_map(|folder| BELOW.map(|name| folder.join(name)));
         let found = by_name.or_else(|| places.chain(below).find(|p| p.is_file()));
         found.map(Browser).ok_or_else(|| {
-            Stop::Io(text!(
+            Failure::Io(text!(
                 "rendering needs Chromium, Chrome or Edge, and none was found; install one (`apt install chromium`, \
                  `brew install --cask chromium`) or set HSD_CHROMIUM to its path",
                 "画像は Chromium、Chrome、Edge のどれかで描きますが、見つかりません。インストールするか (`apt install chromium`、\
@@ -97,8 +97,8 @@ impl Browser {
     }
 
     /// Opens a page in the headless browser.
-    pub(super) fn open(&self, url: &str) -> Result<Running, Stop> {
-        let failed = |e| Stop::at(self.0.display(), e);
+    pub(super) fn open(&self, url: &str) -> Result<Running, Failure> {
+        let failed = |e| Failure::at(self.0.display(), e);
         let profile = tempfile::Builder::new().prefix("hsd-render-").tempdir();
         let profile = profile.map_err(failed)?;
         let mut command = Command::new(&self.0);

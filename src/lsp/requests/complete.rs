@@ -1,36 +1,36 @@
-//! Completion. Cards and pictures of parts are made for the one proposal that is looked at.
+//! Completion. Cards and images of parts are produced only for the selected item.
 
-use super::{Answer, View};
+use super::{DocumentView, RequestResult};
 use crate::ide::complete::{self as ide, CompletionKind as Kind, PartKey};
 use crate::lsp::documents::Document;
-use crate::lsp::server::Server;
+use crate::lsp::session::Session;
 use gen_lsp_types as lsp;
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// Files that are listed, how deep below the folder of a text, and how many names are looked at for them.
+/// Limits of file completion: number of files, folder depth, and number of directory entries read.
 const FILES: usize = 1000;
 const DEEP: usize = 3;
 const NAMES: usize = 20_000;
 
 pub(super) fn completion(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::CompletionParams,
-) -> Answer<lsp::CompletionList> {
+) -> RequestResult<lsp::CompletionList> {
     let place = params.text_document_position_params;
-    let (language, client) = (server.settings.language, &server.client);
+    let (language, client) = (session.settings.language, &session.client);
     let (snippets, details) = (client.snippets, client.label_details);
     let mut list = lsp::CompletionList {
-        // What fits depends on what was typed, in whatever script.
+        // Matching depends on the typed text, in any script.
         is_incomplete: true,
         item_defaults: None,
         apply_kind: None,
         items: vec![],
     };
-    let Some(view) = server.view(&place.text_document) else {
+    let Some(view) = session.document_view(&place.text_document) else {
         return Ok(list);
     };
-    let files = beside(view.document);
+    let files = sibling_files(view.document);
     let found = ide::complete(view.analysis, view.offset(place.position), &files);
     let uri = &view.document.uri;
     let items = found.into_iter().map(|c| {
@@ -41,7 +41,7 @@ pub(super) fn completion(
             None => (c.insert.clone(), lsp::InsertTextFormat::PlainText),
         };
         let detail = c.detail.in_language(language).to_owned();
-        // What a part is called is to be seen in every row of the list.
+        // Shows the name of a part in every row of the list.
         let label_details = details.then(|| lsp::CompletionItemLabelDetails {
             detail: None,
             description: Some(detail.clone()),
@@ -63,9 +63,9 @@ pub(super) fn completion(
     Ok(list)
 }
 
-fn edit(view: &View<'_>, from: &ide::Completion, new_text: String) -> lsp::TextEdit {
+fn edit(view: &DocumentView<'_>, from: &ide::Completion, new_text: String) -> lsp::TextEdit {
     lsp::TextEdit {
-        range: view.places.own(&from.replace),
+        range: view.places.range_here(&from.replace),
         new_text,
     }
 }
@@ -88,18 +88,18 @@ fn kind(kind: Kind) -> lsp::CompletionItemKind {
     }
 }
 
-/// Adds the card of the part that a proposal stands for.
+/// Adds the card of a part to a completion item.
 pub(super) fn resolve(
-    server: &mut Server,
+    session: &mut Session,
     mut item: lsp::CompletionItem,
-) -> Answer<lsp::CompletionItem> {
-    let (language, pictures) = (server.settings.language, server.settings.pictures);
+) -> RequestResult<lsp::CompletionItem> {
+    let (language, pictures) = (session.settings.language, session.settings.pictures);
     let data = item
         .data
         .as_ref()
         .and_then(|d| serde_json::to_value(d).ok());
-    let said = |key: &str| data.as_ref()?.get(key).and_then(Value::as_str);
-    let (Some(uri), Some(code)) = (said("uri"), said("part")) else {
+    let field = |key: &str| data.as_ref()?.get(key).and_then(Value::as_str);
+    let (Some(uri), Some(code)) = (field("uri"), field("part")) else {
         return Ok(item);
     };
     let text = lsp::TextDocumentIdentifier {
@@ -108,8 +108,8 @@ pub(super) fn resolve(
     let key = PartKey {
         code: code.to_owned(),
     };
-    let card = server
-        .view(&text)
+    let card = session
+        .document_view(&text)
         .and_then(|view| ide::documentation(view.analysis, &key, language, pictures));
     item.documentation = card.map(|value| {
         lsp::Documentation::MarkupContent(lsp::MarkupContent {
@@ -120,12 +120,12 @@ pub(super) fn resolve(
     Ok(item)
 }
 
-/// Lists the files of an ending below the folder of a text, by their paths from there.
-fn beside(document: &Document) -> impl Fn(&str) -> Vec<String> + use<> {
+/// Returns a function that lists the files with an extension below the folder of a document, as relative paths.
+fn sibling_files(document: &Document) -> impl Fn(&str) -> Vec<String> + use<> {
     let path = crate::lsp::uri::to_path(&document.uri);
     let folder = path.as_deref().and_then(Path::parent).map(Path::to_owned);
     move |ending: &str| {
-        let mut list = List {
+        let mut list = FileList {
             ending,
             names: 0,
             found: vec![],
@@ -138,16 +138,16 @@ fn beside(document: &Document) -> impl Fn(&str) -> Vec<String> + use<> {
     }
 }
 
-/// Files with an ending.
-struct List<'e> {
+/// A recursive search for files with an extension.
+struct FileList<'e> {
     ending: &'e str,
-    /// Names that were looked at.
+    /// The number of directory entries read.
     names: usize,
     found: Vec<String>,
 }
 
-impl List<'_> {
-    /// Adds those of a folder, then those of the folders in it; `before` = what their paths begin with.
+impl FileList<'_> {
+    /// Adds the files of a folder, then those of its subfolders; `before` is the prefix of their paths.
     fn add(&mut self, folder: &Path, before: &str, deep: usize) {
         let mut folders = vec![];
         let Ok(entries) = std::fs::read_dir(folder) else {
@@ -165,7 +165,7 @@ impl List<'_> {
                 continue;
             }
             let path = format!("{before}{name}");
-            // Links are not followed: they may lead round in circles.
+            // Links are not followed, because they may be circular.
             match entry.file_type() {
                 Ok(kind) if kind.is_dir() && deep > 0 => {
                     folders.push((entry.path(), format!("{path}/")));

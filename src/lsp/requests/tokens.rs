@@ -1,12 +1,12 @@
-//! Semantic tokens, each counted from the one before it.
+//! Semantic tokens, each encoded relative to the previous one.
 
-use super::{Answer, View};
+use super::{DocumentView, RequestResult};
 use crate::ide::tokens::{Modifiers, Token, TokenKind, tokens};
-use crate::lsp::server::Server;
+use crate::lsp::session::Session;
 use gen_lsp_types as lsp;
 use serde_json::{Value, json};
 
-/// The kinds with their names in the protocol, in the order of their numbers.
+/// Token kinds and their names in the protocol, in the order of their numbers.
 const KINDS: [(TokenKind, &str); 11] = [
     (TokenKind::Comment, "comment"),
     (TokenKind::Keyword, "keyword"),
@@ -21,30 +21,30 @@ const KINDS: [(TokenKind, &str); 11] = [
     (TokenKind::Operator, "operator"),
 ];
 
-/// The modifiers, in the order of their bits.
+/// Token modifiers, in the order of their bits.
 const MODIFIERS: [&str; 4] = ["declaration", "defaultLibrary", "own", "unknown"];
 
-/// What the numbers mean.
+/// Returns the legend of token kinds and modifiers.
 pub(super) fn legend() -> Value {
     let kinds: Vec<&str> = KINDS.iter().map(|(_, name)| *name).collect();
     json!({ "tokenTypes": kinds, "tokenModifiers": MODIFIERS })
 }
 
 pub(super) fn full(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::SemanticTokensParams,
-) -> Answer<lsp::SemanticTokens> {
-    Ok(match server.view(&params.text_document) {
+) -> RequestResult<lsp::SemanticTokens> {
+    Ok(match session.document_view(&params.text_document) {
         Some(view) => written(&view, &tokens(view.analysis)),
         None => lsp::SemanticTokens::default(),
     })
 }
 
 pub(super) fn range(
-    server: &mut Server,
+    session: &mut Session,
     params: lsp::SemanticTokensRangeParams,
-) -> Answer<lsp::SemanticTokens> {
-    let Some(view) = server.view(&params.text_document) else {
+) -> RequestResult<lsp::SemanticTokens> {
+    let Some(view) = session.document_view(&params.text_document) else {
         return Ok(lsp::SemanticTokens::default());
     };
     let range = view.offsets(params.range);
@@ -54,11 +54,11 @@ pub(super) fn range(
     Ok(written(&view, all.get(from..to).unwrap_or_default()))
 }
 
-fn written(view: &View<'_>, tokens: &[Token]) -> lsp::SemanticTokens {
+fn written(view: &DocumentView<'_>, tokens: &[Token]) -> lsp::SemanticTokens {
     let mut last = view.places.position(0);
     let mut data = Vec::with_capacity(tokens.len());
     for token in tokens {
-        let range = view.places.own(&token.range);
+        let range = view.places.range_here(&token.range);
         let delta_line = range.start.line - last.line;
         let from = if delta_line == 0 { last.character } else { 0 };
         data.push(lsp::SemanticToken {

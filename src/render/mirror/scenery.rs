@@ -1,4 +1,5 @@
-//! What stands before a wall: nodes are left out by their boxes, so that the cost grows with what the beam holds.
+//! The geometry in front of a wall. Nodes are culled by their bounding boxes, so that the cost depends on what is in the
+//! beam.
 
 use crate::render::GROUND;
 use crate::render::beam::{Beam, NEAR};
@@ -9,20 +10,20 @@ use crate::render::view::{Frame, Place, Triangle};
 use crate::scene::{Mesh, Scene};
 use glam::{DVec2, DVec3, dvec3};
 
-/// How far the ground reaches to the sides and ahead, metres: to the horizon.
+/// The extent of the ground to the sides and ahead in metres: up to the horizon.
 const HORIZON: f64 = 20.0 * GROUND;
 
-/// A scene with the places and boxes of its nodes.
+/// A scene with the transforms and bounding boxes of its nodes.
 pub(super) struct Town<'a> {
     scene: &'a Scene,
     nodes: Vec<Standing>,
 }
 
-/// A node that shows something.
+/// A node with geometry.
 struct Standing {
     node: usize,
     place: Place,
-    /// Corners of its box in the world.
+    /// The corners of its bounding box in world space.
     corners: [DVec3; 8],
 }
 
@@ -45,7 +46,7 @@ impl<'a> Town<'a> {
         }
     }
 
-    /// The triangles of nodes that may be wanted.
+    /// Returns the triangles of the nodes that satisfy `wanted`.
     fn triangles(&self, wanted: impl Fn(&Standing) -> bool) -> Vec<Triangle> {
         let mut found = vec![];
         for standing in self.nodes.iter().filter(|s| wanted(s)) {
@@ -55,7 +56,7 @@ impl<'a> Town<'a> {
         found
     }
 
-    /// What a wall may mirror in a beam, and the ground.
+    /// Returns the triangles that a wall may reflect in a beam, including the ground.
     pub(super) fn in_beam(&self, wall: &Wall, beam: &Beam) -> Vec<Triangle> {
         let plane = wall.plane;
         let mut found = self.triangles(|standing| {
@@ -75,7 +76,7 @@ impl<'a> Town<'a> {
         found
     }
 
-    /// What may throw shadows on lines of the sun.
+    /// Returns the triangles that may cast shadows within a grid of sun rays.
     pub(super) fn under(&self, sun: &Frame, grid: &Grid) -> Vec<Triangle> {
         let (low, high) = (grid.at(0), grid.at(grid.width * grid.height - 1));
         self.triangles(|standing| {
@@ -86,7 +87,7 @@ impl<'a> Town<'a> {
         })
     }
 
-    /// How far one may go straight away from a point of a wall; what is nearer than `past` is no hindrance.
+    /// Returns the free distance perpendicular to a point of a wall; obstacles nearer than `past` are ignored.
     pub(super) fn free(&self, wall: &Wall, from: DVec2, past: f64) -> Option<f64> {
         let plane = wall.plane;
         let before = self.triangles(|standing| {
@@ -116,7 +117,7 @@ impl<'a> Town<'a> {
     }
 }
 
-/// The corners of a mesh's box; `None` of one without triangles.
+/// Returns the corners of the bounding box of a mesh; `None` if it is empty.
 fn corners(mesh: &Mesh) -> Option<[DVec3; 8]> {
     let points = mesh.primitives.iter().flat_map(|p| &p.positions);
     let mut points = points.map(|p| view::point(*p));

@@ -1,6 +1,5 @@
-//! Which panes mirror: triangles of facades that look out of them, in a material with a share. They are taken out of the
-//! parts, whose meshes may stand anywhere, and become one shape of each facade, since each pane has its own place in the
-//! picture. Nothing moves.
+//! Reflecting panes: outward-facing triangles of facades whose material has a reflectance. They are moved from the shared
+//! meshes of parts to a mesh per facade, since each pane has its own texture coordinates. Positions do not change.
 
 use crate::render::beam::Plane;
 use crate::render::mirror::Sheet;
@@ -11,45 +10,45 @@ use glam::{DVec2, DVec3};
 use image::RgbImage;
 use std::collections::BTreeMap;
 
-/// How far normals of panes may lean, as a cosine.
+/// The maximum deviation of pane normals, as a cosine.
 const STRAIGHT: f64 = 0.999;
 
-/// Walls this near to one plane, metres, are one.
+/// Walls whose planes differ by less than this, in metres, are coplanar.
 const ONE_PLANE: f64 = 1e-3;
 
-/// Facades of a house in one plane.
+/// The coplanar facades of a house.
 pub(super) struct Wall {
-    /// The plane of their panes, the mean one where they lie behind each other.
+    /// The mean plane of their panes.
     pub(super) plane: Plane,
-    /// What the panes take up of it.
+    /// The bounds of the panes on the plane.
     pub(super) low: DVec2,
     pub(super) high: DVec2,
-    /// Height of the ground before it.
+    /// The height of the ground in front of it.
     pub(super) ground: f64,
     facades: Vec<Facade>,
-    /// Nodes below the facades, in order.
+    /// The nodes below the facades, sorted.
     own: Vec<usize>,
 }
 
 impl Wall {
-    /// Whether a node belongs to the wall.
+    /// Returns whether a node belongs to the wall.
     pub(super) fn owns(&self, node: usize) -> bool {
         self.own.binary_search(&node).is_ok()
     }
 }
 
-/// One facade and its panes.
+/// A facade and its panes.
 struct Facade {
     node: usize,
     root: usize,
     place: Place,
-    /// In the facade's frame.
+    /// The panes in the frame of the facade.
     panes: Vec<Primitive>,
-    /// Nodes that panes are taken from, and what of their mesh.
+    /// The nodes that panes are taken from.
     taken: Vec<usize>,
 }
 
-/// All walls of a scene that mirror.
+/// Returns all reflecting walls of a scene.
 pub(super) fn walls(scene: &Scene) -> Vec<Wall> {
     let facades = facades(scene);
     let places = view::places(scene);
@@ -78,7 +77,7 @@ pub(super) fn walls(scene: &Scene) -> Vec<Wall> {
     made.collect()
 }
 
-/// A wall with the plane and the bounds of its panes.
+/// Returns a wall with the plane and the bounds of its panes.
 fn measured(out: DVec3, ground: f64, facades: Vec<Facade>) -> Wall {
     let mut weighed = (0.0, 0.0);
     let mut points: Vec<DVec3> = vec![];
@@ -108,7 +107,7 @@ fn measured(out: DVec3, ground: f64, facades: Vec<Facade>) -> Wall {
     }
 }
 
-/// The facade above each node, or the node itself.
+/// Returns the facade that contains each node.
 fn owners(scene: &Scene) -> Vec<Option<usize>> {
     let mut owners: Vec<Option<usize>> = Vec::with_capacity(scene.nodes.len());
     for (n, node) in scene.nodes.iter().enumerate() {
@@ -120,7 +119,7 @@ fn owners(scene: &Scene) -> Vec<Option<usize>> {
     owners
 }
 
-/// The facades with panes that mirror.
+/// Returns the facades with reflecting panes.
 fn facades(scene: &Scene) -> Vec<Facade> {
     let (places, roots, owners) = (view::places(scene), view::roots(scene), owners(scene));
     let mut found: BTreeMap<usize, Facade> = BTreeMap::new();
@@ -156,7 +155,7 @@ fn mirrors(material: &Material) -> bool {
     material.reflection.is_some_and(|share| share > 0.0)
 }
 
-/// Adds panes to those of their material.
+/// Merges panes with those of the same material.
 fn add(all: &mut Vec<Primitive>, more: Primitive) {
     match all.iter_mut().find(|p| p.material == more.material) {
         None => all.push(more),
@@ -170,13 +169,13 @@ fn add(all: &mut Vec<Primitive>, more: Primitive) {
     }
 }
 
-/// The corners of its triangles.
+/// Returns the corners of its triangles.
 fn triangles(p: &Primitive) -> impl Iterator<Item = [DVec3; 3]> {
     let corners = |t: &[u32]| [0, 1, 2].map(|k| view::point(p.positions[t[k] as usize]));
     p.indices.chunks_exact(3).map(corners)
 }
 
-/// The triangles of a primitive that look out of the facade, in the facade's frame, and the others as they were.
+/// Divides a primitive into the triangles facing out of the facade, in the frame of the facade, and the others.
 fn divided(p: &Primitive, place: Place, facade: Place) -> (Option<Primitive>, Option<Primitive>) {
     let out = facade.way(DVec3::NEG_Y);
     let looks_out = |t: &&[u32]| {
@@ -199,7 +198,7 @@ fn divided(p: &Primitive, place: Place, facade: Place) -> (Option<Primitive>, Op
     (panes, picked(p, &others))
 }
 
-/// A primitive of some of the triangles, with the vertices that they need.
+/// Returns a primitive of some of the triangles, with the vertices they use.
 fn picked(p: &Primitive, triangles: &[&[u32]]) -> Option<Primitive> {
     let mut numbers: Vec<Option<u32>> = vec![None; p.positions.len()];
     let mut made = Primitive {
@@ -223,7 +222,7 @@ fn picked(p: &Primitive, triangles: &[&[u32]]) -> Option<Primitive> {
     (!made.indices.is_empty()).then_some(made)
 }
 
-/// Lets panes show the pictures of their walls.
+/// Assigns the textures of walls to their panes.
 pub(super) fn show(scene: &mut Scene, walls: Vec<Wall>, drawn: Vec<(Sheet, RgbImage)>) {
     let places = view::places(scene);
     let mut left: BTreeMap<MeshId, Option<MeshId>> = BTreeMap::new();
@@ -270,7 +269,7 @@ pub(super) fn show(scene: &mut Scene, walls: Vec<Wall>, drawn: Vec<(Sheet, RgbIm
     insert(scene, &shown);
 }
 
-/// A mesh without its panes, or none where nothing else is in it.
+/// Returns a mesh without its panes; `None` if it is empty then.
 fn without(scene: &mut Scene, mesh: MeshId, place: Place, facade: Place) -> Option<MeshId> {
     let Mesh { name, primitives } = scene.meshes[mesh.0 as usize].clone();
     let others = primitives.into_iter().filter_map(|p| {
@@ -287,7 +286,7 @@ fn without(scene: &mut Scene, mesh: MeshId, place: Place, facade: Place) -> Opti
     Some(MeshId(scene.meshes.len() as u32 - 1))
 }
 
-/// A material as it is with a picture of what it mirrors.
+/// Returns a copy of a material with a reflection texture.
 fn mirroring(scene: &mut Scene, own: MaterialId, number: u32) -> MaterialId {
     let own = &scene.materials[own.0 as usize];
     let made = Material {
@@ -299,7 +298,7 @@ fn mirroring(scene: &mut Scene, own: MaterialId, number: u32) -> MaterialId {
     MaterialId(scene.materials.len() as u32 - 1)
 }
 
-/// Puts a node with panes right behind each facade that has some.
+/// Inserts a node for the panes after each facade that has some.
 fn insert(scene: &mut Scene, shown: &BTreeMap<usize, MeshId>) {
     let mut numbers: Vec<NodeId> = Vec::with_capacity(scene.nodes.len());
     let mut nodes: Vec<Node> = Vec::with_capacity(scene.nodes.len() + shown.len());

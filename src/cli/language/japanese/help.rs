@@ -227,10 +227,10 @@ pub(super) static COMMANDS: &[CommandHelp] = &[
         more: "部材コードは空白も含めて五文字です。幅は U (0.909 m)、高さは尺 (0.303 m) で表します。",
         examples: "\
 例:
-  hsd parts lattice            名前に `lattice` を含む部材を一覧にする
-  hsd parts --format json K    すべての壁を JSON で出力する
-  hsd parts --sheet parts.html 部材ごとの画像のあるページを書く
-  hsd parts --catalog own.hsd  ファイルの自作部材を一覧にする
+  hsd parts lattice                名前に `lattice` を含む部材を一覧にする
+  hsd parts --format json K        すべての壁を JSON で出力する
+  hsd parts --sheet parts.html     部材ごとの画像のあるページを書く
+  hsd parts --catalog custom.hsd   ファイルの自作部材を一覧にする
 
 分類: K 壁、T 戸、M 窓、G 格子、H 柱、A 開口、N 現代",
         arguments: &[

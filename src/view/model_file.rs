@@ -1,4 +1,4 @@
-//! A model that was made before, and the pictures beside it, as its glTF names them.
+//! Existing models (`.glb`) and their external textures.
 
 use crate::backend::images::{JPEG, KTX2, PNG, is_cut};
 use crate::diagnostic::messages::pictures as say;
@@ -11,16 +11,16 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// How pictures that glTF may name begin, and their media types.
+/// Magic numbers and media types of the image formats of glTF.
 const KINDS: [(&[u8], &str); 3] = [
     (PNG, "image/png"),
     (JPEG, "image/jpeg"),
     (b"\xabKTX 20", KTX2),
 ];
 
-/// What of a glTF is read.
+/// The part of a glTF document that is read.
 #[derive(Deserialize)]
-struct Document {
+struct GltfJson {
     #[serde(default)]
     images: Vec<Image>,
 }
@@ -30,7 +30,7 @@ struct Image {
     uri: Option<String>,
 }
 
-/// What a picture is, by its first bytes; `None` = no picture that glTF may name.
+/// Returns the media type of an image by its first bytes; `None` for formats that glTF does not allow.
 pub(super) fn kind(bytes: &[u8]) -> Option<&'static str> {
     let mut kinds = KINDS.iter();
     kinds
@@ -38,24 +38,24 @@ pub(super) fn kind(bytes: &[u8]) -> Option<&'static str> {
         .map(|(_, kind)| *kind)
 }
 
-/// A model that was made before, with the pictures beside it.
-pub(super) struct Model {
+/// A model with its external textures.
+pub(super) struct ModelFile {
     pub(super) bytes: Vec<u8>,
     /// By their names in the model.
     pub(super) pictures: BTreeMap<String, Vec<u8>>,
-    /// What messages speak of: the file as a whole, of which no text is shown.
+    /// The file as a source without text, for diagnostics.
     pub(super) source: Source,
-    /// Pictures that cannot be shown.
-    pub(super) said: Vec<Diagnostic>,
+    /// Diagnostics of textures that cannot be shown.
+    pub(super) diagnostics: Vec<Diagnostic>,
 }
 
-impl Model {
-    /// Reads a `.glb` and its pictures below `root`, the real path of a folder; none that lie outside. A model that cannot be
-    /// read names none: the page says so of it.
+impl ModelFile {
+    /// Reads a `.glb` and its external textures below `root`, a canonical path. A damaged model has no textures; the page
+    /// reports it.
     ///
     /// # Errors
-    /// Where the file itself cannot be read.
-    pub(super) fn read(root: &Path, path: &Path) -> io::Result<Model> {
+    /// If the file itself cannot be read.
+    pub(super) fn read(root: &Path, path: &Path) -> io::Result<ModelFile> {
         let bytes = fs::read(path)?;
         let source = Source::new(FileId(0), path.to_string_lossy(), b"");
         let folder = path.parent().unwrap_or(root);
@@ -68,43 +68,43 @@ impl Model {
                 Err(why) => out.push(say::not_beside(source.span(0..0), &name, why)),
             }
         }
-        Ok(Model {
+        Ok(ModelFile {
             bytes,
             pictures,
             source,
-            said: out.into_sorted(),
+            diagnostics: out.into_sorted(),
         })
     }
 }
 
-/// The names of the pictures beside a model, each once; `None` = it cannot be read.
+/// Returns the names of the external textures of a model; `None` if it cannot be parsed.
 fn names(model: &[u8]) -> Option<BTreeSet<String>> {
     let json = gltf::binary::Glb::from_slice(model).ok()?.json;
-    let document: Document = serde_json::from_slice(&json).ok()?;
+    let document: GltfJson = serde_json::from_slice(&json).ok()?;
     let uris = document.images.into_iter().filter_map(|i| i.uri);
     let beside = uris.filter(|uri| !uri.starts_with("data:"));
     let plain = |uri: String| percent_decode_str(&uri).decode_utf8_lossy().into_owned();
     Some(beside.map(plain).collect())
 }
 
-/// A picture, or why it cannot be shown.
+/// Reads a texture, or returns the reason why it cannot be shown.
 fn picture(root: &Path, path: &Path) -> Result<Vec<u8>, Noun> {
-    const GONE: Noun = noun("it is not there", "ファイルがありません");
+    const GONE: Noun = noun("the file does not exist", "ファイルがありません");
     const OUTSIDE: Noun = noun(
-        "it lies outside of the folder that is shown",
-        "表示しているフォルダーの外にあります",
+        "the file is outside the opened folder",
+        "開いているフォルダーの外にあります",
     );
-    const CLOSED: Noun = noun("it cannot be read", "ファイルを読めません");
+    const CLOSED: Noun = noun("the file cannot be read", "ファイルを読めません");
     const OTHER: Noun = noun(
-        "it is not a PNG, JPEG or KTX2 picture",
+        "the file is not a PNG, JPEG or KTX2 image",
         "PNG、JPEG、KTX2 のどれでもありません",
     );
-    const CUT: Noun = noun("its end is missing", "終わりが欠けています");
+    const CUT: Noun = noun("the file is truncated", "ファイルの末尾が欠けています");
     let path = path.canonicalize().map_err(|_| GONE)?;
     if !path.starts_with(root) {
         return Err(OUTSIDE);
     }
-    // Nothing is waited for that is no file.
+    // Does not open devices and pipes, which could block.
     let bytes = path.is_file().then(|| fs::read(path).ok()).flatten();
     let bytes = bytes.ok_or(CLOSED)?;
     match kind(&bytes) {
@@ -114,7 +114,7 @@ fn picture(root: &Path, path: &Path) -> Result<Vec<u8>, Noun> {
     }
 }
 
-/// The folders below that of a model in which its pictures lie. `model` = a real path.
+/// Returns the folders of the external textures of a model, below its own. `model` is a canonical path.
 pub(super) fn folders(model: &Path) -> BTreeSet<PathBuf> {
     let root = model.parent().unwrap_or(Path::new("/"));
     let named = fs::read(model).ok().and_then(|bytes| names(&bytes));
@@ -123,8 +123,8 @@ pub(super) fn folders(model: &Path) -> BTreeSet<PathBuf> {
     folders.filter(|folder| folder.starts_with(root)).collect()
 }
 
-/// The path below a folder that a browser asks for where a picture is called this: without `.` and `..`.
-pub(super) fn asked(name: &str) -> String {
+/// Returns the path that a browser requests for a relative URI: without `.` and `..`.
+pub(super) fn requested_path(name: &str) -> String {
     let mut parts = vec![];
     for part in name.split('/') {
         match part {

@@ -1,8 +1,9 @@
-//! What one text makes, ready to be handed out: what the page is told of it, its model, the pictures beside that.
+//! The compiled state of a file: its state in the API, its model and external textures.
 
-use super::beside::Model;
-use super::desk::Desk;
+use super::editor_host::EditorHost;
+use super::fingerprint::fingerprint;
 use super::houses::Houses;
+use super::model_file::ModelFile;
 use crate::catalog::Catalog;
 use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::{self, Options};
@@ -15,49 +16,46 @@ use serde::Serialize;
 use serde_json::value::RawValue;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::hash::Hash;
 use std::io;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// The name of the model; its pictures lie in a folder named after it.
-pub(super) const STEM: &str = "house";
-
-/// A text and its model at one moment.
-pub(super) struct Made {
-    /// Counts up with every change of any text.
+/// The compiled state of a file at one revision.
+pub(super) struct Snapshot {
+    /// Incremented with every change of any file.
     pub(super) revision: u64,
-    /// What the page is told, as JSON.
+    /// The state in the API, as JSON.
     pub(super) state: Vec<u8>,
-    /// Written when it is asked for.
+    /// Serialized on request.
     model: Content,
-    /// The files beside it by their names in it.
+    /// External textures by their names in the model.
     pub(super) pictures: Arc<BTreeMap<String, Vec<u8>>>,
-    /// The text and those that were read for it.
+    /// The source file and the files it includes.
     pub(super) sources: Vec<Source>,
-    /// The parts that its houses may be made of.
+    /// The parts available to its houses.
     pub(super) catalog: Cow<'static, Catalog>,
-    /// Whether something lies no longer beside a model.
+    /// Whether an external texture is missing.
     pub(super) lacks: bool,
-    /// What is the same for the same content.
-    print: u64,
+    /// The fingerprint of the content.
+    fingerprint: u64,
 }
 
-/// What a model is.
+/// The origin of a model.
 enum Content {
-    /// What a text makes.
+    /// Compiled from a source file.
     Houses(Box<Houses>),
-    /// What was made before: the bytes of a `.glb`.
+    /// An existing model: the contents of a `.glb`.
     File(Vec<u8>),
 }
 
-/// What the page is told of a text: `State` in `view/src/server/api.ts`.
+/// The state of a file: `State` in `view/src/server/api.ts`.
 #[derive(Serialize)]
 struct State<'a> {
     revision: u64,
     file: &'a str,
-    sources: Vec<Told<'a>>,
+    sources: Vec<SourceState<'a>>,
     diagnostics: &'a RawValue,
     /// Keys and names of the houses, in the order of the model.
     houses: Vec<(&'a str, &'a str)>,
@@ -66,42 +64,42 @@ struct State<'a> {
     times: Vec<(&'static str, f64)>,
 }
 
-/// A text that was read.
+/// A source file: `Source` of the state.
 #[derive(Serialize)]
-struct Told<'a> {
+struct SourceState<'a> {
     id: u16,
     name: &'a str,
-    /// Below the root, with `/`.
+    /// The path relative to the root, with `/`.
     path: Option<String>,
     text: &'a str,
-    /// Bytes of the file before the text: those of a byte order mark.
+    /// The number of bytes before the text: those of a byte order mark.
     mark: u32,
-    /// How many bytes of the file each UTF-16 unit of the text takes, a digit each; `null` = as in UTF-8.
+    /// The number of bytes of each UTF-16 unit in the file, one digit per unit; `null` for UTF-8.
     widths: Option<String>,
 }
 
-impl Made {
-    /// Reads a text below `root` and builds it. `file` is what the page calls it.
+impl Snapshot {
+    /// Reads and compiles a source file; `file` is its path relative to `root`, as in the API.
     ///
     /// # Errors
-    /// Where the file cannot be read.
+    /// If the file cannot be read.
     pub(super) fn of_text(
-        desk: &dyn Desk,
+        host: &dyn EditorHost,
         (root, file): (&Path, &str),
         language: Language,
         revision: u64,
-    ) -> io::Result<Made> {
+    ) -> io::Result<Snapshot> {
         let path = root.join(file);
-        let mut made = None;
-        desk.read(&path, &mut |source, world, options| {
-            made = Some(built(source, world, options));
+        let mut compiled = None;
+        host.read(&path, &mut |source, world, options| {
+            compiled = Some(built(source, world, options));
         })?;
-        let (read, (houses, pictures), times) = made.ok_or(io::ErrorKind::NotFound)?;
+        let (read, (houses, pictures), times) = compiled.ok_or(io::ErrorKind::NotFound)?;
         let keys = keys(&pictures);
         let sources: Vec<Source> = read.sources().cloned().collect();
         let report = Report::new(&sources, &read.diagnostics).in_language(language);
         let diagnostics = raw(&report)?;
-        let same = print(|p| {
+        let same = fingerprint(|p| {
             houses.known().for_each(|house| house.hash(p));
             houses.places().hash(p);
             keys.hash(p);
@@ -111,14 +109,14 @@ impl Made {
         let state = State {
             revision,
             file,
-            sources: sources.iter().map(|s| told(s, root)).collect(),
+            sources: sources.iter().map(|s| source_state(s, root)).collect(),
             diagnostics: &diagnostics,
             houses: houses.known().collect(),
             pictures: &keys,
             plan: Plan::of(&read, language),
             times: times.iter().map(|(step, t)| (*step, millis(*t))).collect(),
         };
-        Ok(Made {
+        Ok(Snapshot {
             revision,
             state: serde_json::to_vec(&state)?,
             model: Content::Houses(houses.into()),
@@ -126,23 +124,23 @@ impl Made {
             sources,
             catalog: read.checked.catalog,
             lacks: false,
-            print: same,
+            fingerprint: same,
         })
     }
 
-    /// A model that was made before and is shown as it is.
+    /// Reads an existing model.
     ///
     /// # Errors
-    /// Where the file cannot be read.
+    /// If the file cannot be read.
     pub(super) fn of_model(
         (root, file): (&Path, &str),
         language: Language,
         revision: u64,
-    ) -> io::Result<Made> {
-        let model = Model::read(root, &root.join(file))?;
+    ) -> io::Result<Snapshot> {
+        let model = ModelFile::read(root, &root.join(file))?;
         let keys = keys(&model.pictures);
         let source = std::slice::from_ref(&model.source);
-        let report = Report::new(source, &model.said).in_language(language);
+        let report = Report::new(source, &model.diagnostics).in_language(language);
         let diagnostics = raw(&report)?;
         let state = State {
             revision,
@@ -157,10 +155,10 @@ impl Made {
             },
             times: vec![],
         };
-        Ok(Made {
+        Ok(Snapshot {
             revision,
             state: serde_json::to_vec(&state)?,
-            print: print(|p| {
+            fingerprint: fingerprint(|p| {
                 model.bytes.hash(p);
                 keys.hash(p);
                 diagnostics.get().hash(p);
@@ -169,11 +167,11 @@ impl Made {
             pictures: model.pictures.into(),
             sources: vec![],
             catalog: Cow::Borrowed(parse::builtin()),
-            lacks: !model.said.is_empty(),
+            lacks: !model.diagnostics.is_empty(),
         })
     }
 
-    /// The whole model, `.glb`.
+    /// Returns the whole model as a `.glb`.
     pub(super) fn whole(&self) -> Vec<u8> {
         match &self.model {
             Content::Houses(houses) => houses.whole(),
@@ -181,7 +179,7 @@ impl Made {
         }
     }
 
-    /// What somebody lacks who has these houses of a model, as [`Houses::others`]; `None` = the whole.
+    /// Returns the houses whose keys are not in `had`, as [`Houses::others`]; `None` for the whole model.
     pub(super) fn others(&self, had: &[String]) -> Option<Vec<u8>> {
         match &self.model {
             Content::Houses(houses) => houses.others(had),
@@ -189,15 +187,15 @@ impl Made {
         }
     }
 
-    /// Whether the page would show the same.
-    pub(super) fn same(&self, other: &Made) -> bool {
-        self.print == other.print
+    /// Returns whether the page would look the same.
+    pub(super) fn same(&self, other: &Snapshot) -> bool {
+        self.fingerprint == other.fingerprint
     }
 }
 
-/// What is the same for the same picture, by the names of pictures.
+/// Returns the fingerprints of textures by name.
 fn keys(pictures: &BTreeMap<String, Vec<u8>>) -> BTreeMap<String, String> {
-    let key = |bytes: &Vec<u8>| format!("{:016x}", print(|p| bytes.hash(p)));
+    let key = |bytes: &Vec<u8>| format!("{:016x}", fingerprint(|p| bytes.hash(p)));
     let keys = pictures.iter().map(|(name, b)| (name.clone(), key(b)));
     keys.collect()
 }
@@ -205,7 +203,7 @@ fn keys(pictures: &BTreeMap<String, Vec<u8>>) -> BTreeMap<String, String> {
 type Times = Vec<(&'static str, Duration)>;
 type Built = (Houses, BTreeMap<String, Vec<u8>>);
 
-/// Runs the chain; the houses and the pictures beside them by their names.
+/// Compiles a source file to houses and their external textures by name.
 fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Built, Times) {
     let mut times = vec![];
     let read = driver::timed(&mut times, "read", || Analysis::new(source, world, options));
@@ -214,17 +212,17 @@ fn built(source: Source, world: &dyn World, options: &Options) -> (Analysis, Bui
         driver::scene(building, &read.checked.catalog, options.detail)
     });
     let built = driver::timed(&mut times, "pictures", || {
-        // What is wrong with pictures was said by the reading.
-        let (mut said, limits) = (Diagnostics::new(), &options.expand.limits);
+        // The analysis has reported faulty images already.
+        let (mut ignored, limits) = (Diagnostics::new(), &options.expand.limits);
         let paths = &scene.pictures;
-        let mut library = driver::pictures(paths, building, world, limits, &mut said);
+        let mut library = driver::pictures(paths, building, world, limits, &mut ignored);
         library.bake(&scene.baked);
         Houses::new(scene, library)
     });
     (read, built, times)
 }
 
-/// What is said of a text, as `hsd check --format json` writes it.
+/// Returns diagnostics in the format of `hsd check --format json`.
 fn raw(report: &Report<'_>) -> io::Result<Box<RawValue>> {
     let mut json = vec![];
     report.write(Format::Json, Style::default(), &mut json)?;
@@ -232,13 +230,13 @@ fn raw(report: &Report<'_>) -> io::Result<Box<RawValue>> {
     Ok(RawValue::from_string(json.trim().to_owned())?)
 }
 
-fn told<'a>(source: &'a Source, root: &Path) -> Told<'a> {
+fn source_state<'a>(source: &'a Source, root: &Path) -> SourceState<'a> {
     let path = Path::new(source.name()).canonicalize().ok();
     let below = path.and_then(|p| p.strip_prefix(root).ok().map(slashed));
     let text = source.text();
     let mark = source.span(0..0).start;
     let plain = source.span(0..text.len()).end - mark == text.len() as u32;
-    Told {
+    SourceState {
         id: source.id().0,
         name: source.name(),
         path: below,
@@ -248,7 +246,7 @@ fn told<'a>(source: &'a Source, root: &Path) -> Told<'a> {
     }
 }
 
-/// The bytes of each UTF-16 unit; the second unit of a pair takes none.
+/// Returns the number of bytes of each UTF-16 unit; 0 for the second unit of a surrogate pair.
 fn widths(source: &Source) -> String {
     let characters = source.text().char_indices();
     let digits = characters.flat_map(|(at, c)| {
@@ -259,7 +257,7 @@ fn widths(source: &Source) -> String {
     digits.collect()
 }
 
-/// A path as the page writes it.
+/// Returns a path with `/` as the separator.
 pub(super) fn slashed(path: &Path) -> String {
     let parts = path.components().map(|c| c.as_os_str().to_string_lossy());
     parts.collect::<Vec<_>>().join("/")
@@ -267,11 +265,4 @@ pub(super) fn slashed(path: &Path) -> String {
 
 fn millis(time: Duration) -> f64 {
     (time.as_secs_f64() * 1e6).round() / 1e3
-}
-
-/// What is the same for the same content.
-pub(super) fn print(content: impl FnOnce(&mut DefaultHasher)) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    content(&mut hasher);
-    hasher.finish()
 }

@@ -1,22 +1,22 @@
 //! The editor host of the command line: files on disk, and a command that opens an editor.
 
-use crate::cli::Stop;
+use crate::cli::Failure;
 use crate::cli::files::input::Inputs;
-use crate::cli::options::Manner;
+use crate::cli::options::ReadArgs;
 use crate::diagnostic::Diagnostics;
 use crate::driver::Options;
 use crate::scene::Detail;
 use crate::source::{Source, Span, World};
 use crate::text;
-use crate::view::Desk;
+use crate::view::EditorHost;
 use std::fs::{self, File};
 use std::io::{self, Read, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Files on disk, read with the options of the command line.
-pub(in crate::cli) struct Disk {
-    pub(in crate::cli) manner: Manner,
+pub(in crate::cli) struct FileHost {
+    pub(in crate::cli) read_args: ReadArgs,
     /// The level of detail of models.
     pub(in crate::cli) detail: Detail,
     /// The words of the editor command.
@@ -25,18 +25,18 @@ pub(in crate::cli) struct Disk {
     pub(in crate::cli) writes: bool,
 }
 
-impl Desk for Disk {
+impl EditorHost for FileHost {
     fn read(
         &self,
         path: &Path,
         work: &mut dyn FnMut(Source, &dyn World, &Options),
     ) -> io::Result<()> {
         let inputs = [path.to_owned()];
-        let limit = self.manner.limits().bytes;
+        let limit = self.read_args.limits().bytes;
         let mut out = Diagnostics::new();
-        let stopped = |stop: Stop| match stop {
-            Stop::Io(why) | Stop::Usage(why) => io::Error::other(why.as_str().to_owned()),
-            Stop::Pipe => io::ErrorKind::BrokenPipe.into(),
+        let stopped = |stop: Failure| match stop {
+            Failure::Io(why) | Failure::Usage(why) => io::Error::other(why.as_str().to_owned()),
+            Failure::Pipe => io::ErrorKind::BrokenPipe.into(),
         };
         let read = Inputs::read(&inputs, limit, &mut out).map_err(stopped)?;
         if !read.taken().all(|taken| taken) {
@@ -46,9 +46,9 @@ impl Desk for Disk {
         }
         let options = Options {
             detail: self.detail,
-            ..self.manner.options(&read, &mut out).map_err(stopped)?
+            ..self.read_args.options(&read, &mut out).map_err(stopped)?
         };
-        let world = self.manner.world(&inputs);
+        let world = self.read_args.world(&inputs);
         if let Some(source) = read.sources.into_iter().next() {
             work(source, &world, &options);
         }
@@ -57,7 +57,7 @@ impl Desk for Disk {
 
     fn bytes(&self, path: &Path) -> io::Result<Vec<u8>> {
         let mut bytes = vec![];
-        let limit = self.manner.limits().bytes as u64;
+        let limit = self.read_args.limits().bytes as u64;
         File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
         Ok(bytes)
     }
@@ -116,7 +116,7 @@ impl Desk for Disk {
 }
 
 /// Splits a command into words at blanks outside quotation marks. No shell is involved.
-pub(super) fn editor(command: &str) -> Result<Vec<String>, Stop> {
+pub(super) fn editor(command: &str) -> Result<Vec<String>, Failure> {
     let (mut words, mut word, mut quote) = (vec![], None::<String>, None);
     for c in command.chars() {
         match quote {
@@ -131,7 +131,7 @@ pub(super) fn editor(command: &str) -> Result<Vec<String>, Stop> {
     }
     words.extend(word);
     if quote.is_some() || words.is_empty() {
-        return Err(Stop::Usage(text!(
+        return Err(Failure::Usage(text!(
             "--editor {command}: expected a command, as in 'code -g {{file}}:{{line}}'",
             "--editor {command}: 'code -g {{file}}:{{line}}' のようなコマンドを指定してください"
         )));

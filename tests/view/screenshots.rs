@@ -3,17 +3,17 @@
 use super::web::{PATIENCE, Web};
 use super::{Files, HOUSE};
 use hsd::diagnostic::Language;
-use hsd::view::{Preview, Show, Still};
+use hsd::view::{Preview, PreviewOptions, Screenshot};
 use serde_json::json;
 use std::path::Path;
 use std::sync::mpsc;
 
-fn shown(folder: &Path) -> Show {
-    Show {
+fn shown(folder: &Path) -> PreviewOptions {
+    PreviewOptions {
         root: folder.to_owned(),
         only: Some("a.hsd".to_owned()),
         language: Language::English,
-        desk: Box::new(Files::default()),
+        host: Box::new(Files::default()),
         port: 0,
         watched: vec![],
     }
@@ -24,7 +24,7 @@ fn pictures_are_taken_where_somebody_wants_them() {
     let folder = tempfile::tempdir().expect("folders can be made");
     std::fs::write(folder.path().join("a.hsd"), HOUSE).expect("can be written");
     let (taker, stills) = mpsc::channel();
-    let preview = Preview::with_stills(shown(folder.path()), taker).expect("can be shown");
+    let preview = Preview::with_screenshots(shown(folder.path()), taker).expect("can be shown");
     let web = Web::new(&preview.url());
     let foreign = format!(
         "POST /api/rendered HTTP/1.1\r\nHost: {}\r\nOrigin: http://example.org\r\n\
@@ -40,11 +40,11 @@ fn pictures_are_taken_where_somebody_wants_them() {
     );
     let next = || stills.recv_timeout(PATIENCE).expect("is handed over");
     let heard = [next(), next()];
-    let front = Still::Picture {
+    let front = Screenshot::Picture {
         view: "front".to_owned(),
         png: b"7".to_vec(),
     };
-    assert_eq!(heard, [front, Still::Done(vec!["no".to_owned()])]);
+    assert_eq!(heard, [front, Screenshot::Done(vec!["no".to_owned()])]);
     assert!(stills.try_recv().is_err(), "nothing else is handed over");
     drop(stills);
     assert_eq!(

@@ -1,0 +1,44 @@
+//! Access of the preview to source files and the editor.
+
+use crate::driver::Options;
+use crate::source::{Source, Span, World};
+use std::io;
+use std::path::Path;
+
+/// What the preview needs of its host: files on disk and an editor command (`hsd view`), or the editor connected to the
+/// language server.
+pub trait EditorHost: Send + Sync {
+    /// Reads a source file and passes it to `work` with its surroundings.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    fn read(
+        &self,
+        path: &Path,
+        work: &mut dyn FnMut(Source, &dyn World, &Options),
+    ) -> io::Result<()>;
+
+    /// Returns the contents of a file, as [`EditorHost::write`] takes them.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    fn bytes(&self, path: &Path) -> io::Result<Vec<u8>>;
+
+    /// Returns whether source files can be changed from the page.
+    fn writes(&self) -> bool;
+
+    /// Replaces the contents `before` of a file by `after`.
+    ///
+    /// # Errors
+    /// If the file has changed or cannot be written.
+    fn write(&self, path: &Path, before: &[u8], after: &[u8]) -> io::Result<()>;
+
+    /// Returns whether there is an editor that can open locations.
+    fn opens(&self) -> bool;
+
+    /// Opens the editor at a location in a source.
+    ///
+    /// # Errors
+    /// If there is no editor or it cannot be started.
+    fn open(&self, source: &Source, span: Span) -> io::Result<()>;
+}

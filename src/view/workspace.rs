@@ -1,0 +1,359 @@
+//! The files below a folder. Each is compiled when first requested, and recompiled when its inputs change while a page
+//! shows it.
+
+use super::editor_host::EditorHost;
+use super::history::History;
+use super::model_file;
+use super::snapshot::{Snapshot, slashed};
+use crate::diagnostic::Language;
+use crate::source::{FileId, Span};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tokio::sync::broadcast;
+
+/// Limits of the file list: number of files and depth of folders.
+const LISTED: usize = 2000;
+const DEPTH: usize = 6;
+
+/// File kinds, as in the API.
+pub(super) const TEXT: &str = "text";
+pub(super) const MODEL: &str = "model";
+
+/// Notifications to pages.
+#[derive(Clone, Debug)]
+pub(super) enum Update {
+    /// A file has a new snapshot.
+    State { file: Arc<str>, revision: u64 },
+    /// The cursor of the editor has moved; `None` if it is in another file.
+    Cursor {
+        file: Arc<str>,
+        place: Option<Cursor>,
+    },
+    /// The list of files has changed.
+    Files,
+}
+
+/// A location in one of the sources of a document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub(super) struct Cursor {
+    /// The source; 0 for the file itself.
+    id: u16,
+    /// Byte offsets.
+    span: [u32; 2],
+}
+
+/// An entry of the file list.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub(super) struct FileEntry {
+    /// The path relative to the root, with `/`.
+    pub(super) path: String,
+    pub(super) kind: &'static str,
+}
+
+/// The documents of a folder and their viewers.
+pub(super) struct Workspace {
+    /// The canonical path of the folder; nothing outside it is read.
+    pub(super) root: PathBuf,
+    /// The only file shown, if not all of them are.
+    pub(super) only: Option<String>,
+    pub(super) language: Language,
+    pub(super) host: Box<dyn EditorHost>,
+    documents: Mutex<BTreeMap<String, Arc<Document>>>,
+    updates: broadcast::Sender<Update>,
+    revision: AtomicU64,
+}
+
+/// External textures of a model, by their names in it.
+type Pictures = Arc<BTreeMap<String, Vec<u8>>>;
+
+/// A file that has been requested.
+pub(super) struct Document {
+    pub(super) file: Arc<str>,
+    snapshot: Mutex<Option<Arc<Snapshot>>>,
+    /// The textures of the previous revision, which a page may still be loading.
+    before: Mutex<Option<(u64, Pictures)>>,
+    /// Whether inputs have changed since the last snapshot.
+    stale: AtomicBool,
+    /// Held while compiling, so that a file is compiled once and readers of the last snapshot need not wait.
+    building: Mutex<()>,
+    /// The number of pages that show it.
+    viewers: AtomicUsize,
+    /// Strokes that can be undone and redone.
+    pub(super) history: Mutex<History>,
+}
+
+impl Document {
+    /// Returns the last snapshot, if there is one.
+    pub(super) fn last(&self) -> Option<Arc<Snapshot>> {
+        lock(&self.snapshot).clone()
+    }
+}
+
+/// A page that shows a document; counted while it exists.
+pub(super) struct Viewer(Arc<Document>);
+
+impl Drop for Viewer {
+    fn drop(&mut self) {
+        self.0.viewers.fetch_sub(1, Ordering::AcqRel);
+    }
+}
+
+/// Locks a mutex. Poisoning is ignored, because all updates replace whole values.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Workspace {
+    /// Creates a workspace of all files below a folder, or of one of them.
+    pub(super) fn new(
+        root: PathBuf,
+        only: Option<String>,
+        language: Language,
+        host: Box<dyn EditorHost>,
+    ) -> Workspace {
+        Workspace {
+            root,
+            only,
+            language,
+            host,
+            documents: Mutex::default(),
+            updates: broadcast::channel(64).0,
+            revision: AtomicU64::new(1),
+        }
+    }
+
+    /// Returns the files that can be shown.
+    pub(super) fn files(&self) -> Vec<FileEntry> {
+        let mut list = vec![];
+        match &self.only {
+            Some(file) => list.push(FileEntry {
+                path: file.clone(),
+                kind: self.kind(file).unwrap_or(TEXT),
+            }),
+            None => walk(&self.root, &self.root, DEPTH, &mut list),
+        }
+        list
+    }
+
+    /// Returns the kind of a file that can be shown. A file opened by name is a source file whatever its extension.
+    fn kind(&self, file: &str) -> Option<&'static str> {
+        match &self.only {
+            Some(only) if only == file => kind_of(file).or(Some(TEXT)),
+            Some(_) => None,
+            None => kind_of(file),
+        }
+    }
+
+    /// Returns the document of a file.
+    ///
+    /// # Errors
+    /// If the file is outside the folder, or is neither a source file nor a model.
+    pub(super) fn document(&self, file: &str) -> io::Result<Arc<Document>> {
+        if let Some(document) = lock(&self.documents).get(file) {
+            return Ok(document.clone());
+        }
+        let path = Path::new(file);
+        let plain = path.components().all(|c| matches!(c, Component::Normal(_)));
+        let known = plain && !file.contains('\\') && self.kind(file).is_some();
+        let inside = |p: PathBuf| p.starts_with(&self.root) && p.is_file();
+        // The host can read a file that the editor has not saved yet.
+        let real = self.root.join(path).canonicalize();
+        let exists = real.map_or_else(|_| self.host.bytes(&self.root.join(path)).is_ok(), inside);
+        if !known || !exists {
+            return Err(io::ErrorKind::NotFound.into());
+        }
+        let document = Arc::new(Document {
+            file: file.into(),
+            snapshot: Mutex::default(),
+            before: Mutex::default(),
+            stale: AtomicBool::new(false),
+            building: Mutex::default(),
+            viewers: AtomicUsize::new(0),
+            history: Mutex::default(),
+        });
+        let mut documents = lock(&self.documents);
+        Ok(documents.entry(file.to_owned()).or_insert(document).clone())
+    }
+
+    /// Returns the snapshot of a document, compiled if it is not up to date.
+    ///
+    /// # Errors
+    /// If the file cannot be read.
+    pub(super) fn snapshot(&self, document: &Document) -> io::Result<Arc<Snapshot>> {
+        // A snapshot with missing textures is never reused: they may exist now.
+        let fresh = || {
+            let last = document.last().filter(|snapshot| !snapshot.lacks);
+            last.filter(|_| !document.stale.load(Ordering::Acquire))
+        };
+        if let Some(snapshot) = fresh() {
+            return Ok(snapshot);
+        }
+        let _alone = lock(&document.building);
+        match fresh() {
+            Some(snapshot) => Ok(snapshot),
+            None => self.renew(document).map(|(snapshot, _)| snapshot),
+        }
+    }
+
+    /// Recompiles a document; returns whether the result differs. If not, the revision stays. The caller holds the
+    /// `building` lock.
+    fn renew(&self, document: &Document) -> io::Result<(Arc<Snapshot>, bool)> {
+        // Changes from here on may not be in the result.
+        document.stale.store(false, Ordering::Release);
+        let new = self
+            .build(&document.file)
+            .inspect_err(|_| document.stale.store(true, Ordering::Release))?;
+        let mut snapshot = lock(&document.snapshot);
+        if let Some(old) = snapshot.as_ref().filter(|old| old.same(&new)) {
+            return Ok((old.clone(), false));
+        }
+        let new = Arc::new(new);
+        let old = snapshot.replace(new.clone());
+        *lock(&document.before) = old.map(|old| (old.revision, old.pictures.clone()));
+        Ok((new, true))
+    }
+
+    /// Returns an external texture of a revision.
+    pub(super) fn picture(&self, revision: u64, name: &str) -> Option<Vec<u8>> {
+        let documents: Vec<Arc<Document>> = lock(&self.documents).values().cloned().collect();
+        let both = |document: &Arc<Document>| {
+            let now = document
+                .last()
+                .map(|snapshot| (snapshot.revision, snapshot.pictures.clone()));
+            [now, lock(&document.before).clone()]
+        };
+        let mut known = documents.iter().flat_map(both).flatten();
+        let (_, pictures) = known.find(|(own, _)| *own == revision)?;
+        let mut pictures = pictures.iter();
+        let found =
+            pictures.find(|(own, _)| *own == name || model_file::requested_path(own) == name);
+        found.map(|(_, bytes)| bytes.clone())
+    }
+
+    /// Opens the editor at a location in one of the sources of a document.
+    ///
+    /// # Errors
+    /// If there is no such source or no editor.
+    pub(super) fn open(
+        &self,
+        document: &Document,
+        id: u16,
+        [start, end]: [u32; 2],
+    ) -> io::Result<()> {
+        let snapshot = self.snapshot(document)?;
+        let source = snapshot.sources.iter().find(|s| s.id() == FileId(id));
+        let source = source.ok_or(io::ErrorKind::NotFound)?;
+        let file = source.id();
+        self.host.open(source, Span { file, start, end })
+    }
+
+    /// Notifies the pages of all documents that read a file of the cursor position in it, as a byte offset.
+    pub(super) fn cursor(&self, path: &Path, at: usize) {
+        let documents: Vec<Arc<Document>> = lock(&self.documents).values().cloned().collect();
+        for document in documents {
+            let snapshot = document.last();
+            let sources = snapshot.iter().flat_map(|snapshot| &snapshot.sources);
+            let mut read = sources.filter(|s| {
+                let name = Path::new(s.name());
+                name == path || name.canonicalize().is_ok_and(|real| real == path)
+            });
+            let place = read.next().map(|source| {
+                let Span { start, end, .. } = source.span(at..at);
+                let id = source.id().0;
+                Cursor {
+                    id,
+                    span: [start, end],
+                }
+            });
+            let file = document.file.clone();
+            self.send(Update::Cursor { file, place });
+        }
+    }
+
+    /// Compiles a file. A panic becomes an error.
+    fn build(&self, file: &str) -> io::Result<Snapshot> {
+        let built = catch_unwind(AssertUnwindSafe(|| self.compile_file(file)));
+        built.unwrap_or_else(|_| Err(io::Error::other("internal error")))
+    }
+
+    fn compile_file(&self, file: &str) -> io::Result<Snapshot> {
+        let revision = self.revision.fetch_add(1, Ordering::Relaxed);
+        let place = (&*self.root, file);
+        match self.kind(file) {
+            Some(MODEL) => Snapshot::of_model(place, self.language, revision),
+            _ => Snapshot::of_text(&*self.host, place, self.language, revision),
+        }
+    }
+
+    /// Registers a viewer, which keeps the document up to date.
+    pub(super) fn add_viewer(
+        &self,
+        document: &Arc<Document>,
+    ) -> (Viewer, broadcast::Receiver<Update>) {
+        document.viewers.fetch_add(1, Ordering::AcqRel);
+        (Viewer(document.clone()), self.updates.subscribe())
+    }
+
+    /// Marks all documents as changed and recompiles those with viewers.
+    pub(super) fn changed(&self) {
+        let documents: Vec<Arc<Document>> = lock(&self.documents).values().cloned().collect();
+        for document in documents {
+            document.stale.store(true, Ordering::Release);
+            if document.viewers.load(Ordering::Acquire) == 0 {
+                continue;
+            }
+            let _alone = lock(&document.building);
+            // Errors are ignored: editors briefly remove files while saving.
+            if let Ok((snapshot, true)) = self.renew(&document) {
+                let (file, revision) = (document.file.clone(), snapshot.revision);
+                self.send(Update::State { file, revision });
+            }
+        }
+    }
+
+    /// Sends an update to all pages.
+    pub(super) fn send(&self, updates: Update) {
+        let _ = self.updates.send(updates);
+    }
+}
+
+/// Returns the kind of a file by its extension.
+fn kind_of(file: &str) -> Option<&'static str> {
+    let ending = Path::new(file).extension()?.to_str()?.to_ascii_lowercase();
+    match &*ending {
+        "hsd" | "xml" => Some(TEXT),
+        "glb" => Some(MODEL),
+        _ => None,
+    }
+}
+
+/// Lists the files below a folder in alphabetical order, without hidden and build folders.
+fn walk(root: &Path, folder: &Path, depth: usize, list: &mut Vec<FileEntry>) {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut paths: Vec<(PathBuf, fs::FileType)> = entries
+        .filter_map(|e| Some((e.path(), e.file_type().ok()?)))
+        .collect();
+    paths.sort_by(|(a, _), (b, _)| a.cmp(b));
+    for (path, kind) in &paths {
+        if kind.is_file() && list.len() < LISTED {
+            let below = path.strip_prefix(root).ok();
+            list.extend(below.and_then(|p| {
+                let path = slashed(p);
+                kind_of(&path).map(|kind| FileEntry { path, kind })
+            }));
+        }
+    }
+    for (path, kind) in paths {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let passed = name.starts_with('.') || name == "node_modules" || name == "target";
+        if kind.is_dir() && depth > 0 && !passed {
+            walk(root, &path, depth - 1, list);
+        }
+    }
+}
