@@ -4,17 +4,17 @@
 //! budget of its own, so that it gets the same roofs alone, in a town, and in a tile of one.
 //!
 //! A region with n coordinates along each side takes about n^4 / 2 steps: L, T and U plans tens, plans that people draw
-//! a few hundred, a stair of 16 steps some 40,000, a stair of 30 some 600,000. The budget is a hundred times what people
+//! a few hundred, a stair of 16 steps some 40,000, a stair of 30 some 600,000. The budget is fifty times what people
 //! draw. Part of it goes with the corners, so that large plans get more; since a corner takes at least six bytes of
 //! source, and more steps need more corners, a file of any length takes time in proportion to its length.
 
 use std::cell::Cell;
 
 /// Steps that every house has.
-const A_HOUSE: u64 = 50_000;
+const A_HOUSE: u64 = 20_000;
 
 /// Further steps for each corner of a region.
-const A_CORNER: u64 = 1_000;
+const A_CORNER: u64 = 500;
 
 /// The steps that a house has left.
 #[derive(Debug)]

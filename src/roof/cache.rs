@@ -14,9 +14,9 @@ use glam::DVec2;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Most memory of a cache in words of 8 bytes, about: 16 MiB. Beyond it everything kept so far is dropped, since
+/// Most memory of a cache in words of 8 bytes, about: 4 MiB. Beyond it everything kept so far is dropped, since
 /// houses that are alike tend to be near each other.
-const MOST_WORDS: usize = 2 << 20;
+const MOST_WORDS: usize = 1 << 19;
 
 /// Everything that the roofs of a house depend on, to the last bit.
 #[derive(PartialEq, Eq, Hash)]

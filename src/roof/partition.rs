@@ -99,10 +99,10 @@ mod tests {
 
     #[test]
     fn what_is_left_to_search_decides_between_best_and_greedy() {
-        for (method, steps) in [(Method::LeastCut, 16), (Method::BranchCut, 24)] {
+        for (method, steps) in [(Method::LeastCut, 30), (Method::BranchCut, 60)] {
             let plan = stair(steps);
             let best = partition(&plan, method);
-            let plenty = SearchBudget::default();
+            let plenty = SearchBudget::new(100_000_000);
             assert_eq!(partition_within(&plan, method, &plenty), best);
             assert!(!plenty.is_news());
             let spent = SearchBudget::new(0);
