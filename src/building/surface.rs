@@ -282,7 +282,7 @@ impl RoofSurface {
         crate::geometry::area2(&plan) / 2.0
     }
 
-    /// The lines of one kind, edges that continue each other straight in plan joined.
+    /// The lines of one kind: edges that continue each other straight in plan are joined. Hips run upwards.
     pub fn lines(&self, kind: EdgeKind) -> Vec<[DVec3; 2]> {
         let edges = self.edges.iter().filter(|e| e.kind == kind);
         let mut lines: Vec<[DVec3; 2]> = edges.map(|e| self.ends(e)).collect();
@@ -296,6 +296,10 @@ impl RoofSurface {
                 }
                 None => i += 1,
             }
+        }
+        if kind == EdgeKind::Hip {
+            let falling = lines.iter_mut().filter(|[from, to]| from.z > to.z);
+            falling.for_each(|line| line.reverse());
         }
         lines
     }

@@ -112,7 +112,9 @@ fn a_ratio_and_half_hips_give_ridges_as_long_as_built() {
         let ridges = lines(&building, EdgeKind::Ridge);
         assert_eq!(ridges.len(), 1);
         near(length(&ridges), share * 10.0 * U);
-        assert_eq!(lines(&building, EdgeKind::Hip).len(), 4);
+        let hips = lines(&building, EdgeKind::Hip);
+        assert_eq!(hips.len(), 4);
+        assert!(hips.iter().all(|[from, to]| from.z < to.z));
         assert_eq!(roofs(&building)[0].surface.slopes().len(), 4);
     }
 }
