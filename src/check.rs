@@ -24,14 +24,13 @@ pub enum Flaw {
         /// Index of the face.
         face: usize,
     },
-    /// An edge does not belong to exactly two faces in opposite directions: water comes in, and
-    /// printers and volume computations fail.
+    /// An edge does not belong to exactly two faces in opposite directions: the solid is not watertight, and printers
+    /// and volume computations fail.
     OpenEdge {
         /// Its ends, by index.
         edge: (u32, u32),
     },
-    /// The same by position: a crack or a double wall hidden by points that are equal but not
-    /// shared.
+    /// As [`Flaw::OpenEdge`], by position: a crack or a double wall hidden by points that are equal but not shared.
     OpenSeam {
         /// Where the edge starts.
         from: DVec3,
@@ -48,7 +47,7 @@ pub enum Flaw {
         /// Index of the face.
         face: usize,
     },
-    /// A connected part has its faces inwards: it is invisible from outside.
+    /// The faces of a connected part are inside out: it is invisible from outside.
     Inward {
         /// Its volume, cubic metres, negative.
         volume: f64,
@@ -137,7 +136,7 @@ fn open_seams(solid: &Solid) -> impl Iterator<Item = Flaw> {
     flaws.into_iter()
 }
 
-/// For each point the first one at the same place.
+/// Returns for each point the first one at the same place.
 fn welded(solid: &Solid) -> Vec<u32> {
     let mut order: Vec<u32> = (0..solid.points.len() as u32).collect();
     let point = |id: u32| solid.points[id as usize];
@@ -177,7 +176,7 @@ fn bent_faces(solid: &Solid) -> Vec<Flaw> {
     flaws
 }
 
-/// The normal of a face, twice its area long.
+/// Returns the normal of a face with twice its area as its length.
 fn double_area(solid: &Solid, face: &Face) -> DVec3 {
     let point = |i: usize| solid.points[face.corners[i] as usize];
     let first = point(0);

@@ -1,9 +1,9 @@
-//! The scene: meshes, materials and a tree of nodes that place them. It knows no catalogue and no plan;
-//! codes are mere labels here.
+//! The scene: meshes, materials and a tree of nodes that place them. It is independent of catalogue and plan; codes are
+//! plain labels here.
 //!
-//! Frame: right-handed, metres, x east, y north, z up; back ends turn it into their own. A mesh of a part
-//! lies in the part's frame: x to the RIGHT as seen from outside, y into the house, z up from the storey's
-//! floor; origin at the left end of its wall's centre line, so that a south front needs no rotation.
+//! Frame: right-handed, metres, x east, y north, z up; back ends convert it to their own. The mesh of a part is in the
+//! part's frame: x to the RIGHT as seen from outside, y into the house, z up from the storey's floor; origin at the
+//! left end of its wall's centre line, so that a south front needs no rotation.
 
 mod label;
 mod stats;
@@ -16,40 +16,40 @@ use compact_str::CompactString;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
 
-/// Everything a back end needs.
+/// The input of every back end.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Scene {
     /// Materials in the order of first use.
     pub materials: Vec<Material>,
     /// Meshes in the order of first use; shared by the nodes that show them.
     pub meshes: Vec<Mesh>,
-    /// The tree in preorder: a parent stands before its children.
+    /// The tree in preorder: a parent precedes its children.
     pub nodes: Vec<Node>,
-    /// Part pictures: paths that the world finds.
+    /// Part textures: paths that the file system or its substitute resolves.
     pub pictures: Vec<String>,
-    /// Pictures of joinery, made where the detail asks for pictures in place of shapes.
+    /// Images of joinery, made if the detail replaces geometry by images.
     pub baked: Vec<Baked>,
-    /// What walls mirror, a picture for each plane, where that was asked for.
+    /// The reflections in walls, one image per plane, if requested.
     #[serde(skip)]
     pub mirrored: Vec<image::RgbImage>,
 }
 
-/// How much of the joinery is shape and how much is picture.
+/// The level of detail: how joinery is divided into geometry and images.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum Detail {
     /// 0: walls and roofs.
     Body,
-    /// 1: a flat picture for each part, and what stands out far before the wall.
+    /// 1: a flat image for each part, and elements that project far from the wall.
     Flat,
-    /// 2: openings, leaves and heavy bars as shapes, the fine ones as pictures.
+    /// 2: openings, leaves and heavy bars as geometry, fine ones as images.
     Openings,
-    /// 3: everything as shapes.
+    /// 3: everything as geometry.
     #[default]
     Everything,
 }
 
 impl Detail {
-    /// All of them by their numbers.
+    /// All levels, by number.
     pub const ALL: [Detail; 4] = [
         Detail::Body,
         Detail::Flat,
@@ -58,19 +58,19 @@ impl Detail {
     ];
 }
 
-/// A page of baked pictures: square, side by side, upright as seen from outside.
+/// A square page of baked images, side by side, upright as seen from outside.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Baked {
-    /// Base colour, sRGB, and whether there is anything.
+    /// Base colour, sRGB, and opacity.
     #[serde(skip)]
     pub color: image::RgbaImage,
-    /// Unit normals in the plane of the picture: red to the right, green up.
+    /// Unit normals in the plane of the image: red to the right, green up.
     #[serde(skip)]
     pub normal: image::RgbImage,
     /// Red: occlusion. Green: roughness. Blue: metalness.
     #[serde(skip)]
     pub orm: image::RgbImage,
-    /// Whether its pictures have holes.
+    /// True if its images have holes.
     pub holes: bool,
 }
 
@@ -86,33 +86,33 @@ pub struct MeshId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct NodeId(pub u32);
 
-/// How a surface looks.
+/// The look of a surface.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Material {
     /// A readable name, unique in the scene.
     pub name: String,
-    /// What is drawn on it.
+    /// The texture.
     pub image: Image,
     /// Multiplies the colour, linear RGB and opacity.
     pub tint: [f32; 4],
-    /// 0 mirror-smooth to 1 dull; multiplies the picture's roughness.
+    /// From 0, mirror-smooth, to 1, matt; multiplies the texture's roughness.
     pub roughness: f32,
-    /// 0 or 1; multiplies the picture's metalness.
+    /// 0 or 1; multiplies the texture's metalness.
     pub metallic: f32,
-    /// Whether both sides show (cloth, paper).
+    /// True if both sides are visible (cloth, paper).
     pub double_sided: bool,
-    /// Whether its picture has holes: what it leaves out is not there.
+    /// True if its texture has holes, which are cut out.
     pub cutout: bool,
-    /// Share of the neighbourhood that glass mirrors, 0 to 1 (003-13, 003-14).
+    /// Share of the surroundings that glass reflects, 0 to 1 (003-13, 003-14).
     pub reflection: Option<f32>,
-    /// What it mirrors: index into [`Scene::mirrored`]; drawn by [`Primitive::mirror_uvs`].
+    /// The reflection: an index into [`Scene::mirrored`]; mapped by [`Primitive::mirror_uvs`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub mirrored: Option<u32>,
 }
 
 impl Material {
-    /// The tint, and how much light of the mirrored picture is added to it, so that blending both over what lies behind
-    /// comes to so much of the picture as the share says, and for the rest to what was there without it.
+    /// Returns the tint, and how much light of the reflection is added to it. Blended over the background, the sum
+    /// contains the given share of the reflection; the rest is the look without it.
     pub fn under_mirror(&self) -> ([f32; 4], f32) {
         let share = self.reflection.unwrap_or(0.0).clamp(0.0, 1.0);
         let [r, g, b, opacity] = self.tint;
@@ -125,12 +125,12 @@ impl Material {
     }
 }
 
-/// The picture of a material.
+/// The texture of a material.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub enum Image {
     /// Plain colour.
     None,
-    /// A look of a drawn surface, by its name in `texture`; texture coordinates are metres.
+    /// A look of a textured surface, by its name in `texture`; texture coordinates are metres.
     Surface(&'static str),
     /// Index into [`Scene::pictures`]; texture coordinates run from 0 to 1, v upwards.
     Picture(u32),
@@ -143,30 +143,30 @@ pub enum Image {
 pub struct Mesh {
     /// A readable name.
     pub name: String,
-    /// A part each material.
+    /// One primitive per material.
     pub primitives: Vec<Primitive>,
 }
 
-/// Triangles in one material. Arrays of vertices have the same length; indices come in threes, counter-
-/// clockwise seen from outside.
+/// Triangles of one material. Vertex arrays have equal lengths; indices come in threes, counter-clockwise seen from
+/// outside.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Primitive {
     /// Their material.
     pub material: MaterialId,
-    /// Metres.
+    /// Positions, metres.
     pub positions: Vec<[f32; 3]>,
-    /// Unit length.
+    /// Unit normals.
     pub normals: Vec<[f32; 3]>,
-    /// Metres along the surface, u to the right and v UP (back ends flip v where theirs runs down).
+    /// Texture coordinates: metres along the surface, u to the right and v UP (back ends flip v if theirs runs down).
     pub uvs: Vec<[f32; 2]>,
-    /// Places in the picture of what its material mirrors, 0 to 1, v upwards; empty where that is none.
+    /// Texture coordinates of the reflection, 0 to 1, v upwards; empty if the material has none.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub mirror_uvs: Vec<[f32; 2]>,
-    /// Into the arrays.
+    /// Indices into the arrays.
     pub indices: Vec<u32>,
 }
 
-/// What a node stands for.
+/// The kind of thing that a node represents.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Kind {
     /// A house.
@@ -189,12 +189,12 @@ pub enum Kind {
     Veranda,
     /// A bracket complex, or the beams on them.
     Bracket,
-    /// What crowns a roof.
+    /// An ornament on a roof's ridge or apex.
     Finial,
 }
 
 impl Kind {
-    /// The word in `extras.kind`.
+    /// Returns the word in `extras.kind`.
     pub fn word(self) -> &'static str {
         match self {
             Kind::House => "house",
@@ -212,33 +212,33 @@ impl Kind {
     }
 }
 
-/// A place in the tree, with or without something to see.
+/// A place in the tree, with or without a mesh.
 #[derive(Clone, Debug, Serialize)]
 pub struct Node {
-    /// The node above; `None` = a root.
+    /// The parent node; `None` = a root.
     pub parent: Option<NodeId>,
-    /// What it stands for.
+    /// The thing it represents.
     pub kind: Kind,
-    /// A readable name; most are short enough to stand in place.
+    /// A readable name, usually short enough to be stored inline.
     pub name: CompactString,
-    /// Where its origin lies in its parent's frame, metres.
+    /// Position of its origin in its parent's frame, metres.
     pub at: DVec3,
     /// Its rotation about the vertical: (cos, sin), counter-clockwise seen from above; (1, 0) = none.
     pub turn: DVec2,
-    /// What it shows.
+    /// Its mesh.
     pub mesh: Option<MeshId>,
     /// `extras.code` of a part.
     pub code: Option<Label>,
     /// `extras.storey`.
     pub storey: Option<u32>,
-    /// `extras.span`: bytes of the source.
+    /// `extras.span`: a byte range of the source.
     pub span: Option<Span>,
     /// `extras.shape` of a roof.
     pub shape: Option<Label>,
 }
 
 impl Node {
-    /// A node that is not turned, shows nothing and has no label.
+    /// Creates a node without rotation, mesh or labels.
     pub fn new(parent: Option<NodeId>, kind: Kind, name: CompactString, at: DVec3) -> Node {
         Node {
             parent,
@@ -254,7 +254,7 @@ impl Node {
         }
     }
 
-    /// Its name; where it has none, what it is.
+    /// Returns its name; if it has none, its kind.
     pub fn called(&self) -> &str {
         match self.name.as_str() {
             "" => self.kind.word(),

@@ -41,7 +41,7 @@ struct File<'a> {
     document: &'a Document,
 }
 
-/// `--stage ast`: what is written, file by file.
+/// `--stage ast`: the parsed source, file by file.
 ///
 /// # Errors
 /// Never for documents of the readers, whose numbers are finite; as for the other functions here.
@@ -55,7 +55,7 @@ pub fn ast(sources: &[&Source], documents: &[Document]) -> serde_json::Result<St
     line(VERSION, Files { files })
 }
 
-/// `--stage program`: what is left after expansion.
+/// `--stage program`: the program after expansion.
 ///
 /// # Errors
 /// See [`ast`].
@@ -63,7 +63,7 @@ pub fn program(program: &Program) -> serde_json::Result<String> {
     line(VERSION, program)
 }
 
-/// `--stage building`: walls with their places, roofs as solids.
+/// `--stage building`: walls in place, roofs as solids.
 ///
 /// # Errors
 /// See [`ast`].
@@ -118,7 +118,7 @@ struct Storey {
     z: Number,
     /// The first outer ring.
     outline: Outline,
-    /// All of them where a storey has several.
+    /// All outer rings if a storey has several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     outlines: Vec<Outline>,
     holes: Vec<Outline>,
@@ -151,7 +151,7 @@ pub struct Region {
     #[serde(serialize_with = "letters")]
     shape: RoofShape,
     over: Option<usize>,
-    /// Only where it is no rectangle.
+    /// Only if it is not a rectangle.
     #[serde(skip_serializing_if = "Option::is_none")]
     polygon: Option<Outline>,
 }
@@ -198,7 +198,7 @@ fn storey(plan: &StoreyPlan, lines: Vec<Line>) -> Storey {
     }
 }
 
-/// A region as it is written.
+/// Converts a region to its JSON form.
 pub fn region(r: &PlanRegion) -> Region {
     let [a0, b0, a1, b1] = r.rect.map(Number);
     Region {

@@ -1,12 +1,12 @@
-//! glTF 2.0: `.glb`, or `.gltf` with files beside it.
+//! glTF 2.0: `.glb`, or `.gltf` with separate files.
 //!
-//! Frame: (x, y, z) = (east, up, -north); a south front looks along +Z. Vertices are written once a mesh and
-//! shared by all nodes that show it. There are at most five buffer views whatever the size of the scene: positions,
-//! normals, tangents, texture coordinates and indices; accessors differ by their offset only. Everything but the
-//! nodes is of the types of the `gltf` crate, which reads all of it back in the tests.
+//! Frame: (x, y, z) = (east, up, -north); a south front faces +Z. Vertices are written once per mesh and shared by all
+//! nodes that show it. There are at most five buffer views regardless of the size of the scene: positions, normals,
+//! tangents, texture coordinates and indices; accessors differ by offset only. Everything except the nodes uses the
+//! types of the `gltf` crate, which the tests use to read it back.
 //!
-//! Texture coordinates of drawn surfaces are metres in the scene; they are divided here by the metres of one
-//! repeat, since a primitive has one material.
+//! Texture coordinates of textured surfaces are metres in the scene; they are divided here by the length of one repeat
+//! in metres, since a primitive has one material.
 
 mod arrays;
 #[cfg(feature = "compress")]
@@ -32,12 +32,12 @@ use nodes::Tree;
 use std::io::{self, Write};
 use std::ops::Range;
 
-/// A `.glb` with everything inside.
+/// Returns a `.glb` with all images embedded.
 pub fn glb(scene: &Scene, images: &dyn Images) -> Vec<u8> {
     Glb::inside(scene, images).bytes()
 }
 
-/// A `.glb` named `stem.glb` and its pictures in the folder `stem_textures`.
+/// Returns a `.glb` named `stem.glb`, with its images in the folder `stem_textures`.
 pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let (glb, mut files) = Glb::beside(scene, images, stem);
     files.push(OutFile {
@@ -47,7 +47,7 @@ pub fn glb_beside<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> V
     files
 }
 
-/// A `.gltf` named `stem.gltf`, its `stem.bin`, and its pictures in the folder `stem_textures`. The file that
+/// Returns a `.gltf` named `stem.gltf`, its `stem.bin`, and its images in the folder `stem_textures`. The file that
 /// refers to the others comes last.
 pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let mut model = Model::new(scene, images, None);
@@ -70,29 +70,29 @@ pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<Out
     files
 }
 
-/// What is in the scene, laid out but not yet written.
+/// The content of the scene, laid out but not yet written.
 struct Model<'a> {
-    /// All but the long lists of the geometry and the tree.
+    /// The root, except the long lists of geometry and nodes.
     root: Root,
     looks: Looks<'a>,
     geometry: Geometry<'a>,
     places: Places<'a>,
-    /// Whether the pictures are in the buffer.
+    /// True if the images are in the buffer.
     embedded: bool,
-    /// Bytes of the buffer.
+    /// Length of the buffer, bytes.
     length: usize,
 }
 
-/// Where the shapes stand.
+/// The nodes and placements of the shapes.
 enum Places<'a> {
     Tree(Tree<'a>),
-    /// Flat, and the arrays of the shapes with it.
+    /// Flat, with the arrays of the shapes.
     #[cfg(feature = "compress")]
     Packed(compress::Packed<'a>),
 }
 
 impl<'a> Model<'a> {
-    /// All of a scene, or some houses of it, each by its nodes, with the materials of all.
+    /// Lays out a whole scene, or some of its houses, given by their nodes, with the materials of all.
     fn new(scene: &'a Scene, images: &'a dyn Images, houses: Option<&[Range<usize>]>) -> Model<'a> {
         let (mut root, looks, mut geometry) = Model::shapes(scene, images, houses);
         geometry.add_views(&mut root);
@@ -143,7 +143,7 @@ impl<'a> Model<'a> {
         (root, looks, geometry)
     }
 
-    /// About how many nodes there are.
+    /// Returns the approximate number of nodes.
     fn nodes(&self) -> usize {
         match &self.places {
             Places::Tree(tree) => tree.len(),
@@ -152,18 +152,18 @@ impl<'a> Model<'a> {
         }
     }
 
-    /// Puts the pictures into the buffer.
+    /// Adds the images to the buffer.
     fn embed(&mut self) {
         self.embedded = true;
         self.length = self.looks.embed(&mut self.root, self.length);
     }
 
-    /// The pictures as files in the folder of the model.
+    /// Returns the images as files in the folder of the model.
     fn files(&mut self, stem: &str) -> Vec<OutFile<'a>> {
         self.looks.files(&mut self.root, stem)
     }
 
-    /// Adds the buffer, in the file `uri` or in the container.
+    /// Adds the buffer, as the file `uri` or in the container.
     fn add_buffer(&mut self, uri: Option<String>) {
         if self.length > 0 {
             self.root.push(Buffer {

@@ -1,7 +1,7 @@
-//! The pictures that outputs carry: those of the drawn surfaces, and part pictures made fit for glTF.
+//! The images in outputs: surface textures, and part textures converted for glTF.
 //!
-//! glTF takes PNG and JPEG. A part picture in a sound file of either is copied byte by byte; one that only a
-//! patient decoder reads (printing colours, a missing end) is encoded anew as PNG; anything else is refused.
+//! glTF supports PNG and JPEG. A part texture in a valid file of either format is copied unchanged; one that only a
+//! lenient decoder reads (CMYK colours, a truncated end) is re-encoded as PNG; anything else is rejected.
 
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::Baked;
@@ -10,18 +10,18 @@ use crate::texture;
 use std::borrow::Cow;
 use std::io::Cursor;
 
-/// How a PNG begins.
+/// The signature of a PNG.
 pub(crate) const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
-/// How a JPEG begins.
+/// The signature of a JPEG.
 pub(crate) const JPEG: &[u8] = b"\xff\xd8\xff";
 
-/// The media type of pictures for graphics cards.
+/// The media type of GPU textures.
 pub const KTX2: &str = "image/ktx2";
 
-/// Why a part picture is not in the output.
+/// The reason that a part texture is missing from the output.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Trouble {
-    /// The file cannot be read; why.
+    /// The file cannot be read; the reason.
     Unreadable(String),
     /// Neither PNG nor JPEG, or damaged.
     NoPicture,
@@ -29,7 +29,7 @@ pub enum Trouble {
     TooLarge(u64),
 }
 
-/// All pictures of a scene.
+/// All images of a scene.
 #[derive(Clone, Debug, Default)]
 pub struct Library {
     parts: Vec<Option<(String, Vec<u8>)>>,
@@ -37,11 +37,11 @@ pub struct Library {
     mirrored: Vec<(String, Vec<u8>)>,
 }
 
-/// The files of a page of baked pictures: colour, normals, gloss.
+/// The files of a page of baked images: colour, normals, gloss.
 type Page = [(String, Vec<u8>); 3];
 
 impl Library {
-    /// Loads part pictures; `trouble` hears of each that cannot be shown, by its index.
+    /// Loads part textures; calls `trouble` with the index of each that cannot be shown.
     pub fn load(
         paths: &[String],
         world: &dyn World,
@@ -61,12 +61,12 @@ impl Library {
         }
     }
 
-    /// Takes the pictures that were baked for a scene.
+    /// Adds the images baked for a scene.
     pub fn bake(&mut self, pages: &[Baked]) {
         self.baked = pages.iter().enumerate().map(page).collect();
     }
 
-    /// Takes the pictures of what walls mirror.
+    /// Adds the images of reflections.
     pub fn mirror(&mut self, pictures: &[image::RgbImage]) {
         let one = |(n, picture): (usize, &image::RgbImage)| {
             (
@@ -77,14 +77,14 @@ impl Library {
         self.mirrored = pictures.iter().enumerate().map(one).collect();
     }
 
-    /// A part picture point by point, by its index.
+    /// Returns the pixels of a part texture, by its index.
     pub fn pixels(&self, index: u32) -> Option<image::RgbImage> {
         let (_, bytes) = self.parts.get(index as usize)?.as_ref()?;
         Some(image::load_from_memory(bytes).ok()?.into_rgb8())
     }
 }
 
-/// The files of a page; pictures with holes need a format that has them.
+/// Encodes the files of a page; images with holes use a format with opacity.
 fn page((index, baked): (usize, &Baked)) -> Page {
     let stem = format!("joinery_{}", index + 1);
     let color = image::DynamicImage::ImageRgba8(baked.color.clone());
@@ -156,7 +156,7 @@ impl Images for Library {
     }
 }
 
-/// The media type of a picture by its first bytes.
+/// Returns the media type of an image by its signature.
 pub fn mime(bytes: &[u8]) -> Option<&'static str> {
     if bytes.starts_with(PNG) {
         Some("image/png")
@@ -169,7 +169,7 @@ pub fn mime(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
-/// A file as glTF takes it, named after its content.
+/// Converts a file to a format that glTF supports, named after its content.
 fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trouble> {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
@@ -193,12 +193,12 @@ fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trou
     Ok((format!("{stem}.png"), encoded.into_inner()))
 }
 
-/// Whether the end of a PNG or JPEG is missing.
+/// Returns true if a PNG or JPEG is truncated.
 pub(crate) fn is_cut(bytes: &[u8]) -> bool {
     bytes.starts_with(PNG) && !whole_png(bytes) || bytes.starts_with(JPEG) && !ends(bytes)
 }
 
-/// Whether every chunk of a PNG is there.
+/// Returns true if every chunk of a PNG is complete.
 fn whole_png(bytes: &[u8]) -> bool {
     let Some(mut rest) = bytes.strip_prefix(PNG) else {
         return false;
@@ -219,13 +219,13 @@ fn whole_png(bytes: &[u8]) -> bool {
     }
 }
 
-/// Whether a JPEG has an end, which other things may follow.
+/// Returns true if a JPEG has an end marker, possibly with other data after it.
 fn ends(jpeg: &[u8]) -> bool {
     let mut pairs = jpeg.windows(2).rev().take(4096);
     pairs.any(|pair| pair == b"\xff\xd9")
 }
 
-/// Whether a JPEG has one or three channels of eight bits and an end.
+/// Returns true if a JPEG has one or three channels of eight bits and an end marker.
 fn whole_jpeg(bytes: &[u8]) -> bool {
     let Some(mut rest) = bytes.strip_prefix(b"\xff\xd8") else {
         return false;

@@ -1,17 +1,17 @@
-//! Numbers in text outputs: short, and the same on every machine.
+//! Numbers in text outputs: short, and equal on every machine.
 
 use serde::{Serialize, Serializer};
 use std::fmt::{self, Display};
 
-/// A number rounded to six decimals and written without needless digits: `3`, `0.909091`, `-2.5`. Metres so
-/// written are exact to a micrometre. Not finite or beyond 1e12 = 0, which no sound scene holds.
+/// A number rounded to six decimals and written without redundant digits: `3`, `0.909091`, `-2.5`. Metres written this
+/// way are exact to a micrometre. Non-finite values and those beyond 1e12 are written as 0; valid scenes have none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Number(pub f64);
 
 const MILLION: i64 = 1_000_000;
 
 impl Number {
-    /// The number in millionths, half away from zero.
+    /// Returns the number in millionths, rounded half away from zero.
     pub fn millionths(self) -> i64 {
         if self.0.abs() < 1e12 {
             (self.0 * MILLION as f64).round() as i64

@@ -1,8 +1,8 @@
-//! OBJ with MTL, as the reconstruction of Edo exchanges its parts (000-32 to 000-40).
+//! OBJ with MTL, the exchange format for parts in the reconstruction of Edo (000-32 to 000-40).
 //!
-//! Frame: x east, y up, z south, metres: the same right-handed frame as glTF. `vt` runs u to the right and v
-//! upwards. Commands are those of 000-32 and `o`; there is no `vn`, since faces share no vertex across an edge
-//! that should look sharp. Instances are written out. Numbers have at most six decimals.
+//! Frame: x east, y up, z south, metres: the same right-handed frame as glTF. `vt` runs u to the right and v upwards.
+//! Only the commands of 000-32 and `o` are used; there is no `vn`, since faces share no vertex across a sharp edge.
+//! Instances are expanded. Numbers have at most six decimals.
 
 mod mtl;
 
@@ -13,8 +13,8 @@ use crate::scene::{Image, Primitive, Scene};
 use std::collections::HashMap;
 use std::fmt::Write as _;
 
-/// `stem.obj`, `stem.mtl` and the pictures in the folder `stem_textures`; the file that refers to the others
-/// comes last. Blanks in the names of the files become `_`.
+/// Returns `stem.obj`, `stem.mtl` and the images in the folder `stem_textures`; the file that refers to the others
+/// comes last. Blanks in file names become `_`.
 pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let stem = &one_word(stem);
     let mut writer = Writer::new(scene, images);
@@ -41,13 +41,13 @@ pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile
 struct Writer<'a> {
     scene: &'a Scene,
     out: String,
-    /// By the scene's number: what texture coordinates are divided by, if the material shows a picture.
+    /// By material number in the scene: the divisor of texture coordinates, if the material has a texture.
     metres: Vec<Option<f64>>,
-    /// Whether a material shows what it mirrors, by the coordinates for that.
+    /// For each material, true if it shows a reflection, by its own texture coordinates.
     mirrors: Vec<bool>,
     /// Materials on written faces.
     used: Vec<bool>,
-    /// Vertices and texture vertices so far; numbers begin with 1 and run on through the file.
+    /// Number of vertices and texture vertices so far; OBJ numbers start at 1 and continue through the file.
     counts: (usize, usize),
 }
 
@@ -92,7 +92,7 @@ impl<'a> Writer<'a> {
         }
     }
 
-    /// Writes the shapes of one node; points that coincide are written once, so that its edges are shared.
+    /// Writes the shapes of one node; coincident points are written once, so that edges are shared.
     fn object<'p>(&mut self, place: Place, primitives: impl Iterator<Item = &'p Primitive>) {
         let mut points: HashMap<[i64; 3], usize> = HashMap::new();
         let mut coordinates: HashMap<[i64; 2], usize> = HashMap::new();

@@ -1,10 +1,10 @@
-//! What a back end must never write: numbers that are none, and indices that lead nowhere. The passes before
-//! leave no such thing; where one does after all, its shape is left out and named.
+//! Finds content that back ends must not write: non-finite numbers, and indices out of range. Earlier passes do not
+//! produce them; if one does, the shape is left out and reported.
 
 use crate::scene::{Node, Primitive, Scene};
 use crate::source::Span;
 
-/// Coordinates stay below this, metres: f32 still tells a decimetre there, and no map is as large.
+/// Limit of coordinates, metres: f32 still resolves a decimetre there, and it exceeds map coordinates.
 const LARGEST: f64 = 1e7;
 
 /// A shape that is left out of every output.
@@ -16,7 +16,7 @@ pub struct Flaw {
     pub span: Option<Span>,
 }
 
-/// Everything of a scene that the back ends leave out.
+/// Returns everything that the back ends leave out of a scene.
 pub fn flaws(scene: &Scene) -> impl Iterator<Item = Flaw> + '_ {
     let bad: Vec<bool> = scene
         .meshes
@@ -33,13 +33,13 @@ pub fn flaws(scene: &Scene) -> impl Iterator<Item = Flaw> + '_ {
     })
 }
 
-/// Whether a node has a place.
+/// Returns true if a node has a valid place.
 pub fn node(node: &Node) -> bool {
     let turned = node.turn.length_squared();
     node.at.to_array().iter().all(|x| x.abs() < LARGEST) && (0.5..2.0).contains(&turned)
 }
 
-/// Whether triangles can be written.
+/// Returns true if triangles can be written.
 pub fn primitive(p: &Primitive, scene: &Scene) -> bool {
     let count = p.positions.len();
     count > 0

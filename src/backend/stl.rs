@@ -1,7 +1,7 @@
-//! Binary STL for printing: all triangles in millimetres, z upwards, moved so that the least x and y are 0.
+//! Binary STL for 3D printing: all triangles in millimetres, z up, translated so that the least x and y are 0.
 //!
-//! STL has no unit; slicers take its numbers for millimetres. The move keeps them small: a house with map
-//! coordinates would lose centimetres in f32.
+//! STL has no unit; slicers assume millimetres. The translation keeps numbers small: a house with map coordinates would
+//! lose centimetres in f32.
 
 use super::flat::{self, places};
 use crate::scene::Scene;
@@ -10,7 +10,7 @@ use glam::{DVec3, dvec3};
 const MILLIMETRES: f64 = 1000.0;
 const HEADER: usize = 80;
 
-/// The bytes of an `.stl` file.
+/// Returns the bytes of an `.stl` file.
 pub fn stl(scene: &Scene) -> Vec<u8> {
     let triangles = triangles(scene);
     let least = triangles
@@ -40,7 +40,7 @@ pub fn stl(scene: &Scene) -> Vec<u8> {
     out
 }
 
-/// All triangles in the world, without those that have no area.
+/// Returns all triangles in world coordinates, except those without area.
 fn triangles(scene: &Scene) -> Vec<[DVec3; 3]> {
     let mut all = vec![];
     for (node, place) in scene

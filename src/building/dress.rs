@@ -7,19 +7,19 @@ use serde::Serialize;
 /// The trim of one roof, metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Trim {
-    /// Horizontal overhang of the eaves beyond the wall line: how far rafters show.
+    /// Horizontal overhang of the eaves beyond the wall line: the visible length of rafters.
     pub eaves: f64,
-    /// Overhang of the verge beyond the gable wall: barge boards hang where it has room for them.
+    /// Overhang of the verge beyond the gable wall; barge boards need a minimum.
     pub verge: f64,
     /// Courses of ridge tiles (noshi) under the cap.
     pub noshi: u32,
-    /// Whether ridges end in onigawara.
+    /// True if ridges end in onigawara.
     pub ends: bool,
-    /// Whether a mast or jewel was written for its apex (sorin, hoju): the usual finial would stand inside it.
+    /// True if the source file places a mast or jewel on its apex (sorin, hoju), which replaces the default finial.
     pub crowned: bool,
-    /// Whether a pendant (gegyo) hangs under the apex of its gables.
+    /// True if a pendant (gegyo) hangs under the apex of its gables.
     pub pendant: bool,
-    /// Rows of rafters that show under the eaves: one on houses, two on temples.
+    /// Number of visible rows of rafters under the eaves: one on houses, two on temples.
     pub rafters: u8,
 }
 

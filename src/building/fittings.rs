@@ -10,7 +10,7 @@ use serde::Serialize;
 /// One fitting.
 #[derive(Clone, Debug, Serialize)]
 pub struct Fitting {
-    /// Its element.
+    /// The source range of its element.
     pub span: Span,
     /// The storey it belongs to, from 1; 0 = the house.
     pub storey: u32,
@@ -27,7 +27,7 @@ pub enum Thing {
     Veranda(Veranda),
     /// Bracket complexes and the beams on them.
     Brackets(Brackets),
-    /// Tie beams before the posts of a storey.
+    /// Tie beams in front of the posts of a storey.
     Beams(Vec<Beam>, SurfaceId),
     /// A finial on a roof.
     Finial(Finial),
@@ -38,7 +38,7 @@ pub enum Thing {
 pub struct Platform {
     /// Its edge, counter-clockwise seen from above.
     pub outline: Vec<DVec2>,
-    /// Ground and top.
+    /// Heights of ground and top.
     pub z: (f64, f64),
     /// Up to it.
     pub stairs: Vec<Stairs>,
@@ -49,28 +49,28 @@ pub struct Platform {
 pub struct Stairs {
     /// The middle of its upper end, at the edge it leads to.
     pub at: DVec2,
-    /// Down and out, unit length.
+    /// Direction down and out, unit length.
     pub out: DVec2,
     /// Across.
     pub width: f64,
-    /// Foot and top.
+    /// Heights of foot and top.
     pub z: (f64, f64),
 }
 
 /// Boards round a storey.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Veranda {
-    /// A stretch along each wall.
+    /// One deck along each wall.
     pub sides: Vec<Deck>,
     /// The outline of the walls, counter-clockwise.
     pub walls: Vec<DVec2>,
     /// The height that carries it from below: the ground, or the storey's foot where brackets reach out from the walls.
     pub foot: f64,
-    /// Its floor.
+    /// Height of its floor.
     pub top: f64,
-    /// Whether it stands on the ground.
+    /// True if it is supported from the ground.
     pub grounded: bool,
-    /// Railing.
+    /// The style of its railing.
     pub rail: Rail,
     /// Timber.
     pub paint: SurfaceId,
@@ -81,9 +81,9 @@ pub struct Veranda {
 /// The veranda along one wall.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Deck {
-    /// At the wall, counter-clockwise round the house.
+    /// The line at the wall, counter-clockwise round the house.
     pub inner: [DVec2; 2],
-    /// At the edge.
+    /// The line of the outer edge.
     pub outer: [DVec2; 2],
     /// Posts of the wall, metres from its first corner.
     pub posts: Vec<f64>,
@@ -94,21 +94,21 @@ pub struct Deck {
 /// Bracket complexes.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Brackets {
-    /// On posts.
+    /// Complexes on posts.
     pub heads: Vec<Head>,
-    /// In the middle of bays: struts that carry the wall beams.
+    /// Struts in the middle of bays, which carry the wall beams.
     pub struts: Vec<Head>,
     /// Beams and purlins over them.
     pub beams: Vec<Beam>,
-    /// White wall between them.
+    /// White wall panels between them.
     pub frieze: Vec<Beam>,
     /// The number of steps out.
     pub steps: u32,
-    /// From the top of a post to that of the storey.
+    /// Height from the top of a post to that of the storey.
     pub height: f64,
-    /// From the wall to the purlin.
+    /// Distance from the wall to the purlin.
     pub reach: f64,
-    /// From the top of a post to the foot of the purlin.
+    /// Height from the top of a post to the foot of the purlin.
     pub purlin: f64,
     /// Side of a post.
     pub post: f64,
@@ -121,34 +121,34 @@ pub struct Brackets {
 /// The place of a bracket complex: the middle of the top of a post.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Head {
-    /// Where.
+    /// Position.
     pub at: DVec3,
-    /// Out of the house.
+    /// Direction out of the house.
     pub out: DVec2,
-    /// Out of the house by the other wall of a corner.
+    /// Direction out of the house by the other wall of a corner.
     pub corner: Option<DVec2>,
 }
 
-/// A beam with upright sides.
+/// A beam with vertical sides.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Beam {
-    /// The middle of its ends at its foot.
+    /// The centres of its ends, at its underside.
     pub ends: [DVec3; 2],
     /// Across.
     pub width: f64,
-    /// Upright.
+    /// Height.
     pub height: f64,
 }
 
 /// A finial on a roof.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finial {
-    /// Which.
+    /// Its kind.
     pub kind: FinialKind,
-    /// The apex, or the ends of the ridge it stands on.
+    /// The apex, or the ends of the ridge that carries it.
     pub ridge: [DVec3; 2],
-    /// Above it.
+    /// Height above the ridge.
     pub height: f64,
-    /// Logs between crossed boards.
+    /// Number of logs between crossed boards.
     pub count: u32,
 }

@@ -5,7 +5,7 @@ use crate::building::{House, Ring};
 use crate::geometry::area2;
 use glam::{DVec2, dvec2};
 
-/// The corners of a ring in the house frame, counter-clockwise, metres.
+/// Returns the corners of a ring in the house frame, counter-clockwise, metres.
 pub(super) fn outline(house: &House, ring: &Ring) -> Vec<DVec2> {
     let corners = ring.corners();
     let mut points: Vec<DVec2> = corners.iter().map(|p| metres(house, *p)).collect();
@@ -43,14 +43,14 @@ pub(super) fn moved(points: &[DVec2], by: DVec2) -> Vec<DVec2> {
     vec![lo, dvec2(hi.x, lo.y), hi, dvec2(lo.x, hi.y)]
 }
 
-/// The rectangle round some points.
+/// Returns the bounding rectangle of some points.
 pub(super) fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
     let lo = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
     let hi = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
     (lo, hi)
 }
 
-/// The longest edge of a counter-clockwise outline that looks this way, by its two corners.
+/// Returns the longest edge of a counter-clockwise outline that faces this way, by its two corners.
 pub(super) fn facing(points: &[DVec2], way: DVec2) -> Option<(DVec2, DVec2)> {
     let n = points.len();
     let edges = (0..n).map(|i| (points[i], points[(i + 1) % n]));

@@ -1,4 +1,4 @@
-//! Tie beams (nageshi) that run before the posts of a storey: at the foot, over the doors, under the sills.
+//! Tie beams (nageshi) in front of the posts of a storey: at the foot, over the doors, under the sills.
 
 use super::{metres, outward, rings};
 use crate::ast::Posts;
@@ -8,8 +8,8 @@ use crate::catalog::Catalog;
 use crate::geometry::SHAKU;
 use crate::program::{Content, Unit};
 
-/// Where the foot of each row lies in the height of the posts; parts of monuments have their doors and windows
-/// between them.
+/// Foot of each row as a share of the height of the posts; parts of monuments have their doors and windows between
+/// them.
 const ROWS: [f64; 5] = [0.0, LINTEL, 0.36, 0.9, 0.18];
 
 /// The row over doors.
@@ -55,7 +55,7 @@ fn beam(house: &House, wall: &Wall, (from, to): (f64, f64), (post, foot): (f64, 
     }
 }
 
-/// Stretches of bays that beams cross, U from the right end.
+/// Returns the runs of bays that beams cross, U from the right end.
 fn runs(wall: &Wall, crosses: impl Fn(&Unit) -> bool) -> Vec<(f64, f64)> {
     let mut at = 0.0;
     let mut runs: Vec<(f64, f64)> = vec![];

@@ -11,20 +11,20 @@ use glam::DVec2;
 /// Side of a post by default, metres.
 const POST: f64 = 0.1212;
 
-/// Purlins are never flatter than this, metres.
+/// Smallest height of a purlin, metres.
 const LEAST: f64 = 0.12;
 
 /// The bracket zone of a storey.
 struct Zone<'a> {
     house: &'a House,
-    /// Tops of the posts, and of the storey.
+    /// Heights of the tops of the posts and of the storey.
     z: (f64, f64),
     reach: f64,
     post: f64,
     undersides: &'a Undersides,
 }
 
-/// The brackets of a storey.
+/// Returns the brackets of a storey.
 pub(super) fn brackets(
     house: &House,
     storey: &Storey,
@@ -67,7 +67,7 @@ pub(super) fn brackets(
 }
 
 impl Zone<'_> {
-    /// Everything over a wall, seen with its neighbours.
+    /// Adds everything over a wall, given its neighbours.
     fn wall(&self, walls: &[&Wall; 3], made: &mut Brackets) {
         let [before, wall, after] = *walls;
         let out = outward(wall);
@@ -100,7 +100,7 @@ impl Zone<'_> {
         self.beams(wall, turns, made);
     }
 
-    /// The wall between the tops of the posts and the storey's.
+    /// Adds the wall between the tops of the posts and the storey's.
     fn frieze(&self, wall: &Wall, made: &mut Brackets) {
         let at = |p: DVec2| metres(self.house, p).extend(self.z.0);
         made.frieze.push(Beam {
@@ -110,7 +110,7 @@ impl Zone<'_> {
         });
     }
 
-    /// Head tie beam, plate, and the purlin.
+    /// Adds head tie beam, plate and purlin.
     fn beams(&self, wall: &Wall, turns: [f64; 2], made: &mut Brackets) {
         let (from, to) = (metres(self.house, wall.from), metres(self.house, wall.to));
         let (along, out) = ((to - from).normalize_or_zero(), outward(wall));
@@ -143,14 +143,14 @@ impl Zone<'_> {
         made.purlin = made.purlin.min(top - deep - self.z.0);
     }
 
-    /// The lowest underside of a roof over a place, above the tops of the posts.
+    /// Returns the lowest underside of a roof over a place, above the tops of the posts.
     fn under(&self, p: DVec2) -> Option<f64> {
         let (low, high) = (self.z.0, self.z.1 + self.reach + 1.0);
         self.undersides.lowest(p, low, high)
     }
 }
 
-/// Sine of the turn between two walls; positive = convex.
+/// Returns the sine of the turn between two walls; positive = convex.
 fn bend(before: &Wall, wall: &Wall) -> f64 {
     match before.to.distance(wall.from) < SAME {
         true => before.direction.perp_dot(wall.direction),

@@ -7,11 +7,11 @@ use crate::building::{Finish, House, HouseRoofs, Roof, Solid};
 use crate::geometry::SHAKU;
 use glam::{DVec2, DVec3};
 
-/// Points that lie so little lower belong to the ridge, metres: curved ridges sag.
+/// Points no lower than this below the highest belong to the ridge, metres, since curved ridges sag.
 const LEVEL: f64 = 0.35;
 
-/// A finial on the highest roof, or on the highest over its place, with the number of that roof; `None` where there
-/// is no roof.
+/// Returns a finial on the highest roof, or on the highest over its place, with the number of that roof; `None` if
+/// there is no roof.
 pub(super) fn finial(
     house: &House,
     roofs: &HouseRoofs,
@@ -40,12 +40,12 @@ pub(super) fn finial(
     Some((finial, number))
 }
 
-/// Whether a finial of this kind takes the place of the usual jewel on an apex.
+/// Returns true if a finial of this kind replaces the default jewel on an apex.
 pub(super) fn crowns(kind: FinialKind) -> bool {
     matches!(kind, FinialKind::Sorin | FinialKind::Hoju)
 }
 
-/// The upper surfaces of a roof.
+/// Returns the points of a roof's upper surfaces.
 fn covering(roof: &Roof) -> impl Iterator<Item = DVec3> {
     let upper = |solid: &Solid| {
         let faces = solid.faces.iter();
@@ -63,14 +63,14 @@ fn top(roof: &Roof) -> Option<DVec3> {
     covering(roof).reduce(|a, b| if b.z > a.z + 1e-9 { b } else { a })
 }
 
-/// Whether a roof lies over a place, by its bounds.
+/// Returns true if a roof covers a place, by its bounds.
 fn covers(roof: &Roof, p: DVec2) -> bool {
     let lo = covering(roof).fold(DVec2::INFINITY, |m, q| m.min(q.truncate()));
     let hi = covering(roof).fold(DVec2::NEG_INFINITY, |m, q| m.max(q.truncate()));
     lo.cmple(p).all() && p.cmple(hi).all()
 }
 
-/// The two highest points that lie farthest from each other, in one line with the ridge.
+/// Returns the ends of the ridge: the two highest points that are farthest apart.
 fn ridge(roof: &Roof, highest: DVec3) -> [DVec3; 2] {
     let level: Vec<DVec3> = covering(roof).filter(|p| p.z > highest.z - LEVEL).collect();
     let far = |from: DVec3, by: &dyn Fn(DVec3) -> f64| {
@@ -90,7 +90,7 @@ fn ridge(roof: &Roof, highest: DVec3) -> [DVec3; 2] {
     [first, second]
 }
 
-/// The shorter side of a roof, metres.
+/// Returns the shorter side of a roof, metres.
 fn span(roof: &Roof) -> f64 {
     let lo = covering(roof).fold(DVec2::INFINITY, |m, q| m.min(q.truncate()));
     let hi = covering(roof).fold(DVec2::NEG_INFINITY, |m, q| m.max(q.truncate()));
@@ -108,7 +108,7 @@ fn usual(kind: FinialKind, ridge: f64, span: f64) -> f64 {
     }
 }
 
-/// The nearest odd number, 3 at least: of logs on the ridge there are mostly 3 to 9.
+/// Returns the nearest odd number, at least 3: ridges usually carry 3 to 9 logs.
 fn odd(n: f64) -> u32 {
     ((((n - 1.0) / 2.0).round() * 2.0) as u32 + 1).clamp(3, 11)
 }

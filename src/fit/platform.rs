@@ -8,7 +8,7 @@ use crate::building::{House, Storey};
 use crate::geometry::SHAKU;
 use glam::{DVec2, dvec2};
 
-/// The platform under the largest ring of the ground storey; `None` where no ring is closed.
+/// Returns the platform under the largest ring of the ground storey; `None` if no ring is closed.
 pub(super) fn platform(
     house: &House,
     ground: &Storey,
@@ -30,7 +30,7 @@ pub(super) fn platform(
     Some(Platform { outline, z, stairs })
 }
 
-/// A flight up to the middle of the side of an outline that looks this way.
+/// Returns a flight of stairs up to the middle of the side of an outline that faces this way.
 pub(super) fn flight(outline: &[DVec2], way: DVec2, width: f64, z: (f64, f64)) -> Option<Stairs> {
     let (p, q) = facing(outline, way)?;
     let along = (q - p).normalize_or_zero();
@@ -43,7 +43,7 @@ pub(super) fn flight(outline: &[DVec2], way: DVec2, width: f64, z: (f64, f64)) -
     })
 }
 
-/// The width of the bay in the middle of the walls on one side, metres.
+/// Returns the width of the bay in the middle of the walls on one side, metres.
 pub(super) fn middle_bay(house: &House, storey: &Storey, side: ast::Side) -> f64 {
     let walls = rings(storey).flat_map(|r| &r.walls);
     let out = |w: &crate::building::Wall| dvec2(w.direction.y, -w.direction.x);

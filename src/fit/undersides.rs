@@ -3,17 +3,17 @@
 use crate::building::{Face, HouseRoofs, Solid};
 use glam::{DVec2, DVec3};
 
-/// Every face that looks down and is not nearly upright.
+/// Every face that looks down and is not nearly vertical.
 pub(super) struct Undersides(Vec<Underside>);
 
 struct Underside {
-    /// Its box.
+    /// Its bounding box.
     lo: DVec3,
     hi: DVec3,
-    /// Its plane: how high over the plan's origin, and how much higher for each metre along x and y.
+    /// Its plane: the height at the plan's origin, and the slope along x and y.
     height: f64,
     rise: DVec2,
-    /// Clockwise, since it looks down.
+    /// Corners in plan, clockwise since it looks down.
     corners: Vec<DVec2>,
 }
 
@@ -24,7 +24,7 @@ impl Undersides {
         Undersides(faces.collect())
     }
 
-    /// The lowest of them over a place, between two heights.
+    /// Returns the lowest underside over a place, between two heights.
     pub(super) fn lowest(&self, p: DVec2, low: f64, high: f64) -> Option<f64> {
         let near = self.0.iter().filter(|u| u.hi.z > low && u.lo.z < high);
         let heights = near.filter_map(|u| u.over(p));

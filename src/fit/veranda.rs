@@ -1,4 +1,4 @@
-//! The boards round a storey: a stretch along each wall, mitred at the corners.
+//! Verandas: one deck along each wall of a storey, mitred at the corners.
 
 use super::around::{moved, outline};
 use super::platform::{flight, middle_bay};
@@ -9,7 +9,7 @@ use crate::building::{House, Ring, Storey};
 use crate::geometry::SHAKU;
 use glam::{DVec2, dvec2};
 
-/// The veranda of a storey; `None` where no ring of it is closed.
+/// Returns the veranda of a storey; `None` if none of its rings is closed.
 pub(super) fn veranda(
     house: &House,
     storey: &Storey,
@@ -58,7 +58,7 @@ pub(super) fn veranda(
     })
 }
 
-/// The posts of the walls between two corners, metres from the first.
+/// Returns the posts of the walls between two corners, metres from the first.
 fn posts_between(house: &House, ring: &Ring, from: DVec2, to: DVec2) -> Vec<f64> {
     let along = (to - from).normalize_or_zero();
     let length = from.distance(to);
@@ -77,7 +77,7 @@ fn posts_between(house: &House, ring: &Ring, from: DVec2, to: DVec2) -> Vec<f64>
     found
 }
 
-/// Where stairs reach an edge, metres from its first corner.
+/// Returns where stairs reach an edge, metres from its first corner.
 fn gap([p, q]: [DVec2; 2], stairs: &Stairs) -> Option<(f64, f64)> {
     let along = (q - p).normalize_or_zero();
     let (on, off) = ((stairs.at - p).dot(along), (stairs.at - p).perp_dot(along));

@@ -1,5 +1,5 @@
-//! How materials age: the weathering classes of docs/evidence.md 4.9, and for each material its looks, the youngest
-//! first, with the years in full rain and sun after which each shows.
+//! Ageing of materials: the weathering classes of docs/evidence.md 4.9, and for each material its looks, the youngest
+//! first, with the years in full rain and sun after which each appears.
 
 /// A weathering class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum Class {
     Plaster,
     /// Clay: washed grooves.
     Clay,
-    /// Fired tile: the silver goes, lichen comes.
+    /// Fired tile: loses its silver sheen, grows lichen.
     Tile,
     /// Paper: yellow within two years.
     Paper,
@@ -28,12 +28,12 @@ pub enum Class {
     Steel,
     /// Mortar and concrete: dirt and hair cracks.
     Mortar,
-    /// Stone and ground, for which the catalogue has no class.
+    /// Stone and ground, which have no class in the catalogue.
     Ground,
 }
 
 impl Class {
-    /// Its two letters in the catalogue.
+    /// Returns its two letters in the catalogue.
     pub const fn code(self) -> &'static str {
         match self {
             Class::Wood => "WD",
@@ -53,32 +53,32 @@ impl Class {
     }
 }
 
-/// A look and when it begins.
+/// A look and the age at which it appears.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stage {
     /// Years in full rain and sun.
     pub years: f64,
     /// Its name in the texture library.
     pub look: &'static str,
-    /// What it does to the roughness that all stages share: less than 1 on a face that still shines.
+    /// Factor on the roughness that all stages share: less than 1 on a face that still shines.
     pub gloss: f32,
 }
 
-/// A material through the years.
+/// A material at all its ages.
 #[derive(Debug, PartialEq)]
 pub struct Material {
-    /// How it weathers.
+    /// Its weathering class.
     pub class: Class,
-    /// Whether its picture has a grain that runs along a member.
+    /// True if its texture has a grain that runs along a member.
     pub grain: bool,
     /// Its looks by age; the first begins at 0.
     pub stages: &'static [Stage],
-    /// After how many years people put new in its place, if they do.
+    /// Years after which it is replaced, if it is.
     pub renewed: Option<u32>,
 }
 
 impl Material {
-    /// The stage it has reached after so many years.
+    /// Returns the stage at an age in years.
     pub fn after(&self, years: f64) -> &'static Stage {
         let reached = self.stages.iter().rev().find(|stage| stage.years <= years);
         reached.unwrap_or(&self.stages[0])
@@ -93,7 +93,7 @@ const fn at(years: u32, look: &'static str) -> Stage {
     }
 }
 
-/// A first stage that still shines.
+/// Returns a first stage that still shines.
 const fn shiny(look: &'static str, gloss: f32) -> Stage {
     Stage {
         gloss,
@@ -119,7 +119,7 @@ const fn even(class: Class, stages: &'static [Stage]) -> Material {
     }
 }
 
-/// The same, of which new is put in its place after so many years.
+/// Returns the material with replacement after this many years.
 const fn renewed(material: Material, years: u32) -> Material {
     Material {
         renewed: Some(years),

@@ -1,13 +1,13 @@
-//! Every surface by name.
+//! The table of surfaces by name.
 
 use super::ageing::*;
 use super::{Material, Surface};
 
 const WHITE: [f32; 3] = [1.0, 1.0, 1.0];
-/// Under eaves wood turns a darker brown instead of grey.
+/// Under eaves, wood turns a darker brown instead of grey.
 pub(super) const SHELTERED: [f32; 3] = [0.74, 0.72, 0.74];
 
-/// A material at one of its stages.
+/// Returns a material at one of its stages.
 const fn worn(name: &'static str, material: &'static Material, stage: usize) -> Surface {
     let stage = &material.stages[stage];
     Surface {
@@ -18,7 +18,7 @@ const fn worn(name: &'static str, material: &'static Material, stage: usize) -> 
     }
 }
 
-/// A plain colour.
+/// Returns a plain colour.
 const fn plain(name: &'static str, rgb: [f32; 3], roughness: f32) -> Surface {
     Surface {
         name,
@@ -32,7 +32,7 @@ const fn plain(name: &'static str, rgb: [f32; 3], roughness: f32) -> Surface {
     }
 }
 
-/// The same in another colour.
+/// Returns the surface in another colour.
 const fn tinted(surface: Surface, rgb: [f32; 3]) -> Surface {
     Surface {
         tint: [rgb[0], rgb[1], rgb[2], 1.0],
@@ -40,7 +40,7 @@ const fn tinted(surface: Surface, rgb: [f32; 3]) -> Surface {
     }
 }
 
-/// The same in metal.
+/// Returns the surface as metal.
 const fn metal(surface: Surface) -> Surface {
     Surface {
         metallic: 1.0,
@@ -48,7 +48,7 @@ const fn metal(surface: Surface) -> Surface {
     }
 }
 
-/// The same, seen from both sides.
+/// Returns the surface visible from both sides.
 const fn thin(surface: Surface) -> Surface {
     Surface {
         thin: true,
@@ -56,7 +56,7 @@ const fn thin(surface: Surface) -> Surface {
     }
 }
 
-/// The same as a pane.
+/// Returns the surface as a pane.
 const fn pane(surface: Surface, rgb: [f32; 3], opacity: f32) -> Surface {
     Surface {
         tint: [rgb[0], rgb[1], rgb[2], opacity],

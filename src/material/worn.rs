@@ -1,33 +1,33 @@
-//! What weather and years make of the surfaces of the table (docs/evidence.md 4.9).
+//! Weathered variants of the surfaces of the table (docs/evidence.md 4.9).
 //!
-//! Looks are few: a material is at one of its stages, and one of some shades darker. So a street of old houses shares its
-//! materials, and parts whose surfaces have come to the same share their meshes.
+//! The number of looks is small: a material is at one of its stages, in one of a few shades. A street of old houses
+//! therefore shares its materials, and parts whose surfaces weather to the same variant share their meshes.
 
 use super::table::{SHELTERED, TABLE};
 use super::{COUNT, Class, MATERIALS, Material, Surface, SurfaceId};
 use std::sync::LazyLock;
 
-/// Shades of a look; each is a little darker than the one before.
+/// Number of shades of a look; each is slightly darker than the one before.
 const SHADES: usize = 5;
 
-/// What a shade takes away.
+/// Share of brightness lost per shade.
 const SHADE: f32 = 0.075;
 
-/// Stages that a material has at most.
+/// The largest number of stages of a material.
 const STAGES: usize = 4;
 
-/// Years under a roof after which bare wood is a shade darker (it tends to its darkest by `1 - exp(-t / 20)`).
+/// Years under a roof after which bare wood is a shade darker (it approaches its darkest by `1 - exp(-t / 20)`).
 const DARKER: [f64; 3] = [6.0, 16.0, 36.0];
 
-/// Years after which bare wood is brown wherever it stands.
+/// Years after which bare wood is brown regardless of exposure.
 const BROWN: f64 = 3.0;
 
-/// How differently things of one age turn out: 0, 1 or 2, drawn for each.
+/// The random variation between objects of one age: 0, 1 or 2, drawn for each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Luck(pub u8);
 
 impl Luck {
-    /// How many there are.
+    /// Number of variations.
     pub const COUNT: u8 = 3;
 
     fn share(self) -> f64 {
@@ -35,18 +35,18 @@ impl Luck {
     }
 }
 
-/// What a surface has been through.
+/// The weathering of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wear {
     /// Years since it was made.
     pub years: f64,
-    /// The share of rain and sun that it has had, 0 to 1.
+    /// Its share of rain and sun, 0 to 1.
     pub exposure: f64,
-    /// How it turned out.
+    /// Its random variation.
     pub luck: Luck,
 }
 
-/// The surfaces that have weathered, and by number of the table's surface, stage and shade which of them it is.
+/// The weathered surfaces, and their index by surface of the table, stage and shade.
 struct Worn {
     surfaces: Vec<Surface>,
     places: Vec<u16>,
@@ -54,12 +54,12 @@ struct Worn {
 
 static WORN: LazyLock<Worn> = LazyLock::new(make);
 
-/// The weathered surface of an index.
+/// Returns the weathered surface of an index.
 pub(super) fn surface(index: usize) -> &'static Surface {
     &WORN.surfaces[index]
 }
 
-/// What has become of a surface of the table.
+/// Returns the weathered variant of a surface of the table.
 pub(super) fn after(id: SurfaceId, wear: Wear) -> SurfaceId {
     let surface = &TABLE[id.index()];
     let Some(material) = surface.material else {
@@ -78,13 +78,13 @@ pub(super) fn after(id: SurfaceId, wear: Wear) -> SurfaceId {
     SurfaceId(WORN.places[place])
 }
 
-/// Whether it turns brown by itself before the rain turns it silver.
+/// Returns true if it turns brown by itself before the rain turns it silver.
 fn browns(material: &Material) -> bool {
     let second = material.stages.get(1);
     material.class == Class::Wood && second.is_some_and(|s| s.years < BROWN)
 }
 
-/// The share of the years that count for a class under so much of the weather: dirt settles under roofs too.
+/// Returns the share of the years that count for a class at an exposure: dirt settles under roofs too.
 fn weight(class: Class, exposure: f64) -> f64 {
     let indoors = match class {
         Class::Wood | Class::Charred | Class::Clay => 0.0,
@@ -96,14 +96,15 @@ fn weight(class: Class, exposure: f64) -> f64 {
     indoors + (1.0 - indoors) * exposure
 }
 
-/// A surface named after a later look is never younger than that; others are named after what a kept house shows.
+/// Returns the earliest stage of a surface: one named after a later look is never younger; others are named after the
+/// look of a maintained house.
 fn least(surface: &Surface) -> usize {
     let stages = surface.material.map_or(&[][..], |m| m.stages);
     let named = stages.iter().position(|s| s.look == surface.name);
     named.unwrap_or(0)
 }
 
-/// The shade: wood darkens under roofs, and no two parts are quite alike.
+/// Returns the shade: wood darkens under roofs, and parts vary slightly.
 fn shade(class: Class, years: f64, weathered: f64, luck: Luck) -> usize {
     if years < 1.0 {
         return 0;
@@ -116,7 +117,7 @@ fn shade(class: Class, years: f64, weathered: f64, luck: Luck) -> usize {
     (dark + usize::from(luck.0)).min(SHADES - 1)
 }
 
-/// Every surface at every stage and shade, each once.
+/// Makes every surface at every stage and shade, each once.
 fn make() -> Worn {
     let mut worn = Worn {
         surfaces: vec![],
@@ -167,13 +168,13 @@ fn make() -> Worn {
     worn
 }
 
-/// The first material that has a look, so that those who share it are one.
+/// Returns the first material that has a look, so that materials with a common look share it.
 fn owner(own: &'static Material, look: &str) -> &'static Material {
     let has = |m: &&Material| m.grain == own.grain && m.stages.iter().any(|s| s.look == look);
     MATERIALS.iter().copied().find(has).unwrap_or(own)
 }
 
-/// A name that tells the look, the paint and the shade. It is made once in a run of the program, and kept as long.
+/// Returns a name that identifies look, paint and shade. It is made once per run of the program and never freed.
 fn name(base: &Surface, look: &str, painted: bool, shade: usize) -> &'static str {
     let mut name = look.to_owned();
     if painted {

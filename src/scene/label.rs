@@ -1,22 +1,22 @@
-//! A short word kept in place: codes of parts and letters of roofs, of which a town has a million.
+//! A short word stored inline: codes of parts and letters of roofs; a town has a million of them.
 
 use serde::{Serialize, Serializer};
 use std::num::NonZeroU8;
 use std::ops::Deref;
 
-/// Most bytes of a label.
+/// Capacity of a label, bytes.
 const MOST: usize = 6;
 
 /// A word of at most six bytes.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Label {
-    /// One more than the word has, so that an absent label takes no room of its own.
+    /// The length plus one, so that an absent label takes no extra space.
     length: NonZeroU8,
     bytes: [u8; MOST],
 }
 
 impl Label {
-    /// The word itself.
+    /// Returns the word.
     pub fn as_str(&self) -> &str {
         let length = usize::from(self.length.get() - 1);
         std::str::from_utf8(&self.bytes[..length]).unwrap_or_default()
@@ -24,7 +24,7 @@ impl Label {
 }
 
 impl From<&str> for Label {
-    /// What does not fit is cut off after a whole character.
+    /// Truncates longer words at a character boundary.
     fn from(word: &str) -> Label {
         let mut length = word.len().min(MOST);
         while !word.is_char_boundary(length) {

@@ -1,17 +1,17 @@
-//! How big a scene is.
+//! The size of a scene.
 
 use super::Scene;
 
 /// Counts of a scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {
-    /// Triangles that are seen: those of a mesh as often as nodes show it.
+    /// Visible triangles: those of a mesh count once per node that shows it.
     pub triangles: usize,
-    /// Triangles that are stored.
+    /// Stored triangles.
     pub unique_triangles: usize,
-    /// Meshes.
+    /// Number of meshes.
     pub meshes: usize,
-    /// Nodes.
+    /// Number of nodes.
     pub nodes: usize,
 }
 

@@ -1,7 +1,7 @@
-//! Joinery as a picture: what one sees of it from straight ahead, as colours, normals, roughness and holes.
+//! Bakes joinery, seen from straight ahead, to images: colours, normals, roughness and cut-outs.
 //!
-//! The viewer stands before the wall (y < 0) and looks along y. Every pixel is the mean of [`FINE`] x
-//! [`FINE`] rays. What lies deep beside something that stands out is darkened, as daylight would do it.
+//! The viewer stands in front of the wall (y < 0) and looks along y. Every pixel is the mean of [`FINE`] x [`FINE`]
+//! rays. Recessed areas next to protruding ones are darkened, as daylight would darken them.
 
 pub(in crate::tessellate) mod atlas;
 
@@ -12,56 +12,56 @@ use crate::texture::samples::{self, Samples};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use image::{Rgb, RgbImage, Rgba, RgbaImage};
 
-/// How a picture is taken.
+/// The settings of a bake.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lens {
-    /// Pixels a metre.
+    /// Resolution, pixels per metre.
     pub(super) density: f64,
-    /// Whether panes show. Else they are holes that hide what lies behind them.
+    /// True if panes are drawn. Otherwise they become holes that hide everything behind them.
     pub(super) panes: bool,
 }
 
-/// For pictures on walls: two pixels for the finest bars and gaps; panes stay shapes, so that they can mirror.
+/// For images on walls: two pixels for the finest bars and gaps. Panes stay geometry, so that they can reflect.
 pub(super) const WALL: Lens = Lens {
     density: 120.0,
     panes: false,
 };
 
-/// Rays a pixel in each direction.
+/// Rays per pixel in each direction.
 const FINE: usize = 2;
 
-/// Most pixels of a picture in each direction; larger things are drawn less finely.
+/// The largest size of an image in each direction, pixels; larger objects get a lower resolution.
 const LARGEST: f64 = 500.0;
 
-/// Share of rays that must hit something, or a pixel is a hole.
+/// Share of a pixel's rays that must hit something; below it the pixel is a hole.
 const COVERED: f64 = 0.5;
 
-/// How far before its surroundings something stands out that darkens them most, metres.
+/// Depth below the surroundings at which darkening is strongest, metres.
 const DEEP: f32 = 0.070;
 
-/// Light that is left in the deepest corner.
+/// Share of light that is left in the deepest corner.
 const DARKEST: f32 = 0.45;
 
-/// What is seen of some joinery.
+/// The baked image of some joinery.
 pub(super) struct Picture {
     pub(super) color: RgbaImage,
     pub(super) normal: RgbImage,
     pub(super) orm: RgbImage,
-    /// Whether some pixel shows nothing.
+    /// True if any pixel is a hole.
     pub(super) holes: bool,
 }
 
-/// A triangle as rays see it: everything on it runs evenly with the place of the ray.
+/// A triangle in ray coordinates: all its attributes vary linearly with the ray's position.
 struct Triangle {
     surface: usize,
     normal: DVec3,
-    /// Where the picture's u axis runs.
+    /// Direction of the image's u axis.
     right: DVec3,
-    /// Texture coordinates at the ray (0, 0), and their change from ray to ray and from row to row.
+    /// Texture coordinates at ray (0, 0), and their change per ray and per row.
     uv: [DVec2; 3],
 }
 
-/// What a ray hits first: how deep, and which triangle.
+/// The first hit of a ray: its depth and triangle.
 #[derive(Clone, Copy)]
 struct Hit {
     depth: f32,
@@ -75,7 +75,7 @@ impl Hit {
     };
 }
 
-/// The rays over a rectangle.
+/// The grid of rays over a rectangle.
 struct Rays {
     rect: Rect,
     width: usize,
@@ -85,7 +85,7 @@ struct Rays {
     panes: bool,
 }
 
-/// The picture of soups in a rectangle; `None` where nothing of them is seen.
+/// Bakes the image of soups inside a rectangle; `None` if none of them is visible.
 pub(super) fn bake(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Option<Picture> {
     let rays = Rays::cast(soups, rect, lens);
     let shown: Vec<Shown> = soups.iter().map(|(id, _)| Shown::new(*id)).collect();
@@ -126,7 +126,7 @@ pub(super) fn bake(soups: &[(SurfaceId, Soup)], rect: Rect, lens: Lens) -> Optio
     Some(picture)
 }
 
-/// A surface with its pictures.
+/// A surface with its sampled textures.
 struct Shown {
     surface: &'static Surface,
     samples: Option<&'static Samples>,
@@ -142,7 +142,7 @@ impl Shown {
     }
 }
 
-/// What a ray sees, or the mean of what those of a pixel see.
+/// The result of one ray, or the mean of a pixel's rays.
 #[derive(Clone, Copy)]
 struct Pixel {
     color: [f32; 3],
@@ -171,7 +171,7 @@ impl Rays {
         rays
     }
 
-    /// Rays that hit this triangle before anything else.
+    /// Records the rays that hit this triangle before anything else.
     fn triangle(&mut self, surface: usize, soup: &Soup, corners: [u32; 3]) {
         let point = |i: u32| soup.positions[i as usize].map(f64::from);
         let normal = DVec3::from(soup.normals[corners[0] as usize].map(f64::from));
@@ -231,14 +231,14 @@ impl Rays {
         }
     }
 
-    /// A point in rays, y down.
+    /// Converts a point to ray coordinates, y down.
     fn ray_of(&self, p: DVec3) -> DVec2 {
         let x = (p.x - self.rect.x0) / self.rect.width() * self.width as f64;
         let y = (self.rect.z1 - p.z) / self.rect.height() * self.height as f64;
         dvec2(x, y)
     }
 
-    /// The mean of a pixel; `None` where most of its rays hit nothing or glass.
+    /// Averages the rays of a pixel; `None` if most of them hit nothing or glass.
     fn pixel(&self, x: usize, y: usize, shown: &[Shown]) -> Option<Pixel> {
         let mut color = [0.0; 3];
         let mut gloss = [0.0; 2];
@@ -276,7 +276,7 @@ impl Rays {
         })
     }
 
-    /// What one ray sees; `None` of nothing, and of glass that is to stay a hole.
+    /// Shades one ray; `None` if it hits nothing, or glass that stays a hole.
     fn ray(&self, u: usize, v: usize, hit: Hit, shown: &[Shown]) -> Option<Pixel> {
         let on = self.triangles.get(hit.triangle as usize)?;
         let of = &shown[on.surface];
@@ -297,7 +297,7 @@ impl Rays {
         })
     }
 
-    /// Share of daylight at a point: less where its neighbours stand out before it.
+    /// Returns the share of daylight at a point, reduced where its neighbours protrude.
     fn light(&self, u: usize, v: usize, depth: f32) -> f32 {
         const REACH: isize = 4 * FINE as isize;
         const ROUND: [(isize, isize); 8] = [
@@ -325,7 +325,7 @@ impl Rays {
     }
 }
 
-/// Where the picture's u axis runs on a triangle.
+/// Returns the direction of the image's u axis on a triangle.
 fn right_of(p: [DVec3; 3], uv: [DVec2; 3]) -> DVec3 {
     let (e1, e2) = (p[1] - p[0], p[2] - p[0]);
     let (d1, d2) = (uv[1] - uv[0], uv[2] - uv[0]);
@@ -333,7 +333,7 @@ fn right_of(p: [DVec3; 3], uv: [DVec2; 3]) -> DVec3 {
     ((e1 * d2.y - e2 * d1.y) / det).normalize_or(DVec3::X)
 }
 
-/// A normal of a drawn surface on a triangle, in the plane of the picture: right, up, out.
+/// Converts a normal of a textured surface on a triangle to the frame of the image: right, up, out.
 fn seen(on: &Triangle, drawn: [f32; 3]) -> DVec3 {
     let [x, y, z] = drawn.map(f64::from);
     let up = on.normal.cross(on.right);
@@ -341,7 +341,8 @@ fn seen(on: &Triangle, drawn: [f32; 3]) -> DVec3 {
     dvec3(n.x, n.z, -n.y).normalize_or(DVec3::Z)
 }
 
-/// Gives holes the colour of their nearest neighbours in a few steps, so that edges do not darken from afar.
+/// Fills holes with the colour of their nearest neighbours in a few steps, so that edges do not darken in smaller mip
+/// levels.
 fn fill_holes(picture: &mut Picture) {
     if !picture.holes {
         return;

@@ -1,5 +1,5 @@
-//! What stands at a house besides walls and roofs: platforms, verandas, brackets, finials. At detail 0 only what one
-//! sees from far, at 1 without small members, from 2 on everything.
+//! Fittings of a house: platforms, verandas, brackets, finials. Detail 0 keeps only what is visible from afar, detail 1
+//! leaves out small members, and details 2 and 3 show everything.
 
 mod brackets;
 mod finial;
@@ -21,16 +21,15 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 
-/// What was drawn so far: the meshes of things and of bracket complexes that are alike. Never walked, so that
-/// their order cannot matter.
+/// The meshes of fittings and bracket complexes made so far, by content. Never iterated, so its order cannot affect the
+/// output.
 #[derive(Default)]
 pub(super) struct Drawn<'a> {
     things: HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>,
     heads: HashMap<(brackets::Key, Weather), Option<MeshId>, BuildHasherDefault<Quick>>,
 }
 
-/// A thing as its mesh sees it: its number in the house, which is in the mesh's name, what it is, and what it has been
-/// through.
+/// The key of a fitting's mesh: its number in the house (part of the mesh's name), its content and its weather.
 #[derive(PartialEq)]
 struct Alike<'a>(usize, &'a Thing, Weather);
 
@@ -38,7 +37,7 @@ struct Alike<'a>(usize, &'a Thing, Weather);
 impl Eq for Alike<'_> {}
 
 impl Hash for Alike<'_> {
-    /// A few lengths tell most things apart; the rest is left to the comparison.
+    /// A few lengths distinguish most fittings; equality does the rest.
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_usize(self.0);
         let mut point = |p: DVec3| {
@@ -56,7 +55,7 @@ impl Hash for Alike<'_> {
 }
 
 impl<'a> Walker<'a> {
-    /// The nodes of a fitting, the n-th of its house.
+    /// Adds the nodes of a fitting, the n-th of its house.
     pub(super) fn fitting(&mut self, root: NodeId, fitting: &'a Fitting, n: usize) {
         let detail = self.detail;
         let kind = match &fitting.what {
@@ -83,7 +82,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// Bracket complexes, alike ones as one mesh.
+    /// Adds bracket complexes; equal ones share a mesh.
     fn heads(&mut self, root: NodeId, it: &Brackets, fitting: &Fitting) {
         let heads = it.heads.iter().map(|h| (brackets::Form::of(h), h));
         let struts = it.struts.iter().map(|h| (brackets::Form::Strut, h));
@@ -102,7 +101,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// A mesh of its own; `None` where it is empty.
+    /// Adds an unshared mesh; `None` if it is empty.
     fn own(&mut self, name: &str, bodies: Bodies) -> Option<MeshId> {
         let mesh = self.store.finish(name.to_owned(), bodies, Share::default());
         (!mesh.primitives.is_empty()).then(|| self.store.push(mesh))
@@ -123,7 +122,7 @@ impl<'a> Walker<'a> {
     }
 }
 
-/// Everything of a thing but its bracket complexes.
+/// Builds all of a fitting except its bracket complexes.
 fn bodies(thing: &Thing, detail: Detail) -> Bodies {
     match thing {
         Thing::Platform(it) => platform::bodies(it, detail),
@@ -138,13 +137,13 @@ fn bodies(thing: &Thing, detail: Detail) -> Bodies {
     }
 }
 
-/// The rotation of a frame whose y runs into the house.
+/// Returns the rotation of a frame whose y axis points into the house.
 fn turn(head: &Head) -> DVec2 {
     // Out of the house is -y.
     DVec2::new(-head.out.y, head.out.x)
 }
 
-/// A beam with upright sides.
+/// Adds a beam with vertical sides.
 fn beam(bodies: &mut Bodies, finish: SurfaceId, beam: &Beam) {
     let way = beam.ends[1] - beam.ends[0];
     let across = DVec2::new(way.y, -way.x).normalize_or_zero();
@@ -157,7 +156,7 @@ fn beam(bodies: &mut Bodies, finish: SurfaceId, beam: &Beam) {
     }
 }
 
-/// A box that stands at a place and looks along a direction: from so far to so far along it, so wide, between two
+/// Adds a box at a point, oriented along a direction: between two distances along it, with a width, between two
 /// heights.
 fn block(
     bodies: &mut Bodies,

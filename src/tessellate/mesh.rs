@@ -9,7 +9,7 @@ use crate::tessellate::part::bay::Rect;
 use crate::tessellate::part::detail::Panel;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
-/// Triangles in one surface, before the scene has a material for it.
+/// Triangles of one surface, before it has a material in the scene.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Soup {
     pub(super) positions: Vec<[f32; 3]>,
@@ -18,21 +18,21 @@ pub(super) struct Soup {
     pub(super) indices: Vec<u32>,
 }
 
-/// Bodies under construction, a soup each surface in the order of first use.
+/// Bodies under construction: one soup per surface, in the order of first use.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bodies {
     pub(super) soups: Vec<(SurfaceId, Soup)>,
-    /// What is to become pictures.
+    /// Panels to be baked to images.
     pub(super) panels: Vec<Panel>,
-    /// Where the part's texture shows.
+    /// The faces that show the part's texture.
     pub(super) shown: Soup,
 }
 
-/// Faces thinner than this, in metres, are left out of a body.
+/// Bodies thinner than this are left out, metres.
 pub(super) const THIN: f64 = 1e-3;
 
 impl Bodies {
-    /// The soup of a surface.
+    /// Returns the soup of a surface.
     pub(super) fn soup(&mut self, finish: SurfaceId) -> &mut Soup {
         let at = self.soups.iter().position(|(f, _)| *f == finish);
         let at = at.unwrap_or_else(|| {
@@ -42,7 +42,7 @@ impl Bodies {
         &mut self.soups[at].1
     }
 
-    /// A box between two corners; nothing where it is too thin to see.
+    /// Adds a box between two corners; nothing if it is too thin to see.
     pub(super) fn block(&mut self, finish: SurfaceId, lo: DVec3, hi: DVec3) {
         if (hi - lo).min_element() < THIN {
             return;
@@ -56,8 +56,8 @@ impl Bodies {
         self.prism(finish, &outline, Axis::Z, lo.z, hi.z);
     }
 
-    /// A polygon drawn along an axis, either way round; its corners are (x, y) for z, (y, z) for x,
-    /// (z, x) for y.
+    /// Adds a polygon extruded along an axis, in either orientation. Its corners are (x, y) for z, (y, z) for x, (z, x)
+    /// for y.
     pub(super) fn prism(
         &mut self,
         finish: SurfaceId,
@@ -82,8 +82,8 @@ impl Bodies {
         }
     }
 
-    /// A plane polygon slid along a straight way, either way round. `round` shades its sides as one curve
-    /// wherever they bend by less than 60 degrees.
+    /// Adds a plane polygon extruded along a vector, in either orientation. With `round`, sides that meet at less than
+    /// 60 degrees are shaded as one curve.
     pub(super) fn slide(&mut self, finish: SurfaceId, ring: &[DVec3], way: DVec3, round: bool) {
         let mut ring = ring.to_vec();
         if polygon::normal(&ring).dot(way) < 0.0 {
@@ -114,20 +114,20 @@ impl Bodies {
         }
     }
 
-    /// A plane polygon with a normal at each corner, counter-clockwise seen from outside.
+    /// Adds a plane polygon with one normal per corner, counter-clockwise seen from outside.
     pub(super) fn shaded(&mut self, finish: SurfaceId, corners: &[DVec3], normals: &[DVec3]) {
         let grain = grain_along(finish);
         self.soup(finish).shaded(corners, normals, grain);
     }
 
-    /// A plane polygon, counter-clockwise seen from outside.
+    /// Adds a plane polygon, counter-clockwise seen from outside.
     pub(super) fn face(&mut self, finish: SurfaceId, corners: &[DVec3]) {
         let grain = grain_along(finish);
         self.soup(finish).face(corners, grain);
     }
 }
 
-/// Along which axis a polygon is drawn.
+/// The axis of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
     X,
@@ -136,7 +136,7 @@ pub(super) enum Axis {
 }
 
 impl Axis {
-    /// The point of a drawn polygon so far along the axis.
+    /// Returns the point of an extruded polygon at distance `t` along the axis.
     pub(super) fn at(self, p: DVec2, t: f64) -> DVec3 {
         match self {
             Axis::X => dvec3(t, p.x, p.y),
@@ -146,18 +146,18 @@ impl Axis {
     }
 }
 
-/// Whether the picture has a grain that runs along a member.
+/// Returns true if the texture has a grain that runs along a member.
 pub(super) fn grain_along(finish: SurfaceId) -> bool {
     finish.surface().grain()
 }
 
 impl Soup {
-    /// A plane polygon with its triangles. With `grain` the picture's v axis follows the longer side.
+    /// Adds a plane polygon as triangles. With `grain`, the texture's v axis follows the longer side.
     pub(super) fn face(&mut self, corners: &[DVec3], grain: bool) {
         self.shaded(corners, &[], grain);
     }
 
-    /// The same with a normal at each corner, or none: then they have the face's own.
+    /// As [`Soup::face`], with one normal per corner; with none, corners take the normal of the face.
     pub(super) fn shaded(&mut self, corners: &[DVec3], normals: &[DVec3], grain: bool) {
         let normal = polygon::normal(corners);
         if normal == DVec3::ZERO {
@@ -192,8 +192,8 @@ impl Soup {
 }
 
 impl Soup {
-    /// A rectangle that looks out of the house, `front` before the centre line; `uv` are its lower left and upper
-    /// right corners in the picture.
+    /// Adds a rectangle that faces out of the house, `front` metres outside the centre line; `uv` gives its lower left
+    /// and upper right corners in the image.
     pub(super) fn front(&mut self, rect: Rect, front: f64, uv: [[f32; 2]; 2]) {
         let first = self.positions.len() as u32;
         let corners = [
@@ -213,7 +213,7 @@ impl Soup {
     }
 }
 
-/// The axes of a face: right along its level line, and up its slope; on level faces x and y.
+/// Returns the texture axes of a face: right along its horizontal, and up its slope; x and y on level faces.
 pub(super) fn axes(normal: DVec3) -> (DVec3, DVec3) {
     let level = dvec2(normal.x, normal.y).length();
     if level < 1e-6 {
@@ -223,7 +223,7 @@ pub(super) fn axes(normal: DVec3) -> (DVec3, DVec3) {
     (right, normal.cross(right))
 }
 
-/// Whether points spread farther in x than in y.
+/// Returns true if points spread farther in x than in y.
 pub(super) fn lies(points: impl Iterator<Item = DVec2>) -> bool {
     let (mut lo, mut hi) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
     for p in points {

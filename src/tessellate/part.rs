@@ -1,4 +1,4 @@
-//! The shape of a part: the small walls round its opening, then its bodies one by one.
+//! Builds the geometry of a part: the infill walls around its opening, then its bodies one by one.
 
 pub(in crate::tessellate) mod apron;
 pub(in crate::tessellate) mod bars;
@@ -27,13 +27,13 @@ use crate::tessellate::part::bay::{Bay, Layer, Rect};
 /// Height of a dado under an opening, metres: three shaku.
 const DADO: f64 = 3.0 * SHAKU;
 
-/// How far a panel lies behind the picture on it, metres.
+/// Distance of a panel behind the texture on it, metres.
 const BEHIND: f64 = 0.002;
 
-/// No passage reaches farther into a house, metres.
+/// The greatest depth of a passage into a house, metres.
 pub(super) const DEEPEST: f64 = 30.0;
 
-/// How deep the dark passage behind a part is where it may be, metres.
+/// Returns the depth of the dark passage behind a part, metres, if it may have one.
 pub(super) fn passage(part: &PartDef) -> Option<f64> {
     // Only what stands open to the ground can lead through a house.
     if part.below != Below::Open {
@@ -46,7 +46,7 @@ pub(super) fn passage(part: &PartDef) -> Option<f64> {
     depths.reduce(f64::max)
 }
 
-/// The same of a unit or any part of it.
+/// As [`passage`], for a unit or any of its parts.
 pub(super) fn has_passage(catalog: &Catalog, content: &Content) -> bool {
     match content {
         Content::Part(id) => passage(catalog.part(*id)).is_some(),
@@ -58,7 +58,7 @@ pub(super) fn has_passage(catalog: &Catalog, content: &Content) -> bool {
     }
 }
 
-/// The plain wall of a stance.
+/// Returns the layer of a plain wall of a stance.
 pub(super) fn wall_layer(stance: Stance) -> Layer {
     match stance {
         Stance::Bare => Layer {
@@ -76,7 +76,7 @@ pub(super) fn wall_layer(stance: Stance) -> Layer {
     }
 }
 
-/// How far the outermost plane of a part's wall lies from the centre line: what meets at corners.
+/// Returns the distance of a part's outermost wall plane from the centre line, metres; corner fillers meet there.
 pub(super) fn face(part: &PartDef) -> f64 {
     let walls = part.body.iter().filter(|e| {
         let panels = matches!(e.shape, Shape::Wall(_) | Shape::Panels(_) | Shape::Frame(_));
@@ -88,7 +88,7 @@ pub(super) fn face(part: &PartDef) -> f64 {
     front.unwrap_or(wall_layer(part.stance).front)
 }
 
-/// What one sees most of in a part: its glass where it has some, of a wall the finish, else what comes first.
+/// Returns the dominant surface of a part: its glass if it has any, the finish of a wall, otherwise its first surface.
 pub(super) fn main_surface(part: &PartDef) -> Option<SurfaceId> {
     let fills = |e: &Element| match &e.shape {
         Shape::Leaf(leaf) => leaf.pane,
@@ -99,13 +99,13 @@ pub(super) fn main_surface(part: &PartDef) -> Option<SurfaceId> {
     glass.or(part.finish).or(panes.into_iter().next())
 }
 
-/// All bodies of a part in its bay.
+/// Builds all bodies of a part in its bay.
 pub(super) fn build(mut bay: Bay<'_>) -> Bodies {
     detail::build(&mut bay);
     bay.bodies
 }
 
-/// One element, by its builder.
+/// Builds one element.
 pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
     let place = &element.place;
     let layer = Layer::from(place);
@@ -140,7 +140,7 @@ pub(super) fn one(bay: &mut Bay<'_>, element: &Element, rect: Rect) {
     }
 }
 
-/// The children once in each cell, from the left and from the foot.
+/// Builds the children once per cell, from the left and from the bottom.
 fn grid(bay: &mut Bay<'_>, grid: &Grid, element: &Element, rect: Rect) {
     let (cols, rows) = (grid.cols.max(1), grid.rows.max(1));
     let gap = grid.gap.0;
@@ -158,7 +158,7 @@ fn grid(bay: &mut Bay<'_>, grid: &Grid, element: &Element, rect: Rect) {
     }
 }
 
-/// Walls above, below and beside an opening.
+/// Adds the walls above, below and beside an opening.
 pub(super) fn surround(bay: &mut Bay<'_>) {
     let part = bay.part;
     let (whole, opening, finish) = (bay.whole(), bay.opening, bay.around);
@@ -185,7 +185,7 @@ pub(super) fn surround(bay: &mut Bay<'_>) {
     }
 }
 
-/// A panel before which the part's texture shows.
+/// Adds a panel that shows the part's texture.
 fn shown(bay: &mut Bay<'_>, place: &Place, rect: Rect) {
     let layer = Layer::from(place);
     let back = Layer {
@@ -197,7 +197,7 @@ fn shown(bay: &mut Bay<'_>, place: &Place, rect: Rect) {
     bay.bodies.shown.front(rect, layer.front, whole);
 }
 
-/// A post on the line, from the floor to the top.
+/// Adds a post on the centre line, from the floor to the top.
 fn post(bay: &mut Bay<'_>, size: f64, place: &Place) {
     let rect = bay.whole().across(-size / 2.0, size / 2.0);
     bay.block(

@@ -1,7 +1,7 @@
-//! The catalogue to look at: every part in a storey of three metres, as a scene in rows or as a picture.
+//! The catalogue for viewing: every part in a storey of three metres, as a scene in rows or as an image.
 //!
-//! Pictures are drawn obliquely, as joiners draw: the front in true measure, what stands out shifted to the
-//! left and down, so that its right side and its top show.
+//! Images use an oblique projection, as joiners do: the front to scale, depth shifted to the left and down, so that
+//! right sides and tops show.
 
 use crate::catalog::{PartDef, Stance};
 use crate::geometry::SHAKU;
@@ -19,22 +19,22 @@ use image::{Rgb, RgbImage};
 /// Width of one U, metres: three shaku.
 const UNIT: f64 = 3.0 * SHAKU;
 
-/// Height of the storey that parts are shown in, metres: ten shaku.
+/// Height of the storey in which parts are shown, metres: ten shaku.
 const STOREY: f64 = 10.0 * SHAKU;
 
-/// Room between two parts, metres.
+/// Distance between two parts, metres.
 const APART: f64 = 0.6;
 
-/// From a row of parts to the next, metres.
+/// Distance from one row of parts to the next, metres.
 const ROW: f64 = 5.0;
 
-/// How far a metre out of the wall is shifted to the left, and down.
+/// Shift to the left and down for one metre of depth.
 const OBLIQUE: (f64, f64) = (0.35, 0.25);
 
-/// The paper that pictures stand on.
+/// Background colour of images.
 const PAPER: [u8; 3] = [0xf6, 0xf3, 0xec];
 
-/// All parts in rows, a row each class, from the front one to the back.
+/// Returns a scene of all parts, one row per class, from the front row to the back.
 pub fn scene(parts: &[&PartDef], detail: Detail) -> Scene {
     let mut store = Store::new(detail);
     let mut nodes = vec![Node::new(None, Kind::House, "parts".into(), DVec3::ZERO)];
@@ -71,7 +71,7 @@ fn share(part: &PartDef) -> Share {
     Share::new(part.reflection.unwrap_or_default())
 }
 
-/// A part with its posts.
+/// Builds a part with its posts.
 fn bodies(definition: &PartDef, detail: Detail) -> Bodies {
     let height = definition.to.map_or(STOREY, |to| STOREY.max(to * SHAKU));
     let (z0, z1) = match (definition.from, definition.to) {
@@ -95,7 +95,7 @@ fn bodies(definition: &PartDef, detail: Detail) -> Bodies {
     bay.bodies
 }
 
-/// An oblique picture of a part, so many pixels a metre; `None` of the void.
+/// Returns an oblique image of a part, `density` pixels per metre; `None` for the void.
 pub fn picture(definition: &PartDef, density: f64) -> Option<RgbImage> {
     let mut soups = bodies(definition, Detail::Everything).soups;
     soups.iter_mut().for_each(|(_, soup)| slant(soup));
@@ -107,7 +107,7 @@ pub fn picture(definition: &PartDef, density: f64) -> Option<RgbImage> {
     Some(lit(&bake(&soups, rect, lens)?))
 }
 
-/// Slants a soup, its normals with it.
+/// Shears a soup into the oblique projection, with its normals.
 fn slant(soup: &mut Soup) {
     for p in &mut soup.positions {
         p[0] += (f64::from(p[1]) * OBLIQUE.0) as f32;
@@ -125,7 +125,7 @@ fn slant(soup: &mut Soup) {
     }
 }
 
-/// A picture in the light of a sun from the upper left, on paper.
+/// Renders an image on paper, lit by a sun from the upper left.
 fn lit(picture: &Picture) -> RgbImage {
     let sun = dvec3(-0.45, 0.55, 0.70).normalize();
     RgbImage::from_fn(picture.color.width(), picture.color.height(), |x, y| {

@@ -1,5 +1,5 @@
-//! Roofs: ready polyhedra into triangles, in the surfaces of their coverings. Texture coordinates run
-//! along the eaves and up the slope, so that courses lie level.
+//! Triangulates roof solids in the surfaces of their coverings. Texture coordinates run along the eaves and up the
+//! slope, so that courses are horizontal.
 
 pub(in crate::tessellate) mod bulk;
 pub(in crate::tessellate) mod mesh_key;
@@ -22,7 +22,7 @@ static SURFACES: LazyLock<Vec<SurfaceId>> = LazyLock::new(|| {
         .collect()
 });
 
-/// The kinds in the order of the table.
+/// The roof kinds in the order of the table.
 const KINDS: [RoofKind; 7] = [
     RoofKind::Tiles,
     RoofKind::CoverTiles,
@@ -33,7 +33,7 @@ const KINDS: [RoofKind; 7] = [
     RoofKind::Metal,
 ];
 
-/// Covering and edge of a kind.
+/// Returns the surface names of a kind's covering and edge.
 fn names(kind: RoofKind) -> [&'static str; 2] {
     match kind {
         RoofKind::Tiles => ["kawara", "kawara_edge"],
@@ -46,15 +46,15 @@ fn names(kind: RoofKind) -> [&'static str; 2] {
     }
 }
 
-/// What faces of some solids show that follows from the house around them, by solid and face.
+/// Surfaces of faces that depend on the surrounding house, by solid and face.
 pub(super) type Given<'g> = &'g dyn Fn(usize, &Face) -> Option<SurfaceId>;
 
-/// The surface of plaster.
+/// Returns the surface of plaster.
 pub(super) fn plaster() -> SurfaceId {
     SURFACES[2]
 }
 
-/// The surface of a finish where nobody says; gables are plastered.
+/// Returns the default surface of a finish; gables are plastered.
 fn surface(finish: Finish) -> SurfaceId {
     let of = |kind: RoofKind, which: usize| {
         let row = KINDS.iter().position(|k| *k == kind).unwrap_or_default();
@@ -69,7 +69,7 @@ fn surface(finish: Finish) -> SurfaceId {
     }]
 }
 
-/// The faces of all solids, a soup each surface in the order of first use.
+/// Returns the faces of all solids, one soup per surface in the order of first use.
 pub(super) fn soups(solids: &[Solid], given: Given<'_>) -> Vec<(SurfaceId, Soup)> {
     let shows = |n: usize, face: &Face| given(n, face).unwrap_or_else(|| surface(face.finish));
     let mut soups = rooms(solids, shows);
@@ -86,7 +86,7 @@ pub(super) fn soups(solids: &[Solid], given: Given<'_>) -> Vec<(SurfaceId, Soup)
     soups
 }
 
-/// Empty soups with room for all faces of each surface: roofs are never shared, so that they cost most.
+/// Allocates soups with capacity for all faces of each surface: roofs are never shared, so they dominate the cost.
 fn rooms(solids: &[Solid], shows: impl Fn(usize, &Face) -> SurfaceId) -> Vec<(SurfaceId, Soup)> {
     let mut rooms: Vec<(SurfaceId, usize, usize)> = Vec::with_capacity(6);
     let faces = solids.iter().enumerate();
@@ -114,13 +114,13 @@ fn rooms(solids: &[Solid], shows: impl Fn(usize, &Face) -> SurfaceId) -> Vec<(Su
     rooms.into_iter().map(empty).collect()
 }
 
-/// Whether the grain follows the longer side: boards; coverings keep up the slope.
+/// Returns true if the grain follows the longer side, as on boards; coverings keep v up the slope.
 fn has_grain(finish: Finish) -> bool {
     use RoofKind::Boards;
     matches!(finish, Finish::Timber | Finish::Edge(Boards))
 }
 
-/// The corners of a face; indices out of range are left out.
+/// Collects the corners of a face; indices out of range are skipped.
 fn gather(solid: &Solid, face: &Face, corners: &mut Vec<DVec3>) {
     corners.clear();
     let points = face.corners.iter();

@@ -1,4 +1,4 @@
-//! Meshes and materials of the scene, each made once.
+//! Stores the meshes and materials of the scene, each made once.
 
 use super::bake::{WALL, bake};
 use super::mesh::{Bodies, Soup};
@@ -18,22 +18,22 @@ use glam::DVec2;
 use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// What a mesh depends on. Lengths in tenths of a millimetre.
+/// The key of a mesh. Lengths in tenths of a millimetre.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Key {
     /// A part of the catalogue.
     Part(PartKey),
-    /// A part picture: number, width, height, share.
+    /// A part texture: number, width, height, share of reflection.
     Picture([u32; 4]),
-    /// A post: side, height, whether it stands on a stone, is round, and its surface.
+    /// A post: side, height, 1 if it has a base stone, 1 if it is round, and its surface.
     Post([u32; 5]),
-    /// A level member: kind, length, mitres of its ends.
+    /// A horizontal member: kind, length, mitres of its ends.
     Member(u8, u32, [i32; 2]),
-    /// Tiles or rafters beside each other.
+    /// A row of tiles or rafters.
     Row(Row),
 }
 
-/// What the mesh of a part depends on.
+/// The key of a part's mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct PartKey {
     pub(super) part: u16,
@@ -41,20 +41,20 @@ pub(super) struct PartKey {
     pub(super) share: Share,
     /// Width, height, foot and top of the opening.
     pub(super) size: [u32; 4],
-    /// Half a post that the author asked for; 0 = the usual one.
+    /// Half the width of a post written in the source file; 0 = the default.
     pub(super) post: u32,
-    /// How deep a passage may be, of parts that have one.
+    /// The depth available for a passage, for parts that have one.
     pub(super) room: u32,
-    /// The picture that the part's texture shows, counted from 1; 0 = none.
+    /// The texture on the part, counted from 1; 0 = none.
     pub(super) picture: u32,
 }
 
-/// A share of light in thousandths; what mirrors nothing has none.
+/// Share of reflected light in thousandths; zero for surfaces that do not reflect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Share(pub(super) u16);
 
 impl Share {
-    /// A share between 0 and 1.
+    /// Converts a share between 0 and 1.
     pub(super) fn new(share: f64) -> Share {
         Share((share.clamp(0.0, 1.0) * 1000.0).round() as u16)
     }
@@ -64,13 +64,13 @@ impl Share {
     }
 }
 
-/// A length in tenths of a millimetre.
+/// Converts a length from metres to tenths of a millimetre.
 pub(super) fn tenths(metres: f64) -> u32 {
     // The cast cuts off what is below zero; `round` would be a call of its own on most machines.
     (metres * 10_000.0 + 0.5) as u32
 }
 
-/// A quick hash of small numbers; the map is never walked, so that its order cannot matter.
+/// A fast hash for small numbers; the map is never iterated, so its order cannot affect the output.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Quick(u64);
 
@@ -112,10 +112,10 @@ impl Hasher for Quick {
     }
 }
 
-/// How far panes lie behind the picture of what holds them, metres.
+/// Distance of panes behind the image of their frame, metres.
 const BEHIND: f64 = 0.010;
 
-/// What a material shows.
+/// The image or surface of a material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Look {
     Surface(SurfaceId, Share),
@@ -131,17 +131,17 @@ pub(super) struct Store {
     atlas: Atlas,
     detail: Detail,
     looks: Vec<Look>,
-    /// What the meshes in the making have been through.
+    /// The weather that applies to the meshes under construction.
     pub(super) weather: Weather,
     cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<Quick>>,
-    /// Worn meshes by what they came to: the same surfaces on the same triangles.
+    /// Weathered meshes by result: the same surfaces on the same triangles.
     worn: HashMap<(Key, CameTo), MeshId>,
-    /// The part that was asked for last.
+    /// The most recently requested part.
     last: Option<(PartKey, Weather, MeshId)>,
 }
 
 impl Store {
-    /// An empty store for meshes of this detail.
+    /// Creates an empty store for meshes of this detail.
     pub(super) fn new(detail: Detail) -> Store {
         Store {
             detail,
@@ -149,7 +149,7 @@ impl Store {
         }
     }
 
-    /// The mesh of a key, made if it is new.
+    /// Returns the mesh of a key, made on first use.
     pub(super) fn mesh(&mut self, key: Key, make: impl FnOnce(&mut Store) -> Mesh) -> MeshId {
         let key = (key, self.weather);
         if let Some(id) = self.cache.get(&key) {
@@ -161,7 +161,8 @@ impl Store {
         id
     }
 
-    /// The mesh of bodies that are made if their key is new. Other years may have come to the same: then they show one mesh.
+    /// Returns the mesh of bodies, made on first use of the key. Different weather with the same result shares one
+    /// mesh.
     pub(super) fn bodies(
         &mut self,
         key: Key,
@@ -187,13 +188,13 @@ impl Store {
         id
     }
 
-    /// A mesh of its own.
+    /// Adds an unshared mesh.
     pub(super) fn push(&mut self, mesh: Mesh) -> MeshId {
         self.meshes.push(mesh);
         MeshId(self.meshes.len() as u32 - 1)
     }
 
-    /// The mesh of a part.
+    /// Returns the mesh of a part.
     pub(super) fn part(&mut self, id: PartId, part: &PartDef, key: PartKey) -> MeshId {
         debug_assert_eq!(id.0, key.part);
         // A row mostly goes on with the part before.
@@ -217,12 +218,12 @@ impl Store {
         mesh
     }
 
-    /// Bodies as a mesh of the scene; their glass mirrors this share.
+    /// Converts bodies to a mesh of the scene; their glass reflects this share.
     pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
         self.finish_with(name, bodies, share, None)
     }
 
-    /// The same of bodies with a texture of their own, which is this picture.
+    /// As [`Store::finish`], for bodies that show this part texture.
     fn finish_with(
         &mut self,
         name: String,
@@ -277,7 +278,7 @@ impl Store {
         Mesh { name, primitives }
     }
 
-    /// One mesh of some solids and what they wear; `None` where there are none.
+    /// Adds one mesh of solids and their trim; `None` if there are none.
     pub(super) fn solids(
         &mut self,
         name: &str,
@@ -300,7 +301,7 @@ impl Store {
         Some(self.push(Mesh { name, primitives }))
     }
 
-    /// The mesh of bodies in a row that runs this way.
+    /// Returns the mesh of a row of bodies in this direction.
     pub(super) fn row(&mut self, row: Row, right: DVec2) -> MeshId {
         let own = self.weather;
         self.weather = own.turned(right);
@@ -321,12 +322,12 @@ impl Store {
         mesh
     }
 
-    /// The material of what a surface has become at a height.
+    /// Returns the material of a surface weathered at a height.
     pub(super) fn surface_at(&mut self, id: SurfaceId, z: f64) -> MaterialId {
         self.surface(self.weather.at(id, z), Share::default())
     }
 
-    /// The material of a surface; what is no glass shares one whatever mirrors.
+    /// Returns the material of a surface; surfaces other than glass share one for every share of reflection.
     pub(super) fn surface(&mut self, id: SurfaceId, share: Share) -> MaterialId {
         let surface = id.surface();
         let share = if surface.glass {
@@ -354,7 +355,7 @@ impl Store {
         })
     }
 
-    /// The material of a part picture.
+    /// Returns the material of a part texture.
     pub(super) fn picture(&mut self, number: u32, share: Share) -> MaterialId {
         self.material(Look::Picture(number, share), || Material {
             name: match share.0 {
@@ -372,7 +373,7 @@ impl Store {
         })
     }
 
-    /// Everything, with pages no higher than they are used.
+    /// Returns the finished scene, with the pages cropped to their used height.
     pub(super) fn into_scene(mut self, nodes: Vec<Node>, pictures: Vec<String>) -> Scene {
         let grown = self.atlas.trim();
         for primitive in self.meshes.iter_mut().flat_map(|m| &mut m.primitives) {
@@ -393,7 +394,7 @@ impl Store {
         }
     }
 
-    /// The material of a page of baked pictures.
+    /// Returns the material of a page of baked images.
     fn baked(&mut self, page: u32) -> MaterialId {
         let cutout = self.atlas.pages[page as usize].holes;
         self.material(Look::Baked(page), || Material {
@@ -420,14 +421,14 @@ impl Store {
     }
 }
 
-/// Glass over the dusk of a room, for details without rooms: nothing is to be seen through it.
+/// Returns the colour of glass in front of a dark room, for details without interiors: it is opaque.
 fn shut([r, g, b, opacity]: [f32; 4]) -> [f32; 4] {
     const DUSK: f32 = 0.035;
     let [r, g, b] = [r, g, b].map(|c| c * opacity + DUSK * (1.0 - opacity));
     [r, g, b, 1.0]
 }
 
-/// A soup in its material.
+/// Converts a soup to a primitive of its material.
 pub(super) fn primitive(material: MaterialId, soup: Soup) -> Primitive {
     let Soup {
         positions,

@@ -1,8 +1,8 @@
-//! What a roof wears beyond its solids: ridge tiles, end tiles, eaves and verge tiles, barge boards, rafters.
+//! Roof trim beyond the solids: ridge tiles, end tiles, eaves and verge tiles, barge boards, rafters.
 //!
-//! The lines to be dressed are read off the finished solids ([`seams`]), so that they are right after every
-//! junction and for every shape; sizes come from `docs/evidence.md` 4.4 and the few wishes of [`Trim`]. All of it are
-//! closed bodies that reach a little into what carries them, so that no face lies in another's plane.
+//! The lines to trim are read off the finished solids ([`seams`]), so that they are correct after every junction and
+//! for every shape; sizes come from `docs/evidence.md` 4.4 and the parameters in [`Trim`]. All trim consists of closed
+//! bodies that extend slightly into their support, so that no two faces are coplanar.
 //!
 //! | detail | shows |
 //! |---|---|
@@ -40,26 +40,26 @@ use seams::{Kind, Seam};
 use slope::Field;
 use surface::Surface;
 
-/// A roof that is being dressed.
+/// A roof whose trim is under construction.
 struct RoofTrim<'a> {
     roof: &'a Roof,
     surface: &'a Surface,
     detail: Detail,
-    /// Whether no timber shows under eaves and verges.
+    /// True if no timber shows under eaves and verges.
     plastered: bool,
 }
 
-/// What a roof wears.
+/// The trim of a roof at one detail.
 #[derive(Debug, Default)]
 pub(super) struct TrimDetail {
-    /// Bodies that belong to this roof alone.
+    /// Bodies that are unique to this roof.
     pub(super) bodies: Vec<Body>,
-    /// Bodies in rows that others may have as well.
+    /// Rows of bodies that other roofs may share.
     pub(super) runs: Vec<Run>,
 }
 
-/// What dresses a roof at a detail; `beyond` is what its joints lie against, `plastered` whether the walls below are
-/// plastered over their posts.
+/// Builds the trim of a roof at a detail; `beyond` describes the surfaces at its joints, `plastered` is true if the
+/// walls below are plastered over their posts.
 pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
     let mut worn = TrimDetail::default();
     let surface = Surface::of(&roof.surface);
@@ -140,7 +140,7 @@ impl RoofTrim<'_> {
         }
     }
 
-    /// What lies on the slope itself.
+    /// Adds the trim on the slope itself.
     fn slope(&self, field: &Field, bodies: &mut Vec<Body>) {
         match self.roof.kind {
             RoofKind::Metal => crate::tessellate::trim::edge::rows::seams(field, bodies),
@@ -149,7 +149,7 @@ impl RoofTrim<'_> {
         }
     }
 
-    /// How steeply the covering falls away beside a seam, at most, per metre across it.
+    /// Returns the steepest fall of the covering beside a seam, metres per metre across it.
     fn lean(&self, seam: &Seam) -> f64 {
         let ways = seam.points.windows(2).map(|w| w[1] - w[0]);
         let leans = seam.spans.iter().zip(ways);

@@ -1,4 +1,4 @@
-//! One wall: its units from right to left, each in its place.
+//! Builds one wall: its units from right to left, each in its place.
 
 pub(in crate::tessellate) mod massing;
 pub(in crate::tessellate) mod ceiling;
@@ -24,11 +24,11 @@ use crate::tessellate::{Level, Walker, part, turn_of};
 use compact_str::{CompactString, ToCompactString, format_compact};
 use glam::dvec3;
 
-/// A wall with what its units have to know of each other.
+/// A wall with the properties that its units need of each other.
 pub(super) struct Line<'a> {
     pub(super) wall: &'a Wall,
     pub(super) stands: Vec<Stand<'a>>,
-    /// Metres.
+    /// Its length, metres.
     pub(super) length: f64,
 }
 
@@ -36,32 +36,32 @@ pub(super) struct Line<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct Stand<'a> {
     pub(super) unit: &'a Unit,
-    /// Metres from the wall's right end to the unit's.
+    /// Distance from the wall's right end to the unit's, metres.
     pub(super) offset: f64,
-    /// Metres.
+    /// Its width, metres.
     pub(super) width: f64,
     /// How it joins the wall; `Free` for voids and members without width.
     pub(super) stance: Stance,
-    /// How far its outer plane lies from the centre line.
+    /// Distance of its outer plane from the centre line, metres.
     pub(super) face: f64,
-    /// The finish that small walls beside it take.
+    /// The finish of infill walls beside it.
     pub(super) around: SurfaceId,
     /// Height at its right and left end, metres.
     pub(super) tops: (f64, f64),
 }
 
 impl Stand<'_> {
-    /// Whether it has a wall to join.
+    /// Returns true if it has a wall to join.
     pub(super) fn solid(&self) -> bool {
         self.width > 0.0 && self.stance != Stance::Free
     }
 
-    /// Whether it is a post that the author set.
+    /// Returns true if it is a post written in the source file.
     pub(super) fn is_post(&self) -> bool {
         self.width == 0.0
     }
 
-    /// Its level top.
+    /// Returns the height of its horizontal top, metres.
     pub(super) fn top(&self) -> f64 {
         self.tops.0.min(self.tops.1)
     }
@@ -111,7 +111,7 @@ impl<'a> Line<'a> {
         }
     }
 
-    /// The walls that meet the ends of one of a ring.
+    /// Returns the walls that meet the ends of one wall of a ring.
     pub(super) fn beside<'l>(
         lines: &'l [Line<'a>],
         i: usize,
@@ -125,14 +125,14 @@ impl<'a> Line<'a> {
         )
     }
 
-    /// The first unit with a wall, seen from the right end, or from the left.
+    /// Returns the first unit with a wall, seen from the right end, or from the left.
     pub(super) fn end(&self, left: bool) -> Option<&Stand<'a>> {
         let mut wide = self.stands.iter().filter(|s| s.width > 0.0);
         let stand = if left { wide.next_back() } else { wide.next() };
         stand.filter(|s| s.solid())
     }
 
-    /// Whether the author set a post at the right end, or the left.
+    /// Returns true if the source file places a post at the right end, or the left.
     pub(super) fn has_post(&self, left: bool) -> bool {
         let end = if left {
             self.stands.last()
@@ -143,7 +143,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The height of what is lower than its storey: fences; metres.
+/// Returns the height of units lower than their storey, such as fences, metres.
 fn own_top(catalog: &Catalog, content: &Content) -> f64 {
     let part = match content {
         Content::Part(id) => Some(catalog.part(*id)),
@@ -155,7 +155,7 @@ fn own_top(catalog: &Catalog, content: &Content) -> f64 {
         .map_or(f64::INFINITY, |to| to * SHAKU)
 }
 
-/// How a unit joins its wall, and its outer plane.
+/// Returns how a unit joins its wall, and its outer plane.
 fn stance(catalog: &Catalog, content: &Content) -> (Stance, f64) {
     match content {
         Content::Void => (Stance::Free, 0.0),
@@ -174,7 +174,7 @@ fn stance(catalog: &Catalog, content: &Content) -> (Stance, f64) {
     }
 }
 
-/// Gives each unit the finish of the nearest wall part, the left one of two equally near.
+/// Gives each unit the finish of the nearest wall part, the left one if two are equally near.
 fn neighbours(
     catalog: &Catalog,
     stands: &mut [Stand<'_>],
@@ -199,29 +199,29 @@ fn neighbours(
     }
 }
 
-/// The panel that carries a part picture: as proud as a wall.
+/// The panel that carries a part texture, projecting as far as a wall.
 const PICTURE: Layer = Layer {
     front: 0.060,
     thick: 0.070,
 };
 
-/// A place for one unit or sub-unit in a facade.
+/// The place of one unit or sub-unit in a facade.
 #[derive(Clone, Copy)]
 struct Slot<'a> {
     facade: NodeId,
     /// Left end, metres from the facade's origin (negative).
     x: f64,
     width: f64,
-    /// Foot and top above the storey's floor.
+    /// Foot and top above the storey's floor, metres.
     z: (f64, f64),
     around: SurfaceId,
-    /// How deep a passage may reach behind it, metres.
+    /// Depth available for a passage behind it, metres.
     room: f64,
-    /// Half a post, where the author asked for posts, metres.
+    /// Half the width of a post written in the source file, metres.
     post: Option<f64>,
-    /// Whether the facade's glass mirrors.
+    /// True if the facade's glass reflects.
     mirrors: bool,
-    /// Whether it is half of a split unit.
+    /// True if it is half of a split unit.
     half: bool,
     /// Position in the facade and, in splits, the half.
     number: (usize, &'a str),
@@ -230,7 +230,7 @@ struct Slot<'a> {
 }
 
 impl Walker<'_> {
-    /// A facade with its corners, units and members.
+    /// Adds a facade with its corners, units and members.
     pub(super) fn facade(
         &mut self,
         level: Level<'_>,
@@ -251,7 +251,7 @@ impl Walker<'_> {
         self.air = None;
     }
 
-    /// The node of a facade.
+    /// Adds the node of a facade.
     pub(super) fn facade_node(&mut self, level: Level<'_>, line: &Line<'_>) -> NodeId {
         let wall = line.wall;
         let name = format_compact!("facade {}", wall.facade);
@@ -263,7 +263,7 @@ impl Walker<'_> {
         self.last()
     }
 
-    /// One unit, and the wedge above it.
+    /// Adds one unit, and the wedge above it.
     fn stand(
         &mut self,
         level: Level<'_>,
@@ -312,7 +312,7 @@ impl Walker<'_> {
         }
     }
 
-    /// How deep a passage in this unit may be.
+    /// Returns the depth available for a passage in this unit, metres.
     fn room(&self, level: Level<'_>, line: &Line<'_>, stand: &Stand<'_>) -> f64 {
         if !part::has_passage(self.catalog, &stand.unit.content) {
             return part::DEEPEST;
@@ -325,7 +325,7 @@ impl Walker<'_> {
         standing.room(line.wall, offsets, unit, part::DEEPEST)
     }
 
-    /// What stands in a slot.
+    /// Adds the content of a slot.
     fn unit(&mut self, level: Level<'_>, slot: Slot<'_>, unit: &Unit) {
         let place = slot.number.0 + slot.within * 1000;
         self.store.weather = self.unit_weather(place, &unit.content, slot.z);
@@ -352,7 +352,7 @@ impl Walker<'_> {
         node.span = Some(unit.span);
     }
 
-    /// The mesh of a part in a slot.
+    /// Returns the mesh of a part in a slot.
     fn part(&mut self, slot: Slot<'_>, unit: &Unit, id: PartId, part: &PartDef) -> MeshId {
         let height = slot.z.1 - slot.z.0;
         let (z0, z1) = opening(part, slot, height);
@@ -382,7 +382,7 @@ impl Walker<'_> {
         self.store.part(id, part, key)
     }
 
-    /// A flat panel with the picture on its front.
+    /// Adds a flat panel with the texture on its front.
     fn picture(&mut self, slot: Slot<'_>, unit: &Unit, id: PictureId) -> MeshId {
         let height = slot.z.1 - slot.z.0;
         let share = match (slot.mirrors, unit.reflection) {
@@ -405,7 +405,7 @@ impl Walker<'_> {
         })
     }
 
-    /// The halves of a split unit; sub-units share its width as their widths are.
+    /// Adds the halves of a split unit; sub-units share its width in proportion to their own widths.
     fn split(&mut self, level: Level<'_>, slot: Slot<'_>, split: &Split) {
         let (z0, z1) = slot.z;
         let middle = z1 - (z1 - z0) * split.ratio.clamp(0.0, 1.0);
@@ -451,13 +451,13 @@ impl Walker<'_> {
         }
     }
 
-    /// Whether a sub-unit stands between posts.
+    /// Returns true if a sub-unit is between posts.
     fn framed(&self, unit: &Unit) -> bool {
         stance(self.catalog, &unit.content).0 == Stance::Posts
     }
 }
 
-/// The name of a unit: code, half, number. A town has a million of them, so that no formatter is asked.
+/// Returns the name of a unit: code, half, number. Built without a formatter, since a town has a million of them.
 fn name(code: &str, half: &str, number: usize) -> CompactString {
     let mut name = CompactString::new(code);
     name.push_str(half);
@@ -466,7 +466,7 @@ fn name(code: &str, half: &str, number: usize) -> CompactString {
     name
 }
 
-/// Foot and top of a part's opening above its slot's foot, moved and clamped so that it fits.
+/// Returns foot and top of a part's opening above its slot's foot, moved and clamped to fit.
 fn opening(part: &PartDef, slot: Slot<'_>, height: f64) -> (f64, f64) {
     let (Some(from), Some(to)) = (part.from, part.to) else {
         return (0.0, height);

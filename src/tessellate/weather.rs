@@ -1,8 +1,8 @@
-//! What the weather has done to a mesh (docs/evidence.md 4.9): which surface each of its triangles has by now.
+//! Weathering of a mesh (docs/evidence.md 4.9): assigns each of its triangles an aged surface.
 //!
-//! A mesh is made as if new. Its triangles then go over to the surfaces that theirs have become, by how high they lie,
-//! or on roofs by which way they face. Everything in a [`Weather`] is quantised, and those that come to the same surfaces
-//! share a mesh, so that a street of old houses is little larger than one of new ones.
+//! A mesh is made as new. Its triangles are then moved to aged surfaces according to their height, or on roofs their
+//! direction. Everything in a [`Weather`] is quantised, and values with the same result share a mesh, so that a street
+//! of old houses is little larger than one of new ones.
 
 pub(in crate::tessellate) mod exposure;
 
@@ -13,28 +13,28 @@ use crate::rng::Place;
 use glam::{DVec2, dvec2};
 use std::sync::LazyLock;
 
-/// Years are told apart where some material changes, roughly.
+/// Quantisation of years: roughly where some material changes.
 const YEARS: [f64; 20] = [
     0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0, 36.0, 50.0, 80.0,
     120.0, 200.0, 400.0,
 ];
 
-/// Steps between no weather and all of it.
+/// Number of steps between no exposure and full exposure.
 const STEPS: f64 = 10.0;
 
-/// Directions that roofs look to.
+/// Number of directions of roofs.
 const TURNS: usize = 16;
 
-/// How much sun falls on what looks north, east, south and west.
+/// Relative sunshine on faces that look north, east, south and west.
 const SUN: [f64; 4] = [0.4, 0.7, 1.0, 0.8];
 
-/// Moss grows sooner where the sun does not dry it, on what lies: such slopes count as older by this.
+/// Moss grows sooner on slopes that the sun does not dry: their age is multiplied by this.
 const MOSS: f64 = 1.5;
 
-/// What the triangles of a mesh have become, with how many of them in a row.
+/// The aged surfaces of a mesh's triangles, run-length encoded.
 pub(super) type CameTo = Vec<(SurfaceId, u32)>;
 
-/// A number of [`YEARS`].
+/// An index into [`YEARS`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) struct Years(u8);
 
@@ -63,32 +63,32 @@ impl Exposure {
     }
 }
 
-/// What a mesh has been through.
+/// The weather that a mesh was exposed to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub(super) enum Weather {
-    /// Nothing: it looks as its surfaces are named.
+    /// None: surfaces are as named.
     #[default]
     None,
-    /// A wall, or what stands before it.
+    /// That of a wall, or of something in front of it.
     Wall {
         years: Years,
         luck: Luck,
-        /// Where the foot ends and the head begins, centimetres in the frame of the mesh.
+        /// The upper limit of the foot and the lower limit of the head, centimetres in the frame of the mesh.
         limits: [i16; 2],
-        /// Of the foot, of what is between, of the head.
+        /// Exposure of the foot, of the middle and of the head.
         zones: [Exposure; 3],
     },
-    /// What lies open to the sky.
+    /// That of something open to the sky.
     Roof {
         years: Years,
         luck: Luck,
-        /// How far the frame of the mesh is turned on the compass.
+        /// Rotation of the mesh's frame on the compass.
         turn: u8,
     },
 }
 
 impl Weather {
-    /// The same all over.
+    /// Weather that is equal everywhere.
     pub(super) fn even(years: f64, exposure: f64, luck: Luck) -> Weather {
         Weather::Wall {
             years: Years::new(years),
@@ -98,7 +98,7 @@ impl Weather {
         }
     }
 
-    /// The same mesh seen in a frame that is turned further.
+    /// Returns the weather of the same mesh in a frame that is rotated further.
     pub(super) fn turned(self, by: DVec2) -> Weather {
         match self {
             Weather::Roof { years, luck, turn } => Weather::Roof {
@@ -110,12 +110,12 @@ impl Weather {
         }
     }
 
-    /// What a surface has become at a height.
+    /// Returns the aged surface at a height.
     pub(super) fn at(self, id: SurfaceId, z: f64) -> SurfaceId {
         self.of(id, z, [0.0, -1.0, 0.0])
     }
 
-    /// What a surface has become at a height, looking this way.
+    /// Returns the aged surface at a height, for a face with this normal.
     fn of(self, id: SurfaceId, z: f64, normal: [f32; 3]) -> SurfaceId {
         let (years, luck, exposure) = match self {
             Weather::None => return id,
@@ -143,7 +143,7 @@ impl Weather {
         })
     }
 
-    /// Triangles in the surfaces that they have become, in the order of first use.
+    /// Regroups triangles by their aged surfaces, in the order of first use.
     pub(super) fn wear(self, soups: Vec<(SurfaceId, Soup)>) -> Vec<(SurfaceId, Soup)> {
         if self == Weather::None {
             return soups;
@@ -168,7 +168,7 @@ impl Weather {
         worn
     }
 
-    /// What the triangles of bodies become, one after another.
+    /// Returns the aged surfaces of the triangles of bodies, in order.
     pub(super) fn comes_to(self, bodies: &Bodies) -> CameTo {
         let mut all = vec![];
         if self == Weather::None {
@@ -201,7 +201,7 @@ impl Weather {
 }
 
 impl Soup {
-    /// Adds triangles of another soup, those that are chosen.
+    /// Adds the chosen triangles of another soup.
     fn take(&mut self, other: &Soup, chosen: impl Iterator<Item = bool>) {
         let mut moved: Vec<Option<u32>> = vec![None; other.positions.len()];
         for (triangle, chosen) in other.indices.chunks_exact(3).zip(chosen) {
@@ -219,7 +219,7 @@ impl Soup {
     }
 }
 
-/// How much older a face is that looks this way, and its share of rain and sun.
+/// Returns the additional age of a face with this normal, and its share of rain and sun.
 fn open(normal: [f32; 3], turn: DVec2) -> (f64, f64) {
     let [x, y, z] = normal.map(f64::from);
     if z < -0.05 {
@@ -237,7 +237,7 @@ fn open(normal: [f32; 3], turn: DVec2) -> (f64, f64) {
     (older, (0.4 + 0.6 * sun).min(1.0))
 }
 
-/// The sun on what looks this way; x east, y north.
+/// Returns the sunshine on faces in this direction; x east, y north.
 pub(super) fn sun(way: DVec2) -> f64 {
     let [north, east, south, west] = SUN;
     let across = if way.x > 0.0 { east } else { west };
@@ -255,19 +255,19 @@ fn vector(turn: u8) -> DVec2 {
     VECTORS[usize::from(turn) % TURNS]
 }
 
-/// The nearest of the directions.
+/// Returns the nearest of the directions.
 pub(super) fn turn_of(way: DVec2) -> u8 {
     let all = VECTORS.iter().enumerate();
     let near = all.max_by(|a, b| way.dot(*a.1).total_cmp(&way.dot(*b.1)));
     near.map_or(0, |(i, _)| i as u8)
 }
 
-/// How something turned out.
+/// Returns the random variation at a place.
 pub(super) fn luck(place: Place) -> Luck {
     Luck((place.named("luck").share() * f64::from(Luck::COUNT)) as u8)
 }
 
-/// A number of years as it counts at a place: no two things are exposed alike.
+/// Returns a number of years as it counts at a place: exposure varies from object to object.
 pub(super) fn years_at(years: f64, place: Place) -> f64 {
     years * (0.75 + 0.5 * place.named("years").share())
 }

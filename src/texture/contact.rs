@@ -9,16 +9,16 @@ const BAY: f64 = 10.0 / 11.0;
 /// Width of a swatch in pixels, and of the gap beside it.
 const SIDE: u32 = 156;
 const GAP: u32 = 4;
-/// Swatches in a row.
+/// Number of swatches in a row.
 const COLUMNS: u32 = 10;
 /// Samples along each side of a pixel.
 const FINE: u32 = 4;
 
-/// Towards the sun, as the normals see it; then halfway between the sun and the eye.
+/// Direction of the sun, in the frame of the normals; then halfway between the sun and the eye.
 const SUN: [f64; 3] = [-0.55, 0.55, 0.628];
 const HALF: [f64; 3] = [-0.305, 0.305, 0.902];
 
-/// A JPEG of all looks in the order of the table, ten a row.
+/// Returns a JPEG of all looks in the order of the table, ten per row.
 pub fn contact_sheet() -> Vec<u8> {
     let swatches: Vec<RgbImage> = super::files::each(swatches).into_iter().flatten().collect();
     let rows = (swatches.len() as u32).div_ceil(COLUMNS);
@@ -34,7 +34,7 @@ pub fn contact_sheet() -> Vec<u8> {
     super::files::jpeg(&sheet, 66)
 }
 
-/// The swatches of a surface's looks.
+/// Renders the swatches of a surface's looks.
 fn swatches(surface: &Surface) -> Vec<RgbImage> {
     let maps = surface.draw(COLOR_SIZE);
     let looks = 0..surface.looks.len();
@@ -57,7 +57,7 @@ fn swatches(surface: &Surface) -> Vec<RgbImage> {
         .collect()
 }
 
-/// Light that comes back from a texel, linear.
+/// Returns the light reflected from a texel, linear.
 fn lit(maps: &Maps, look: usize, x: u32, y: u32) -> [f64; 3] {
     let n = maps
         .normal
@@ -79,12 +79,12 @@ fn lit(maps: &Maps, look: usize, x: u32, y: u32) -> [f64; 3] {
     })
 }
 
-/// An sRGB byte as light.
+/// Decodes an sRGB byte to linear light.
 fn decoded(byte: u8) -> f64 {
     libm::pow(f64::from(byte) / 255.0, 2.2)
 }
 
-/// Light as an sRGB byte.
+/// Encodes linear light as an sRGB byte.
 fn encoded(light: f64) -> u8 {
     (libm::pow(light.clamp(0.0, 1.0), 1.0 / 2.2) * 255.0).round() as u8
 }

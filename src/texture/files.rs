@@ -1,4 +1,4 @@
-//! The files of `textures/`: encoded from the formulas, embedded in the program.
+//! The files of `textures/`: generated from formulas, embedded in the program.
 //!
 //! Colour: JPEG, quality 85, 512 px. Normals: JPEG, quality 88, without chroma subsampling,
 //! 512 px; a PNG of the same relief is four times as large. Occlusion, roughness, metalness:
@@ -20,8 +20,8 @@ pub const COLOR_SIZE: u32 = 512;
 /// Width and height of the occlusion, roughness and metalness files in pixels.
 pub const ORM_SIZE: u32 = COLOR_SIZE / 2;
 
-/// The files of one surface as (file name, bytes), the very bytes that lie in `textures/`: a colour for each
-/// look, then the relief and the gloss that they share.
+/// Encodes the files of one surface as (file name, bytes), byte for byte as in `textures/`: one colour map per look,
+/// then the normal map and the gloss map that they share.
 pub fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
     let maps = surface.draw(COLOR_SIZE);
     let colors = maps.colors.iter().zip(surface.looks);
@@ -33,8 +33,8 @@ pub fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// Writes the files of all surfaces into a directory, which is made where it is missing.
-/// Returns their paths in the order of [`SURFACES`].
+/// Writes the files of all surfaces into a directory, which is created if it is missing. Returns their paths in the
+/// order of [`SURFACES`].
 ///
 /// # Errors
 /// When the directory or a file cannot be written.
@@ -49,7 +49,7 @@ pub fn write_all(dir: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Something made of each surface, on all processors, in the order of [`SURFACES`].
+/// Maps a function over the surfaces on all processors; results are in the order of [`SURFACES`].
 pub(super) fn each<T: Send>(make: impl Fn(&Surface) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let workers = std::thread::available_parallelism().map_or(1, usize::from);
@@ -74,7 +74,7 @@ pub(super) fn each<T: Send>(make: impl Fn(&Surface) -> T + Sync) -> Vec<T> {
     made.into_iter().map(|(_, thing)| thing).collect()
 }
 
-/// The embedded bytes of a file of `textures/`, by its name, such as `cedar_color.jpg`.
+/// Returns the embedded bytes of a file of `textures/` by name, such as `cedar_color.jpg`.
 pub fn embedded(file: &str) -> Option<&'static [u8]> {
     EMBEDDED
         .iter()
@@ -133,7 +133,7 @@ static EMBEDDED: &[(&str, &[u8])] = embed! {
     "doma": "doma" "doma_old";
 };
 
-/// A picture as JPEG.
+/// Encodes an image as JPEG.
 pub fn jpeg(picture: &RgbImage, quality: u8) -> Vec<u8> {
     let mut bytes = Vec::new();
     picture
@@ -142,7 +142,7 @@ pub fn jpeg(picture: &RgbImage, quality: u8) -> Vec<u8> {
     bytes
 }
 
-/// A picture as PNG, as small as it gets, or quickly.
+/// Encodes an image as PNG, as small as possible or fast.
 pub fn png(picture: DynamicImage, small: bool) -> Vec<u8> {
     let mut bytes = Vec::new();
     let (compression, filter) = match small {
@@ -159,7 +159,7 @@ pub fn png(picture: DynamicImage, small: bool) -> Vec<u8> {
     bytes
 }
 
-/// Half the size, each pixel the mean of four.
+/// Returns an image at half the size, each pixel the mean of four.
 pub(super) fn halve(picture: &RgbImage) -> RgbImage {
     RgbImage::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
         let four = [(0, 0), (1, 0), (0, 1), (1, 1)]

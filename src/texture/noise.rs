@@ -1,12 +1,12 @@
-//! Random fields that close on themselves: an integer hash on a periodic lattice.
+//! Periodic random fields: an integer hash on a periodic lattice.
 //!
-//! Coordinates are fractions of the repeat (1.0 is one repeat), periods are whole lattice cells,
-//! so every field is seamless by construction. Only exactly rounded operations are used.
+//! Coordinates are fractions of the repeat (1.0 is one repeat), periods are whole lattice cells, so every field is
+//! seamless by construction. Only correctly rounded operations are used.
 
 /// Lattice cells in one repeat along `u` and `v`.
 pub(super) type Period = (u32, u32);
 
-/// A well mixed 32-bit hash of a lattice point (finaliser "lowbias32" by C. Wellons).
+/// Returns a well-mixed 32-bit hash of a lattice point (finaliser "lowbias32" by C. Wellons).
 fn bits(x: i64, y: i64, seed: u32) -> u32 {
     let mut h = (x as u32).wrapping_mul(0x9E37_79B1)
         ^ (y as u32).wrapping_mul(0x85EB_CA77).rotate_left(13)
@@ -16,18 +16,18 @@ fn bits(x: i64, y: i64, seed: u32) -> u32 {
     h ^ (h >> 16)
 }
 
-/// A number in 0..1 that belongs to a lattice point.
+/// Returns a pseudo-random number in 0..1 for a lattice point.
 pub(super) fn hash(x: i64, y: i64, seed: u32) -> f64 {
     f64::from(bits(x, y, seed)) / 4_294_967_296.0
 }
 
-/// The whole number at or below `x`. The plain `floor` is a call on machines without the instruction for it.
+/// Returns the largest integer at or below `x`. `f64::floor` is a call on machines without an instruction for it.
 pub(super) fn floor(x: f64) -> i64 {
     let near = x as i64;
     near - i64::from(near as f64 > x)
 }
 
-/// A lattice index brought into one repeat; most lie there already, and a division is slow.
+/// Wraps a lattice index into one repeat; most are already in it, and a division is slow.
 pub(super) fn wrap(index: i64, cells: i64) -> i64 {
     if (0..cells).contains(&index) {
         index
@@ -36,7 +36,7 @@ pub(super) fn wrap(index: i64, cells: i64) -> i64 {
     }
 }
 
-/// The dot product of a lattice point's random direction with an offset.
+/// Returns the dot product of a lattice point's random direction with an offset.
 fn slope(x: i64, y: i64, seed: u32, dx: f64, dy: f64) -> f64 {
     const H: f64 = std::f64::consts::FRAC_1_SQRT_2;
     match bits(x, y, seed) >> 29 {
@@ -51,7 +51,7 @@ fn slope(x: i64, y: i64, seed: u32, dx: f64, dy: f64) -> f64 {
     }
 }
 
-/// The curve 6t^5 - 15t^4 + 10t^3: no kinks at lattice lines (Perlin, 2002).
+/// The curve 6t^5 - 15t^4 + 10t^3, without kinks at lattice lines (Perlin, 2002).
 fn fade(t: f64) -> f64 {
     t * t * t * (t * (t * 6.0 - 15.0) + 10.0)
 }
@@ -77,7 +77,7 @@ pub(super) fn noise(u: f64, v: f64, period: Period, seed: u32) -> f64 {
     (low + (high - low) * t) * 1.5
 }
 
-/// Fractal noise: each octave has twice the cells and half the strength; about -1..1.
+/// Fractal noise: each octave has twice the cells and half the amplitude; about -1..1.
 pub(super) fn fbm(u: f64, v: f64, period: Period, octaves: u32, seed: u32) -> f64 {
     let (mut sum, mut strength) = (0.0, 0.5);
     for octave in 0..octaves {

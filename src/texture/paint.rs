@@ -1,42 +1,42 @@
-//! From a formula to pictures: sampling, shade in hollows, and normals from heights.
+//! Renders formulas to maps: sampling, shading of hollows, and normals from heights.
 
 use image::{Rgb as Pixel, RgbImage};
 
 use super::Maps;
 use super::color::Rgb;
 
-/// Where a sample is taken.
+/// The position of a sample.
 #[derive(Clone, Copy)]
 pub(super) struct Spot {
     /// Fraction of the repeat, to the right.
     pub(super) u: f64,
     /// Fraction of the repeat, upwards.
     pub(super) v: f64,
-    /// Width and height of the repeat in metres.
+    /// Width and height of the repeat, metres.
     pub(super) metres: f64,
-    /// Width of a pixel in metres.
+    /// Width of a pixel, metres.
     pub(super) pixel: f64,
 }
 
-/// What is found there: one relief, and a base colour for each of `N` looks.
+/// The result of a sample: one relief, and a base colour for each of `N` looks.
 #[derive(Clone, Copy)]
 pub(super) struct Texel<const N: usize> {
-    /// Height in metres above the mean surface.
+    /// Height above the mean surface, metres.
     pub(super) height: f64,
     /// Base colours.
     pub(super) colors: [Rgb; N],
-    /// Roughness, 0 polished to 1 dull.
+    /// Roughness, from 0 polished to 1 dull.
     pub(super) rough: f64,
     /// Metalness, 0 or 1.
     pub(super) metal: f64,
 }
 
-/// How hollows are darkened: light reaches them from fewer directions.
+/// Darkening of hollows, which receive light from fewer directions.
 #[derive(Clone, Copy)]
 pub(super) struct Hollows {
-    /// Half width in metres of the surroundings a height is compared with.
+    /// Half width of the neighbourhood to which a height is compared, metres.
     pub(super) reach: f64,
-    /// Share of light lost for each metre below the surroundings.
+    /// Share of light lost per metre below the neighbourhood.
     pub(super) loss: f64,
 }
 
@@ -47,7 +47,7 @@ impl Hollows {
     }
 }
 
-/// Draws a surface by its formula.
+/// Renders a surface from its formula.
 pub(super) fn paint<const N: usize>(
     size: u32,
     metres: f64,
@@ -89,7 +89,7 @@ pub(super) fn paint<const N: usize>(
     }
 }
 
-/// Moves a picture's mean to a colour, channel by channel, so that a look has the colour it is known by.
+/// Shifts an image's mean to a colour, channel by channel, so that a look has its documented colour.
 pub(super) fn tone(picture: &mut RgbImage, mean: Rgb) {
     let count = f64::from(picture.width()) * f64::from(picture.height());
     let mut sums = [0_u64; 3];
@@ -110,25 +110,25 @@ pub(super) fn tone(picture: &mut RgbImage, mean: Rgb) {
     }
 }
 
-/// The mean height of the square around each point, `reach` pixels either way.
+/// Returns the mean height of the square around each point, `reach` pixels in each direction.
 fn surroundings(heights: &[f64], side: usize, reach: usize) -> Vec<f64> {
     let upright = blur(&transpose(heights, side), side, reach);
     blur(&transpose(&upright, side), side, reach)
 }
 
-/// A fraction as a byte, rounded.
+/// Converts a fraction to a byte, rounded.
 fn byte(fraction: f64) -> u8 {
     (fraction.clamp(0.0, 1.0) * 255.0).round() as u8
 }
 
-/// Rows become columns.
+/// Transposes a square field.
 fn transpose(field: &[f64], side: usize) -> Vec<f64> {
     (0..side * side)
         .map(|k| field[(k % side) * side + k / side])
         .collect()
 }
 
-/// The mean of each value and `reach` neighbours either way along its row, around the edge.
+/// Returns the mean of each value and `reach` neighbours on both sides along its row, wrapping around.
 fn blur(field: &[f64], side: usize, reach: usize) -> Vec<f64> {
     let mut out = Vec::with_capacity(field.len());
     for row in field.chunks(side) {
@@ -143,7 +143,7 @@ fn blur(field: &[f64], side: usize, reach: usize) -> Vec<f64> {
     out
 }
 
-/// Normals by central differences around the edge, OpenGL convention.
+/// Computes normals by central differences, wrapping around, OpenGL convention.
 fn normals(heights: &[f64], size: u32, pixel: f64) -> RgbImage {
     let side = size as usize;
     RgbImage::from_fn(size, size, |x, y| {

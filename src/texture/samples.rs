@@ -1,28 +1,28 @@
-//! Drawn surfaces in small, to be looked up point by point: what baked pictures are composed of.
+//! Downscaled surface textures for point lookup, from which images are baked.
 //!
-//! Read from the embedded files once a run, and halved until they are about as fine as a baked picture.
+//! Read from the embedded files once per run, and halved to about the resolution of a baked image.
 
 use super::{Look, SURFACES, Surface, embedded};
 use image::RgbImage;
 use std::sync::{LazyLock, OnceLock};
 
-/// Pixels a metre that are left at least.
+/// Minimum resolution, pixels per metre.
 const DENSITY: f64 = 200.0;
 
-/// A surface at a point.
+/// The properties of a surface at a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// Base colour, linear RGB.
     pub color: [f32; 3],
-    /// Normal in tangent space: to the right, up, out.
+    /// Normal in tangent space: right, up, out.
     pub normal: [f32; 3],
-    /// 0 mirror-smooth to 1 dull.
+    /// From 0, mirror-smooth, to 1, dull.
     pub roughness: f32,
     /// 0 or 1.
     pub metallic: f32,
 }
 
-/// A surface without a picture.
+/// A surface without a texture.
 pub const PLAIN: Sample = Sample {
     color: [1.0; 3],
     normal: [0.0, 0.0, 1.0],
@@ -30,7 +30,7 @@ pub const PLAIN: Sample = Sample {
     metallic: 1.0,
 };
 
-/// The pictures of one surface.
+/// The maps of one surface.
 #[derive(Debug)]
 pub struct Samples {
     metres: f64,
@@ -39,10 +39,10 @@ pub struct Samples {
     orm: RgbImage,
 }
 
-/// Every look with its surface, and its samples once they are read.
+/// Every look with its surface, and its samples once loaded.
 type Shelf = Vec<(&'static Surface, &'static Look, OnceLock<Option<Samples>>)>;
 
-/// The samples of the look of that name.
+/// Returns the samples of a look by name.
 pub fn samples(name: &str) -> Option<&'static Samples> {
     static READ: LazyLock<Shelf> = LazyLock::new(|| {
         let looks = SURFACES.iter().flat_map(|surface| {
@@ -74,7 +74,7 @@ impl Samples {
         })
     }
 
-    /// The sample at a point; metres, u to the right, v up.
+    /// Returns the sample at a point; metres, u to the right, v up.
     pub fn at(&self, u: f64, v: f64) -> Sample {
         let pixel = |picture: &RgbImage| {
             picture
@@ -100,7 +100,7 @@ impl Samples {
     }
 }
 
-/// A channel of sRGB as light.
+/// Decodes an sRGB channel to linear light.
 pub fn linear(channel: u8) -> f32 {
     static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
         std::array::from_fn(|c| {
@@ -115,7 +115,7 @@ pub fn linear(channel: u8) -> f32 {
     LIGHT[usize::from(channel)]
 }
 
-/// Light as a channel of sRGB.
+/// Encodes linear light as an sRGB channel.
 pub fn encoded(light: f32) -> u8 {
     // The table is finer than a step of the darkest channel values.
     static CHANNEL: LazyLock<Vec<u8>> = LazyLock::new(|| {

@@ -1,4 +1,4 @@
-//! The surfaces that are drawn: one module for each family of materials, from formulas to colour, height and gloss.
+//! Surface textures, one module per family of materials: formulas for colour, height and gloss.
 
 pub(in crate::texture) mod bamboo;
 pub(in crate::texture) mod boards;

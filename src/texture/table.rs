@@ -1,4 +1,4 @@
-//! All surfaces with their looks. A look that ages stands behind the younger one.
+//! All surfaces with their looks. An aged look follows the younger one.
 
 use super::{Look, Surface};
 use crate::texture::surface::{
@@ -6,7 +6,7 @@ use crate::texture::surface::{
     wall_tiles, weave,
 };
 
-/// A look of a known mean.
+/// Returns a look with a known mean colour.
 const fn toned(name: &'static str, mean: u32) -> Look {
     Look {
         name,
@@ -14,7 +14,7 @@ const fn toned(name: &'static str, mean: u32) -> Look {
     }
 }
 
-/// A look of several colours, or of one that no source tells.
+/// Returns a look of several colours, or of one without a documented value.
 const fn mixed(name: &'static str) -> Look {
     Look { name, mean: None }
 }

@@ -1,4 +1,4 @@
-//! The arrays of a primitive as bytes: what glTF calls accessors, by kind.
+//! The arrays of a primitive as bytes, by kind; glTF accesses them through accessors.
 
 use super::materials::Look;
 use super::tangents::tangents;
@@ -18,7 +18,7 @@ pub(super) enum Array {
 }
 
 impl Array {
-    /// In the order of the buffer.
+    /// All kinds, in the order of the buffer.
     pub(super) const ALL: [Array; 6] = [
         Array::Positions,
         Array::Normals,
@@ -28,7 +28,7 @@ impl Array {
         Array::Indices,
     ];
 
-    /// What it tells of a vertex; `None` = indices.
+    /// Returns the vertex attribute; `None` for indices.
     pub(super) fn semantic(self) -> Option<Semantic> {
         match self {
             Array::Positions => Some(Semantic::Positions),
@@ -40,7 +40,7 @@ impl Array {
         }
     }
 
-    /// How many numbers an element has.
+    /// Returns the number of components of an element.
     pub(super) fn elements(self) -> Type {
         match self {
             Array::Positions | Array::Normals => Type::Vec3,
@@ -50,7 +50,7 @@ impl Array {
         }
     }
 
-    /// The numbers of its elements.
+    /// Returns the component type of its elements.
     pub(super) fn component(self, p: &Primitive) -> ComponentType {
         match self {
             Array::Indices if short(p.positions.len()) => ComponentType::U16,
@@ -59,7 +59,7 @@ impl Array {
         }
     }
 
-    /// Its elements.
+    /// Returns the number of its elements.
     pub(super) fn count(self, p: &Primitive) -> usize {
         match self {
             Array::Indices => p.indices.len(),
@@ -67,17 +67,17 @@ impl Array {
         }
     }
 
-    /// Bytes of an element.
+    /// Returns the size of an element, bytes.
     pub(super) fn stride(self, p: &Primitive) -> usize {
         self.component(p).size() * self.elements().multiplicity()
     }
 
-    /// Bytes in the buffer, where each array begins at a multiple of four.
+    /// Returns its size in the buffer, bytes; each array begins at a multiple of four.
     pub(super) fn length(self, p: &Primitive) -> usize {
         (self.stride(p) * self.count(p)).next_multiple_of(4)
     }
 
-    /// Whether a primitive of this look has it.
+    /// Returns true if a primitive with this look has it.
     pub(super) fn is_in(self, look: Look) -> bool {
         match self {
             Array::Tangents => look.relief,
@@ -108,17 +108,17 @@ impl Array {
     }
 }
 
-/// Whether so many vertices are numbered in 16 bits; 65,535 itself is no index, it restarts strips.
+/// Returns true if this number of vertices fits 16-bit indices; 65,535 itself is reserved as primitive restart.
 fn short(vertices: usize) -> bool {
     vertices <= 65_535
 }
 
-/// From z up to y up; adding 0 turns -0 into 0.
+/// Converts from z up to y up; adding 0 turns -0 into 0.
 fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
     [x + 0.0, z + 0.0, 0.0 - y]
 }
 
-/// Normals of other length are errors to a validator.
+/// Normalises a vector: validators reject normals of other lengths.
 pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
     let squared = n.iter().map(|x| x * x).sum::<f32>();
     if (0.9999..1.0001).contains(&squared) {
@@ -130,7 +130,7 @@ pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
     }
 }
 
-/// The least and the greatest coordinates, y up.
+/// Returns the least and greatest coordinates, y up.
 pub(super) fn bounds(positions: &[[f32; 3]]) -> ([f32; 3], [f32; 3]) {
     let (mut min, mut max) = ([f32::MAX; 3], [f32::MIN; 3]);
     for p in positions {

@@ -1,11 +1,11 @@
-//! Models for the web: instances, packed arrays, pictures for graphics cards.
+//! Compressed models for the web: instances, packed arrays, GPU textures.
 //!
-//! All nodes that show one mesh become one node with a list of places (`EXT_mesh_gpu_instancing`); the tree and its
-//! extras are given up for it. Arrays are rounded and packed by `EXT_meshopt_compression`: positions and places to
-//! an eighth of a millimetre, normals and tangents to 12 bits (`KHR_mesh_quantization`). Colours and gloss
-//! become KTX2 ([`Ktx2`]); normal maps stay JPEG, which is smaller than what keeps as much of them.
+//! All nodes that show one mesh become one node with a list of placements (`EXT_mesh_gpu_instancing`); the node tree
+//! and its extras are dropped. Arrays are quantised and packed by `EXT_meshopt_compression`: positions and placements
+//! to an eighth of a millimetre, normals and tangents to 12 bits (`KHR_mesh_quantization`). Colours and gloss become
+//! KTX2 ([`Ktx2`]); normal maps stay JPEG, which is smaller at equal quality.
 //!
-//! The packed arrays lie in buffer 0. Buffer 1 has no bytes: it is where a reader unpacks them to.
+//! The packed arrays are in buffer 0. Buffer 1 has no bytes; readers unpack into it.
 
 mod ktx2;
 mod places;
@@ -29,24 +29,24 @@ const MESHOPT: &str = "EXT_meshopt_compression";
 const QUANTIZATION: &str = "KHR_mesh_quantization";
 const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
-/// Coordinates are multiples of 2 to this, metres: a quarter of a millimetre.
+/// Coordinates are multiples of 2 to this power, metres: a quarter of a millimetre.
 const METRES: i32 = -12;
 
-/// Texture coordinates are multiples of 2 to this: a sixteenth of a pixel of 512.
+/// Texture coordinates are multiples of 2 to this power: a sixteenth of a pixel of 512.
 const REPEATS: i32 = -13;
 
-/// Quaternions are multiples of 2 to this, so that the far end of a long roof stays where it is.
+/// Quaternions are multiples of 2 to this power, fine enough for the far end of a long roof.
 const QUATERNIONS: i32 = -21;
 
-/// Shapes and places, packed.
+/// Packed shapes and placements.
 #[derive(Default)]
 pub(super) struct Packed<'a> {
-    /// Those of the pieces by their numbers, then those of places.
+    /// Accessors of the pieces by their numbers, then those of placements.
     pub(super) accessors: Vec<Accessor>,
     pub(super) nodes: Vec<Node<'a>>,
     /// The packed arrays.
     pub(super) bytes: Vec<u8>,
-    /// Bytes of the arrays when they are unpacked.
+    /// Size of the unpacked arrays, bytes.
     unpacked: usize,
 }
 
@@ -74,7 +74,7 @@ impl<'a> Packed<'a> {
         packed
     }
 
-    /// Adds the buffer that has no bytes.
+    /// Adds the buffer without bytes.
     pub(super) fn add_fallback(&self, root: &mut Root) {
         if self.unpacked > 0 {
             root.push(Buffer {
@@ -89,7 +89,7 @@ impl<'a> Packed<'a> {
         }
     }
 
-    /// Adds the arrays of all pieces: a view for each kind, and indices of 16 bits apart from those of 32.
+    /// Adds the arrays of all pieces: one view per kind, with 16-bit and 32-bit indices separate.
     fn add_shapes(&mut self, pieces: &[Piece<'_>], root: &mut Root) {
         let count = pieces.iter().map(|p| p.arrays().count()).sum();
         self.accessors = vec![accessor(ComponentType::F32, Type::Scalar); count];
@@ -118,7 +118,7 @@ impl<'a> Packed<'a> {
         }
     }
 
-    /// Adds the nodes; whether any stands in several places.
+    /// Adds the nodes; returns true if any has several placements.
     fn add_places(&mut self, scene: &'a Scene, geometry: &Geometry<'_>, root: &mut Root) -> bool {
         let (mut places, mut turns) = (Stream::floats(3), Stream::floats(4));
         let start = self.accessors.len();
@@ -162,7 +162,7 @@ impl<'a> Packed<'a> {
         places.is_some()
     }
 
-    /// Packs what a view shows.
+    /// Packs the content of a view.
     fn add_view(
         &mut self,
         stream: &Stream,
@@ -204,18 +204,18 @@ impl<'a> Packed<'a> {
     }
 }
 
-/// Says that a reader has to know an extension.
+/// Adds an extension to those that readers must support.
 pub(super) fn require(root: &mut Root, extension: &str) {
     root.extensions_used.push(extension.into());
     root.extensions_required.push(extension.into());
 }
 
-/// An extension under its name.
+/// Wraps an extension under its name.
 fn named(extension: &str, content: Value) -> Map<String, Value> {
     Map::from_iter([(extension.to_owned(), content)])
 }
 
-/// The stream that arrays of a kind go to.
+/// Returns an empty stream for arrays of a kind.
 fn empty(array: Array, component: ComponentType) -> Stream {
     match array {
         Array::Normals | Array::Tangents => Stream::directions(),
@@ -226,7 +226,7 @@ fn empty(array: Array, component: ComponentType) -> Stream {
     }
 }
 
-/// Writes the array of a piece to the end of its stream, and says where it is but for the view.
+/// Appends the array of a piece to its stream, and returns its accessor without a view.
 fn append(array: Array, piece: &Piece<'_>, stream: &mut Stream) -> Accessor {
     let source = piece.source;
     let mut made = Accessor {
@@ -265,7 +265,7 @@ fn append(array: Array, piece: &Piece<'_>, stream: &mut Stream) -> Accessor {
     made
 }
 
-/// An accessor of nothing yet.
+/// Returns an empty accessor.
 fn accessor(component: ComponentType, type_: Type) -> Accessor {
     Accessor {
         buffer_view: None,

@@ -1,5 +1,5 @@
-//! The container `.glb`: a header, the JSON, the buffer. What is written goes straight to its place; the lengths
-//! in front are filled in at the end, so that no model is in memory a second time.
+//! The container `.glb`: a header, the JSON, the buffer. Content is streamed to the output and the lengths in the
+//! headers are filled in at the end, so that no second copy of the model is in memory.
 
 use super::{Model, Places};
 use crate::backend::{Images, OutFile};
@@ -7,14 +7,14 @@ use crate::scene::{Node, Scene};
 use std::io::{self, BufWriter, Cursor, Seek, SeekFrom, Write};
 use std::ops::Range;
 
-/// The header of the file, and that of the JSON: what it is, and how long.
+/// Length of the file header and of the JSON chunk header, bytes.
 const HEADERS: u64 = 12 + 8;
 
 /// A `.glb`, ready to be written.
 pub struct Glb<'a>(Model<'a>);
 
 impl<'a> Glb<'a> {
-    /// With its pictures inside.
+    /// Creates one with embedded images.
     pub fn inside(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
         let mut model = Model::new(scene, images, None);
         model.embed();
@@ -22,7 +22,7 @@ impl<'a> Glb<'a> {
         Glb(model)
     }
 
-    /// Named `stem.glb`, and its pictures in the folder `stem_textures`.
+    /// Creates one named `stem.glb`, with its images in the folder `stem_textures`.
     pub fn beside(
         scene: &'a Scene,
         images: &'a dyn Images,
@@ -34,7 +34,8 @@ impl<'a> Glb<'a> {
         (Glb(model), files)
     }
 
-    /// Some houses of a scene, each by its nodes: what [`beside`](Glb::beside) shows of them, with the pictures of that.
+    /// Creates one of some houses of a scene, given by their nodes: the part of [`beside`](Glb::beside) that shows
+    /// them, with its images.
     pub(crate) fn houses(
         scene: &'a Scene,
         images: &'a dyn Images,
@@ -47,8 +48,8 @@ impl<'a> Glb<'a> {
         Glb(model)
     }
 
-    /// The nodes that are written, each with its number in the scene, in the order of those in the file; none of a
-    /// packed model, whose nodes are others.
+    /// Returns the written nodes, each with its number in the scene, in file order; none for a packed model, whose
+    /// nodes differ.
     pub(crate) fn nodes(&self) -> impl Iterator<Item = (usize, &'a Node)> {
         let tree = match &self.0.places {
             Places::Tree(tree) => Some(tree),
@@ -58,8 +59,8 @@ impl<'a> Glb<'a> {
         tree.into_iter().flat_map(|tree| tree.written())
     }
 
-    /// For the web, with its pictures inside: instances and packed arrays. The pictures of
-    /// [`Ktx2`](super::Ktx2) go with it.
+    /// Creates one for the web with embedded images: instances and packed arrays. Use it with the images of
+    /// [`Ktx2`](super::Ktx2).
     #[cfg(feature = "compress")]
     pub fn compressed(scene: &'a Scene, images: &'a dyn Images) -> Glb<'a> {
         let mut model = Model::packed(scene, images);
@@ -68,10 +69,10 @@ impl<'a> Glb<'a> {
         Glb(model)
     }
 
-    /// Writes it from where `out` stands; returns how many bytes there are.
+    /// Writes it at the current position of `out`; returns the number of bytes.
     ///
     /// # Errors
-    /// Those of `out`, and more than 4 GiB, which no `.glb` holds.
+    /// Errors of `out`, and models above 4 GiB, the limit of `.glb`.
     pub fn write(&self, out: impl Write + Seek) -> io::Result<u64> {
         let length = self.pour(out)?;
         if length > u64::from(u32::MAX) {
@@ -81,7 +82,7 @@ impl<'a> Glb<'a> {
         Ok(length)
     }
 
-    /// The whole file.
+    /// Returns the whole file.
     pub fn bytes(&self) -> Vec<u8> {
         // A guess at the JSON; too much of it costs nothing, since untouched memory is not there.
         let nodes = self.0.nodes();

@@ -1,4 +1,4 @@
-//! The JSON of a model: the long lists are made item by item while they are written, the rest stands in a root.
+//! The JSON of a model: long lists are produced item by item during writing, the rest is in a root.
 
 #[cfg(feature = "compress")]
 use super::compress::Packed;
@@ -21,7 +21,7 @@ struct Document<'a, A, M, N> {
     nodes: Option<N>,
 }
 
-/// A list that exists only while it is written.
+/// A list that is produced while it is written.
 struct Listed<F>(F);
 
 impl<F, I> Serialize for Listed<F>

@@ -1,5 +1,5 @@
-//! Meshes: which are shown, and where their arrays lie in the buffer. Accessors, meshes and bytes are made
-//! one by one while they are written: a town has hundreds of thousands.
+//! Meshes: selects those that nodes show, and lays out their arrays in the buffer. Accessors, meshes and bytes are
+//! produced one by one during writing, since a town has hundreds of thousands.
 
 use super::arrays::{Array, bounds};
 use super::materials::{Look, Looks};
@@ -12,11 +12,11 @@ use gltf::json::validation::Checked::Valid;
 use gltf::json::{Accessor, Index, Mesh, Root};
 use std::io::{self, Write};
 
-/// What nodes show, by the scene's numbers: other meshes and materials would only make the file larger.
+/// The meshes and materials that nodes show, by their numbers in the scene; others would only make the file larger.
 pub(super) struct Shown<'a> {
     /// Primitives that can be written, each with the number of its mesh.
     primitives: Vec<(usize, &'a scene::Primitive)>,
-    /// Whether a material is on one of them.
+    /// For each material, true if it is on one of them.
     pub(super) materials: Vec<bool>,
 }
 
@@ -49,13 +49,13 @@ impl<'a> Shown<'a> {
 
 /// A primitive to be written.
 pub(super) struct Piece<'a> {
-    /// The scene's number of its mesh.
+    /// The number of its mesh in the scene.
     mesh: usize,
     pub(super) source: &'a scene::Primitive,
     pub(super) look: Look,
     /// Its first accessor; those of its other arrays follow.
     pub(super) first: u32,
-    /// Where its arrays lie in the view of each kind.
+    /// Offsets of its arrays in the view of each kind.
     offsets: [usize; Array::ALL.len()],
 }
 
@@ -65,16 +65,16 @@ pub(super) struct Geometry<'a> {
     numbers: Vec<Option<Index<Mesh>>>,
     names: &'a [scene::Mesh],
     pieces: Vec<Piece<'a>>,
-    /// Each kind of array that occurs has one view.
+    /// One view per kind of array that occurs.
     views: [Option<Index<View>>; Array::ALL.len()],
-    /// Bytes in the view of each kind.
+    /// Size of the view of each kind, bytes.
     lengths: [usize; Array::ALL.len()],
-    /// Bytes of all views.
+    /// Size of all views, bytes.
     length: usize,
 }
 
 impl<'a> Geometry<'a> {
-    /// Lays everything out.
+    /// Lays out all arrays.
     pub(super) fn new(scene: &'a Scene, shown: Shown<'a>, looks: &Looks<'a>) -> Geometry<'a> {
         let mut geometry = Geometry {
             numbers: vec![None; scene.meshes.len()],
@@ -132,29 +132,29 @@ impl<'a> Geometry<'a> {
         self.length += length;
     }
 
-    /// Whether there is nothing to see.
+    /// Returns true if there is nothing to show.
     pub(super) fn is_empty(&self) -> bool {
         self.pieces.is_empty()
     }
 
-    /// All primitives, in the order of their accessors.
+    /// Returns all primitives, in the order of their accessors.
     #[cfg(feature = "compress")]
     pub(super) fn pieces(&self) -> &[Piece<'a>] {
         &self.pieces
     }
 
-    /// Bytes of all views.
+    /// Returns the size of all views, bytes.
     pub(super) fn length(&self) -> usize {
         self.length
     }
 
-    /// The glTF number of what a node shows.
+    /// Returns the glTF number of a node's mesh.
     pub(super) fn mesh(&self, node: &scene::Node) -> Option<Index<Mesh>> {
         let mesh = node.mesh?.0 as usize;
         self.numbers.get(mesh).copied().flatten()
     }
 
-    /// In the order of their numbers.
+    /// Returns the meshes in the order of their numbers.
     pub(super) fn meshes(&self) -> impl Iterator<Item = Mesh> {
         let meshes = self.pieces.chunk_by(|a, b| a.mesh == b.mesh);
         meshes.map(|pieces| {
@@ -169,7 +169,7 @@ impl<'a> Geometry<'a> {
         })
     }
 
-    /// In the order of their numbers.
+    /// Returns the accessors in the order of their numbers.
     pub(super) fn accessors(&self) -> impl Iterator<Item = Accessor> {
         let accessor = |(piece, array): (&Piece<'_>, Array)| Accessor {
             buffer_view: self.views[array as usize],
@@ -194,7 +194,7 @@ impl<'a> Geometry<'a> {
 }
 
 impl Piece<'_> {
-    /// In the order of their accessors.
+    /// Returns the arrays of a primitive in the order of their accessors.
     pub(super) fn arrays(&self) -> impl Iterator<Item = Array> + use<> {
         let look = self.look;
         Array::ALL.into_iter().filter(move |a| a.is_in(look))
@@ -245,7 +245,7 @@ impl Piece<'_> {
     }
 }
 
-/// Of the one buffer.
+/// Returns a view of the single buffer.
 pub(super) fn view(offset: usize, length: usize) -> View {
     View {
         buffer: Index::new(0),

@@ -1,4 +1,4 @@
-//! Materials with their textures, pictures and samplers.
+//! Materials with their textures, images and samplers.
 
 use super::geometry::{Shown, view};
 use crate::backend::images::{KTX2, mime};
@@ -24,13 +24,13 @@ use std::io::{self, Write};
 /// The extensions of a pane.
 const GLASS: [&str; 2] = ["KHR_materials_ior", "KHR_materials_specular"];
 
-/// The extension of pictures in KTX2.
+/// The extension for KTX2 images.
 const BASISU: &str = "KHR_texture_basisu";
 
-/// Window glass; what the share of mirrored light adds is the specular factor.
+/// Refractive index of window glass; the additional share of reflected light becomes the specular factor.
 const IOR: f32 = 1.5;
 
-/// A picture in use.
+/// An image in use.
 struct Picture<'a> {
     name: Cow<'a, str>,
     bytes: &'a [u8],
@@ -46,20 +46,20 @@ struct Drawn<'a> {
     orm: Option<Index<Texture>>,
 }
 
-/// What the geometry needs to know of a material.
+/// The properties of a material that affect geometry.
 #[derive(Clone, Copy)]
 pub(super) struct Look {
     /// Its glTF number.
     pub(super) number: Index<Material>,
-    /// Metres of one repeat if it shows a picture.
+    /// Length of one repeat if it has a texture, metres.
     pub(super) metres: Option<f32>,
-    /// Whether it has normals, which need tangents.
+    /// True if it has normals, which need tangents.
     pub(super) relief: bool,
-    /// Whether it shows what it mirrors, by texture coordinates of its own.
+    /// True if it shows a reflection, with texture coordinates of its own.
     pub(super) mirrors: bool,
 }
 
-/// How everything looks.
+/// The looks of all materials.
 #[derive(Default)]
 pub(super) struct Looks<'a> {
     pictures: Vec<Picture<'a>>,
@@ -102,12 +102,12 @@ impl<'a> Looks<'a> {
         looks
     }
 
-    /// How a material in use looks.
+    /// Returns the look of a material in use.
     pub(super) fn look(&self, id: MaterialId) -> Look {
         self.looks[id.0 as usize]
     }
 
-    /// Places the pictures in the buffer, from this byte on; returns where they end.
+    /// Places the images in the buffer, from this byte on; returns their end.
     pub(super) fn embed(&self, root: &mut Root, start: usize) -> usize {
         let mut end = start;
         for picture in &self.pictures {
@@ -123,7 +123,7 @@ impl<'a> Looks<'a> {
         end
     }
 
-    /// Writes the pictures as [`embed`](Looks::embed) places them.
+    /// Writes the images as [`embed`](Looks::embed) places them.
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         for Picture { bytes, .. } in &self.pictures {
             let gap = bytes.len().next_multiple_of(4) - bytes.len();
@@ -133,7 +133,7 @@ impl<'a> Looks<'a> {
         Ok(())
     }
 
-    /// The pictures as files in the folder of the model.
+    /// Returns the images as files in the folder of the model.
     pub(super) fn files(&self, root: &mut Root, stem: &str) -> Vec<OutFile<'a>> {
         let folder = picture_folder(stem);
         let file = |picture: &Picture<'a>| {
@@ -245,7 +245,7 @@ impl<'a> Looks<'a> {
         Some(root.push(texture))
     }
 
-    /// Two pictures of one name (from two folders) must not overwrite each other.
+    /// Returns a name that is not in use: two images of one name (from two folders) must not overwrite each other.
     fn free_name(&self, name: Cow<'a, str>) -> Cow<'a, str> {
         let taken = |n: &str| self.pictures.iter().any(|p| p.name.eq_ignore_ascii_case(n));
         let numbered = |k: usize| format!("{k}_{name}");
@@ -258,7 +258,7 @@ impl<'a> Looks<'a> {
 }
 
 impl Picture<'_> {
-    /// Its JSON but for the place.
+    /// Returns its JSON, except for its location.
     fn image(&self) -> Image {
         let stem = self.name.rsplit_once('.').map(|(stem, _)| stem);
         Image {
@@ -339,7 +339,7 @@ fn glass(reflection: f32) -> Extensions {
     }
 }
 
-/// Makes a picture that is none of the format's own the source of a texture by the extension alone.
+/// Makes an image in a format outside core glTF the source of a texture by the extension alone.
 fn basisu(texture: &mut Texture) {
     let source = std::mem::replace(&mut texture.source, Index::new(u32::MAX));
     let others = [(BASISU.to_owned(), serde_json::json!({ "source": source }))];

@@ -1,5 +1,5 @@
-//! The tree of nodes: house, storey, facade, part; house, roof. Most of the JSON are nodes, and a town has half
-//! a million: they are written straight from the scene, in types that borrow from it.
+//! The tree of nodes: house, storey, facade, part; house, roof. Nodes make up most of the JSON, and a town has half a
+//! million: they are written directly from the scene, in types that borrow from it.
 
 use super::geometry::Geometry;
 use crate::backend::number::Number;
@@ -12,8 +12,8 @@ use serde::{Serialize, Serializer};
 use std::iter;
 use std::ops::Range;
 
-/// A node of glTF. Its translation is f64, unlike that of the `gltf` crate: f32 would lose millimetres of a
-/// house with map coordinates.
+/// A glTF node. Its translation is f64, unlike in the `gltf` crate: f32 would lose millimetres on a house with map
+/// coordinates.
 #[derive(Serialize)]
 pub(super) struct Node<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -28,7 +28,7 @@ pub(super) struct Node<'a> {
     translation: Option<[Number; 3]>,
 }
 
-/// docs/contract.md 6.
+/// The extras of a node (docs/contract.md 6).
 #[derive(Serialize)]
 struct Extras<'a> {
     kind: &'static str,
@@ -38,14 +38,14 @@ struct Extras<'a> {
     storey: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     span: Option<Span>,
-    /// The file of the span, by its number in the order of reading; the first is not named.
+    /// The file of the span, by its number in reading order; omitted for the first.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<u16>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<&'a str>,
 }
 
-/// The children of a node: the first of them, and the tree that knows who follows.
+/// The children of a node: the first child, and the tree with the sibling links.
 struct Children<'a>(u32, &'a Tree<'a>);
 
 impl Serialize for Children<'_> {
@@ -55,7 +55,7 @@ impl Serialize for Children<'_> {
     }
 }
 
-/// The nodes that are written.
+/// The nodes to write.
 pub(super) struct Tree<'a> {
     nodes: &'a [scene::Node],
     /// By the scene's number.
@@ -63,7 +63,7 @@ pub(super) struct Tree<'a> {
     first_root: Option<u32>,
 }
 
-/// A node among its relatives, which go by the numbers of the scene.
+/// The links of a node, as numbers in the scene.
 #[derive(Clone, Copy, Default)]
 struct Link {
     /// Its glTF number, if it is written.
@@ -73,7 +73,8 @@ struct Link {
 }
 
 impl<'a> Tree<'a> {
-    /// Numbers the nodes in preorder, all of them or those of some houses, and adds the scene of the roots if there are any.
+    /// Numbers the nodes in preorder, all of them or those of some houses, and adds the scene of the roots if there are
+    /// any.
     pub(super) fn new(
         scene: &'a Scene,
         houses: Option<&[Range<usize>]>,
@@ -118,23 +119,23 @@ impl<'a> Tree<'a> {
         tree
     }
 
-    /// Whether there are none.
+    /// Returns true if there are no nodes.
     pub(super) fn is_empty(&self) -> bool {
         self.first_root.is_none()
     }
 
-    /// About how many there are: those that are left out count too.
+    /// Returns an upper bound of their number, which includes nodes that are left out.
     pub(super) fn len(&self) -> usize {
         self.links.len()
     }
 
-    /// Those that are written, each with its number in the scene.
+    /// Returns the written nodes, each with its number in the scene.
     pub(super) fn written(&self) -> impl Iterator<Item = (usize, &'a scene::Node)> + use<'a, '_> {
         let all = self.nodes.iter().enumerate().zip(&self.links);
         all.filter_map(|(both, link)| link.number.map(|_| both))
     }
 
-    /// In the order of their numbers.
+    /// Returns the glTF nodes in the order of their numbers.
     pub(super) fn nodes(&self, geometry: &Geometry<'_>) -> impl Iterator<Item = Node<'_>> {
         let both = self.nodes.iter().zip(&self.links);
         let written = both.filter(|(_, link)| link.number.is_some());
@@ -144,12 +145,12 @@ impl<'a> Tree<'a> {
         })
     }
 
-    /// A node and those after it under the same parent.
+    /// Returns a node and its following siblings.
     fn siblings(&self, first: Option<u32>) -> impl Iterator<Item = u32> {
         iter::successors(first, |i| self.links[*i as usize].next_sibling)
     }
 
-    /// The glTF number of a node that is written.
+    /// Returns the glTF number of a written node.
     fn number(&self, i: u32) -> u32 {
         self.links[i as usize].number.unwrap_or_default()
     }
@@ -184,7 +185,7 @@ fn parent(scene: &Scene, i: usize) -> Option<usize> {
     parent.filter(|&p| p < i)
 }
 
-/// Which nodes show something, or stand above one that does, or are houses.
+/// Returns for each node true if it is written: if it or a descendant has a mesh, or if it is a house.
 fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
     let count = scene.nodes.len();
     let mut sound = vec![true; count];
@@ -202,8 +203,8 @@ fn kept(scene: &Scene, geometry: &Geometry<'_>) -> Vec<bool> {
     keep
 }
 
-/// The quaternion of a turn (cos, sin) about the vertical by half-angle formulas: square roots are exact to
-/// the last bit on every machine, sines are not. `None` = no turn.
+/// Returns the quaternion of a rotation (cos, sin) about the vertical by half-angle formulas: square roots are
+/// correctly rounded on every machine, sines are not. `None` = no rotation.
 pub(super) fn rotation(turn: DVec2) -> Option<[f32; 4]> {
     let DVec2 { x: cos, y: sin } = turn.try_normalize().unwrap_or(DVec2::X);
     let (y, w) = if cos >= 0.0 {

@@ -1,12 +1,12 @@
-//! Tangents: the direction in which u grows, for materials with relief. glTF wants them beside the normals,
-//! else each renderer guesses its own.
+//! Tangents: the direction in which u grows, for materials with normal maps. glTF expects them with the normals;
+//! without them each renderer computes its own.
 
 use super::arrays::unit;
 use crate::scene::Primitive;
 use glam::{Vec2, Vec3};
 
-/// One a vertex, at right angles to its normal: x, y, z in the scene's frame, then 1 where v grows along
-/// normal x tangent and -1 where the picture is mirrored.
+/// Returns one tangent per vertex, at right angles to its normal: x, y, z in the scene's frame, then 1 if v grows along
+/// normal x tangent and -1 if the texture is mirrored.
 pub(super) fn tangents(p: &Primitive) -> Vec<[f32; 4]> {
     let mut sums = vec![(Vec3::ZERO, 0.0f32); p.positions.len()];
     for triangle in p.indices.chunks_exact(3) {

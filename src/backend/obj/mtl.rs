@@ -5,10 +5,10 @@ use crate::backend::{Images, OutFile, PictureBytes, one_word};
 use crate::scene::{Image, Material, Scene};
 use std::fmt::Write as _;
 
-/// Share of the colour in shadow, as in the sample of 000-39 (Ka 0.5, Kd 0.8).
+/// Ratio of ambient to diffuse colour, as in the sample of 000-39 (Ka 0.5, Kd 0.8).
 const SHADE: f64 = 0.5 / 0.8;
 
-/// The text, and the pictures it names in `folder`.
+/// Returns the text, and the images to which it refers in `folder`.
 pub(super) fn mtl<'a>(
     scene: &Scene,
     used: &[bool],
@@ -42,7 +42,8 @@ pub(super) fn mtl<'a>(
     (out, files)
 }
 
-/// What a material mirrors. There is one set of texture coordinates, so that what has a picture of its own keeps that.
+/// Returns the reflection of a material. There is one set of texture coordinates, so a material with a texture of its
+/// own keeps it.
 pub(super) fn mirrored<'a>(m: &Material, images: &'a dyn Images) -> Option<PictureBytes<'a>> {
     let own = matches!(m.image, Image::Picture(_));
     images.mirrored(m.mirrored.filter(|_| !own)?)
@@ -73,7 +74,7 @@ fn plain(out: &mut String, m: &Material, mirrors: bool) {
     }
 }
 
-/// A linear share as screens encode it (sRGB): MTL is older than linear light.
+/// Encodes a linear value as sRGB: MTL predates linear workflows.
 fn display(linear: f64) -> f64 {
     if linear <= 0.003_130_8 {
         12.92 * linear
@@ -82,8 +83,7 @@ fn display(linear: f64) -> f64 {
     }
 }
 
-/// The path of a picture, which is added to the files where it is new; another picture of the same name gets
-/// a number.
+/// Returns the path of an image and adds it to the files if it is new; another image of the same name gets a number.
 fn file<'a>(files: &mut Vec<OutFile<'a>>, picture: &PictureBytes<'a>, folder: &str) -> String {
     let mut k = 1;
     loop {

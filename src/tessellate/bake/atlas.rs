@@ -1,4 +1,4 @@
-//! Baked pictures side by side on square pages: few materials for many parts.
+//! Packs baked images onto square pages, so that many parts need few materials.
 
 use crate::scene::Baked;
 use crate::tessellate::bake::Picture;
@@ -8,10 +8,10 @@ use image::{RgbImage, RgbaImage};
 /// Side of a page, pixels.
 const SIDE: u32 = 1024;
 
-/// Pixels round a picture that repeat its edge, so that neighbours do not shine through from afar.
+/// Pixels around an image that repeat its border, so that neighbours do not bleed in at smaller mip levels.
 const MARGIN: u32 = 4;
 
-/// Where a picture went.
+/// The place of an image in the atlas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::tessellate) struct Spot {
     /// Index of the page.
@@ -20,14 +20,14 @@ pub(in crate::tessellate) struct Spot {
     pub(in crate::tessellate) uv: [[f32; 2]; 2],
 }
 
-/// Pages under construction: those of whole pictures and those of pictures with holes.
+/// The pages under construction: those of opaque images and those of images with holes.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Atlas {
     pub(in crate::tessellate) pages: Vec<Baked>,
     shelves: Vec<Shelf>,
 }
 
-/// A row of pictures on a page.
+/// A row of images on a page.
 #[derive(Debug)]
 struct Shelf {
     page: u32,
@@ -38,7 +38,7 @@ struct Shelf {
 }
 
 impl Atlas {
-    /// Puts a picture on the page that has room for it.
+    /// Places an image on a page that has room for it.
     pub(in crate::tessellate) fn place(&mut self, picture: &Picture) -> Spot {
         let (w, h) = picture.color.dimensions();
         let (x, y, page) = self.room(w + 2 * MARGIN, h + 2 * MARGIN, picture.holes);
@@ -70,8 +70,8 @@ impl Atlas {
         }
     }
 
-    /// Cuts off what is left empty of every page. Returns by how much the distance from the upper edge grows in
-    /// texture coordinates, page by page.
+    /// Crops the unused part of every page. Returns, page by page, the factor by which distances from the upper edge
+    /// grow in texture coordinates.
     pub(in crate::tessellate) fn trim(&mut self) -> Vec<f32> {
         let shelves = &self.shelves;
         let trimmed = self.pages.iter_mut().enumerate().map(|(page, baked)| {
@@ -87,7 +87,7 @@ impl Atlas {
         trimmed.collect()
     }
 
-    /// The corner of a free place and its page; the lowest shelf that is high enough, else a new one.
+    /// Finds a free corner and its page: on the lowest shelf that is high enough, otherwise on a new one.
     fn room(&mut self, w: u32, h: u32, holes: bool) -> (u32, u32, u32) {
         let fits = |s: &&mut Shelf| s.holes == holes && s.height >= h && s.used + w <= SIDE;
         let best = self
@@ -112,7 +112,7 @@ impl Atlas {
         (0, foot, page)
     }
 
-    /// A page with a free strip of this height, and where it starts.
+    /// Finds a page with a free strip of this height, and the start of the strip.
     fn strip(&mut self, h: u32, holes: bool) -> (u32, u32) {
         let last = self.shelves.iter().rev().find(|s| s.holes == holes);
         if let Some(shelf) = last {

@@ -1,6 +1,6 @@
-//! Bracket complexes (組物 kumimono): on each post a bearing block (大斗 daito), then arms (肘木 hijiki) with small
-//! blocks (斗 masu) that step out once a level, until the last carries the purlin; with three steps a tail rafter
-//! (尾垂木 odaruki) presses down on it. At detail 1 a stepped corbel.
+//! Bracket complexes (組物 kumimono): on each post a bearing block (大斗 daito), then arms (肘木 hijiki) with small blocks (斗
+//! masu) that step out once per level, until the last carries the purlin. With three steps a tail rafter (尾垂木 odaruki)
+//! bears down on it. At detail 1, a stepped corbel.
 //!
 //! Frame of a complex: x along the wall, y into the house, z up from the top of the post.
 
@@ -13,19 +13,19 @@ use crate::tessellate::store::tenths;
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::FRAC_1_SQRT_2;
 
-/// Which complex stands on a post.
+/// The form of a complex on a post.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Form {
-    /// In a straight wall.
+    /// On a straight wall.
     Straight,
-    /// At a corner: the way out by the other wall, in the frame of the complex, in thousandths.
+    /// At a corner: the outward direction of the other wall, in the frame of the complex, in thousandths.
     Corner([i32; 2]),
     /// Between posts: a strut with one block.
     Strut,
 }
 
 impl Form {
-    /// That of a post.
+    /// The form for the head of a post.
     pub(super) fn of(head: &Head) -> Form {
         match head.corner {
             None => Form::Straight,
@@ -39,7 +39,7 @@ impl Form {
     }
 }
 
-/// All that the mesh of a complex depends on; lengths in tenths of a millimetre.
+/// The key of a complex's mesh: everything it depends on; lengths in tenths of a millimetre.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Key {
     form: Form,
@@ -59,7 +59,7 @@ impl Key {
     }
 }
 
-/// Everything that runs along the walls.
+/// Builds the beams along the walls.
 pub(super) fn beams(it: &Brackets, detail: Detail) -> Bodies {
     let mut bodies = Bodies::default();
     for wall in &it.frieze {
@@ -71,7 +71,7 @@ pub(super) fn beams(it: &Brackets, detail: Detail) -> Bodies {
     bodies
 }
 
-/// One complex.
+/// Builds one complex.
 pub(super) fn head(it: &Brackets, form: Form, detail: Detail) -> Bodies {
     let mut carver = Carver {
         bodies: Bodies::default(),
@@ -94,19 +94,19 @@ pub(super) fn head(it: &Brackets, form: Form, detail: Detail) -> Bodies {
     carver.bodies
 }
 
-/// One that makes a complex.
+/// Builds the members of one complex.
 struct Carver<'a> {
     bodies: Bodies,
     it: &'a Brackets,
-    /// From one arm to the next above it.
+    /// Height from one arm to the next above it, metres.
     level: f64,
-    /// Of arms, across.
+    /// Width of arms, metres.
     thick: f64,
     detail: Detail,
 }
 
 impl Carver<'_> {
-    /// A block whose lower part narrows (斗繰り), with its middle at a place.
+    /// Adds a block centred on a point, its lower part tapered (斗繰り).
     fn block(&mut self, at: DVec2, way: DVec2, width: f64, (foot, top): (f64, f64)) {
         let side = dvec2(-way.y, way.x);
         let half = width / 2.0;
@@ -130,7 +130,7 @@ impl Carver<'_> {
         self.bodies.face(paint, &foot);
     }
 
-    /// An arm between two places of its middle line, its lower ends cut to a curve.
+    /// Adds an arm between two points of its centre line, its lower ends cut to a curve.
     fn arm(&mut self, from: DVec2, to: DVec2, (foot, top): (f64, f64), cut: [bool; 2]) {
         let way = (to - from).normalize_or_zero();
         let length = from.distance(to);
@@ -169,12 +169,12 @@ impl Carver<'_> {
         }
     }
 
-    /// Whether ends are painted yellow: on red timber.
+    /// Returns true if member ends are painted yellow: on red timber.
     fn painted(&self) -> bool {
         self.it.paint == SurfaceId::named("vermilion")
     }
 
-    /// The yellow end of a member.
+    /// Adds the yellow end of a member.
     fn end(&mut self, at: DVec2, out: DVec2, z: (f64, f64)) {
         let ochre = SurfaceId::named("ochre");
         super::block(
@@ -187,7 +187,7 @@ impl Carver<'_> {
         );
     }
 
-    /// Foot and top of an arm of a level, and top of the blocks on it.
+    /// Returns the foot and top of the arms of a level, and the top of the blocks on them.
     fn heights(&self, k: u32) -> (f64, f64, f64) {
         let base = self.level * f64::from(k);
         let foot = if k == 0 { 0.22 } else { -0.10 };
@@ -198,7 +198,7 @@ impl Carver<'_> {
         )
     }
 
-    /// How far the arms of a level stand out.
+    /// Returns how far the arms of a level project, metres.
     fn offset(&self, k: u32) -> f64 {
         match self.it.steps {
             0 => 0.0,
@@ -206,7 +206,7 @@ impl Carver<'_> {
         }
     }
 
-    /// A complex that steps out along some ways, at corners also between them.
+    /// Adds a complex that steps out in some directions, at corners also diagonally.
     fn complex(&mut self, ways: &[DVec2], between: Option<DVec2>) {
         let post = self.it.post;
         let daito = post.max(self.thick * 2.4) * 1.08;
@@ -221,7 +221,8 @@ impl Carver<'_> {
         }
     }
 
-    /// The arms along one way, `by` times as far out; across them others, where the way leads out of a wall.
+    /// Adds the arms in one direction, their steps scaled by `by`, and cross arms where the direction leads out of a
+    /// wall.
     fn steps(&mut self, way: DVec2, by: f64, wall: bool) {
         let (n, post) = (self.it.steps, self.it.post);
         let side = dvec2(-way.y, way.x);
@@ -258,7 +259,7 @@ impl Carver<'_> {
         }
     }
 
-    /// An arm along the wall with three blocks.
+    /// Adds an arm parallel to the wall with three blocks.
     fn across(
         &mut self,
         (at, side): (DVec2, DVec2),
@@ -277,7 +278,7 @@ impl Carver<'_> {
         }
     }
 
-    /// The tail rafter under the last step, which runs down and out beyond it.
+    /// Adds the tail rafter under the last step, sloping down and outwards beyond it.
     fn tail(&mut self, way: DVec2, by: f64) {
         let reach = self.it.reach * by;
         let (deep, slope) = (self.level * 0.42, 0.32 / by);
@@ -308,7 +309,7 @@ impl Carver<'_> {
         }
     }
 
-    /// A strut with a block (間斗束 kentozuka).
+    /// Adds a strut with a block (間斗束 kentozuka).
     fn strut(&mut self) {
         let (_, top, next) = self.heights(0);
         let width = self.it.post * 0.42;
@@ -327,7 +328,7 @@ impl Carver<'_> {
         }
     }
 
-    /// Boxes that step out as far.
+    /// Adds boxes that step out as far as the arms would.
     fn corbel(&mut self, way: DVec2, by: f64) {
         let (n, post) = (self.it.steps, self.it.post);
         for k in 0..=n {

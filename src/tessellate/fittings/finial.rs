@@ -1,4 +1,4 @@
-//! What crowns a roof: a jewel on a dew basin here, fish tails at the ends of a ridge; pagodas and shrines have files
+//! Finials: a jewel on a dew basin, and fish tails at the ends of a ridge. Pagoda masts and shrine ridges have modules
 //! of their own.
 
 use super::lathe::turned;
@@ -26,7 +26,7 @@ pub(super) fn bodies(it: &Finial, detail: Detail) -> Bodies {
     bodies
 }
 
-/// How many sides round things have.
+/// Number of sides of round bodies at a detail.
 pub(super) fn sides(detail: Detail) -> usize {
     match detail {
         Detail::Body => 6,
@@ -36,7 +36,7 @@ pub(super) fn sides(detail: Detail) -> usize {
     }
 }
 
-/// A square basin, a lotus, and a jewel with a point.
+/// Adds a square basin, a lotus and a pointed jewel.
 fn hoju(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     let tile = SurfaceId::named("ibushi");
     let foot = at - DVec3::Z * (h * 0.25);
@@ -75,7 +75,7 @@ fn hoju(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     turned(bodies, tile, foot, &profile, sides(detail));
 }
 
-/// A fish tail at one end of a ridge, its fin curved inwards.
+/// Adds a fish tail at one end of a ridge, its fin curved inwards.
 fn shibi(bodies: &mut Bodies, end: DVec3, other: DVec3, h: f64) {
     let out = (end - other).truncate().normalize_or(DVec2::X);
     let side = DVec2::new(-out.y, out.x) * (h * 0.16);

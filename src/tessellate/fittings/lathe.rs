@@ -1,15 +1,16 @@
-//! Bodies of revolution round an upright axis.
+//! Bodies of revolution around a vertical axis.
 
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::Bodies;
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 
-/// Radii nearer to the axis than this lie on it, metres.
+/// Radii smaller than this count as zero, metres.
 const AXIS: f64 = 1e-4;
 
-/// Turns a profile of (radius, height) round the axis through `at`. It runs upwards along the outside, from the axis
-/// to the axis, or back to its start where it bounds a ring. Neighbouring faces that bend little share their normals.
+/// Revolves a profile of (radius, height) around the vertical axis through `at`. The profile runs upwards along the
+/// outside, from axis to axis, or back to its start if it bounds a ring. Neighbouring faces at a small angle share
+/// their normals.
 pub(super) fn turned(
     bodies: &mut Bodies,
     finish: SurfaceId,

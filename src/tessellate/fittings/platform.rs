@@ -1,5 +1,5 @@
-//! A platform of cut stone (壇上積 danjō-zumi): a course on the ground, panels between short posts, an edge course
-//! that stands out; and stairs between cheeks.
+//! Platforms of cut stone (壇上積 danjō-zumi): a ground course, panels between short posts and a projecting edge course;
+//! stairs between cheeks.
 
 use super::block;
 use crate::building::fittings::{Platform, Stairs};
@@ -8,16 +8,16 @@ use crate::scene::Detail;
 use crate::tessellate::mesh::{Axis, Bodies};
 use glam::{DVec2, dvec2};
 
-/// How far courses stand out before the panels, metres.
+/// How far courses project beyond the panels, metres.
 const OUT: f64 = 0.06;
 
-/// About how wide a panel is, metres.
+/// Approximate width of a panel, metres.
 const PANEL: f64 = 1.5;
 
-/// How far stairs reach into what they lead up to, metres.
+/// How far stairs extend into the platform they lead to, metres.
 const INTO: f64 = 0.1;
 
-/// How far foundations reach into the ground, metres.
+/// How far foundations extend into the ground, metres.
 const SUNK: f64 = 0.15;
 
 pub(super) fn bodies(it: &Platform, detail: Detail) -> Bodies {
@@ -48,7 +48,7 @@ pub(super) fn bodies(it: &Platform, detail: Detail) -> Bodies {
     bodies
 }
 
-/// A convex or right-angled outline moved outwards.
+/// Offsets a convex or right-angled outline outwards.
 fn grown(points: &[DVec2], by: f64) -> Vec<DVec2> {
     let n = points.len();
     let edge = |i: usize| (points[(i + 1) % n] - points[i % n]).normalize_or_zero();
@@ -61,7 +61,7 @@ fn grown(points: &[DVec2], by: f64) -> Vec<DVec2> {
     (0..n).map(corner).collect()
 }
 
-/// Short posts between the panels.
+/// Adds the short posts between the panels.
 fn posts(bodies: &mut Bodies, it: &Platform, z: (f64, f64)) {
     let n = it.outline.len();
     for i in 0..n {
@@ -86,7 +86,7 @@ fn posts(bodies: &mut Bodies, it: &Platform, z: (f64, f64)) {
     }
 }
 
-/// Steps and their cheeks.
+/// Adds steps and their cheeks.
 pub(super) fn flight(bodies: &mut Bodies, it: &Stairs, finish: SurfaceId, detail: Detail) {
     let rise = it.z.1 - it.z.0;
     let count = ((rise / 0.2).ceil() as u32).clamp(1, 120);

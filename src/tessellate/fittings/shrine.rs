@@ -1,4 +1,4 @@
-//! The ridge of a shrine: crossed boards (千木 chigi) at its ends, logs (鰹木 katsuogi) across it between them.
+//! Shrine ridges: crossed boards (千木 chigi) at the ends, logs (鰹木 katsuogi) across the ridge between them.
 
 use super::finial::sides;
 use crate::building::fittings::Finial;
@@ -8,7 +8,7 @@ use crate::tessellate::mesh::Bodies;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// Rise of the crossed boards.
+/// Slope of the crossed boards, rise over run.
 const SLOPE: f64 = 1.15;
 
 pub(super) fn chigi(bodies: &mut Bodies, it: &Finial, detail: Detail) {
@@ -58,7 +58,7 @@ pub(super) fn chigi(bodies: &mut Bodies, it: &Finial, detail: Detail) {
     }
 }
 
-/// A log that narrows towards its ends.
+/// Adds a log that tapers towards its ends.
 fn log(bodies: &mut Bodies, (at, way, half): (DVec3, DVec2, f64), r: f64, n: usize) {
     let wood = SurfaceId::named("hinoki");
     let side = DVec2::new(-way.y, way.x);

@@ -1,5 +1,5 @@
-//! The mast of a pagoda (相輪 sōrin): dew basin, inverted bowl, flower, nine rings, water-flame, dragon ball, jewel.
-//! Shares of the height after Horyu-ji's.
+//! Pagoda masts (相輪 sōrin): dew basin, inverted bowl, flower, nine rings, water-flame, dragon ball, jewel. Proportions
+//! of the height after Horyu-ji.
 
 use super::block;
 use super::finial::sides;
@@ -10,10 +10,10 @@ use crate::tessellate::mesh::Bodies;
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
-/// Rings of the mast.
+/// Number of rings on the mast.
 const RINGS: u32 = 9;
 
-/// Bowl, the flower on it, and the mast: radii and heights.
+/// Profile of bowl, flower and mast: (radius, height).
 const BOWL: [(f64, f64); 13] = [
     (0.0, 0.068),
     (0.055, 0.068),
@@ -79,7 +79,7 @@ pub(super) fn sorin(bodies: &mut Bodies, at: DVec3, h: f64, detail: Detail) {
     turned(bodies, bronze, foot, &scaled(&ball(0.935, 0.020, 0.025)), n);
 }
 
-/// A flat ring with four spokes.
+/// Adds a flat ring with four spokes.
 fn ring(bodies: &mut Bodies, foot: DVec3, (r, t, thick): (f64, f64, f64), detail: Detail) {
     let bronze = SurfaceId::named("bronze");
     let profile = [(r * 0.74, t), (r, t), (r, t + thick), (r * 0.74, t + thick)];
@@ -102,7 +102,7 @@ fn ring(bodies: &mut Bodies, foot: DVec3, (r, t, thick): (f64, f64, f64), detail
     }
 }
 
-/// The water-flame (水煙 suien): four upright blades.
+/// Adds the water-flame (水煙 suien): four vertical blades.
 fn flame(bodies: &mut Bodies, foot: DVec3, h: f64, detail: Detail) {
     let outline = [
         (0.006, 0.70),

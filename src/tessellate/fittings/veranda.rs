@@ -1,5 +1,5 @@
-//! A veranda (縁 en): boards on beams, short posts on the ground or arms from the wall, and a railing (高欄 kōran) of
-//! three rails.
+//! Verandas (縁 en): boards on beams, short posts on the ground or arms from the wall, and a railing (高欄 kōran) of three
+//! rails.
 
 use super::{block, lathe, platform};
 use crate::ast::Rail;
@@ -11,7 +11,7 @@ use glam::{DVec2, DVec3, dvec2};
 
 /// Thickness of boards, metres.
 const BOARDS: f64 = 0.045;
-/// How far their top lies below the floor, so that it shares no plane with thresholds, metres.
+/// Distance of the boards' top below the floor, so that they are not coplanar with thresholds, metres.
 const UNDER: f64 = 0.006;
 /// Edge beam: depth and height, metres.
 const EDGE: (f64, f64) = (0.13, 0.16);
@@ -19,9 +19,9 @@ const EDGE: (f64, f64) = (0.13, 0.16);
 const SHORT: f64 = 0.15;
 /// Height of a railing, metres.
 const RAILING: f64 = 0.82;
-/// From the edge of the boards to the middle of the railing, metres.
+/// Distance from the edge of the boards to the centre line of the railing, metres.
 const SET_BACK: f64 = 0.13;
-/// How far crossing rails run out beyond each other, metres.
+/// How far crossing rails extend past each other, metres.
 const BEYOND: f64 = 0.26;
 
 pub(super) fn bodies(it: &Veranda, detail: Detail) -> Bodies {
@@ -46,7 +46,7 @@ pub(super) fn bodies(it: &Veranda, detail: Detail) -> Bodies {
     bodies
 }
 
-/// Boards and the beam under their edge.
+/// Adds the boards and the beam under their edge.
 fn deck(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
     let top = it.top - UNDER;
     let ring = [side.outer[0], side.outer[1], side.inner[1], side.inner[0]];
@@ -74,13 +74,13 @@ fn deck(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
     );
 }
 
-/// Along a side, and out of the house.
+/// Returns the directions along a side and out of the house.
 fn ways(side: &Deck) -> (DVec2, DVec2) {
     let along = (side.outer[1] - side.outer[0]).normalize_or_zero();
     (along, dvec2(along.y, -along.x))
 }
 
-/// What carries the boards: posts on the ground, arms from the wall upstairs.
+/// Adds the supports of the boards: posts on the ground, arms from the wall upstairs.
 fn below(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
     let (along, out) = ways(side);
     let width = (side.outer[0] - side.inner[0]).dot(out).abs();
@@ -130,7 +130,7 @@ fn below(bodies: &mut Bodies, it: &Veranda, side: &Deck) {
     }
 }
 
-/// What closes a raised floor from below: boards that stand back in the dark, and posts before them.
+/// Closes the space under a raised floor: dark boards set back, and posts in front of them.
 fn plinth(bodies: &mut Bodies, it: &Veranda) {
     let n = it.walls.len();
     for side in &it.sides {
@@ -167,7 +167,7 @@ fn plinth(bodies: &mut Bodies, it: &Veranda) {
     );
 }
 
-/// The railing along one side.
+/// Adds the railing along one side.
 fn railing(
     bodies: &mut Bodies,
     it: &Veranda,
@@ -206,14 +206,14 @@ fn railing(
     }
 }
 
-/// A straight piece of railing.
+/// A straight section of railing.
 struct Stretch {
     start: DVec2,
     along: DVec2,
     length: f64,
-    /// Whether it ends at an outer corner.
+    /// For each end, true if it is at an outer corner.
     corner: [bool; 2],
-    /// Whether it ends at stairs.
+    /// For each end, true if it is at stairs.
     gate: [bool; 2],
 }
 
@@ -257,7 +257,7 @@ impl Stretch {
         }
     }
 
-    /// The top rail (架木 hokogi).
+    /// Adds the top rail (架木 hokogi).
     fn round_rail(&self, bodies: &mut Bodies, it: &Veranda, beyond: [f64; 2], z: f64) {
         let side = dvec2(-self.along.y, self.along.x);
         let from = self.start - self.along * beyond[0];
@@ -293,7 +293,7 @@ impl Stretch {
         }
     }
 
-    /// A post with a bulb (擬宝珠 gibōshi).
+    /// Adds a post with a bulb (擬宝珠 gibōshi).
     fn knob(&self, bodies: &mut Bodies, it: &Veranda, at: f64, z: f64, detail: Detail) {
         let at = self.start + self.along * at;
         block(

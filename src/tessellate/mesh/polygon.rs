@@ -4,7 +4,7 @@ use crate::geometry::tolerance::EAR;
 use crate::geometry::triangulate::ears;
 use glam::{DVec2, DVec3};
 
-/// The unit normal of a plane polygon by Newell's sum; zero where it has no area.
+/// Returns the unit normal of a plane polygon by Newell's method; zero if it has no area.
 pub(in crate::tessellate) fn normal(corners: &[DVec3]) -> DVec3 {
     let mut sum = DVec3::ZERO;
     let origin = corners.first().copied().unwrap_or_default();
@@ -35,7 +35,7 @@ pub(in crate::tessellate) fn triangulate(
     ears(&flat, out);
 }
 
-/// Whether every corner turns the same way, and none is straight.
+/// Returns true if the polygon is strictly convex: all corners turn the same way and none is straight.
 fn is_convex(corners: &[DVec3], normal: DVec3) -> bool {
     let [.., before, last] = corners else {
         return false;

@@ -1,16 +1,16 @@
-//! Closed bodies whose sides bend softly: rounded bars, poles, laths in an arc, cloth in folds. Neighbouring sides
-//! share their normals, so that few of them look round.
+//! Closed bodies with smooth sides: rounded bars, poles, curved laths, folded cloth. Neighbouring sides share normals,
+//! so that a few sides look round.
 
 use crate::geometry::tolerance::POINT;
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::{Axis, Bodies, Soup, grain_along};
 use glam::{DVec2, DVec3, dvec2};
 
-/// Sides whose normals agree as far as this, in the cosine, show no edge between them.
+/// Sides whose normals differ by less than this angle are shaded as one, as a cosine.
 const SOFT: f64 = 0.8;
 
 impl Bodies {
-    /// A polygon drawn along an axis as by `prism`, soft where its sides bend little.
+    /// Adds a polygon extruded along an axis as by `prism`, shaded smoothly where its sides meet at small angles.
     pub(in crate::tessellate) fn rounded(
         &mut self,
         finish: SurfaceId,
@@ -38,8 +38,8 @@ impl Bodies {
         sides(self.soup(finish), &ring, axis, (lo, hi), grain);
     }
 
-    /// A thin body between two like surfaces. `at` takes shares to the right and up and gives points of the middle
-    /// surface; `half` is half its thickness along y; `size` is what its picture covers, metres.
+    /// Adds a thin body between two parallel surfaces. `at` maps shares to the right and up to points of the middle
+    /// surface; `half` is half its thickness along y; `size` is the extent of its texture, metres.
     pub(in crate::tessellate) fn sheet(
         &mut self,
         finish: SurfaceId,
@@ -92,7 +92,7 @@ impl Bodies {
     }
 }
 
-/// The normal of a surface on its front, out of the wall.
+/// Returns the normal of the front surface, pointing out of the wall.
 fn normal_at(at: &impl Fn(f64, f64) -> DVec3, u: f64, v: f64) -> DVec3 {
     let step = 1e-3;
     let right = at(u + step, v) - at(u - step, v);
@@ -100,7 +100,7 @@ fn normal_at(at: &impl Fn(f64, f64) -> DVec3, u: f64, v: f64) -> DVec3 {
     right.cross(up).normalize_or_zero()
 }
 
-/// The sides of a drawn polygon, counter-clockwise; columns of two corners are shared where sides bend softly.
+/// Adds the sides of an extruded polygon, counter-clockwise; pairs of corners are shared along smooth edges.
 fn sides(soup: &mut Soup, ring: &[DVec2], axis: Axis, (lo, hi): (f64, f64), grain: bool) {
     let n = ring.len();
     let normal = |i: usize| {
@@ -152,7 +152,7 @@ fn vertex(soup: &mut Soup, point: DVec3, normal: DVec3, uv: DVec2) {
     soup.uvs.push(uv.as_vec2().to_array());
 }
 
-/// The outline of a bar with rounded or, with one step, cut edges: front edges always, back edges where `all`.
+/// Returns the outline of a bar with edges rounded, or chamfered for one step: front edges always, back edges if `all`.
 /// Corners are (x, y), y from `y0` at the front.
 pub(in crate::tessellate) fn soft_bar(
     (x0, x1): (f64, f64),

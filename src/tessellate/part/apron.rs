@@ -1,4 +1,4 @@
-//! Inu-yarai: laths of split bamboo in an arc before the foot of a wall, held by level laths.
+//! Inu-yarai: a curved screen of split bamboo laths in front of the foot of a wall, held by horizontal laths.
 
 use crate::catalog::body::{Apron, Place};
 use crate::material::SurfaceId;
@@ -7,10 +7,10 @@ use crate::tessellate::part::bay::{Bay, Rect};
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
 
-/// Pieces of the arc.
+/// Segments of the arc.
 const STEPS: u32 = 8;
 
-/// The laths, and the level ones over them.
+/// Adds the vertical laths and the horizontal ones over them.
 pub(in crate::tessellate) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Place, rect: Rect) {
     let arc = Arc {
         out: apron.out.0,
@@ -40,23 +40,23 @@ pub(in crate::tessellate) fn apron(bay: &mut Bay<'_>, apron: &Apron, place: &Pla
     }
 }
 
-/// A quarter of an ellipse, upright at the ground, level at the wall.
+/// A quarter of an ellipse, vertical at the ground and horizontal at the wall.
 struct Arc {
     out: f64,
     height: f64,
-    /// Where it would meet the ground without standing out: out of the wall, up.
+    /// The corner where it would meet the ground if it did not curve outwards: (out of the wall, up).
     foot: DVec2,
 }
 
 impl Arc {
-    /// The point at a share of the way up, moved outwards by so much; (y, z).
+    /// Returns the point (y, z) at a share of the way up, offset outwards.
     fn point(&self, share: f64, outwards: f64) -> DVec2 {
         let (a, b) = (self.out + outwards, self.height + outwards);
         let (sin, cos) = (libm::sin(FRAC_PI_2 * share), libm::cos(FRAC_PI_2 * share));
         dvec2(-(self.foot.x + a * cos), self.foot.y + b * sin)
     }
 
-    /// The outline of half a bamboo that lies on the laths.
+    /// Returns the outline of a split bamboo that lies on the laths.
     fn rail(&self, share: f64) -> Vec<DVec2> {
         let half = 0.016 / (FRAC_PI_2 * (self.out + self.height) / 2.0);
         let bow = [

@@ -1,4 +1,4 @@
-//! Counted bars and rails, frames and studs: the lattices.
+//! Lattices: counted bars and rails, frames and studs.
 
 use crate::catalog::body::{Bars, Place, Rails, Studs};
 use crate::catalog::value::Sides;
@@ -9,14 +9,13 @@ use crate::tessellate::part::bay::{Bay, Layer, Rect};
 use crate::tessellate::part::round::arcade;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
-/// Where bars stand: their left ends and widths, and whether they are short.
+/// The layout of bars: their left ends, widths, and whether each is short.
 pub(in crate::tessellate) struct Row {
     pub(in crate::tessellate) bars: Vec<(f64, f64, bool)>,
 }
 
-/// Spreads groups of one long bar and its short ones evenly, gaps at both ends too. The count is kept:
-/// where the widths do not fit (the sheet's sizes are of lattices without posts), bars and gaps shrink
-/// alike.
+/// Spreads groups of one long bar and its short ones evenly, with gaps at both ends. The count is kept: where the
+/// widths do not fit (the sheet gives sizes for lattices without posts), bars and gaps shrink by the same factor.
 pub(in crate::tessellate) fn spread(bars: &Bars, x0: f64, x1: f64) -> Row {
     let long = bars.count as usize;
     let short = bars.children as usize;
@@ -44,7 +43,7 @@ pub(in crate::tessellate) fn spread(bars: &Bars, x0: f64, x1: f64) -> Row {
     row
 }
 
-/// Upright bars; short ones end below the top.
+/// Adds vertical bars; short ones end below the top.
 pub(in crate::tessellate) fn bars(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect) {
     let layer = Layer::from(place);
     // What is square in the catalogue stays square where bars shrink.
@@ -70,7 +69,7 @@ pub(in crate::tessellate) fn bars(bay: &mut Bay<'_>, bars: &Bars, place: &Place,
     }
 }
 
-/// A bar whose front edges are cut off, or a round one.
+/// Adds a bar with chamfered front edges, or a round one.
 fn shaped(bay: &mut Bay<'_>, bars: &Bars, finish: SurfaceId, bar: Rect, layer: Layer) {
     let (x, y) = ((bar.x0, bar.x1), (-layer.front, layer.thick - layer.front));
     // Edges shrink as the bar does.
@@ -105,7 +104,7 @@ fn slits(bay: &mut Bay<'_>, bars: &Bars, place: &Place, rect: Rect, row: &[(f64,
     arcade(bay, place.finish, layer, rect, &gaps);
 }
 
-/// The middles of a number of pieces between two ends.
+/// Returns the centres of a number of pieces between two ends.
 pub(in crate::tessellate) fn middles(
     count: u32,
     lo: f64,
@@ -125,7 +124,7 @@ pub(in crate::tessellate) fn middles(
     })
 }
 
-/// Level bars.
+/// Adds horizontal bars.
 pub(in crate::tessellate) fn rails(bay: &mut Bay<'_>, rails: &Rails, place: &Place, rect: Rect) {
     let half = rails.size.0 / 2.0;
     let (lo, hi) = match rails.ends {
@@ -141,7 +140,7 @@ pub(in crate::tessellate) fn rails(bay: &mut Bay<'_>, rails: &Rails, place: &Pla
     }
 }
 
-/// Members inside the edges of a rectangle: the level ones run through, the upright ones stand between.
+/// Adds members along the inner edges of a rectangle; horizontal ones run through, vertical ones fit between them.
 pub(in crate::tessellate) fn frame(
     bay: &mut Bay<'_>,
     size: f64,
@@ -179,7 +178,7 @@ pub(in crate::tessellate) fn frame(
     }
 }
 
-/// Round heads in a grid, like shallow domes.
+/// Adds round heads in a grid, shaped as shallow domes.
 pub(in crate::tessellate) fn studs(bay: &mut Bay<'_>, studs: &Studs, place: &Place, rect: Rect) {
     let r = studs.size.0 / 2.0;
     let layer = Layer::from(place);
@@ -198,7 +197,7 @@ pub(in crate::tessellate) fn studs(bay: &mut Bay<'_>, studs: &Studs, place: &Pla
     }
 }
 
-/// The sides of a stud, shaded as one curve: two vertices a corner.
+/// Adds the sides of a stud, shaded as one curve, with two vertices per corner.
 fn skirt(soup: &mut Soup, (x, z): (f64, f64), foot: [DVec3; 8], crown: [DVec3; 8]) {
     let first = soup.positions.len() as u32;
     for (i, (a, b)) in foot.iter().zip(&crown).enumerate() {
@@ -219,7 +218,7 @@ fn skirt(soup: &mut Soup, (x, z): (f64, f64), foot: [DVec3; 8], crown: [DVec3; 8
     }
 }
 
-/// A regular octagon of half width `r`, counter-clockwise.
+/// Returns a regular octagon of half width `r`, counter-clockwise.
 fn octagon(r: f64) -> [DVec2; 8] {
     // Half its side is 0.414 of its half width.
     let (a, b) = (r, r * 0.414_213_562_373_095);

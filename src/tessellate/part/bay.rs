@@ -1,5 +1,5 @@
-//! A bay: the part's frame while its bodies are made. x runs from 0 at the left end to the width, y into
-//! the house, z up; all metres. Elements are placed in rectangles of it.
+//! A bay: the frame in which a part's bodies are made. x runs from 0 at the left end to the width, y into the house, z
+//! up; all in metres. Elements are placed in rectangles of it.
 
 use crate::catalog::body::Place;
 use crate::catalog::value::{Area, Level};
@@ -9,10 +9,10 @@ use crate::scene::Detail;
 use crate::tessellate::mesh::{Axis, Bodies, THIN};
 use glam::{DVec2, dvec2, dvec3};
 
-/// Half a post of four sun: how far joinery keeps from the ends of its bay.
+/// Half of a 4 sun post, metres: the distance of joinery from the ends of its bay.
 pub(in crate::tessellate) const HALF_POST: f64 = 0.0605;
 
-/// How deep foundations reach below the floor: the lowest that a part stands.
+/// Height to which foundations reach below the floor, the lowest point of any part, metres.
 const GROUND: f64 = -0.285;
 
 /// A rectangle in x and z.
@@ -33,7 +33,7 @@ impl Rect {
         self.z1 - self.z0
     }
 
-    /// Made smaller by so much left and right, and below and above.
+    /// Returns the rectangle shrunk by `x` at left and right, and by `z` at bottom and top.
     pub(in crate::tessellate) fn shrunk(&self, x: f64, z: f64) -> Rect {
         Rect {
             x0: self.x0 + x,
@@ -43,46 +43,46 @@ impl Rect {
         }
     }
 
-    /// With another extent in x.
+    /// Returns the rectangle with another extent in x.
     pub(in crate::tessellate) fn across(&self, x0: f64, x1: f64) -> Rect {
         Rect { x0, x1, ..*self }
     }
 
-    /// With another extent in z.
+    /// Returns the rectangle with another extent in z.
     pub(in crate::tessellate) fn between(&self, z0: f64, z1: f64) -> Rect {
         Rect { z0, z1, ..*self }
     }
 }
 
-/// A layer of the wall: where it starts, outwards from the centre line, and how far it reaches inwards.
+/// A layer of the wall: its front, outwards from the centre line, and its depth inwards; metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::tessellate) struct Layer {
     pub(in crate::tessellate) front: f64,
     pub(in crate::tessellate) thick: f64,
 }
 
-/// A part in the making.
+/// A part under construction.
 pub(in crate::tessellate) struct Bay<'a> {
     pub(in crate::tessellate) part: &'a PartDef,
     pub(in crate::tessellate) width: f64,
     pub(in crate::tessellate) height: f64,
-    /// Between the posts, the whole height.
+    /// The area between the posts, over the full height.
     pub(in crate::tessellate) clear: Rect,
-    /// Between the posts, from the part's foot to its top.
+    /// The area between the posts, from the part's foot to its top.
     pub(in crate::tessellate) opening: Rect,
-    /// What small walls look like.
+    /// The surface of infill walls.
     pub(in crate::tessellate) around: SurfaceId,
-    /// How much of it is shape.
+    /// The level of detail.
     pub(in crate::tessellate) detail: Detail,
-    /// Whether the posts beside it are in its picture; those that an author asked for are shapes.
+    /// True if the adjacent posts are in the part's image; posts written in the source file are geometry.
     pub(in crate::tessellate) pictured: bool,
-    /// How far the house reaches behind it, metres.
+    /// Depth of the house behind the bay, metres.
     pub(in crate::tessellate) room: f64,
     pub(in crate::tessellate) bodies: Bodies,
 }
 
 impl<'a> Bay<'a> {
-    /// A bay of a part that is so wide and high, with an opening between two heights.
+    /// Creates a bay of a width and height with an opening between two heights, metres.
     pub(in crate::tessellate) fn new(
         part: &'a PartDef,
         (width, height): (f64, f64),
@@ -124,7 +124,7 @@ impl<'a> Bay<'a> {
         }
     }
 
-    /// All of the bay.
+    /// Returns the whole area of the bay.
     pub(in crate::tessellate) fn whole(&self) -> Rect {
         Rect {
             x0: 0.0,
@@ -134,7 +134,7 @@ impl<'a> Bay<'a> {
         }
     }
 
-    /// Where an element stands; `None` where nothing of it is left in a bay so small.
+    /// Returns the rectangle of an element; `None` if the bay is too small for it.
     pub(in crate::tessellate) fn rect(&self, place: &Place, inside: Option<Rect>) -> Option<Rect> {
         let area = inside.unwrap_or(match place.over {
             Area::Bay => self.whole(),
@@ -159,7 +159,7 @@ impl<'a> Bay<'a> {
         (wide && rect.height() >= THIN).then_some(rect)
     }
 
-    /// A box over a rectangle in a layer.
+    /// Adds a box over a rectangle in a layer.
     pub(in crate::tessellate) fn block(&mut self, finish: SurfaceId, rect: Rect, layer: Layer) {
         let (y0, y1) = (-layer.front, -layer.front + layer.thick);
         self.bodies.block(
@@ -169,7 +169,7 @@ impl<'a> Bay<'a> {
         );
     }
 
-    /// A profile drawn along x: corners (outwards from the centre line, up), either way round.
+    /// Adds a profile extruded along x: corners are (outwards from the centre line, up), in either orientation.
     pub(in crate::tessellate) fn profile(
         &mut self,
         finish: SurfaceId,

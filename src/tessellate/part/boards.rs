@@ -1,4 +1,4 @@
-//! Walls, boards, dados and panels: what closes a bay.
+//! Solid infill of a bay: walls, boards, dados and panels.
 
 use crate::catalog::body::{Boards, Panels, Place, Wall};
 use crate::catalog::value::Run;
@@ -6,7 +6,7 @@ use crate::material::SurfaceId;
 use crate::tessellate::part::bay::{Bay, Layer, Rect};
 use glam::dvec2;
 
-/// The panel of a wall; with a batter it thins upwards on both sides.
+/// Adds the panel of a wall; with a batter, it gets thinner upwards on both sides.
 pub(in crate::tessellate) fn wall(bay: &mut Bay<'_>, wall: &Wall, place: &Place, rect: Rect) {
     let layer = Layer::from(place);
     if wall.batter == 0.0 {
@@ -26,12 +26,12 @@ pub(in crate::tessellate) fn wall(bay: &mut Bay<'_>, wall: &Wall, place: &Place,
     bay.profile(place.finish, &outline, rect.x0, rect.x1);
 }
 
-/// A whole number of about so wide pieces in a length.
+/// Returns the number of pieces of about `size` in a length.
 pub(in crate::tessellate) fn pieces(length: f64, size: f64) -> usize {
     ((length / size.max(0.01)).round() as usize).max(1)
 }
 
-/// Boards side by side over a rectangle; lapped ones lean outwards at their foot.
+/// Adds boards side by side over a rectangle; lapped ones lean outwards at their foot.
 pub(in crate::tessellate) fn boards(bay: &mut Bay<'_>, boards: &Boards, place: &Place, rect: Rect) {
     let layer = Layer::from(place);
     let along = match boards.run {
@@ -73,7 +73,7 @@ pub(in crate::tessellate) fn boards(bay: &mut Bay<'_>, boards: &Boards, place: &
     }
 }
 
-/// Strips before the joints of `n` boards, as thick as the boards.
+/// Adds strips over the joints of `n` boards, as thick as the boards.
 fn strips(bay: &mut Bay<'_>, boards: &Boards, place: &Place, rect: Rect, n: usize) {
     let half = boards.strip.0 / 2.0;
     let layer = Layer {
@@ -96,7 +96,7 @@ fn strips(bay: &mut Bay<'_>, boards: &Boards, place: &Place, rect: Rect, n: usiz
     }
 }
 
-/// One clapboard: its head keeps `lap` behind the foot of the next, its back is plumb.
+/// Adds one clapboard: its top is `lap` behind the foot of the next, its back is plumb.
 fn clapboard(bay: &mut Bay<'_>, lap: f64, finish: SurfaceId, layer: Layer, board: Rect) {
     let back = layer.front - layer.thick - lap;
     let outline = [
@@ -108,7 +108,7 @@ fn clapboard(bay: &mut Bay<'_>, lap: f64, finish: SurfaceId, layer: Layer, board
     bay.profile(finish, &outline, board.x0, board.x1);
 }
 
-/// Boards at the foot of a wall under a drip board of 30 x 90 mm.
+/// Adds boards at the foot of a wall under a drip board of 30 x 90 mm.
 pub(in crate::tessellate) fn dado(
     bay: &mut Bay<'_>,
     size: f64,
@@ -144,7 +144,7 @@ pub(in crate::tessellate) fn dado(
     bay.profile(SurfaceId::named("cedar"), &outline, rect.x0, rect.x1);
 }
 
-/// A grid of panels with open joints; joints on the ends of the bay are shared with the neighbours.
+/// Adds a grid of panels with open joints; joints at the ends of the bay are shared with the neighbours.
 pub(in crate::tessellate) fn panels(bay: &mut Bay<'_>, panels: &Panels, place: &Place, rect: Rect) {
     let (cols, rows) = (
         pieces(rect.width(), panels.width.0),

@@ -1,5 +1,5 @@
-//! The little roof of an oriel: its slab falls outwards, cheeks close the gap to the box below it, laths hold its
-//! boards down.
+//! The small roof of an oriel: a slab that slopes outwards, cheeks that close the gap to the box below it, and laths
+//! that hold its boards down.
 
 use crate::catalog::body::Oriel;
 use crate::material::SurfaceId;
@@ -10,17 +10,17 @@ use crate::tessellate::part::boards::pieces;
 /// Thickness of the covering, metres.
 const COVER: f64 = 0.030;
 
-/// Thickness of the boards below it.
+/// Thickness of the boards below it, metres.
 const DECK: f64 = 0.014;
 
-/// Thickness of the laths on it.
+/// Thickness of the laths on it, metres.
 const LATH: f64 = 0.014;
 
-/// How far it reaches over the sides of its box.
+/// Overhang beyond the sides of the box, metres.
 const VERGE: f64 = 0.045;
 
-/// A roof over a box between two planes out of the wall's centre line; its underside meets the top of the rectangle
-/// at the front of the box.
+/// Adds a roof over a box between two planes, given by their distance outside the wall's centre line; its underside
+/// meets the top of the rectangle at the front of the box.
 pub(in crate::tessellate) fn canopy(
     bay: &mut Bay<'_>,
     oriel: &Oriel,
@@ -57,23 +57,23 @@ pub(in crate::tessellate) fn canopy(
     slope.cheeks(bay, wood, rect);
 }
 
-/// The slope of a little roof.
+/// The slope of a small roof.
 struct Slope {
-    /// Where it meets the wall and the front of its box, out of the centre line.
+    /// Distances of the wall and of the front of the box outside the centre line, metres.
     back: f64,
     front: f64,
-    /// Its underside over the front of the box.
+    /// Height of the underside over the front of the box, metres.
     foot: f64,
     pitch: f64,
 }
 
 impl Slope {
-    /// The height of the underside at a distance out of the wall.
+    /// Returns the height of the underside at a distance out of the wall.
     fn under(&self, out: f64) -> f64 {
         self.foot + self.pitch * (self.front - out)
     }
 
-    /// What lies between two heights over the underside and two distances out of the wall.
+    /// Returns the section between two heights above the underside and two distances out of the wall.
     fn layer(&self, (lo, hi): (f64, f64), (back, out): (f64, f64)) -> [(f64, f64); 4] {
         [
             (out, self.under(out) + lo),
@@ -83,7 +83,7 @@ impl Slope {
         ]
     }
 
-    /// Laths up the slope.
+    /// Adds the laths up the slope.
     fn laths(&self, bay: &mut Bay<'_>, (x0, x1): (f64, f64), eaves: f64) {
         let n = pieces(x1 - x0, 0.40);
         let top = DECK + COVER;
@@ -94,7 +94,7 @@ impl Slope {
         }
     }
 
-    /// The row of tiles against the wall.
+    /// Adds the row of tiles against the wall.
     fn flashing(&self, bay: &mut Bay<'_>, (x0, x1): (f64, f64)) {
         let back = self.back;
         let low = self.under(back) + DECK;
@@ -110,7 +110,7 @@ impl Slope {
         bay.profile(tiles, &outline, x0 + 0.002, x1 - 0.002);
     }
 
-    /// Boards that close the sides between the box and the slope.
+    /// Adds the boards that close the sides between the box and the slope.
     fn cheeks(&self, bay: &mut Bay<'_>, wood: SurfaceId, rect: Rect) {
         let (low, out) = (self.foot - 0.010, self.front - 0.008);
         let outline = [

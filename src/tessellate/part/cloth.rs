@@ -7,23 +7,22 @@ use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::part::bay::{Bay, Rect};
 use glam::{dvec2, dvec3};
 
-/// Share of the drop over which neighbours are sewn together.
+/// Share of the drop over which neighbouring cloths are sewn together.
 const SEWN: f64 = 0.28;
 
-/// How far folds stand out from the middle plane at the foot, metres.
+/// Amplitude of the folds at the foot, from the middle plane, metres.
 const FOLD: f64 = 0.018;
 
-/// Half the pole's thickness, metres.
+/// Radius of the pole, metres.
 const POLE: f64 = 0.012;
 
-/// From the middle of the pole to the upper edge of the cloth, metres.
+/// Distance from the axis of the pole to the upper edge of the cloth, metres.
 const LOOP: f64 = 0.032;
 
 /// Columns and rows of a cloth's mesh.
 const GRID: [u32; 2] = [10, 5];
 
-/// Cloths that fill the width of the rectangle and hang from its top; the count is kept, their width
-/// gives way.
+/// Adds cloths that fill the width of the rectangle and hang from its top; their count is kept, their width adapts.
 pub(in crate::tessellate) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Place, rect: Rect) {
     let n = cloth.count.max(1);
     let width = cloth.size.0.min(rect.width() / f64::from(n));
@@ -67,7 +66,7 @@ pub(in crate::tessellate) fn cloth(bay: &mut Bay<'_>, cloth: &Cloth, place: &Pla
     }
 }
 
-/// Bands of cloth round the pole.
+/// Adds the loops of cloth around the pole.
 fn loops(
     bay: &mut Bay<'_>,
     count: u32,

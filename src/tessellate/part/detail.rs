@@ -1,7 +1,8 @@
-//! What of a part is shape and what is picture, at each level of detail.
+//! Divides a part into geometry and images at each level of detail.
 //!
-//! Small things of nearly one plane become one panel: a quad with their baked picture, in their foremost plane.
-//! What stands out far before the wall stays a shape at every level, since it makes the outline of the street.
+//! Small elements in about the same plane become one panel: a quad with their baked image, in their foremost plane.
+//! Elements that project far from the wall stay geometry at every level, since they define the silhouette of the
+//! street.
 
 use crate::catalog::Stance;
 use crate::catalog::body::{Element, Shape};
@@ -11,27 +12,27 @@ use crate::tessellate::mesh::Soup;
 use crate::tessellate::part;
 use crate::tessellate::part::bay::{Bay, HALF_POST, Layer, Rect};
 
-/// Bars and rails below this size are pictures at detail 2, metres.
+/// Bars and rails below this size become images at detail 2, metres.
 const FINE: f64 = 0.040;
 
-/// Things whose fronts lie closer than this share a panel, metres.
+/// Elements whose fronts are closer than this share a panel, metres.
 const ONE_PLANE: f64 = 0.045;
 
-/// What stands out farther than this before the wall makes its outline, metres.
+/// Elements that project farther than this from the wall define its silhouette, metres.
 const RELIEF: f64 = 0.080;
 
-/// Small things that one sees as a picture.
+/// Small elements shown as one image.
 #[derive(Clone, Debug)]
 pub(in crate::tessellate) struct Panel {
-    /// What it covers.
+    /// The area it covers.
     pub(in crate::tessellate) rect: Rect,
-    /// How far it lies before the centre line.
+    /// Distance of its plane outside the centre line, metres.
     pub(in crate::tessellate) front: f64,
-    /// What is baked.
+    /// The geometry to bake.
     pub(in crate::tessellate) soups: Vec<(SurfaceId, Soup)>,
 }
 
-/// The bodies of a part at the detail of its bay.
+/// Builds the bodies of a part at the detail of its bay.
 pub(in crate::tessellate) fn build(bay: &mut Bay<'_>) {
     let part = bay.part;
     // Fences are seen from behind too, and members without width have no front.
@@ -57,7 +58,7 @@ pub(in crate::tessellate) fn build(bay: &mut Bay<'_>) {
     grouped(bay, relief.into_iter(), None);
 }
 
-/// The elements of a list, the fine ones as panels where the detail says so.
+/// Builds the elements of a list, fine ones as panels where the detail calls for it.
 pub(in crate::tessellate) fn elements(bay: &mut Bay<'_>, list: &[Element], inside: Option<Rect>) {
     match bay.detail {
         Detail::Everything => each(bay, list.iter(), inside),
@@ -65,7 +66,7 @@ pub(in crate::tessellate) fn elements(bay: &mut Bay<'_>, list: &[Element], insid
     }
 }
 
-/// All as shapes.
+/// Builds all elements as geometry.
 fn each<'e>(bay: &mut Bay<'_>, list: impl Iterator<Item = &'e Element>, inside: Option<Rect>) {
     for element in list {
         if let Some(rect) = bay.rect(&element.place, inside) {
@@ -74,7 +75,7 @@ fn each<'e>(bay: &mut Bay<'_>, list: impl Iterator<Item = &'e Element>, inside: 
     }
 }
 
-/// Runs of fine elements in about one plane as panels, all others as shapes.
+/// Builds runs of fine elements in about one plane as panels, all others as geometry.
 fn grouped<'e>(bay: &mut Bay<'_>, list: impl Iterator<Item = &'e Element>, inside: Option<Rect>) {
     let mut run: Vec<&Element> = vec![];
     let flush = |bay: &mut Bay<'_>, run: &mut Vec<&'e Element>| {
@@ -100,7 +101,7 @@ fn grouped<'e>(bay: &mut Bay<'_>, list: impl Iterator<Item = &'e Element>, insid
     flush(bay, &mut run);
 }
 
-/// Whether an element is a picture at detail 2.
+/// Returns true if an element is an image at detail 2.
 fn is_fine(element: &Element) -> bool {
     match &element.shape {
         Shape::Bars(bars) => bars.size.0 < FINE,
@@ -117,7 +118,7 @@ fn is_fine(element: &Element) -> bool {
     }
 }
 
-/// Whether an element makes the outline of the wall.
+/// Returns true if an element defines the silhouette of the wall.
 fn stands_out(element: &Element, wall: f64) -> bool {
     let shelters = matches!(
         element.shape,
@@ -133,7 +134,7 @@ fn stands_out(element: &Element, wall: f64) -> bool {
     shelters || element.place.front.0 > wall + RELIEF
 }
 
-/// The halves of the posts beside the bay, which have no shapes of their own in front of a picture.
+/// Adds the halves of the posts beside the bay, which have no geometry of their own in front of an image.
 fn posts(bay: &mut Bay<'_>) {
     let whole = bay.whole();
     let layer = Layer {
@@ -145,7 +146,7 @@ fn posts(bay: &mut Bay<'_>) {
     }
 }
 
-/// What a closure builds, as a panel in a plane, or in its own foremost one.
+/// Builds a panel from what a closure builds, in a given plane or in its own foremost one.
 fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)) {
     let before = std::mem::take(&mut bay.bodies);
     bay.bodies.shown = before.shown.clone();
@@ -163,7 +164,7 @@ fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)
     });
 }
 
-/// What soups cover, and how far they reach before the centre line; `None` where they have no extent.
+/// Returns the area of soups and their front, outside the centre line; `None` if they have no extent.
 pub(in crate::tessellate) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
     let points = || soups.iter().flat_map(|(_, s)| &s.positions);
     let least = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::min);
@@ -178,7 +179,7 @@ pub(in crate::tessellate) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect
     has_area.then_some((rect, -least(1)?))
 }
 
-/// The panes of a panel: one rectangle behind each of its glass surfaces.
+/// Returns the panes of a panel: one rectangle behind each of its glass surfaces.
 pub(in crate::tessellate) fn panes(panel: &Panel) -> impl Iterator<Item = (SurfaceId, Rect)> {
     let glass = panel.soups.iter().filter(|(id, _)| id.surface().glass);
     glass.filter_map(|(id, soup)| {

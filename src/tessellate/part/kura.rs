@@ -10,7 +10,7 @@ use crate::tessellate::part::bay::{Bay, Layer, Rect};
 /// Thickness of the walls of a passage, metres.
 const LINING: f64 = 0.020;
 
-/// Two walls, a ceiling, a floor and an end behind the opening.
+/// Adds two walls, a ceiling, a floor and an end behind the opening.
 pub(in crate::tessellate) fn depth(
     bay: &mut Bay<'_>,
     passage: &Depth,
@@ -40,7 +40,7 @@ pub(in crate::tessellate) fn depth(
     bay.block(passage.end, between.shrunk(0.0, LINING), end);
 }
 
-/// Frames one inside another, each a step farther back.
+/// Adds nested frames, each one step farther back.
 pub(in crate::tessellate) fn jambs(bay: &mut Bay<'_>, jambs: &Jambs, place: &Place, rect: Rect) {
     let size = jambs.size.0;
     // A door has no jamb at its foot.
@@ -67,7 +67,7 @@ pub(in crate::tessellate) fn jambs(bay: &mut Bay<'_>, jambs: &Jambs, place: &Pla
     }
 }
 
-/// Leaves open at right angles to the wall: slabs that grow smaller in steps towards the opening.
+/// Adds leaves open at right angles to the wall: slabs that get smaller in steps towards the opening.
 pub(in crate::tessellate) fn open(bay: &mut Bay<'_>, open: &Open, place: &Place, rect: Rect) {
     let n = open.count.max(1);
     let step = place.thick.0 / f64::from(n);

@@ -11,10 +11,10 @@ const TRACK: f64 = 0.003;
 /// Open joint between leaves one above another, metres.
 const JOINT: f64 = 0.006;
 
-/// How far every other board of a leaf stands back, metres.
+/// Offset of every other board of a leaf, metres.
 const PLANK: f64 = 0.0025;
 
-/// Leaves side by side on two tracks, the left one of each pair in front; neighbours overlap by a stile.
+/// Adds leaves side by side on two tracks, the left one of each pair in front; neighbours overlap by a stile.
 pub(in crate::tessellate) fn leaves(bay: &mut Bay<'_>, leaf: &Leaf, place: &Place, rect: Rect) {
     let stack = leaf.stack.max(1);
     let step = rect.height() / f64::from(stack);
@@ -25,7 +25,7 @@ pub(in crate::tessellate) fn leaves(bay: &mut Bay<'_>, leaf: &Leaf, place: &Plac
     }
 }
 
-/// Leaves of one height.
+/// Adds leaves of one height.
 fn row(bay: &mut Bay<'_>, leaf: &Leaf, place: &Place, rect: Rect) {
     let n = leaf.leaves.max(1);
     let stile = leaf.stile.0.min(rect.width() / f64::from(4 * n));
@@ -51,7 +51,7 @@ fn row(bay: &mut Bay<'_>, leaf: &Leaf, place: &Place, rect: Rect) {
     }
 }
 
-/// A sunk iron pull on a stile, a little lower than the middle of the leaf.
+/// Adds a recessed iron pull on a stile, slightly below the middle of the leaf.
 fn pull(bay: &mut Bay<'_>, size: f64, layer: Layer, stile: f64, rect: Rect, left: bool) {
     let half = (size / 2.0).min(rect.height() / 8.0);
     let z = rect.z0 + (rect.height() * 0.46).min(0.85);
@@ -68,7 +68,7 @@ fn pull(bay: &mut Bay<'_>, size: f64, layer: Layer, stile: f64, rect: Rect, left
     );
 }
 
-/// One leaf: stiles, rails, what fills it, and the bars before it.
+/// Adds one leaf: stiles, rails, infill, and the bars in front of it.
 fn one(bay: &mut Bay<'_>, leaf: &Leaf, wood: SurfaceId, layer: Layer, stile: f64, rect: Rect) {
     let rail = leaf.rail.0.min(rect.height() / 4.0);
     bay.block(wood, rect.across(rect.x0, rect.x0 + stile), layer);
@@ -109,7 +109,7 @@ fn one(bay: &mut Bay<'_>, leaf: &Leaf, wood: SurfaceId, layer: Layer, stile: f64
     grid(bay, leaf, wood, layer, field);
 }
 
-/// Rails, bars and the bars between panes, in front of what fills the leaf.
+/// Adds rails, bars and glazing bars in front of the infill of the leaf.
 fn grid(bay: &mut Bay<'_>, leaf: &Leaf, wood: SurfaceId, layer: Layer, field: Rect) {
     // Level pieces lie a little behind upright ones: they are let into them.
     let upright = Layer {

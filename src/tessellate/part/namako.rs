@@ -7,7 +7,7 @@ use crate::tessellate::part::bay::{Bay, Layer, Rect};
 use crate::tessellate::part::boards::pieces;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
-/// The section of a joint: shares of its half width across, and of its height.
+/// Section of a joint: shares of its half width across, and of its height.
 const SECTION: [(f64, f64); 5] = [
     (-1.0, 0.0),
     (-DIAGONAL, DIAGONAL),
@@ -19,10 +19,10 @@ const SECTION: [(f64, f64); 5] = [
 /// Cosine of 45 degrees.
 const DIAGONAL: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-/// Corners so near to a line of the section, in metres, lie on it: no slivers.
+/// Corners closer than this to a line of the section are snapped to it, to avoid slivers, metres.
 const SNAP: f64 = 5e-4;
 
-/// Joints over a rectangle; `front` is their crown, `thick` how far it stands out.
+/// Adds joints over a rectangle; `front` is their crown, `thick` their relief.
 pub(in crate::tessellate) fn namako(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     match namako.joints {
         Joints::Diagonal => diagonal(bay, namako, place, rect),
@@ -30,8 +30,8 @@ pub(in crate::tessellate) fn namako(bay: &mut Bay<'_>, namako: &Namako, place: &
     }
 }
 
-/// Level joints, and upright ones that shift by half a tile each course. Widths divide the bay, so that
-/// neighbouring bays go on.
+/// Adds horizontal joints, and vertical ones offset by half a tile in each course. Spacings divide the bay, so that the
+/// pattern continues into neighbouring bays.
 fn running(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     let (cols, rows) = (
         pieces(rect.width(), namako.tile.0),
@@ -53,8 +53,8 @@ fn running(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     }
 }
 
-/// Two families of joints at 45 degrees. Their distance divides the bay's width, so that neighbouring
-/// bays go on.
+/// Adds two families of joints at 45 degrees. Their spacing divides the bay's width, so that the pattern continues into
+/// neighbouring bays.
 fn diagonal(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
     let side = namako.tile.0 * std::f64::consts::SQRT_2;
     let step = rect.width() / pieces(rect.width(), side) as f64;
@@ -79,9 +79,9 @@ fn diagonal(bay: &mut Bay<'_>, namako: &Namako, place: &Place, rect: Rect) {
 /// A half-round joint.
 struct Joint {
     finish: SurfaceId,
-    /// Half its width.
+    /// Half its width, metres.
     half: f64,
-    /// Its crown.
+    /// The layer of its relief; the front is the crown.
     layer: Layer,
 }
 
@@ -94,7 +94,7 @@ impl Joint {
         }
     }
 
-    /// What of the joint lies in a rectangle; `across` measures the distance from its axis.
+    /// Adds the joint clipped to a rectangle; `across` measures the distance from its axis.
     fn draw(&self, bay: &mut Bay<'_>, rect: Rect, across: impl Fn(DVec2) -> f64) {
         let sides = self.sides(rect, &across);
         let ring: Vec<DVec2> = sides
@@ -115,7 +115,7 @@ impl Joint {
         self.close(bay, &sides, &across);
     }
 
-    /// The ends at the rectangle's sides, and the foot.
+    /// Adds the ends at the rectangle's sides, and the back.
     fn close(&self, bay: &mut Bay<'_>, sides: &[Vec<DVec2>], across: impl Fn(DVec2) -> f64) {
         let mut base: Vec<DVec3> = Vec::new();
         for side in sides {
@@ -148,12 +148,12 @@ impl Joint {
         }
     }
 
-    /// A point in the plane of the joint's foot.
+    /// Returns the point on the plane of the joint's foot.
     fn foot(&self, p: DVec2) -> DVec3 {
         dvec3(p.x, self.layer.thick - self.layer.front, p.y)
     }
 
-    /// A point on its surface.
+    /// Returns the point on the joint's surface.
     fn head(&self, p: DVec2, across: impl Fn(DVec2) -> f64) -> DVec3 {
         let u = (across(p) / self.half).clamp(-1.0, 1.0);
         let k = SECTION.iter().rposition(|s| s.0 <= u).unwrap_or(0).min(3);
@@ -162,7 +162,7 @@ impl Joint {
         self.foot(p) - DVec3::Y * (self.layer.thick * share)
     }
 
-    /// The rectangle's sides from corner to corner, counter-clockwise from outside, with a point wherever a
+    /// Returns the rectangle's sides from corner to corner, counter-clockwise from outside, with a point wherever a
     /// line of the section crosses them.
     fn sides(&self, rect: Rect, across: impl Fn(DVec2) -> f64) -> Vec<Vec<DVec2>> {
         let corners = [
@@ -189,7 +189,7 @@ impl Joint {
         (0..4).map(side).collect()
     }
 
-    /// Normals of the round surface over the points of a strip.
+    /// Returns the normals of the round surface at the points of a strip.
     fn normals(&self, strip: &[DVec2], across: impl Fn(DVec2) -> f64) -> Vec<DVec3> {
         // The direction in which the distance grows.
         let gradient = dvec2(
@@ -205,7 +205,7 @@ impl Joint {
     }
 }
 
-/// Whether a distance lies between two lines of the section, or as near as the same point.
+/// Returns true if a distance lies between two lines of the section, within tolerance.
 fn between(u: f64, lo: f64, hi: f64) -> bool {
     u >= lo - SNAP && u <= hi + SNAP
 }

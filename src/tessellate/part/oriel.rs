@@ -1,4 +1,4 @@
-//! Boxes in front of the wall: de-goshi, oriels, handrails, railings of balconies.
+//! Boxes in front of the wall: de-goshi, oriels, handrails, balcony railings.
 
 use crate::catalog::body::{Element, Oriel};
 use crate::tessellate::part::bars::middles;
@@ -6,7 +6,7 @@ use crate::tessellate::part::bay::{Bay, Layer, Rect};
 use crate::tessellate::part::canopy::canopy;
 use crate::tessellate::part::detail::elements;
 
-/// Corner posts, sides, floor, ceiling, roof and the arms that carry it; the children make its front.
+/// Adds corner posts, sides, floor, ceiling, roof and the arms that carry the box; the children form its front.
 pub(in crate::tessellate) fn oriel(
     bay: &mut Bay<'_>,
     oriel: &Oriel,
@@ -56,8 +56,8 @@ pub(in crate::tessellate) fn oriel(
     elements(bay, &element.children, Some(rect));
 }
 
-/// One side: two rails from the wall to the corner post, bars between, and thin rails that pierce them. Bars stand near
-/// the outer face, as those of the front do.
+/// Adds one side: two rails from the wall to the corner post, bars between them, and thin rails through the bars. Bars
+/// are near the outer face, as on the front.
 fn side(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect, right: bool) {
     let place = &element.place;
     let (front, back) = (place.front.0 - oriel.post.0, place.front.0 - place.thick.0);
@@ -101,7 +101,7 @@ fn side(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect, right: 
     }
 }
 
-/// Brackets under the foot, cut slanting.
+/// Adds brackets under the foot with a slanting cut.
 fn arms(bay: &mut Bay<'_>, oriel: &Oriel, element: &Element, rect: Rect) {
     let place = &element.place;
     let (front, back) = (place.front.0 - 0.040, place.front.0 - place.thick.0);

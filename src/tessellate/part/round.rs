@@ -1,4 +1,4 @@
-//! Round things: openings with rounded corners, poles, slats that bulge.
+//! Round elements: openings with rounded corners, poles, convex slats.
 
 use crate::catalog::body::{Corners, Place, Slats};
 use crate::catalog::value::Run;
@@ -10,7 +10,7 @@ use crate::tessellate::part::boards::pieces;
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
 
-/// Fills the corners of a rectangle so that a rounded opening is left; half its width makes a circle.
+/// Fills the corners of a rectangle around a rounded opening; a radius of half the width gives a circle.
 pub(in crate::tessellate) fn corners(
     bay: &mut Bay<'_>,
     corners: &Corners,
@@ -52,8 +52,8 @@ pub(in crate::tessellate) fn fill_corners(
     }
 }
 
-/// Fills the ends of upright gaps in one row so that they end in half circles: one body above and one below, which
-/// run through the bars between the gaps.
+/// Fills the ends of a row of vertical gaps so that they end in half circles: one body above and one below, which pass
+/// through the bars between the gaps.
 pub(in crate::tessellate) fn arcade(
     bay: &mut Bay<'_>,
     finish: SurfaceId,
@@ -61,7 +61,7 @@ pub(in crate::tessellate) fn arcade(
     rect: Rect,
     gaps: &[(f64, f64)],
 ) {
-    /// How far the bodies reach into the frame, metres.
+    /// How far the bodies extend into the frame, metres.
     const INTO: f64 = 0.002;
     let (y0, y1) = (-layer.front, layer.thick - layer.front);
     let radius = |(x0, x1): (f64, f64)| ((x1 - x0) / 2.0).min(rect.height() / 2.0);
@@ -85,13 +85,13 @@ pub(in crate::tessellate) fn arcade(
     }
 }
 
-/// How many straight pieces a quarter of a circle has: about two centimetres a step, since small arcs are seen
-/// from near.
+/// Returns the number of segments of a quarter circle: about two centimetres each, since small arcs are seen from close
+/// up.
 fn steps(radius: f64) -> usize {
     ((radius * FRAC_PI_2 / 0.02).ceil() as usize).clamp(3, 12)
 }
 
-/// A round bar in the middle of its place, as thick as the place is at its thinnest.
+/// Adds a round bar in the middle of its place, with the place's smallest dimension as its diameter.
 pub(in crate::tessellate) fn pole(bay: &mut Bay<'_>, run: Run, place: &Place, rect: Rect) {
     let (y0, y1) = (-place.front.0, place.thick.0 - place.front.0);
     match run {
@@ -112,7 +112,7 @@ pub(in crate::tessellate) fn pole(bay: &mut Bay<'_>, run: Run, place: &Place, re
     }
 }
 
-/// Level slats from the top down, each bulging outwards between two grooves.
+/// Adds horizontal slats from the top down, each convex between two grooves.
 pub(in crate::tessellate) fn slats(bay: &mut Bay<'_>, slats: &Slats, place: &Place, rect: Rect) {
     let n = pieces(rect.height(), slats.size.0);
     let size = rect.height() / n as f64;

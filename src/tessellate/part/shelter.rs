@@ -1,4 +1,4 @@
-//! Little roofs: over windows, along fences, on wing walls.
+//! Small roofs: over windows, along fences, on wing walls.
 
 use crate::catalog::body::{Coping, Place, Wing};
 use crate::material::SurfaceId;
@@ -6,10 +6,10 @@ use crate::tessellate::mesh::{Axis, Bodies};
 use crate::tessellate::part::bay::{Bay, Rect};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
-/// Thickness of a little roof, metres.
+/// Thickness of a small roof, metres.
 const SLAB: f64 = 0.035;
 
-/// A hood whose slab falls from the top of its rectangle.
+/// Adds a hood whose slab slopes from the top of its rectangle.
 pub(in crate::tessellate) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, rect: Rect) {
     let (front, back) = (place.front.0, place.front.0 - place.thick.0);
     let foot = (rect.z1 - SLAB - pitch * (front - back)).max(rect.z0);
@@ -22,14 +22,14 @@ pub(in crate::tessellate) fn hood(bay: &mut Bay<'_>, pitch: f64, place: &Place, 
     bay.profile(place.finish, &outline, rect.x0, rect.x1);
 }
 
-/// A little gable roof along a fence.
+/// Adds a small gable roof along a fence.
 pub(in crate::tessellate) fn coping(bay: &mut Bay<'_>, coping: &Coping, place: &Place, rect: Rect) {
     let ends = (rect.x0, rect.x1);
     gable_of(coping, place, ends, (rect.z0, rect.z1)).draw(&mut bay.bodies);
 }
 
-/// The outer corner of such a roof: two slopes that meet in a hip. `outline` is the kite from the ridge's end to
-/// the eaves of this fence, the corner, and the eaves of the other.
+/// Adds the outer corner of a fence roof: two slopes that meet in a hip. `outline` is the kite from the end of the
+/// ridge to the eaves of this fence, the corner, and the eaves of the other.
 pub(in crate::tessellate) fn coping_corner(
     coping: &Coping,
     place: &Place,
@@ -52,12 +52,12 @@ pub(in crate::tessellate) fn coping_corner(
     bodies
 }
 
-/// From the middle of a fence to the eaves of its roof, on the outside.
+/// Returns the distance from the middle of a fence to the outer eaves of its roof, metres.
 pub(in crate::tessellate) fn coping_reach(coping: &Coping, place: &Place) -> f64 {
     place.front.0 + coping.out.0
 }
 
-/// The roof of a fence between two ends, and between the lowest and the highest it may reach.
+/// Returns the roof of a fence between two ends, and between its lowest and highest permitted heights.
 fn gable_of(coping: &Coping, place: &Place, ends: (f64, f64), heights: (f64, f64)) -> Gable {
     let middle = place.front.0 - place.thick.0 / 2.0;
     Gable {
@@ -73,7 +73,7 @@ fn gable_of(coping: &Coping, place: &Place, ends: (f64, f64), heights: (f64, f64
     }
 }
 
-/// A wing wall at right angles to the facade, under its own gable roof that runs outwards.
+/// Adds a wing wall at right angles to the facade, under a gable roof whose ridge runs outwards.
 pub(in crate::tessellate) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place, rect: Rect) {
     let half = place.thick.0 / 2.0;
     let (inner, outer) = (-place.front.0, wing.out.0);
@@ -102,29 +102,29 @@ pub(in crate::tessellate) fn wing(bay: &mut Bay<'_>, wing: &Wing, place: &Place,
     gable.draw(&mut bay.bodies);
 }
 
-/// A little gable roof: a slab with a flat underside, rolls of round tiles down its slopes, and a ridge of
-/// two courses under a round cap.
+/// A small gable roof: a slab with a flat underside, rolls of round tiles down its slopes, and a ridge of two courses
+/// under a round cap.
 struct Gable {
-    /// Which way its ridge runs.
+    /// Direction of its ridge.
     along: DVec3,
-    /// Which way one of its slopes falls.
+    /// Direction in which one of its slopes falls.
     across: DVec3,
-    /// Where the ridge's line starts to count.
+    /// Origin of distances along the ridge.
     origin: DVec3,
-    /// Where it begins and ends along the ridge.
+    /// Start and end along the ridge, metres.
     ends: (f64, f64),
-    /// From the ridge to the eaves.
+    /// Distance from the ridge to the eaves in plan, metres.
     half: f64,
-    /// The lowest it may reach, and its top.
+    /// Its lowest permitted height, and its top, metres.
     heights: (f64, f64),
-    /// Rise in the horizontal.
+    /// Slope of the roof, rise over run.
     pitch: f64,
     finish: SurfaceId,
-    /// About how far rolls stand from each other; 0 = none.
+    /// Approximate spacing of the rolls, metres; 0 = no rolls.
     rolls: f64,
 }
 
-/// Heights of a ridge above the slab: each course, and the cap.
+/// Heights of a ridge above the slab, metres: each course, and the cap.
 const COURSE: f64 = 0.035;
 const CAP: f64 = 0.060;
 
@@ -132,18 +132,18 @@ const CAP: f64 = 0.060;
 const ROLL: f64 = 0.042;
 
 impl Gable {
-    /// A point along the ridge, across it, and up.
+    /// Returns the point at distances along the ridge, across it, and up.
     fn at(&self, u: f64, v: f64, z: f64) -> DVec3 {
         self.origin + self.along * u + self.across * v + DVec3::Z * z
     }
 
-    /// How much lower its ridge is than one that has room; a low roof has a low ridge.
+    /// Returns the scale of its ridge: a low roof has a low ridge.
     fn scale(&self) -> f64 {
         let (low, high) = self.heights;
         ((high - low) / 3.0 / (2.0 * COURSE + CAP)).min(1.0)
     }
 
-    /// Heights of its slopes at the eaves and under the ridge.
+    /// Returns the heights of its slopes at the eaves and under the ridge.
     fn slope(&self) -> (f64, f64) {
         let (low, high) = self.heights;
         let top = high - self.scale() * (2.0 * COURSE + CAP - 0.012);
@@ -205,7 +205,7 @@ impl Gable {
         bodies.slide(edge, &ring(&round), way, true);
     }
 
-    /// Rolls of round tiles from the eaves to the ridge, half a cell from each end.
+    /// Adds rolls of round tiles from the eaves to the ridge, half a spacing from each end.
     fn rolls(&self, bodies: &mut Bodies, (eaves, top): (f64, f64)) {
         let edge = SurfaceId::named("kawara_edge");
         let (from, to) = self.ends;

@@ -3,10 +3,10 @@
 use crate::catalog::body::{Place, Track};
 use crate::tessellate::part::bay::{Bay, Rect};
 
-/// What is left between two grooves, metres.
+/// Width of the ridge between two grooves, metres.
 const RIDGE: f64 = 0.001;
 
-/// A sill at the foot and a head at the top of a rectangle, both grooved towards the leaves.
+/// Adds a sill at the bottom and a head at the top of a rectangle, both grooved towards the leaves.
 pub(in crate::tessellate) fn track(bay: &mut Bay<'_>, track: &Track, place: &Place, rect: Rect) {
     let size = track.size.0.min(rect.height() / 4.0);
     // A groove leaves half the timber.
@@ -17,7 +17,7 @@ pub(in crate::tessellate) fn track(bay: &mut Bay<'_>, track: &Track, place: &Pla
     bay.profile(place.finish, &head, rect.x0, rect.x1);
 }
 
-/// The section between the plain side and the grooved side: (outwards, up).
+/// Returns the section between the plain side and the grooved side: (outwards, up).
 fn profile(
     track: &Track,
     place: &Place,

@@ -1,5 +1,5 @@
-//! The solids that a roof shows. At details without joinery roofs that meet are one massive solid, which the first of
-//! them shows; the others have only what they wear.
+//! Selects the solids that a roof shows. At details without joinery, roofs that meet form one massive solid, which the
+//! first of them shows; the others show only their trim.
 
 use crate::building::{Face, Finish, Roof, Solid};
 use crate::material::SurfaceId;
@@ -10,7 +10,7 @@ use crate::tessellate::roof::plaster;
 use glam::DVec2;
 use std::borrow::Cow;
 
-/// For each roof of a house those whose solids it shows.
+/// Returns for each roof of a house the roofs whose solids it shows.
 pub(in crate::tessellate) fn shares(roofs: &[Roof], detail: Detail) -> Vec<&[Roof]> {
     if !is_massive(detail) {
         return roofs.iter().map(std::slice::from_ref).collect();
@@ -31,7 +31,7 @@ fn is_massive(detail: Detail) -> bool {
     detail <= Detail::Flat
 }
 
-/// Whether a solid fills a gable.
+/// Returns true if a solid fills a gable.
 pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
     solid
         .faces
@@ -39,18 +39,18 @@ pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
         .is_some_and(|f| f.finish == Finish::Gable)
 }
 
-/// What some roofs show.
+/// The solids that some roofs show.
 pub(in crate::tessellate) struct Bulk<'a> {
     pub(in crate::tessellate) solids: Cow<'a, [Solid]>,
     gables: Gables<'a>,
     plastered: bool,
 }
 
-/// What gable walls are made of.
+/// The surfaces of gable walls.
 enum Gables<'a> {
-    /// Solid by solid.
+    /// By solid.
     BySolid(&'a [SurfaceId]),
-    /// Where the fills stand in plan that a massive roof has taken in.
+    /// The positions in plan of the gable fills that a massive roof contains.
     Near(Vec<([DVec2; 2], SurfaceId)>),
 }
 
@@ -81,7 +81,7 @@ impl<'a> Bulk<'a> {
         }
     }
 
-    /// What a face shows that follows from the walls below.
+    /// Returns the surface of a face that depends on the walls below.
     pub(in crate::tessellate) fn given(&self, solid: usize, face: &Face) -> Option<SurfaceId> {
         match face.finish {
             Finish::Gable => self.gable(solid, face),
@@ -90,7 +90,7 @@ impl<'a> Bulk<'a> {
         }
     }
 
-    /// What a gable wall is made of.
+    /// Returns the surface of a gable wall.
     fn gable(&self, solid: usize, face: &Face) -> Option<SurfaceId> {
         match &self.gables {
             Gables::BySolid(all) => all.get(solid).copied(),

@@ -1,4 +1,4 @@
-//! Roofs that are alike show one mesh, as parts do: the houses of a row are built from one plan.
+//! Keys by which equal roofs share one mesh, as parts do: the houses of a row often have the same plan.
 
 use crate::ast::{RoofKind, RoofShape};
 use crate::building::{Face, Roof, Solid, Trim};
@@ -13,15 +13,14 @@ use std::collections::HashMap;
 use std::hash::{BuildHasherDefault, Hash, Hasher};
 use std::rc::Rc;
 
-/// The meshes of all roofs so far. Never walked, so that its order cannot
-/// matter.
+/// The meshes of all roofs so far. Never iterated, so its order cannot affect the output.
 pub(in crate::tessellate) type Roofs<'a> = HashMap<MeshKey<'a>, Shown, BuildHasherDefault<Quick>>;
 
-/// What a roof shows: its mesh, and the rows of tiles and rafters on and under it.
+/// The output of a roof: its mesh, and the rows of tiles and rafters on and under it.
 pub(in crate::tessellate) type Shown = (Option<MeshId>, Rc<[(Run, MeshId)]>);
 
-/// A roof as its mesh sees it: its number in the house, which is in the mesh's name, what it wears, and the
-/// solids of it and of those it shows, to the last bit.
+/// The key of a roof's mesh: its number in the house (part of the mesh's name), its trim, and the solids of it and of
+/// the roofs it shows, compared exactly.
 #[derive(Clone, Debug)]
 pub(in crate::tessellate) struct MeshKey<'a> {
     number: usize,
@@ -36,12 +35,12 @@ pub(in crate::tessellate) struct MeshKey<'a> {
     walls: Walls,
 }
 
-/// What the walls below give a roof.
+/// The properties of a roof that depend on the walls below.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::tessellate) struct Walls {
-    /// What the gables of those it shows are filled with, solid by solid.
+    /// The surfaces of the gable fills, solid by solid.
     pub(in crate::tessellate) gables: Vec<SurfaceId>,
-    /// Whether they are plastered over their posts, and its eaves and verges with them.
+    /// True if they are plastered over their posts; eaves and verges are then plastered as well.
     pub(in crate::tessellate) plastered: bool,
 }
 
@@ -71,7 +70,7 @@ impl<'a> MeshKey<'a> {
         &self.beyond
     }
 
-    /// What it shows.
+    /// Returns the solids it shows.
     pub(in crate::tessellate) fn bulk(&self, detail: Detail) -> Bulk<'_> {
         Bulk::of(self.shown, &self.walls, detail)
     }
@@ -86,7 +85,7 @@ fn bits(p: &DVec3) -> [u64; 3] {
 }
 
 impl Hash for MeshKey<'_> {
-    /// Points tell roofs apart but for their coverings; faces are left to the comparison.
+    /// Points distinguish most roofs, except for their coverings; equality compares the faces.
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_usize(self.number);
         for solid in self.solids {

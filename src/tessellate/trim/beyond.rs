@@ -1,26 +1,26 @@
-//! What lies beyond the joints of a roof: another slope that rises from them, or a wall. Roofs that are alike show
-//! one mesh only where this is the same as well, so that it is found before anything is dressed.
+//! Finds what lies beyond the joints of a roof: another slope that rises from them, or a wall. Roofs share a mesh only
+//! if this is equal as well, so it is determined before the trim.
 
 use crate::building::{Finish, HouseRoofs, Roof};
 use crate::tessellate::trim::seams::{End, Kind};
 use crate::tessellate::trim::surface::Surface;
 use glam::{DVec2, DVec3};
 
-/// Houses with more facets than this have their joints left plain: nobody looks at each of them.
+/// Houses with more facets than this keep plain joints, to bound the running time.
 const MANY: usize = 3000;
-/// How far beyond a joint its neighbour is looked for, and how far it may lie above or below, metres.
+/// Horizontal distance beyond a joint at which its neighbour is sought, and the vertical tolerance, metres.
 const STEP: f64 = 0.02;
 const APART: f64 = 0.04;
-/// How far a ridge runs on into another roof at most, and in which steps, metres.
+/// The longest extension of a ridge into another roof, and the step of the search, metres.
 const FARTHEST: f64 = 1.5;
 const PACE: f64 = 0.05;
 
-/// What lies beyond the joints of one roof.
+/// The surroundings of the joints of one roof.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::tessellate) struct Beyond {
-    /// The rise of the slope beyond each joint in the order of edges, where there is one; empty where nobody looked.
+    /// The rise of the slope beyond each joint in the order of edges, if there is one; empty if it was not computed.
     pub(super) rises: Vec<Option<DVec2>>,
-    /// How far ridges run on beyond their ends at joints, metres, in the order of seams.
+    /// Lengths by which ridges extend beyond their ends at joints, metres, in the order of seams.
     pub(super) runs: Vec<f64>,
 }
 
@@ -32,7 +32,7 @@ pub(in crate::tessellate) struct Neighbours {
     surfaces: Vec<Surface>,
 }
 
-/// One facet: whose it is, where it lies, its plan, a point and its rise.
+/// One facet: its roof, position, outline in plan, a point and its rise.
 #[derive(Debug)]
 struct Slope {
     roof: usize,
@@ -44,8 +44,8 @@ struct Slope {
 }
 
 impl Neighbours {
-    /// The slopes of the roofs of one house; none where no roof has a joint (the upper gable of an irimoya is one
-    /// with its skirt), or where there are too many.
+    /// Collects the slopes of the roofs of one house; none if no roof has a joint (the upper gable and the skirt of an
+    /// irimoya are one roof), or if there are too many.
     pub(in crate::tessellate) fn of(roofs: &HouseRoofs) -> Neighbours {
         let mut all = Neighbours::default();
         if !roofs.roofs.iter().any(has_joints) {
@@ -76,7 +76,7 @@ impl Neighbours {
         all
     }
 
-    /// What lies beyond the joints of one of them.
+    /// Returns the surroundings of the joints of one roof.
     pub(in crate::tessellate) fn beyond(&self, n: usize, roof: &Roof) -> Beyond {
         let mut beyond = Beyond::default();
         let Some(surface) = self.surfaces.get(n).filter(|_| !self.slopes.is_empty()) else {
@@ -106,7 +106,7 @@ impl Neighbours {
         beyond
     }
 
-    /// Heights and rises of the other roofs over a place in plan.
+    /// Returns heights and rises of the other roofs over a point in plan.
     fn over(&self, n: usize, p: DVec2) -> impl Iterator<Item = (f64, DVec2)> + '_ {
         let slopes = self.slopes.iter().filter(move |s| s.roof != n);
         let here = slopes.filter(move |s| s.lo.cmple(p).all() && p.cmple(s.hi).all());
@@ -114,7 +114,7 @@ impl Neighbours {
             .map(move |s| (s.at.z + s.rise.dot(p - s.at.truncate()), s.rise))
     }
 
-    /// How far a ridge of this height runs on until another roof covers it, or until that roof is highest.
+    /// Returns how far a ridge of this height extends until another roof covers it, or until that roof is highest.
     fn run(&self, n: usize, at: DVec3, way: DVec3, height: f64) -> f64 {
         let way = way.truncate().normalize_or_zero();
         let (mut best, mut far) = (at.z, PACE);
@@ -137,7 +137,7 @@ impl Neighbours {
 }
 
 impl Slope {
-    /// Whether a place in plan lies on it.
+    /// Returns true if it contains a point in plan.
     fn holds(&self, p: DVec2) -> bool {
         let next = self.plan.iter().cycle().skip(1);
         let mut sides = self.plan.iter().zip(next);
@@ -145,7 +145,7 @@ impl Slope {
     }
 }
 
-/// Whether a roof has hidden sides: where it meets something.
+/// Returns true if a roof has hidden sides, where it meets something.
 fn has_joints(roof: &Roof) -> bool {
     let faces = roof.solids.iter().flat_map(|s| &s.faces);
     let mut joints = faces.filter(|f| f.finish == Finish::Plaster);

@@ -1,4 +1,4 @@
-//! Closed bodies between sections: boards, caps and tiles of any bend.
+//! Closed bodies lofted between sections: boards, caps and curved tiles.
 
 use crate::building::Corners;
 use crate::material::SurfaceId;
@@ -6,35 +6,35 @@ use crate::tessellate::mesh::polygon;
 use crate::tessellate::mesh::{Soup, axes, grain_along, lies};
 use glam::{DVec2, DVec3, dvec2};
 
-/// Quads that leave their plane by more than this are divided, metres.
+/// Quads that deviate from a plane by more than this are split, metres.
 const PLANE: f64 = 1e-7;
 
-/// Faces that bend less than this to each other, in the cosine, are shaded as one curve on soft bodies.
+/// Faces at less than this angle are shaded as one curve on smooth bodies, as a cosine.
 const SOFT: f64 = 0.6;
 
 /// A closed body in one surface.
 #[derive(Clone, Debug)]
 pub(in crate::tessellate) struct Body {
-    /// What it shows.
+    /// Its surface.
     pub(in crate::tessellate) finish: SurfaceId,
-    /// Whether its sides are shaded as curves where they bend little.
+    /// True if its sides are shaded as curves where they meet at small angles.
     pub(in crate::tessellate) soft: bool,
     /// Shared corners, metres.
     pub(in crate::tessellate) points: Vec<DVec3>,
-    /// Plane faces, counter-clockwise seen from outside; the ends stand last.
+    /// Plane faces, counter-clockwise seen from outside; the ends come last.
     pub(in crate::tessellate) faces: Vec<Corners>,
-    /// Points in a section.
+    /// Number of points in a section.
     pub(super) round: u32,
-    /// How many faces are sides.
+    /// Number of faces that are sides.
     pub(super) sides: usize,
-    /// What others like it are called, and what is to the right of all of them, unit length; `None` where it
-    /// stands alone.
+    /// The name of its row, and the direction that is to the right in the whole row, unit length; `None` if it is not
+    /// part of a row.
     pub(super) row: Option<(&'static str, DVec2)>,
 }
 
 impl Body {
-    /// What lies between sections of equally many corners, closed at both ends. Sections are plane, all run the
-    /// same way round, either; nothing where the whole has no volume.
+    /// Lofts between sections with equal numbers of corners, closed at both ends. Sections are plane and share one
+    /// orientation, whichever; `None` if the body has no volume.
     pub(super) fn loft(finish: SurfaceId, sections: &[Vec<DVec3>]) -> Option<Body> {
         let n = sections.iter().map(Vec::len).min()?;
         if n < 3 || sections.len() < 2 {
@@ -48,7 +48,7 @@ impl Body {
         body.outward()
     }
 
-    /// The same where the last section goes on in the first: a ring without ends.
+    /// As [`Body::loft`], with the last section connected to the first: a ring without ends.
     pub(super) fn ring(finish: SurfaceId, sections: &[Vec<DVec3>]) -> Option<Body> {
         let n = sections.iter().map(Vec::len).min()?;
         if n < 3 || sections.len() < 3 {
@@ -57,7 +57,7 @@ impl Body {
         Body::between(finish, sections, n, true).outward()
     }
 
-    /// The sides between sections.
+    /// Builds the sides between sections.
     fn between(finish: SurfaceId, sections: &[Vec<DVec3>], n: usize, round: bool) -> Body {
         let mut points = Vec::with_capacity(n * sections.len());
         points.extend(sections.iter().flat_map(|s| &s[..n]));
@@ -82,7 +82,7 @@ impl Body {
         }
     }
 
-    /// The body with its faces outward; nothing where it has no volume.
+    /// Returns the body with its faces outwards; `None` if it has no volume.
     fn outward(mut self) -> Option<Body> {
         let volume = self.volume();
         if volume.abs() < 1e-9 || !volume.is_finite() {
@@ -94,25 +94,25 @@ impl Body {
         Some(self)
     }
 
-    /// A plane section swept along a straight way.
+    /// Sweeps a plane section along a straight line.
     pub(super) fn sweep(finish: SurfaceId, section: Vec<DVec3>, way: DVec3) -> Option<Body> {
         let end = section.iter().map(|p| *p + way).collect();
         Body::loft(finish, &[section, end])
     }
 
-    /// The same with its sides shaded as curves.
+    /// Returns the body with its sides shaded as curves.
     pub(super) fn softly(mut self) -> Body {
         self.soft = true;
         self
     }
 
-    /// The same as one of a row whose bodies have this to their right.
+    /// Returns the body as one of a row whose bodies have this direction to their right.
     pub(super) fn one_of(mut self, name: &'static str, right: DVec2) -> Body {
         self.row = Some((name, right));
         self
     }
 
-    /// Six times its volume.
+    /// Returns six times its volume.
     fn volume(&self) -> f64 {
         let Some(apex) = self.points.first() else {
             return 0.0;
@@ -125,7 +125,7 @@ impl Body {
         fans.sum()
     }
 
-    /// Its triangles. Corners of faces that agree in normal and picture are one vertex.
+    /// Adds its triangles. Face corners with equal normals and texture coordinates share a vertex.
     pub(in crate::tessellate) fn pour(&self, soup: &mut Soup) {
         let shapes: Vec<Vec<DVec3>> = self.faces.iter().map(|f| self.corners(f)).collect();
         let normals: Vec<DVec3> = shapes.iter().map(|s| polygon::normal(s)).collect();
@@ -166,8 +166,8 @@ impl Body {
         face.iter().map(|i| self.points[*i as usize]).collect()
     }
 
-    /// Texture coordinates of the sides of a soft body: round its sections, and along it. Faces beyond them are its
-    /// ends.
+    /// Returns texture coordinates of the sides of a smooth body: around its sections, and along it. The remaining
+    /// faces are its ends.
     fn unrolled(&self) -> Vec<Vec<DVec2>> {
         let n = self.round as usize;
         if n == 0 {
@@ -212,7 +212,7 @@ impl Body {
     }
 }
 
-/// Texture coordinates of a plane face.
+/// Returns texture coordinates of a plane face.
 fn planar(corners: &[DVec3], normal: DVec3, grain: bool) -> Vec<DVec2> {
     let (right, up) = axes(normal);
     let flat = |p: &DVec3| dvec2(right.dot(*p), up.dot(*p));
@@ -224,7 +224,7 @@ fn planar(corners: &[DVec3], normal: DVec3, grain: bool) -> Vec<DVec2> {
     corners.iter().map(place).collect()
 }
 
-/// The normals of a body's corners, face by face.
+/// Computes the normals of a body's corners, face by face.
 struct Shades<'a> {
     normals: &'a [DVec3],
     /// The faces at each point; empty on bodies with hard edges.
@@ -254,7 +254,7 @@ impl Shades<'_> {
     }
 }
 
-/// A face of four corners, in two where it is bent; corners that coincide are one.
+/// Adds a face of four corners, split in two if it is not plane; coincident corners are merged.
 fn quad(points: &[DVec3], corners: [u32; 4], faces: &mut Vec<Corners>) {
     let [a, b, c, d] = corners.map(|i| points[i as usize]);
     let normal = (c - a).cross(d - b).normalize_or_zero();

@@ -1,4 +1,4 @@
-//! Bent lines on a roof: lengths along them, sections across them.
+//! Polylines on a roof: lengths along them, sections across them.
 
 use glam::{DVec2, DVec3};
 
@@ -9,12 +9,12 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// Its length.
+    /// Returns its length, metres.
     pub(super) fn length(&self) -> f64 {
         self.points.windows(2).map(|w| w[0].distance(w[1])).sum()
     }
 
-    /// The point so far along it; beyond its ends straight on.
+    /// Returns the point at a distance along it; extrapolates beyond its ends.
     pub(super) fn at(&self, distance: f64) -> DVec3 {
         let mut left = distance;
         let pieces = self.points.len() - 1;
@@ -28,14 +28,14 @@ impl Line {
         self.points[0]
     }
 
-    /// Level, at right angles to the line at corner `i`, to its left.
+    /// Returns the horizontal direction at right angles to the line at corner `i`, to its left.
     pub(super) fn across(&self, i: usize) -> DVec3 {
         let last = self.points.len() - 1;
         let (before, after) = (self.points[i.max(1) - 1], self.points[(i + 1).min(last)]);
         level_left(after - before).extend(0.0)
     }
 
-    /// Upright sections at all corners of a profile of (to the left, up).
+    /// Returns vertical sections at all corners of a profile of (to the left, up).
     pub(super) fn sections(&self, profile: &[(f64, f64)]) -> Vec<Vec<DVec3>> {
         let section = |i: usize| -> Vec<DVec3> {
             let (at, across) = (self.points[i], self.across(i));
@@ -45,7 +45,7 @@ impl Line {
         (0..self.points.len()).map(section).collect()
     }
 
-    /// The same, longer by this at both ends, metres.
+    /// Returns the line extended by `by` metres at both ends.
     pub(super) fn longer(&self, by: f64) -> Line {
         let mut line = self.clone();
         let last = line.points.len() - 1;
@@ -56,7 +56,7 @@ impl Line {
         line
     }
 
-    /// The part between two distances.
+    /// Returns the part between two distances.
     pub(super) fn part(&self, from: f64, to: f64) -> Line {
         let mut points = vec![self.at(from)];
         let mut run = 0.0;
@@ -71,7 +71,7 @@ impl Line {
     }
 }
 
-/// To the left of a way in plan, unit length.
+/// Returns the direction to the left of a direction in plan, unit length.
 pub(super) fn level_left(way: DVec3) -> DVec2 {
     way.truncate().perp().normalize_or_zero()
 }

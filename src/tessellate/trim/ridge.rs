@@ -1,5 +1,5 @@
-//! Ridges and hips of tiles: a bed, courses of flat tiles (noshi) that step in as they rise, round caps (kanmuri)
-//! and end tiles. Sizes from docs/evidence.md 4.4.
+//! Tiled ridges and hips: a bed, courses of flat tiles (noshi) that step in as they rise, round caps (kanmuri) and end
+//! tiles. Sizes from docs/evidence.md 4.4.
 
 pub(in crate::tessellate::trim) mod onigawara;
 pub(in crate::tessellate::trim) mod finial;
@@ -16,7 +16,7 @@ use crate::tessellate::trim::ridge::onigawara::Place;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
 use glam::{DVec2, DVec3};
 
-/// How far a ridge reaches down beside its line beyond the slopes, metres.
+/// How far a ridge extends below the slopes beside its line, metres.
 const SUNK: f64 = 0.02;
 /// Height of a course, and of its joint, metres.
 const COURSE: f64 = 0.035;
@@ -25,14 +25,14 @@ const JOINT: f64 = 0.010;
 const BED: f64 = 0.015;
 /// Height of the cap, metres.
 const CAP: f64 = 0.08;
-/// Each course is so much wider than the one above on both sides, metres.
+/// Additional width of each course over the one above, on both sides, metres.
 const STEP: f64 = 0.007;
 /// Length of a cap tile, metres.
 const UNIT: f64 = 0.32;
-/// What is shorter gets no ridge, metres.
+/// Lines shorter than this have no ridge, metres.
 const SHORTEST: f64 = 0.05;
 
-/// Half the width of its cap, metres: 5 or 6 sun, wider on roofs of cover tiles.
+/// Returns half the width of its cap, metres: 5 or 6 sun, wider on roofs of cover tiles.
 pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
     let half = if noshi > 4 { 0.09 } else { 0.075 };
     match kind {
@@ -41,7 +41,7 @@ pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
     }
 }
 
-/// A ridge or hip of tiles with the end tiles at its free ends.
+/// Adds a tiled ridge or hip with the end tiles at its free ends.
 pub(super) fn tiles(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
     let Some(line) = run_on(tailor.roof.kind, seam) else {
         return;
@@ -93,7 +93,7 @@ pub(super) fn tiles(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) 
     }
 }
 
-/// The tiles that close the free ends of a ridge of this half width and height.
+/// Adds the tiles that close the free ends of a ridge of this half width and height.
 fn ends(
     tailor: &RoofTrim<'_>,
     seam: &Seam,
@@ -133,7 +133,7 @@ fn ends(
     }
 }
 
-/// The line of a seam, run on a little into what covers its ends; `None` where it is too short for anything.
+/// Returns the line of a seam, extended slightly into the surfaces at its ends; `None` if it is too short.
 pub(super) fn run_on(kind: RoofKind, seam: &Seam) -> Option<Line> {
     let mut line = Line {
         points: seam.points.clone(),
@@ -156,8 +156,8 @@ pub(super) fn run_on(kind: RoofKind, seam: &Seam) -> Option<Line> {
     Some(line)
 }
 
-/// How far a ridge stands out over the verge, metres: over whatever else does, so that its end lies in no plane of
-/// theirs.
+/// Returns how far a ridge projects beyond the verge, metres: farther than all other trim, so that no faces are
+/// coplanar.
 fn beyond(kind: RoofKind) -> f64 {
     match kind {
         // Verge tiles.
@@ -168,7 +168,7 @@ fn beyond(kind: RoofKind) -> f64 {
     }
 }
 
-/// A plain block with its upper edges cut.
+/// Returns the profile of a plain block with chamfered upper edges.
 pub(super) fn plain(half: f64, foot: f64, height: f64) -> [(f64, f64); 6] {
     let shoulder = height - CAP.min(height / 2.0);
     [
@@ -181,7 +181,7 @@ pub(super) fn plain(half: f64, foot: f64, height: f64) -> [(f64, f64); 6] {
     ]
 }
 
-/// A half round over a base.
+/// Returns the profile of a half round over a base.
 pub(super) fn arch(half: f64, height: f64, base: f64) -> Vec<(f64, f64)> {
     const STEPS: u32 = 3;
     let arc = (0..=STEPS).map(|i| {
@@ -195,7 +195,7 @@ pub(super) fn arch(half: f64, height: f64, base: f64) -> Vec<(f64, f64)> {
     arc.collect()
 }
 
-/// The bed and the courses on it, each tile proud of its joint.
+/// Returns the profile of the bed and the courses on it, each tile projecting beyond its joint.
 fn stepped(half: f64, lean: f64, courses: u32) -> Vec<(f64, f64)> {
     let width = |i: u32| half + STEP * f64::from(courses.saturating_sub(i + 1));
     let back = 0.012;
@@ -221,7 +221,7 @@ fn stepped(half: f64, lean: f64, courses: u32) -> Vec<(f64, f64)> {
     right
 }
 
-/// Cap tiles one after the other, each a little wider where it laps over the next.
+/// Adds cap tiles one after the other, each slightly wider where it laps over the next.
 fn caps(line: &Line, half: f64, top: f64, finish: SurfaceId, bodies: &mut Vec<Body>) {
     let length = line.length();
     let count = (length / UNIT).round().clamp(1.0, 2000.0);

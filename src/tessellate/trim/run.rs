@@ -1,5 +1,5 @@
-//! Bodies that stand in rows and are all alike: cover tiles, discs, cap tiles, rafters. Each shape is made once, in
-//! meshes of a few beside each other, and shown by nodes wherever it stands.
+//! Rows of equal bodies: cover tiles, discs, cap tiles, rafters. Each shape is made once, in meshes of a few side by
+//! side, and instanced by nodes.
 
 use crate::building::Corners;
 use crate::material::SurfaceId;
@@ -8,13 +8,13 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// Shapes are alike to this, metres.
+/// Tolerance within which shapes are equal, metres.
 const ALIKE: f64 = 1e-5;
-/// Steps are told to this, metres.
+/// Resolution of the spacing of a row, metres.
 const FINE: f64 = 1e-6;
-/// Fewer alike bodies stay with their roof: a mesh and its nodes would be larger than they are.
+/// Fewer equal bodies stay with their roof, since a mesh and its nodes would be larger.
 const LEAST: usize = 4;
-/// How many bodies a mesh of a long row has, and how many stand in one mesh just as they are.
+/// Number of bodies in a mesh of a long row, and the most that share one mesh without being in a row.
 const CHUNK: usize = 8;
 const SHORT: usize = 12;
 
@@ -30,23 +30,23 @@ pub(in crate::tessellate) struct Shape {
     faces: Vec<Corners>,
 }
 
-/// Everything that the mesh of a run depends on.
+/// The key of a run's mesh.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in crate::tessellate) struct Row {
-    /// What it is called.
+    /// Its name.
     pub(in crate::tessellate) name: &'static str,
     shape: Rc<Shape>,
-    /// From one to the next in their frame, thousandths of a millimetre.
+    /// Offset from one to the next in their frame, thousandths of a millimetre.
     step: [i32; 3],
     count: u32,
 }
 
-/// Bodies beside each other, all alike.
+/// Equal bodies side by side.
 #[derive(Clone, Debug)]
 pub(in crate::tessellate) struct Run {
-    /// The first one's origin, metres.
+    /// Origin of the first one, metres.
     pub(in crate::tessellate) at: DVec3,
-    /// To the right, unit length.
+    /// Direction to the right, unit length.
     pub(in crate::tessellate) right: DVec2,
     pub(in crate::tessellate) row: Row,
 }
@@ -66,7 +66,7 @@ impl Shape {
 }
 
 impl Row {
-    /// Its bodies in the frame of the first.
+    /// Returns its bodies in the frame of the first.
     pub(in crate::tessellate) fn bodies(&self) -> impl Iterator<Item = Body> + '_ {
         let shape = &*self.shape;
         (0..self.count).map(|i| {
@@ -85,7 +85,7 @@ impl Row {
     }
 }
 
-/// Takes out of the bodies those that stand in rows with others of their shape.
+/// Removes from the bodies those that form rows of equal shapes, and returns the rows.
 pub(super) fn take(bodies: &mut Vec<Body>) -> Vec<Run> {
     // The map is never walked, so that its order cannot matter.
     let mut known: HashMap<(Shape, [u64; 2]), usize> = HashMap::new();
@@ -125,7 +125,7 @@ pub(super) fn take(bodies: &mut Vec<Body>) -> Vec<Run> {
     runs
 }
 
-/// Cuts places into rows with the same step throughout, long ones into pieces of which most are alike.
+/// Splits positions into rows of constant spacing, long ones into pieces that are mostly equal.
 fn rows(places: &[DVec3], right: DVec2, mut made: impl FnMut(DVec3, [i32; 3], usize)) {
     let mut from = 0;
     while from < places.len() {
@@ -155,7 +155,7 @@ fn rows(places: &[DVec3], right: DVec2, mut made: impl FnMut(DVec3, [i32; 3], us
     }
 }
 
-/// A way in a frame, in units.
+/// Returns a vector in a frame, in units.
 fn local(way: DVec3, right: DVec2, unit: f64) -> [i32; 3] {
     let plan = way.truncate();
     let own = [right.dot(plan), right.perp_dot(plan), way.z];

@@ -1,8 +1,8 @@
-//! The lines of a roof that want dressing: where two slopes meet above (ridge, hip) or below (valley), and what
-//! their free edges are (eaves, verge, crest).
+//! The lines of a roof that carry trim: where two slopes meet above (ridge, hip) or below (valley), and the kinds of
+//! their free edges (eaves, verge, crest).
 //!
-//! A slope is cut into facets in many ways: by other roofs, into convex pieces, into the strips of a curve. Facets
-//! whose falls point nearly the same way are one slope, and pieces of a line on one straight way are one seam.
+//! A slope may be cut into facets by other roofs, into convex pieces, or into the strips of a curve. Facets that fall
+//! in nearly the same direction are one slope, and collinear pieces of a line are one seam.
 
 use crate::building::EdgeKind;
 use crate::geometry::tolerance::POINT;
@@ -11,15 +11,15 @@ use crate::tessellate::trim::surface::{Beside, Side, Surface};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
-/// Pieces of a seam that go on within this, in the cosine, are one line in plan: 20 degrees.
+/// Pieces of a seam that turn by less than this are one line in plan, as a cosine: 20 degrees.
 const GOES_ON: f64 = 0.94;
 
-/// What a seam is.
+/// The kind of a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Kind {
-    /// Two slopes meet above on a level line.
+    /// Two slopes meet above on a horizontal line.
     Ridge,
-    /// Two slopes meet above on a line that falls.
+    /// Two slopes meet above on a sloping line.
     Hip,
     /// Two slopes meet below, or one meets another roof on a line across its fall.
     Valley,
@@ -29,14 +29,14 @@ pub(super) enum Kind {
     Verge,
     /// The high edge of a slope, free or at a wall.
     Crest,
-    /// Where a slope runs along a wall.
+    /// The edge of a slope along a wall.
     Flank,
 }
 
-/// What lies beyond the end of a seam.
+/// The condition at the end of a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
-    /// The open: it ends on the rim of the roof.
+    /// Open: it ends on the rim of the roof.
     Free,
     /// Other seams of the same roof.
     Met,
@@ -44,35 +44,35 @@ pub(super) enum End {
     Joint,
 }
 
-/// A piece of a seam on one straight way.
+/// A straight piece of a seam.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     /// The facet to its left.
     pub(super) left: u32,
-    /// The facet to its right, the same where nothing lies there.
+    /// The facet to its right; equal to `left` if there is none.
     pub(super) right: u32,
-    /// How deep the edge of the covering is at both ends, metres; zero on inner seams.
+    /// Depth of the covering's edge at both ends, metres; zero on inner seams.
     pub(super) deep: [f64; 2],
 }
 
-/// A line to be dressed, from end to end. Rims run with their roof on the left, hips upwards.
+/// A line that carries trim, from end to end. Rims run with their roof on the left, hips run upwards.
 #[derive(Clone, Debug)]
 pub(super) struct Seam {
     pub(super) kind: Kind,
-    /// At least two, on the upper surface; straight in plan but for slight bends.
+    /// At least two, on the upper surface; straight in plan except for slight bends.
     pub(super) points: Vec<DVec3>,
-    /// One less than points.
+    /// One fewer than points.
     pub(super) spans: Vec<Span>,
     pub(super) ends: [End; 2],
-    /// How far ridges run on beyond ends at joints, metres.
+    /// Lengths by which ridges extend beyond ends at joints, metres.
     pub(super) runs: [f64; 2],
 }
 
-/// So far a ridge runs on into what covers its end where nobody measured, metres.
+/// Default extension of a ridge into what covers its end, metres.
 const INTO: f64 = 0.15;
 
 impl Surface {
-    /// All seams, ridges first.
+    /// Returns all seams, ridges first.
     pub(super) fn seams(&self, beyond: &Beyond) -> Vec<Seam> {
         let kinds = self
             .sides
@@ -131,7 +131,7 @@ impl Surface {
         }
     }
 
-    /// What lies at each point: the open, a joint, or neither.
+    /// Returns the condition at each point.
     fn ends(&self) -> Vec<End> {
         let mut ends = vec![End::Met; self.points.len()];
         for side in &self.sides {
@@ -150,7 +150,7 @@ impl Surface {
         ends
     }
 
-    /// Pieces of one kind joined to lines.
+    /// Joins pieces of one kind to lines.
     fn chains(&self, kind: Kind, pieces: &[(Kind, Side)], ends: &[End]) -> Vec<Seam> {
         let joints = Joints::new(self, kind, pieces);
         let (way, next) = (|n| joints.way(n), |n, at, way| joints.next(n, at, way));
@@ -192,7 +192,7 @@ impl Surface {
         seams
     }
 
-    /// A line of pieces, straight ones joined.
+    /// Builds a seam from a line of pieces, merging collinear ones.
     fn seam(&self, kind: Kind, sides: &[Side], ends: &[End]) -> Seam {
         let mut points: Vec<DVec3> = vec![];
         let mut spans: Vec<Span> = vec![];
@@ -236,7 +236,7 @@ impl Surface {
         }
     }
 
-    /// Whether a span goes on straight in the next one, between the same planes.
+    /// Returns true if a span continues straight into the next one, between the same planes.
     fn goes_on(&self, a: &Span, b: &Span, p: DVec3, q: DVec3, r: DVec3) -> bool {
         let rise = |f: u32| self.facets[f as usize].rise;
         let same = |f: u32, g: u32| (rise(f) - rise(g)).length() < 1e-6;
@@ -244,7 +244,7 @@ impl Surface {
         before.dot(after) > 1.0 - 1e-9 && same(a.left, b.left) && same(a.right, b.right)
     }
 
-    /// How steeply the covering falls away to the left and to the right of a span, per metre across it.
+    /// Returns how steeply the covering falls to the left and to the right of a span, metres per metre across it.
     pub(super) fn leans(&self, span: &Span, way: DVec3) -> [f64; 2] {
         let left = way.truncate().normalize_or_zero().perp();
         let rise = |f: u32| self.facets[f as usize].rise;
@@ -252,7 +252,7 @@ impl Surface {
     }
 }
 
-/// A side the other way round.
+/// Returns a side in the given direction.
 fn turned(side: Side, forward: bool) -> Side {
     let Beside::Facet(other) = side.beside else {
         return side;
@@ -269,7 +269,7 @@ fn turned(side: Side, forward: bool) -> Side {
     }
 }
 
-/// Which piece of one kind goes on from which.
+/// The connections between pieces of one kind.
 struct Joints<'s> {
     surface: &'s Surface,
     kind: Kind,
@@ -293,15 +293,15 @@ impl<'s> Joints<'s> {
         }
     }
 
-    /// The direction of a piece in plan.
+    /// Returns the direction of a piece in plan.
     fn way(&self, n: usize) -> DVec2 {
         let side = &self.pieces[n].1;
         let (from, to) = (self.surface.at(side.from), self.surface.at(side.to));
         (to - from).truncate().normalize_or_zero()
     }
 
-    /// The piece that goes on from this one at a point, and whether it starts there; ridges may be joined head to
-    /// head. None where several do.
+    /// Returns the piece that continues this one at a point, and whether it starts there; ridges may be joined head to
+    /// head. None if several do.
     fn next(&self, n: usize, point: u32, ahead: DVec2) -> Option<(usize, bool)> {
         let others = self.at.get(&point)?.iter().copied().filter(|m| *m != n);
         // Hips run upwards: two that face each other over a point are two.

@@ -1,25 +1,25 @@
-//! One slope with its frame: what lies in rows up the slope or in courses along it is laid out here, in one phase
-//! over all facets that the slope was cut into.
+//! One slope with its frame: lays out rows up the slope and courses along it, in one phase over all facets of the
+//! slope.
 
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::surface::Surface;
 use glam::{DVec2, DVec3, dvec2};
 
-/// What is shorter than this is left out, metres.
+/// Pieces shorter than this are left out, metres.
 const SHORTEST: f64 = 0.02;
 /// No cut in t.
 const EVERYWHERE: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
 
 /// A facet in the frame of its slope. Plan coordinates: s to the right as seen from outside, t up the slope, both in
-/// metres from the origin of the house, so that rows agree with the pictures of coverings.
+/// metres from the origin of the house, so that rows match the textures of coverings.
 #[derive(Clone, Debug)]
 pub(super) struct Field {
     right: DVec2,
     up: DVec2,
     /// The number of its slope.
     slope: usize,
-    /// A point and the rise of its plane.
+    /// A point of its plane and the plane's rise.
     at: DVec3,
     rise: DVec2,
     /// Its corners as (s, t), counter-clockwise.
@@ -27,7 +27,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// Every facet, in the frame of the largest facet of its slope.
+    /// Returns every facet, in the frame of the largest facet of its slope.
     pub(super) fn all(surface: &Surface) -> Vec<Field> {
         let count = surface.facets.len();
         let mut slope: Vec<usize> = (0..count).collect();
@@ -69,51 +69,51 @@ impl Field {
         (0..count).map(field).collect()
     }
 
-    /// The number of its slope, the same for all its facets.
+    /// Returns the number of its slope, equal for all facets of it.
     pub(super) fn slope(&self) -> usize {
         self.slope
     }
 
-    /// To the right in plan as seen from outside, unit length.
+    /// Returns the direction to the right in plan as seen from outside, unit length.
     pub(super) fn right(&self) -> DVec2 {
         self.right
     }
 
-    /// The s of a point.
+    /// Returns the s of a point.
     pub(super) fn s(&self, p: DVec3) -> f64 {
         self.right.dot(p.truncate())
     }
 
-    /// Metres up the slope on one metre in plan.
+    /// Returns the rise in metres per metre in plan.
     pub(super) fn pitch(&self) -> f64 {
         self.rise.dot(self.up)
     }
 
-    /// What an upright metre on the slope is at right angles to it.
+    /// Returns the factor from a distance at right angles to the slope to the vertical distance.
     pub(super) fn stretch(&self) -> f64 {
         (1.0 + self.rise.length_squared()).sqrt()
     }
 
-    /// The point of the surface at (s, t), raised upright.
+    /// Returns the point of the surface at (s, t), raised vertically by `lift`.
     pub(super) fn point(&self, s: f64, t: f64, lift: f64) -> DVec3 {
         let plan = self.right * s + self.up * t;
         let z = self.at.z + self.rise.dot(plan - self.at.truncate());
         plan.extend(z + lift)
     }
 
-    /// Least and greatest s and t.
+    /// Returns the least and greatest s and t.
     pub(super) fn bounds(&self) -> (DVec2, DVec2) {
         let none = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         let corners = self.corners.iter();
         corners.fold(none, |(lo, hi), c| (lo.min(*c), hi.max(*c)))
     }
 
-    /// From where to where the facet reaches on the line of a given s, in t.
+    /// Returns the extent of the facet in t on the line of a given s.
     pub(super) fn column(&self, s: f64) -> Option<(f64, f64)> {
         self.across(|c| c, s).filter(|(lo, hi)| hi - lo > SHORTEST)
     }
 
-    /// From where to where it reaches on the line of a given t, in s.
+    /// Returns the extent of the facet in s on the line of a given t.
     pub(super) fn course(&self, t: f64) -> Option<(f64, f64)> {
         self.across(|c| dvec2(c.y, c.x), t)
             .filter(|(lo, hi)| hi - lo > SHORTEST)
@@ -132,15 +132,15 @@ impl Field {
         (lo <= hi).then_some((lo, hi))
     }
 
-    /// A row up the slope at `s`: a profile of (s, height at right angles to the slope), cut upright where the
-    /// facet ends.
+    /// Builds a row up the slope at `s`: a profile of (s, height at right angles to the slope), cut vertically at the
+    /// ends of the facet.
     pub(super) fn row(&self, finish: SurfaceId, s: f64, profile: &[(f64, f64)]) -> Option<Body> {
         let raised = raised(profile, self.stretch());
         Body::loft(finish, &self.ends(s, &raised, EVERYWHERE)?)
     }
 
-    /// Rows like that over all facets of a slope, each one body as far as it goes on from facet to facet. A row follows
-    /// its middle: where the slope is twisted towards a raised corner its facets are narrower than a tile.
+    /// Adds such rows over all facets of a slope, each as one body as far as it continues from facet to facet. A row
+    /// follows its middle, since facets of a slope twisted towards a raised corner are narrower than a tile.
     pub(super) fn rows(
         slope: &[&Field],
         finish: SurfaceId,
@@ -163,7 +163,7 @@ impl Field {
             .collect()
     }
 
-    /// One row over facets that follow each other up the slope, each with the reach of the row's middle.
+    /// Builds one row over consecutive facets up the slope, each with the extent of the row's middle.
     fn run(
         run: &[(&Field, f64, f64)],
         finish: SurfaceId,
@@ -202,12 +202,12 @@ impl Field {
         Body::loft(finish, &sections)
     }
 
-    /// As [`Field::column`], however short.
+    /// As [`Field::column`], without a minimum length.
     fn whole_column(&self, s: f64) -> Option<(f64, f64)> {
         self.across(|c| c, s).filter(|(lo, hi)| hi - lo > 1e-6)
     }
 
-    /// A row with upright heights, so that it bends with its slope, and cut where t leaves `within`.
+    /// Builds a row with vertical heights, so that it follows the curve of its slope, and clipped to t in `within`.
     pub(super) fn upright_row(
         &self,
         finish: SurfaceId,
@@ -218,7 +218,7 @@ impl Field {
         Body::loft(finish, &self.ends(s, profile, within)?)
     }
 
-    /// The sections at both ends of such a row.
+    /// Returns the sections at both ends of such a row.
     fn ends(&self, s: f64, profile: &[(f64, f64)], within: (f64, f64)) -> Option<[Vec<DVec3>; 2]> {
         let mut ends = [Vec::new(), Vec::new()];
         for (x, _) in profile {
@@ -243,8 +243,8 @@ impl Field {
         Some(ends.map(|end| self.section(s, &end, profile)))
     }
 
-    /// A section of a row whose places are given as (x, t), as high over the slope as its middle: rows do not lean
-    /// where the slope does.
+    /// Returns a section of a row whose positions are (x, t), at the height of its middle above the slope, so that rows
+    /// do not lean with the slope.
     fn section(&self, s: f64, end: &[(f64, f64)], profile: &[(f64, f64)]) -> Vec<DVec3> {
         let places = end.iter().zip(profile);
         let at = |((x, t), (_, height)): (&(f64, f64), &(f64, f64))| {
@@ -253,8 +253,8 @@ impl Field {
         places.map(at).collect()
     }
 
-    /// A bar along the slope at `t`: a profile of (t, height), cut upright a little beyond where the facet ends, so
-    /// that its ends lie in no plane of the roof's.
+    /// Builds a bar along the slope at `t`: a profile of (t, height), cut vertically slightly beyond the ends of the
+    /// facet, so that its ends are not coplanar with the roof.
     pub(super) fn bar(&self, finish: SurfaceId, t: f64, profile: &[(f64, f64)]) -> Option<Body> {
         const OVER: f64 = 0.01;
         let stretch = self.stretch();
@@ -267,14 +267,15 @@ impl Field {
         Body::loft(finish, &sections)
     }
 
-    /// The places of rows: multiples of `step` moved by `phase` inside the facet, at least `margin` from its ends.
+    /// Returns the positions of rows: multiples of `step` shifted by `phase` inside the facet, at least `margin` from
+    /// its ends.
     pub(super) fn places(&self, step: f64, phase: f64, margin: f64) -> impl Iterator<Item = f64> {
         let (lo, hi) = self.bounds();
         places(lo.x + margin, hi.x - margin, step, phase)
     }
 }
 
-/// Multiples of `step` moved by `phase`, from `lo` to `hi`; never more than some thousands.
+/// Returns multiples of `step` shifted by `phase`, from `lo` to `hi`; at most a few thousand.
 pub(super) fn places(lo: f64, hi: f64, step: f64, phase: f64) -> impl Iterator<Item = f64> {
     const MOST: i64 = 4000;
     let first = ((lo - phase) / step).ceil() as i64;
@@ -283,12 +284,12 @@ pub(super) fn places(lo: f64, hi: f64, step: f64, phase: f64) -> impl Iterator<I
     (first..first + count).map(move |i| i as f64 * step + phase)
 }
 
-/// A profile with its heights at right angles to a slope as upright ones.
+/// Converts a profile's heights at right angles to a slope to vertical ones.
 fn raised(profile: &[(f64, f64)], stretch: f64) -> Vec<(f64, f64)> {
     profile.iter().map(|(x, h)| (*x, h * stretch)).collect()
 }
 
-/// Cuts an end of a row, as (x, t), at right angles where its places lie on no straight line.
+/// Cuts an end of a row, as (x, t), at right angles if its points are not collinear.
 fn square(end: &mut [(f64, f64)], inner: fn(f64, f64) -> f64) {
     let none = (f64::INFINITY, f64::NEG_INFINITY);
     let by_x = |a: &(f64, f64), b: &(f64, f64)| a.0.total_cmp(&b.0);

@@ -1,25 +1,26 @@
-//! Board roofs held down by battens and stones (ishi-oki, docs/evidence.md 4.3): only gentle ones, since stones roll.
+//! Board roofs held down by battens and stones (ishi-oki, docs/evidence.md 4.3), only on gentle slopes, since stones
+//! roll.
 
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::slope::{Field, places};
 use glam::DVec3;
 
-/// From batten to batten up the slope, metres in plan; half width and height of one.
+/// Spacing of battens up the slope, metres in plan; half width and height of one.
 const APART: f64 = 0.60;
 const BATTEN: (f64, f64) = (0.022, 0.026);
-/// From stone to stone, metres.
+/// Spacing of stones, metres.
 const STONES: f64 = 0.62;
-/// The steepest slope that stones lie on.
+/// The steepest slope with stones, rise over run.
 const STEEPEST: f64 = 0.36;
-/// How far things reach into the slope, metres.
+/// How far battens and stones extend into the slope, metres.
 const SUNK: f64 = 0.01;
 
-/// The most stones of a facet: some 750 square metres. A larger one is no roof that anybody laid stones on, and
-/// their number would grow with the square of two figures in a roof line.
+/// The largest number of stones on a facet, about 750 square metres; real roofs with stones are smaller, and without a
+/// limit the number would grow with the square of the lengths in a roof line.
 const MANY: f64 = 2000.0;
 
-/// The battens of a facet, and its stones where these are not too many.
+/// Adds the battens of a facet, and its stones if these are not too many.
 pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
     if field.pitch() > STEEPEST {
         return;
@@ -49,7 +50,7 @@ pub(super) fn battens(field: &Field, bodies: &mut Vec<Body>) {
     }
 }
 
-/// A flat round stone that lies on a point.
+/// Builds a flat round stone on a point.
 fn stone(at: DVec3, size: f64, turn: f64) -> Option<Body> {
     const SIDES: u32 = 6;
     // Shares of its size: how wide and how high each ring lies.
@@ -71,7 +72,7 @@ fn stone(at: DVec3, size: f64, turn: f64) -> Option<Body> {
     body.map(Body::softly)
 }
 
-/// A number from 0 to 1 that belongs to a place.
+/// Returns a pseudo-random number from 0 to 1 for a position.
 fn chance(n: u32, row: u32, salt: u32) -> f64 {
     let mut word = n.wrapping_mul(0x9e37_79b9) ^ row.wrapping_mul(0x85eb_ca6b) ^ (salt << 7);
     word = (word ^ (word >> 15)).wrapping_mul(0x2c1b_3c6d);

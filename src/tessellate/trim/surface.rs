@@ -23,7 +23,7 @@ pub(super) struct Side {
     pub(super) beside: Beside,
 }
 
-/// What lies to the right of an edge.
+/// What adjoins an edge on its right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Beside {
     /// Another facet.
@@ -56,7 +56,7 @@ impl Surface {
         }
     }
 
-    /// Pairs of facets that belong to one slope.
+    /// Returns pairs of facets that belong to one slope.
     pub(super) fn kinks(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.sides.iter().filter_map(|side| match side.beside {
             Beside::Facet(other) if side.kind == EdgeKind::Fold => {
@@ -66,7 +66,7 @@ impl Surface {
         })
     }
 
-    /// The area of a facet in plan, square metres.
+    /// Returns the area of a facet in plan, square metres.
     pub(super) fn area(&self, facet: usize) -> f64 {
         let corners = &self.facets[facet].corners;
         let plan: Vec<DVec2> = corners.iter().map(|i| self.at(*i).truncate()).collect();
@@ -88,12 +88,12 @@ impl Surface {
         Some(found.2[0])
     }
 
-    /// A point by its number.
+    /// Returns a point by its number.
     pub(super) fn at(&self, id: u32) -> DVec3 {
         self.points[id as usize]
     }
 
-    /// The ends of edges at joints, in their order.
+    /// Returns the ends of edges at joints, in order.
     pub(super) fn joints(&self) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
         let joints = self
             .sides

@@ -1,4 +1,4 @@
-//! TrimDetail of known roofs: seams where they must be, bodies closed, sizes that follow the roof.
+//! Tests of trim on known roofs: seams in the right places, bodies closed, sizes that follow the roof.
 
 use crate::ast::{RoofKind, RoofShape};
 use crate::building::{Attic, Face, Finish, HouseRoofs, Roof, RoofSurface, Solid, Trim};
@@ -237,7 +237,7 @@ fn strips_of_a_curve_are_one_slope() {
     );
 }
 
-/// Everything that a roof wears.
+/// Builds all trim of a roof.
 fn bodies(roof: &Roof, detail: Detail) -> Vec<Body> {
     bodies_on(roof, false, detail)
 }
@@ -248,7 +248,7 @@ fn bodies_on(roof: &Roof, plastered: bool, detail: Detail) -> Vec<Body> {
     worn.bodies.into_iter().chain(rows).collect()
 }
 
-/// A body as the checks take it.
+/// Converts a body to the solid that the checks take.
 fn solid(body: &Body) -> Solid {
     let finish = Finish::Plaster;
     let face = |corners: &crate::building::Corners| Face {
@@ -292,7 +292,7 @@ fn everything_worn_is_closed() {
     }
 }
 
-/// How many bodies of a surface a roof wears.
+/// Counts the bodies of a surface in a roof's trim.
 fn worn(roof: &Roof, surface: &str) -> usize {
     let finish = SurfaceId::named(surface);
     let bodies = bodies(roof, Detail::Everything);

@@ -10,25 +10,25 @@ use crate::tessellate::trim::seams::{End, Seam};
 use crate::tessellate::trim::slope::{Field, places};
 use glam::{DVec2, DVec3};
 
-/// Working width of a tile, and where its roll has its crest, metres: as `texture` draws it.
+/// Working width of a tile, and the position of its roll's crest, metres: as in the texture.
 const WIDTH: f64 = 0.265;
 const CREST: f64 = 0.045;
-/// How far fronts hang below the upper surface, and how thick they are, metres.
+/// How far fronts hang below the upper surface, and their thickness, metres.
 const HANG: f64 = 0.075;
 const THICK: f64 = 0.024;
-/// How far fronts stand before the edge, metres.
+/// How far fronts project beyond the edge, metres.
 const OUT: f64 = 0.012;
 /// The disc at the end of a roll: radius, metres.
 const DISC: f64 = 0.040;
-/// How far verge tiles reach out over the eaves, beyond the fronts there, metres.
+/// How far verge tiles project over the eaves, beyond the fronts there, metres.
 const OVER: f64 = 0.028;
-/// Verge tiles: how far they lap over the slope, down its edge, and how thick they are, metres.
+/// Verge tiles: how far they lap over the slope and down its edge, and their thickness, metres.
 const LAP: (f64, f64, f64) = (0.10, 0.09, 0.022);
 
-/// The street is before the first line: fronts that look there are flat (docs/evidence.md 4.4, S34).
+/// Direction of the street, in front of the first line: fronts that face it are flat (docs/evidence.md 4.4, S34).
 const STREET: DVec2 = DVec2::NEG_Y;
 
-/// The front of the eaves.
+/// Adds the fronts along the eaves.
 pub(super) fn eaves(tailor: &RoofTrim<'_>, fields: &[Field], seam: &Seam, bodies: &mut Vec<Body>) {
     if tailor.detail < Detail::Openings {
         return;
@@ -72,7 +72,7 @@ pub(super) fn eaves(tailor: &RoofTrim<'_>, fields: &[Field], seam: &Seam, bodies
     }
 }
 
-/// An upright section of a front that hangs so far.
+/// Returns a vertical section of a front with this hang, metres.
 fn front(at: DVec3, out: DVec2, hang: f64) -> Vec<DVec3> {
     let (fore, back) = ((out * OUT).extend(0.0), (out * (OUT - THICK)).extend(0.0));
     let (top, low) = (DVec3::Z * 0.006, DVec3::Z * -hang);
@@ -83,14 +83,14 @@ fn front(at: DVec3, out: DVec2, hang: f64) -> Vec<DVec3> {
     ]
 }
 
-/// A straight front, each span for itself.
+/// Adds straight fronts, one per span.
 fn plain(finish: SurfaceId, ends: &[DVec3], out: DVec2, bodies: &mut Vec<Body>) {
     let sections = [front(ends[0], out, HANG), front(ends[1], out, HANG)];
     bodies.extend(Body::loft(finish, &sections));
 }
 
-/// A round plate that looks out over the eaves; `from` and `up` say where it begins before the edge and how high
-/// its middle lies.
+/// Adds a round plate facing out over the eaves; `from` and `up` give its start outside the edge and the height of its
+/// centre.
 pub(super) fn disc(
     finish: SurfaceId,
     at: DVec3,
@@ -109,7 +109,7 @@ pub(super) fn disc(
     body.map(Body::softly)
 }
 
-/// Verge tiles: over the outermost tiles and down the edge.
+/// Adds verge tiles over the outermost tiles and down the edge.
 pub(super) fn verge(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
     if tailor.detail < Detail::Openings {
         return;

@@ -1,4 +1,4 @@
-//! Sloping ceilings: walls under a lean-to end at its plane, level bays below a wedge.
+//! Sloping ceilings: walls under a lean-to end at its plane, in rectangular bays below a wedge.
 
 use crate::material::SurfaceId;
 use crate::tessellate::Level;
@@ -6,14 +6,14 @@ use crate::tessellate::mesh::{Axis, Bodies, THIN};
 use crate::tessellate::part::bay::Layer;
 use glam::{DVec2, dvec2};
 
-/// Plan tolerance in U for points on the border of a rectangle.
+/// Tolerance in plan for points on the border of a rectangle, U.
 const NEAR: f64 = 1e-3;
 
-/// No wall is lower than this, metres.
+/// The lowest wall, metres.
 const LOWEST: f64 = 0.05;
 
-/// Heights above the storey's floor at which a unit from `from` to `to` (plan, U) ends; the storey's own
-/// top where no ceiling is lower.
+/// Returns the heights above the storey's floor at which a unit from `from` to `to` (plan, U) ends; the storey's own
+/// top if no ceiling is lower.
 pub(in crate::tessellate) fn tops(
     level: Level<'_>,
     from: DVec2,
@@ -34,7 +34,7 @@ pub(in crate::tessellate) fn tops(
     (at(from), at(to))
 }
 
-/// Whether a stretch of wall lies on one edge of a rectangle.
+/// Returns true if a section of wall lies on one edge of a rectangle.
 fn on_border([a0, b0, a1, b1]: [f64; 4], p: DVec2, q: DVec2) -> bool {
     let near = |x: f64, y: f64| (x - y).abs() < NEAR;
     let within = |x: f64, lo: f64, hi: f64| x > lo - NEAR && x < hi + NEAR;
@@ -45,8 +45,8 @@ fn on_border([a0, b0, a1, b1]: [f64; 4], p: DVec2, q: DVec2) -> bool {
     along_a(b0) || along_a(b1) || along_b(a0) || along_b(a1)
 }
 
-/// What fills a bay between its level top and the sloping plane: x from 0 to the width, heights at the
-/// left and right end above the level top.
+/// Builds the wedge between a bay's level top and the sloping plane: x from 0 to the width, heights at the left and
+/// right end above the level top.
 pub(in crate::tessellate) fn wedge(
     finish: SurfaceId,
     layer: Layer,

@@ -1,5 +1,5 @@
-//! Fillers at convex corners of walls without posts: without them the outer faces of two panels that end
-//! on their centre lines leave a notch.
+//! Fillers at convex corners of walls without posts: without them, the outer faces of two panels that end on their
+//! centre lines leave a notch.
 
 use crate::catalog::Stance;
 use crate::catalog::body::Shape;
@@ -14,11 +14,11 @@ use crate::tessellate::wall::{Line, Stand};
 use crate::tessellate::{Walker, turn_of};
 use glam::{DVec2, DVec3, dvec2};
 
-/// Mitres longer than so many faces are cut off: sharp corners of unlike walls.
+/// Mitres longer than this number of faces are cut off, at sharp corners of unlike walls.
 const LONGEST: f64 = 4.0;
 
 impl Walker<'_> {
-    /// The filler at the start of a wall, where one is needed.
+    /// Adds the filler at the start of a wall, if one is needed.
     pub(in crate::tessellate) fn corners(
         &mut self,
         level: crate::tessellate::Level<'_>,
@@ -50,7 +50,7 @@ impl Walker<'_> {
         }
     }
 
-    /// The roof of a fence at its corner.
+    /// Adds the roof of a fence at its corner.
     fn hip(
         &mut self,
         facade: NodeId,
@@ -80,7 +80,7 @@ impl Walker<'_> {
         Some(node)
     }
 
-    /// How far below its top a unit's wall ends: under the coping of a fence.
+    /// Returns how far below its top a unit's wall ends: under the coping of a fence.
     fn filled(&self, stand: &Stand<'_>) -> f64 {
         let Content::Part(id) = &stand.unit.content else {
             return 0.0;
@@ -97,7 +97,7 @@ impl Walker<'_> {
         below.reduce(f64::min).unwrap_or(0.0)
     }
 
-    /// What a corner beside a unit is made of.
+    /// Returns the surface of a corner beside a unit.
     fn finish(&self, stand: &Stand<'_>) -> SurfaceId {
         match &stand.unit.content {
             Content::Part(id) => {
@@ -114,8 +114,8 @@ impl Walker<'_> {
     }
 }
 
-/// The kite between the ends of two outer faces, `f1` and `f2` from their centre lines, in the frame of
-/// the second wall; `None` at straight and reflex corners.
+/// Returns the kite between the ends of two outer faces, `f1` and `f2` from their centre lines, in the frame of the
+/// second wall; `None` at straight and reflex corners.
 fn mitre(before: &Line<'_>, line: &Line<'_>, f1: f64, f2: f64) -> Option<Vec<DVec2>> {
     let (a, b) = (turn_of(before.wall.direction), turn_of(line.wall.direction));
     // The first wall's rotation seen from the second.

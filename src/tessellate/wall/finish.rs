@@ -1,10 +1,10 @@
-//! The finishes of small walls: that of a wall beside them, else the default of the period.
+//! The finishes of infill walls: that of an adjacent wall, otherwise the default of the period.
 
 use crate::catalog::{Catalog, Era};
 use crate::material::SurfaceId;
 use crate::program::Content;
 
-/// The finish that a wall gives to small walls beside it.
+/// Returns the finish that a wall gives to adjacent infill walls.
 pub(super) fn finish_of(catalog: &Catalog, content: &Content) -> Option<SurfaceId> {
     match content {
         Content::Part(id) => catalog.part(*id).finish,
@@ -12,7 +12,7 @@ pub(super) fn finish_of(catalog: &Catalog, content: &Content) -> Option<SurfaceI
     }
 }
 
-/// The default of small walls by era.
+/// Returns the default finish of infill walls by era.
 pub(super) fn default_finish(catalog: &Catalog, content: &Content) -> SurfaceId {
     let era = match content {
         Content::Part(id) => catalog.part(*id).era,

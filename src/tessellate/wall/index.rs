@@ -1,5 +1,5 @@
-//! Where the walls of a storey stand, by line: how far the house reaches behind an opening, and what the
-//! gables above are filled with.
+//! An index of a storey's walls by line: gives the depth of the house behind an opening, and the surface of the gables
+//! above.
 
 use crate::building::{House, Solid, Storey, Wall};
 use crate::catalog::{Catalog, Stance};
@@ -10,10 +10,10 @@ use crate::tessellate::wall::finish::{default_finish, finish_of};
 use glam::DVec2;
 use std::cell::OnceCell;
 
-/// What stands behind a passage keeps so far from its end, metres: half a wall and some air.
+/// Clearance between the end of a passage and what is behind it, metres: half a wall and some air.
 const CLEAR: f64 = 0.10;
 
-/// A gable's fill stands at most so far from the line of its wall, metres.
+/// Largest distance of a gable's fill from the line of its wall, metres.
 const BESIDE: f64 = 0.08;
 
 /// The walls of one storey that bound something and are parallel to an axis of the plan.
@@ -31,7 +31,7 @@ struct Stretch {
     line: i64,
     lo: f64,
     hi: f64,
-    /// Its ring and its place there.
+    /// Its ring and its index there.
     at: (u32, u32),
 }
 
@@ -41,7 +41,7 @@ fn line(u: f64) -> i64 {
 }
 
 impl WallIndex {
-    /// The walls of a storey.
+    /// Indexes the walls of a storey.
     pub(in crate::tessellate) fn of(storey: &Storey) -> WallIndex {
         let mut walls = [vec![], vec![]];
         for (r, ring) in storey.rings.iter().enumerate().filter(|(_, r)| r.closed) {
@@ -67,7 +67,7 @@ impl WallIndex {
         }
     }
 
-    /// The walls on some lines that stand along a stretch of them.
+    /// Returns the walls on a range of lines that overlap an interval along them.
     fn across(&self, along_a: bool, (from, to): (i64, i64), (lo, hi): (f64, f64)) -> Vec<Stretch> {
         let walls = &self.walls[usize::from(along_a)];
         let mut found = vec![];
@@ -83,8 +83,8 @@ impl WallIndex {
         found
     }
 
-    /// How deep a passage through a wall may be, from one offset along it to another in U, so that it does
-    /// not come out behind the house: metres, at most `most`.
+    /// Returns the depth of a passage through a wall, from one offset along it to another in U, so that it does not
+    /// come out behind the house: metres, at most `most`.
     pub(in crate::tessellate) fn room(
         &self,
         wall: &Wall,
@@ -117,7 +117,7 @@ impl WallIndex {
         nearest.map_or(most, |n| (n as f64 * SAME * unit - CLEAR).clamp(0.0, most))
     }
 
-    /// The finish of the wall that a gable's fill stands on: what most of it is made of there.
+    /// Returns the finish of the wall under a gable's fill: the most common one there.
     pub(in crate::tessellate) fn gable(
         &self,
         catalog: &Catalog,
@@ -160,7 +160,7 @@ impl WallIndex {
     }
 }
 
-/// Whether most of a storey's walls are plastered over their posts, as those of storehouses are.
+/// Returns true if most of a storey's walls are plastered over their posts, as in storehouses.
 pub(in crate::tessellate) fn is_plastered(catalog: &Catalog, storey: &Storey) -> bool {
     let plaster = SurfaceId::named("plaster");
     let units = storey
@@ -181,14 +181,14 @@ pub(in crate::tessellate) fn is_plastered(catalog: &Catalog, storey: &Storey) ->
     over > all / 2.0
 }
 
-/// A fill and the storey it stands on.
+/// A gable's fill and the storey under it.
 #[derive(Clone, Copy)]
 pub(in crate::tessellate) struct Place<'a> {
     pub(in crate::tessellate) solid: &'a Solid,
     pub(in crate::tessellate) storey: &'a Storey,
 }
 
-/// A wall's line, start and end.
+/// Returns a wall's line, start and end.
 fn place(wall: &Wall, along_a: bool) -> (f64, f64, f64) {
     let (p, q) = (wall.from, wall.to);
     match along_a {
@@ -197,7 +197,7 @@ fn place(wall: &Wall, along_a: bool) -> (f64, f64, f64) {
     }
 }
 
-/// What most walls of a storey are made of.
+/// Returns the most common finish of a storey's walls.
 fn usual(catalog: &Catalog, storey: &Storey) -> SurfaceId {
     let mut shares = Shares::default();
     let walls = || storey.rings.iter().flat_map(|r| &r.walls);
@@ -210,12 +210,12 @@ fn usual(catalog: &Catalog, storey: &Storey) -> SurfaceId {
     })
 }
 
-/// How much there is of each finish.
+/// Lengths by finish.
 #[derive(Default)]
 struct Shares(Vec<(SurfaceId, f64)>);
 
 impl Shares {
-    /// Adds the units of a wall by what `length` says of their two offsets.
+    /// Adds the units of a wall with the length that `length` gives for their two offsets.
     fn add(&mut self, catalog: &Catalog, wall: &Wall, length: impl Fn(f64, f64) -> f64) {
         let mut offset = 0.0;
         for unit in &wall.units {
@@ -235,7 +235,7 @@ impl Shares {
         }
     }
 
-    /// The finish there is most of, the first of equals.
+    /// Returns the most common finish, the first of equals.
     fn most(&self) -> Option<SurfaceId> {
         let mut best: Option<(SurfaceId, f64)> = None;
         for share in &self.0 {
@@ -247,7 +247,7 @@ impl Shares {
     }
 }
 
-/// The finish of a wall part at its top.
+/// Returns the finish of a wall part at its top.
 fn crown(catalog: &Catalog, content: &Content) -> Option<SurfaceId> {
     match content {
         Content::Split(split) => {

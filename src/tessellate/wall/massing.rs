@@ -1,6 +1,6 @@
-//! Detail 0: a storey as one mesh of flat walls, in bands of the colours that its parts have.
+//! Detail 0: a storey as one mesh of flat walls, in bands of the colours of its parts.
 //!
-//! Walls are open above and below, where roofs and the ground close them; nothing lies inside.
+//! Walls are open above and below, where roofs and the ground close them; there is no interior.
 
 use crate::building::Ring;
 use crate::catalog::Catalog;
@@ -14,35 +14,35 @@ use crate::tessellate::wall::{Line, Stand};
 use crate::tessellate::{Level, Walker, part, turn_of};
 use glam::{DVec3, dvec2};
 
-/// Height of the stones under a house, metres.
+/// Height of the foundation stones under a house, metres.
 const STONES: f64 = 0.285;
 
-/// Corners sharper than this many faces are not drawn out to their point.
+/// Corners sharper than this many faces are not mitred to their point.
 const LONGEST: f64 = 4.0;
 
-/// A level stripe of a wall.
+/// A horizontal stripe of a wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Band {
-    /// Foot and top above the storey's floor.
+    /// Foot and top above the storey's floor, metres.
     z: (f64, f64),
     material: MaterialId,
-    /// Whether the material is a picture, once over the band.
+    /// True if the material is an image that spans the band once.
     picture: bool,
 }
 
-/// Neighbours that look alike.
+/// Adjacent units that look the same.
 struct Stretch {
-    /// Metres from the wall's right end.
+    /// Distance from the wall's right end, metres.
     from: f64,
     to: f64,
     face: f64,
-    /// Heights at the right and left end.
+    /// Heights at the right and left end, metres.
     tops: (f64, f64),
     bands: Vec<Band>,
 }
 
 impl Walker<'_> {
-    /// The mesh of a storey's walls; `None` where it has none.
+    /// Returns the mesh of a storey's walls; `None` if it has none.
     pub(in crate::tessellate) fn body(&mut self, level: Level<'_>) -> Option<MeshId> {
         let mut soups: Vec<(MaterialId, Soup)> = vec![];
         for ring in &level.storey.rings {
@@ -86,7 +86,7 @@ impl Walker<'_> {
         }
     }
 
-    /// The solid parts of a wall, neighbours of one look together.
+    /// Returns the solid sections of a wall, adjacent units of equal look merged.
     fn stretches(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
         let mut stretches: Vec<Stretch> = vec![];
         let catalog = self.catalog;
@@ -124,7 +124,7 @@ impl Walker<'_> {
         stretches
     }
 
-    /// The stripes of a unit from its foot to its top; of halves with several units the first one speaks for all.
+    /// Returns the stripes of a unit from its foot to its top; the first unit of a half stands for all of it.
     fn bands(&mut self, unit: &Unit, stand: &Stand<'_>, z: (f64, f64), out: &mut Vec<Band>) {
         let (z0, z1) = z;
         let mut band =
@@ -181,7 +181,7 @@ impl Walker<'_> {
     }
 }
 
-/// Whether a bay between posts that are drawn stands open.
+/// Returns true if a bay is open between posts that are drawn.
 fn shows_through(catalog: &Catalog, level: Level<'_>, stand: &Stand<'_>) -> bool {
     match &stand.unit.content {
         Content::Part(id) => {
@@ -191,7 +191,8 @@ fn shows_through(catalog: &Catalog, level: Level<'_>, stand: &Stand<'_>) -> bool
     }
 }
 
-/// How far the outer faces of two walls reach beyond the corner between them; negative in reflex corners.
+/// Returns how far the outer faces of two walls extend beyond the corner between them, metres; negative in reflex
+/// corners.
 fn corner(before: &Line<'_>, line: &Line<'_>) -> f64 {
     let (Some(last), Some(first)) = (before.end(true), line.end(false)) else {
         return 0.0;
@@ -206,7 +207,7 @@ fn corner(before: &Line<'_>, line: &Line<'_>) -> f64 {
     (face * (1.0 - cos) / sin).clamp(-LONGEST * face, LONGEST * face)
 }
 
-/// The quads of a stretch.
+/// Adds the quads of a section.
 fn draw(
     stretch: &Stretch,
     place: impl Fn(f64, f64, f64) -> DVec3,

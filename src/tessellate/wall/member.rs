@@ -1,4 +1,4 @@
-//! What carries the wall: posts at corners and borders, wall plates, sills, foundation stones.
+//! The frame of a wall: posts at corners and borders, wall plates, sills, foundation stones.
 
 use crate::catalog::Stance;
 use crate::geometry::tolerance::STRAIGHT;
@@ -13,27 +13,27 @@ use crate::tessellate::wall::{Line, Stand};
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
-/// Side of a post: four sun (docs/evidence.md 5).
+/// Side of a post: 4 sun (docs/evidence.md 5), metres.
 pub(in crate::tessellate) const POST: f64 = 0.1212;
 
-/// Side of a through post: four and a half sun.
+/// Side of a through post: 4.5 sun, metres.
 const THROUGH: f64 = 0.1364;
 
-/// Height of the wall plate.
+/// Height of the wall plate, metres.
 const PLATE: f64 = 0.150;
 
-/// What the wall plate takes from the height of openings.
+/// The height that the wall plate takes from openings.
 pub(in crate::tessellate) struct LintelRoom;
 
 impl LintelRoom {
-    /// In a storey so high; low ones lose a tenth.
+    /// Returns it for a storey of a height, metres; in low storeys a tenth of the height.
     pub(in crate::tessellate) fn of(height: f64) -> f64 {
         (PLATE + 0.010).min(height / 10.0)
     }
 }
 
-/// A level member: name, surface, half its depth, foot and top above the floor (`top` below the
-/// storey's top where it hangs there).
+/// A horizontal member: name, surface, half its depth, foot and top above the floor (`top` below the storey's top if it
+/// is attached there).
 struct Beam {
     name: &'static str,
     finish: &'static str,
@@ -41,8 +41,8 @@ struct Beam {
     z: (f64, f64),
 }
 
-/// The members by their number in [`Key::Member`]. Each is a little shallower than posts (60.6 mm) or
-/// deeper than what stands on it, so that no two faces lie in one plane.
+/// The members by their number in [`Key::Member`]. Each is slightly shallower than posts (60.6 mm) or deeper than what
+/// it carries, so that no two faces are coplanar.
 static MEMBERS: [Beam; 5] = [
     Beam {
         name: "wall plate",
@@ -83,12 +83,12 @@ const STONES: u8 = 2;
 const PLINTHS: u8 = 3;
 const FOOTINGS: u8 = 4;
 
-/// The stone under a post on the ground: half its side, foot and top. Its planes lie beside those of the
+/// The stone under a post on the ground: half its side, foot and top, metres. Its planes are offset from those of the
 /// foundation.
 const PAD: (f64, f64, f64) = (0.130, -0.284, -0.112);
 
 impl Walker<'_> {
-    /// Posts at the borders of the units of a wall, at its start, and at its end if nothing follows.
+    /// Adds posts at the borders of the units of a wall, at its start, and at its end if no wall follows.
     pub(in crate::tessellate) fn posts(
         &mut self,
         level: Level<'_>,
@@ -133,7 +133,7 @@ impl Walker<'_> {
         }
     }
 
-    /// A post with its middle on the line.
+    /// Adds a post centred on the line.
     pub(in crate::tessellate) fn post(
         &mut self,
         level: Level<'_>,
@@ -184,7 +184,7 @@ impl Walker<'_> {
         node.storey = Some(level.storey.number);
     }
 
-    /// Wall plate, sill and foundation, a piece each run of like units.
+    /// Adds wall plate, sill and foundation, one piece per run of equal units.
     pub(in crate::tessellate) fn members(
         &mut self,
         level: Level<'_>,
@@ -221,8 +221,7 @@ impl Walker<'_> {
         });
     }
 
-    /// A member under or over each run of units that `wants` it, with these mitres where the wall starts
-    /// and ends.
+    /// Adds a member under or over each run of units that `wants` it, with these mitres at the wall's start and end.
     fn run(
         &mut self,
         level: Level<'_>,
@@ -249,7 +248,7 @@ impl Walker<'_> {
         }
     }
 
-    /// One member between two offsets along the wall.
+    /// Adds one member between two offsets along the wall.
     fn member(
         &mut self,
         level: Level<'_>,
@@ -281,7 +280,7 @@ impl Walker<'_> {
     }
 }
 
-/// The stone under a post that an author asked for: a slab with a round seat.
+/// Adds the stone under a post written in the source file: a slab with a round seat.
 fn base_stone(bodies: &mut Bodies, half: f64) {
     let (seat, slab) = (half * 1.25, half * 1.7);
     let ring = soft_bar((-seat, seat), (-seat, seat), seat, 4, true);
@@ -291,7 +290,7 @@ fn base_stone(bodies: &mut Bodies, half: f64) {
 }
 
 impl Beam {
-    /// A beam to the left of its right end, so many tenths of a millimetre long, its ends mitred.
+    /// Builds a beam to the left of its right end, its length in tenths of a millimetre, its ends mitred.
     fn bodies(&self, length: u32, ends: [i32; 2]) -> Bodies {
         let length = f64::from(length) / 10_000.0;
         let [start, end] = ends.map(|n| self.half * f64::from(n) / 10_000.0);
@@ -308,13 +307,13 @@ impl Beam {
     }
 }
 
-/// Sine of the turn between two walls; positive = convex.
+/// Returns the sine of the turn between two walls; positive = convex.
 fn bend(before: &Line<'_>, line: &Line<'_>) -> f64 {
     before.wall.direction.perp_dot(line.wall.direction)
 }
 
-/// The mitre between two walls: the tangent of half the turn in ten-thousandths, positive at convex
-/// corners, where outer edges grow; none where walls turn back.
+/// Returns the mitre between two walls: the tangent of half the turn in ten-thousandths, positive at convex corners,
+/// where outer edges get longer; none where walls turn back.
 fn half_turn(before: &Line<'_>, line: &Line<'_>) -> i32 {
     let cos = before.wall.direction.dot(line.wall.direction);
     let tangent = bend(before, line) / (1.0 + cos).max(1e-6);
@@ -325,7 +324,7 @@ fn half_turn(before: &Line<'_>, line: &Line<'_>) -> i32 {
     }
 }
 
-/// How high a post between two units is: as high as the higher one.
+/// Returns the height of a post between two units: that of the higher one.
 fn height(a: Option<&Stand<'_>>, b: Option<&Stand<'_>>) -> f64 {
     let posts = |s: &&Stand<'_>| s.stance == Stance::Posts;
     let a = a.filter(posts).map_or(0.0, |s| s.tops.1);
@@ -333,8 +332,8 @@ fn height(a: Option<&Stand<'_>>, b: Option<&Stand<'_>>) -> f64 {
     a.max(b)
 }
 
-/// A closed panel from x = 0 and z = 0 whose front shows a picture from 0 to 1, and whose other sides
-/// are neutral.
+/// Builds a closed panel from x = 0 and z = 0 whose front shows an image from 0 to 1, and whose other sides are
+/// neutral.
 pub(in crate::tessellate) fn panel(
     width: f64,
     height: f64,

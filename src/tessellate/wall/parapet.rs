@@ -1,4 +1,4 @@
-//! The head of a one-piece front: it rises above the eaves and hides the roof behind it from the street.
+//! Parapets of one-piece fronts: they rise above the eaves and hide the roof behind them from the street.
 
 use crate::catalog::{Catalog, Stance};
 use crate::geometry::{SAME, SHAKU};
@@ -14,17 +14,17 @@ use glam::dvec3;
 /// Half its thickness, metres: that of a modern wall.
 const HALF: f64 = 0.075;
 
-/// How far it covers the post at a corner.
+/// How far it covers the post at a corner, metres.
 const CORNER: f64 = 0.068;
 
-/// How far its metal cap reaches over it, and how thick that is.
+/// Overhang and thickness of its metal cap, metres.
 const CAP: (f64, f64) = (0.020, 0.030);
 
 /// Its number in [`Key::Member`].
 const NUMBER: u8 = 100;
 
 impl Walker<'_> {
-    /// Parapets over the runs of modern units in a wall of the highest storey, where one of them has a parapet.
+    /// Adds parapets over the runs of modern units in a wall of the highest storey, if one of them has a parapet.
     pub(in crate::tessellate) fn parapet(
         &mut self,
         level: Level<'_>,
@@ -49,7 +49,7 @@ impl Walker<'_> {
         }
     }
 
-    /// One parapet between two offsets along the wall.
+    /// Adds one parapet between two offsets along the wall.
     fn head(
         &mut self,
         level: Level<'_>,
@@ -86,7 +86,7 @@ impl Walker<'_> {
     }
 }
 
-/// How high a unit's parapet is, metres; 0 = none.
+/// Returns the height of a unit's parapet, metres; 0 = none.
 fn rise(catalog: &Catalog, content: &Content) -> f64 {
     match content {
         Content::Part(id) => catalog.part(*id).parapet.map_or(0.0, |h| h * SHAKU),

@@ -1,4 +1,4 @@
-//! What one sees inside through open bays and clear glass: the floor of a storey and the ceiling over it.
+//! Interiors seen through open bays and clear glass: the floor of a storey and the ceiling over it.
 
 use crate::building::Ring;
 use crate::catalog::body::{Element, Shape};
@@ -15,22 +15,22 @@ use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
-/// Top of a floor below the storey's zero, so that it lies in no plane with sills; metres.
+/// Top of a floor relative to the storey's zero, so that it is not coplanar with sills, metres.
 const UNDER: f64 = -0.004;
 
-/// Foot of a floor: on the ground the foundation's, else the thickness of boards and joists.
+/// Foot of a floor: that of the foundation on the ground, otherwise the depth of boards and joists; metres.
 const GROUND: f64 = -0.280;
 const BOARDS: f64 = -0.060;
 
-/// Foot and top of a ceiling below the storey's top.
+/// Foot and top of a ceiling relative to the storey's top, metres.
 const CEILING: (f64, f64) = (-0.100, -0.075);
 
-/// Rooms that are made, by outline and surfaces. Nothing walks over them.
+/// Interiors made so far, by outline and surfaces. Never iterated.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Rooms(HashMap<(Vec<i64>, SurfaceId, Weather), MeshId>);
 
 impl Walker<'_> {
-    /// Floor and ceiling of a storey into which one can look.
+    /// Returns floor and ceiling of a storey whose inside is visible.
     pub(in crate::tessellate) fn interior(
         &mut self,
         level: Level<'_>,
@@ -79,7 +79,7 @@ impl Walker<'_> {
         node.storey = Some(level.storey.number);
     }
 
-    /// The floor that one sees through a unit; `None` where one sees nothing.
+    /// Returns the floor that is visible through a unit; `None` if none is.
     fn floor(&self, level: Level<'_>, unit: &Unit) -> Option<SurfaceId> {
         match &unit.content {
             Content::Part(id) => {
@@ -102,18 +102,18 @@ impl Walker<'_> {
     }
 }
 
-/// Whether a stand reaches the storey's top.
+/// Returns true if a unit reaches the storey's top.
 fn is_full(level: Level<'_>, stand: &Stand<'_>) -> bool {
     stand.is_post() || (stand.top() - level.height).abs() < SAME
 }
 
-/// Whether a part is an opening with nothing in it, or only cloth.
+/// Returns true if a part is an opening that is empty or holds only cloth.
 pub(in crate::tessellate) fn is_open(part: &PartDef) -> bool {
     let closed = |e: &Element| !matches!(e.shape, Shape::Slab(_) | Shape::Cloth(_));
     part.class() == 'A' && part.below == Below::Open && !part.body.iter().any(closed)
 }
 
-/// Whether a part has panes that let one look in, and nothing behind them.
+/// Returns true if a part has clear panes with nothing behind them.
 fn is_clear(part: &PartDef) -> bool {
     let all = || {
         part.body
@@ -128,7 +128,7 @@ fn is_clear(part: &PartDef) -> bool {
     all().any(clear) && !all().any(|e| e.place.finish == SurfaceId::named("dark"))
 }
 
-/// The outlines of the storey in the house's frame, holes joined to them by a seam.
+/// Returns the outlines of the storey in the house's frame, holes joined to them by a seam.
 fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2>> {
     let outline = |lines: &[Line<'_>]| {
         let from = lines.iter().map(|l| level.house.place(l.wall.from, 0.0));
@@ -161,7 +161,7 @@ fn outlines(level: Level<'_>, lines: &[(&Ring, Vec<Line<'_>>)]) -> Vec<Vec<DVec2
     outer
 }
 
-/// Whether a polygon holds a point.
+/// Returns true if a polygon contains a point.
 fn holds(polygon: &[DVec2], p: DVec2) -> bool {
     let next = polygon.iter().cycle().skip(1);
     let crossed = polygon.iter().zip(next).filter(|(a, b)| {
@@ -170,7 +170,7 @@ fn holds(polygon: &[DVec2], p: DVec2) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// Joins a hole to the polygon around it where two corners see each other, the nearest ones first.
+/// Joins a hole to the polygon around it by two mutually visible corners, trying the nearest first.
 fn seam(around: &mut Vec<DVec2>, hole: &[DVec2]) {
     let all = |n: usize| (0..n).map(move |i| (i, (i + 1) % n));
     let crosses = |p: DVec2, q: DVec2| {

@@ -1,4 +1,4 @@
-//! What surrounds a wall in a house that has stood for years: the eaves above it, the ground below it, the sun.
+//! The exposure of a wall in an aged house: the eaves above it, the ground below it, the sun.
 
 use crate::ast::Era;
 use crate::building::{House, HouseRoofs, Storey, Wall};
@@ -11,24 +11,24 @@ use crate::tessellate::weather::{Exposure, Weather, Years, luck, sun, turn_of, y
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2};
 
-/// Rain splashes so high from the ground, metres: a shaku and a half.
+/// Height to which rain splashes from the ground, metres: 1.5 shaku.
 const SPLASH: f64 = 1.5 * SHAKU;
 
-/// Under an overhang rain reaches a wall from so many overhangs below its edge on, and is whole at so many.
+/// Depth below an overhang's edge, in overhangs, from which rain reaches the wall, and at which it reaches it in full.
 const DRY: f64 = 1.5;
 const WET: f64 = 4.0;
 
-/// Eaves are looked for so far out of the wall, in such steps, metres.
+/// Distance out of the wall within which eaves are sought, and the step of the search, metres.
 const REACH: f64 = 3.0;
 const STEP: f64 = 0.15;
 
-/// A part of a later era than its house came so much later, as a share of the house's years.
+/// The delay of a part of a later era than its house, as a share of the house's years.
 const LATER: f64 = 0.5;
 
 /// The roofs of a house as shelters, in the house frame.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Shelters {
-    /// The lowest first.
+    /// Sorted from the lowest.
     faces: Vec<Cover>,
 }
 
@@ -38,12 +38,12 @@ struct Cover {
     corners: Vec<DVec3>,
     lo: DVec2,
     hi: DVec2,
-    /// The height of its lowest corner: there its edge hangs, which is all that counts.
+    /// Height of its lowest corner, metres: its edge hangs there, which is all that matters.
     low: f64,
 }
 
 impl Shelters {
-    /// Of the roofs of a house.
+    /// Collects the shelters of the roofs of a house.
     pub(in crate::tessellate) fn of(roofs: &HouseRoofs) -> Shelters {
         let solids = roofs.roofs.iter().flat_map(|r| &r.solids);
         let faces = solids.flat_map(|s| {
@@ -75,8 +75,8 @@ impl Shelters {
         Shelters { faces }
     }
 
-    /// How far the eaves over a place stand out in a direction, and how high their edge is; `None` where none do, or so
-    /// high that rain reaches all of the wall up to `top` below them.
+    /// Returns the overhang of the eaves over a place in a direction, and the height of their edge; `None` if there are
+    /// none, or if rain reaches the whole wall up to `top` below them.
     fn eaves(&self, foot: DVec3, top: f64, out: DVec2) -> Option<(f64, f64)> {
         let first = self.faces.partition_point(|f| f.low <= foot.z);
         let last = self.faces.partition_point(|f| f.low < top + WET * REACH);
@@ -96,7 +96,7 @@ impl Shelters {
 }
 
 impl Cover {
-    /// Whether it lies over a point of the plan.
+    /// Returns true if it covers a point of the plan.
     fn covers(&self, p: DVec2) -> bool {
         if p.cmplt(self.lo).any() || p.cmpgt(self.hi).any() {
             return false;
@@ -113,7 +113,7 @@ impl Cover {
     }
 }
 
-/// A house in its years.
+/// An aged house.
 #[derive(Debug)]
 pub(in crate::tessellate) struct Aged {
     age: Age,
@@ -123,21 +123,21 @@ pub(in crate::tessellate) struct Aged {
     raised: f64,
 }
 
-/// The air before a wall.
+/// The exposure of a wall.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tessellate) struct WallExposure {
     age: Age,
-    /// The wall's place in the keys of draws.
+    /// The wall's place in the keys of random draws.
     place: Place,
     sun: f64,
-    /// Overhang of the eaves, and the height of their edge above the storey's floor.
+    /// Overhang of the eaves, and the height of their edge above the storey's floor, metres.
     eaves: Option<(f64, f64)>,
-    /// How high the storey's floor lies above the ground.
+    /// Height of the storey's floor above the ground, metres.
     floor: f64,
 }
 
 impl Aged {
-    /// `None` where nobody says how old it is.
+    /// `None` if the house has no age.
     pub(in crate::tessellate) fn of(house: &House, roofs: &HouseRoofs) -> Option<Aged> {
         Some(Aged {
             age: house.age?,
@@ -151,7 +151,7 @@ impl Aged {
         Place::of(self.age.key)
     }
 
-    /// The air before a wall of a storey.
+    /// Returns the exposure of a wall of a storey.
     pub(in crate::tessellate) fn before(
         &self,
         house: &House,
@@ -176,7 +176,7 @@ impl Aged {
         }
     }
 
-    /// The weather of the roof of this number.
+    /// Returns the weather of the roof with this number.
     pub(in crate::tessellate) fn roof(&self, number: usize) -> Weather {
         let place = self.place().named("roof").at(number as u64);
         Weather::Roof {
@@ -186,14 +186,14 @@ impl Aged {
         }
     }
 
-    /// The weather of something that has so much of rain and sun.
+    /// Returns the weather of something with this share of rain and sun.
     pub(in crate::tessellate) fn even(&self, name: &str, exposure: f64) -> Weather {
         Weather::even(self.age.years, exposure, luck(self.place().named(name)))
     }
 }
 
 impl WallExposure {
-    /// The share of rain and sun at a height above the storey's floor.
+    /// Returns the share of rain and sun at a height above the storey's floor.
     fn exposure(&self, z: f64) -> f64 {
         if z + self.floor < SPLASH {
             return 1.0;
@@ -208,7 +208,7 @@ impl WallExposure {
         rain * self.sun
     }
 
-    /// The weather of something at a place, whose mesh stands between two heights.
+    /// Returns the weather at a place, of a mesh between two heights.
     fn weather(&self, place: Place, years: f64, (foot, top): (f64, f64)) -> Weather {
         let splash = (SPLASH - self.floor - foot).clamp(0.0, 300.0);
         let high = (top - foot) * 0.55;
@@ -222,7 +222,7 @@ impl WallExposure {
         }
     }
 
-    /// The weather of a unit between two heights; parts of a later era came later.
+    /// Returns the weather of a unit between two heights; parts of a later era are younger.
     pub(in crate::tessellate) fn unit(
         &self,
         number: usize,
@@ -238,14 +238,14 @@ impl WallExposure {
         self.weather(place, years, z)
     }
 
-    /// The weather of posts and beams of the wall.
+    /// Returns the weather of posts and beams of the wall.
     pub(in crate::tessellate) fn frame(&self, z: (f64, f64)) -> Weather {
         self.weather(self.place.named("frame"), self.age.years, z)
     }
 }
 
 impl Walker<'_> {
-    /// The air before a wall, in a house that has stood for years.
+    /// Returns the exposure of a wall, if the house has an age.
     pub(in crate::tessellate) fn air_before(
         &self,
         level: Level<'_>,
@@ -255,12 +255,12 @@ impl Walker<'_> {
         Some(aged.before(level.house, level.storey, line.wall))
     }
 
-    /// The weather of what carries the wall in the making, between two heights above the floor.
+    /// Returns the weather of the current wall's frame between two heights above the floor.
     pub(in crate::tessellate) fn frame(&self, z: (f64, f64)) -> Weather {
         self.air.map_or(Weather::None, |air| air.frame(z))
     }
 
-    /// The weather of a unit of the wall in the making, between two heights above the floor.
+    /// Returns the weather of a unit of the current wall between two heights above the floor.
     pub(in crate::tessellate) fn unit_weather(
         &self,
         number: usize,

@@ -52,7 +52,7 @@ fn boarding_at(spot: Spot) -> Texel<4> {
     }
 }
 
-/// How far the nearest nail is: across, and upwards from it, in metres.
+/// Returns the distance to the nearest nail: across, and upwards from it, metres.
 fn to_nail(spot: Spot, x: f64, width: f64) -> (f64, f64) {
     let dx = (x - 0.035).abs().min((x - width + 0.035).abs());
     let at = row(spot.v, 2).at;
@@ -65,15 +65,15 @@ fn nails(spot: Spot, x: f64, width: f64) -> f64 {
     1.0 - smooth(0.003, 0.0045, (dx * dx + dy * dy).sqrt())
 }
 
-/// The dark run below a nail.
+/// The dark streak below a nail.
 fn bleeding(spot: Spot, x: f64, width: f64) -> f64 {
     let (dx, dy) = to_nail(spot, x, width);
     let down = smooth(0.004, -0.004, dy) * smooth(-0.11, -0.01, dy);
     down * (1.0 - smooth(0.002, 0.007, dx))
 }
 
-/// Boards lapped over each other (shitami), grain level: each leans out over the one below and
-/// throws a shadow on it.
+/// Boards lapped over each other (shitami), grain horizontal: each leans out over the one below and casts a shadow on
+/// it.
 pub(in crate::texture) fn clapboard(size: u32) -> Maps {
     paint(size, CLAPBOARD, JOINTS, clapboard_at)
 }

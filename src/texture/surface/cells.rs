@@ -1,28 +1,28 @@
-//! Things scattered or laid in rows: boards and tiles, grains, straws. All periodic.
+//! Scattered pieces and rows of pieces: boards and tiles, grains, straws. All periodic.
 
 use crate::texture::color::smooth;
 use crate::texture::noise::{Period, floor, hash, wrap};
 use crate::texture::paint::Spot;
 
-/// A place within a row of equal pieces.
+/// A position in a row of equal pieces.
 #[derive(Clone, Copy)]
 pub(in crate::texture) struct Piece {
     /// Number of the piece, 0 to n - 1.
     pub(in crate::texture) index: i64,
-    /// Place within the piece, 0..1.
+    /// Position within the piece, 0..1.
     pub(in crate::texture) at: f64,
     /// Width of the piece as a fraction of the repeat.
     pub(in crate::texture) width: f64,
 }
 
 impl Piece {
-    /// Distance to the nearer end of the piece, as a fraction of the repeat.
+    /// Returns the distance to the nearer end of the piece, as a fraction of the repeat.
     pub(in crate::texture) fn edge(&self) -> f64 {
         self.at.min(1.0 - self.at) * self.width
     }
 }
 
-/// The piece at `t` (fraction of the repeat) where `n` equal ones fill the repeat.
+/// Returns the piece at `t` (fraction of the repeat) if `n` equal ones fill the repeat.
 pub(in crate::texture) fn row(t: f64, n: u32) -> Piece {
     let x = t * f64::from(n);
     let low = floor(x);
@@ -33,7 +33,7 @@ pub(in crate::texture) fn row(t: f64, n: u32) -> Piece {
     }
 }
 
-/// As [`row`], but each joint is moved by up to `jitter` / 2 pieces (`jitter` < 1).
+/// As [`row`], with each joint moved by up to `jitter` / 2 pieces (`jitter` < 1).
 pub(in crate::texture) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> Piece {
     let x = t * f64::from(n);
     let joint = |i: i64| i as f64 + jitter * (hash(wrap(i, i64::from(n)), 0, seed) - 0.5);
@@ -56,13 +56,13 @@ pub(in crate::texture) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> 
 pub(in crate::texture) struct Grain {
     /// Distance to the nearest point, in lattice cells.
     pub(in crate::texture) near: f64,
-    /// How much farther the second nearest is; 0 on the border between two grains.
+    /// Additional distance to the second nearest point; 0 on the border between two grains.
     pub(in crate::texture) border: f64,
-    /// A number in 0..1 that belongs to the nearest point.
+    /// A pseudo-random number in 0..1 for the nearest point.
     pub(in crate::texture) id: f64,
 }
 
-/// The grain at a point, one point scattered in each lattice cell.
+/// Returns the grain at a point, with one point scattered in each lattice cell.
 pub(in crate::texture) fn grain(u: f64, v: f64, period: Period, seed: u32) -> Grain {
     let (nx, ny) = (i64::from(period.0), i64::from(period.1));
     let (x, y) = (u * nx as f64, v * ny as f64);
@@ -95,33 +95,33 @@ pub(in crate::texture) fn grain(u: f64, v: f64, period: Period, seed: u32) -> Gr
 pub(in crate::texture) struct Straws {
     /// One straw in each lattice cell.
     pub(in crate::texture) period: Period,
-    /// Half the length in metres; straws longer than a cell either way are cut.
+    /// Half the length, metres; straws that extend more than a cell in a direction are cut.
     pub(in crate::texture) reach: f64,
-    /// Thickness in metres.
+    /// Thickness, metres.
     pub(in crate::texture) width: f64,
-    /// Largest angle from upright, in radians.
+    /// Largest angle from the vertical, radians.
     pub(in crate::texture) spread: f64,
-    /// Bow at the ends in metres.
+    /// Deflection at the ends, metres.
     pub(in crate::texture) bow: f64,
-    /// Which random layer.
+    /// Seed of the random layer.
     pub(in crate::texture) seed: u32,
 }
 
 /// The uppermost straw at a point.
 #[derive(Clone, Copy, Default)]
 pub(in crate::texture) struct Straw {
-    /// 0 beside every straw, 1 on one.
+    /// Coverage: 0 beside every straw, 1 on one.
     pub(in crate::texture) cover: f64,
-    /// A number in 0..1 that belongs to the straw; the highest lies on top.
+    /// A pseudo-random number in 0..1 for the straw; the highest is on top.
     pub(in crate::texture) id: f64,
-    /// Place along the straw, -1 at its foot, 1 at its head.
+    /// Position along the straw, -1 at its foot, 1 at its head.
     pub(in crate::texture) along: f64,
-    /// Place across it, -1..1.
+    /// Position across it, -1..1.
     pub(in crate::texture) across: f64,
 }
 
 impl Straws {
-    /// The uppermost straw at a spot.
+    /// Returns the uppermost straw at a spot.
     pub(in crate::texture) fn at(&self, spot: Spot) -> Straw {
         let (nx, ny) = (i64::from(self.period.0), i64::from(self.period.1));
         let (cx, cy) = (floor(spot.u * nx as f64), floor(spot.v * ny as f64));
@@ -137,7 +137,7 @@ impl Straws {
         top
     }
 
-    /// The straw that belongs to one lattice cell.
+    /// Returns the straw of one lattice cell.
     fn one(&self, spot: Spot, i: i64, j: i64) -> Straw {
         let (nx, ny) = (i64::from(self.period.0), i64::from(self.period.1));
         let (wi, wj) = (wrap(i, nx), wrap(j, ny));

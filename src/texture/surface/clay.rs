@@ -54,7 +54,7 @@ fn clay_at(spot: Spot) -> Texel<2> {
     }
 }
 
-/// Chopped straw lying in every direction, one piece in a cell.
+/// Chopped straw in all directions, one piece per cell.
 fn chopped(seed: u32, cells: u32, reach: f64, width: f64) -> Straws {
     Straws {
         period: (cells, cells),
@@ -66,7 +66,7 @@ fn chopped(seed: u32, cells: u32, reach: f64, width: f64) -> Straws {
     }
 }
 
-/// 0 on a straw that shines, 1 on a dark one, darker towards its edges.
+/// Returns 0 on a shiny straw, 1 on a dark one, darker towards its edges.
 fn flat_stalk(straw: &Straw) -> f64 {
     let dark = smooth(0.80, 0.95, straw.id);
     dark.max(0.5 * straw.across * straw.across)

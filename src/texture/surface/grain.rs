@@ -7,12 +7,12 @@ use crate::texture::noise::{Period, fbm, floor, hash, noise, wrap};
 pub(in crate::texture) const FRESH: Rgb = hex(0xD9_B48A);
 /// Sheltered and old: browned.
 pub(in crate::texture) const BROWN: Rgb = hex(0x8A_6A4A);
-/// Rained and sunned upon: silver.
+/// Exposed to rain and sun: silver.
 pub(in crate::texture) const SILVER: Rgb = hex(0x9C_9890);
 /// Silver with fungus.
 pub(in crate::texture) const DARK: Rgb = hex(0x5F_5B55);
 
-/// What the wood shows at a point.
+/// The appearance of wood at a point.
 #[derive(Clone, Copy)]
 pub(in crate::texture) struct Wood {
     /// 0 in the pale earlywood, 1 in the dark, hard latewood at the end of a ring.
@@ -26,12 +26,12 @@ pub(in crate::texture) struct Wood {
 }
 
 impl Wood {
-    /// Height in metres: earlywood erodes, latewood stands.
+    /// Returns the height, metres: earlywood erodes, latewood stands proud.
     pub(in crate::texture) fn height(&self, relief: f64) -> f64 {
         relief * (self.late + 0.35 * self.fibre - 2.5 * self.check + self.knot)
     }
 
-    /// Colour between a pale and a dark tone.
+    /// Returns the colour between a pale and a dark tone.
     pub(in crate::texture) fn color(&self, early: Rgb, late: Rgb) -> Rgb {
         let ringed = mix(early, late, self.late * 0.85);
         let fibred = scale(ringed, 1.0 + 0.10 * self.fibre);
@@ -39,8 +39,8 @@ impl Wood {
         mix(cracked, scale(late, 0.62), self.knot * 0.8)
     }
 
-    /// Fresh, browned, silver, and dark with fungus. `cloud` (about -1..1) says where rain and shelter differ;
-    /// `tone` -1..1 belongs to the piece.
+    /// Returns the colours fresh, browned, silver, and dark with fungus. `cloud` (about -1..1) varies between rain and
+    /// shelter; `tone` -1..1 belongs to the piece.
     pub(in crate::texture) fn ages(&self, cloud: f64, tone: f64) -> [Rgb; 4] {
         let lift = 1.0 + 0.09 * tone;
         let of =
@@ -53,14 +53,14 @@ impl Wood {
     }
 }
 
-/// One year: slowly darker, then sharply pale again.
+/// Returns the profile of one year: slowly darker, then sharply pale again.
 fn ring(phase: f64) -> f64 {
     let year = phase - floor(phase) as f64;
     let dark = smooth(0.30, 0.86, year);
     dark * dark * (1.0 - smooth(0.88, 1.0, year))
 }
 
-/// Fibres and cracks; `along` and `across` are fractions of the repeat.
+/// Adds fibres and cracks; `along` and `across` are fractions of the repeat.
 fn texture(along: f64, across: f64, late: f64, knot: f64, seed: u32) -> Wood {
     let fibre = fbm(across, along, (56, 3), 3, seed ^ 0x11)
         + 0.6 * noise(across, along, (200, 4), seed ^ 0x12);
@@ -75,26 +75,26 @@ fn texture(along: f64, across: f64, late: f64, knot: f64, seed: u32) -> Wood {
     }
 }
 
-/// A face that runs on without a joint, cut now along the rings (masame: straight lines), now through them
-/// (itame: arches).
+/// A continuous face without joints, cut alternately along the rings (masame: straight lines) and through them (itame:
+/// arches).
 #[derive(Clone, Copy)]
 pub(in crate::texture) struct Face {
-    /// Hearts of logs side by side in one repeat, arches over each; 0 = sawn along the rings.
+    /// Number of log hearts side by side in one repeat, with arches over each; 0 = sawn along the rings.
     pub(in crate::texture) hearts: u32,
-    /// Rings in one repeat.
+    /// Number of rings in one repeat.
     pub(in crate::texture) rings: u32,
-    /// How far rings are pushed aside, in rings: little keeps them straight, much opens arches.
+    /// Displacement of rings, in rings: small values keep them straight, large ones open arches.
     pub(in crate::texture) arches: f64,
-    /// How often that changes.
+    /// Frequency of the alternation.
     pub(in crate::texture) turns: Period,
     /// Knots in one repeat, as lattice cells; most stay empty.
     pub(in crate::texture) knots: Option<Period>,
-    /// Which random layer.
+    /// Seed of the random layer.
     pub(in crate::texture) seed: u32,
 }
 
 impl Face {
-    /// The wood at a point; `along` and `across` are fractions of the repeat.
+    /// Returns the wood at a point; `along` and `across` are fractions of the repeat.
     pub(in crate::texture) fn wood(&self, along: f64, across: f64, metres: f64) -> Wood {
         let seed = self.seed;
         let rings = f64::from(self.rings);
@@ -116,7 +116,7 @@ impl Face {
         texture(along, across, late * (1.0 - knot), knot, seed)
     }
 
-    /// How much of a knot is here, and how many rings it pushes aside.
+    /// Returns the strength of a knot here, and how many rings it displaces.
     fn knot(&self, along: f64, across: f64, metres: f64) -> (f64, f64) {
         let Some((nx, ny)) = self.knots else {
             return (0.0, 0.0);
@@ -133,7 +133,7 @@ impl Face {
     }
 }
 
-/// A knot of this radius, seen from `x` across and `y` along in metres: its heart, and how far it pushes rings.
+/// Returns the heart of a knot of this radius at `x` across and `y` along in metres, and its displacement of rings.
 fn knot_at(x: f64, y: f64, size: f64) -> (f64, f64) {
     let round = (x * x + y * y * 0.45).sqrt();
     let swirl = 3.0 * libm::exp(-(round * round) / (size * size * 6.0));
@@ -143,29 +143,29 @@ fn knot_at(x: f64, y: f64, size: f64) -> (f64, f64) {
 /// A board sawn flat (itame) from a log: the rings open into arches.
 #[derive(Clone, Copy)]
 pub(in crate::texture) struct Board {
-    /// Number of the board, which decides all its chance.
+    /// Number of the board, the seed of its variation.
     pub(in crate::texture) id: i64,
-    /// Width in metres.
+    /// Width, metres.
     pub(in crate::texture) width: f64,
-    /// Length of the repeat in metres.
+    /// Length of the repeat, metres.
     pub(in crate::texture) length: f64,
-    /// Which random layer.
+    /// Seed of the random layer.
     pub(in crate::texture) seed: u32,
 }
 
 impl Board {
-    /// A number in 0..1 that belongs to the board.
+    /// Returns a pseudo-random number in 0..1 for the board.
     pub(in crate::texture) fn chance(&self, salt: u32) -> f64 {
         hash(self.id, 7, self.seed ^ salt.wrapping_mul(0x9E37))
     }
 
-    /// -1..1, how light the board is among its neighbours.
+    /// Returns the board's lightness relative to its neighbours, -1..1.
     pub(in crate::texture) fn tone(&self) -> f64 {
         2.0 * self.chance(8) - 1.0
     }
 
-    /// The wood at `at` (0..1 across the board) and `along` (fraction of the repeat), where
-    /// `across` is the same place as a fraction of the repeat.
+    /// Returns the wood at `at` (0..1 across the board) and `along` (fraction of the repeat), where `across` is the
+    /// same place as a fraction of the repeat.
     pub(in crate::texture) fn wood(&self, along: f64, at: f64, across: f64) -> Wood {
         let own = self.seed.wrapping_add(self.id as u32 * 977);
         let heart = 0.5 + 0.9 * (self.chance(1) - 0.5);
@@ -179,7 +179,7 @@ impl Board {
         texture(along, across, late * (1.0 - knot), knot, own)
     }
 
-    /// How much of a knot is here, and how many rings it pushes aside.
+    /// Returns the strength of a knot here, and how many rings it displaces.
     fn knot(&self, along: f64, at: f64) -> (f64, f64) {
         if self.chance(4) < 0.7 {
             return (0.0, 0.0);

@@ -1,4 +1,4 @@
-//! What the house stands on: granite, gravel, trodden earth, the beaten floor of a passage.
+//! Ground surfaces: granite, gravel, trodden earth, the beaten floor of a passage.
 
 use crate::texture::Maps;
 use crate::texture::color::{Rgb, hex, mix, ramp, scale, smooth};
@@ -15,7 +15,7 @@ pub(in crate::texture) const GRAVEL: f64 = 0.909;
 /// Four shaku.
 pub(in crate::texture) const DOMA: f64 = 1.212;
 
-/// Feldspar, quartz, mica: the share of each follows the order and number of the entries.
+/// Feldspar, quartz, mica: the number of entries gives the share of each.
 const GRANITE: [Rgb; 7] = [
     hex(0xC6_BFB4),
     hex(0xB4_ADA3),
@@ -63,7 +63,7 @@ fn stone_at(spot: Spot) -> Texel<2> {
     }
 }
 
-/// A stone in the ground: how much it shows, its dome and its tone.
+/// Returns the coverage of a stone in the ground, its dome and its tone.
 fn pebble(spot: Spot, cells: u32, share: f64, seed: u32) -> (f64, f64, f64) {
     let du = 0.25 / f64::from(cells) * noise(spot.u, spot.v, (cells * 2, cells * 2), seed);
     let stone = grain(spot.u + du, spot.v - du, (cells, cells), seed + 1);

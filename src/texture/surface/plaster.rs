@@ -63,7 +63,7 @@ fn plaster_at(spot: Spot) -> Texel<3> {
     }
 }
 
-/// Where rain has run down and left its dirt, 0..1.
+/// Returns the strength of dirty rain runs, 0..1.
 pub(in crate::texture) fn runs(spot: Spot, seed: u32) -> f64 {
     let wander = 0.012 * noise(spot.u, spot.v, (5, 5), seed);
     let thin = fbm(spot.u + wander, spot.v, (26, 1), 4, seed + 1);
@@ -98,7 +98,7 @@ pub(in crate::texture) fn fine_crack(spot: Spot, cells: (u32, u32), seed: u32, w
     ) * open
 }
 
-/// Lime with soot, polished with the hand until it mirrors; later it blooms grey.
+/// Lime with soot, polished by hand to a mirror finish; later with grey bloom.
 pub(in crate::texture) fn black_plaster(size: u32) -> Maps {
     paint(
         size,

@@ -16,7 +16,7 @@ pub(in crate::texture) const NOSHI: f64 = 0.84;
 /// Two shaku.
 pub(in crate::texture) const IBUSHI: f64 = 0.606;
 
-/// The smoked face, before anything shades it: silvery, worn, with lichen. `chance` tells one tile from another.
+/// Returns the smoked face before shading: silvery, worn, with lichen. `chance` varies from tile to tile.
 fn smoked(spot: Spot, chance: impl Fn(u32) -> f64, cells: u32) -> [Rgb; 3] {
     let bloom = fbm(spot.u, spot.v, (cells, cells), 4, 811);
     let fine = noise(spot.u, spot.v, (190, 190), 813);
@@ -41,20 +41,20 @@ fn smoked(spot: Spot, chance: impl Fn(u32) -> f64, cells: u32) -> [Rgb; 3] {
     [new, worn, mix(dull, plant, 0.6 * lichen)]
 }
 
-/// How dull the face is when worn; a new one is told by its material to be brighter.
+/// Returns the dullness of a worn face; the material makes a new one shinier.
 fn dullness(spot: Spot, chance: f64) -> f64 {
     0.72 + 0.10 * chance + 0.08 * fbm(spot.u, spot.v, (9, 9), 3, 816)
 }
 
-/// Height in metres of a sangawara across its width, 0..1: the roll lies over the right rim of
-/// the neighbour to the left, then the pan sinks and rises again to its own rim.
+/// Returns the height of a sangawara across its width, 0..1, metres: the roll lies over the right rim of the neighbour
+/// to the left, then the pan sinks and rises again to its own rim.
 fn san_profile(at: f64) -> f64 {
     // Crest at 0.17, valley at 0.71 of the width; a step of a tile's thickness at the seam.
     let turn = -0.20 + at * (1.25 - 0.37 * at);
     0.026 * libm::cos(std::f64::consts::TAU * turn)
 }
 
-/// Sangawara in straight columns: each tile's foot stands proud of the course below and throws a shadow.
+/// Sangawara in straight columns: each tile's foot is proud of the course below and casts a shadow.
 pub(in crate::texture) fn kawara(size: u32) -> Maps {
     paint(size, KAWARA, Hollows::new(0.05, 7.0), kawara_at)
 }
@@ -158,7 +158,7 @@ fn noshi_at(spot: Spot) -> Texel<3> {
     }
 }
 
-/// The fired face without a joint: ridge caps, end tiles, flat tiles that are bodies of their own.
+/// The fired face without joints: ridge caps, end tiles, flat tiles modelled as separate bodies.
 pub(in crate::texture) fn ibushi(size: u32) -> Maps {
     paint(size, IBUSHI, Hollows::new(0.006, 60.0), ibushi_at)
 }

@@ -70,7 +70,7 @@ fn glass_at(spot: Spot) -> Texel<3> {
     }
 }
 
-/// How far rust has eaten paint (0..1) and its colour; `wet` is more where water stands.
+/// Returns how far rust has eaten paint (0..1) and its colour; `wet` is higher where water collects.
 fn rust(spot: Spot, wet: f64, seed: u32) -> (f64, Rgb) {
     let flakes =
         fbm(spot.u, spot.v, (26, 26), 4, seed) + 0.35 * fbm(spot.u, spot.v, (34, 2), 3, seed + 4);
@@ -84,7 +84,7 @@ fn rust(spot: Spot, wet: f64, seed: u32) -> (f64, Rgb) {
     )
 }
 
-/// Painted steel slats, level, as of a roller shutter: sound, and rusting from the grooves.
+/// Painted horizontal steel slats, as of a roller shutter: sound, and rusting from the grooves.
 pub(in crate::texture) fn steel(size: u32) -> Maps {
     paint(size, STEEL, Hollows::new(0.008, 45.0), steel_at)
 }
@@ -108,7 +108,7 @@ fn steel_at(spot: Spot) -> Texel<2> {
     }
 }
 
-/// Flat painted sheet, as of a signboard, pale so that a tint shows: sound, and rusting.
+/// Flat painted sheet, as of a signboard, pale so that it can be tinted: sound, and rusting.
 pub(in crate::texture) fn sheet(size: u32) -> Maps {
     paint(size, SHEET, Hollows::new(0.008, 10.0), sheet_at)
 }

@@ -61,7 +61,7 @@ fn board_roof_at(spot: Spot) -> Texel<3> {
     }
 }
 
-/// The board of a course at a spot; joints never stand above each other.
+/// Returns the board of a course at a spot; joints are never above each other.
 fn roof_piece(spot: Spot, course: i64) -> Piece {
     uneven_row(spot.u + 0.37 * course as f64, 10, 0.7, 201 + course as u32)
 }
@@ -110,7 +110,7 @@ fn kokera_at(spot: Spot) -> Texel<3> {
     }
 }
 
-/// The shingle of a course at a spot.
+/// Returns the shingle of a course at a spot.
 fn shingle(spot: Spot, course: i64) -> Piece {
     uneven_row(spot.u + 0.43 * course as f64, 10, 0.75, 211 + course as u32)
 }
@@ -172,7 +172,7 @@ fn bark_at(spot: Spot) -> Texel<3> {
     }
 }
 
-/// The strip of a course at a spot.
+/// Returns the strip of a course at a spot.
 fn bark_strip(spot: Spot, course: i64) -> Piece {
     uneven_row(spot.u + 0.31 * course as f64, 9, 0.85, 301 + course as u32)
 }

@@ -63,7 +63,7 @@ fn thatch_at(spot: Spot) -> Texel<3> {
     texel
 }
 
-/// One more layer of reeds on what lies there.
+/// Adds a layer of reeds.
 fn lay_reeds(texel: &mut Texel<3>, spot: Spot, layer: u32, wide: f64) {
     let reeds = Straws {
         period: (52 + 9 * layer, 13 + layer),

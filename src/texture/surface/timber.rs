@@ -6,7 +6,7 @@ use crate::texture::noise::{fbm, floor, noise};
 use crate::texture::paint::{Hollows, Spot, Texel, paint};
 use crate::texture::surface::grain::Face;
 
-/// Two shaku: posts and rails show a part of it.
+/// Two shaku; posts and rails show a part of it.
 pub(in crate::texture) const CEDAR: f64 = 0.606;
 /// Two shaku, wider than any single board.
 pub(in crate::texture) const PLANK: f64 = 0.606;
@@ -22,8 +22,8 @@ const SOOT: Rgb = hex(0x3A_2E26);
 /// Hinoki: paler and less red than cedar.
 const HINOKI: Rgb = hex(0xE6_CFA4);
 
-/// Planed timber, grain upright, rings 3 to 6 mm: cedar by age, hinoki, sooted and bengara-stained wood, which
-/// share the relief.
+/// Planed timber, grain vertical, rings 3 to 6 mm: cedar by age, hinoki, sooted and bengara-stained wood, which share
+/// the relief.
 pub(in crate::texture) fn cedar(size: u32) -> Maps {
     paint(size, CEDAR, GRAIN, cedar_at)
 }
@@ -74,7 +74,7 @@ fn cedar_at(spot: Spot) -> Texel<9> {
     }
 }
 
-/// Flat-sawn cedar without joints, grain upright: for boards that are bodies of their own.
+/// Flat-sawn cedar without joints, grain vertical: for boards modelled as separate bodies.
 pub(in crate::texture) fn plank(size: u32) -> Maps {
     paint(size, PLANK, GRAIN, plank_at)
 }

@@ -1,5 +1,5 @@
-//! Pictures for graphics cards: KTX2 in ETC1S with all sizes down to a pixel. They stay packed in the memory of the
-//! card, where a JPEG takes four bytes a pixel.
+//! GPU textures: KTX2 in ETC1S with all mip levels. They stay compressed in GPU memory, where a JPEG takes four bytes
+//! per pixel.
 
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::{self, Scene};
@@ -12,37 +12,37 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-/// Of 255; more is better and larger. At 128 grey tiles turn violet.
+/// Quality from 1 to 255; higher is better and larger. At 128, grey tiles turn violet.
 const QUALITY: u32 = 192;
 
-/// How long to look for the best, of 6.
+/// Encoder effort, from 0 to 6.
 const EFFORT: u32 = 1;
 
-/// The pictures of a scene, colours and gloss as KTX2. What cannot be so is as it was: normal maps, and
-/// pictures whose sides are no multiples of four.
+/// The images of a scene, with colours and gloss as KTX2. Normal maps, and images whose sides are not multiples of
+/// four, are unchanged.
 pub struct Ktx2<'a> {
     plain: &'a dyn Images,
     made: Vec<(Task<'a>, Option<Vec<u8>>)>,
 }
 
-/// A picture to be made.
+/// An image to encode.
 #[derive(Clone, Copy, PartialEq)]
 struct Task<'a> {
     bytes: &'a [u8],
     content: Content,
 }
 
-/// What the numbers of a picture mean.
+/// The meaning of an image's values.
 #[derive(Clone, Copy, PartialEq)]
 enum Content {
-    /// sRGB, and whether there is anything.
+    /// sRGB colours and opacity.
     Color,
-    /// Plain numbers.
+    /// Linear values.
     Gloss,
 }
 
 impl<'a> Ktx2<'a> {
-    /// Encodes what materials show, on all processors; the bytes do not depend on how many there are.
+    /// Encodes the images of materials on all processors; the bytes do not depend on their number.
     pub fn new(scene: &Scene, plain: &'a dyn Images) -> Ktx2<'a> {
         let mut tasks: Vec<Task<'a>> = vec![];
         let mut add = |bytes, content| {
@@ -81,7 +81,7 @@ impl<'a> Ktx2<'a> {
         }
     }
 
-    /// A picture as it is written.
+    /// Returns an image in its output form.
     fn put<'b>(&'b self, picture: PictureBytes<'b>, content: Content) -> PictureBytes<'b> {
         let same = |t: &Task<'_>| std::ptr::eq(t.bytes, picture.bytes) && t.content == content;
         let made = self.made.iter().find(|(task, _)| same(task));
@@ -124,7 +124,7 @@ impl Images for Ktx2<'_> {
     }
 }
 
-/// The materials of meshes that nodes show.
+/// Returns the materials of meshes that nodes show.
 fn used(scene: &Scene) -> impl Iterator<Item = &scene::Material> {
     let mut shown = vec![false; scene.materials.len()];
     let meshes = scene.nodes.iter().filter_map(|n| n.mesh);
@@ -167,7 +167,7 @@ fn all(tasks: &[Task<'_>]) -> Vec<Option<Vec<u8>>> {
     results.into_iter().map(inner).collect()
 }
 
-/// `None` where the extension or the encoder has no place for the picture.
+/// Encodes one image; `None` if the extension or the encoder does not support it.
 fn encoded(task: Task<'_>) -> Option<Vec<u8>> {
     let picture = image::load_from_memory(task.bytes).ok()?;
     let size = [picture.width(), picture.height()];
@@ -227,8 +227,8 @@ fn packed(picture: image::RgbaImage, content: Content, holes: bool) -> KtxResult
     texture.write_to_memory()
 }
 
-/// Half as wide and high. Colours are added as light, about the square of their numbers, and count as much
-/// as there is of them; whole numbers are the same everywhere.
+/// Returns the image at half width and height. Colours are averaged as light, approximated by the square of their
+/// values, and weighted by opacity; integer arithmetic gives equal results on all machines.
 fn halved(picture: &image::RgbaImage, content: Content) -> image::RgbaImage {
     let (width, height) = picture.dimensions();
     let pixel = |x: u32, y: u32| picture.get_pixel(x.min(width - 1), y.min(height - 1)).0;

@@ -1,4 +1,4 @@
-//! Places: nodes of one mesh become one node and where it stands.
+//! Placements: the nodes of one mesh become one node with a list of placements.
 
 use super::super::geometry::Geometry;
 use super::super::nodes::rotation;
@@ -11,8 +11,8 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 
-/// Places further apart are lists of their own, metres: from the first of a list, f32 then tells a tenth of a
-/// millimetre, and what is behind the viewer can be left out.
+/// Placements farther apart are in separate lists, metres: relative to the first of a list, f32 then resolves a tenth
+/// of a millimetre, and viewers can cull lists outside the view.
 const CELL: f64 = 1024.0;
 
 /// A node of the flat tree.
@@ -28,23 +28,23 @@ pub(in crate::backend::gltf) struct Node<'a> {
     translation: [Number; 3],
 }
 
-/// Where something stands in the world, z up.
+/// A placement in the world, z up.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Place {
     at: DVec3,
     turn: DVec2,
 }
 
-/// A mesh and its places in one cell, in the order of the scene.
+/// A mesh and its placements in one cell, in the order of the scene.
 pub(super) struct Group {
-    /// The scene's number of the mesh.
+    /// The mesh's number in the scene.
     shape: usize,
     mesh: Index<Mesh>,
     pub(super) places: Vec<Place>,
 }
 
 impl Place {
-    /// Of what stands so in the frame of this place.
+    /// Returns the placement of a node in the frame of this one.
     fn of(self, node: &scene::Node) -> Place {
         let at = self.turn.rotate(node.at.truncate()).extend(node.at.z);
         let turn = node.turn.try_normalize().unwrap_or(DVec2::X);
@@ -60,7 +60,7 @@ impl Place {
     }
 }
 
-/// Everything that is shown, by mesh and cell.
+/// Groups all visible nodes by mesh and cell.
 pub(super) fn groups(scene: &Scene, geometry: &Geometry<'_>) -> Vec<Group> {
     let mut found: BTreeMap<(u32, [i64; 3]), Group> = BTreeMap::new();
     let mut known: Vec<Option<Place>> = Vec::with_capacity(scene.nodes.len());
@@ -89,14 +89,14 @@ pub(super) fn groups(scene: &Scene, geometry: &Geometry<'_>) -> Vec<Group> {
 }
 
 impl Group {
-    /// The places from the first one, y up.
+    /// Returns the offsets from the first placement, y up.
     pub(super) fn offsets(&self) -> Vec<f32> {
         let first = self.places[0].at;
         let offset = |p: &Place| up(p.at - first).map(|x| x as f32);
         self.places.iter().flat_map(offset).collect()
     }
 
-    /// The turns, if there are any.
+    /// Returns the rotations, if there are any.
     pub(super) fn quaternions(&self) -> Option<Vec<f32>> {
         let turns = self.places.iter().map(|p| rotation(p.turn));
         let turned = turns.clone().any(|t| t.is_some());
@@ -107,7 +107,7 @@ impl Group {
         })
     }
 
-    /// The node, at the first place; `extensions` list all of them where there are several.
+    /// Returns the node, at the first placement; `extensions` list all of them if there are several.
     pub(super) fn node<'a>(
         &self,
         scene: &'a Scene,
@@ -127,7 +127,7 @@ impl Group {
     }
 }
 
-/// From z up to y up.
+/// Converts from z up to y up.
 fn up(at: DVec3) -> [f64; 3] {
     [at.x, at.z, 0.0 - at.y]
 }

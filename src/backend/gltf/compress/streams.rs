@@ -1,18 +1,18 @@
-//! Streams of elements as meshopt packs them. Floats are whole multiples of a power of two (its filter
-//! `EXPONENTIAL`): neighbours then differ in few bits, and the same step everywhere leaves no gaps.
+//! Streams of elements as packed by meshopt. Floats are integer multiples of a power of two (its filter `EXPONENTIAL`):
+//! neighbours then differ in few bits, and the uniform step leaves no gaps.
 
 use meshopt::encode_filter_oct;
 
-/// Bits of a coordinate of a normal.
+/// Bits per coordinate of a normal.
 const DIRECTION_BITS: i32 = 12;
 
-/// What a packed view holds.
+/// The content of a packed view.
 pub(super) enum Stream {
-    /// So many floats an element, each an exponent in the high byte and a mantissa.
+    /// Number of floats per element; each has an exponent in the high byte and a mantissa.
     Floats(usize, Vec<u32>),
-    /// Normals or tangents, folded to two coordinates and a sign.
+    /// Normals or tangents, octahedrally encoded to two coordinates and a sign.
     Directions(Vec<[i16; 4]>),
-    /// Corners of triangles, so many bytes each.
+    /// Corners of triangles, with their size in bytes.
     Indices(usize, Vec<u32>),
 }
 
@@ -54,7 +54,7 @@ impl Stream {
         }
     }
 
-    /// Bytes of an element when it is unpacked.
+    /// Returns the size of an unpacked element, bytes.
     pub(super) fn stride(&self) -> usize {
         match self {
             Stream::Floats(elements, _) => 4 * elements,
@@ -63,7 +63,7 @@ impl Stream {
         }
     }
 
-    /// Elements.
+    /// Returns the number of elements.
     pub(super) fn count(&self) -> usize {
         match self {
             Stream::Floats(elements, all) => all.len() / elements,
@@ -72,12 +72,12 @@ impl Stream {
         }
     }
 
-    /// Bytes when it is unpacked.
+    /// Returns the unpacked size, bytes.
     pub(super) fn length(&self) -> usize {
         self.stride() * self.count()
     }
 
-    /// The extension's word for how it is packed.
+    /// Returns the extension's name of the packing mode.
     pub(super) fn mode(&self) -> &'static str {
         match self {
             Stream::Indices(..) => "TRIANGLES",
@@ -85,7 +85,7 @@ impl Stream {
         }
     }
 
-    /// The extension's word for what is done after unpacking.
+    /// Returns the extension's name of the filter applied after unpacking.
     pub(super) fn filter(&self) -> Option<&'static str> {
         match self {
             Stream::Floats(..) => Some("EXPONENTIAL"),
@@ -94,7 +94,7 @@ impl Stream {
         }
     }
 
-    /// The packed bytes; none of nothing.
+    /// Returns the packed bytes; empty for an empty stream.
     pub(super) fn packed(&self) -> Vec<u8> {
         if self.count() == 0 {
             return vec![];
@@ -113,7 +113,7 @@ impl Stream {
     }
 }
 
-/// Packs elements in the codec's version 0, which is all that the extension knows.
+/// Packs elements in version 0 of the codec, the only one that the extension supports.
 fn vertices<T: Copy, const N: usize>(
     all: &[[T; N]],
     little: impl Fn(T) -> T,
@@ -122,14 +122,14 @@ fn vertices<T: Copy, const N: usize>(
     meshopt::encode_vertex_buffer_level(&list, 2, Some(0))
 }
 
-/// What [`Stream::push_floats`] makes of floats.
+/// Rounds floats as [`Stream::push_floats`] does.
 pub(super) fn rounded(values: &[f32], step: i32) -> Vec<f32> {
     let step = step_of(values, step);
     let whole = |x: &f32| (f64::from(multiple(*x, step)) * power(step)) as f32;
     values.iter().map(whole).collect()
 }
 
-/// The least step, `least` or larger, in which all floats are multiples of 24 bits.
+/// Returns the least step, at least `least`, at which all floats are multiples that fit 24 bits.
 fn step_of(values: &[f32], least: i32) -> i32 {
     let largest = values.iter().fold(0.0, |m: f32, x| m.max(x.abs()));
     let fits = |step: &i32| f64::from(largest) / power(*step) < f64::from((1 << 23) - 1);
@@ -140,7 +140,7 @@ fn multiple(x: f32, step: i32) -> i32 {
     (f64::from(x) / power(step)).round() as i32
 }
 
-/// 2 to the power of `step`, exactly.
+/// Returns 2 to the power of `step`, exactly.
 fn power(step: i32) -> f64 {
     libm::ldexp(1.0, step)
 }

@@ -1,5 +1,5 @@
-//! Barge boards (hafu): boards under the edge of a verge, bent as it is, deeper at the apex and at the foot
-//! (docs/evidence.md 4.4: 0.18-0.24 deep on houses, 0.03 thick), and the pendant (gegyo) where they meet.
+//! Barge boards (hafu): boards under the edge of a verge that follow its curve, deeper at the apex and at the foot
+//! (docs/evidence.md 4.4: 0.18-0.24 m deep on houses, 0.03 m thick), and the pendant (gegyo) where they meet.
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -9,32 +9,32 @@ use crate::tessellate::trim::edge::gegyo;
 use crate::tessellate::trim::seams::{End, Seam};
 use glam::{DVec2, DVec3};
 
-/// Height of the board in its middle, metres, measured upright, on small roofs and on great ones.
+/// Height of the board at mid-length, measured vertically, on small roofs and on large ones, metres.
 const DEEP: (f64, f64) = (0.18, 0.45);
-/// How much deeper it is at apex and foot.
+/// Additional depth at apex and foot, as a share of the height.
 const SWELL: f64 = 0.25;
 /// Thickness, metres.
 const THICK: f64 = 0.03;
-/// How far it stands back from the verge, and from the eaves, metres.
+/// Setback from the verge, and from the eaves, metres.
 const BACK: f64 = 0.02;
-/// How far it reaches into the roof above it, metres.
+/// How far it extends into the roof above it, metres.
 const SUNK: f64 = 0.01;
-/// The least verge that has room for a board, metres.
+/// The smallest verge with room for a board, metres.
 const LEAST_VERGE: f64 = 0.1;
-/// Verges shorter than this in plan have none, metres.
+/// Verges shorter than this in plan have no boards, metres.
 const SHORTEST: f64 = 0.5;
 
 /// One verge from end to end.
 struct Verge<'a> {
     seam: &'a Seam,
-    /// Along it in plan, and out of the roof.
+    /// Directions in plan: along it, and out of the roof.
     along: DVec2,
     out: DVec2,
-    /// Height of the boards in their middle, metres.
+    /// Height of the boards at mid-length, metres.
     deep: f64,
 }
 
-/// The boards along a verge.
+/// Adds the boards along a verge.
 pub(in crate::tessellate::trim) fn boards(
     tailor: &RoofTrim<'_>,
     seam: &Seam,
@@ -69,17 +69,17 @@ pub(in crate::tessellate::trim) fn boards(
     }
 }
 
-/// A place on the upper edge of the boards.
+/// A point on the upper edge of the boards.
 struct Station {
     at: DVec3,
     /// From 0 at the foot to 1 at the apex.
     share: f64,
-    /// Whether the verge has its highest point there, and falls on both sides.
+    /// True if the verge is highest there and falls on both sides.
     apex: bool,
 }
 
 impl Verge<'_> {
-    /// Corners of the boards along the verge, more where they swell.
+    /// Returns corners of the boards along the verge, denser where their depth varies.
     fn stations(&self, fine: bool) -> Vec<Station> {
         let points = &self.seam.points;
         let last = points.len() - 1;
@@ -124,7 +124,7 @@ impl Verge<'_> {
         stations
     }
 
-    /// The upper edge of the boards at a corner of the verge.
+    /// Returns the upper edge of the boards at a corner of the verge.
     fn upper(&self, i: usize) -> DVec3 {
         let deep = match i {
             0 => self.seam.spans[0].deep[0],
@@ -134,7 +134,7 @@ impl Verge<'_> {
         at + self.drawn_in(i) - (self.out * BACK).extend(0.0)
     }
 
-    /// How far an end of the board is drawn in along the slope, so that it does not stick out of the eaves.
+    /// Returns how far an end of the board is shortened along the slope, so that it does not project beyond the eaves.
     fn drawn_in(&self, i: usize) -> DVec3 {
         let points = &self.seam.points;
         let last = points.len() - 1;
@@ -151,7 +151,7 @@ impl Verge<'_> {
         }
     }
 
-    /// How deep the boards are at a share of the way up.
+    /// Returns the depth of the boards at a share of the way up.
     fn depth(&self, share: f64) -> f64 {
         let swell = (2.0 * share - 1.0) * (2.0 * share - 1.0);
         self.deep * (1.0 + SWELL * swell)

@@ -1,5 +1,5 @@
-//! Where water would come in: gutters of sheet metal in valleys, and courses of flat tiles (noshi) or a board
-//! where a slope leans on a wall or ends at its crest.
+//! Flashing: sheet metal gutters in valleys, and courses of flat tiles (noshi) or a board where a slope abuts a wall or
+//! ends at its crest.
 
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
@@ -9,19 +9,19 @@ use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::Line;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
 
-/// Half the width of a gutter, and how high it lies over the slopes, metres.
+/// Half the width of a gutter, and its height above the slopes, metres.
 const GUTTER: (f64, f64) = (0.09, 0.012);
-/// Courses against a wall: how far they reach over the slope, and the height of one, metres. Walls stand out by
-/// half their thickness from the line that roofs end on.
+/// Courses against a wall: how far they cover the slope, and the height of one, metres. Walls project by half their
+/// thickness from the line on which roofs end.
 const COURSES: (f64, f64) = (0.20, 0.04);
-/// How far everything reaches into the slope, metres.
+/// How far all flashing extends into the slope, metres.
 const SUNK: f64 = 0.02;
-/// How far courses stand out over a free crest, metres.
+/// How far courses project over a free crest, metres.
 const OVER: f64 = 0.016;
-/// Shorter lines have nothing, metres.
+/// Lines shorter than this have no flashing, metres.
 const SHORTEST: f64 = 0.2;
 
-/// A gutter along a valley; where another roof is on the other side, the half on this one.
+/// Adds a gutter along a valley; if another roof is on the other side, only the half on this one.
 pub(in crate::tessellate::trim) fn valley(
     tailor: &RoofTrim<'_>,
     seam: &Seam,
@@ -59,7 +59,7 @@ pub(in crate::tessellate::trim) fn valley(
     }
 }
 
-/// Courses along a wall, or along the crest of a single slope.
+/// Adds courses along a wall, or along the crest of a single slope.
 pub(in crate::tessellate::trim) fn wall(
     tailor: &RoofTrim<'_>,
     seam: &Seam,

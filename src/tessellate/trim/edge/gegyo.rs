@@ -1,5 +1,5 @@
 //! Gegyo: the carved pendant under the apex of a gable, 1.0 to 1.5 times as high as the barge boards are deep
-//! (docs/evidence.md 4.4). The plain turnip (kabura) with its hexagonal boss (rokuyo).
+//! (docs/evidence.md 4.4). The plain turnip form (kabura) with its hexagonal boss (rokuyo).
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -20,11 +20,11 @@ const OUTLINE: [(f64, f64); 10] = [
     (0.06, 1.00),
 ];
 
-/// Thickness of the board and of the boss before it, metres.
+/// Thickness of the board and of the boss in front of it, metres.
 const THICK: f64 = 0.045;
 const BOSS: f64 = 0.03;
 
-/// A pendant whose head stands at `at` on the front of the boards that look `out`, `height` metres high.
+/// Adds a pendant whose top is at `at` on the front of the boards facing `out`, `height` metres high.
 pub(in crate::tessellate::trim) fn pendant(
     at: DVec3,
     out: DVec2,

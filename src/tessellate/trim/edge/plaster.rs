@@ -1,6 +1,6 @@
-//! Plastered eaves and verges (漆喰塗込め shikkui nurigome) of storehouses and other houses whose walls are plastered
-//! over their posts: instead of rafters and barge boards stepped bands of plaster (鉢巻 hachimaki) run round under
-//! the tiles, so that no timber shows that could catch fire (docs/evidence.md 4.6, 4.7).
+//! Plastered eaves and verges (漆喰塗込め shikkui nurigome) of storehouses and other houses whose walls are plastered over
+//! their posts: instead of rafters and barge boards, stepped bands of plaster (鉢巻 hachimaki) run around the house under
+//! the tiles, so that no timber is exposed to fire (docs/evidence.md 4.6, 4.7).
 
 use crate::ast::RoofShape;
 use crate::material::SurfaceId;
@@ -11,19 +11,19 @@ use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
 use glam::{DVec2, DVec3};
 
-/// How far a band stands out from the wall line, and how deep it reaches below the roof, metres: the upper one first.
-/// Plaster over the posts is itself 90 mm thick.
+/// Projection of a band from the wall line, and its depth below the roof, metres; the upper band first. The plaster
+/// over the posts is itself 90 mm thick.
 const BANDS: [(f64, f64); 2] = [(0.20, 0.13), (0.14, 0.26)];
-/// Bands stand back from the edge of the roof at least so far, metres.
+/// Smallest setback of bands from the edge of the roof, metres.
 const BACK: f64 = 0.025;
-/// How far bands reach into the roof above and the wall behind them, metres.
+/// How far bands extend into the roof above and the wall behind them, metres.
 const SUNK: f64 = 0.01;
-/// The band of a verge stands so much farther out, so that it covers the ends of those of the eaves, metres.
+/// Additional projection of a verge's band, so that it covers the ends of those of the eaves, metres.
 const CLEAR: f64 = 0.002;
 /// Overhangs below this have no room for bands, metres.
 const LEAST: f64 = 0.12;
 
-/// The bands under eaves or a verge.
+/// Adds the bands under eaves or a verge.
 pub(in crate::tessellate::trim) fn bands(
     tailor: &RoofTrim<'_>,
     seam: &Seam,
@@ -59,18 +59,18 @@ pub(in crate::tessellate::trim) fn bands(
 }
 
 struct Band {
-    /// From the edge of the roof to the wall line.
+    /// Distance from the edge of the roof to the wall line, metres.
     own: f64,
-    /// From the edge of the roof to the band.
+    /// Distance from the edge of the roof to the band, metres.
     behind: f64,
-    /// How far it is drawn in where the roof turns its corner.
+    /// Setback where the roof turns its corner, metres.
     beside: f64,
-    /// Below the roof.
+    /// Depth below the roof, metres.
     deep: f64,
 }
 
 impl Band {
-    /// The section at a corner of the seam.
+    /// Returns the section at a corner of the seam.
     fn section(&self, tailor: &RoofTrim<'_>, seam: &Seam, i: usize) -> Vec<DVec3> {
         let last = seam.points.len() - 1;
         let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];

@@ -1,6 +1,6 @@
-//! Rafters (taruki) under the eaves, 55 x 45 mm every 455 mm (docs/evidence.md 4.4), parallel on every slope, as is the
-//! custom of wayo; under hips the hip rafter. Temples have two rows, the upper one (hien-daruki) standing out over
-//! the lower. A board (hirokomai) runs over their ends.
+//! Rafters (taruki) under the eaves, 55 x 45 mm at 455 mm (docs/evidence.md 4.4), parallel on every slope as usual in
+//! wayo; under hips, the hip rafter. Temples have two rows, the upper one (hien-daruki) projecting beyond the lower. A
+//! board (hirokomai) runs over their ends.
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -13,27 +13,27 @@ use glam::{DVec2, DVec3};
 
 /// Height and half width of a rafter, metres.
 const RAFTER: (f64, f64) = (0.055, 0.0225);
-/// From rafter to rafter, metres: 1.5 shaku.
+/// Spacing of rafters, metres: 1.5 shaku.
 const APART: f64 = 0.455;
-/// Rafters of temples are as far apart as they are deep and wide, metres.
+/// Spacing of temple rafters, metres.
 const CLOSE: f64 = 0.30;
-/// Height and half width of those, metres.
+/// Height and half width of a temple rafter, metres.
 const GREAT: (f64, f64) = (0.12, 0.05);
-/// How far rafters reach into the roof above them, metres.
+/// How far rafters extend into the roof above them, metres.
 const SUNK: f64 = 0.006;
-/// How far they run on beyond the wall line, metres.
+/// How far they extend beyond the wall line, metres.
 const INSIDE: f64 = 0.05;
-/// How far their ends stand back from the eaves, metres.
+/// Setback of their ends from the eaves, metres.
 const BACK: f64 = 0.06;
 /// Share of the eaves that the lower of two rows spans.
 const LOWER: f64 = 0.62;
-/// The board before their ends: thickness and how far it reaches below them.
+/// The board in front of their ends: its thickness and how far it extends below them, metres.
 const BOARD: (f64, f64) = (0.022, 0.012);
 /// Height and half width of a hip rafter, metres.
 const HIP: (f64, f64) = (0.12, 0.05);
 
-/// A row of rafters: from which distance behind the eaves to which, in plan, and how far below the roof's lower
-/// surface their upper side lies.
+/// A row of rafters: its start and end behind the eaves in plan, and the distance of its upper side below the roof's
+/// lower surface, metres.
 #[derive(Clone, Copy)]
 struct Row {
     from: f64,
@@ -43,7 +43,7 @@ struct Row {
     apart: f64,
 }
 
-/// The rows under some eaves.
+/// Returns the rows under the eaves.
 fn rows(tailor: &RoofTrim<'_>) -> Vec<Row> {
     let dress = &tailor.roof.dress;
     let to = dress.eaves + INSIDE;
@@ -73,7 +73,7 @@ fn rows(tailor: &RoofTrim<'_>) -> Vec<Row> {
     vec![upper, lower]
 }
 
-/// Rafters under one line of eaves, and the board before them.
+/// Adds the rafters under one line of eaves, and the board in front of them.
 pub(in crate::tessellate::trim) fn eaves(
     tailor: &RoofTrim<'_>,
     fields: &[Field],
@@ -112,7 +112,7 @@ pub(in crate::tessellate::trim) fn eaves(
     }
 }
 
-/// A rafter at `s` under a covering `deep` metres thick, bent as its slope is.
+/// Builds a rafter at `s` under a covering `deep` metres thick, following the curve of its slope.
 fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: &mut Vec<Body>) {
     let half = row.size.1;
     let own = || fields.iter().filter(|f| f.slope() == slope);
@@ -131,7 +131,7 @@ fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: 
     }
 }
 
-/// The board before the ends of the rafters.
+/// Adds the board in front of the ends of the rafters.
 fn board(fields: &[Field], seam: &Seam, row: &Row, bodies: &mut Vec<Body>) {
     let last = seam.points.len() - 1;
     let section = |i: usize| -> Vec<DVec3> {
@@ -167,7 +167,7 @@ fn board(fields: &[Field], seam: &Seam, row: &Row, bodies: &mut Vec<Body>) {
     bodies.extend(Body::loft(SurfaceId::named("cedar"), &sections));
 }
 
-/// The rafter under a hip, from the eaves to the wall.
+/// Adds the rafter under a hip, from the eaves to the wall.
 pub(in crate::tessellate::trim) fn hip(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
     let eaves = tailor.roof.dress.eaves;
     let free = seam.ends[0] == End::Free;

@@ -1,4 +1,4 @@
-//! The rim of a covering as it is walked: eaves, verges and crests one after the other, with the roof on the left.
+//! The rim of a covering in walking order: eaves, verges and crests one after the other, with the roof on the left.
 
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
@@ -6,30 +6,30 @@ use crate::tessellate::trim::surface::Surface;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
-/// Corners sharper than this, in the cosine of half their turn, are cut rather than drawn out.
+/// Corners sharper than this are cut off instead of mitred, as the cosine of half their turn.
 const SHARP: f64 = 0.35;
 
-/// A stretch of rim that goes on without a joint.
+/// A section of rim without joints.
 #[derive(Clone, Debug)]
 pub(in crate::tessellate::trim) struct Rim {
     /// Its corners on the upper surface.
     pub(in crate::tessellate::trim) points: Vec<Corner>,
-    /// Whether it ends where it began.
+    /// True if it is closed.
     pub(in crate::tessellate::trim) closed: bool,
 }
 
 /// A corner of a rim.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tessellate::trim) struct Corner {
-    /// On the upper surface, metres.
+    /// Position on the upper surface, metres.
     pub(in crate::tessellate::trim) at: DVec3,
-    /// Out of the roof in plan, drawn out so that offsets of neighbours meet.
+    /// Outward direction in plan, scaled so that offsets of neighbours meet.
     pub(in crate::tessellate::trim) out: DVec2,
-    /// How deep the edge of the covering is, metres.
+    /// Depth of the covering's edge, metres.
     pub(in crate::tessellate::trim) deep: f64,
 }
 
-/// The rims of a covering, each from where it begins.
+/// Returns the rims of a covering.
 pub(in crate::tessellate::trim) fn rims(surface: &Surface) -> Vec<Rim> {
     let sides: Vec<(u32, u32, [f64; 2])> = surface.rim_sides().collect();
     let mut starts: BTreeMap<u32, usize> = BTreeMap::new();
@@ -64,7 +64,7 @@ pub(in crate::tessellate::trim) fn rims(surface: &Surface) -> Vec<Rim> {
     rims
 }
 
-/// A walk with its corners; those in mid-edge are left out.
+/// Returns a rim with its corners; points in the middle of an edge are left out.
 fn rim(surface: &Surface, sides: Vec<(u32, u32, [f64; 2])>, closed: bool) -> Option<Rim> {
     let n = sides.len();
     let at = |id: u32| surface.points[id as usize];
@@ -101,7 +101,7 @@ fn rim(surface: &Surface, sides: Vec<(u32, u32, [f64; 2])>, closed: bool) -> Opt
 }
 
 impl Rim {
-    /// A body along the rim with a profile of (out of the roof, up) at each of its corners.
+    /// Sweeps a body along the rim with a profile of (out of the roof, up) for each of its corners.
     pub(in crate::tessellate::trim) fn body(
         &self,
         finish: SurfaceId,

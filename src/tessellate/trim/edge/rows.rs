@@ -1,6 +1,6 @@
-//! What runs up a slope in rows: the round cover tiles of hon-gawara with their discs (gato) and the curved flat
-//! tiles between them at the eaves, and the standing seams of sheet metal. Rows stand where the pictures of the
-//! coverings have them, in one phase over all facets of a slope.
+//! Rows up a slope: the round cover tiles of hon-gawara with their discs (gato) and the curved flat tiles between them
+//! at the eaves, and the standing seams of sheet metal. Rows match the textures of the coverings, in one phase over all
+//! facets of a slope.
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
@@ -12,20 +12,20 @@ use crate::tessellate::trim::slope::{Field, places};
 use crate::tessellate::trim::tiles::disc;
 use glam::{DVec2, DVec3};
 
-/// From row to row of cover tiles, and their radius, metres: as `texture` draws them.
+/// Spacing of rows of cover tiles, and their radius, metres: as in the texture.
 const ROW: f64 = 0.272;
 const RADIUS: f64 = 0.074;
-/// How high cover tiles rise over the slope, metres.
+/// Height of cover tiles above the slope, metres.
 const RISE: f64 = 0.066;
-/// From seam to seam of sheet metal, their half width and height, metres.
+/// Spacing of sheet metal seams, their half width and height, metres.
 const SHEET: f64 = 0.455;
 const SEAM: (f64, f64) = (0.009, 0.028);
 /// Half the joint between two fronts, metres.
 const JOINT: f64 = 0.001;
-/// How far rows reach into the slope, metres.
+/// How far rows extend into the slope, metres.
 const SUNK: f64 = 0.012;
 
-/// The rows of all slopes.
+/// Adds the rows of all slopes.
 pub(in crate::tessellate::trim) fn cover_tiles(fields: &[Field], bodies: &mut Vec<Body>) {
     // Half round in four faces, shaded as a curve.
     let shoulder = (0.70 * RADIUS, 0.70 * RISE);
@@ -55,7 +55,7 @@ pub(in crate::tessellate::trim) fn cover_tiles(fields: &[Field], bodies: &mut Ve
     }
 }
 
-/// WallIndex seams of a facet.
+/// Adds the standing seams of a facet.
 pub(in crate::tessellate::trim) fn seams(field: &Field, bodies: &mut Vec<Body>) {
     let (half, high) = SEAM;
     let profile = [(-half, -SUNK), (half, -SUNK), (half, high), (-half, high)];
@@ -65,7 +65,7 @@ pub(in crate::tessellate::trim) fn seams(field: &Field, bodies: &mut Vec<Body>) 
     }
 }
 
-/// The eaves of cover tiles: a disc before each row, a hollow front between two.
+/// Adds the eaves of cover tiles: a disc in front of each row, a concave front between two.
 pub(in crate::tessellate::trim) fn eaves(
     tailor: &RoofTrim<'_>,
     fields: &[Field],
@@ -114,7 +114,7 @@ pub(in crate::tessellate::trim) fn eaves(
     }
 }
 
-/// An upright section of the front that hangs so far.
+/// Returns a vertical section of the front with this hang, metres.
 fn hanging(at: DVec3, out: DVec2, hang: f64) -> Vec<DVec3> {
     let (fore, back) = ((out * 0.02).extend(0.0), (out * -0.012).extend(0.0));
     let (top, low) = (DVec3::Z * 0.004, DVec3::Z * -hang);

@@ -1,5 +1,5 @@
-//! Ridges of other coverings than tiles: two boards, a box of boards with or without a tile ridge on it, a fold
-//! of sheet metal, and thatch with its riders (umanori).
+//! Ridges of coverings other than tiles: two boards, a box of boards with or without a tile ridge on it, folded sheet
+//! metal, and thatch with its riders (umanori).
 
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
@@ -11,10 +11,10 @@ use crate::tessellate::trim::ridge::{arch, plain, run_on};
 use crate::tessellate::trim::seams::{Kind, Seam};
 use glam::DVec3;
 
-/// How far a ridge reaches into the slopes, metres.
+/// How far a ridge extends into the slopes, metres.
 const SUNK: f64 = 0.02;
 
-/// The ridge or hip of a roof that is not tiled.
+/// Adds the ridge or hip of a roof that is not tiled.
 pub(in crate::tessellate::trim) fn ridge(
     tailor: &RoofTrim<'_>,
     seam: &Seam,
@@ -66,7 +66,7 @@ pub(in crate::tessellate::trim) fn ridge(
     }
 }
 
-/// Two boards or flaps that meet over the line, `wide` in plan on both sides.
+/// Returns the profile of two boards or flaps that meet over the line, `wide` in plan on both sides.
 fn fold(wide: f64, lean: f64, thick: f64) -> [(f64, f64); 6] {
     let low = -lean * wide;
     [
@@ -79,7 +79,7 @@ fn fold(wide: f64, lean: f64, thick: f64) -> [(f64, f64); 6] {
     ]
 }
 
-/// A box (hako-mune) of boards, or of boards under tiles, with a cover that stands out.
+/// Adds a box (hako-mune) of boards, or of boards under tiles, with a projecting cover.
 fn boxed(
     line: &Line,
     lean: f64,
@@ -118,7 +118,7 @@ fn boxed(
     bodies.extend(lid.map(Body::softly));
 }
 
-/// The bundles over the ridge of a thatched roof, under bark.
+/// Adds the bundles over the ridge of a thatched roof, under bark.
 fn saddle(line: &Line, lean: f64, bodies: &mut Vec<Body>) {
     // Up to where the slopes lie, then round over the top.
     let half = 0.45;
@@ -137,7 +137,7 @@ fn saddle(line: &Line, lean: f64, bodies: &mut Vec<Body>) {
     bodies.extend(body.map(Body::softly));
 }
 
-/// Pairs of logs that ride on the ridge of a thatched roof, an odd number of them.
+/// Adds pairs of logs that straddle the ridge of a thatched roof, an odd number of them.
 fn riders(line: &Line, lean: f64, bodies: &mut Vec<Body>) {
     let length = line.length();
     let count = ((length / 1.1).floor() as u32).clamp(1, 99) | 1;
@@ -163,7 +163,7 @@ fn riders(line: &Line, lean: f64, bodies: &mut Vec<Body>) {
     }
 }
 
-/// A log from one point to another; `beside` is at right angles to it.
+/// Builds a log between two points; `beside` is at right angles to it.
 pub(in crate::tessellate::trim) fn log(
     finish: SurfaceId,
     from: DVec3,

@@ -1,4 +1,4 @@
-//! The finial of a pyramid (hogyo): a box (roban) with a ball (hoju) over the point where its hips meet.
+//! The finial of a pyramid roof (hogyo): a box (roban) with a ball (hoju) over the point where its hips meet.
 
 use crate::ast::RoofKind;
 use crate::geometry::tolerance::JOINT;
@@ -8,9 +8,9 @@ use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::seams::{Kind, Seam};
 use glam::DVec3;
 
-/// Roofs with more hips than this have no finials: they are no pyramids.
+/// Roofs with more hips than this have no finials, since they are not pyramids.
 const MANY: usize = 500;
-/// Rings from the foot up: radius and height over the point, metres. The foot lies in the roof.
+/// Rings from the foot up: radius and height above the point, metres. The foot is inside the roof.
 const RINGS: [(f64, f64); 7] = [
     (0.24, 0.10),
     (0.24, 0.22),
@@ -21,7 +21,7 @@ const RINGS: [(f64, f64); 7] = [
     (0.02, 0.52),
 ];
 
-/// A finial on each point where three hips or more meet, and no ridge.
+/// Adds a finial at each point where at least three hips and no ridge meet.
 pub(in crate::tessellate::trim) fn finials(
     tailor: &RoofTrim<'_>,
     seams: &[Seam],

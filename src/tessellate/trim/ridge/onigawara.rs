@@ -1,5 +1,5 @@
-//! Onigawara: the tile that closes a ridge or a hip, 0.05 to 0.15 m higher than it (docs/evidence.md 4.4). A shield with
-//! a brow and feet that curl out, a boss before it; on cover-tile roofs a round bar (toribusuma) points upwards.
+//! Onigawara: the tile that closes a ridge or hip, 0.05 to 0.15 m higher than it (docs/evidence.md 4.4). A shield with
+//! a brow and feet that curl out, with a boss in front; on cover-tile roofs, a round bar (toribusuma) points upwards.
 
 use crate::material::SurfaceId;
 use crate::tessellate::trim::body::Body;
@@ -18,25 +18,25 @@ const OUTLINE: [(f64, f64); 9] = [
     (0.40, 1.00),
 ];
 
-/// The boss before it, the same way.
+/// The boss in front of it, in the same units.
 const BOSS: [(f64, f64); 4] = [(0.50, 0.26), (0.62, 0.46), (0.50, 0.66), (0.22, 0.76)];
 
-/// Where an end tile stands and how big it is.
+/// The position and size of an end tile.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tessellate::trim) struct Place {
     /// The end of the ridge line on the upper surface.
     pub(in crate::tessellate::trim) at: DVec3,
-    /// The way it looks; its upright part does not matter.
+    /// The direction it faces; its vertical component is ignored.
     pub(in crate::tessellate::trim) out: DVec3,
     /// Half the width of the ridge, metres.
     pub(in crate::tessellate::trim) half: f64,
     /// Height of the ridge above its line, metres.
     pub(in crate::tessellate::trim) height: f64,
-    /// How far it reaches down below the line for each metre beside it.
+    /// How far it extends below the line per metre beside it.
     pub(in crate::tessellate::trim) lean: f64,
 }
 
-/// A plain block, for a look from afar.
+/// Builds a plain block, for viewing from afar.
 pub(in crate::tessellate::trim) fn block(finish: SurfaceId, place: &Place, bodies: &mut Vec<Body>) {
     let (half, top) = (place.half + 0.05, place.height + 0.08);
     let foot = 0.02 + place.lean * half;
@@ -51,7 +51,7 @@ pub(in crate::tessellate::trim) fn block(finish: SurfaceId, place: &Place, bodie
     bodies.extend(shield(finish, place, &profile, -0.06, 0.10));
 }
 
-/// The tile with its silhouette.
+/// Builds the tile with its silhouette.
 pub(in crate::tessellate::trim) fn tile(
     finish: SurfaceId,
     place: &Place,
@@ -76,7 +76,7 @@ pub(in crate::tessellate::trim) fn tile(
     }
 }
 
-/// An upright plate from `back` over `thick` metres outwards.
+/// Builds a vertical plate, `thick` metres outwards from `back`.
 fn shield(
     finish: SurfaceId,
     place: &Place,
@@ -92,7 +92,7 @@ fn shield(
     body.map(Body::softly)
 }
 
-/// The round bar over it, which rises as it stands out.
+/// Builds the round bar over it, rising outwards.
 fn toribusuma(finish: SurfaceId, place: &Place, rise: f64) -> Option<Body> {
     let out = place.out.truncate().normalize_or_zero().extend(0.0);
     let across = out.truncate().perp().extend(0.0);

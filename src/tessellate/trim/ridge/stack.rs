@@ -1,5 +1,5 @@
-//! Thick edges: the stack of shingles or bark at the eaves (nokizuke, docs/evidence.md 4.4: 0.10-0.15 m with kokera, some
-//! tens of centimetres with bark), and the rounded edge of thatch.
+//! Thick edges: the stack of shingles or bark at the eaves (nokizuke, docs/evidence.md 4.4: 0.10-0.15 m with kokera,
+//! some tens of centimetres with bark), and the rounded edge of thatch.
 
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
@@ -8,12 +8,12 @@ use crate::tessellate::trim::RoofTrim;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::edge::rim::{Corner, Rim};
 
-/// How far an edge reaches into the roof, metres.
+/// How far an edge extends into the roof, metres.
 const INTO: f64 = 0.12;
-/// The edge lies so far below the upper surface, so that no face lies in its plane, metres.
+/// Distance of the edge below the upper surface, so that no faces are coplanar, metres.
 const BELOW: f64 = 0.004;
 
-/// The thick edge along a rim, of the coverings that have one.
+/// Adds the thick edge along a rim, for coverings that have one.
 pub(in crate::tessellate::trim) fn edge(tailor: &RoofTrim<'_>, rim: &Rim, bodies: &mut Vec<Body>) {
     if tailor.detail < Detail::Openings {
         return;
@@ -31,8 +31,8 @@ pub(in crate::tessellate::trim) fn edge(tailor: &RoofTrim<'_>, rim: &Rim, bodies
     });
 }
 
-/// Layers that step in from the top to the foot: the least height of all together, and how far the topmost stands
-/// out, metres.
+/// Returns layers that step in from top to bottom, given their smallest total height and the projection of the topmost,
+/// metres.
 fn layers(corner: &Corner, (least, out): (f64, f64), count: u32) -> Vec<(f64, f64)> {
     let height = (corner.deep + 0.02).max(least);
     let thick = (height - BELOW) / f64::from(count);
@@ -48,7 +48,7 @@ fn layers(corner: &Corner, (least, out): (f64, f64), count: u32) -> Vec<(f64, f6
     profile
 }
 
-/// A roll round the edge.
+/// Returns the profile of a roll around the edge.
 fn roll(corner: &Corner, steps: u32) -> Vec<(f64, f64)> {
     let half = corner.deep / 2.0;
     let bulge = (0.28 * corner.deep).min(0.18);
