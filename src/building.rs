@@ -8,12 +8,12 @@
 //! y north, z up, before azimuth and origin; x = -a * unit, y = b * unit.
 
 mod attic;
-mod dress;
+mod trim;
 pub mod fittings;
 mod surface;
 
+pub use crate::building::trim::Trim;
 pub use attic::{Attic, Verge};
-pub use dress::Trim;
 pub(crate) use surface::meeting;
 pub use surface::{Beside, EdgeKind, RoofEdge, RoofFacet, RoofSurface};
 
@@ -254,7 +254,8 @@ pub struct Roof {
     /// Covering.
     pub kind: RoofKind,
     /// Trim beyond its solids.
-    pub dress: Trim,
+    #[serde(rename = "dress")]
+    pub trim: Trim,
     /// The space between its sheets and the walls.
     #[serde(skip)]
     pub attic: Attic,

@@ -66,7 +66,7 @@ pub fn house(
         match finial::finial(house, roofs, finial) {
             Some((it, roof)) => {
                 if finial::crowns(it.kind) {
-                    Arc::make_mut(roofs).roofs[roof].dress.crowned = true;
+                    Arc::make_mut(roofs).roofs[roof].trim.crowned = true;
                 }
                 made.push(fitting(finial.span, 0, Thing::Finial(it)));
             }

@@ -313,7 +313,7 @@ impl<'a> Walker<'a> {
             Entry::Occupied(known) => known.get().clone(),
             Entry::Vacant(new) => {
                 let walls = new.key().walls();
-                let worn = crate::tessellate::trim::dress(
+                let worn = crate::tessellate::trim::build(
                     roof,
                     new.key().beyond(),
                     walls.plastered,

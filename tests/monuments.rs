@@ -219,7 +219,7 @@ fn general_elements_stand_at_any_house() {
     sound(&run);
     // The jewel that was written stands in place of the usual one.
     let mut roofs = run.building.houses[0].roofs.roofs.iter();
-    assert!(roofs.any(|r| r.dress.crowned));
+    assert!(roofs.any(|r| r.trim.crowned));
     near(run.building.houses[0].house.raised, 4.0 * SHAKU, 1e-9);
     near(run.building.houses[0].house.origin[2], 4.0 * SHAKU, 1e-9);
     let platform = size_of(&run, 0, Kind::Platform);

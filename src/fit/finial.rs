@@ -25,7 +25,7 @@ pub(super) fn finial(
         .reduce(|a, b| if b.0.z > a.0.z + 1e-9 { b } else { a })?;
     // Tails and boards stand on the ridge tiles, masts and jewels on the bare apex.
     let tiles = match written.kind {
-        FinialKind::Shibi | FinialKind::Chigi => roof.dress.ridge_height(roof.kind) * 0.8,
+        FinialKind::Shibi | FinialKind::Chigi => roof.trim.ridge_height(roof.kind) * 0.8,
         FinialKind::Sorin | FinialKind::Hoju => 0.0,
     };
     let ridge = ridge(roof, highest).map(|p| p + DVec3::Z * tiles);

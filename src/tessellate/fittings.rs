@@ -25,18 +25,18 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 /// output.
 #[derive(Default)]
 pub(super) struct Drawn<'a> {
-    things: HashMap<Alike<'a>, Option<MeshId>, BuildHasherDefault<Quick>>,
+    things: HashMap<FittingKey<'a>, Option<MeshId>, BuildHasherDefault<Quick>>,
     heads: HashMap<(brackets::Key, Weather), Option<MeshId>, BuildHasherDefault<Quick>>,
 }
 
 /// The key of a fitting's mesh: its number in the house (part of the mesh's name), its content and its weather.
 #[derive(PartialEq)]
-struct Alike<'a>(usize, &'a Thing, Weather);
+struct FittingKey<'a>(usize, &'a Thing, Weather);
 
 // No length of a thing is a NaN; were one, the thing would have a mesh of its own.
-impl Eq for Alike<'_> {}
+impl Eq for FittingKey<'_> {}
 
-impl Hash for Alike<'_> {
+impl Hash for FittingKey<'_> {
     /// A few lengths distinguish most fittings; equality does the rest.
     fn hash<H: Hasher>(&self, state: &mut H) {
         state.write_usize(self.0);
@@ -67,7 +67,7 @@ impl<'a> Walker<'a> {
             Thing::Finial(_) => Kind::Finial,
         };
         let name = format_compact!("{} {n}", kind.word());
-        let alike = Alike(n, &fitting.what, self.store.weather);
+        let alike = FittingKey(n, &fitting.what, self.store.weather);
         let known = self.drawn.things.get(&alike).copied();
         let mesh = known.unwrap_or_else(|| {
             let mesh = self.own(&name, bodies(&fitting.what, detail));

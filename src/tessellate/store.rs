@@ -3,7 +3,7 @@
 use super::bake::{WALL, bake};
 use super::mesh::{Bodies, Soup};
 use super::part;
-use super::weather::{CameTo, Weather};
+use super::weather::{AgedSurfaces, Weather};
 use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
@@ -135,7 +135,7 @@ pub(super) struct Store {
     pub(super) weather: Weather,
     cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<Quick>>,
     /// Weathered meshes by result: the same surfaces on the same triangles.
-    worn: HashMap<(Key, CameTo), MeshId>,
+    worn: HashMap<(Key, AgedSurfaces), MeshId>,
     /// The most recently requested part.
     last: Option<(PartKey, Weather, MeshId)>,
 }
@@ -174,13 +174,13 @@ impl Store {
             return *id;
         }
         let bodies = make();
-        let came_to = (known.0.clone(), self.weather.comes_to(&bodies));
-        let id = match self.worn.get(&came_to) {
+        let aged = (known.0.clone(), self.weather.aged_surfaces(&bodies));
+        let id = match self.worn.get(&aged) {
             Some(id) => *id,
             None => {
                 let mesh = self.finish_with(name.to_owned(), bodies, share, picture);
                 let id = self.push(mesh);
-                self.worn.insert(came_to, id);
+                self.worn.insert(aged, id);
                 id
             }
         };

@@ -41,7 +41,7 @@ use slope::Field;
 use surface::Surface;
 
 /// A roof whose trim is under construction.
-struct RoofTrim<'a> {
+struct TrimContext<'a> {
     roof: &'a Roof,
     surface: &'a Surface,
     detail: Detail,
@@ -60,13 +60,13 @@ pub(super) struct TrimDetail {
 
 /// Builds the trim of a roof at a detail; `beyond` describes the surfaces at its joints, `plastered` is true if the
 /// walls below are plastered over their posts.
-pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
+pub(super) fn build(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detail) -> TrimDetail {
     let mut worn = TrimDetail::default();
     let surface = Surface::of(&roof.surface);
     if surface.facets.is_empty() {
         return worn;
     }
-    let tailor = RoofTrim {
+    let context = TrimContext {
         roof,
         surface: &surface,
         detail,
@@ -78,15 +78,15 @@ pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detai
     };
     let seams = surface.seams(beyond);
     for seam in &seams {
-        tailor.seam(seam, &fields, &mut worn.bodies);
+        context.seam(seam, &fields, &mut worn.bodies);
     }
-    crate::tessellate::trim::ridge::finial::finials(&tailor, &seams, &mut worn.bodies);
+    crate::tessellate::trim::ridge::finial::finials(&context, &seams, &mut worn.bodies);
     for rim in crate::tessellate::trim::edge::rim::rims(&surface) {
-        crate::tessellate::trim::ridge::stack::edge(&tailor, &rim, &mut worn.bodies);
+        crate::tessellate::trim::ridge::stack::edge(&context, &rim, &mut worn.bodies);
     }
     if detail == Detail::Everything {
         for field in &fields {
-            tailor.slope(field, &mut worn.bodies);
+            context.slope(field, &mut worn.bodies);
         }
         if roof.kind == RoofKind::CoverTiles {
             crate::tessellate::trim::edge::rows::cover_tiles(&fields, &mut worn.bodies);
@@ -96,7 +96,7 @@ pub(super) fn dress(roof: &Roof, beyond: &Beyond, plastered: bool, detail: Detai
     worn
 }
 
-impl RoofTrim<'_> {
+impl TrimContext<'_> {
     fn seam(&self, seam: &Seam, fields: &[Field], bodies: &mut Vec<Body>) {
         let tiled = matches!(self.roof.kind, RoofKind::Tiles | RoofKind::CoverTiles);
         match seam.kind {

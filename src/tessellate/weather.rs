@@ -32,7 +32,7 @@ const SUN: [f64; 4] = [0.4, 0.7, 1.0, 0.8];
 const MOSS: f64 = 1.5;
 
 /// The aged surfaces of a mesh's triangles, run-length encoded.
-pub(super) type CameTo = Vec<(SurfaceId, u32)>;
+pub(super) type AgedSurfaces = Vec<(SurfaceId, u32)>;
 
 /// An index into [`YEARS`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -169,7 +169,7 @@ impl Weather {
     }
 
     /// Returns the aged surfaces of the triangles of bodies, in order.
-    pub(super) fn comes_to(self, bodies: &Bodies) -> CameTo {
+    pub(super) fn aged_surfaces(self, bodies: &Bodies) -> AgedSurfaces {
         let mut all = vec![];
         if self == Weather::None {
             return all;

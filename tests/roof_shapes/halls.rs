@@ -121,7 +121,7 @@ fn check_heights(
     let drop = 0.12 * (1.0 + t * t).sqrt();
     let (lo, hi) = extent(roof);
     close(hi.z, H + t * span / 2.0 + drop, what);
-    let eaves = roof.dress.eaves;
+    let eaves = roof.trim.eaves;
     let edge = match shape {
         RoofShape::Karahafu => return,
         _ => eaves_height(t, sori, span / 2.0, eaves),
@@ -158,7 +158,7 @@ fn every_single_slope_is_sound_and_as_high_as_its_formula() {
                     let drop = 0.12 * (1.0 + t * t).sqrt();
                     let (lo, hi) = extent(roof);
                     close(hi.z, H + t * depth + drop, &what);
-                    if let Some(edge) = eaves_height(t, sori, depth, roof.dress.eaves) {
+                    if let Some(edge) = eaves_height(t, sori, depth, roof.trim.eaves) {
                         close(lo.z, H + drop + edge, &what);
                     }
                 }
@@ -415,7 +415,7 @@ fn corners_rise_only_where_they_stand_free() {
         eaves(14.5),
         eaves(6.0)
     );
-    let over = roofs(&building)[0].dress.eaves;
+    let over = roofs(&building)[0].trim.eaves;
     let level = eaves_height(0.5, 4.0, 3.0 * U, over).unwrap() + 0.12 * (1.25_f64).sqrt();
     close(eaves(6.0), H + level, "level eaves");
 }

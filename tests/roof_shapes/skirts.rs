@@ -49,7 +49,7 @@ fn a_skirt_runs_round_the_storey_above() {
         close(hi.z, H + drop + 0.5 * 2.0 * U, "top of the skirt");
         close(
             hi.x - lo.x,
-            14.0 * U + 2.0 * skirt.dress.eaves,
+            14.0 * U + 2.0 * skirt.trim.eaves,
             "eaves all round",
         );
         let inside = |s: &hsd::building::Solid| top_of(s, glam::dvec2(-7.0 * U, 5.0 * U));
@@ -64,8 +64,8 @@ fn a_skirt_stops_where_the_storey_above_stands_on_the_wall_below() {
     let skirt = &roofs(&building)[0];
     // At the front right corner no eaves are left, on the other sides they are.
     let (lo, hi) = extent(skirt);
-    close(lo.x, -14.0 * U - skirt.dress.eaves, "left");
-    close(hi.y, 10.0 * U + skirt.dress.eaves, "back");
+    close(lo.x, -14.0 * U - skirt.trim.eaves, "left");
+    close(hi.y, 10.0 * U + skirt.trim.eaves, "back");
     let corner = covering(skirt).filter(|p| p.x > -13.9 * U && p.x < -2.1 * U && p.y < 7.9 * U);
     assert_eq!(corner.count(), 0);
 }

@@ -60,7 +60,7 @@ pub fn over(
         span: None,
         shape: RoofShape::Hip,
         kind: look.kind,
-        dress: look.dress(),
+        trim: look.trim(),
         attic: Attic {
             plate: base,
             filled: true,

@@ -139,7 +139,7 @@ impl Look {
     }
 
     /// Its trim.
-    pub fn dress(&self) -> Trim {
+    pub fn trim(&self) -> Trim {
         let upper_gable = matches!(self.shape, RoofShape::HipAndGable | RoofShape::Temple);
         Trim {
             eaves: self.eaves,

@@ -91,7 +91,7 @@ impl Context<'_> {
             span: None,
             shape,
             kind: look.kind,
-            dress: look.dress(),
+            trim: look.trim(),
             attic: Attic::default(),
             surface: RoofSurface::default(),
             solids: vec![],

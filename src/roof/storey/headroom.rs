@@ -110,7 +110,7 @@ impl Headroom {
         for (above, height) in self.under.iter().filter(|u| u.0.overlaps(rect)) {
             let (run, ridge) = run(rect, above, region);
             let cap = if ridge {
-                look.dress().ridge_height(look.kind)
+                look.trim().ridge_height(look.kind)
             } else {
                 0.0
             };

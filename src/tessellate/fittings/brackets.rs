@@ -73,7 +73,7 @@ pub(super) fn beams(it: &Brackets, detail: Detail) -> Bodies {
 
 /// Builds one complex.
 pub(super) fn head(it: &Brackets, form: Form, detail: Detail) -> Bodies {
-    let mut carver = Carver {
+    let mut carver = ComplexBuilder {
         bodies: Bodies::default(),
         it,
         level: it.purlin / f64::from(it.steps + 1),
@@ -95,7 +95,7 @@ pub(super) fn head(it: &Brackets, form: Form, detail: Detail) -> Bodies {
 }
 
 /// Builds the members of one complex.
-struct Carver<'a> {
+struct ComplexBuilder<'a> {
     bodies: Bodies,
     it: &'a Brackets,
     /// Height from one arm to the next above it, metres.
@@ -105,7 +105,7 @@ struct Carver<'a> {
     detail: Detail,
 }
 
-impl Carver<'_> {
+impl ComplexBuilder<'_> {
     /// Adds a block centred on a point, its lower part tapered (斗繰り).
     fn block(&mut self, at: DVec2, way: DVec2, width: f64, (foot, top): (f64, f64)) {
         let side = dvec2(-way.y, way.x);

@@ -26,7 +26,7 @@ pub(in crate::tessellate) struct MeshKey<'a> {
     number: usize,
     kind: RoofKind,
     shape: RoofShape,
-    dress: Trim,
+    trim: Trim,
     beyond: Beyond,
     weather: Weather,
     solids: &'a [Solid],
@@ -57,7 +57,7 @@ impl<'a> MeshKey<'a> {
             number,
             kind: roof.kind,
             shape: roof.shape,
-            dress: roof.dress,
+            trim: roof.trim,
             beyond,
             weather,
             solids: &roof.solids,
@@ -113,7 +113,7 @@ impl PartialEq for MeshKey<'_> {
         self.number == other.number
             && self.kind == other.kind
             && self.shape == other.shape
-            && self.dress == other.dress
+            && self.trim == other.trim
             && self.beyond == other.beyond
             && self.walls == other.walls
             && self.weather == other.weather

@@ -90,7 +90,7 @@ impl Neighbours {
             let found = self.over(n, place).find(near);
             beyond.rises.push(found.map(|(_, rise)| rise));
         }
-        let height = roof.dress.ridge_height(roof.kind);
+        let height = roof.trim.ridge_height(roof.kind);
         for seam in surface.seams(&beyond) {
             if !matches!(seam.kind, Kind::Ridge | Kind::Hip) {
                 continue;

@@ -101,13 +101,13 @@ impl Body {
     }
 
     /// Returns the body with its sides shaded as curves.
-    pub(super) fn softly(mut self) -> Body {
+    pub(super) fn smooth(mut self) -> Body {
         self.soft = true;
         self
     }
 
     /// Returns the body as one of a row whose bodies have this direction to their right.
-    pub(super) fn one_of(mut self, name: &'static str, right: DVec2) -> Body {
+    pub(super) fn in_row(mut self, name: &'static str, right: DVec2) -> Body {
         self.row = Some((name, right));
         self
     }

@@ -9,7 +9,7 @@ pub(in crate::tessellate::trim) mod crown;
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::Line;
 use crate::tessellate::trim::ridge::onigawara::Place;
@@ -42,22 +42,22 @@ pub(super) fn half_width(kind: RoofKind, noshi: u32) -> f64 {
 }
 
 /// Adds a tiled ridge or hip with the end tiles at its free ends.
-pub(super) fn tiles(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
-    let Some(line) = run_on(tailor.roof.kind, seam) else {
+pub(super) fn tiles(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
+    let Some(line) = run_on(context.roof.kind, seam) else {
         return;
     };
-    let (kind, dress) = (tailor.roof.kind, &tailor.roof.dress);
+    let (kind, trim) = (context.roof.kind, &context.roof.trim);
     let hip = seam.kind == Kind::Hip;
     // The ridges of hips are two courses lower.
     let courses = match hip {
-        true => dress.noshi.saturating_sub(2).max(1),
-        false => dress.noshi,
+        true => trim.noshi.saturating_sub(2).max(1),
+        false => trim.noshi,
     };
-    let half = half_width(kind, dress.noshi) * if hip { 0.9 } else { 1.0 };
-    let lean = tailor.lean(seam);
+    let half = half_width(kind, trim.noshi) * if hip { 0.9 } else { 1.0 };
+    let lean = context.lean(seam);
     let top = BED + COURSE * f64::from(courses);
     let finish = SurfaceId::named("ibushi");
-    match tailor.detail {
+    match context.detail {
         Detail::Body | Detail::Flat => {
             let foot = SUNK + lean * half;
             let profile = plain(half, foot, top + CAP);
@@ -87,15 +87,15 @@ pub(super) fn tiles(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) 
             caps(&line, half, top, finish, bodies);
         }
     }
-    if dress.ends && tailor.detail != Detail::Body {
+    if trim.ends && context.detail != Detail::Body {
         let size = (half + STEP * f64::from(courses) / 2.0, top + CAP);
-        ends(tailor, seam, &line, size, bodies);
+        ends(context, seam, &line, size, bodies);
     }
 }
 
 /// Adds the tiles that close the free ends of a ridge of this half width and height.
 fn ends(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seam: &Seam,
     line: &Line,
     (half, height): (f64, f64),
@@ -123,10 +123,10 @@ fn ends(
             out: at - back,
             half,
             height,
-            lean: tailor.lean(seam),
+            lean: context.lean(seam),
         };
-        let bar = tailor.roof.kind == RoofKind::CoverTiles;
-        match tailor.detail {
+        let bar = context.roof.kind == RoofKind::CoverTiles;
+        match context.detail {
             Detail::Body | Detail::Flat => onigawara::block(finish, &place, bodies),
             _ => onigawara::tile(finish, &place, bar, bodies),
         }
@@ -239,6 +239,6 @@ fn caps(line: &Line, half: f64, top: f64, finish: SurfaceId, bodies: &mut Vec<Bo
         let sections = [section(0, &wide), section(1, &narrow)];
         let right = (part.points[1] - part.points[0]).truncate();
         let cap = Body::loft(finish, &sections).map(Body::softly);
-        bodies.extend(cap.map(|body| body.one_of("cap tiles", right.normalize_or(DVec2::X))));
+        bodies.extend(cap.map(|body| body.in_row("cap tiles", right.normalize_or(DVec2::X))));
     }
 }

@@ -10,7 +10,7 @@ use crate::roof::solid::sheet::{Coat, sheet};
 use crate::scene::Detail;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
 use crate::tessellate::trim::surface::Surface;
-use crate::tessellate::trim::{Beyond, Body, Neighbours, dress};
+use crate::tessellate::trim::{Beyond, Body, Neighbours, build};
 use glam::{DVec2, dvec2};
 
 /// All coverings.
@@ -141,7 +141,7 @@ fn roof(kind: RoofKind, solids: Vec<Solid>) -> Roof {
         span: None,
         shape: RoofShape::Gable,
         kind,
-        dress: Trim {
+        trim: Trim {
             eaves: 0.75,
             verge: 0.3,
             noshi: 5,
@@ -243,7 +243,7 @@ fn bodies(roof: &Roof, detail: Detail) -> Vec<Body> {
 }
 
 fn bodies_on(roof: &Roof, plastered: bool, detail: Detail) -> Vec<Body> {
-    let worn = dress(roof, &Beyond::default(), plastered, detail);
+    let worn = build(roof, &Beyond::default(), plastered, detail);
     let rows = worn.runs.iter().flat_map(|run| run.row.bodies());
     worn.bodies.into_iter().chain(rows).collect()
 }
@@ -365,7 +365,7 @@ fn less_detail_wears_less_and_always_the_same() {
         let told = || {
             format!(
                 "{:?}",
-                dress(&roof, &Beyond::default(), false, Detail::Everything)
+                build(&roof, &Beyond::default(), false, Detail::Everything)
             )
         };
         assert_eq!(told(), told());

@@ -3,7 +3,7 @@
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::{End, Seam};
@@ -29,13 +29,18 @@ const LAP: (f64, f64, f64) = (0.10, 0.09, 0.022);
 const STREET: DVec2 = DVec2::NEG_Y;
 
 /// Adds the fronts along the eaves.
-pub(super) fn eaves(tailor: &RoofTrim<'_>, fields: &[Field], seam: &Seam, bodies: &mut Vec<Body>) {
-    if tailor.detail < Detail::Openings {
+pub(super) fn eaves(
+    context: &TrimContext<'_>,
+    fields: &[Field],
+    seam: &Seam,
+    bodies: &mut Vec<Body>,
+) {
+    if context.detail < Detail::Openings {
         return;
     }
     let finish = SurfaceId::named("ibushi");
     // Fronts tile by tile are for halls: on a house they would weigh as much as the rest of its roof.
-    let great = tailor.detail == Detail::Everything && tailor.roof.dress.noshi > 4;
+    let great = context.detail == Detail::Everything && context.roof.trim.noshi > 4;
     for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
         let field = &fields[span.left as usize];
         let out = -level_left(ends[1] - ends[0]);
@@ -110,8 +115,8 @@ pub(super) fn disc(
 }
 
 /// Adds verge tiles over the outermost tiles and down the edge.
-pub(super) fn verge(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
-    if tailor.detail < Detail::Openings {
+pub(super) fn verge(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
+    if context.detail < Detail::Openings {
         return;
     }
     let (lap, down, thick) = LAP;

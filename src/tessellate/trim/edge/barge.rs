@@ -3,7 +3,7 @@
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::edge::gegyo;
 use crate::tessellate::trim::seams::{End, Seam};
@@ -36,15 +36,15 @@ struct Verge<'a> {
 
 /// Adds the boards along a verge.
 pub(in crate::tessellate::trim) fn boards(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
     let plan = |i: usize| seam.points[i].truncate();
     let last = seam.points.len() - 1;
     let run = plan(last) - plan(0);
-    let dress = &tailor.roof.dress;
-    if tailor.detail == Detail::Body || dress.verge < LEAST_VERGE || run.length() < SHORTEST {
+    let trim = &context.roof.trim;
+    if context.detail == Detail::Body || trim.verge < LEAST_VERGE || run.length() < SHORTEST {
         return;
     }
     let along = run.normalize_or_zero();
@@ -54,7 +54,7 @@ pub(in crate::tessellate::trim) fn boards(
         out: -along.perp(),
         deep: (run.length() * 0.032).clamp(DEEP.0, DEEP.1),
     };
-    let stations = verge.stations(tailor.detail >= Detail::Openings);
+    let stations = verge.stations(context.detail >= Detail::Openings);
     let sections: Vec<Vec<DVec3>> = stations.iter().map(|s| verge.section(s)).collect();
     let board = Body::loft(SurfaceId::named("cedar"), &sections);
     bodies.extend(board.map(Body::softly));
@@ -62,10 +62,10 @@ pub(in crate::tessellate::trim) fn boards(
         .iter()
         .filter(|s| s.apex)
         .max_by(|a, b| a.at.z.total_cmp(&b.at.z));
-    if let Some(apex) = apex.filter(|_| dress.pendant) {
+    if let Some(apex) = apex.filter(|_| trim.pendant) {
         // Before the boards, its head as high as theirs.
         let foot = apex.at - DVec3::Z * verge.depth(apex.share) * 0.35;
-        gegyo::pendant(foot, verge.out, 1.3 * verge.deep, tailor.detail, bodies);
+        gegyo::pendant(foot, verge.out, 1.3 * verge.deep, context.detail, bodies);
     }
 }
 

@@ -4,7 +4,7 @@
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::Line;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
@@ -23,21 +23,21 @@ const SHORTEST: f64 = 0.2;
 
 /// Adds a gutter along a valley; if another roof is on the other side, only the half on this one.
 pub(in crate::tessellate::trim) fn valley(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
     let line = Line {
         points: seam.points.clone(),
     };
-    if tailor.detail < Detail::Openings || line.length() < SHORTEST {
+    if context.detail < Detail::Openings || line.length() < SHORTEST {
         return;
     }
-    let thatched = matches!(tailor.roof.kind, RoofKind::Thatch);
+    let thatched = matches!(context.roof.kind, RoofKind::Thatch);
     let finish = SurfaceId::named(if thatched { "bark" } else { "sheet_roof" });
     let (wide, high) = GUTTER;
     for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
-        let [left, right] = tailor.surface.leans(span, ends[1] - ends[0]);
+        let [left, right] = context.surface.leans(span, ends[1] - ends[0]);
         // Slopes rise to both sides, by minus their lean.
         let mut profile = vec![
             (wide, -left * wide - SUNK),
@@ -61,17 +61,17 @@ pub(in crate::tessellate::trim) fn valley(
 
 /// Adds courses along a wall, or along the crest of a single slope.
 pub(in crate::tessellate::trim) fn wall(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
     let line = Line {
         points: seam.points.clone(),
     };
-    if tailor.detail < Detail::Openings || line.length() < SHORTEST {
+    if context.detail < Detail::Openings || line.length() < SHORTEST {
         return;
     }
-    let (name, courses) = match tailor.roof.kind {
+    let (name, courses) = match context.roof.kind {
         RoofKind::Tiles | RoofKind::CoverTiles => ("ibushi", 2),
         RoofKind::Metal => ("sheet_roof", 1),
         RoofKind::Bark | RoofKind::Shingles | RoofKind::Boards => ("cedar", 1),
@@ -86,7 +86,7 @@ pub(in crate::tessellate::trim) fn wall(
     } else {
         wide
     };
-    let fall = tailor.lean(seam).max(0.0);
+    let fall = context.lean(seam).max(0.0);
     let free = seam.spans.iter().any(|s| s.deep != [0.0; 2]);
     let back = if free { -OVER } else { 0.0 };
     let mut profile = vec![(back, -SUNK), (wide, -fall * wide - SUNK)];

@@ -5,7 +5,7 @@
 use crate::ast::RoofShape;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::{End, Kind, Seam};
@@ -25,21 +25,21 @@ const LEAST: f64 = 0.12;
 
 /// Adds the bands under eaves or a verge.
 pub(in crate::tessellate::trim) fn bands(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
-    let dress = &tailor.roof.dress;
+    let trim = &context.roof.trim;
     let gable = matches!(
-        tailor.roof.shape,
+        context.roof.shape,
         RoofShape::Gable | RoofShape::BroadGable | RoofShape::LeanTo
     );
     let (own, other, clear) = match seam.kind {
-        Kind::Verge => (dress.verge, dress.eaves, CLEAR),
-        _ if gable => (dress.eaves, dress.verge, 0.0),
-        _ => (dress.eaves, dress.eaves, 0.0),
+        Kind::Verge => (trim.verge, trim.eaves, CLEAR),
+        _ if gable => (trim.eaves, trim.verge, 0.0),
+        _ => (trim.eaves, trim.eaves, 0.0),
     };
-    if tailor.detail == Detail::Body || own < LEAST {
+    if context.detail == Detail::Body || own < LEAST {
         return;
     }
     for (out, deep) in BANDS {
@@ -52,7 +52,7 @@ pub(in crate::tessellate::trim) fn bands(
             deep,
         };
         let sections: Vec<Vec<DVec3>> = (0..seam.points.len())
-            .map(|i| band.section(tailor, seam, i))
+            .map(|i| band.section(context, seam, i))
             .collect();
         bodies.extend(Body::loft(SurfaceId::named("plaster"), &sections));
     }
@@ -71,7 +71,7 @@ struct Band {
 
 impl Band {
     /// Returns the section at a corner of the seam.
-    fn section(&self, tailor: &RoofTrim<'_>, seam: &Seam, i: usize) -> Vec<DVec3> {
+    fn section(&self, context: &TrimContext<'_>, seam: &Seam, i: usize) -> Vec<DVec3> {
         let last = seam.points.len() - 1;
         let way = seam.points[(i + 1).min(last)] - seam.points[i.max(1) - 1];
         let inward: DVec2 = level_left(way);
@@ -87,7 +87,7 @@ impl Band {
         let run = way.truncate().length().max(1e-9);
         let along = way / run;
         // Where the roof's lower surface lies so far inside its edge.
-        let rise = tailor.surface.facets[span.left as usize].rise;
+        let rise = context.surface.facets[span.left as usize].rise;
         let at = |inside: f64| {
             let plan = along * drawn + (inward * inside).extend(0.0);
             let z = match seam.kind {

@@ -4,7 +4,7 @@
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::{End, Seam};
@@ -44,10 +44,10 @@ struct Row {
 }
 
 /// Returns the rows under the eaves.
-fn rows(tailor: &RoofTrim<'_>) -> Vec<Row> {
-    let dress = &tailor.roof.dress;
-    let to = dress.eaves + INSIDE;
-    let great = dress.rafters > 1;
+fn rows(context: &TrimContext<'_>) -> Vec<Row> {
+    let trim = &context.roof.trim;
+    let to = trim.eaves + INSIDE;
+    let great = trim.rafters > 1;
     let (size, apart) = if great {
         (GREAT, CLOSE)
     } else {
@@ -64,7 +64,7 @@ fn rows(tailor: &RoofTrim<'_>) -> Vec<Row> {
         return vec![upper];
     }
     let lower = Row {
-        from: dress.eaves * (1.0 - LOWER),
+        from: trim.eaves * (1.0 - LOWER),
         to,
         below: size.0 - 2.0 * SUNK,
         size,
@@ -75,17 +75,17 @@ fn rows(tailor: &RoofTrim<'_>) -> Vec<Row> {
 
 /// Adds the rafters under one line of eaves, and the board in front of them.
 pub(in crate::tessellate::trim) fn eaves(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     fields: &[Field],
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
-    if tailor.detail < Detail::Openings || tailor.roof.dress.eaves < 2.0 * BACK {
+    if context.detail < Detail::Openings || context.roof.trim.eaves < 2.0 * BACK {
         return;
     }
-    let rows = rows(tailor);
+    let rows = rows(context);
     rows.iter().for_each(|row| board(fields, seam, row, bodies));
-    if tailor.detail < Detail::Everything {
+    if context.detail < Detail::Everything {
         return;
     }
     for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
@@ -103,7 +103,7 @@ pub(in crate::tessellate::trim) fn eaves(
             for i in 0..=count as u32 {
                 let s = first + row.apart * f64::from(i);
                 // Under a verge they show up to the ridge.
-                let outside = (s - lo).min(hi - s) < tailor.roof.dress.verge;
+                let outside = (s - lo).min(hi - s) < context.roof.trim.verge;
                 let to = if outside { f64::INFINITY } else { row.to };
                 let own = Row { to, ..*row };
                 rafter(fields, field.slope(), s, deep, &own, bodies);
@@ -127,7 +127,7 @@ fn rafter(fields: &[Field], slope: usize, s: f64, deep: f64, row: &Row, bodies: 
         let profile = [(-half, foot), (half, foot), (half, top), (-half, top)];
         let finish = SurfaceId::named("cedar");
         let made = field.upright_row(finish, s, &profile, within);
-        bodies.extend(made.map(|body| body.one_of("rafters", field.right())));
+        bodies.extend(made.map(|body| body.in_row("rafters", field.right())));
     }
 }
 
@@ -168,13 +168,17 @@ fn board(fields: &[Field], seam: &Seam, row: &Row, bodies: &mut Vec<Body>) {
 }
 
 /// Adds the rafter under a hip, from the eaves to the wall.
-pub(in crate::tessellate::trim) fn hip(tailor: &RoofTrim<'_>, seam: &Seam, bodies: &mut Vec<Body>) {
-    let eaves = tailor.roof.dress.eaves;
+pub(in crate::tessellate::trim) fn hip(
+    context: &TrimContext<'_>,
+    seam: &Seam,
+    bodies: &mut Vec<Body>,
+) {
+    let eaves = context.roof.trim.eaves;
     let free = seam.ends[0] == End::Free;
-    if tailor.detail < Detail::Everything || eaves < 2.0 * BACK || !free {
+    if context.detail < Detail::Everything || eaves < 2.0 * BACK || !free {
         return;
     }
-    let Some(deep) = tailor.surface.deep_at(seam.points[0]) else {
+    let Some(deep) = context.surface.deep_at(seam.points[0]) else {
         return;
     };
     let line = crate::tessellate::trim::line::Line {
@@ -184,7 +188,7 @@ pub(in crate::tessellate::trim) fn hip(tailor: &RoofTrim<'_>, seam: &Seam, bodie
     let reach = (eaves + INSIDE) * std::f64::consts::SQRT_2;
     let part = line.part(2.0 * BACK, reach.min(line.length()));
     let (high, half) = HIP;
-    let lean = tailor.lean(seam);
+    let lean = context.lean(seam);
     let top = -deep + SUNK - lean * half;
     let profile = [
         (-half, top - high),

@@ -4,7 +4,7 @@
 
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::level_left;
 use crate::tessellate::trim::seams::Seam;
@@ -50,7 +50,7 @@ pub(in crate::tessellate::trim) fn cover_tiles(fields: &[Field], bodies: &mut Ve
         let right = fields[first].right();
         for s in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
             let rows = Field::rows(&slope, finish, s, &profile).into_iter();
-            bodies.extend(rows.map(|row| row.softly().one_of("cover tiles", right)));
+            bodies.extend(rows.map(|row| row.smooth().in_row("cover tiles", right)));
         }
     }
 }
@@ -67,19 +67,19 @@ pub(in crate::tessellate::trim) fn seams(field: &Field, bodies: &mut Vec<Body>) 
 
 /// Adds the eaves of cover tiles: a disc in front of each row, a concave front between two.
 pub(in crate::tessellate::trim) fn eaves(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     fields: &[Field],
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
-    if tailor.detail < Detail::Openings {
+    if context.detail < Detail::Openings {
         return;
     }
     let finish = SurfaceId::named("ibushi");
     for (span, ends) in seam.spans.iter().zip(seam.points.windows(2)) {
         let field = &fields[span.left as usize];
         let out = -level_left(ends[1] - ends[0]);
-        if tailor.detail < Detail::Everything {
+        if context.detail < Detail::Everything {
             let sections = [hanging(ends[0], out, 0.09), hanging(ends[1], out, 0.09)];
             bodies.extend(Body::loft(finish, &sections));
             continue;
@@ -104,12 +104,12 @@ pub(in crate::tessellate::trim) fn eaves(
             let cuts = std::iter::once(&from).chain(inner).chain([&to]);
             let sections: Vec<_> = cuts.map(|s| hanging(at(*s), out, 0.05 + sag(*s))).collect();
             let front = Body::loft(finish, &sections);
-            bodies.extend(front.map(|body| body.softly().one_of("eaves tiles", right)));
+            bodies.extend(front.map(|body| body.smooth().in_row("eaves tiles", right)));
         }
         for row in places(lo + RADIUS, hi - RADIUS, ROW, ROW / 2.0) {
             let place = (0.004, 0.045);
             let disc = disc(finish, at(row), out, 1.08 * RADIUS, place, 8);
-            bodies.extend(disc.map(|body| body.one_of("eaves tiles", right)));
+            bodies.extend(disc.map(|body| body.in_row("eaves tiles", right)));
         }
     }
 }

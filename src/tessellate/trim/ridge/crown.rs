@@ -4,7 +4,7 @@
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::line::Line;
 use crate::tessellate::trim::ridge::{arch, plain, run_on};
@@ -16,16 +16,16 @@ const SUNK: f64 = 0.02;
 
 /// Adds the ridge or hip of a roof that is not tiled.
 pub(in crate::tessellate::trim) fn ridge(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seam: &Seam,
     bodies: &mut Vec<Body>,
 ) {
-    let Some(line) = run_on(tailor.roof.kind, seam) else {
+    let Some(line) = run_on(context.roof.kind, seam) else {
         return;
     };
-    let (kind, hip) = (tailor.roof.kind, seam.kind == Kind::Hip);
-    let lean = tailor.lean(seam);
-    let shown = tailor.detail >= Detail::Openings;
+    let (kind, hip) = (context.roof.kind, seam.kind == Kind::Hip);
+    let lean = context.lean(seam);
+    let shown = context.detail >= Detail::Openings;
     let named = SurfaceId::named;
     match kind {
         RoofKind::Tiles | RoofKind::CoverTiles => {}

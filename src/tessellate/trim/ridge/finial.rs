@@ -3,7 +3,7 @@
 use crate::ast::RoofKind;
 use crate::geometry::tolerance::JOINT;
 use crate::material::SurfaceId;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::seams::{Kind, Seam};
 use glam::DVec3;
@@ -23,11 +23,11 @@ const RINGS: [(f64, f64); 7] = [
 
 /// Adds a finial at each point where at least three hips and no ridge meet.
 pub(in crate::tessellate::trim) fn finials(
-    tailor: &RoofTrim<'_>,
+    context: &TrimContext<'_>,
     seams: &[Seam],
     bodies: &mut Vec<Body>,
 ) {
-    if !tailor.roof.dress.ends || tailor.roof.dress.crowned {
+    if !context.roof.trim.ends || context.roof.trim.crowned {
         return;
     }
     let of = |kind: Kind| seams.iter().filter(move |s| s.kind == kind);
@@ -46,14 +46,14 @@ pub(in crate::tessellate::trim) fn finials(
             .flat_map(|s| &s.points)
             .any(|p| near(p, head));
         if first && count > 2 && !ridged {
-            bodies.extend(finial(tailor, *head));
+            bodies.extend(finial(context, *head));
         }
     }
 }
 
-fn finial(tailor: &RoofTrim<'_>, at: DVec3) -> Option<Body> {
+fn finial(context: &TrimContext<'_>, at: DVec3) -> Option<Body> {
     const SIDES: u32 = 8;
-    let finish = match tailor.roof.kind {
+    let finish = match context.roof.kind {
         RoofKind::Tiles | RoofKind::CoverTiles => "ibushi",
         RoofKind::Metal => "sheet_roof",
         _ => "cedar",

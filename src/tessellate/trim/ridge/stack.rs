@@ -4,7 +4,7 @@
 use crate::ast::RoofKind;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::trim::RoofTrim;
+use crate::tessellate::trim::TrimContext;
 use crate::tessellate::trim::body::Body;
 use crate::tessellate::trim::edge::rim::{Corner, Rim};
 
@@ -14,16 +14,20 @@ const INTO: f64 = 0.12;
 const BELOW: f64 = 0.004;
 
 /// Adds the thick edge along a rim, for coverings that have one.
-pub(in crate::tessellate::trim) fn edge(tailor: &RoofTrim<'_>, rim: &Rim, bodies: &mut Vec<Body>) {
-    if tailor.detail < Detail::Openings {
+pub(in crate::tessellate::trim) fn edge(
+    context: &TrimContext<'_>,
+    rim: &Rim,
+    bodies: &mut Vec<Body>,
+) {
+    if context.detail < Detail::Openings {
         return;
     }
-    let fine = tailor.detail == Detail::Everything;
+    let fine = context.detail == Detail::Everything;
     let few = |count: u32| if fine { count } else { 1 };
     let body = |name: &str, profile: &dyn Fn(&Corner) -> Vec<(f64, f64)>| {
         rim.body(SurfaceId::named(name), profile)
     };
-    bodies.extend(match tailor.roof.kind {
+    bodies.extend(match context.roof.kind {
         RoofKind::Shingles => body("shingle", &|c| layers(c, (0.14, 0.022), few(4))),
         RoofKind::Bark => body("bark", &|c| layers(c, (0.34, 0.045), few(5))),
         RoofKind::Thatch => body("thatch", &|c| roll(c, 2 + few(3))).map(Body::softly),
