@@ -79,7 +79,7 @@ pub(super) fn tiles(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
             bodies.extend(Body::loft(courses, &line.sections(&wall)));
             // Its ends stand out, so that they lie in no plane of the courses' ends.
             let cap = line.longer(0.012).sections(&arch(half + 0.006, CAP, top));
-            bodies.extend(Body::loft(finish, &cap).map(Body::softly));
+            bodies.extend(Body::loft(finish, &cap).map(Body::smooth));
         }
         Detail::Everything => {
             let wall = line.sections(&stepped(half, lean, courses));
@@ -238,7 +238,7 @@ fn caps(line: &Line, half: f64, top: f64, finish: SurfaceId, bodies: &mut Vec<Bo
         let section = |i: usize, profile: &[(f64, f64)]| part.sections(profile).swap_remove(i);
         let sections = [section(0, &wide), section(1, &narrow)];
         let right = (part.points[1] - part.points[0]).truncate();
-        let cap = Body::loft(finish, &sections).map(Body::softly);
+        let cap = Body::loft(finish, &sections).map(Body::smooth);
         bodies.extend(cap.map(|body| body.in_row("cap tiles", right.normalize_or(DVec2::X))));
     }
 }

@@ -69,7 +69,7 @@ fn stone(at: DVec3, size: f64, turn: f64) -> Option<Body> {
         (0..SIDES).map(corner).collect()
     };
     let body = Body::loft(SurfaceId::named("stone"), &rings.map(ring));
-    body.map(Body::softly)
+    body.map(Body::smooth)
 }
 
 /// Returns a pseudo-random number from 0 to 1 for a position.

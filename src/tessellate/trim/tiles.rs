@@ -69,7 +69,7 @@ pub(super) fn eaves(
         };
         let sections = cuts.iter().map(|s| front(at(*s), out, 0.055 + sag(*s)));
         let front = Body::loft(finish, &sections.collect::<Vec<_>>());
-        bodies.extend(front.map(Body::softly));
+        bodies.extend(front.map(Body::smooth));
         for crest in places(lo + DISC, hi - DISC, WIDTH, CREST) {
             let place = (-0.028, OUT + 0.016);
             bodies.extend(disc(finish, at(crest), out, DISC, place, 7));
@@ -111,7 +111,7 @@ pub(super) fn disc(
         middle + across * (radius * libm::cos(angle)) + DVec3::Z * (radius * libm::sin(angle))
     };
     let body = Body::sweep(finish, (0..sides).map(corner).collect(), out * 0.035);
-    body.map(Body::softly)
+    body.map(Body::smooth)
 }
 
 /// Adds verge tiles over the outermost tiles and down the edge.
@@ -146,5 +146,5 @@ pub(super) fn verge(context: &TrimContext<'_>, seam: &Seam, bodies: &mut Vec<Bod
     };
     let sections: Vec<Vec<DVec3>> = (0..=last).map(section).collect();
     let tiles = Body::loft(SurfaceId::named("ibushi"), &sections);
-    bodies.extend(tiles.map(Body::softly));
+    bodies.extend(tiles.map(Body::smooth));
 }

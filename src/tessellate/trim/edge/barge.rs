@@ -57,7 +57,7 @@ pub(in crate::tessellate::trim) fn boards(
     let stations = verge.stations(context.detail >= Detail::Openings);
     let sections: Vec<Vec<DVec3>> = stations.iter().map(|s| verge.section(s)).collect();
     let board = Body::loft(SurfaceId::named("cedar"), &sections);
-    bodies.extend(board.map(Body::softly));
+    bodies.extend(board.map(Body::smooth));
     let apex = stations
         .iter()
         .filter(|s| s.apex)

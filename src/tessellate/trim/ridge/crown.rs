@@ -115,7 +115,7 @@ fn boxed(
     let lid = arch(half + 0.04, 0.075, neck - 0.005);
     let lid = line.longer(0.02).sections(&lid);
     let lid = Body::loft(SurfaceId::named(cover), &lid);
-    bodies.extend(lid.map(Body::softly));
+    bodies.extend(lid.map(Body::smooth));
 }
 
 /// Adds the bundles over the ridge of a thatched roof, under bark.
@@ -134,7 +134,7 @@ fn saddle(line: &Line, lean: f64, bodies: &mut Vec<Body>) {
         (-half * 1.04, foot + 0.16),
     ];
     let body = Body::loft(SurfaceId::named("bark"), &line.sections(&profile));
-    bodies.extend(body.map(Body::softly));
+    bodies.extend(body.map(Body::smooth));
 }
 
 /// Adds pairs of logs that straddle the ridge of a thatched roof, an odd number of them.
@@ -179,5 +179,5 @@ pub(in crate::tessellate::trim) fn log(
         };
         (0..6).map(corner).collect()
     };
-    Body::loft(finish, &[ring(from), ring(to)]).map(Body::softly)
+    Body::loft(finish, &[ring(from), ring(to)]).map(Body::smooth)
 }

@@ -69,5 +69,5 @@ fn finial(context: &TrimContext<'_>, at: DVec3) -> Option<Body> {
         (0..SIDES).map(corner).collect()
     };
     let sections: Vec<Vec<DVec3>> = rings.map(ring).collect();
-    Body::loft(SurfaceId::named(finish), &sections).map(Body::softly)
+    Body::loft(SurfaceId::named(finish), &sections).map(Body::smooth)
 }

@@ -89,7 +89,7 @@ fn shield(
     let foot = place.at + out * back;
     let corner = |(w, z): &(f64, f64)| foot + across * *w + DVec3::Z * *z;
     let body = Body::sweep(finish, profile.iter().map(corner).collect(), out * thick);
-    body.map(Body::softly)
+    body.map(Body::smooth)
 }
 
 /// Builds the round bar over it, rising outwards.
@@ -110,5 +110,5 @@ fn toribusuma(finish: SurfaceId, place: &Place, rise: f64) -> Option<Body> {
         ring(0.12, 0.02, radius),
         ring(0.12 + 2.0 * radius, 0.02 + radius, 1.15 * radius),
     ];
-    Body::loft(finish, &rings).map(Body::softly)
+    Body::loft(finish, &rings).map(Body::smooth)
 }

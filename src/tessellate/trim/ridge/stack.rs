@@ -30,7 +30,7 @@ pub(in crate::tessellate::trim) fn edge(
     bodies.extend(match context.roof.kind {
         RoofKind::Shingles => body("shingle", &|c| layers(c, (0.14, 0.022), few(4))),
         RoofKind::Bark => body("bark", &|c| layers(c, (0.34, 0.045), few(5))),
-        RoofKind::Thatch => body("thatch", &|c| roll(c, 2 + few(3))).map(Body::softly),
+        RoofKind::Thatch => body("thatch", &|c| roll(c, 2 + few(3))).map(Body::smooth),
         _ => None,
     });
 }
