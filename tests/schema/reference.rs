@@ -46,10 +46,7 @@ pub enum Language {
 
 impl Language {
     fn pick<'t>(self, en: &'t str, ja: &'t str) -> &'t str {
-        match self {
-            Language::English => en,
-            Language::Japanese => ja,
-        }
+        if self == Language::English { en } else { ja }
     }
 
     /// One side of `English | 日本語`; both languages share a text without a bar.
@@ -158,9 +155,10 @@ fn words(kind: Kind) -> &'static [&'static str] {
     }
 }
 
+/// Whether a value is one or more numbers, which need a unit.
 fn counts(kind: Kind) -> bool {
-    let plain = matches!(kind, Kind::Text | Kind::YesNo | Kind::Positions);
-    !plain && !matches!(kind, Kind::Choice(_) | Kind::Choices(_))
+    use Kind::{Choice, Choices, Positions, Text, YesNo};
+    !matches!(kind, Text | YesNo | Positions | Choice(_) | Choices(_))
 }
 
 /// A page under way.
@@ -280,6 +278,13 @@ impl Page<'_> {
             Language::Japanese => write!(text, "{}。", all.join("、")),
         };
         text
+    }
+
+    /// Links to all elements.
+    fn contents(&mut self) {
+        let link = |e: &Schema| format!("[`{}`](#{})", e.name, e.name.to_lowercase());
+        let all: Vec<String> = model::elements().map(link).collect();
+        let _ = writeln!(self.out, "\n{}", all.join(" "));
     }
 
     fn head(&mut self) {
@@ -466,15 +471,6 @@ pub fn make(text: &str) -> ([String; 2], Vec<String>) {
         page.out
     });
     (pages, explanations.findings())
-}
-
-impl Page<'_> {
-    /// Links to all elements.
-    fn contents(&mut self) {
-        let link = |e: &Schema| format!("[`{}`](#{})", e.name, e.name.to_lowercase());
-        let all: Vec<String> = model::elements().map(link).collect();
-        let _ = writeln!(self.out, "\n{}", all.join(" "));
-    }
 }
 
 const HEAD: &str = "# Reference
