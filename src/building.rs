@@ -254,7 +254,6 @@ pub struct Roof {
     /// Covering.
     pub kind: RoofKind,
     /// Trim beyond its solids.
-    #[serde(rename = "dress")]
     pub trim: Trim,
     /// The space between its sheets and the walls.
     #[serde(skip)]

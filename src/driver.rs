@@ -1,6 +1,6 @@
 //! The chain from end to end: sources -> parse -> for each house expand, lower, roof, fit -> tessellate.
 //!
-//! [`compile`] runs all steps; each is also a function, so that a shell can stop after any of them. [`house`] makes one
+//! [`compile`] runs all steps; each is also a function, so that a shell can stop after any of them. `house` makes one
 //! house by itself. Nothing here reads a file: images come through a [`World`].
 
 #[cfg(feature = "models")]

@@ -1,6 +1,6 @@
 //! The XML form (docs/contract.md 3), in three steps: [`tree`] reads the elements of any file, however broken, with their
 //! places; [`language`] computes expressions and definitions; the rest turns that tree into the document by the tables of
-//! [`schema`].
+//! [`schema`](crate::parse::schema).
 //!
 //! What the contract leaves open is settled so:
 //! - `true`, `false`, `1`, `0` are read as `yes` and `no`; attributes with a colon in their name, and `xmlns`, are

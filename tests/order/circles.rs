@@ -4,7 +4,19 @@ use super::{File, assert_none, paths_at, sources};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Circles that are left: folder and members. A folder that no longer has one must leave the list.
-const LEFT: &[(&str, &[&str])] = &[];
+const LEFT: &[(&str, &[&str])] = &[
+    (
+        "backend::gltf",
+        &["arrays", "geometry", "materials", "tangents"],
+    ),
+    (
+        "tessellate",
+        &["mesh", "part", "roof", "store", "wall", "weather"],
+    ),
+    ("tessellate::fittings", &["finial", "shrine", "sorin"]),
+    ("tessellate::roof", &["bulk", "mesh_key"]),
+    ("tessellate::trim", &["beyond", "seams"]),
+];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;
 

@@ -83,7 +83,7 @@ fn overhangs_are_told_by_their_size() {
     assert_eq!(said(storeys(rect(0.0, -0.5, 6.0, 8.0))), vec![506]);
     assert_eq!(said(storeys(rect(0.0, 0.0, 8.0, 8.0))), vec![505]);
     let (_, out) = build(storeys(rect(0.0, 0.0, 8.0, 8.0)));
-    assert!(out.iter().next().unwrap().message.contains("2 units"));
+    assert!(out.iter().next().unwrap().message.contains("2 U"));
 }
 
 #[test]

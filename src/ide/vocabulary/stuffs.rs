@@ -25,7 +25,7 @@ pub(in crate::ide) const STUFFS: &Table = &[
     ("wood", noun("wood", "木")),
     ("wood or stone", noun("wood or stone", "木または石")),
     ("steel", noun("steel", "鉄")),
-    ("square bars with green earth", noun("square bars with green earth", "角材、緑青塗")),
+    ("square bars with rokushō green", noun("square bars with rokushō green", "角材、緑青塗")),
     ("split bamboo", noun("split bamboo", "割竹")),
     ("sheet metal on a steel frame", noun("sheet metal on a steel frame", "鉄骨に金属板")),
     ("rammed or daubed earth, tiles", noun("rammed or daubed earth, tiles", "版築または土塗、瓦")),
