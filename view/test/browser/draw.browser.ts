@@ -300,13 +300,13 @@ test('a read-only or missing file is reported', async () => {
   const set = () => page.locator('.unit[data-code=KSK] .hit').first().click({ force: true });
   chmodSync(path, 0o444);
   await set();
-  await until(async () => (await status() ?? '').includes('Not applied: the file, or its folder, may not be written to'), 'the edit of a read-only file is refused');
+  await until(async () => (await status() ?? '').includes('Not applied: no permission to write to the file or its folder'), 'the edit of a read-only file is refused');
   chmodSync(path, 0o644);
   assert.equal(text(), HOUSE);
   rmSync(path);
   await until(async () => /plain\.hsd has been removed/.test(await page.locator('.live').textContent() ?? ''), 'the removal is reported');
   await set();
-  await until(async () => (await status() ?? '').includes('Not applied: the file is no longer there'), 'the edit is refused');
+  await until(async () => (await status() ?? '').includes('Not applied: the file no longer exists'), 'the edit is refused');
   preview.write('plain.hsd', HOUSE);
 });
 
