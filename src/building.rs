@@ -77,7 +77,7 @@ pub struct House {
     pub azimuth: f64,
     /// Metres in one U.
     pub unit: f64,
-    /// Whether the first line faces a street.
+    /// True if the first line faces a street.
     pub street: bool,
     /// From the ground up.
     pub storeys: Vec<Storey>,
@@ -136,12 +136,12 @@ impl Storey {
 pub struct Ring {
     /// The element, or its lines.
     pub span: Span,
-    /// Whether the solid lies outside the ring: a courtyard.
+    /// True if the solid lies outside the ring, as for a courtyard.
     pub hole: bool,
-    /// Whether it bounds an area: it ends where it started, and crosses and touches nothing. Only such rings
+    /// True if it bounds an area: it ends where it started, and crosses and touches nothing. Only such rings
     /// carry roofs; others are facades.
     pub closed: bool,
-    /// Whether it is a wall inside the storey, which needs no roof.
+    /// True if it is a wall inside the storey, which needs no roof.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub inner: bool,
     /// Walls in walk order; each starts where the one before ends.
@@ -180,7 +180,7 @@ pub struct Wall {
     pub direction: DVec2,
     /// Its parts from `from` to `to`; widths add up to the wall's length.
     pub units: Vec<Unit>,
-    /// Whether its glass mirrors.
+    /// True if its glass is reflective.
     pub reflection: bool,
 }
 
@@ -287,7 +287,7 @@ pub struct Solid {
 /// six are stored without an allocation.
 pub type Corners = SmallVec<[u32; 6]>;
 
-/// One plane face of a solid; convex unless `points` of it say otherwise (flat roofs of any outline).
+/// One plane face of a solid; convex, except on flat roofs, which may have any outline.
 #[derive(Clone, Debug, Serialize)]
 pub struct Face {
     /// Indices into the solid's points.

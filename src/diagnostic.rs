@@ -1,4 +1,4 @@
-//! What a pass has to say about its input. Passes hold no prose: every message is one function of
+//! Diagnostics: the messages a pass reports about its input. Passes contain no prose: every message is one function of
 //! [`messages`], in English and Japanese side by side ([`text!`](crate::text)); every code has a page for `hsd explain` in
 //! `grammar/diagnostics/` and a Japanese one in `grammar/diagnostics/ja/`.
 
@@ -38,14 +38,14 @@ pub enum Severity {
 pub struct Label {
     /// Where.
     pub span: Span,
-    /// What is there.
+    /// The message for this place.
     pub message: Text,
 }
 
 /// One way to mend what a message complains of: what an editor offers to do at a click.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
-    /// What it does, in the imperative and without a full stop.
+    /// The action, in the imperative and without a full stop.
     pub title: Text,
     /// The changes, all at once; none touches another.
     pub edits: Vec<Edit>,
@@ -54,9 +54,9 @@ pub struct Fix {
 /// One place of a text and what shall stand there.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// What goes; empty where something is only put in.
+    /// The text to replace; empty for a pure insertion.
     pub span: Span,
-    /// What comes.
+    /// The replacement.
     pub text: String,
 }
 
@@ -77,7 +77,7 @@ pub struct Diagnostic {
     pub code: Code,
     /// How bad it is.
     pub severity: Severity,
-    /// What is wrong, one sentence without a full stop.
+    /// The problem, in one sentence without a full stop.
     pub message: Text,
     /// The exact place.
     pub span: Span,
@@ -85,8 +85,8 @@ pub struct Diagnostic {
     pub help: Text,
     /// Further places.
     pub labels: Vec<Label>,
-    /// What can be done about it without further thought, the likeliest first. After any of them nobody complains of
-    /// this again.
+    /// Fixes that can be applied without further thought, the likeliest first. Applying any of them resolves
+    /// this diagnostic.
     pub fixes: Vec<Fix>,
 }
 
@@ -191,7 +191,7 @@ impl Diagnostics {
         }
     }
 
-    /// Whether anything is an error.
+    /// Returns true if any diagnostic is an error.
     pub fn has_errors(&self) -> bool {
         self.list.iter().any(|d| d.severity == Severity::Error)
     }

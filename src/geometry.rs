@@ -42,7 +42,7 @@ impl Heading {
         self.0
     }
 
-    /// Turned to the right by so many degrees.
+    /// Returns the heading turned to the right by `degrees`.
     #[must_use]
     pub fn turned(self, degrees: f64) -> Heading {
         Heading::new(self.0 + degrees)

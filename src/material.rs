@@ -20,7 +20,7 @@ use serde::{Serialize, Serializer};
 pub struct Surface {
     /// The name that `grammar/parts.xml` uses.
     pub name: &'static str,
-    /// What it is made of and how that ages; `None` = a plain colour.
+    /// Its material, including how that ages; `None` = a plain colour.
     pub material: Option<&'static Material>,
     /// The look of the texture library that it wears, in metres; `None` = plain colour.
     pub picture: Option<&'static str>,
@@ -30,14 +30,14 @@ pub struct Surface {
     pub roughness: f32,
     /// 0 or 1.
     pub metallic: f32,
-    /// Whether it shows from both sides: cloth and paper.
+    /// True if it is visible from both sides, as cloth and paper are.
     pub thin: bool,
-    /// Whether it is glass, which mirrors the neighbourhood (003-13).
+    /// True if it is glass, which reflects the surroundings (003-13).
     pub glass: bool,
 }
 
 impl Surface {
-    /// Whether the picture has a grain that runs along a member.
+    /// Returns true if the picture has a grain that runs along a member.
     pub fn grain(&self) -> bool {
         self.material.is_some_and(|material| material.grain)
     }
@@ -65,7 +65,7 @@ impl SurfaceId {
         SurfaceId::find(name).unwrap_or(SurfaceId(0))
     }
 
-    /// What it looks like.
+    /// Returns the surface with this index.
     pub fn surface(self) -> &'static Surface {
         let index = usize::from(self.0);
         match index.checked_sub(COUNT) {
@@ -74,7 +74,7 @@ impl SurfaceId {
         }
     }
 
-    /// What has become of it after so many years under so much of the weather.
+    /// Returns the surface as weathered by `wear`.
     pub fn worn(self, wear: Wear) -> SurfaceId {
         match usize::from(self.0) < COUNT {
             true => worn::after(self, wear),
@@ -94,7 +94,7 @@ impl Serialize for SurfaceId {
     }
 }
 
-/// How many surfaces the table has.
+/// Number of surfaces in the table.
 pub const COUNT: usize = TABLE.len();
 
 /// Every surface in the table.

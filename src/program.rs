@@ -17,7 +17,7 @@ pub struct Program {
     pub pictures: Vec<Picture>,
 }
 
-/// A picture that stands for a whole part (003-01), found by its name.
+/// A picture that represents a whole part (003-01), found by its name.
 #[derive(Clone, Debug, Serialize)]
 pub struct Picture {
     /// The name it is called by.
@@ -48,7 +48,7 @@ pub struct House {
     pub azimuth: f64,
     /// One U in shaku.
     pub unit_shaku: f64,
-    /// Whether the first line stands on a street.
+    /// True if the first line faces a street.
     pub street: bool,
     /// From the ground up.
     pub storeys: Vec<Storey>,
@@ -56,21 +56,21 @@ pub struct House {
     pub platform: Option<Platform>,
     /// The finial of its roofs.
     pub finials: Vec<Finial>,
-    /// How old it is; `None` = nothing has weathered.
+    /// Its age; `None` = no weathering.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Age>,
     /// The roof section.
     pub roofs: Roofs,
 }
 
-/// How old a house is.
+/// The age of a house.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Age {
     /// Years since it was built.
     pub years: f64,
-    /// When that was: parts of a later era came later.
+    /// Era of construction; parts of a later era were added later.
     pub era: Era,
-    /// The house's key of draws: every part weathers in its own way.
+    /// Random seed of the house, so that every part weathers differently.
     pub key: u64,
 }
 
@@ -109,11 +109,11 @@ pub struct Storey {
 pub struct Loop {
     /// The element, or its lines.
     pub span: Span,
-    /// Whether the solid lies outside the loop.
+    /// True if the solid lies outside the loop.
     pub hole: bool,
-    /// Whether it is a wall inside the storey, which does not close.
+    /// True if it is a wall inside the storey, which does not close.
     pub inner: bool,
-    /// Whether its lines are facades of a ring: a small closing error is spread, not reported.
+    /// True if its lines are facades of a ring: a small closing error is distributed, not reported.
     pub ring: bool,
     /// Start point (a, b) in U.
     pub start: (f64, f64),
@@ -131,7 +131,7 @@ pub struct Line {
     /// The turn at the end, degrees, right positive; that of the last line counts as whatever closes
     /// the walk.
     pub turn: f64,
-    /// Whether the glass of this line mirrors.
+    /// True if the glass of this line is reflective.
     pub reflection: bool,
 }
 
@@ -146,7 +146,7 @@ pub struct Unit {
     pub content: Content,
     /// Height in shaku where the author gave one.
     pub height: Option<f32>,
-    /// Share of light it mirrors where a `Texture` says so.
+    /// Share of light it reflects, if a `Texture` specifies it.
     pub reflection: Option<f32>,
     /// The picture that its part's texture shows here.
     #[serde(skip_serializing_if = "Option::is_none")]

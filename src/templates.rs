@@ -90,7 +90,7 @@ pub static EXAMPLES: &[Template] = templates! { "examples"
     "御殿, 書院造, 城, goten, shoin-zukuri, shiro, castle"
 };
 
-/// What people search for and no template shows.
+/// Common search terms that no template covers.
 const ABSENT: &[(&str, Noun)] = &[
     (
         "鳥居, torii",
@@ -153,7 +153,7 @@ impl Template {
             .collect()
     }
 
-    /// What to say of a thing that no template shows.
+    /// Returns the note on a thing that no template covers.
     pub fn absent(word: &str) -> Option<&'static Noun> {
         let query = Query::new(word);
         let found = ABSENT
@@ -207,7 +207,7 @@ mod tests {
         assert!(Template::named("machiya").is_none());
     }
 
-    /// What people type, and the templates that answer it.
+    /// Tests that common search terms find the right templates.
     #[test]
     fn what_people_search_for_is_found() {
         let towns = "so-nikai chu-nikai sangai hiraya shimotaya hei-tsuki kanban omotedana";

@@ -86,19 +86,19 @@ struct Walker<'a> {
     nodes: Vec<Node>,
     /// The house in the making.
     root: NodeId,
-    /// Its years, if anybody says how many.
+    /// Its age, if specified.
     aged: Option<Aged>,
-    /// The air before the wall in the making, in such a house.
+    /// Exposure of the current wall, if the house has an age.
     air: Option<WallExposure>,
 }
 
-/// What walls of a storey have in common.
+/// Data shared by the walls of a storey.
 #[derive(Clone, Copy)]
 struct Level<'a> {
     house: &'a House,
     storey: &'a Storey,
     ceilings: &'a [Ceiling],
-    /// Where its walls stand, once somebody asks.
+    /// Positions of its walls, computed on first use.
     standing: &'a OnceCell<WallIndex>,
     /// Metres from floor to top.
     height: f64,
@@ -107,18 +107,18 @@ struct Level<'a> {
 }
 
 impl Level<'_> {
-    /// Whether posts, plates and the like show.
+    /// True if posts, plates and other framing are visible.
     fn framed(&self) -> bool {
         self.storey.kind == StoreyKind::Storey
     }
 
-    /// Whether the storey stands on the ground.
+    /// True if the storey stands on the ground.
     fn grounded(&self) -> bool {
         let low = self.storey.number == 1 && self.storey.z0.abs() < SAME;
         self.framed() && low && self.house.raised == 0.0
     }
 
-    /// Whether its posts stand on a platform or the ground, not on a raised floor.
+    /// True if its posts stand on a platform or the ground, not on a raised floor.
     fn on_stone(&self) -> bool {
         let veranda = self.storey.order.veranda.as_ref();
         veranda.is_none_or(|v| v.height == 0.0)
@@ -184,7 +184,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// What the walls of a roof's storey give it: the finishes of the gable fills that it shows, nothing where there
+    /// Returns what a roof takes from its storey's walls: the finishes of its visible gable fills, empty where there
     /// are none, and whether it is plastered.
     fn below(
         &self,
@@ -298,7 +298,7 @@ impl<'a> Walker<'a> {
         }
     }
 
-    /// What closes an overhanging storey from below.
+    /// Writes the soffit of an overhanging storey.
     fn soffit(&mut self, root: NodeId, soffit: &Soffit, number: usize) {
         let name = format_compact!("soffit {number}");
         let mesh = self.store.solids(&name, &soffit.solids, &|_, _| None, &[]);

@@ -62,7 +62,7 @@ pub struct Surface {
     pub name: &'static str,
     /// Width and height of one repeat in metres, at true scale.
     pub metres: f64,
-    /// What it can look like, the first when new.
+    /// Its possible looks; the first is the new one.
     pub looks: &'static [Look],
     /// Draws the pictures with `size` px a side, before their means are set.
     paint: fn(size: u32) -> Maps,

@@ -97,7 +97,7 @@ pub struct Posts {
     pub span: Span,
     /// Side or diameter.
     pub size: f64,
-    /// Whether they are round.
+    /// True if they are round.
     pub round: bool,
     /// Of posts and beams.
     pub paint: Paint,

@@ -111,7 +111,7 @@ pub struct Gate {
 pub struct Hall {
     /// The element.
     pub span: Span,
-    /// Whether it is a shrine: other values where nothing is stated.
+    /// True for a shrine, which has different defaults.
     pub shrine: bool,
     /// Attributes that all of these elements have.
     pub measures: Measures,

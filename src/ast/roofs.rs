@@ -52,7 +52,7 @@ pub struct Roofs {
     pub lines: Vec<RoofLine>,
 }
 
-/// What covers a roof (`docs/evidence.md` 6, column 1).
+/// The covering of a roof (`docs/evidence.md` 6, column 1).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub enum RoofKind {
     /// K, sangawara-buki: pantiles.
@@ -122,7 +122,7 @@ impl RoofShape {
             .map(|(_, shape)| *shape)
     }
 
-    /// Whether it is a hip whose four slopes rise alike; `ratio` = the length of its ridge is given.
+    /// Returns true for a hip whose four slopes have the same pitch; `ratio` = the length of its ridge is given.
     pub fn has_equal_slopes(self, ratio: bool) -> bool {
         matches!(self, RoofShape::Hip | RoofShape::Pyramid) && !ratio
     }

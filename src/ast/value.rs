@@ -16,8 +16,8 @@ pub enum Value {
 }
 
 impl Value {
-    /// What a plain text stands for: `2.5` is a number, `yes`, `no`, `true` and `false` are truths, the rest is a
-    /// text. So is `01`, which no one writes for the number.
+    /// Reads plain text as a value: `2.5` is a number; `yes`, `no`, `true` and `false` are truths; everything else,
+    /// including `01`, is text.
     pub fn read(text: &str) -> Value {
         match text.trim() {
             "yes" | "true" => Value::Truth(true),
@@ -29,7 +29,7 @@ impl Value {
         }
     }
 
-    /// Whether both are numbers, both files or both truths.
+    /// Returns true if both values are of the same kind: numbers, truths or texts.
     pub fn is_like(&self, other: &Value) -> bool {
         std::mem::discriminant(self) == std::mem::discriminant(other)
     }
@@ -86,7 +86,7 @@ pub struct Parameter {
     pub step: Option<f64>,
     /// The only values, where they are listed.
     pub choices: Vec<Value>,
-    /// Whether a run with a seed draws it by default.
+    /// True if a run with a seed draws it by default.
     pub random: bool,
     /// The unit of measure, for people.
     pub unit: Option<String>,
@@ -98,7 +98,7 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Whether it may have this value.
+    /// Returns true if this value is allowed.
     pub fn admits(&self, value: &Value) -> bool {
         if !self.choices.is_empty() {
             return self.choices.contains(value);

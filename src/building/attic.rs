@@ -9,7 +9,7 @@ pub struct Attic {
     /// Height of the wall plate, metres. Only roofs of one storey and plate meet, and they are consecutive in their
     /// house.
     pub plate: f64,
-    /// Whether there is one: a roof that hangs on a wall or lies under another's eaves has none.
+    /// True if there is an attic; a roof that hangs on a wall or lies under another's eaves has none.
     pub filled: bool,
     /// The parts of the roof beyond its gable walls.
     pub verges: Vec<Verge>,

@@ -26,11 +26,11 @@ pub enum EdgeKind {
     Hip,
     /// A line in which two slopes meet below (tani).
     Valley,
-    /// The low edge of a slope in the open (noki).
+    /// The exposed low edge of a slope (noki).
     Eaves,
-    /// An edge along the fall of a slope in the open (keraba).
+    /// An exposed edge along the fall of a slope (keraba).
     Verge,
-    /// The high edge of a slope in the open, as of a lean-to that stands free.
+    /// The exposed high edge of a slope, as on a free-standing lean-to.
     Crest,
     /// An edge at a wall or under another roof.
     Abutment,
@@ -38,12 +38,12 @@ pub enum EdgeKind {
     Fold,
 }
 
-/// What lies on the other side of an edge.
+/// The neighbour on the other side of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Beside {
     /// Another facet of this roof, by index.
     Facet(u32),
-    /// The open; thickness of the covering's edge at both ends, metres, measured upright.
+    /// Nothing; thickness of the covering's edge at both ends, metres, measured vertically.
     Open([f64; 2]),
     /// A slope of another roof of the house, by its index in [`HouseRoofs::roofs`](super::HouseRoofs::roofs).
     Roof(u32),
@@ -76,7 +76,7 @@ pub struct RoofEdge {
     pub ends: [u32; 2],
     /// The facet to its left.
     pub facet: u32,
-    /// What lies to its right.
+    /// Its neighbour to the right.
     pub beside: Beside,
 }
 

@@ -362,7 +362,7 @@ attributes! {
         /// How much smaller each step is at every edge.
         size: Mm = Mm(0.036),
     }
-    /// What fills the corners of an opening so that a rounded one is left: half its width makes a circle.
+    /// The fillings of the corners of an opening, which leave it rounded: half its width makes a circle.
     Corners {
         /// Radius.
         size: Mm = Mm(0.100),

@@ -199,7 +199,7 @@ impl ScopeBuilder<'_> {
         }
     }
 
-    /// Whether a part is the one that its code means.
+    /// Returns true if the part is the one its code refers to.
     fn is_first(&self, index: usize) -> bool {
         let code = attribute_value(&self.entries[index].attributes, "code");
         let code = code.map(|c| CodeText::new(c.value.trim()));

@@ -12,10 +12,10 @@ use crate::source::Spanned;
 /// The widest part, U.
 const WIDEST: f64 = 100.0;
 
-/// Pieces that one part may be made of.
+/// The maximum number of pieces in one part.
 const PIECES: f64 = 20_000.0;
 
-/// What is repeated is at least so large, millimetres: smaller ones no one sees.
+/// The smallest size of a repeated element, millimetres; anything smaller is invisible.
 const SMALLEST: f64 = 10.0;
 
 /// The longest length in a part, millimetres.
@@ -30,7 +30,7 @@ pub(super) fn part(entry: &WrittenPart, class: Option<char>, out: &mut Diagnosti
     let width = head.width(&code, out).unwrap_or_else(|| {
         let says = |name: &str| attribute_value(head.given, name).is_some();
         if !says("width") && !says("base") {
-            // What it is taken for without one.
+            // The width assumed when none is given.
             let words = ["1"];
             out.push(elements::attribute_missing(
                 entry.span, "PartDef", "width", &words,
@@ -102,7 +102,7 @@ const LENGTHS: Noun = noun(
     "100 m 以内の長さ (大きさは 0 以上、並べるものの大きさは 10 mm 以上)",
 );
 
-/// Whether a length can be built: no size below nothing, nothing repeated by the million.
+/// Returns true if a length can be built: sizes are not negative, and repeated elements are not too small.
 fn is_sound(word: &str, attribute: &WrittenAttribute) -> bool {
     let (name, text) = (
         attribute.name.value.as_str(),

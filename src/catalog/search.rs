@@ -60,7 +60,7 @@ const VOICED: &[(&str, &str)] = &[
 /// Sounds of fewer letters must be a whole word: else `tō` finds `town`.
 const SHORT: usize = 3;
 
-/// What a user searches for.
+/// A user's search query.
 #[derive(Clone, Debug)]
 pub struct Query {
     written: String,
@@ -79,7 +79,7 @@ impl Query {
         Query { written, sound }
     }
 
-    /// Whether a word of the name begins with the query, or its kanji contain it.
+    /// Returns true if a word of the name begins with the query, or its kanji contain the query.
     pub fn finds(&self, name: &str) -> bool {
         match name.contains(is_japanese) {
             true => self.is_in_written(&written(name)),
@@ -87,7 +87,7 @@ impl Query {
         }
     }
 
-    /// Whether the name is the query, in another spelling at most.
+    /// Returns true if the name equals the query, apart from spelling variants.
     pub fn is(&self, name: &str) -> bool {
         match name.contains(is_japanese) {
             true => !self.written.is_empty() && self.written == written(name),
@@ -95,7 +95,7 @@ impl Query {
         }
     }
 
-    /// Whether the name may have been meant: one slip for every four letters, or a kanji in common that tells something.
+    /// Returns true if the name may be meant: one typo per four letters, or a distinctive kanji in common.
     pub fn is_near(&self, name: &str) -> bool {
         const COMMON: &str = "屋家建造物大小高中上下二三付前所";
         if name.contains(is_japanese) {
@@ -148,7 +148,7 @@ impl Query {
     }
 }
 
-/// Whether a match begins or ends inside a word that is one.
+/// Returns true if a match begins or ends inside an undivided word.
 fn cuts_word(name: &str, start: usize, end: usize) -> bool {
     UNDIVIDED.iter().any(|word| {
         name.match_indices(word).any(|(at, _)| {

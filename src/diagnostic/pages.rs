@@ -15,7 +15,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// What a reader of this language is shown.
+    /// Returns the text in the given language.
     pub fn in_language(&self, language: Language) -> &'static str {
         language.choose(self.en, self.ja)
     }

@@ -27,7 +27,7 @@ impl Language {
     }
 }
 
-/// A text in both languages. It reads as the English one where nobody asks for a language.
+/// A text in both languages. It defaults to English where no language is requested.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Text {
     /// English.
@@ -45,7 +45,7 @@ impl Text {
         }
     }
 
-    /// What a reader of this language is shown.
+    /// Returns the text in the given language.
     pub fn in_language(&self, language: Language) -> &str {
         language.choose(&self.en, &self.ja)
     }

@@ -10,7 +10,7 @@ use crate::source::{Source, World};
 /// Writes a source in the form that it is not in. `world` is asked for images, since codes may name them.
 ///
 /// # Errors
-/// `None` where the source has errors or the other form cannot express it; `out` says why.
+/// `None` where the source has errors or the other form cannot express it; `out` receives the reason.
 pub fn convert(
     source: &Source,
     world: &dyn World,

@@ -151,7 +151,7 @@ impl<'a> Codes<'a> {
         self.exact(&CodeText::new(&code.as_str().replace('_', " ")))
     }
 
-    /// Takes in a picture that is named by its file.
+    /// Adds a picture that is named by its file.
     pub(super) fn add_picture(&mut self, name: &str, file: PictureFile) -> PictureId {
         self.pictures.push(Picture {
             name: name.to_owned(),
@@ -159,7 +159,7 @@ impl<'a> Codes<'a> {
             size: file.size,
         });
         let id = PictureId(self.pictures.len() as u32 - 1);
-        // What is named by its file has no variants.
+        // A picture named by its file has no variants.
         self.variants.insert(id, vec![id]);
         id
     }
@@ -208,7 +208,7 @@ impl<'a> Codes<'a> {
         })
     }
 
-    /// Whether any picture may stand somewhere.
+    /// Returns true if there are any pictures, in the house or as textures of the catalogue.
     pub(super) fn has_pictures(&self) -> bool {
         let textured = || self.catalog.parts().iter().any(|p| p.texture.is_some());
         !self.pictures.is_empty() || textured()

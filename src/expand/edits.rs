@@ -1,5 +1,5 @@
-//! What `random` and `replace` have in common as edits: they run over the fully expanded row of the
-//! enclosing element, into the halves of splits, and change what is there (docs/contract.md 3).
+//! `random` and `replace` as edits: both run over the fully expanded row of the
+//! enclosing element, including the halves of splits, and change its units (docs/contract.md 3).
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};
@@ -47,13 +47,13 @@ pub(super) fn numbered<'d>(
     })
 }
 
-/// A row of units with what is needed to change it.
+/// A row of units with the context needed to edit it.
 pub(super) struct Strip {
     pub(super) units: Vec<Unit>,
     /// The row's place in the keys of draws.
     pub(super) place: Place,
     pub(super) mode: Mode,
-    /// Whether some width was only taken from a picture's proportion.
+    /// True if some width was derived from a picture's proportions only.
     pub(super) natural: bool,
 }
 
@@ -166,7 +166,7 @@ impl Pass<'_, '_> {
         strip.units = units;
     }
 
-    /// Whether the unit took a width from a picture's proportion.
+    /// Applies an operation to a unit; returns true if the unit took its width from a picture's proportions.
     fn edit_unit(&mut self, operation: &Operation, unit: &mut Unit, site: Site) -> bool {
         if !self.work(1, operation.span) {
             return false;

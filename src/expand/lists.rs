@@ -152,7 +152,7 @@ impl Pass<'_, '_> {
         Some(self.source.span(start..range.end + quote.len_utf8()))
     }
 
-    /// Whether nothing follows a place on its line of the legacy text.
+    /// Returns true if nothing follows the span on its line of the legacy text.
     pub(super) fn ends_line(&self, span: Span) -> bool {
         let (text, range) = (self.source.text(), self.source.text_range(span));
         let rest = text[range.end..].trim_start_matches(' ');

@@ -90,7 +90,7 @@ impl Pass<'_, '_> {
     }
 }
 
-/// Gives a house what its short form made and nobody wrote beside it.
+/// Adds the parts generated from the short form to a house, except those written explicitly.
 pub(super) fn furnish(made: &mut House, draft: Draft) {
     made.platform = made.platform.take().or(draft.platform);
     if made.finials.is_empty() {

@@ -1,8 +1,8 @@
 //! `repeat`: content several times (003-08), at every level from parts to facades; and the limit that
 //! keeps a careless number from filling the machine.
 //!
-//! What a repetition would make is counted before it is made, with saturation, so that nested
-//! repetitions are caught as well. Operations inside a repetition act on what this repetition made.
+//! The output of a repetition is counted before it is generated, with saturation, so that nested
+//! repetitions are caught as well. Operations inside a repetition act on the output of that repetition.
 
 use super::Pass;
 use super::edits::{EditRef, numbered};
@@ -177,7 +177,7 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// Whether the house has been given up.
+    /// Returns true if work on the house was abandoned.
     pub(super) fn stopped(&self) -> bool {
         self.over
     }

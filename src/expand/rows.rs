@@ -1,6 +1,6 @@
 //! A row of pieces to a row of units: parts, splits and slots in order, then the edits over the result.
 //!
-//! Whether a `random` is a slot or an edit is settled before anything is placed. In a floor the base row
+//! Each `random` is classified as a slot or an edit before anything is placed. In a floor the base row
 //! decides: parts of its own make every `random` an edit. In a row of a house a `random` holds its place
 //! in the outline, unless a code of its list stands beside it (grammar/README.md).
 
@@ -41,7 +41,7 @@ fn gather<'d>(pieces: &'d [Item<Piece>], list: &mut Vec<EditRef<'d>>) {
     }
 }
 
-/// Whether a row has parts of its own; operations are none.
+/// Returns true if a row has parts of its own; operations do not count.
 pub(super) fn has_parts(pieces: &[Item<Piece>]) -> bool {
     pieces.iter().any(|item| match item {
         Item::One(_) => true,

@@ -79,8 +79,8 @@ impl Pass<'_, '_> {
         made
     }
 
-    /// Where a walk begins. The first walk begins where its storey does; where a courtyard lies, nobody
-    /// can guess.
+    /// Returns where a walk begins. The first walk begins where its storey does; the position of a courtyard
+    /// cannot be inferred.
     fn start(&mut self, walk: &ast::Loop, storey: &ast::Storey, index: usize) -> (f64, f64) {
         let storeys = storey.start.as_ref().filter(|_| index == 0 && !walk.hole);
         match walk.start.as_ref().or(storeys) {

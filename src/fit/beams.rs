@@ -71,7 +71,7 @@ fn runs(wall: &Wall, crosses: impl Fn(&Unit) -> bool) -> Vec<(f64, f64)> {
     runs
 }
 
-/// Whether a beam runs through a bay: not through a void, nor, where `doors` are in the way, through a door.
+/// True if a beam runs through a bay: not through a void, nor, if `doors` is set, through a door.
 fn is_wall(catalog: &Catalog, unit: &Unit, doors: bool) -> bool {
     match &unit.content {
         Content::Void => false,

@@ -28,7 +28,7 @@ pub(crate) fn parts(ring: &[DVec2]) -> Vec<Vec<usize>> {
     pieces
 }
 
-/// Whether a piece turns left at every corner.
+/// True if a piece turns left at every corner.
 fn is_convex(ring: &[DVec2], piece: &[usize]) -> bool {
     let n = piece.len();
     (0..n).all(|i| {

@@ -38,12 +38,12 @@ impl Cell {
         i128::from(self.width()) * i128::from(self.depth())
     }
 
-    /// Whether `other` lies inside this cell, borders included.
+    /// Returns true if `other` lies inside this cell, borders included.
     pub fn contains(&self, other: &Cell) -> bool {
         self.a0 <= other.a0 && other.a1 <= self.a1 && self.b0 <= other.b0 && other.b1 <= self.b1
     }
 
-    /// Whether the two share area, not merely a border.
+    /// Returns true if the two share area, not merely a border.
     pub fn overlaps(&self, other: &Cell) -> bool {
         self.a0 < other.a1 && other.a0 < self.a1 && self.b0 < other.b1 && other.b0 < self.b1
     }
@@ -98,7 +98,7 @@ impl Plan {
         self.loops.iter().map(Vec::len).sum()
     }
 
-    /// Whether every edge is parallel to an axis.
+    /// Returns true if every edge is parallel to an axis.
     pub fn is_orthogonal(&self) -> bool {
         self.edges().all(|(p, q)| p.0 == q.0 || p.1 == q.1)
     }
@@ -122,8 +122,8 @@ impl Plan {
         (round && cell.a0 < cell.a1 && cell.b0 < cell.b1).then_some(cell)
     }
 
-    /// Whether this region, with `other` laid over it, is one the methods were made for: at most
-    /// 2^20 fields between the distinct coordinates of both. Beyond that everything here is
+    /// Returns true if this region overlaid with `other` is within the intended size of the methods: at most
+    /// 2^20 fields between the distinct coordinates of both. Beyond that all results are
     /// still exact, but slow where many coordinates cross (a comb over a comb has as many pieces as
     /// fields), and `partition` only makes strips: callers report it instead.
     pub fn fits(&self, other: Option<&Plan>) -> bool {
@@ -163,12 +163,12 @@ impl Plan {
         }
     }
 
-    /// Whether the two regions share area, not merely walls.
+    /// Returns true if the two regions share area, not merely walls.
     pub fn intersects(&self, other: &Plan) -> bool {
         !self.intersection(other).loops.is_empty()
     }
 
-    /// Whether the region has no area.
+    /// Returns true if the region has no area.
     pub fn is_empty(&self) -> bool {
         self.as_cell().is_none() && slabs::strips(self).is_empty()
     }

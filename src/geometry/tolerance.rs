@@ -1,4 +1,4 @@
-//! Tolerances of the geometry kernel: one meaning, one value, one name. Lengths in metres unless they say otherwise.
+//! Tolerances of the geometry kernel: one meaning, one value, one name. Lengths are in metres unless stated otherwise.
 //!
 //! | name | used for |
 //! |---|---|

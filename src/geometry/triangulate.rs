@@ -70,7 +70,7 @@ fn best_ear(ring: &[DVec2], rest: &[u32]) -> usize {
     best.1
 }
 
-/// Whether a point lies in a counter-clockwise triangle or on its border.
+/// True if a point lies in a counter-clockwise triangle or on its border.
 fn holds([a, b, c]: [DVec2; 3], p: DVec2) -> bool {
     let left = |q: DVec2, r: DVec2| (r - q).perp_dot(p - q) >= -ON_BORDER;
     left(a, b) && left(b, c) && left(c, a)
@@ -117,7 +117,7 @@ pub(crate) fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
     ring
 }
 
-/// Whether `from` lies within the angle of the ring's corner `i`, so that a bridge runs inside.
+/// True if `from` lies within the angle of the ring's corner `i`, so that a bridge runs inside.
 fn opens_to(ring: &[DVec2], i: usize, from: DVec2) -> bool {
     let n = ring.len();
     let (p, q, r) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);

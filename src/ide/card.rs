@@ -20,7 +20,7 @@ const SIDE: u32 = 160;
 
 /// Quality of the picture, first; the next where it would be too large, bytes.
 const QUALITIES: [u8; 3] = [88, 75, 50];
-const LARGEST: usize = 8800; // 12 kB in base 64, with what stands round it
+const LARGEST: usize = 8800; // 12 kB in base 64, including the surrounding markup
 
 /// Pictures that are kept, the youngest last.
 const KEPT: usize = 256;

@@ -115,7 +115,7 @@ pub fn documentation(
     Some(card::card(a, part, 0, language, pictures))
 }
 
-/// Whether the letters of the typed text are in a text in their order, as clients compare them.
+/// Returns true if the text contains the typed letters in order, the way clients compare them.
 fn answers(filter: &str, typed: &str) -> bool {
     let mut letters = filter.chars().flat_map(char::to_lowercase);
     let mut typed = typed.chars().flat_map(char::to_lowercase);

@@ -77,7 +77,7 @@ impl Request<'_> {
     }
 }
 
-/// Whether a range holds an offset, its end included.
+/// Returns true if a range contains an offset, its end included.
 fn holds(range: &Range<usize>, at: usize) -> bool {
     range.start <= at && at <= range.end
 }

@@ -62,7 +62,7 @@ pub struct House {
     pub azimuth: Number,
     /// Metres in one U.
     pub unit_m: Number,
-    /// Whether its first wall stands on a street.
+    /// True if its first wall stands on a street.
     pub street: bool,
     /// Why no storey can be put on it.
     pub fixed: Option<&'static str>,
@@ -108,11 +108,11 @@ pub struct Storey {
 /// A walk.
 #[derive(Debug, Serialize)]
 pub struct Ring {
-    /// Whether it is a courtyard.
+    /// True for a courtyard.
     pub hole: bool,
-    /// Whether it is a wall inside the storey.
+    /// True for a wall inside the storey.
     pub inner: bool,
-    /// Whether it ends where it begins.
+    /// True if it ends where it begins.
     pub closed: bool,
     /// In walk order.
     pub walls: Vec<Wall>,
@@ -130,7 +130,7 @@ pub struct Wall {
     /// Where its line is written.
     #[serde(flatten)]
     pub place: Place,
-    /// Whether its glass mirrors.
+    /// True if its glass is reflective.
     pub reflection: bool,
     /// Why it cannot be moved.
     pub fixed: Option<&'static str>,

@@ -36,9 +36,9 @@
 //! the house stays where it is. Walls of facades move one floor at a time, but for the first and the last one and those with
 //! a width of their own (`size`, `ratio`); they do not break, since every floor of a facade stands in one plane.
 //!
-//! What a stroke comes to are [`Edit`]s of [`Source::text`](crate::source::Source::text), sorted, none of which touches
-//! another. A stroke that cannot be made is refused in a sentence that says why and what to do instead, and changes
-//! nothing. `apply` makes the edits in the bytes of the file, in its encoding, and tells what takes them back.
+//! A stroke results in [`Edit`]s of [`Source::text`](crate::source::Source::text), sorted, none of which touches
+//! another. A stroke that is not possible is refused with a message that gives the reason and an alternative, and
+//! changes nothing. `apply` makes the edits in the bytes of the file, in its encoding, and returns the edits for undo.
 
 mod apply;
 mod draft;

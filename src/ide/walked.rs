@@ -37,12 +37,12 @@ pub(super) struct Walked<'a> {
 }
 
 impl Walked<'_> {
-    /// Whether two walls belong to one walk.
+    /// Returns true if two walls belong to the same walk.
     pub(super) fn is_beside(&self, other: &Walked<'_>) -> bool {
         std::ptr::eq(self.ring, other.ring)
     }
 
-    /// Whether it is the last one of its walk.
+    /// Returns true for the last wall of its walk.
     pub(super) fn is_last(&self) -> bool {
         let last = self.ring.walls.last();
         last.is_some_and(|w| std::ptr::eq(w, self.wall))

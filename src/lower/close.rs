@@ -1,4 +1,4 @@
-//! Whether a walk closes (C1, C2 of docs/evidence.md 2.3), and if not, which line or turn would close it.
+//! Checks that a walk closes (C1, C2 of docs/evidence.md 2.3), and finds the line or turn that would close it if not.
 
 use super::text;
 use super::walk::Walk;
@@ -60,12 +60,12 @@ fn written(walk: &Walk) -> f64 {
     walk.turns[..walk.turns.len() - 1].iter().sum()
 }
 
-/// Sum of turns that the walk must have with its closing one: once round, the hole the other way.
+/// Returns the required sum of turns including the closing one, degrees: a full turn, negative for holes.
 fn once_round(walk: &Walk) -> f64 {
     if walk.hole { -360.0 } else { 360.0 }
 }
 
-/// Whether a closing turn of less than half a circle makes the sum right.
+/// True if a closing turn of less than half a circle completes the sum.
 fn closes_with(walk: &Walk, written: f64) -> bool {
     (once_round(walk) - written).abs() < 180.0 - 1e-6
 }
@@ -150,7 +150,7 @@ pub(crate) struct ClosingFix {
     pub line: Span,
     pub length: f64,
     pub by: f64,
-    /// How it is done, where the line is one of the legacy text.
+    /// Text edit that applies the change; `None` if the line cannot be edited that way.
     pub edit: Option<Edit>,
 }
 

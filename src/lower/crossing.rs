@@ -1,4 +1,4 @@
-//! Whether walls cross or touch (C4), within a ring or between rings of a storey, and whether every courtyard lies in a
+//! Checks that no walls of a storey cross or touch (C4), within or between rings, and that every courtyard lies in a
 //! house.
 //!
 //! A sweep along a. Walls across the sweep (all of them in an orthogonal plan) are kept in a tree by b, so

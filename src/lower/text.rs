@@ -32,12 +32,12 @@ fn end(wall: &Wall) -> Option<(Span, Span)> {
     (inside && plain).then_some((last, rest))
 }
 
-/// Whether this is the end of a row and not of a line of the legacy form.
+/// True if this is the end of a row, not of a line in the legacy form.
 fn is_row(rest: Span) -> bool {
     rest.end - rest.start == END_TAG
 }
 
-/// The blanks that fill a code up to its five columns.
+/// Returns the blanks that pad a code to its five columns.
 fn filling(code: Span) -> String {
     " ".repeat((CELL - (code.end - code.start)) as usize)
 }
@@ -48,14 +48,14 @@ pub(super) fn turn_left(wall: &Wall) -> Option<Edit> {
     (!is_row(rest)).then(|| Edit::new(rest, filling(last) + "L"))
 }
 
-/// Takes the letter away that turns to the left.
+/// Removes the letter for a left turn.
 pub(super) fn turn_right(wall: &Wall) -> Option<Edit> {
     let (last, rest) = end(wall)?;
     let letter = rest.end - rest.start == 1 && last.end - last.start == CELL;
     letter.then(|| Edit::new(rest, ""))
 }
 
-/// The same for the turn of a line, whichever it has.
+/// Reverses a right-angle turn of a line.
 pub(super) fn turn_back(wall: &Wall, turn: f64) -> Option<Edit> {
     match turn {
         90.0 => turn_left(wall),

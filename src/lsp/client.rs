@@ -14,21 +14,21 @@ pub(super) struct Client {
     pub(super) language: Option<Language>,
     /// The workspace folder.
     pub(super) folder: Option<PathBuf>,
-    /// Whether completions may be snippets.
+    /// True if completions may be snippets.
     pub(super) snippets: bool,
-    /// Whether completion items can have label details.
+    /// True if completion items can have label details.
     pub(super) label_details: bool,
-    /// Whether edits can be versioned.
+    /// True if edits can be versioned.
     pub(super) versions: bool,
-    /// Whether settings can be requested.
+    /// True if settings can be requested.
     pub(super) configuration: bool,
-    /// Whether it can watch files.
+    /// True if it can watch files.
     pub(super) watches: bool,
-    /// Whether inlay hints can be refreshed.
+    /// True if inlay hints can be refreshed.
     pub(super) refreshes_hints: bool,
-    /// Whether it can apply edits.
+    /// True if it can apply edits.
     pub(super) applies_edits: bool,
-    /// Whether it can show documents.
+    /// True if it can show documents.
     pub(super) shows_documents: bool,
 }
 

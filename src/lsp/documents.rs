@@ -24,7 +24,7 @@ pub(super) struct Document {
     pub(super) lines: Lines,
     /// The analysis, unless the text has changed since.
     pub(super) analysis: Option<Analysis>,
-    /// Whether the analysis of this text has panicked.
+    /// True if the analysis of this text has panicked.
     given_up: bool,
     /// The files requested by the last analysis.
     asked: BTreeSet<PathBuf>,

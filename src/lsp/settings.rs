@@ -30,9 +30,9 @@ pub(super) struct Settings {
     pub(super) seed: Option<u64>,
     /// The folder below which includes are allowed.
     pub(super) root: Option<PathBuf>,
-    /// Whether cards contain images.
+    /// True if cards contain images.
     pub(super) pictures: bool,
-    /// Whether lengths are shown after wall lines.
+    /// True if lengths are shown after wall lines.
     pub(super) inlay_hints: bool,
 }
 

@@ -100,5 +100,5 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
         .map_err(|e| broken(&e))
 }
 
-/// The method name that stands for a malformed message.
+/// Placeholder method name for a malformed message.
 pub(super) const BROKEN: &str = "$/broken";

@@ -119,7 +119,7 @@ pub(super) fn parse(text: &str) -> Result<Expr, Fault> {
     })
 }
 
-/// Whether it may be the name of something.
+/// Returns true if the text is a valid name.
 pub(super) fn is_name(text: &str) -> bool {
     text.starts_with(begins_name) && text.chars().all(in_name)
 }
@@ -189,7 +189,7 @@ fn blanks(text: &str) -> &str {
     text.trim_start_matches(is_blank)
 }
 
-/// What was expected, and what was found.
+/// A parse failure: the remaining input and the expected item.
 #[derive(Debug)]
 struct Missed<'a> {
     rest: &'a str,

@@ -134,7 +134,7 @@ struct Draft {
     span: Option<Span>,
     /// The blank line that was read last, with its line end, in the text of the source.
     blank: Option<Range<usize>>,
-    /// Whether blank lines were read before it, with comments between.
+    /// True if blank lines were read before it, with comments between.
     apart: bool,
     /// Where the lines of the header end, in the text of the source.
     header_end: Option<usize>,
@@ -409,7 +409,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Whether a line begins with a tag of the XML form; no line of a legacy file begins so.
+/// Returns true if a line begins with an XML tag; no line of a legacy file does.
 fn is_tag(line: &str) -> bool {
     let mut chars = line.trim_start().chars();
     chars.next() == Some('<')

@@ -107,12 +107,12 @@ impl<'a> Reporter<'a> {
         source.span(offset(range.start)..offset(range.end))
     }
 
-    /// Whether the next message is made at all: else no one needs its fixes.
+    /// Returns true if the next message will be kept; otherwise its fixes need not be computed.
     pub(super) fn wanted(&self) -> bool {
         self.said < ENOUGH
     }
 
-    /// The span of a range of the text and of the white space before it: without them nothing of it is left.
+    /// Returns the span of a range of the text with the white space before it, so that deleting it leaves no gap.
     pub(super) fn with_gap(&self, range: &Range<usize>) -> Span {
         if !self.wanted() {
             return self.span(range);
@@ -133,13 +133,13 @@ impl<'a> Reporter<'a> {
         source.text().get(range).unwrap_or_default()
     }
 
-    /// Takes a message about a range of the text.
+    /// Reports a message about a range of the text.
     pub(super) fn at(&mut self, range: &Range<usize>, message: impl FnOnce(Span) -> Diagnostic) {
         let span = self.span(range);
         self.push(|| message(span));
     }
 
-    /// Takes a message. Its wording is made only where it can still matter.
+    /// Reports a message. It is built only if it may still be kept.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
         if self.once.is_some() {
             if self.said > ENOUGH && self.worst == Some(Severity::Error) {
@@ -155,7 +155,7 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Whether a message says something new of its place. Values differ from copy to copy; a few of them tell enough.
+    /// Returns true if a message is new for its place. Values differ from copy to copy; a few of them suffice.
     fn is_news(&mut self, message: &Diagnostic) -> bool {
         let Some(once) = &mut self.once else {
             return true;
@@ -177,12 +177,12 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Takes a message that is made already.
+    /// Reports a message that is already built.
     pub(super) fn say(&mut self, message: Diagnostic) {
         self.push(|| message);
     }
 
-    /// All messages, with one that says how much was left out.
+    /// Returns all messages, with a final one that states how many were omitted.
     pub(super) fn finish(mut self) -> Diagnostics {
         if let Some(worst) = self.worst {
             let end = self.first.text().len();

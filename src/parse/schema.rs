@@ -52,13 +52,13 @@ pub(in crate::parse) enum Tag {
     PartDef,
 }
 
-/// Whether an element is computed away before the document is read: conditions, definitions, inclusions.
+/// Returns true if an element is evaluated before the document is read: conditions, definitions, inclusions.
 pub(in crate::parse) fn is_language(tag: Tag) -> bool {
     use Tag::{Define, Else, If, Include, Let, Param, Use};
     matches!(tag, Define | Else | If | Include | Let | Param | Use)
 }
 
-/// What recovery from errors asks about a language's elements.
+/// The properties of a language's elements that error recovery needs.
 #[derive(Clone, Copy)]
 pub(in crate::parse) struct SchemaHints {
     /// Never holds anything.
@@ -116,14 +116,14 @@ pub struct Content {
     /// A name for it.
     pub name: &'static str,
     pub(in crate::parse) tags: &'static [Tag],
-    /// Whether text is codes there.
+    /// True if text is read as codes there.
     pub text: bool,
     /// The content of a `repeat` there, if it differs.
     again: Option<&'static Content>,
 }
 
 impl Content {
-    /// Whether it is neither elements nor text.
+    /// Returns true if it allows neither elements nor text.
     pub fn is_nothing(&self) -> bool {
         self.name == NOTHING.name
     }
@@ -141,7 +141,7 @@ impl Schema {
         all.filter(|a| a.required).map(|a| a.name)
     }
 
-    /// The content allowed in it, besides elements of the language; nothing where that depends on the element around it.
+    /// Returns its allowed content, excluding elements of the language; nothing if that depends on the parent element.
     pub(in crate::parse) fn content(&self) -> &'static Content {
         match self.holds {
             Only(content) => content,
@@ -149,40 +149,40 @@ impl Schema {
         }
     }
 
-    /// Whether it has neither elements nor text in it, whatever stands around it.
+    /// Returns true if it never contains elements or text, regardless of its parent.
     pub fn is_leaf(&self) -> bool {
         matches!(self.holds, Holds::Only(content) if content.is_nothing())
     }
 
-    /// Whether `Param` may is directly in it.
+    /// Returns true if `Param` may be a direct child.
     pub fn takes_parameters(&self) -> bool {
         use Tag::{Catalog, Define, House, Houses, Structure};
         matches!(self.tag, Catalog | Define | House | Houses | Structure)
     }
 
-    /// Whether its other attributes are parameters of a piece.
+    /// Returns true if its other attributes are parameters of a piece.
     pub fn takes_any_attribute(&self) -> bool {
         matches!(self.tag, Tag::Define | Tag::Use)
     }
 
-    /// Whether it is in a `random`.
+    /// Returns true for `choice`, the element inside a `random`.
     pub fn is_choice(&self) -> bool {
         self.tag == Tag::Choice
     }
 
-    /// Whether it follows an `if`.
+    /// Returns true for `else`, the element after an `if`.
     pub fn is_else(&self) -> bool {
         self.tag == Tag::Else
     }
 
-    /// Whether it is computed before all else, and so may be anywhere.
+    /// Returns true if it is evaluated before everything else, and so may appear anywhere.
     pub fn is_language(&self) -> bool {
         is_language(self.tag)
     }
 }
 
 impl Content {
-    /// The elements that may be there, besides those of the language.
+    /// Returns the elements allowed there, excluding those of the language.
     pub fn elements(&self) -> impl Iterator<Item = &'static Schema> + use<'_> {
         ELEMENTS.iter().filter(|e| self.tags.contains(&e.tag))
     }

@@ -9,7 +9,7 @@ use crate::parse::expr;
 use crate::parse::schema::{AttributeSchema, Schema};
 use std::ops::Range;
 
-/// Whether a text may be the name of a value: letters, digits and `_`, and no word of the language.
+/// Returns true if a text is a valid name of a value: letters, digits and `_`, and not a reserved word.
 pub fn is_name(text: &str) -> bool {
     expr::is_name(text) && !expr::RESERVED.contains(&text)
 }
@@ -58,7 +58,7 @@ pub struct Line {
 /// An element of the XML form.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// What the language knows of it; `None` = it is no word of the language, as those of shape.
+    /// Its schema; `None` = not an element of the language, e.g. an element of shape.
     pub schema: Option<&'static Schema>,
     /// Its name in the start tag.
     pub name: Range<usize>,
@@ -170,7 +170,7 @@ impl Outline {
         std::iter::successors(Some(element), |e| self.elements[*e].parent)
     }
 
-    /// Whether an offset lies in a comment.
+    /// Returns true if an offset lies in a comment.
     pub fn in_comment(&self, at: usize) -> bool {
         let next = self.comments.partition_point(|c| c.end < at);
         let hit = self.comments.get(next);

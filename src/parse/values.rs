@@ -7,7 +7,7 @@ use crate::source::Span;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-/// Different values that are kept of a place.
+/// The maximum number of different values kept for a place.
 const KEPT: usize = 8;
 
 /// Values by place: of expressions with their braces, and of names where they are defined.
@@ -21,9 +21,9 @@ pub struct Values {
 pub struct Seen {
     /// The first few different values, in the order of the work.
     pub values: Vec<Value>,
-    /// Whether there were more of them.
+    /// True if there were more of them.
     pub more: bool,
-    /// The first few different numbers of the storeys in which that was, where there is a storey.
+    /// The first few different numbers of the storeys in which it was evaluated, if any.
     pub storeys: Vec<u64>,
 }
 
@@ -33,7 +33,7 @@ impl Values {
         self.seen.borrow().get(&place).cloned()
     }
 
-    /// Takes down what a place came to.
+    /// Records a value of a place.
     pub(super) fn note(&self, place: Span, value: &Value, storey: Option<u64>) {
         let mut seen = self.seen.borrow_mut();
         let seen = seen.entry(place).or_default();

@@ -2,10 +2,10 @@
 //! places; [`language`] computes expressions and definitions; the rest turns that tree into the document by the tables of
 //! [`schema`](crate::parse::schema).
 //!
-//! What the contract leaves open is settled so:
+//! Details that the contract leaves open:
 //! - `true`, `false`, `1`, `0` are read as `yes` and `no`; attributes with a colon in their name, and `xmlns`, are
-//!   other programs' business and passed over; a comment inside codes vanishes and joins what is around it.
-//! - Each line of codes is cut for itself (see [`read::codes`]). White space around line breaks may be full-width.
+//!   ignored as belonging to other programs; a comment inside codes is dropped, which joins the text around it.
+//! - Each line of codes is split separately (see [`read::codes`]). White space around line breaks may be full-width.
 //! - `random` and `replace` may be in whatever holds parts at any depth, and act on that; a `Floor` may hold its
 //!   base row as `Row`.
 //! - An unknown word that looks like a known one is read as that one, so that its content is checked too.

@@ -81,9 +81,9 @@ fn one<T>(item: &Item<T>) -> Option<&T> {
 
 struct Printer {
     text: String,
-    /// Whether blank lines came since the last line.
+    /// True if blank lines came since the last line.
     gap: bool,
-    /// Whether blank lines came since the last line that is no comment.
+    /// True if blank lines came since the last line that is not a comment.
     apart: bool,
     /// The kind of the last line that is not a comment.
     section: Option<LineKind>,

@@ -72,7 +72,7 @@ struct Writer<'s> {
     text: String,
     /// Where they count as standing, and their lines; the last one first.
     comments: Vec<(usize, Vec<String>)>,
-    /// What was reported of which place: repeated content would say it again each time.
+    /// The diagnostics reported so far, by code and place: repeated content would repeat them.
     told: BTreeSet<(u16, Span)>,
     out: &'s mut Diagnostics,
 }

@@ -41,7 +41,7 @@ pub(super) fn format(text: &str, end: &'static str) -> Option<String> {
     Some(printer.text)
 }
 
-/// Whether a node is text that is no white space.
+/// Returns true for verbatim text, and for text that is not only white space.
 fn is_content(node: &Node<'_>) -> bool {
     match node {
         Node::Text(text) => !is_white(text),
@@ -110,7 +110,7 @@ struct Printer {
     text: String,
     /// Where the last line begins in it.
     line: usize,
-    /// Whether tags are written without line breaks, to be measured.
+    /// True if tags are written without line breaks, for measuring.
     flat: bool,
     /// The end of a line.
     end: &'static str,
@@ -207,7 +207,7 @@ impl Printer {
         self.push(">");
     }
 
-    /// Whether an element fits into the line, or breaks it by itself.
+    /// Returns true if an element fits into the line, or breaks the line itself.
     fn fits(&self, element: &Element<'_>, depth: usize, codes: bool) -> bool {
         let mut trial = Printer {
             text: String::new(),
@@ -343,7 +343,7 @@ impl Printer {
     }
 }
 
-/// Whether there is one element and nothing else, and it is empty or holds codes.
+/// Returns true if the only node besides text is one element that is empty or holds codes.
 fn is_single(nodes: &[Node<'_>]) -> bool {
     let mut content = nodes.iter().filter(|n| !matches!(n, Node::Text(_)));
     match (content.next(), content.next()) {
@@ -352,7 +352,7 @@ fn is_single(nodes: &[Node<'_>]) -> bool {
     }
 }
 
-/// Whether a node is white space between elements, of which no code can be made.
+/// Returns true for white space between elements that cannot be part of a code.
 fn vanishes(nodes: &[Node<'_>], index: usize) -> bool {
     let joins = |i: Option<usize>| {
         let node = i.and_then(|i| nodes.get(i));

@@ -20,7 +20,7 @@ const A_CORNER: u64 = 500;
 #[derive(Debug)]
 pub struct SearchBudget {
     left: Cell<u64>,
-    /// Whether a search was given up that was not reported yet, and whether one was reported.
+    /// True if a search was given up and not reported yet; `reported` is true once one has been reported.
     gave_up: Cell<bool>,
     reported: Cell<bool>,
 }

@@ -40,7 +40,7 @@ struct Kept {
 
 impl RoofCache {
     /// Returns the roofs and diagnostics kept for this key, with the places of this house. `None` where there are
-    /// none, or where a place cannot be told from others.
+    /// none, or where a place is ambiguous.
     pub(super) fn find(
         &self,
         house: &House,

@@ -10,7 +10,7 @@ use std::borrow::Cow;
 pub struct Corner {
     /// Its place, house frame, metres.
     pub at: DVec2,
-    /// Whether the edge that starts here lies on the roof's own eaves or verge.
+    /// True if the edge that starts here lies on the roof's own eaves or verge.
     pub rim: bool,
 }
 
@@ -24,7 +24,7 @@ pub struct Facet {
     pub body: Vec<DVec2>,
     /// The upper surface.
     pub plane: Plane,
-    /// How far it is lowered below its neighbours, metres, so that its sheet shares no corner with theirs.
+    /// Offset below its neighbours, metres, so that its sheet shares no corner with theirs.
     pub lowered: f64,
 }
 
@@ -73,7 +73,7 @@ impl Facet {
     }
 }
 
-/// Something that stands higher than what it cuts.
+/// A higher body that cuts lower facets.
 #[derive(Clone, Debug)]
 pub(in crate::roof) struct Cutter<'f> {
     /// Convex, counter-clockwise.
@@ -82,7 +82,7 @@ pub(in crate::roof) struct Cutter<'f> {
     pub(in crate::roof) sides: &'f [HalfPlane],
     /// Its upper surface; `None` = it is higher than everything (an upper storey).
     pub(in crate::roof) plane: Option<Plane>,
-    /// Whether it keeps what both cover at the same height.
+    /// True if it keeps the area that both cover at the same height.
     pub(in crate::roof) first: bool,
 }
 
@@ -243,7 +243,7 @@ pub(in crate::roof) fn subtract<'s>(
     }
 }
 
-/// Whether a piece lies wholly beyond one of some sides.
+/// Returns true if a piece lies wholly beyond one of the given sides.
 pub(in crate::roof) fn is_outside<'s>(
     piece: &[Corner],
     mut sides: impl Iterator<Item = &'s HalfPlane>,

@@ -47,7 +47,7 @@ impl Rect {
         ]
     }
 
-    /// Whether two rectangles share area, not merely a border.
+    /// Returns true if two rectangles share area, not merely a border.
     pub fn overlaps(&self, other: &Rect) -> bool {
         self.min.cmplt(other.max).all() && other.min.cmplt(self.max).all()
     }

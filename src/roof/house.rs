@@ -95,7 +95,7 @@ fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
     }
 }
 
-/// The rectangle of the pent roof that a two-storeyed street house gets by itself (docs/evidence.md 4.5).
+/// Returns the rectangle of the pent roof added automatically to a two-storey street house (docs/evidence.md 4.5).
 fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
     let hisashi =
         |l: &crate::ast::RoofLine| l.style.shape.is_some_and(|s| s.value == RoofShape::Pent);
@@ -212,7 +212,7 @@ impl Storey<'_, '_> {
         }
     }
 
-    /// Whether the author asks for one hipped roof over the whole plan, and for nothing flat.
+    /// True if the author asks for one hipped roof over the whole plan, and not for a flat one.
     fn wants_skeleton(&self) -> bool {
         let roofs = &self.house.roofs;
         let many = self.levels[self.k].plan.corners() > MOST_CORNERS;

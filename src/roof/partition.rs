@@ -90,7 +90,7 @@ fn branch_cut(raster: &Raster, corners: usize, budget: &SearchBudget) -> Vec<Cel
 mod tests {
     use super::*;
 
-    /// A stair of so many steps.
+    /// Makes a staircase-shaped plan with the given number of steps.
     fn stair(steps: i64) -> Plan {
         let step = |k: i64| [(steps - k, k + 1), (steps - k - 1, k + 1)];
         let corners = [(0, 0), (steps, 0)].into_iter();

@@ -8,6 +8,6 @@ pub(in crate::roof) mod sides;
 pub mod street;
 pub(in crate::roof) mod tops;
 
-/// The most corners, under the open sky or of slanting rings, that a storey may have and still get sloped roofs; one
-/// with more gets a single flat roof, since sloped roofs over so many parts are slow and rarely meant.
+/// Maximum number of corners, exposed to the sky or in slanting rings, for a storey to get sloped roofs. A storey
+/// with more gets a single flat roof, since sloped roofs over that many parts are slow and rarely intended.
 pub(in crate::roof) const MOST_CORNERS: usize = 1000;

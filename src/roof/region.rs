@@ -82,7 +82,7 @@ pub struct Region {
     /// Index of the trunk of a branch, or of a lean-to that leans on a region; written roofs are
     /// counted behind the regions.
     pub over: Option<usize>,
-    /// Whether it is the street region.
+    /// True if it is the street region.
     pub street: bool,
     /// The side on which an upper storey's wall stands along it, wholly or for a lean-to round
     /// a corner by half at least.
@@ -141,6 +141,6 @@ impl Region {
 pub struct Beside {
     /// Its place, ridge and fall, as of a region.
     pub roof: Region,
-    /// Whether it stands on the walls' top: only there can others run into it.
+    /// True if it stands on top of the walls; only then can other roofs run into it.
     pub level: bool,
 }

@@ -70,7 +70,7 @@ pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
 /// Thickness of a gable infill, metres, centred on the wall line.
 pub const INFILL_THICKNESS: f64 = 0.07;
 
-/// How far gable infills reach into what they meet, metres: no cracks, and no two faces in one plane.
+/// Depth to which gable infills penetrate adjoining solids, metres; avoids cracks and coplanar faces.
 pub const SUNK: f64 = 0.01;
 
 /// The convex parts of a prism or a [`curtain`]: of a curtain one for each piece of its chain.

@@ -106,7 +106,7 @@ pub fn lower_case(span: Span, text: &str, code: &str) -> Diagnostic {
         .fix(written(code), span, in_cells(span, &format!("{code:<5}")))
 }
 
-/// Nothing between two commas, or nothing at all; `comma` is one that can go, with what stands round it.
+/// Nothing between two commas, or nothing at all; `comma` is a removable comma with the white space around it.
 #[cold]
 pub fn empty_code(span: Span, comma: Option<Span>) -> Diagnostic {
     let message = text!("a code is missing here", "ここに部材コードがありません");

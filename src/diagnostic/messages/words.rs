@@ -24,7 +24,7 @@ fn joined<T: Display>(words: &[T], last: &str, last_ja: &str) -> Text {
     }
 }
 
-/// What an author wrote, in backquotes, on one line and not longer than a line of a report.
+/// Quotes the author's text in backquotes, shortened to fit on one line of a report.
 pub(super) fn quote(text: &str) -> String {
     format!("`{}`", shortened(text))
 }

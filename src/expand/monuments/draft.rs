@@ -290,7 +290,7 @@ pub(super) struct Usual {
     pub(super) noshi: u32,
     pub(super) sori: f64,
     pub(super) gable: f64,
-    /// Whether the ridge ends without onigawara.
+    /// True if the ridge ends without onigawara.
     pub(super) plain: bool,
 }
 

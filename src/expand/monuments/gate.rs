@@ -116,7 +116,7 @@ impl Pass<'_, '_> {
     }
 }
 
-/// What the upper storey takes over from the lower.
+/// The values the upper storey takes over from the lower one.
 struct Upper {
     size: [f64; 2],
     bays: [u32; 2],

@@ -52,7 +52,7 @@ impl Pass<'_, '_> {
                 0 => 0.0,
                 _ => (tiers[i - 1].width - tier.width) / 2.0,
             };
-            // What the skirt below hides, and what shows between it and the veranda.
+            // The height hidden by the skirt below; `base` adds the part visible between it and the veranda.
             let hidden = pitch / 10.0 * inset + thickness * 1.15 + 0.4;
             let base = f64::from(u8::from(i > 0)) * (hidden + tier.width * 0.1);
             let zone = BRACKETS * tier.width;

@@ -163,7 +163,7 @@ impl Raster {
         covered
     }
 
-    /// Whether the field left of line `i` (towards smaller a) in row `j` is inside.
+    /// True if the field left of line `i` (towards smaller a) in row `j` is inside.
     fn before(&self, i: usize, j: usize) -> bool {
         i > 0 && self.inside[j * self.cols() + i - 1]
     }

@@ -10,7 +10,7 @@ const CELL: usize = 5;
 pub(super) struct Cell {
     /// The range that a whole code replaces.
     pub(super) range: Range<usize>,
-    /// What was typed of it, up to the place that was asked about.
+    /// The typed part of the code, up to the requested position.
     pub(super) typed: String,
     /// Blanks that must come before the code, so that it begins in its column.
     pub(super) pad: usize,

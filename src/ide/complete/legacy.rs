@@ -18,7 +18,7 @@ pub(in crate::ide) struct Before {
     pub(in crate::ide) rows: usize,
     /// Storeys that are closed.
     pub(in crate::ide) storeys: usize,
-    /// Whether the line before is blank, or a roof.
+    /// True if the previous line is blank or a roof.
     pub(in crate::ide) apart: bool,
 }
 

@@ -22,16 +22,16 @@ pub(in crate::ide) enum Place {
     Value(Tag, usize),
 }
 
-/// A start tag as far as it is there.
+/// A start tag, possibly incomplete.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(in crate::ide) struct Tag {
     pub(in crate::ide) name: Range<usize>,
     pub(in crate::ide) attributes: Vec<TagAttribute>,
     /// Behind `>`, or where it breaks off.
     pub(in crate::ide) end: usize,
-    /// Whether it ends with `/>`.
+    /// True if it ends with `/>`.
     pub(in crate::ide) empty: bool,
-    /// Whether it ends with `>`.
+    /// True if it ends with `>`.
     pub(in crate::ide) closed: bool,
 }
 
@@ -41,7 +41,7 @@ pub(in crate::ide) struct TagAttribute {
     pub(in crate::ide) name: Range<usize>,
     /// The value between the quotes, or the place for it.
     pub(in crate::ide) inner: Option<Range<usize>>,
-    /// Whether it has quotes.
+    /// True if it has quotes.
     pub(in crate::ide) quoted: bool,
 }
 
@@ -243,7 +243,7 @@ pub(in crate::ide) fn braces(text: &str, from: usize, at: usize) -> Option<usize
     (!ended).then_some(from + open + 1)
 }
 
-/// Whether `k`, the number of a storey, is known within these elements.
+/// Returns true if `k`, the number of a storey, is defined within these elements.
 pub(super) fn is_numbered(open: &[(&str, usize)]) -> bool {
     open.iter()
         .any(|(name, _)| matches!(*name, "Storey" | "Floor" | "define"))

@@ -69,7 +69,7 @@ pub(super) fn held(open: &[(&str, usize)]) -> Held {
 }
 
 impl Held {
-    /// Whether text is codes there.
+    /// Returns true if text is read as codes there.
     pub(super) fn text(&self) -> bool {
         match self {
             Held::Known(content) => content.text,

@@ -62,7 +62,7 @@ impl<'a> KnownName<'a> {
         }
     }
 
-    /// Whether it is an attribute of a `define`.
+    /// Returns true if it is an attribute that names a parameter, i.e. any but `name`.
     pub(in crate::ide) fn is_argument(&self) -> bool {
         self.element().attributes[self.attribute].word != "name"
     }

@@ -126,7 +126,7 @@ fn name(a: &Analysis, files: &[File<'_>], number: usize, new: &str) -> Result<Ve
     Ok(edits)
 }
 
-/// Whether a name may be one of this kind.
+/// Checks that a name is valid for this kind of symbol.
 fn valid(kind: SymbolKind, new: &str) -> Result<(), Text> {
     let marks = |c: char| "{}<>&\"',".contains(c) || c.is_control();
     let sound = match kind {
@@ -154,7 +154,7 @@ fn valid(kind: SymbolKind, new: &str) -> Result<(), Text> {
     })
 }
 
-/// Whether floors go by their numbers, so that ids are more than names.
+/// Returns true if floors may be addressed by number, so that ids are more than names.
 fn numbered(files: &[File<'_>], old: &str, new: &str) -> bool {
     let mut elements = files.iter().flat_map(|f| &f.outline.elements);
     let nameless = elements.any(|e| word(e) == "Floor" && e.attribute("id").is_none());
@@ -279,7 +279,7 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
     Ok(spots.iter().map(edit).collect())
 }
 
-/// Whether a part stays as wide as it is and of its class, which its code tells where nothing else does.
+/// Checks that a part keeps its width and class, which its code determines unless an attribute does.
 fn keeps_its_measures(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<(), Text> {
     let old = codes.text(site).trim();
     let element = site

@@ -19,7 +19,7 @@ pub(super) struct Change<'a> {
 }
 
 impl Change<'_> {
-    /// Whether the pieces of a line that stays are others than before.
+    /// Returns true if the pieces of a wall have changed, or its line is gone.
     pub(super) fn differs(&self, wall: usize) -> bool {
         let line = self.draft.lines.iter().find(|l| l.base == Some(wall));
         let Some(line) = line else { return true };
@@ -33,7 +33,7 @@ impl Change<'_> {
         cells != line.pieces.len() || !line.pieces.iter().enumerate().all(same)
     }
 
-    /// Whether the walk begins elsewhere.
+    /// Returns true if the start of the walk has moved.
     pub(super) fn starts_anew(&self) -> bool {
         let old = self.ring.walls.first().map_or(DVec2::ZERO, |w| w.from);
         old.distance(self.draft.start) > SAME

@@ -18,11 +18,11 @@ pub(super) struct Piece {
     pub(super) count: u32,
     /// Its code.
     pub(super) code: String,
-    /// What it makes.
+    /// The kind of content it produces.
     pub(super) what: What,
     /// The width of all of it, U.
     pub(super) width: f64,
-    /// Whether it takes over what was reported of the part that stood there.
+    /// True if it takes over the diagnostics of the part it replaces.
     pub(super) instead: bool,
     /// The parts of one round of a `repeat`.
     pub(super) inner: Vec<Piece>,
@@ -80,7 +80,7 @@ impl Piece {
         (before.into_iter().chain(middle).chain(after).collect(), at)
     }
 
-    /// Whether it is a `repeat` of several parts.
+    /// Returns true for a `repeat` of several parts.
     pub(super) fn is_pattern(&self) -> bool {
         !self.inner.is_empty()
     }
@@ -124,7 +124,7 @@ pub(super) struct Draft {
     pub(super) start: DVec2,
     /// Its walls.
     pub(super) lines: Vec<Line>,
-    /// Whether the text of its walls runs against the walk.
+    /// True if the text of its walls runs against the walk.
     rightwards: bool,
     /// The plain wall of each wall that was there.
     plain: Vec<String>,
@@ -346,7 +346,7 @@ fn pieces(wall: usize, row: &Row) -> Vec<Piece> {
     cells.map(|(i, cell)| Piece::of(wall, i, cell)).collect()
 }
 
-/// Whether a piece may be taken away.
+/// Returns true if a piece may be removed.
 fn is_free(piece: &Piece) -> bool {
     piece.old.is_none() || !piece.code.is_empty()
 }

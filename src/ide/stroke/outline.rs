@@ -49,14 +49,14 @@ pub(super) fn checked(drawn: &[[f64; 2]]) -> Result<Vec<DVec2>, Text> {
     Ok((0..count).map(|i| corners[(first + i) % count]).collect())
 }
 
-/// Whether a side runs along the grid by whole units.
+/// Returns true if a side is parallel to an axis and a whole number of units long.
 fn straight(side: DVec2) -> bool {
     let along = side.x.abs() < SAME || side.y.abs() < SAME;
     let length = side.length();
     along && (length - length.round()).abs() < SAME && (1.0 - SAME..LONGEST).contains(&length)
 }
 
-/// Whether sides of an orthogonal outline meet that are no neighbours.
+/// Returns true if non-adjacent sides of an orthogonal outline touch.
 fn touches_itself(corners: &[DVec2]) -> bool {
     let count = corners.len();
     let edge = |i: usize| {
@@ -73,7 +73,7 @@ fn touches_itself(corners: &[DVec2]) -> bool {
     })
 }
 
-/// Whether an outline lies within others, of which some are holes.
+/// Returns true if an outline lies within others, some of which are holes.
 pub(super) fn lies_in(corners: &[DVec2], below: &[(Vec<DVec2>, bool)]) -> bool {
     let bounds = |f: fn(DVec2, DVec2) -> DVec2| corners.iter().copied().reduce(f);
     let (Some(low), Some(high)) = (bounds(DVec2::min), bounds(DVec2::max)) else {
@@ -203,7 +203,7 @@ impl Walk {
         }
     }
 
-    /// Whether it goes around a court.
+    /// Returns the `hole` attribute if it encloses a courtyard, else nothing.
     pub(super) fn hole_attribute(&self) -> &'static str {
         if self.hole { " hole=\"yes\"" } else { "" }
     }

@@ -148,7 +148,7 @@ fn own_width(sheet: &Sheet<'_>, form: &Form) -> Option<f64> {
     width.trim().parse().ok().filter(|w: &f64| w.is_finite())
 }
 
-/// Whether the parts of a line are not as wide as they are: a facade has a width of its own.
+/// Returns true if a line belongs to a floor whose units do not have their natural widths, i.e. the facade scales them.
 fn scales(sheet: &Sheet<'_>, row: &Row, wall: &Wall) -> bool {
     let natural = |u: &crate::program::Unit| match &u.content {
         Content::Void => u.width == 1.0,
@@ -158,7 +158,7 @@ fn scales(sheet: &Sheet<'_>, row: &Row, wall: &Wall) -> bool {
     sheet.floor(row).is_some() && !wall.units.iter().all(natural)
 }
 
-/// Makes a piece of its own of a unit; answers where it is.
+/// Splits a unit off as a piece of its own; returns its index.
 fn single(pieces: &mut Vec<Piece>, row: &Row, cell: usize, unit: usize, rightwards: bool) -> usize {
     let index = cell - row.leads();
     let piece = pieces[index].clone();
@@ -245,7 +245,7 @@ fn cover(
     Ok(left.max(0.0))
 }
 
-/// Whether a line begins with a void, which would only lead to the start of the walk.
+/// Returns true if a line begins with a void, which would only lead to the start of the walk.
 fn leads_away(pieces: &[Piece]) -> bool {
     pieces.first().is_some_and(|p| p.what == What::Void)
 }

@@ -59,7 +59,7 @@ pub(in crate::ide) struct Cell {
     pub(in crate::ide) range: Range<usize>,
     /// How it is written.
     pub(in crate::ide) form: Form,
-    /// What it makes.
+    /// The kind of content it produces.
     pub(in crate::ide) what: What,
     /// Its code without blanks at its end, as it was understood; empty for blocks.
     pub(in crate::ide) code: String,
@@ -67,7 +67,7 @@ pub(in crate::ide) struct Cell {
     pub(in crate::ide) width: f64,
     /// Which units of the wall it makes.
     pub(in crate::ide) units: Range<usize>,
-    /// Whether something else changes what is written.
+    /// True if something else changes the content as written.
     pub(in crate::ide) altered: bool,
     /// The parts of one round of a `repeat`.
     pub(in crate::ide) inner: Vec<Inner>,
@@ -91,7 +91,7 @@ pub(in crate::ide) struct Row {
     pub(in crate::ide) home: Home,
     /// The elements, in the order of the file.
     pub(in crate::ide) cells: Vec<Cell>,
-    /// Whether that runs against the walk.
+    /// True if the cells run against the walk.
     pub(in crate::ide) rightwards: bool,
     /// Why none of it may be changed.
     pub(in crate::ide) fixed: Option<Reason>,
@@ -276,7 +276,7 @@ impl<'a> Sheet<'a> {
         computed.map(|_| Reason::Computed)
     }
 
-    /// Whether other lines stand between those of two walls.
+    /// Returns true if other lines lie between those of two walls.
     fn is_bent(&self, one: Home, other: Home) -> bool {
         match (one, other) {
             (Home::Line(one), Home::Line(other)) => {
@@ -319,7 +319,7 @@ impl<'a> Sheet<'a> {
         row.then_some(Home::Element(element))
     }
 
-    /// Whether it was reported that a line is written wrongly. Characters of other widths are read as what they stand for.
+    /// Returns true if the line has reported syntax errors. Full-width characters are read as their plain equivalents.
     fn has_mistakes(&self, span: Span) -> bool {
         let all = &self.a.diagnostics;
         let key = |s: Span| (s.file, s.start);
@@ -332,7 +332,7 @@ impl<'a> Sheet<'a> {
             .any(|d| wrong(d.code.0))
     }
 
-    /// Why the content of an element is no business of a stroke: what is around it up to the storey or facade.
+    /// Why a stroke cannot change the content of an element, based on its ancestors up to the storey or facade.
     pub(in crate::ide) fn around_fixed(&self, element: usize) -> Option<Reason> {
         let mut around = self.outline.around(element).skip(1);
         around.find_map(|e| match name(&self.outline.elements[e]) {

@@ -224,7 +224,7 @@ fn others(storey: &Storey, ring: usize) -> impl Iterator<Item = &crate::building
         .map(|(_, r)| r)
 }
 
-/// Whether two segments have a point in common.
+/// Returns true if two segments have a point in common.
 fn meet(one: (DVec2, DVec2), other: (DVec2, DVec2)) -> bool {
     let (p, q) = one;
     let (r, s) = other;
@@ -240,7 +240,7 @@ fn meet(one: (DVec2, DVec2), other: (DVec2, DVec2)) -> bool {
     !apart && side(p, q, r) * side(p, q, s) <= 0.0 && side(r, s, p) * side(r, s, q) <= 0.0
 }
 
-/// Whether a point lies in a polygon.
+/// Returns true if a point lies inside a polygon.
 pub(super) fn inside(corners: &[DVec2], p: DVec2) -> bool {
     let next = corners.iter().cycle().skip(1);
     let crossed = corners.iter().zip(next).filter(|(a, b)| {

@@ -335,7 +335,7 @@ fn style(cells: &[Cell]) -> Style {
     }
 }
 
-/// Whether nothing stands behind a cell in its line of codes.
+/// Returns true if nothing follows a cell in its line of codes.
 fn ends_line(change: &Change<'_>, wall: usize, cell: usize) -> bool {
     let own = &change.rows[wall].cells[cell].range;
     let rest = change.sheet.text[own.end..].trim_start_matches([' ', '\t']);

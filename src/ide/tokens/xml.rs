@@ -39,7 +39,7 @@ pub(super) fn tokens(outline: &Outline, list: &mut List<'_>) {
     }
 }
 
-/// Whether an element is one of shape, which only the catalogue knows.
+/// Returns true for an element of shape, which only the catalogue defines.
 fn is_shape(outline: &Outline, element: &Element) -> bool {
     let around = element.parent.into_iter().flat_map(|p| outline.around(p));
     let mut words = around.map(|e| outline.elements[e].schema.map_or("", |s| s.name));

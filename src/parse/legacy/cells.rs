@@ -87,7 +87,7 @@ fn class(b: u8) -> bool {
     matches!(b, b'K' | b'T' | b'M' | b'G' | b'H' | b'A' | b'N')
 }
 
-/// Whether a cell has the form of a catalogue code or of a void.
+/// Returns true if a cell has the form of a catalogue code or of a void.
 fn regular(cell: &str) -> bool {
     match cell.as_bytes() {
         [b' ', ..] => cell == "     ",
@@ -97,8 +97,8 @@ fn regular(cell: &str) -> bool {
     }
 }
 
-/// Whether a cell looks like a code of the catalogue through and through: three capitals, then letters,
-/// and a width. Custom parts need not, so a cell that does not is doubtful only.
+/// Returns true if a cell has the strict form of a catalogue code: three capitals, then letters,
+/// and a width. Custom parts may differ, so any other cell is merely doubtful.
 fn plain(cell: &str) -> bool {
     match *cell.as_bytes() {
         [] | [b' ' | b'.', ..] => true,
@@ -137,7 +137,7 @@ fn leading_shift(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'
     shift
 }
 
-/// What is left after the last whole cell (docs/contract.md 2, remainders).
+/// Reads the remainder after the last whole cell (docs/contract.md 2, remainders).
 fn remainder(
     line: &Line<'_>,
     range: Range<usize>,

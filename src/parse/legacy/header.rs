@@ -65,22 +65,22 @@ pub(super) struct Header {
     place: Option<Span>,
     heights: Option<Span>,
     keys: Vec<(&'static str, Span)>,
-    /// Whether a blank line has followed what was read.
+    /// True if a blank line has followed the lines read so far.
     pub(super) gap: bool,
 }
 
 impl Header {
-    /// Whether a line was read.
+    /// Returns true if any line was read.
     pub(super) fn begun(&self) -> bool {
         self.placed() || !self.keys.is_empty()
     }
 
-    /// Whether the line of the place was read.
+    /// Returns true if the line with the place was read.
     pub(super) fn placed(&self) -> bool {
         self.place.is_some()
     }
 
-    /// Whether a line is one of the header; the first that is not begins the walls.
+    /// Returns true if a line belongs to the header; the first that does not begins the walls.
     pub(super) fn owns(&self, text: &str) -> bool {
         let first = plain_words(text).next().unwrap_or_default();
         if numeric(first) || key_of(first).is_some() {
@@ -198,7 +198,7 @@ fn key_of(word: &str) -> Option<(&'static str, usize)> {
     KEYS.iter().find(same).map(|key| (*key, head.len()))
 }
 
-/// Whether a line begins with a key as it should be written.
+/// Returns true if a line begins with a correctly written key.
 pub(super) fn is_key_line(text: &str) -> bool {
     plain_words(text)
         .next()

@@ -98,7 +98,7 @@ impl<'a> Line<'a> {
         self.map.get(at).map_or(at, |&w| w as usize)
     }
 
-    /// What a range of `raw` was read as.
+    /// Returns the text that a range of `raw` was read as.
     pub(super) fn read(&self, range: Range<usize>) -> &str {
         let at = |offset: usize| self.map.partition_point(|&w| (w as usize) < offset);
         let end = at(range.end).min(self.text.len());

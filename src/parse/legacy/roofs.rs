@@ -29,7 +29,7 @@ const DIRECTIONS: [(char, RoofDirection); 6] = [
     ('R', RoofDirection::Right),
 ];
 
-/// Whether a line has the form of a roof line rather than of part codes: a letter and a short field, or
+/// Returns true if a line has the form of a roof line rather than of part codes: a letter and a short field, or
 /// a shape and two numbers in a row. Codes have their letters first, so numbers never follow each other.
 pub(super) fn looks_like_roof(text: &str) -> bool {
     let list: Vec<&str> = plain_words(text).take(16).collect();
@@ -83,7 +83,7 @@ struct Fields<'w, 't, 's> {
     end: Span,
     /// The words in lower case, reported together.
     lower: Option<Span>,
-    /// Whether the shape is none that exists.
+    /// True if the shape is unknown.
     strange: bool,
     reporter: &'t mut Reporter<'s>,
 }
@@ -395,7 +395,7 @@ fn shape(word: &str) -> Option<RoofShape> {
         .flatten()
 }
 
-/// Whether a word ends the corners: an option letter, alone or before a number.
+/// Returns true if a word ends the corners: an option letter, alone or before a number.
 fn is_option(word: &str) -> bool {
     let mut chars = word.chars();
     let letter = chars.next().is_some_and(alphabetic);

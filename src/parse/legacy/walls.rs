@@ -10,7 +10,7 @@ use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 use std::ops::Range;
 
-/// The control at a line's end, besides the turn to the right that every line end means.
+/// The control at a line's end, in addition to the right turn implied by every line end.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Control {
     Left,
@@ -30,7 +30,7 @@ pub(super) struct Walls {
 }
 
 impl Walls {
-    /// Whether a line was read.
+    /// Returns true if any line was read.
     pub(super) fn begun(&self) -> bool {
         self.span.is_some() || self.reset.is_some() || !self.storeys.is_empty()
     }

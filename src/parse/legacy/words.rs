@@ -66,7 +66,7 @@ pub(super) fn number(text: &str) -> Option<f64> {
     digits.parse().ok().filter(|n: &f64| n.is_finite())
 }
 
-/// Whether a word begins as numbers do; codes, keys and roof letters never do.
+/// Returns true if a word begins like a number; codes, keys and roof letters never do.
 pub(super) fn numeric(text: &str) -> bool {
     let text = text.trim_start_matches(['+', '-']);
     let text = text.strip_prefix('.').unwrap_or(text);

@@ -64,7 +64,7 @@ fn target(from: &str, href: &str, names: &[Vec<&str>]) -> Option<usize> {
     like.next().is_none().then_some(first)
 }
 
-/// Whether two paths are the same but for their spelling.
+/// Returns true if two paths are equal after normalization.
 pub(crate) fn same(one: &str, other: &str) -> bool {
     one == other || steps(&[one]) == steps(&[other])
 }

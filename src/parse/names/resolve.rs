@@ -46,7 +46,7 @@ struct Resolver<'a> {
     parameters: BTreeMap<usize, BTreeMap<String, usize>>,
 }
 
-/// Whether it stands for what it holds.
+/// Returns true for elements that are transparent: they stand for their content.
 fn is_open(word: &str) -> bool {
     matches!(word, "if" | "else" | "choice" | "random")
 }
@@ -283,7 +283,7 @@ fn literals<'t>(text: &'t str, range: &Range<usize>, attribute: &Attribute) -> V
     found
 }
 
-/// Whether a name has these files in it, the first at its start and the last at its end.
+/// Returns true if a name contains these texts in order, the first at its start and the last at its end.
 fn is_like(name: &str, literals: &[&str]) -> bool {
     let [first, middle @ .., last] = literals else {
         return false;

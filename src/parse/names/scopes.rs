@@ -1,5 +1,5 @@
-//! What is known where: each element that names something is a frame, and so is each file; a place knows what its frame
-//! names before it, then what the frame around that do, and the files that they include.
+//! The scopes of names: each element that defines names is a frame, and so is each file; a place sees the names that
+//! its frame defines before it, then those of the enclosing frames, and those of the files they include.
 
 use crate::parse::names::file::word;
 use crate::parse::syntax::Outline;
@@ -17,7 +17,7 @@ pub(crate) struct Scopes {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Frame {
     outer: Option<usize>,
-    /// Whether it is that of a piece: what is around it counts as it is where the piece is used.
+    /// True for the frame of a piece: its surroundings are evaluated where the piece is used.
     piece: bool,
     pub(crate) values: BTreeMap<String, Binding>,
     pub(crate) pieces: BTreeMap<String, Binding>,

@@ -27,7 +27,7 @@ const ANY: Kind = Number(f64::MIN, f64::MAX);
 const TRUTH: Kind = Choice(&["yes", "no", "true", "false"]);
 /// Heights and depths of what is at a house, shaku: no platform is higher than a hill.
 const NEAR: Kind = Number(0.0, 300.0);
-/// Posts and the like, shaku.
+/// Thickness of posts and similar members, shaku.
 const THICK: Kind = Number(0.1, 20.0);
 /// Bays along a side.
 const BAYS: Kind = WholePair(1.0, 60.0);

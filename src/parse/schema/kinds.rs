@@ -37,7 +37,7 @@ pub struct AttributeSchema {
     pub name: &'static str,
     /// The content.
     pub kind: Kind,
-    /// Whether it must be there.
+    /// True if the attribute is required.
     pub required: bool,
     /// The default; empty where it follows from other things.
     pub default: &'static str,

@@ -8,10 +8,10 @@ pub(in crate::parse) const STOREY_KINDS: [(&str, StoreyKind); 2] = [
     ("parapet", StoreyKind::Parapet),
 ];
 
-/// Whether parts run rightwards.
+/// The orders of parts; true if they run rightwards.
 pub(in crate::parse) const PART_ORDERS: [(&str, bool); 2] = [("left", false), ("right", true)];
 
-/// Whether glass mirrors.
+/// The values for the reflection of glass; true if it is reflective.
 pub(in crate::parse) const REFLECTIONS: [(&str, bool); 2] = [("enable", true), ("disable", false)];
 
 pub(in crate::parse) const SIDES: [(&str, Side); 4] = [

@@ -51,20 +51,20 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use storeys::Storeys;
 
-/// What the parts of a house cost is counted by `expand`; a copied element takes more room here than a part there.
+/// The cost of a copied element, in parts. The cost of the parts of a house is counted by `expand`.
 const ELEMENT: u64 = 8;
 
-/// Messages that list what is known; no one reads more of them.
+/// The maximum number of messages that list known names.
 const HINTS: u32 = 200;
 
-/// Columns of text that take the room of a part.
+/// The number of columns of text that count as one part.
 const COLUMNS: usize = 5;
 
 /// A tree in which nothing is left to be computed.
 pub(super) struct Computed<'a> {
     pub(super) tree: Rc<Tree<'a>>,
     pub(super) parameters: Vec<Parameter>,
-    /// Whether it grew beyond the limit, and was given up.
+    /// True if it exceeded the limit and was abandoned.
     pub(super) over: bool,
 }
 
@@ -115,7 +115,7 @@ pub(super) fn compute<'a>(
     }
 }
 
-/// Whether nothing is to be computed.
+/// Returns true if there is nothing to compute.
 fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
     const NAMES: [&str; 8] = [
         "Param", "let", "define", "use", "if", "else", "include", "choice",
@@ -124,7 +124,7 @@ fn is_plain(tree: &Tree<'_>, reporter: &Reporter<'_>) -> bool {
     !reporter.source.text().contains(['{', '}']) && !tree.elements.iter().any(computes)
 }
 
-/// The state of the work.
+/// The state of the expansion.
 struct Expander<'a, 'f> {
     reporter: &'f mut Reporter<'a>,
     setting: ReadContext<'a>,
@@ -145,7 +145,7 @@ struct Expander<'a, 'f> {
     depth: usize,
     /// How many messages may still list what is known: gathering that takes time.
     hints: u32,
-    /// Whether more is being made than is written.
+    /// True while copies are being made, beyond the elements as written.
     copying: bool,
     /// Parts that may still be made of copies.
     room: u64,

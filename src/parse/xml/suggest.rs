@@ -40,7 +40,7 @@ impl Suggest {
     }
 }
 
-/// Whether one word may be a misspelling of the other.
+/// Returns true if one word may be a misspelling of the other.
 pub(super) fn alike(word: &str, other: &str) -> bool {
     let lengths = (word.chars().count(), other.chars().count());
     if lengths.0.max(lengths.1) > LONGEST || lengths.0.abs_diff(lengths.1) > allowance(other) {

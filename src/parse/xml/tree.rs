@@ -69,12 +69,12 @@ pub(super) struct Element<'a> {
     pub(super) range: Range<usize>,
     pub(super) attributes: Vec<Attribute<'a>>,
     pub(super) children: Vec<Child<'a>>,
-    /// Whether children are left out since they nest too deep.
+    /// True if children were dropped because they are nested too deeply.
     pub(super) cut: bool,
 }
 
 impl Element<'_> {
-    /// Whether it has one of these attributes.
+    /// Returns true if it has an attribute of this name.
     pub(super) fn has_attribute(&self, name: &str) -> bool {
         self.attributes.iter().any(|a| a.name == name)
     }
@@ -220,7 +220,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Whether a start tag directly in an element of its name was meant to close that one.
+    /// Returns true if a start tag directly inside an element of the same name was meant to close that element.
     fn is_end_without_slash(&mut self, tag: &StartTag<'a>, rest: &str) -> bool {
         if tag.empty || !tag.closed || !tag.attributes.is_empty() {
             return false;
@@ -229,7 +229,7 @@ impl<'a> Builder<'a> {
         self.slashes.forgotten(tag.name, rest, open, self.habits)
     }
 
-    /// Whether an element gets a place in the tree; what is wrong with it is reported.
+    /// Returns true if an element is added to the tree; excessive nesting is reported.
     fn place(&mut self, tag: &StartTag<'a>, reporter: &mut Reporter<'a>) -> bool {
         let Some(parent) = self.open.last() else {
             return self.nesting > 0; // a second one is reported at the end
@@ -289,8 +289,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Whether an end tag that closes nothing was meant for the innermost element: it has no name, nearly that
-    /// element's name, or the end of the element around that follows.
+    /// Returns true if an end tag that closes nothing was meant for the innermost element: it has no name, nearly that
+    /// element's name, or is followed by the end of the enclosing element.
     fn is_misspelt(&self, tag: &EndTag<'_>, rest: &str) -> bool {
         let Some(innermost) = self.open.last() else {
             return false;
@@ -395,7 +395,7 @@ fn closing(text: &str, open: &Open<'_>, end: usize, leaf: bool) -> (usize, Strin
     if inside.len() < LINE && !inside.contains('\n') {
         return (before.len(), format!("</{name}>"));
     }
-    // What is before the tag on its line, if that is white space.
+    // The white space before the tag on its line, if there is nothing else.
     let before_tag = text[..start].trim_end_matches('<');
     let line = before_tag.trim_end_matches([' ', '\t']);
     let indent = match line.ends_with('\n') {

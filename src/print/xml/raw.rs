@@ -61,7 +61,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
         match event {
             Event::Start(tag) => {
                 let mut element = element(text, &tag)?;
-                // What is before it waits in its place.
+                // The preceding siblings are kept in `children` until the end tag.
                 std::mem::swap(&mut element.children, &mut nodes);
                 open.push(element);
                 (open.len() <= DEEPEST).then_some(())?;

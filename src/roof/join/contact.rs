@@ -7,9 +7,9 @@ use glam::{DVec2, DVec3};
 
 /// Storeys with more facets than this keep plain abutments: the search looks at every facet.
 const MOST_FACETS: usize = 3000;
-/// How far beyond an edge its neighbour is looked for, metres.
+/// Distance beyond an edge at which its neighbour is searched for, metres.
 const STEP: f64 = 0.02;
-/// How far the neighbour may lie above or below the edge there, metres.
+/// Maximum height difference between the neighbour and the edge there, metres.
 const RISE: f64 = 0.04;
 /// Slopes that bend less than this at an edge, as a change of rise per metre, are one.
 const FLAT: f64 = 0.05;

@@ -31,7 +31,7 @@ struct Body {
 }
 
 impl Body {
-    /// Whether one of its planes has all these points beyond it, which most bodies nearby do.
+    /// True if all these points lie beyond one of its planes, as for most bodies nearby.
     fn is_apart(&self, points: &[DVec3]) -> bool {
         let mut planes = self.planes.iter();
         planes.any(|(normal, at)| points.iter().all(|p| normal.dot(*p) - at > -HEIGHT))

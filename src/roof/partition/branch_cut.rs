@@ -1,8 +1,8 @@
 //! `branch-cut`: Sugihara's division by branches, down to outlines of six corners (002-12, 002-22, 002-23).
 //!
 //! Walked clockwise, an outline bends right (R) and left (L). A branch is a run of R beside an L; from the L the
-//! outgoing wall is prolonged backwards or the incoming one forwards, until it meets a wall, and the branch comes
-//! off as a rectangle. What has a single L left goes to [`SixVertex`]. The paper shows this for eight corners and
+//! outgoing wall is extended backwards or the incoming one forwards, until it meets a wall, and the branch comes
+//! off as a rectangle. A part with a single L left goes to [`SixVertex`]. The paper shows this for eight corners and
 //! does not say which branch goes first. Here, whatever the number of corners:
 //! 1. lines that cut off a rectangle come before others;
 //! 2. then the least roof cut for each L that is made straight: a line from L to L counts for both, as in the T
@@ -49,7 +49,7 @@ struct Line {
 /// The least goes first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
-    /// Whether it cuts off no rectangle.
+    /// True if it cuts off no rectangle.
     divides: bool,
     /// Twice the length for each L, reduced.
     price: u128,

@@ -68,7 +68,7 @@ struct Best {
     /// Fingerprint of its set of roofs: the sum of a hash of each, so that equal sets have equal
     /// sums, whatever the tree. (Should two sets ever collide, the first is kept.)
     print: u64,
-    /// Whether another set of roofs scores the same, here or further down.
+    /// True if another set of roofs scores the same, here or further down.
     open: bool,
 }
 
@@ -119,7 +119,7 @@ impl Best {
 struct Search<'r> {
     raster: &'r Raster,
     roof: Lengths,
-    /// What lies between two lines b = c, for each interval as [`interval`] counts them.
+    /// Marks between two lines b = c, for each interval as numbered by [`interval`].
     across: Vec<Marks>,
     /// The same between two lines a = c.
     along: Vec<Marks>,
@@ -272,7 +272,7 @@ fn ends(bits: u32) -> (usize, usize) {
     (lo as usize, hi as usize)
 }
 
-/// The lines that some bits stand for, ascending.
+/// Returns the lines whose bits are set, in ascending order.
 fn ones(mut bits: u32, line: Line) -> impl Iterator<Item = (Line, usize)> {
     std::iter::from_fn(move || {
         let n = bits.trailing_zeros();

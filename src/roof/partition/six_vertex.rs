@@ -137,7 +137,7 @@ fn length(p: Point, q: Point) -> i128 {
     (i128::from(q.0) - i128::from(p.0)).abs() + (i128::from(q.1) - i128::from(p.1)).abs()
 }
 
-/// The point so far from `from` on the way to `to`, which lies no nearer.
+/// Returns the point at distance `way` from `from` towards `to`, which must be at least that far away.
 fn towards(from: Point, to: Point, way: i128) -> Point {
     let part = |from: i64, to: i64| {
         let moved = i128::from(from) + (i128::from(to) - i128::from(from)).signum() * way;

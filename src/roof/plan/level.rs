@@ -9,21 +9,21 @@ use glam::DVec2;
 /// A corner in plan steps.
 pub(in crate::roof) type Point = (i64, i64);
 
-/// One storey as the roofs see it.
+/// One storey as input to the roof construction.
 #[derive(Clone, Debug)]
 pub(in crate::roof) struct Level<'h> {
     /// The storey.
     pub(in crate::roof) storey: &'h Storey,
     /// The region inside its closed rings.
     pub(in crate::roof) plan: Plan,
-    /// Whether all its walls are parallel to the axes of the plan.
+    /// True if all its walls are parallel to the axes of the plan.
     pub(in crate::roof) orthogonal: bool,
-    /// Whether a parapet crowns it.
+    /// True if a parapet stands on it.
     pub(in crate::roof) parapet: bool,
 }
 
 impl Level<'_> {
-    /// Whether no ring bounds an area.
+    /// Returns true if no ring bounds an area.
     pub(in crate::roof) fn is_open(&self) -> bool {
         self.plan.loops.is_empty()
     }
@@ -88,7 +88,7 @@ pub(in crate::roof) fn first_line(storey: &Storey) -> Option<(Point, Point)> {
     Some((point(before.unwrap_or(first).from), point(last.to)))
 }
 
-/// Whether a walk is a facade of its own, not a ring that fails to close: it turns by no more than
+/// Returns true if a walk is a standalone facade, not a ring that fails to close: it turns by no more than
 /// half a circle (docs/contract.md 2).
 pub(in crate::roof) fn is_facade(ring: &Ring) -> bool {
     let turn = |w: &[crate::building::Wall]| {

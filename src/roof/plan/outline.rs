@@ -67,7 +67,7 @@ impl Outline {
         gaps
     }
 
-    /// Whether a wall runs along the whole side.
+    /// Returns true if a wall runs along the whole side.
     pub fn whole(&self, cell: &Cell, side: Side) -> bool {
         let (_, lo, hi) = piece(cell, side);
         let reached = self

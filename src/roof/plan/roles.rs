@@ -169,12 +169,12 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether an upper wall stands along the whole of a side.
+    /// True if an upper wall stands along the whole of a side.
     fn has_wall(&self, cell: &Cell, side: Side) -> bool {
         !self.walls.is_empty() && self.walls.along(cell, side) == side.measure(cell).0
     }
 
-    /// Whether a cell is shallow and long enough to be a lean-to against a side.
+    /// True if a cell is shallow and long enough to be a lean-to against a side.
     fn is_strip(&self, cell: &Cell, side: Side) -> bool {
         let (length, depth) = side.measure(cell);
         depth <= self.steps(2) && length >= depth.saturating_mul(2)
@@ -242,8 +242,8 @@ impl Judge<'_> {
             })
     }
 
-    /// Whether a roof can be the trunk of region `n`: one that stands higher than the walls only of a
-    /// strip that leans on it.
+    /// True if a roof can be the trunk of region `n`. A roof above wall height can be the trunk only of a
+    /// strip leaning on it.
     fn bears(&self, trunk: usize, n: usize, side: Side) -> bool {
         let written = trunk.checked_sub(self.count).map(|i| self.beside[i]);
         written.is_none_or(|w| w.level || self.is_strip(&self.cells[n], side))

@@ -70,7 +70,7 @@ impl Walls {
         self.along.iter().all(Vec::is_empty)
     }
 
-    /// How long an upper wall stands along a side of `cell`, in grid steps. The cell must lie
+    /// Returns the length of upper walls along a side of `cell`, in grid steps. The cell must lie
     /// outside the upper storey, so any wall there has that storey on its other side.
     pub(in crate::roof) fn along(&self, cell: &Cell, side: Side) -> i64 {
         let (at, lo, hi) = piece(cell, side);

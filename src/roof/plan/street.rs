@@ -60,7 +60,7 @@ fn front(strips: &[Cell], ends: (i64, i64), at: i64, behind: bool) -> Option<Cel
     deep(behind).or_else(|| deep(!behind))
 }
 
-/// How far back from b = `at` the strips cover the whole of `ends`. Strips lie one behind
+/// Returns the b up to which the strips behind b = `at` cover the whole of `ends`. Strips lie one behind
 /// the other, and those of one slab never touch, so one strip must span all.
 fn run(strips: &[Cell], ends: (i64, i64), at: i64) -> i64 {
     let spans = |c: &&Cell| c.a0 <= ends.0 && ends.1 <= c.a1;

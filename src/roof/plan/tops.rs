@@ -36,7 +36,7 @@ impl<'l, 'h> Tops<'l, 'h> {
         )
     }
 
-    /// Whether a storey lies in the open anywhere inside a cell.
+    /// Returns true if any part of a storey inside a cell has no storey above it.
     pub(in crate::roof) fn is_open(&self, k: usize, cell: &Cell) -> bool {
         let plan = &self.levels[k].plan;
         let upper = self.levels.get(k + 1).filter(|u| u.orthogonal);

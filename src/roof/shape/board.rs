@@ -341,7 +341,7 @@ mod tests {
             let corners = rectangle(long, short);
             let pt = numbered(corners);
             assert_eq!(pt[0], corners[first], "{long} {short}");
-            // From whichever corner it is written, but for the square that stands on a corner.
+            // The numbering does not depend on the first corner, except for the square standing on a corner.
             if long.x.abs() != long.y.abs() {
                 let mut other = corners;
                 other.rotate_left(1);

@@ -1,6 +1,6 @@
 //! Raised corners: the eaves of hipped roofs with sori rise towards the corners (docs/evidence.md 7.10).
 //!
-//! The lift grows with the square of the way to the corner, from where half the span is left, and dies out
+//! The lift grows with the square of the distance along the last half span before the corner, and dies out
 //! up the slope at the wall line, so that no gap opens over the plate: its triangles lie along rays from
 //! the corner of the walls, as fan rafters do.
 

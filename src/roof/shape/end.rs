@@ -48,11 +48,11 @@ pub struct End {
     pub from: f64,
     /// Overhang beyond that, metres.
     pub verge: f64,
-    /// Whether the end has a gable wall.
+    /// True if the end has a gable wall.
     pub wall: bool,
-    /// The treatment; of ends that run on always a gable.
+    /// The treatment; always a gable for ends that continue into another roof.
     pub cap: Cap,
-    /// Whether its corners are free, so that sori raises them: at v = 0 and at v = depth.
+    /// True for each corner, at v = 0 and at v = depth, that is free and thus raised by sori.
     pub rises: [bool; 2],
 }
 
@@ -92,7 +92,7 @@ impl Cap {
         }
     }
 
-    /// Whether the end has its own eaves, with corners.
+    /// Returns true if the end has its own eaves, with corners.
     pub fn has_corners(self) -> bool {
         matches!(self, Cap::Hip { .. } | Cap::HipAndGable { .. })
     }
@@ -127,12 +127,12 @@ impl End {
         }
     }
 
-    /// Whether a strip lies high enough to continue into the roof or wall beyond.
+    /// True if a strip lies high enough to continue into the roof or wall beyond.
     fn runs_on(&self, [lower, upper]: [f64; 2]) -> bool {
         lower + upper > 2.0 * self.from
     }
 
-    /// How far in the end's slope is as high as the main slopes at a distance inward.
+    /// Returns the inward distance at which the end's slope is as high as the main slopes at distance `d`, metres.
     pub fn contour(&self, d: f64, half: f64) -> f64 {
         match self.cap {
             Cap::HalfHip { run } => d - half + run,

@@ -15,9 +15,9 @@ use glam::{DVec2, DVec3, dvec2};
 const LIFT: f64 = 0.03;
 /// Height of the upstand above the wall plate, metres.
 const UPSTAND: f64 = 0.40;
-/// How far the upstand stands out from the wall line, metres: to the face of ordinary walls.
+/// Distance from the wall line to the outer face of the upstand, metres; flush with ordinary walls.
 const OUT: f64 = 0.09;
-/// How far it stands in, metres.
+/// Distance from the wall line to its inner face, metres.
 const IN: f64 = 0.07;
 /// More cells than this become solids of their own: matching their edges would cost more than
 /// the faces between them.

@@ -18,7 +18,7 @@ pub struct Form {
     pub solids: Vec<Solid>,
     /// The roof whose eaves it is tucked under, as an index among its group.
     pub under: Option<usize>,
-    /// Whether it hangs on the outside of walls, so that the storey above cuts nothing off it.
+    /// True if it hangs on the outside of walls, so that the storey above does not cut it.
     pub hung: bool,
     /// The walls below where a slope stands out over them as a part of its body.
     pub walls: Option<Rect>,

@@ -22,7 +22,7 @@ use crate::roof::solid::SUNK;
 pub struct Flank {
     /// Overhang, metres.
     pub over: f64,
-    /// Whether a wall closes it up to the roof.
+    /// True if a wall closes it up to the roof.
     pub wall: bool,
 }
 

@@ -32,7 +32,7 @@ pub struct Look {
     pub thickness: f64,
     /// Courses of ridge tiles.
     pub noshi: u32,
-    /// Whether the ridge ends in onigawara.
+    /// True if the ridge ends in onigawara.
     pub ends: bool,
 }
 
@@ -46,12 +46,12 @@ const TILE_PITCHES: [(f64, f64); 5] = [
 ];
 
 /// Defaults of a temple: the gentlest tiles and its sori (docs/evidence.md 4.3), eaves by the span and their
-/// bounds in metres (4.4: 8 to 12 shaku on great ones), and how far its barge boards stand out (7.10).
+/// bounds in metres (4.4: 8 to 12 shaku on great ones), and the projection of its barge boards (7.10).
 const TEMPLE_PITCH: f64 = 0.5;
 const TEMPLE_SORI: f64 = 4.0;
 const TEMPLE_EAVES: f64 = 0.3;
 const TEMPLE_BARGE: f64 = 0.5;
-/// How far the barge boards of other irimoya stand out, metres.
+/// Projection of the barge boards of other irimoya, metres.
 const BARGE: f64 = 0.4;
 
 /// The gentlest default of lean-tos (docs/evidence.md 4.3: geya 3 sun).

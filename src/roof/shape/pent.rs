@@ -11,7 +11,7 @@ use crate::roof::shape::lean_to::{Flank, LeanTo};
 use crate::roof::shape::look::Look;
 use crate::roof::solid::prism;
 
-/// How far the roof and its arms reach into the wall, metres.
+/// Depth to which the roof and its arms penetrate the wall, metres.
 const INTO: f64 = 0.03;
 /// Side of the purlin under the edge, and height of the arms, metres.
 const BEAM: f64 = 0.09;

@@ -139,7 +139,7 @@ impl Profile {
         self.knots.windows(2).map(|w| (w[0], w[1]))
     }
 
-    /// Whether it is one straight line.
+    /// Returns true if it is a single straight line.
     pub fn is_straight(&self) -> bool {
         self.curve == Curve::Line
     }

@@ -235,7 +235,7 @@ impl<'h> Slopes<'h> {
         }
     }
 
-    /// Whether the main slopes meet the end's slope along the border of a strip.
+    /// True if the main slopes meet the end's slope along the border of a strip.
     fn shares_hip(&self, end: &End, d: [f64; 2]) -> bool {
         let Some((from, to)) = end.slope(-self.profile.knots[0].d, self.half) else {
             return false;

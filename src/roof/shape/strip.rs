@@ -37,11 +37,11 @@ pub struct Strip<'f> {
     pub to: [f64; 2],
     /// Both without verges.
     pub body: [[f64; 2]; 2],
-    /// Whether its lower edge is the eaves.
+    /// True if its lower edge is the eaves.
     pub eaves: bool,
-    /// Whether its ends are verges.
+    /// True for each end that is a verge.
     pub verges: [bool; 2],
-    /// Whether its upper edge ends in the open.
+    /// True if its upper edge is exposed.
     pub ridge: bool,
 }
 

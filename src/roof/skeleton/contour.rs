@@ -121,7 +121,7 @@ impl Contours {
         rings(STRAIGHT).or_else(|_| rings(1e-9))
     }
 
-    /// How many edges it has.
+    /// Returns the number of edges.
     pub fn edges(&self) -> usize {
         self.rings.iter().map(Vec::len).sum()
     }
@@ -174,7 +174,7 @@ impl Contours {
         skeleton
     }
 
-    /// Whether nothing crosses or touches, and courts lie where they should.
+    /// Returns an error if edges cross or touch, or if a court lies outside the outer ring or in another court.
     fn check(&self) -> Result<(), Invalid> {
         let edges: Vec<(Segment, u32, u32)> = self.each().collect();
         let segments: Vec<Segment> = edges.iter().map(|e| e.0).collect();
@@ -217,7 +217,7 @@ fn meeting([p, q]: Segment, [r, s]: Segment) -> DVec2 {
     }
 }
 
-/// Whether a ring goes round a point (even-odd).
+/// True if a ring surrounds a point (even-odd).
 fn surrounds(ring: &[Start], p: DVec2) -> bool {
     let next = ring.iter().cycle().skip(1);
     ring.iter()

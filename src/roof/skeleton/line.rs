@@ -21,7 +21,7 @@ impl Line {
         }
     }
 
-    /// How far a point lies inside, metres.
+    /// Returns the signed distance of a point from the line, metres; positive inside.
     pub fn depth(&self, p: DVec2) -> f64 {
         self.normal.dot(p) - self.at
     }

@@ -1,12 +1,12 @@
-//! Pairs of segments that are near each other, without trying every one against every other.
+//! Pairs of segments that are near each other, found without testing all pairs.
 
 use glam::DVec2;
 
 /// Two ends.
 pub(in crate::roof) type Segment = [DVec2; 2];
 
-/// Calls `found` with every pair of segments whose boxes, grown by `gap`, touch; the lesser index first. Stops where
-/// it says so.
+/// Calls `found` with every pair of segments whose boxes, grown by `gap`, touch; the lower index first. Stops as soon
+/// as `found` returns true.
 pub(in crate::roof) fn near_pairs(
     segments: &[Segment],
     gap: f64,

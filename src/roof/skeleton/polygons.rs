@@ -97,7 +97,7 @@ pub(in crate::roof) fn tagged(ring: &[DVec2], walls: &[[DVec2; 2]]) -> Vec<Start
     starts
 }
 
-/// Whether a point lies inside a polygon (even-odd, half-open).
+/// True if a point lies inside a polygon (even-odd, half-open).
 fn within(polygon: &[DVec2], p: DVec2) -> bool {
     let next = polygon.iter().cycle().skip(1);
     polygon.iter().zip(next).fold(false, |inside, (q, r)| {

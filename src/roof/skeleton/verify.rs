@@ -10,7 +10,7 @@ const AREA: f64 = 1e-6;
 /// The error of a node's distance from its edges, as a share of the plan's size.
 const LEVEL: f64 = 1e-6;
 
-/// Whether a skeleton holds for its outline.
+/// Returns true if a skeleton is valid for its outline.
 pub(super) fn holds(contours: &Contours, skeleton: &Skeleton) -> bool {
     let level = LEVEL * contours.size.max(1.0);
     let mut sum = 0.0;
@@ -40,7 +40,7 @@ fn area(skeleton: &Skeleton, face: &Face) -> f64 {
     fan.sum::<f64>() / 2.0
 }
 
-/// Whether no two borders cross noticeably.
+/// True if no two borders of a face cross by more than `trifle`.
 fn is_simple(skeleton: &Skeleton, face: &Face, trifle: f64) -> bool {
     let n = face.nodes.len();
     if n < 5 {

@@ -160,7 +160,7 @@ impl Wave {
         self.lines[edge as usize].way()
     }
 
-    /// Whether the outline turns right at a vertex, so that it may split another edge.
+    /// Returns true if the outline turns right at a vertex, so that the vertex may split another edge.
     pub(super) fn is_reflex(&self, id: u32) -> bool {
         let v = self.vertex(id);
         v.velocity.is_some() && self.way(v.left).perp_dot(self.way(v.right)) < -1e-10

@@ -1,7 +1,7 @@
 //! Massive roofs: one closed solid for roofs that meet, with their attics, for details that show no joinery.
 //!
 //! A roof is made of sheets and of gable walls under them. Each is a closed solid, with faces inside the house that
-//! nobody sees. Here the space below becomes part of it: inside the walls the solid goes down to the wall plate, under
+//! are never visible. Here the space below becomes part of it: inside the walls the solid reaches the wall plate, under
 //! eaves and verges to the lower surface of its sheets, and the upright faces between the two are the gable walls.
 //! Roofs that meet have no faces between them.
 //!
@@ -12,10 +12,10 @@
 //! |---|---|
 //! | on a wall plate | massive |
 //! | under the eaves of its trunk, or hung on a wall | a part of the same solid without attic: the room below is no part of the roof |
-//! | flat | stays a slab with its upstands, two solids that stand in each other: it has no attic |
+//! | flat | stays a slab with its upstands, two overlapping solids, since it has no attic |
 //!
-//! Roofs that touch in an edge only cannot be one closed solid, and are made in several. Brackets and purlins stay
-//! solids of their own, and reach into the roof they carry.
+//! Roofs that touch only along an edge cannot form one closed solid and are split into several. Brackets and purlins
+//! stay separate solids that penetrate the roof they carry.
 
 mod closed;
 mod merge;

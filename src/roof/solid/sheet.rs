@@ -108,7 +108,7 @@ impl Mesh {
         mesh
     }
 
-    /// Whether it is a plain gable, two quadrilaterals that share an edge: its corners match already.
+    /// True if it is a plain gable, two quadrilaterals that share an edge; its corners match already.
     fn is_gable(&self) -> bool {
         let [first, second] = &self.faces[..] else {
             return false;
@@ -163,13 +163,13 @@ impl Mesh {
         whole
     }
 
-    /// Rise for each metre of the way between two points in plan.
+    /// Returns the rise per metre in plan between two points.
     fn rise(&self, from: u32, to: u32) -> f64 {
         let way = self.points[to as usize] - self.points[from as usize];
         way.z / way.truncate().length()
     }
 
-    /// Whether `j` turns from the way `i` to `k`.
+    /// True if `j` lies off the straight line from `i` to `k`.
     fn turns(&self, i: u32, j: u32, k: u32) -> bool {
         let (p, q, r) = (self.plan(i), self.plan(j), self.plan(k));
         let way = (r - p).normalize_or_zero();
@@ -324,7 +324,7 @@ impl Mesh {
     }
 }
 
-/// Whether a border passes a point twice.
+/// True if a border passes through a point twice.
 fn touches_itself(rims: &[(u32, u32, bool)]) -> bool {
     let mut starts: Vec<u32> = rims.iter().map(|(p, _, _)| *p).collect();
     starts.sort_unstable();
@@ -410,7 +410,7 @@ impl Weld {
     }
 }
 
-/// Whether an outline has enough area for a face.
+/// True if an outline has enough area for a face.
 pub(in crate::roof) fn has_area(outline: &[Corner]) -> bool {
     area(outline) > 1e-6
 }

@@ -6,7 +6,7 @@ use crate::roof::shape::end::{Cap, End};
 use crate::roof::shape::profile::Profile;
 use crate::roof::storey::automatic::Automatic;
 
-/// How far a ridge continues into the slope it ends in, metres.
+/// Depth to which a ridge penetrates the slope it ends in, metres.
 const INTO: f64 = 0.02;
 
 /// The slope of a trunk as a branch comes to it.
@@ -14,9 +14,9 @@ struct Slope {
     profile: Profile,
     /// Metres in plan for each metre of the profile's distance.
     stretch: f64,
-    /// How far in it goes, metres in plan.
+    /// Length of the slope in plan, metres.
     run: f64,
-    /// Whether an upper gable stands there instead of a ridge.
+    /// True if it ends at an upper gable instead of a ridge.
     gable: bool,
 }
 

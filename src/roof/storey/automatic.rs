@@ -25,7 +25,7 @@ use glam::{DVec3, dvec2, dvec3};
 
 /// The least height that an outer wall keeps under a lean-to, metres.
 const LEAST_WALL: f64 = 1.8;
-/// How far a lean-to's upper edge lies below the wall plate of its trunk, metres.
+/// Depth of a lean-to's upper edge below the wall plate of its trunk, metres.
 const TUCKED: f64 = 0.10;
 
 /// The regions of one storey on their way to roofs.
@@ -280,7 +280,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// How far below the joint the upper surface starts, so that it stays below the trunk's eaves.
+    /// Returns the depth below the joint, metres, at which the upper surface starts, to clear the trunk's eaves.
     fn tuck(&self, n: usize, fall: Side, look: &Look) -> f64 {
         let Some(trunk) = self.regions[n].over else {
             return TUCKED;
@@ -351,7 +351,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// Whether another tucked lean-to lies beyond this piece of a side.
+    /// True if another tucked lean-to lies beyond this piece of a side.
     fn tucked_beyond(&self, n: usize, side: Side, line: i64, (lo, hi): (i64, i64)) -> bool {
         let beyond = |m: &usize| {
             let (theirs, from, to) = piece(&self.regions[*m].cell, side.opposite());

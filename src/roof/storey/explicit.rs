@@ -290,7 +290,7 @@ pub(in crate::roof) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Sid
         .unwrap_or(Side::Front)
 }
 
-/// Whether a line stands on the top of its storey, not over the roofs of higher ones.
+/// True if a line's roof stands on top of its storey, not above the roofs of higher storeys.
 fn stands_on(one: &PlacedLine<'_>, context: &Context<'_>) -> bool {
     one.base < context.level.storey.z1 + 0.5
 }

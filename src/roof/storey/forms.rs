@@ -56,12 +56,12 @@ impl Context<'_> {
         })
     }
 
-    /// Whether an upper wall stands along the whole side.
+    /// Returns true if an upper wall stands along the whole side.
     pub(in crate::roof) fn is_walled(&self, cell: &Cell, side: Side) -> bool {
         self.upper.is_some() && self.upper_outline().whole(cell, side)
     }
 
-    /// Whether walls run along both sides up to the corner between them.
+    /// True if walls run along both sides up to the corner between them.
     fn is_corner(&self, cell: &Cell, side: Side, other: Side) -> bool {
         let reaches = |along: Side, end: Side| {
             let (_, lo, hi) = piece(cell, along);

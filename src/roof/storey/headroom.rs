@@ -135,7 +135,7 @@ pub(in crate::roof) fn gentler(look: &Look, run: f64, room: f64) -> f64 {
     }
 }
 
-/// How far the highest point of a roof under `above` lies from its low wall, and whether that is the ridge.
+/// Returns the run in metres from a roof's low wall to its highest point under `above`, and true if that is the ridge.
 fn run(rect: &Rect, above: &Rect, region: &Region) -> (f64, bool) {
     let (lo, hi) = (rect.min.max(above.min), rect.max.min(above.max));
     match (region.ridge, region.fall) {

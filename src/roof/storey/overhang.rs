@@ -1,6 +1,6 @@
-//! Storeys that stand out over the one below (docs/evidence.md 3.8): how far, and what closes them from below.
+//! Storeys that overhang the one below (docs/evidence.md 3.8): the projection and the soffit that closes them.
 //!
-//! Boards lie under the rooms, a beam (dashigeta) runs under the walls that stand over nothing, and brackets
+//! Boards lie under the rooms, a beam (dashigeta) runs under the overhanging walls, and brackets
 //! (udegi) reach out to it from the walls below, a unit apart.
 
 use crate::building::{Finish, House, Soffit, Solid};
@@ -20,22 +20,22 @@ use crate::roof::solid::sheet::{Coat, Piece, sheet};
 
 /// Thickness of the boards, metres.
 const BOARDS: f64 = 0.03;
-/// How far below the floor the boards lie, so that no face of a wall lies in theirs, metres.
+/// Gap between the floor and the boards, metres, so that no wall face is coplanar with theirs.
 const BELOW: f64 = 0.004;
-/// Half the width of the beam, and how far it hangs down, metres.
+/// Half the width of the beam, and its depth, metres.
 const BEAM: (f64, f64) = (0.06, 0.16);
-/// Half the width of the brackets, and how far they hang down, metres.
+/// Half the width of the brackets, and their depth, metres.
 const ARM: (f64, f64) = (0.045, 0.12);
-/// How far beyond its wall the foot of a bracket lies, metres.
+/// Distance from a wall to the foot of a bracket behind it, metres.
 const INTO: f64 = 0.05;
 /// Overhangs beyond this, in U, are carried by other means than brackets.
 const FARTHEST: i64 = 2;
-/// With more cells than this each gets plain boards and nothing else: such plans are not meant.
+/// With more cells than this each gets plain boards only; such plans are not intended.
 const MANY: usize = 500;
 /// More pairs of rectangles than this are not compared; the overhang then counts as wide as its strips.
 const MOST_PAIRS: usize = 4_000_000;
 
-/// The part of an upper storey over the open; `None` where the plans are too intricate.
+/// Returns the part of an upper storey with nothing below; `None` where the plans are too complex.
 fn over_nothing(lower: &Level<'_>, upper: &Level<'_>) -> Option<Vec<Cell>> {
     let plain = !lower.is_open() && lower.orthogonal && upper.orthogonal;
     if !plain || lower.plan == upper.plan || !upper.plan.fits(Some(&lower.plan)) {
@@ -76,8 +76,8 @@ pub(in crate::roof) fn close(
     });
 }
 
-/// How far the farthest corner or middle of some cells lies from others, in grid steps: from the walls
-/// below, whichever way the storey stands out.
+/// Returns the greatest distance of a corner or middle of `over` from the cells `below`, in grid steps: the
+/// projection beyond the walls below, in whatever direction the storey overhangs.
 fn reach(over: &[Cell], below: &[Cell]) -> i64 {
     if over.len().saturating_mul(below.len()) > MOST_PAIRS {
         let thickness = over.iter().map(|c| c.width().min(c.depth()));

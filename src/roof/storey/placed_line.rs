@@ -20,7 +20,7 @@ pub(in crate::roof) struct PlacedLine<'h> {
 }
 
 impl PlacedLine<'_> {
-    /// Whether its rectangle is excluded from the automatic regions.
+    /// Returns true if its rectangle is excluded from the automatic regions.
     pub(in crate::roof) fn covers(&self) -> bool {
         self.shape != RoofShape::Pent
     }
@@ -52,7 +52,7 @@ pub(in crate::roof) fn falls_to(one: &PlacedLine<'_>) -> Side {
     wish.unwrap_or(Side::Front)
 }
 
-/// Whether some written roof covers a whole rectangle.
+/// Returns true if a single written roof covers the whole rectangle.
 pub(in crate::roof) fn covers(lines: &[&PlacedLine<'_>], cell: &Cell) -> bool {
     lines.iter().any(|l| l.covers() && l.cell.contains(cell))
 }

@@ -30,7 +30,7 @@ pub(in crate::roof) struct Polygonal<'a, 'h> {
     pub(in crate::roof) lines: &'a [&'a PlacedLine<'a>],
 }
 
-/// Whether a storey's roof is flat: it is written so, or a parapet surrounds it.
+/// Returns true if a storey's roof is flat, because the source says so or a parapet surrounds it.
 pub(in crate::roof) fn is_flat(house: &House, level: &Level<'_>) -> bool {
     let shape = house.roofs.style.shape;
     shape.map_or(level.parapet, |s| s.value == RoofShape::Flat)
@@ -170,7 +170,7 @@ impl Polygonal<'_, '_> {
     }
 }
 
-/// Whether two storeys have the same corners, wherever their walks start.
+/// True if two storeys have the same corners, regardless of where their walks start.
 fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
     let corners = |level: &Level<'_>| {
         let mut all: Vec<(i64, i64)> = level.plan.loops.iter().flatten().copied().collect();

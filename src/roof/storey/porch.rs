@@ -12,7 +12,7 @@ use crate::roof::shape::profile::Profile;
 use crate::roof::storey::forms::Context;
 use crate::roof::storey::placed_line::PlacedLine;
 
-/// How far a roof reaches into a wall, metres.
+/// Depth to which a roof penetrates a wall, metres.
 const INTO: f64 = 0.03;
 /// Slopes behind count as gentler by this factor, since they may be curved (sori).
 const HANGING: f64 = 0.5;
@@ -75,7 +75,7 @@ fn into(one: &PlacedLine<'_>, side: Side, look: &Look, depth: f64, context: &Con
     }
 }
 
-/// How deep the storey is beyond the middle of a side that lies on it as a whole, in grid steps; 0 where it is
+/// Returns the depth of the storey, in grid steps, behind the middle of a side that lies wholly on it; 0 where it is
 /// open there.
 fn depth_behind(cell: &Cell, side: Side, context: &Context<'_>) -> i64 {
     let plan = &context.level.plan;
@@ -105,7 +105,7 @@ fn depth_behind(cell: &Cell, side: Side, context: &Context<'_>) -> i64 {
     nearest.filter(|_| lies).unwrap_or(0)
 }
 
-/// Whether a point lies inside a plan (even-odd, half-open).
+/// True if a point lies inside a plan (even-odd, half-open).
 fn contains(plan: &Plan, (a, b): (i64, i64)) -> bool {
     let crosses = |(p, q): &((i64, i64), (i64, i64))| {
         p.0 == q.0 && p.0 > a && p.1.min(q.1) <= b && b < p.1.max(q.1)

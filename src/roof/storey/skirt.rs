@@ -91,7 +91,7 @@ impl<'h> Skirt<'h> {
         }
     }
 
-    /// How far the upper walls stand back from a side, metres.
+    /// Returns the setback of the upper walls from a side, metres.
     fn inset(&self, side: Side, context: &Context<'_>) -> f64 {
         let (cell, upper) = (&self.cell, &self.upper);
         context.metres(match side {

@@ -86,7 +86,7 @@ impl Sheet<'_> {
         cells.extend(blocks.map(|e| cell(e.range.clone(), Form::Block)));
     }
 
-    /// Whether an attribute of an element is computed.
+    /// Returns true if any attribute of an element is computed.
     fn computes(&self, element: usize) -> bool {
         let attributes = &self.outline.elements[element].attributes;
         attributes.iter().any(|a| !a.expressions.is_empty())
@@ -108,7 +108,7 @@ impl Sheet<'_> {
         plain.then(|| Form::Run(num.inner.clone(), count))
     }
 
-    /// Tells each cell which units it makes. Cells that make others than they should become blocks.
+    /// Assigns to each cell the units it produces. Cells that produce unexpected units become blocks.
     pub(super) fn match_units(&self, row: &mut Row, wall: &Wall) -> Result<(), Reason> {
         let whole = match row.home {
             Home::Line(_) => self.a.source.text_range(wall.span),
@@ -116,7 +116,7 @@ impl Sheet<'_> {
         };
         let mut places: Vec<Option<usize>> =
             wall.units.iter().map(|u| self.within(u, &whole)).collect();
-        // What lines without length leave stands in other lines, and has no width.
+        // Units left over from lines without length belong to other lines, and have no width.
         let mut foreign = wall.units.iter().zip(&places).filter(|(_, p)| p.is_none());
         if let Some((unit, _)) = foreign.find(|(u, _)| u.width > 0.0) {
             let other = unit.span.file != FileId(0);
@@ -162,7 +162,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// Whether the parts of a floor run to the right.
+    /// Returns true if the parts of a floor run to the right.
     fn is_rightwards(&self, element: usize) -> bool {
         let mut around = self.outline.around(element);
         let structure = around.find(|e| name(&self.outline.elements[*e]) == "Structure");
@@ -228,7 +228,7 @@ impl Sheet<'_> {
             _ if unit.width <= 0.0 => What::Post,
             Content::Part(id) => {
                 let part = self.a.catalog().part(*id);
-                // What has a name of its own is no wall like any other.
+                // A part with a name of its own is not a plain wall.
                 let wall = part.finish.is_some() && part.from.is_none() && part.code().len() <= 5;
                 match wall && part.stance != Stance::Fence {
                     true => What::Plain,
@@ -251,7 +251,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// Whether something is built that is not what a code means: a draw or a substitution came after it.
+    /// Returns true if the result differs from the written code because of a draw or a substitution.
     fn is_altered(&self, cell: &Cell) -> bool {
         let written = match &cell.form {
             Form::Part(element) => self.outline.elements[*element].value("code"),

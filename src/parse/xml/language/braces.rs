@@ -22,7 +22,7 @@ pub(in crate::parse::xml) enum Segment {
     Loose(Range<usize>),
 }
 
-/// Whether a text has anything to do with expressions.
+/// Returns true if a text contains braces, and so may contain expressions.
 pub(super) fn are_in(text: &Text<'_>) -> bool {
     text.as_str().contains(['{', '}'])
 }

@@ -7,7 +7,7 @@ use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::Tag;
 
-/// What an `else` at this place belongs to.
+/// The state of the condition that an `else` at this place would continue.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Branch {
     /// Nothing: there is no `if` before it.

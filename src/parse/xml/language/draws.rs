@@ -1,5 +1,5 @@
-//! What is drawn while a file is read: which `choice` of a `random` is in its place, and the parameters that no one
-//! sets.
+//! Draws made while a file is read: the `choice` that replaces a `random`, and the values of parameters that are not
+//! set.
 //!
 //! A draw's key is the path that leads to it in what is made: the seed, the name or the number of the house, then for
 //! each element on the way its kind and its number among its like; last the number of the `random` in its element, or
@@ -28,7 +28,7 @@ pub(super) struct Open<'a> {
     levels: Vec<Level<'a>>,
     /// Houses so far.
     houses: u64,
-    /// Whether a `random` has chosen since this was last forgotten.
+    /// True if a `random` has chosen since this was last reset.
     drawn: bool,
 }
 
@@ -67,7 +67,7 @@ impl<'a> Open<'a> {
         std::mem::take(&mut self.drawn)
     }
 
-    /// Whether anything was drawn since.
+    /// Returns true if anything was drawn since the last reset.
     pub(super) fn has_drawn(&self) -> bool {
         self.drawn
     }
@@ -104,7 +104,7 @@ impl<'a> Open<'a> {
     }
 }
 
-/// Whether a `random` chooses among pieces of text, not among codes.
+/// Returns true if a `random` chooses among pieces of text, not among codes.
 pub(super) fn is_choice(element_ref: &ElementRef<'_, '_>) -> bool {
     let holds = |child: &Child<'_>| match child {
         Child::Element(index) => element_ref.child(*index).tag() == Some(Tag::Choice),

@@ -168,7 +168,7 @@ impl<'a> Expander<'a, '_> {
         source
     }
 
-    /// What the outermost element of a file defines; returns its custom parts.
+    /// Evaluates the definitions in the outermost element of a file; returns its custom parts.
     fn definitions(&mut self, tree: &Rc<tree::Tree<'a>>, scope: &Scope<'a>) -> Vec<usize> {
         let Some(root) = tree.roots.first() else {
             return vec![];
@@ -192,7 +192,7 @@ impl<'a> Expander<'a, '_> {
             self.reporter
                 .at(&root.element().name_range, say::include_nothing);
         }
-        // What is no definition lands in an element that no one reads.
+        // Anything but a definition goes into an element that is never read.
         let aside = self.aside(&root);
         let mut branch = Branch::None;
         for element_ref in others {

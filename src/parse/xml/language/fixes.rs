@@ -198,7 +198,7 @@ pub(super) fn free(name: &str, taken: impl Fn(&str) -> bool) -> String {
     free.next().unwrap_or_default()
 }
 
-/// Whether a name is compared with something in an expression: then it may be meant as a text.
+/// Returns true if a name is compared with something in an expression, so that it may be meant as text.
 pub(super) fn is_compared(inner: &str, name: &Range<usize>) -> bool {
     let before = inner[..name.start].trim_end();
     let after = inner[name.end..].trim_start();

@@ -195,7 +195,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Whether an attribute says yes.
+    /// Evaluates an attribute as a truth; false if it is missing or invalid, which is reported.
     fn truth(&mut self, of: &Attributes<'_>, name: &str, scope: &Scope<'a>) -> bool {
         let Some(attribute) = of.get(name) else {
             return false;

@@ -37,7 +37,7 @@ pub(super) struct Piece<'a> {
 }
 
 impl Piece<'_> {
-    /// Whether it is the same element.
+    /// Returns true if it is the same element.
     pub(super) fn is(&self, other: &Piece<'_>) -> bool {
         std::ptr::addr_eq(Rc::as_ptr(&self.tree), Rc::as_ptr(&other.tree))
             && self.index == other.index

@@ -14,7 +14,7 @@ pub(super) struct Storeys {
     count: u64,
     /// The number of the one under way.
     pub(super) number: Option<u64>,
-    /// Whether anybody asked for it.
+    /// True once the number has been used.
     pub(super) asked: Cell<bool>,
 }
 

@@ -5,7 +5,7 @@ pub(in crate::parse::xml) fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
 }
 
-/// Whether a name may begin with it.
+/// Returns true if a name may begin with this character.
 pub(in crate::parse::xml) fn is_name_start(c: char) -> bool {
     c.is_alphabetic() || c == '_' || c == ':'
 }
@@ -23,18 +23,18 @@ pub(in crate::parse::xml) fn narrow(c: char) -> Option<char> {
     })
 }
 
-/// Whether a name ends before it.
+/// Returns true if a name ends before this character.
 pub(in crate::parse::xml) fn ends_name(c: char) -> bool {
     is_blank(c) || narrow(c).is_some() || matches!(c, '<' | '>' | '/' | '=' | '"' | '\'')
 }
 
-/// Whether XML allows it as a name.
+/// Returns true if XML allows the text as a name.
 pub(in crate::parse::xml) fn is_name(name: &str) -> bool {
     let fits = |c: char| c.is_alphanumeric() || !c.is_ascii() || "_:-.".contains(c);
     name.starts_with(is_name_start) && name.chars().all(fits)
 }
 
-/// Whether XML allows a character nowhere.
+/// Returns true for a character that XML does not allow anywhere.
 pub(in crate::parse::xml) fn is_forbidden(c: char) -> bool {
     matches!(c, '\0'..='\u{8}' | '\u{b}' | '\u{c}' | '\u{e}'..='\u{1f}' | '\u{fffe}' | '\u{ffff}')
 }

@@ -58,7 +58,7 @@ impl Scanner<'_, '_> {
     }
 }
 
-/// Whether this is the content of `<?xml ...?>`: a version, then an encoding and `standalone` at will.
+/// Returns true for the content of `<?xml ...?>`: a version, then optionally an encoding and `standalone`.
 fn is_declaration(text: &str) -> bool {
     let mut rest = text;
     let mut next = || {

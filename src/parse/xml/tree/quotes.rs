@@ -148,8 +148,8 @@ impl<'a> Scanner<'a, '_> {
         self.text.len()
     }
 
-    /// Whether the closing quote of a value is really the opening one of the next attribute: ` next=` is before
-    /// it and no end of a tag or value behind.
+    /// Returns true if the closing quote of a value is really the opening quote of the next attribute: it follows
+    /// ` next=`, and no end of a tag or value comes after it.
     fn runs_on(&self, value: Range<usize>) -> bool {
         let Some(before) = self.text[value.clone()]
             .trim_end()
@@ -231,7 +231,7 @@ fn bracketed(text: &str) -> Option<Range<usize>> {
     Some(from..from + line.find(*close)?)
 }
 
-/// Whether a text goes on with `name=`.
+/// Returns true if a text continues with `name=`.
 fn names_attribute(text: &str) -> bool {
     let name = text.find(ends_name).unwrap_or(text.len());
     is_name(&text[..name]) && text[name..].starts_with(['=', '＝'])

@@ -76,7 +76,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         None
     }
 
-    /// The next token, if the markup here is one and no comment or the like.
+    /// Returns the next token; `None` if the markup here produces none, e.g. a comment.
     fn markup(&mut self) -> Option<Token<'a>> {
         let start = self.at;
         let token = match self.event() {
@@ -161,7 +161,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.at > start
     }
 
-    /// Whether markup begins here: `<`, or a full-width one that is surely meant so.
+    /// Returns true if markup begins here: `<`, or a full-width one that is clearly meant as such.
     pub(in crate::parse::xml) fn opens_markup(&self) -> bool {
         let mut rest = self.rest().chars();
         match rest.next() {
@@ -348,7 +348,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         None
     }
 
-    /// What to write in the place of dashes inside a comment: a long one for two, double strokes for a line of them.
+    /// Returns edits that replace dashes inside a comment: two by a long one, a line of them by double strokes.
     fn undashed(&self, inside: Range<usize>) -> Vec<Edit> {
         let text = &self.text[inside.clone()];
         let (mut edits, mut at) = (vec![], 0);

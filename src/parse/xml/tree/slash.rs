@@ -20,8 +20,8 @@ impl Slashes {
         Slashes { left: SEARCHES }
     }
 
-    /// Whether a tag without attributes, directly in an element of its name, was meant to close that element.
-    /// `rest` = what follows it; `open` = the names of the open elements, the outermost first.
+    /// Returns true if a tag without attributes, directly inside an element of the same name, was meant to close it.
+    /// `rest` = the text after it; `open` = the names of the open elements, the outermost first.
     pub(in crate::parse::xml) fn forgotten<'a>(
         &mut self,
         name: &str,
@@ -43,7 +43,7 @@ impl Slashes {
     }
 }
 
-/// Whether nothing is in an element that would begin here, and it has no end tag either.
+/// Returns true if an element that begins here would have neither content nor an end tag.
 fn is_hollow(name: &str, rest: &str) -> bool {
     let next = rest.trim_start();
     let Some(tag) = next.strip_prefix('<') else {
@@ -82,13 +82,13 @@ fn missing(name: &str, rest: &str, outer: Option<&str>, open: usize) -> Option<u
     Some(open)
 }
 
-/// Whether a text behind `<` or `</` goes on with this name and no longer one.
+/// Returns true if the text after `<` or `</` continues with exactly this name.
 fn is_tag(text: &str, name: &str) -> bool {
     let after = text.strip_prefix(name);
     after.is_some_and(|a| a.starts_with(|c: char| c == '>' || c == '/' || c.is_whitespace()))
 }
 
-/// Whether a text behind `<` is a tag that ends with `/>`.
+/// Returns true if the text after `<` is a tag that ends with `/>`.
 fn is_empty(text: &str) -> bool {
     text.split(['<', '>'])
         .next()

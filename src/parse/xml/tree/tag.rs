@@ -158,7 +158,7 @@ impl<'a> Scanner<'a, '_> {
         }
     }
 
-    /// Whether a line of codes begins here rather than one of attributes.
+    /// Returns true if a line of codes begins here rather than one of attributes.
     fn is_text_line(&self) -> bool {
         let line = self.rest().split(['\n', '<']).next().unwrap_or_default();
         !line.trim().is_empty() && !line.contains(['=', '＝', '>', '＞', '/', '／', '"', '\''])

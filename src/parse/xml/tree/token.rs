@@ -11,12 +11,12 @@ pub(in crate::parse::xml) struct Attribute<'a> {
     pub(in crate::parse::xml) value: Text<'a>,
     /// Name, `=` and value with its quotes.
     pub(in crate::parse::xml) range: Range<usize>,
-    /// Whether something was wrong with it, so that no one complains of it again.
+    /// True if a problem with it was already reported, so that it is not reported again.
     pub(in crate::parse::xml) faulty: bool,
 }
 
 impl Attribute<'_> {
-    /// Whether it is other programs' business: name spaces, schema locations, xml:lang.
+    /// Returns true if it belongs to other programs: name spaces, schema locations, xml:lang.
     pub(in crate::parse::xml) fn is_foreign(&self) -> bool {
         self.name.contains(':') || self.name == "xmlns"
     }
@@ -41,7 +41,7 @@ pub(in crate::parse::xml) struct StartTag<'a> {
     pub(in crate::parse::xml) range: Range<usize>,
     pub(in crate::parse::xml) attributes: Vec<Attribute<'a>>,
     pub(in crate::parse::xml) empty: bool,
-    /// Whether the `>` is there.
+    /// True if the `>` is present.
     pub(in crate::parse::xml) closed: bool,
 }
 

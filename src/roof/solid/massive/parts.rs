@@ -117,7 +117,7 @@ impl Part {
         }
     }
 
-    /// Whether it lies in the plane of a part of the surface.
+    /// True if it lies in the plane of a part of the surface.
     fn lies_in(&self, part: &Verge) -> bool {
         let off = |p: &DVec3| (self.top.at(p.truncate()) - p.z).abs();
         part.iter().all(|p| off(p) < HEIGHT)
@@ -219,7 +219,7 @@ impl Part {
     }
 }
 
-/// Whether a plane lies below another over a piece, as far as they differ.
+/// True if a plane lies below another over a piece, by the sum of height differences at its corners.
 fn is_lower(plane: Plane, other: Plane, piece: &[Corner]) -> bool {
     let off = |c: &Corner| plane.at(c.at) - other.at(c.at);
     piece.iter().map(off).sum::<f64>() < -HEIGHT

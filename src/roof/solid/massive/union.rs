@@ -69,7 +69,7 @@ struct Stretch {
     lo: u32,
     hi: u32,
     column: u32,
-    /// Whether the column lies to the left.
+    /// True if the column lies to the left.
     left: bool,
     finish: Finish,
 }
