@@ -93,7 +93,7 @@ test('missing textures are reported, and the model is shown without them', async
   const pictures = join(preview.folder, 'apart_textures'), lost = readdirSync(pictures)[0]!, kept = new Uint8Array(readFileSync(join(pictures, lost)));
   rmSync(join(pictures, lost));
   const page = await preview.open('?file=apart.glb'), message = page.locator('.messages .warning');
-  assert.match(await message.textContent() ?? '', new RegExp(`HSD0605 .*${lost}.*it is not there`));
+  assert.match(await message.textContent() ?? '', new RegExp(`HSD0605 .*${lost}.*the file does not exist`));
   await message.click(); // It has no location and causes no error.
   assert.ok(await page.evaluate(() => hsd.viewport.model!.triangles) > 100);
   assert.match(await page.locator('.live').textContent() ?? '', /reloaded.* 1 warning/);
