@@ -142,7 +142,7 @@ fn fields(row: &str) -> Vec<String> {
     fields
 }
 
-/// What people type, and codes that must be among the answers.
+/// Words that people type, and codes that must be among the answers.
 #[test]
 fn parts_are_found_by_what_people_call_them() {
     let found = |word: &str| -> Vec<String> {

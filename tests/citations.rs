@@ -120,7 +120,7 @@ fn cited(behind: &str) -> Vec<String> {
     found
 }
 
-/// What a text cites of a page that has these sections and marks, and does not exist.
+/// The citations in a text that name no section or mark of the page.
 fn missing(text: &str, name: &str, there: &BTreeSet<String>) -> Vec<String> {
     let behind = text.split(name).skip(1);
     let all = behind.flat_map(cited);

@@ -135,7 +135,7 @@ fn assert_none(findings: &[String]) {
     assert!(findings.is_empty(), "\n{}\n", findings.join("\n"));
 }
 
-/// What stands after each `crate::` of a text: `lower::Fix`, and each member of a group in braces.
+/// The paths after each `crate::` of a text: `lower::Fix`, and each member of a group in braces.
 fn crate_paths(text: &str) -> Vec<String> {
     let uses = text.match_indices("crate::");
     uses.flat_map(|(at, word)| paths_at(&text[at + word.len()..]))

@@ -5,8 +5,8 @@ use crate::source::{Source, Span, World};
 use std::io;
 use std::path::Path;
 
-/// What the preview needs of its host: files on disk and an editor command (`hsd view`), or the editor connected to the
-/// language server.
+/// The services that the preview needs from its host: files on disk and an editor command (`hsd view`), or the editor
+/// connected to the language server.
 pub trait EditorHost: Send + Sync {
     /// Reads a source file and passes it to `work` with its surroundings.
     ///

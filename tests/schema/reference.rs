@@ -125,7 +125,7 @@ impl Explanations {
         self.needed(self.entry(section, key), format!("[{section}] {word}"))
     }
 
-    /// What lacks an explanation, and what explains nothing.
+    /// Entries without an explanation, and explanations without an entry.
     fn findings(&self) -> Vec<String> {
         let used = self.used.borrow();
         let all = self.sections.iter();
@@ -193,7 +193,7 @@ impl Page<'_> {
         format!("{}{}", self.pick(en, ja), self.bounds(least, most))
     }
 
-    /// What may be written.
+    /// The accepted values.
     fn values(&self, kind: Kind) -> String {
         let list = |words: &[&str]| {
             let words: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();

@@ -23,7 +23,7 @@ pub(super) struct Side {
     pub(super) beside: Beside,
 }
 
-/// What adjoins an edge on its right.
+/// The surface or void that adjoins an edge on its right.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Beside {
     /// Another facet.
