@@ -9,6 +9,7 @@
 //! in metres, since a primitive has one material.
 
 mod arrays;
+mod buffer;
 #[cfg(feature = "compress")]
 mod compress;
 mod container;
@@ -16,7 +17,8 @@ mod document;
 mod geometry;
 mod materials;
 mod nodes;
-mod tangents;
+mod shading;
+mod shown;
 
 #[cfg(feature = "compress")]
 pub use compress::Ktx2;
@@ -25,10 +27,11 @@ pub use container::Glb;
 use super::{Images, OutFile};
 use crate::scene::Scene;
 use crate::source::reference;
-use geometry::{Geometry, Shown};
+use geometry::Geometry;
 use gltf::json::{Asset, Buffer, Root};
-use materials::Looks;
+use materials::Materials;
 use nodes::Tree;
+use shown::Shown;
 use std::io::{self, Write};
 use std::ops::Range;
 
@@ -74,7 +77,7 @@ pub fn gltf<'a>(scene: &'a Scene, images: &'a dyn Images, stem: &str) -> Vec<Out
 struct Model<'a> {
     /// The root, except the long lists of geometry and nodes.
     root: Root,
-    looks: Looks<'a>,
+    materials: Materials<'a>,
     geometry: Geometry<'a>,
     places: Places<'a>,
     /// True if the images are in the buffer.
@@ -94,13 +97,13 @@ enum Places<'a> {
 impl<'a> Model<'a> {
     /// Lays out a whole scene, or some of its houses, given by their nodes, with the materials of all.
     fn new(scene: &'a Scene, images: &'a dyn Images, houses: Option<&[Range<usize>]>) -> Model<'a> {
-        let (mut root, looks, mut geometry) = Model::shapes(scene, images, houses);
+        let (mut root, materials, mut geometry) = Model::shapes(scene, images, houses);
         geometry.add_views(&mut root);
         let tree = Tree::new(scene, houses, &geometry, &mut root);
         Model {
             length: geometry.length(),
             root,
-            looks,
+            materials,
             geometry,
             places: Places::Tree(tree),
             embedded: false,
@@ -109,12 +112,12 @@ impl<'a> Model<'a> {
 
     #[cfg(feature = "compress")]
     fn packed(scene: &'a Scene, images: &'a dyn Images) -> Model<'a> {
-        let (mut root, looks, geometry) = Model::shapes(scene, images, None);
+        let (mut root, materials, geometry) = Model::shapes(scene, images, None);
         let packed = compress::Packed::new(scene, &geometry, &mut root);
         Model {
             length: packed.bytes.len(),
             root,
-            looks,
+            materials,
             geometry,
             places: Places::Packed(packed),
             embedded: false,
@@ -125,7 +128,7 @@ impl<'a> Model<'a> {
         scene: &'a Scene,
         images: &'a dyn Images,
         houses: Option<&[Range<usize>]>,
-    ) -> (Root, Looks<'a>, Geometry<'a>) {
+    ) -> (Root, Materials<'a>, Geometry<'a>) {
         let mut root = Root {
             asset: Asset {
                 generator: Some(concat!("hsd ", env!("CARGO_PKG_VERSION")).into()),
@@ -134,13 +137,13 @@ impl<'a> Model<'a> {
             ..Root::default()
         };
         let all = Shown::new(scene, &scene.nodes);
-        let looks = Looks::new(scene, &all, images, &mut root);
+        let materials = Materials::new(scene, &all, images, &mut root);
         let shown = match houses {
             None => all,
             Some(some) => Shown::new(scene, some.iter().flat_map(|h| &scene.nodes[h.clone()])),
         };
-        let geometry = Geometry::new(scene, shown, &looks);
-        (root, looks, geometry)
+        let geometry = Geometry::new(scene, shown, &materials);
+        (root, materials, geometry)
     }
 
     /// Returns the approximate number of nodes.
@@ -155,12 +158,12 @@ impl<'a> Model<'a> {
     /// Adds the images to the buffer.
     fn embed(&mut self) {
         self.embedded = true;
-        self.length = self.looks.embed(&mut self.root, self.length);
+        self.length = self.materials.embed(&mut self.root, self.length);
     }
 
     /// Returns the images as files in the folder of the model.
     fn files(&mut self, stem: &str) -> Vec<OutFile<'a>> {
-        self.looks.files(&mut self.root, stem)
+        self.materials.files(&mut self.root, stem)
     }
 
     /// Adds the buffer, as the file `uri` or in the container.
@@ -199,7 +202,7 @@ impl<'a> Model<'a> {
             Places::Packed(packed) => out.write_all(&packed.bytes)?,
         }
         if self.embedded {
-            self.looks.write(out)?;
+            self.materials.write(out)?;
         }
         Ok(())
     }

@@ -1,10 +1,23 @@
 //! The arrays of a primitive as bytes, by kind; glTF accesses them through accessors.
 
-use super::materials::Look;
-use super::tangents::tangents;
+use super::shading::{tangents, unit};
 use crate::scene::Primitive;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::mesh::Semantic;
+use gltf::json::{Index, Material};
+
+/// The glTF number of a material, and its properties that affect geometry.
+#[derive(Clone, Copy)]
+pub(super) struct MaterialRef {
+    /// Its glTF number.
+    pub(super) number: Index<Material>,
+    /// Length of one repeat if it has a texture, metres.
+    pub(super) metres: Option<f32>,
+    /// True if it has normals, which need tangents.
+    pub(super) relief: bool,
+    /// True if it shows a reflection, with texture coordinates of its own.
+    pub(super) mirrors: bool,
+}
 
 /// A kind of array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,19 +90,19 @@ impl Array {
         (self.stride(p) * self.count(p)).next_multiple_of(4)
     }
 
-    /// Returns true if a primitive with this look has it.
-    pub(super) fn is_in(self, look: Look) -> bool {
+    /// Returns true if a primitive of this material has it.
+    pub(super) fn is_in(self, material: MaterialRef) -> bool {
         match self {
-            Array::Tangents => look.relief,
+            Array::Tangents => material.relief,
             // Coordinates are counted from 0 without a gap.
-            Array::Uvs => look.metres.is_some() || look.mirrors,
-            Array::MirrorUvs => look.mirrors,
+            Array::Uvs => material.metres.is_some() || material.mirrors,
+            Array::MirrorUvs => material.mirrors,
             Array::Positions | Array::Normals | Array::Indices => true,
         }
     }
 
     /// Appends its bytes.
-    pub(super) fn write(self, p: &Primitive, look: Look, out: &mut Vec<u8>) {
+    pub(super) fn write(self, p: &Primitive, material: MaterialRef, out: &mut Vec<u8>) {
         match self {
             Array::Positions => write_floats(out, &p.positions, turned),
             Array::Normals => write_floats(out, &p.normals, |n| turned(unit(n))),
@@ -99,7 +112,7 @@ impl Array {
             }),
             // v of glTF runs downwards.
             Array::Uvs => {
-                let metres = look.metres.unwrap_or(1.0);
+                let metres = material.metres.unwrap_or(1.0);
                 write_floats(out, &p.uvs, |[u, v]| [u / metres, 1.0 - v / metres]);
             }
             Array::MirrorUvs => write_floats(out, &p.mirror_uvs, |[u, v]| [u, 1.0 - v]),
@@ -116,18 +129,6 @@ fn short(vertices: usize) -> bool {
 /// Converts from z up to y up; adding 0 turns -0 into 0.
 fn turned([x, y, z]: [f32; 3]) -> [f32; 3] {
     [x + 0.0, z + 0.0, 0.0 - y]
-}
-
-/// Normalises a vector: validators reject normals of other lengths.
-pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
-    let squared = n.iter().map(|x| x * x).sum::<f32>();
-    if (0.9999..1.0001).contains(&squared) {
-        n
-    } else if squared > 1e-12 && squared.is_finite() {
-        n.map(|x| x / squared.sqrt())
-    } else {
-        [0.0, 0.0, 1.0]
-    }
 }
 
 /// Returns the least and greatest coordinates, y up.

@@ -239,7 +239,7 @@ fn append(array: Array, piece: &Piece<'_>, stream: &mut Stream) -> Accessor {
         return made;
     }
     let mut bytes = vec![];
-    array.write(source, piece.look, &mut bytes);
+    array.write(source, piece.material, &mut bytes);
     let (fours, _) = bytes.as_chunks();
     let values: Vec<f32> = fours.iter().map(|four| f32::from_le_bytes(*four)).collect();
     match array {

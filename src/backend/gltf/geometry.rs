@@ -1,9 +1,10 @@
-//! Meshes: selects those that nodes show, and lays out their arrays in the buffer. Accessors, meshes and bytes are
+//! Meshes: lays out the arrays of those that nodes show in the buffer. Accessors, meshes and bytes are
 //! produced one by one during writing, since a town has hundreds of thousands.
 
-use super::arrays::{Array, bounds};
-use super::materials::{Look, Looks};
-use crate::backend::sound;
+use super::arrays::{Array, MaterialRef, bounds};
+use super::buffer::view;
+use super::materials::Materials;
+use super::shown::Shown;
 use crate::scene::{self, Scene};
 use gltf::json::accessor::GenericComponentType;
 use gltf::json::buffer::{Stride, Target, View};
@@ -12,47 +13,12 @@ use gltf::json::validation::Checked::Valid;
 use gltf::json::{Accessor, Index, Mesh, Root};
 use std::io::{self, Write};
 
-/// The meshes and materials that nodes show, by their numbers in the scene; others would only make the file larger.
-pub(super) struct Shown<'a> {
-    /// Primitives that can be written, each with the number of its mesh.
-    primitives: Vec<(usize, &'a scene::Primitive)>,
-    /// For each material, true if it is on one of them.
-    pub(super) materials: Vec<bool>,
-}
-
-impl<'a> Shown<'a> {
-    pub(super) fn new<'n>(
-        scene: &'a Scene,
-        nodes: impl IntoIterator<Item = &'n scene::Node>,
-    ) -> Shown<'a> {
-        let mut used = vec![false; scene.meshes.len()];
-        for mesh in nodes.into_iter().filter_map(|n| n.mesh) {
-            if let Some(u) = used.get_mut(mesh.0 as usize) {
-                *u = true;
-            }
-        }
-        let mut materials = vec![false; scene.materials.len()];
-        let mut primitives = vec![];
-        for (i, mesh) in scene.meshes.iter().enumerate().filter(|(i, _)| used[*i]) {
-            let sound = |p: &&scene::Primitive| sound::primitive(p, scene);
-            for p in mesh.primitives.iter().filter(sound) {
-                materials[p.material.0 as usize] = true;
-                primitives.push((i, p));
-            }
-        }
-        Shown {
-            primitives,
-            materials,
-        }
-    }
-}
-
 /// A primitive to be written.
 pub(super) struct Piece<'a> {
     /// The number of its mesh in the scene.
     mesh: usize,
     pub(super) source: &'a scene::Primitive,
-    pub(super) look: Look,
+    pub(super) material: MaterialRef,
     /// Its first accessor; those of its other arrays follow.
     pub(super) first: u32,
     /// Offsets of its arrays in the view of each kind.
@@ -75,7 +41,11 @@ pub(super) struct Geometry<'a> {
 
 impl<'a> Geometry<'a> {
     /// Lays out all arrays.
-    pub(super) fn new(scene: &'a Scene, shown: Shown<'a>, looks: &Looks<'a>) -> Geometry<'a> {
+    pub(super) fn new(
+        scene: &'a Scene,
+        shown: Shown<'a>,
+        materials: &Materials<'a>,
+    ) -> Geometry<'a> {
         let mut geometry = Geometry {
             numbers: vec![None; scene.meshes.len()],
             names: &scene.meshes,
@@ -93,7 +63,7 @@ impl<'a> Geometry<'a> {
             let piece = Piece {
                 mesh,
                 source,
-                look: looks.look(source.material),
+                material: materials.of(source.material),
                 first: accessors,
                 offsets: geometry.lengths,
             };
@@ -183,9 +153,9 @@ impl<'a> Geometry<'a> {
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         let mut bytes = vec![];
         for array in Array::ALL {
-            for piece in self.pieces.iter().filter(|p| array.is_in(p.look)) {
+            for piece in self.pieces.iter().filter(|p| array.is_in(p.material)) {
                 bytes.clear();
-                array.write(piece.source, piece.look, &mut bytes);
+                array.write(piece.source, piece.material, &mut bytes);
                 out.write_all(&bytes)?;
             }
         }
@@ -196,8 +166,8 @@ impl<'a> Geometry<'a> {
 impl Piece<'_> {
     /// Returns the arrays of a primitive in the order of their accessors.
     pub(super) fn arrays(&self) -> impl Iterator<Item = Array> + use<> {
-        let look = self.look;
-        Array::ALL.into_iter().filter(move |a| a.is_in(look))
+        let material = self.material;
+        Array::ALL.into_iter().filter(move |a| a.is_in(material))
     }
 
     fn primitive(&self) -> Primitive {
@@ -217,7 +187,7 @@ impl Piece<'_> {
                 .filter_map(&mut attribute)
                 .collect(),
             indices,
-            material: Some(self.look.number),
+            material: Some(self.material.number),
             mode: Valid(Mode::Triangles),
             targets: None,
             extensions: None,
@@ -242,19 +212,5 @@ impl Piece<'_> {
             extensions: None,
             extras: None,
         }
-    }
-}
-
-/// Returns a view of the single buffer.
-pub(super) fn view(offset: usize, length: usize) -> View {
-    View {
-        buffer: Index::new(0),
-        byte_length: length.into(),
-        byte_offset: Some(offset.into()),
-        byte_stride: None,
-        name: None,
-        target: None,
-        extensions: None,
-        extras: None,
     }
 }

@@ -1,6 +1,8 @@
 //! Materials with their textures, images and samplers.
 
-use super::geometry::{Shown, view};
+use super::arrays::MaterialRef;
+use super::buffer::view;
+use super::shown::Shown;
 use crate::backend::images::{KTX2, mime};
 use crate::backend::{Images, OutFile, PictureBytes, picture_folder};
 use crate::scene::{self, MaterialId, Scene};
@@ -38,7 +40,7 @@ struct Picture<'a> {
 }
 
 /// The textures of one [`scene::Image`].
-struct Drawn<'a> {
+struct ImageTextures<'a> {
     image: &'a scene::Image,
     metres: f32,
     color: Index<Texture>,
@@ -46,65 +48,52 @@ struct Drawn<'a> {
     orm: Option<Index<Texture>>,
 }
 
-/// The properties of a material that affect geometry.
-#[derive(Clone, Copy)]
-pub(super) struct Look {
-    /// Its glTF number.
-    pub(super) number: Index<Material>,
-    /// Length of one repeat if it has a texture, metres.
-    pub(super) metres: Option<f32>,
-    /// True if it has normals, which need tangents.
-    pub(super) relief: bool,
-    /// True if it shows a reflection, with texture coordinates of its own.
-    pub(super) mirrors: bool,
-}
-
-/// The looks of all materials.
+/// All materials of a scene.
 #[derive(Default)]
-pub(super) struct Looks<'a> {
+pub(super) struct Materials<'a> {
     pictures: Vec<Picture<'a>>,
     /// By the scene's number.
-    looks: Vec<Look>,
-    drawn: Vec<Drawn<'a>>,
+    refs: Vec<MaterialRef>,
+    textures: Vec<ImageTextures<'a>>,
 }
 
-impl<'a> Looks<'a> {
+impl<'a> Materials<'a> {
     pub(super) fn new(
         scene: &'a Scene,
         shown: &Shown<'_>,
         images: &'a dyn Images,
         root: &mut Root,
-    ) -> Looks<'a> {
-        let mut looks = Looks::default();
+    ) -> Materials<'a> {
+        let mut materials = Materials::default();
         for (material, &used) in scene.materials.iter().zip(&shown.materials) {
             let number = Index::new(root.materials.len() as u32);
             let image = &material.image;
-            let drawn = used.then(|| looks.drawn(image, images, root)).flatten();
+            let textures = used.then(|| materials.image(image, images, root)).flatten();
             let mirrored = material.mirrored.filter(|_| used);
             let mirrored = mirrored.and_then(|index| {
                 let picture = images.mirrored(index)?;
-                looks.texture(picture, WrappingMode::ClampToEdge, root)
+                materials.texture(picture, WrappingMode::ClampToEdge, root)
             });
-            let drawn = drawn.map(|d| &looks.drawn[d]);
-            looks.looks.push(Look {
+            let textures = textures.map(|d| &materials.textures[d]);
+            materials.refs.push(MaterialRef {
                 number,
-                metres: drawn.map(|d| d.metres),
-                relief: drawn.is_some_and(|d| d.normal.is_some()),
+                metres: textures.map(|t| t.metres),
+                relief: textures.is_some_and(|t| t.normal.is_some()),
                 mirrors: mirrored.is_some(),
             });
             if used {
-                root.push(made(material, drawn, mirrored));
+                root.push(made(material, textures, mirrored));
             }
         }
         if root.materials.iter().any(|m| m.extensions.is_some()) {
             root.extensions_used.extend(GLASS.map(str::to_owned));
         }
-        looks
+        materials
     }
 
-    /// Returns the look of a material in use.
-    pub(super) fn look(&self, id: MaterialId) -> Look {
-        self.looks[id.0 as usize]
+    /// Returns what geometry needs of a material in use.
+    pub(super) fn of(&self, id: MaterialId) -> MaterialRef {
+        self.refs[id.0 as usize]
     }
 
     /// Places the images in the buffer, from this byte on; returns their end.
@@ -123,7 +112,7 @@ impl<'a> Looks<'a> {
         end
     }
 
-    /// Writes the images as [`embed`](Looks::embed) places them.
+    /// Writes the images as [`embed`](Materials::embed) places them.
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
         for Picture { bytes, .. } in &self.pictures {
             let gap = bytes.len().next_multiple_of(4) - bytes.len();
@@ -148,14 +137,14 @@ impl<'a> Looks<'a> {
         self.pictures.iter().map(file).collect()
     }
 
-    /// Index into `drawn`.
-    fn drawn(
+    /// Index into `textures`.
+    fn image(
         &mut self,
         image: &'a scene::Image,
         images: &'a dyn Images,
         root: &mut Root,
     ) -> Option<usize> {
-        if let Some(known) = self.drawn.iter().position(|d| d.image == image) {
+        if let Some(known) = self.textures.iter().position(|t| t.image == image) {
             return Some(known);
         }
         let mut texture = |picture, wrap| self.texture(picture, wrap, root);
@@ -163,7 +152,7 @@ impl<'a> Looks<'a> {
             scene::Image::None => return None,
             scene::Image::Surface(name) => {
                 let files = images.files(name)?;
-                Drawn {
+                ImageTextures {
                     image,
                     metres: files.metres as f32,
                     color: texture(files.color, WrappingMode::Repeat)?,
@@ -173,7 +162,7 @@ impl<'a> Looks<'a> {
             }
             scene::Image::Baked(index) => {
                 let files = images.baked(*index)?;
-                Drawn {
+                ImageTextures {
                     image,
                     metres: files.metres as f32,
                     color: texture(files.color, WrappingMode::ClampToEdge)?,
@@ -185,7 +174,7 @@ impl<'a> Looks<'a> {
                         .and_then(|f| texture(f, WrappingMode::ClampToEdge)),
                 }
             }
-            scene::Image::Picture(index) => Drawn {
+            scene::Image::Picture(index) => ImageTextures {
                 image,
                 metres: 1.0,
                 color: texture(images.picture(*index)?, WrappingMode::ClampToEdge)?,
@@ -193,8 +182,8 @@ impl<'a> Looks<'a> {
                 orm: None,
             },
         };
-        self.drawn.push(made);
-        Some(self.drawn.len() - 1)
+        self.textures.push(made);
+        Some(self.textures.len() - 1)
     }
 
     fn texture(
@@ -203,7 +192,7 @@ impl<'a> Looks<'a> {
         wrap: WrappingMode,
         root: &mut Root,
     ) -> Option<Index<Texture>> {
-        // Looks of one surface share its relief. Each picture has one texture, so that they count alike.
+        // Materials of one surface share its relief. Each picture has one texture, so that they count alike.
         let same = |p: &Picture<'_>| p.name == picture.name && std::ptr::eq(p.bytes, picture.bytes);
         if let Some(known) = self.pictures.iter().position(same) {
             return Some(Index::new(known as u32));
@@ -274,7 +263,7 @@ impl Picture<'_> {
 
 fn made(
     m: &scene::Material,
-    drawn: Option<&Drawn<'_>>,
+    textures: Option<&ImageTextures<'_>>,
     mirrored: Option<Index<Texture>>,
 ) -> Material {
     let factor = |x: f32| {
@@ -293,13 +282,13 @@ fn made(
         name: Some(m.name.clone()),
         pbr_metallic_roughness: PbrMetallicRoughness {
             base_color_factor: PbrBaseColorFactor(tint.map(factor)),
-            base_color_texture: drawn.map(|d| info(d.color)),
+            base_color_texture: textures.map(|d| info(d.color)),
             metallic_factor: StrengthFactor(factor(m.metallic)),
             roughness_factor: StrengthFactor(factor(m.roughness)),
-            metallic_roughness_texture: drawn.and_then(|d| d.orm).map(info),
+            metallic_roughness_texture: textures.and_then(|t| t.orm).map(info),
             ..PbrMetallicRoughness::default()
         },
-        normal_texture: drawn.and_then(|d| d.normal).map(|index| NormalTexture {
+        normal_texture: textures.and_then(|t| t.normal).map(|index| NormalTexture {
             index,
             scale: 1.0,
             tex_coord: 0,

@@ -1,9 +1,20 @@
-//! Tangents: the direction in which u grows, for materials with normal maps. glTF expects them with the normals;
-//! without them each renderer computes its own.
+//! The directions of vertices: unit normals, and tangents, the direction in which u grows, for materials with normal maps.
+//! glTF expects tangents with the normals; without them each renderer computes its own.
 
-use super::arrays::unit;
 use crate::scene::Primitive;
 use glam::{Vec2, Vec3};
+
+/// Normalises a vector: validators reject normals of other lengths.
+pub(super) fn unit(n: [f32; 3]) -> [f32; 3] {
+    let squared = n.iter().map(|x| x * x).sum::<f32>();
+    if (0.9999..1.0001).contains(&squared) {
+        n
+    } else if squared > 1e-12 && squared.is_finite() {
+        n.map(|x| x / squared.sqrt())
+    } else {
+        [0.0, 0.0, 1.0]
+    }
+}
 
 /// Returns one tangent per vertex, at right angles to its normal: x, y, z in the scene's frame, then 1 if v grows along
 /// normal x tangent and -1 if the texture is mirrored.
