@@ -65,6 +65,7 @@ fn join(ring: &[DVec2], pieces: &mut Vec<Vec<usize>>, i: usize, k: usize) {
 #[cfg(test)]
 mod tests {
     use crate::geometry::convex::*;
+    use crate::geometry::triangulate::tests::l_shape;
     use glam::dvec2;
 
     fn area(ring: &[DVec2], piece: &[usize]) -> f64 {
@@ -77,15 +78,7 @@ mod tests {
 
     #[test]
     fn parts_are_convex_and_make_up_the_whole() {
-        let l = [
-            (0.0, 0.0),
-            (6.0, 0.0),
-            (6.0, 4.0),
-            (4.0, 4.0),
-            (4.0, 14.0),
-            (0.0, 14.0),
-        ];
-        let l: Vec<DVec2> = l.iter().map(|(x, y)| dvec2(*x, *y)).collect();
+        let l = l_shape();
         let found = parts(&l);
         assert_eq!(found.len(), 2);
         assert!(found.iter().all(|p| is_convex(&l, p)));

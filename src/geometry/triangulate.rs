@@ -142,9 +142,22 @@ fn crosses_any(ring: &[DVec2], from: DVec2, to: DVec2) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(in crate::geometry) mod tests {
     use crate::geometry::triangulate::*;
     use glam::dvec2;
+
+    /// Returns an L-shaped outline of 64 square metres, which is not convex.
+    pub(in crate::geometry) fn l_shape() -> Vec<DVec2> {
+        let corners = [
+            (0.0, 0.0),
+            (6.0, 0.0),
+            (6.0, 4.0),
+            (4.0, 4.0),
+            (4.0, 14.0),
+            (0.0, 14.0),
+        ];
+        corners.map(DVec2::from).to_vec()
+    }
 
     fn area(triangles: &[[DVec2; 3]]) -> f64 {
         triangles
@@ -162,15 +175,7 @@ mod tests {
 
     #[test]
     fn a_concave_polygon_keeps_its_area() {
-        let l = [
-            (0.0, 0.0),
-            (6.0, 0.0),
-            (6.0, 4.0),
-            (4.0, 4.0),
-            (4.0, 14.0),
-            (0.0, 14.0),
-        ];
-        let l: Vec<DVec2> = l.iter().map(|(x, y)| dvec2(*x, *y)).collect();
+        let l = l_shape();
         assert!((area(&triangles(&l, &[])) - 64.0).abs() < 1e-9);
     }
 
