@@ -21,9 +21,9 @@ use draft::Draft;
 /// Parts that a storey of a house written short takes of the limit.
 const PARTS_A_STOREY: u64 = 1250;
 
-impl Pass<'_, '_> {
+impl<'c> Pass<'_, 'c> {
     /// The storeys of a house that is written short; `None` where it is not.
-    pub(super) fn monument(&mut self, house: &ast::House, unit: f64) -> Option<Draft> {
+    pub(super) fn monument(&mut self, house: &ast::House, unit: f64) -> Option<Draft<'c>> {
         let monument = house.monument.as_ref()?;
         let span = monument.span();
         let first = match (house.storeys.first(), house.structures.first()) {
@@ -37,7 +37,7 @@ impl Pass<'_, '_> {
             let told = say::storeys_beside(span, name(monument), first, all.collect());
             self.out.push(told);
         }
-        let mut draft = Draft::new(span, unit);
+        let mut draft = Draft::new(span, unit, self.codes.catalog);
         if self.written_short > self.most_storeys() {
             // Said of the first of them. What is left out is not computed.
             self.over = true;
@@ -91,7 +91,7 @@ impl Pass<'_, '_> {
 }
 
 /// Adds the parts generated from the short form to a house, except those written explicitly.
-pub(super) fn furnish(made: &mut House, draft: Draft) {
+pub(super) fn furnish(made: &mut House, draft: Draft<'_>) {
     made.platform = made.platform.take().or(draft.platform);
     if made.finials.is_empty() {
         made.finials = draft.finials;

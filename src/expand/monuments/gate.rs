@@ -22,7 +22,7 @@ const STEEPER: f64 = 1.2;
 const LEAST: f64 = 2.0;
 
 impl Pass<'_, '_> {
-    pub(super) fn gate(&mut self, it: &ast::Gate, draft: &mut Draft) {
+    pub(super) fn gate(&mut self, it: &ast::Gate, draft: &mut Draft<'_>) {
         let m = &it.measures;
         let [nx, ny] = it.bays.map_or([5, 2], |b| b.value.map(|n| n as u32));
         let [bx, by] = it.bay.map_or([17.0; 2], |b| b.value);
@@ -36,7 +36,7 @@ impl Pass<'_, '_> {
         let zone = BRACKETS * bx * (0.25 + 0.25 * f64::from(steps.min(3)));
         let post = or(m.post, POST * bx);
         draft.look(m, &usual(bx));
-        let order = |draft: &Draft| Order {
+        let order = |draft: &Draft<'_>| Order {
             posts: draft.posts(post, paint, 3),
             veranda: None,
             brackets: draft.brackets(steps, zone, REACH * eaves),
@@ -83,7 +83,7 @@ impl Pass<'_, '_> {
     }
 
     /// The upper storey, and its roof of steeper pitch.
-    fn upper(&mut self, it: &ast::Gate, draft: &mut Draft, up: Upper) {
+    fn upper(&mut self, it: &ast::Gate, draft: &mut Draft<'_>, up: Upper) {
         let m = &it.measures;
         let pitch = or(m.pitch, 5.0);
         let [nx, ny] = up.bays;

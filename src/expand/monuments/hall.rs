@@ -75,7 +75,7 @@ fn kind(shrine: bool, bay: f64) -> Kind {
 }
 
 impl Pass<'_, '_> {
-    pub(super) fn hall(&mut self, it: &ast::Hall, draft: &mut Draft) {
+    pub(super) fn hall(&mut self, it: &ast::Hall, draft: &mut Draft<'_>) {
         let m = &it.measures;
         let [bx, by] = it.bay.map_or([kind(it.shrine, 1.0).bay; 2], |b| b.value);
         let kind = kind(it.shrine, bx);
@@ -130,7 +130,7 @@ impl Pass<'_, '_> {
     fn core(
         &mut self,
         it: &ast::Hall,
-        draft: &mut Draft,
+        draft: &mut Draft<'_>,
         codes: &Codes,
         size: [f64; 2],
         order: Order,
@@ -169,7 +169,7 @@ impl Pass<'_, '_> {
     }
 
     /// The finial.
-    fn crown(&mut self, it: &ast::Hall, draft: &mut Draft) {
+    fn crown(&mut self, it: &ast::Hall, draft: &mut Draft<'_>) {
         // Pyramids wear their jewel already.
         let pyramid = draft
             .style

@@ -34,7 +34,7 @@ struct Tier {
 }
 
 impl Pass<'_, '_> {
-    pub(super) fn pagoda(&mut self, it: &ast::Pagoda, draft: &mut Draft) {
+    pub(super) fn pagoda(&mut self, it: &ast::Pagoda, draft: &mut Draft<'_>) {
         let (m, span) = (&it.measures, it.span);
         let first = or(it.width, 18.0);
         let paint = m.paint.map_or(Paint::Vermilion, |p| p.value);
