@@ -47,8 +47,8 @@ pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) ->
         MARGIN,
     );
     triangles.extend(ground(&triangles));
-    let looks = light::Looks::new(scene, &|_| None);
-    let open = |triangle: &Triangle, weights| looks.open(triangle, weights);
+    let appearance = light::Appearance::new(scene, &|_| None);
+    let open = |triangle: &Triangle, weights| appearance.open(triangle, weights);
     let seen = View::of(&triangles, eye, grid, open);
     let sun = Frame::new(SUN);
     // Shadows need no finer grid than the image.
@@ -63,7 +63,7 @@ pub fn picture(scene: &Scene, houses: &[NodeId], (width, height): (u32, u32)) ->
     );
     let shade = View::of(&triangles, sun, lit, open);
     let seen = (&seen.grid, &*seen.hits);
-    light::shine(&triangles, &looks, seen, &shade, FINE, |_| light::SKY)
+    light::shine(&triangles, &appearance, seen, &shade, FINE, |_| light::SKY)
 }
 
 /// Returns the ground below the triangles.

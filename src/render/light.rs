@@ -27,7 +27,7 @@ const FROM_SUN: f64 = 0.85;
 const BIAS: f64 = 0.06;
 
 /// The texture of a material.
-enum Drawn<'a> {
+enum Texture<'a> {
     Plain,
     Surface(&'static Samples),
     /// A baked texture of parts.
@@ -37,26 +37,29 @@ enum Drawn<'a> {
 }
 
 /// The appearance of all materials of a scene.
-pub(super) struct Looks<'a> {
+pub(super) struct Appearance<'a> {
     scene: &'a Scene,
-    drawn: Vec<Drawn<'a>>,
+    textures: Vec<Texture<'a>>,
 }
 
-impl<'a> Looks<'a> {
+impl<'a> Appearance<'a> {
     /// Collects the textures; `pictures` returns custom images by index, and missing ones are replaced by a plain colour.
-    pub(super) fn new(scene: &'a Scene, pictures: &dyn Fn(u32) -> Option<RgbImage>) -> Looks<'a> {
-        let drawn = scene.materials.iter().map(|m| match m.image {
-            Image::Surface(name) => samples::samples(name).map(Drawn::Surface),
+    pub(super) fn new(
+        scene: &'a Scene,
+        pictures: &dyn Fn(u32) -> Option<RgbImage>,
+    ) -> Appearance<'a> {
+        let textures = scene.materials.iter().map(|m| match m.image {
+            Image::Surface(name) => samples::samples(name).map(Texture::Surface),
             Image::Baked(page) => scene
                 .baked
                 .get(page as usize)
-                .map(|b| Drawn::Page(&b.color)),
-            Image::Picture(number) => pictures(number).map(Drawn::Own),
+                .map(|b| Texture::Page(&b.color)),
+            Image::Picture(number) => pictures(number).map(Texture::Own),
             Image::None => None,
         });
-        Looks {
+        Appearance {
             scene,
-            drawn: drawn.map(|d| d.unwrap_or(Drawn::Plain)).collect(),
+            textures: textures.map(|t| t.unwrap_or(Texture::Plain)).collect(),
         }
     }
 
@@ -65,8 +68,8 @@ impl<'a> Looks<'a> {
         let Some(id) = triangle.material.map(|id| id.0 as usize) else {
             return false;
         };
-        match &self.drawn[id] {
-            Drawn::Page(page) if self.scene.materials[id].cutout => {
+        match &self.textures[id] {
+            Texture::Page(page) if self.scene.materials[id].cutout => {
                 let uv = triangle.uv(weights);
                 pixel(*page, uv).is_some_and(|p| p.0[3] < 128)
             }
@@ -82,17 +85,17 @@ impl<'a> Looks<'a> {
         let material = &self.scene.materials[id];
         let uv = triangle.uv(weights);
         let light = |c: [u8; 3]| DVec3::from_array(c.map(|c| f64::from(samples::linear(c))));
-        let plain = match (&self.drawn[id], &material.image) {
-            (Drawn::Surface(samples), _) => {
+        let plain = match (&self.textures[id], &material.image) {
+            (Texture::Surface(samples), _) => {
                 DVec3::from_array(samples.at(uv.x, uv.y).color.map(f64::from))
             }
-            (Drawn::Page(page), _) => pixel(*page, uv).map_or(OWN_PICTURE, |p| {
+            (Texture::Page(page), _) => pixel(*page, uv).map_or(OWN_PICTURE, |p| {
                 let [r, g, b, _] = p.0;
                 light([r, g, b])
             }),
-            (Drawn::Own(picture), _) => pixel(picture, uv).map_or(OWN_PICTURE, |p| light(p.0)),
-            (Drawn::Plain, Image::None) => DVec3::ONE,
-            (Drawn::Plain, _) => OWN_PICTURE,
+            (Texture::Own(picture), _) => pixel(picture, uv).map_or(OWN_PICTURE, |p| light(p.0)),
+            (Texture::Plain, Image::None) => DVec3::ONE,
+            (Texture::Plain, _) => OWN_PICTURE,
         };
         let [r, g, b, opacity] = material.tint.map(f64::from);
         let own = plain * dvec3(r, g, b);
@@ -115,7 +118,7 @@ fn pixel<I: GenericImageView>(picture: &I, uv: DVec2) -> Option<I::Pixel> {
 /// Shades the hits of rays, `fine` x `fine` per pixel; `shade` is the view from the sun, and `sky` returns the background.
 pub(super) fn shine(
     triangles: &[Triangle],
-    looks: &Looks<'_>,
+    appearance: &Appearance<'_>,
     (grid, hits): (&Grid, &[Option<Hit>]),
     shade: &View,
     fine: u32,
@@ -123,7 +126,7 @@ pub(super) fn shine(
 ) -> RgbImage {
     let color = |hit: &Hit| {
         let triangle = &triangles[hit.triangle as usize];
-        looks.dye(triangle, hit.weights.map(f64::from)) * light(triangle, hit, shade)
+        appearance.dye(triangle, hit.weights.map(f64::from)) * light(triangle, hit, shade)
     };
     let (width, height) = (grid.width as u32 / fine, grid.height as u32 / fine);
     RgbImage::from_fn(width, height, |x, y| {

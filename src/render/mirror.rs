@@ -13,13 +13,13 @@ mod walls;
 use crate::render::SUN;
 use crate::render::beam::Beam;
 use crate::render::light;
-use crate::render::light::Looks;
+use crate::render::light::Appearance;
 use crate::render::raster::Grid;
 use crate::render::view::{Frame, View};
 use crate::scene::Scene;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use image::{RgbImage, imageops};
-use scenery::Town;
+use scenery::PlacedScene;
 use walls::Wall;
 
 /// Rays per pixel in each direction.
@@ -71,13 +71,13 @@ pub fn bake(
     if walls.is_empty() {
         return 0;
     }
-    let town = Town::new(scene);
-    let looks = Looks::new(scene, pictures);
+    let scenery = PlacedScene::new(scene);
+    let appearance = Appearance::new(scene, pictures);
     let drawn: Vec<(Sheet, RgbImage)> = walls
         .iter()
         .map(|wall| {
             let sheet = Sheet::of(wall, options.longest);
-            (sheet, draw(&town, &looks, wall, sheet, options.eye))
+            (sheet, draw(&scenery, &appearance, wall, sheet, options.eye))
         })
         .collect();
     let count = drawn.len();
@@ -122,30 +122,30 @@ impl Sheet {
 
 /// Renders the reflection of a wall.
 fn draw(
-    town: &Town<'_>,
-    looks: &Looks<'_>,
+    scenery: &PlacedScene<'_>,
+    appearance: &Appearance<'_>,
     wall: &Wall,
     sheet: Sheet,
     requested: Option<DVec3>,
 ) -> RgbImage {
     let beam = Beam {
-        eye: eye(town, wall, requested),
+        eye: eye(scenery, wall, requested),
         low: sheet.low,
         high: sheet.low + sheet.size,
     };
-    let triangles = town.in_beam(wall, &beam);
+    let triangles = scenery.in_beam(wall, &beam);
     let plane = wall.plane;
     let corners: Vec<[DVec3; 3]> = triangles
         .iter()
         .map(|t| t.corners.map(|p| plane.of(p)))
         .collect();
-    let open = |triangle: &_, weights| looks.open(triangle, weights);
+    let open = |triangle: &_, weights| appearance.open(triangle, weights);
     let sun = Frame::new(SUN);
     let near = corners.iter().flatten().filter(|p| p.z < SHADOWS);
     let lit = near.filter(|p| p.truncate().abs().max_element() < 4.0 * SHADOWS);
     let lit = lit.map(|p| sun.of(plane.world(*p)));
     let lit = Grid::around(lit, (SUNBEAMS, SUNBEAMS), 0.01);
-    let shade = View::of(&town.under(&sun, &lit), sun, lit, open);
+    let shade = View::of(&scenery.under(&sun, &lit), sun, lit, open);
     let step = sheet.pixel() / f64::from(FINE);
     let sky = |q: DVec2| HORIZON.lerp(ZENITH, beam.way(q).y.clamp(0.0, 1.0));
     let (width, height) = sheet.pixels;
@@ -166,7 +166,7 @@ fn draw(
             ..beam
         };
         let hits = part.look(&triangles, &corners, &grid, open);
-        light::shine(&triangles, looks, (&grid, &hits), &shade, FINE, sky)
+        light::shine(&triangles, appearance, (&grid, &hits), &shade, FINE, sky)
     };
     let bands: Vec<u32> = (0..height).step_by(BAND as usize).collect();
     let mut picture = RgbImage::new(width, height);
@@ -180,7 +180,7 @@ fn draw(
 }
 
 /// Returns the viewpoint in the frame of the plane.
-fn eye(town: &Town<'_>, wall: &Wall, requested: Option<DVec3>) -> DVec3 {
+fn eye(scenery: &PlacedScene<'_>, wall: &Wall, requested: Option<DVec3>) -> DVec3 {
     let requested = requested.map(|eye| wall.plane.of(eye));
     if let Some(eye) = requested.filter(|eye| eye.z >= NEAREST / 4.0) {
         return eye;
@@ -189,7 +189,7 @@ fn eye(town: &Town<'_>, wall: &Wall, requested: Option<DVec3>) -> DVec3 {
     let height = wall.ground + EYE;
     let above = (wall.high.y - height).max(0.0);
     let whole = AWAY * (wall.high.x - wall.low.x).max(2.0 * above);
-    let free = town.free(wall, dvec2(middle, height), NEAREST);
+    let free = scenery.free(wall, dvec2(middle, height), NEAREST);
     let away = free.map_or(whole, |free| whole.min(free * FREE));
     dvec3(middle, height, away.max(NEAREST))
 }

@@ -14,44 +14,44 @@ use glam::{DVec2, DVec3, dvec3};
 const HORIZON: f64 = 20.0 * GROUND;
 
 /// A scene with the transforms and bounding boxes of its nodes.
-pub(super) struct Town<'a> {
+pub(super) struct PlacedScene<'a> {
     scene: &'a Scene,
-    nodes: Vec<Standing>,
+    nodes: Vec<PlacedNode>,
 }
 
 /// A node with geometry.
-struct Standing {
+struct PlacedNode {
     node: usize,
     place: Place,
     /// The corners of its bounding box in world space.
     corners: [DVec3; 8],
 }
 
-impl<'a> Town<'a> {
-    pub(super) fn new(scene: &'a Scene) -> Town<'a> {
+impl<'a> PlacedScene<'a> {
+    pub(super) fn new(scene: &'a Scene) -> PlacedScene<'a> {
         let boxes: Vec<Option<[DVec3; 8]>> = scene.meshes.iter().map(corners).collect();
         let places = view::places(scene).into_iter();
         let shown = scene.nodes.iter().enumerate().zip(places);
         let nodes = shown.filter_map(|((node, shown), place)| {
             let corners = boxes.get(shown.mesh?.0 as usize).copied().flatten()?;
-            Some(Standing {
+            Some(PlacedNode {
                 node,
                 place,
                 corners: corners.map(|p| place.point(p)),
             })
         });
-        Town {
+        PlacedScene {
             scene,
             nodes: nodes.collect(),
         }
     }
 
     /// Returns the triangles of the nodes that satisfy `wanted`.
-    fn triangles(&self, wanted: impl Fn(&Standing) -> bool) -> Vec<Triangle> {
+    fn triangles(&self, wanted: impl Fn(&PlacedNode) -> bool) -> Vec<Triangle> {
         let mut found = vec![];
-        for standing in self.nodes.iter().filter(|s| wanted(s)) {
-            let node = &self.scene.nodes[standing.node];
-            view::pour(self.scene, node, standing.place, &mut found);
+        for placed in self.nodes.iter().filter(|s| wanted(s)) {
+            let node = &self.scene.nodes[placed.node];
+            view::pour(self.scene, node, placed.place, &mut found);
         }
         found
     }
@@ -59,8 +59,8 @@ impl<'a> Town<'a> {
     /// Returns the triangles that a wall may reflect in a beam, including the ground.
     pub(super) fn in_beam(&self, wall: &Wall, beam: &Beam) -> Vec<Triangle> {
         let plane = wall.plane;
-        let mut found = self.triangles(|standing| {
-            !wall.owns(standing.node) && beam.holds(&standing.corners.map(|p| plane.of(p)))
+        let mut found = self.triangles(|placed| {
+            !wall.owns(placed.node) && beam.holds(&placed.corners.map(|p| plane.of(p)))
         });
         let at = |x: f64, z: f64| {
             let middle = (wall.low.x + wall.high.x) / 2.0;
@@ -79,8 +79,8 @@ impl<'a> Town<'a> {
     /// Returns the triangles that may cast shadows within a grid of sun rays.
     pub(super) fn under(&self, sun: &Frame, grid: &Grid) -> Vec<Triangle> {
         let (low, high) = (grid.at(0), grid.at(grid.width * grid.height - 1));
-        self.triangles(|standing| {
-            let points = standing.corners.map(|p| sun.of(p));
+        self.triangles(|placed| {
+            let points = placed.corners.map(|p| sun.of(p));
             let least = points.iter().fold(DVec2::MAX, |a, p| a.min(*p));
             let most = points.iter().fold(DVec2::MIN, |a, p| a.max(*p));
             least.cmple(high).all() && most.cmpge(low).all()
@@ -90,12 +90,12 @@ impl<'a> Town<'a> {
     /// Returns the free distance perpendicular to a point of a wall; obstacles nearer than `past` are ignored.
     pub(super) fn free(&self, wall: &Wall, from: DVec2, past: f64) -> Option<f64> {
         let plane = wall.plane;
-        let before = self.triangles(|standing| {
-            let points = standing.corners.map(|p| plane.of(p));
+        let before = self.triangles(|placed| {
+            let points = placed.corners.map(|p| plane.of(p));
             let least = points.iter().fold(DVec3::MAX, |a, p| a.min(*p));
             let most = points.iter().fold(DVec3::MIN, |a, p| a.max(*p));
             let meets = least.truncate().cmple(from).all() && most.truncate().cmpge(from).all();
-            meets && most.z > past.max(NEAR) && !wall.owns(standing.node)
+            meets && most.z > past.max(NEAR) && !wall.owns(placed.node)
         });
         let line = Grid {
             origin: from,
