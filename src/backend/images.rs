@@ -20,7 +20,7 @@ pub const KTX2: &str = "image/ktx2";
 
 /// The reason that a part texture is missing from the output.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Trouble {
+pub enum PictureError {
     /// The file cannot be read; the reason.
     Unreadable(String),
     /// Neither PNG nor JPEG, or damaged.
@@ -46,11 +46,11 @@ impl Library {
         paths: &[String],
         world: &dyn World,
         pixels: u64,
-        mut trouble: impl FnMut(usize, Trouble),
+        mut trouble: impl FnMut(usize, PictureError),
     ) -> Library {
         let one = |(i, path): (usize, &String)| {
             let read = world.picture_bytes(path);
-            let bytes = read.map_err(|e| Trouble::Unreadable(e.to_string()));
+            let bytes = read.map_err(|e| PictureError::Unreadable(e.to_string()));
             let file = bytes.and_then(|b| fit(path, b, pixels));
             file.map_err(|t| trouble(i, t)).ok()
         };
@@ -170,15 +170,15 @@ pub fn mime(bytes: &[u8]) -> Option<&'static str> {
 }
 
 /// Converts a file to a format that glTF supports, named after its content.
-fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trouble> {
+fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), PictureError> {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     let reader = image::ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
     let size = reader.ok().and_then(|r| r.into_dimensions().ok());
-    let (width, height) = size.ok_or(Trouble::NoPicture)?;
+    let (width, height) = size.ok_or(PictureError::NoPicture)?;
     let pixels = u64::from(width) * u64::from(height);
     if pixels > limit {
-        return Err(Trouble::TooLarge(pixels));
+        return Err(PictureError::TooLarge(pixels));
     }
     if whole_png(&bytes) {
         return Ok((format!("{stem}.png"), bytes));
@@ -186,10 +186,10 @@ fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Trou
     if whole_jpeg(&bytes) {
         return Ok((format!("{stem}.jpg"), bytes));
     }
-    let picture = image::load_from_memory(&bytes).map_err(|_| Trouble::NoPicture)?;
+    let picture = image::load_from_memory(&bytes).map_err(|_| PictureError::NoPicture)?;
     let mut encoded = Cursor::new(vec![]);
     let written = picture.write_to(&mut encoded, image::ImageFormat::Png);
-    written.map_err(|_| Trouble::NoPicture)?;
+    written.map_err(|_| PictureError::NoPicture)?;
     Ok((format!("{stem}.png"), encoded.into_inner()))
 }
 
@@ -267,7 +267,7 @@ mod tests {
             Ok(("戸.png".into(), png.clone()))
         );
         assert_eq!(fit("戸.PNG", jpeg.clone(), 8), Ok(("戸.jpg".into(), jpeg)));
-        assert_eq!(fit("戸.png", png, 7), Err(Trouble::TooLarge(8)));
+        assert_eq!(fit("戸.png", png, 7), Err(PictureError::TooLarge(8)));
     }
 
     #[test]
@@ -281,10 +281,10 @@ mod tests {
         );
         let mut cut = encoded(image::ImageFormat::Png);
         cut.truncate(40);
-        assert_eq!(fit("a.png", cut, 8), Err(Trouble::NoPicture));
+        assert_eq!(fit("a.png", cut, 8), Err(PictureError::NoPicture));
         assert_eq!(
             fit("a.png", b"BM not a picture".to_vec(), 8),
-            Err(Trouble::NoPicture)
+            Err(PictureError::NoPicture)
         );
     }
 }

@@ -1,7 +1,7 @@
 //! The model of a run: its scene, the images in it, and the shapes that back ends leave out.
 
 use super::{Options, arrange, documents, house, spare_expressions, timed, variants};
-use crate::backend::images::{Library, Trouble};
+use crate::backend::images::{Library, PictureError};
 use crate::backend::{gltf, sound};
 use crate::building::Building;
 use crate::catalog::Catalog;
@@ -111,9 +111,11 @@ pub fn pictures(
         let used = id.and_then(|id| first_use(building, PictureId(id as u32)));
         let span = used.unwrap_or_default();
         out.push(match trouble {
-            Trouble::Unreadable(why) => say::unreadable(span, path, &why),
-            Trouble::NoPicture => say::no_picture(span, path),
-            Trouble::TooLarge(pixels) => say::too_many_pixels(span, path, pixels, limits.pixels),
+            PictureError::Unreadable(why) => say::unreadable(span, path, &why),
+            PictureError::NoPicture => say::no_picture(span, path),
+            PictureError::TooLarge(pixels) => {
+                say::too_many_pixels(span, path, pixels, limits.pixels)
+            }
         });
     })
 }
