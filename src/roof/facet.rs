@@ -115,18 +115,18 @@ impl HalfPlane {
 
     /// Where `upper` is as high as `lower` or higher.
     pub(in crate::roof) fn where_not_lower(upper: Plane, lower: Plane) -> Higher {
-        match standing(lower, Some(upper)) {
-            Standing::Level => Higher::Everywhere,
+        match relative_position(lower, Some(upper)) {
+            RelativePosition::Level => Higher::Everywhere,
             _ => HalfPlane::where_higher(upper, lower),
         }
     }
 
     /// Where `upper` is higher than `lower` by more than the tolerance: everywhere, nowhere, or inside a half-plane.
     pub(in crate::roof) fn where_higher(upper: Plane, lower: Plane) -> Higher {
-        match standing(lower, Some(upper)) {
-            Standing::Below => Higher::Everywhere,
-            Standing::Above | Standing::Level => Higher::Nowhere,
-            Standing::Crossing(side) => Higher::Inside(side),
+        match relative_position(lower, Some(upper)) {
+            RelativePosition::Below => Higher::Everywhere,
+            RelativePosition::Above | RelativePosition::Level => Higher::Nowhere,
+            RelativePosition::Crossing(side) => Higher::Inside(side),
         }
     }
 
@@ -153,11 +153,11 @@ pub(in crate::roof) fn cut(
     pieces: Vec<Vec<Corner>>,
     cutter: &Cutter<'_>,
 ) -> Vec<Vec<Corner>> {
-    let higher = match standing(facet.plane, cutter.plane) {
-        Standing::Above => return pieces,
-        Standing::Level if !cutter.first => return cut_verges(facet, pieces, cutter),
-        Standing::Below | Standing::Level => None,
-        Standing::Crossing(higher) => Some(higher),
+    let higher = match relative_position(facet.plane, cutter.plane) {
+        RelativePosition::Above => return pieces,
+        RelativePosition::Level if !cutter.first => return cut_verges(facet, pieces, cutter),
+        RelativePosition::Below | RelativePosition::Level => None,
+        RelativePosition::Crossing(higher) => Some(higher),
     };
     let sides = || higher.iter().chain(cutter.sides);
     // Most roofs near by do not touch a piece.
@@ -192,24 +192,24 @@ pub(in crate::roof) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Vec<Co
 }
 
 /// The position of a facet relative to a cutter's plane.
-enum Standing {
+enum RelativePosition {
     Below,
     Above,
     Level,
     Crossing(HalfPlane),
 }
 
-fn standing(mine: Plane, cutter: Option<Plane>) -> Standing {
+fn relative_position(mine: Plane, cutter: Option<Plane>) -> RelativePosition {
     let Some(other) = cutter else {
-        return Standing::Below;
+        return RelativePosition::Below;
     };
     let (slope, rise) = (other.slope - mine.slope, other.z - mine.z);
     let steepness = slope.length();
     match steepness < 1e-9 {
-        true if rise.abs() < 1e-6 => Standing::Level,
-        true if rise > 0.0 => Standing::Below,
-        true => Standing::Above,
-        false => Standing::Crossing(HalfPlane {
+        true if rise.abs() < 1e-6 => RelativePosition::Level,
+        true if rise > 0.0 => RelativePosition::Below,
+        true => RelativePosition::Above,
+        false => RelativePosition::Crossing(HalfPlane {
             normal: slope / steepness,
             at: -rise / steepness,
         }),
