@@ -13,7 +13,7 @@ mod platform;
 mod undersides;
 mod veranda;
 
-use crate::building::fittings::{Fitting, Thing};
+use crate::building::fittings::{Fitting, FittingKind};
 use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
 use crate::catalog::Catalog;
 use crate::diagnostic::Diagnostics;
@@ -38,7 +38,7 @@ pub fn house(
     let ground = house.storeys.first();
     if let Some(platform) = &house.platform {
         match ground.and_then(|g| platform::platform(house, g, platform)) {
-            Some(it) => made.push(fitting(platform.span, 0, Thing::Platform(it))),
+            Some(it) => made.push(fitting(platform.span, 0, FittingKind::Platform(it))),
             None => out.push(say::nothing_to_stand_at(platform.span, "Platform")),
         }
     }
@@ -47,19 +47,23 @@ pub fn house(
         let number = storey.number;
         if let Some(veranda) = &order.veranda {
             match veranda::veranda(house, storey, veranda, i == 0) {
-                Some(it) => made.push(fitting(veranda.span, number, Thing::Veranda(it))),
+                Some(it) => made.push(fitting(veranda.span, number, FittingKind::Veranda(it))),
                 None => out.push(say::nothing_to_stand_at(veranda.span, "Veranda")),
             }
         }
         if let Some(posts) = order.posts.as_ref().filter(|p| p.nageshi > 0) {
             let beams = beams::beams(catalog, house, storey, posts);
             let paint = paint(Some(posts.paint));
-            made.push(fitting(posts.span, number, Thing::Beams(beams, paint)));
+            made.push(fitting(
+                posts.span,
+                number,
+                FittingKind::Beams(beams, paint),
+            ));
         }
         if let Some(brackets) = &order.brackets {
             let below = undersides.get_or_init(|| Undersides::of(roofs));
             let it = brackets::brackets(house, storey, brackets, below);
-            made.push(fitting(brackets.span, number, Thing::Brackets(it)));
+            made.push(fitting(brackets.span, number, FittingKind::Brackets(it)));
         }
     }
     for finial in &house.finials {
@@ -68,7 +72,7 @@ pub fn house(
                 if finial::crowns(it.kind) {
                     Arc::make_mut(roofs).roofs[roof].trim.crowned = true;
                 }
-                made.push(fitting(finial.span, 0, Thing::Finial(it)));
+                made.push(fitting(finial.span, 0, FittingKind::Finial(it)));
             }
             None => out.push(say::no_roof_below(finial.span)),
         }
@@ -76,7 +80,7 @@ pub fn house(
     made
 }
 
-fn fitting(span: Span, storey: u32, what: Thing) -> Fitting {
+fn fitting(span: Span, storey: u32, what: FittingKind) -> Fitting {
     Fitting { span, storey, what }
 }
 

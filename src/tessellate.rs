@@ -8,6 +8,7 @@ mod bake;
 mod trim;
 mod wall;
 mod fittings;
+mod hasher;
 mod mesh;
 mod part;
 pub mod part_sheet;
@@ -22,8 +23,8 @@ use crate::building::{
 use crate::catalog::Catalog;
 use crate::geometry::{Heading, SAME};
 use crate::scene::{Detail, Kind, Node, NodeId, Scene};
-use crate::tessellate::roof::bulk::is_fill;
-use crate::tessellate::roof::mesh_key::{MeshKey, Roofs, Walls};
+use crate::tessellate::roof::bulk::{Walls, is_fill};
+use crate::tessellate::roof::mesh_key::{MeshKey, Roofs};
 use crate::tessellate::roof::plaster;
 use crate::tessellate::trim::Neighbours;
 use crate::tessellate::wall::Line;
@@ -31,7 +32,7 @@ use crate::tessellate::wall::index::{Place, WallIndex};
 use crate::tessellate::wall::room::Rooms;
 use crate::tessellate::weather::exposure::{Aged, WallExposure};
 use compact_str::{CompactString, format_compact};
-use fittings::Drawn;
+use fittings::FittingMeshes;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use std::cell::OnceCell;
 use std::collections::hash_map::Entry;
@@ -45,7 +46,7 @@ pub fn tessellate(building: &Building, catalog: &Catalog, detail: Detail) -> Sce
         detail,
         store: Store::new(detail),
         roofs: Roofs::default(),
-        drawn: Drawn::default(),
+        fitting_meshes: FittingMeshes::default(),
         rooms: Rooms::default(),
         aged: None,
         air: None,
@@ -81,7 +82,7 @@ struct Walker<'a> {
     detail: Detail,
     store: Store,
     roofs: Roofs<'a>,
-    drawn: Drawn<'a>,
+    fitting_meshes: FittingMeshes<'a>,
     rooms: Rooms,
     nodes: Vec<Node>,
     /// The house in the making.
@@ -272,7 +273,7 @@ impl<'a> Walker<'a> {
             for (i, line) in lines.iter().enumerate() {
                 let (before, after) = Line::beside(&lines, i);
                 let facade = self.facade_node(level, line);
-                self.air = self.air_before(level, line);
+                self.air = self.air_before(level, line.wall);
                 self.posts(level, facade, line, before, after);
                 self.air = None;
             }

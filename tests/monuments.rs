@@ -3,7 +3,7 @@
 
 use crate::support::{Run, assert_none, compile, flaws, open_edges, root};
 use glam::DVec3;
-use hsd::building::fittings::{Fitting, Thing};
+use hsd::building::fittings::{Fitting, FittingKind};
 use hsd::geometry::SHAKU;
 use hsd::scene::{Kind, Scene};
 
@@ -86,7 +86,7 @@ fn width(run: &Run, house: usize, storey: usize) -> f64 {
 fn height(run: &Run, house: usize) -> f64 {
     let raised = run.building.houses[house].house.raised;
     let tops = fittings(run, house).iter().filter_map(|f| match &f.what {
-        Thing::Finial(it) => Some(it.ridge[0].z + it.height),
+        FittingKind::Finial(it) => Some(it.ridge[0].z + it.height),
         _ => None,
     });
     let roofs = run.building.houses[house].roofs.roofs.iter();
@@ -114,7 +114,7 @@ fn suzakumon_has_its_documented_measures() {
     assert!((10.1..=10.31).contains(&depth), "{depth}");
     // Platform of 33 by 18 m.
     let platform = fittings(&run, 0).iter().find_map(|f| match &f.what {
-        Thing::Platform(it) => Some(it),
+        FittingKind::Platform(it) => Some(it),
         _ => None,
     });
     let outline = &platform.expect("has a platform").outline;
@@ -158,7 +158,7 @@ fn pagodas_have_the_heights_of_horyuji_and_toji() {
     assert!((31.6..=32.5).contains(&all), "{all}");
     let sorin = |house: usize| {
         let found = fittings(&run, house).iter().find_map(|f| match &f.what {
-            Thing::Finial(it) => Some(it.height),
+            FittingKind::Finial(it) => Some(it.height),
             _ => None,
         });
         found.expect("has a finial")

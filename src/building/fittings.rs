@@ -15,12 +15,12 @@ pub struct Fitting {
     /// The storey it belongs to, from 1; 0 = the house.
     pub storey: u32,
     /// Its kind and dimensions.
-    pub what: Thing,
+    pub what: FittingKind,
 }
 
 /// A fitting's kind and dimensions.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub enum Thing {
+pub enum FittingKind {
     /// A stone platform.
     Platform(Platform),
     /// Boards round a storey.

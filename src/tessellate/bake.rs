@@ -7,7 +7,7 @@ pub(in crate::tessellate) mod atlas;
 
 use super::mesh::Soup;
 use crate::material::{Surface, SurfaceId};
-use crate::tessellate::part::bay::Rect;
+use crate::tessellate::mesh::panel::Rect;
 use crate::texture::samples::{self, Samples};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 use image::{Rgb, RgbImage, Rgba, RgbaImage};

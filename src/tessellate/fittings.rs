@@ -10,10 +10,11 @@ mod sorin;
 mod veranda;
 
 use super::Walker;
+use super::hasher::NumberHasher;
 use super::mesh::Bodies;
-use super::store::{Quick, Share};
+use super::store::Share;
 use super::weather::Weather;
-use crate::building::fittings::{Beam, Brackets, Fitting, Head, Thing};
+use crate::building::fittings::{Beam, Brackets, Fitting, FittingKind, Head};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, MeshId, NodeId};
 use compact_str::{CompactString, format_compact};
@@ -24,16 +25,16 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 /// The meshes of fittings and bracket complexes made so far, by content. Never iterated, so its order cannot affect the
 /// output.
 #[derive(Default)]
-pub(super) struct Drawn<'a> {
-    things: HashMap<FittingKey<'a>, Option<MeshId>, BuildHasherDefault<Quick>>,
-    heads: HashMap<(brackets::Key, Weather), Option<MeshId>, BuildHasherDefault<Quick>>,
+pub(super) struct FittingMeshes<'a> {
+    bodies: HashMap<FittingKey<'a>, Option<MeshId>, BuildHasherDefault<NumberHasher>>,
+    heads: HashMap<(brackets::Key, Weather), Option<MeshId>, BuildHasherDefault<NumberHasher>>,
 }
 
 /// The key of a fitting's mesh: its number in the house (part of the mesh's name), its content and its weather.
 #[derive(PartialEq)]
-struct FittingKey<'a>(usize, &'a Thing, Weather);
+struct FittingKey<'a>(usize, &'a FittingKind, Weather);
 
-// No length of a thing is a NaN; were one, the thing would have a mesh of its own.
+// No length of a fitting is a NaN; were one, the fitting would have a mesh of its own.
 impl Eq for FittingKey<'_> {}
 
 impl Hash for FittingKey<'_> {
@@ -45,11 +46,11 @@ impl Hash for FittingKey<'_> {
             lengths.for_each(|x| state.write_u64(x.to_bits()));
         };
         match self.1 {
-            Thing::Platform(it) => it.outline.iter().for_each(|p| point(p.extend(it.z.1))),
-            Thing::Veranda(it) => it.walls.iter().for_each(|p| point(p.extend(it.top))),
-            Thing::Brackets(it) => it.heads.iter().for_each(|h| point(h.at)),
-            Thing::Beams(it, _) => it.iter().for_each(|b| point(b.ends[0])),
-            Thing::Finial(it) => it.ridge.iter().for_each(|p| point(*p)),
+            FittingKind::Platform(it) => it.outline.iter().for_each(|p| point(p.extend(it.z.1))),
+            FittingKind::Veranda(it) => it.walls.iter().for_each(|p| point(p.extend(it.top))),
+            FittingKind::Brackets(it) => it.heads.iter().for_each(|h| point(h.at)),
+            FittingKind::Beams(it, _) => it.iter().for_each(|b| point(b.ends[0])),
+            FittingKind::Finial(it) => it.ridge.iter().for_each(|p| point(*p)),
         }
     }
 }
@@ -59,23 +60,23 @@ impl<'a> Walker<'a> {
     pub(super) fn fitting(&mut self, root: NodeId, fitting: &'a Fitting, n: usize) {
         let detail = self.detail;
         let kind = match &fitting.what {
-            Thing::Platform(_) => Kind::Platform,
-            Thing::Veranda(_) => Kind::Veranda,
-            Thing::Beams(..) if detail == Detail::Body => return,
-            Thing::Beams(..) => Kind::Member,
-            Thing::Brackets(_) => Kind::Bracket,
-            Thing::Finial(_) => Kind::Finial,
+            FittingKind::Platform(_) => Kind::Platform,
+            FittingKind::Veranda(_) => Kind::Veranda,
+            FittingKind::Beams(..) if detail == Detail::Body => return,
+            FittingKind::Beams(..) => Kind::Member,
+            FittingKind::Brackets(_) => Kind::Bracket,
+            FittingKind::Finial(_) => Kind::Finial,
         };
         let name = format_compact!("{} {n}", kind.word());
         let alike = FittingKey(n, &fitting.what, self.store.weather);
-        let known = self.drawn.things.get(&alike).copied();
+        let known = self.fitting_meshes.bodies.get(&alike).copied();
         let mesh = known.unwrap_or_else(|| {
             let mesh = self.own(&name, bodies(&fitting.what, detail));
-            self.drawn.things.insert(alike, mesh);
+            self.fitting_meshes.bodies.insert(alike, mesh);
             mesh
         });
         self.placed(root, kind, name, mesh, fitting);
-        if let Thing::Brackets(it) = &fitting.what
+        if let FittingKind::Brackets(it) = &fitting.what
             && detail > Detail::Body
         {
             self.heads(root, it, fitting);
@@ -88,10 +89,10 @@ impl<'a> Walker<'a> {
         let struts = it.struts.iter().map(|h| (brackets::Form::Strut, h));
         for (form, head) in heads.chain(struts) {
             let key = (brackets::Key::new(it, form), self.store.weather);
-            let known = self.drawn.heads.get(&key).copied();
+            let known = self.fitting_meshes.heads.get(&key).copied();
             let mesh = known.unwrap_or_else(|| {
                 let mesh = self.own("bracket", brackets::head(it, form, self.detail));
-                self.drawn.heads.insert(key, mesh);
+                self.fitting_meshes.heads.insert(key, mesh);
                 mesh
             });
             self.placed(root, Kind::Bracket, "bracket".into(), mesh, fitting);
@@ -123,17 +124,17 @@ impl<'a> Walker<'a> {
 }
 
 /// Builds all of a fitting except its bracket complexes.
-fn bodies(thing: &Thing, detail: Detail) -> Bodies {
-    match thing {
-        Thing::Platform(it) => platform::bodies(it, detail),
-        Thing::Veranda(it) => veranda::bodies(it, detail),
-        Thing::Beams(it, paint) => {
+fn bodies(fitting: &FittingKind, detail: Detail) -> Bodies {
+    match fitting {
+        FittingKind::Platform(it) => platform::bodies(it, detail),
+        FittingKind::Veranda(it) => veranda::bodies(it, detail),
+        FittingKind::Beams(it, paint) => {
             let mut bodies = Bodies::default();
             it.iter().for_each(|b| beam(&mut bodies, *paint, b));
             bodies
         }
-        Thing::Brackets(it) => brackets::beams(it, detail),
-        Thing::Finial(it) => finial::bodies(it, detail),
+        FittingKind::Brackets(it) => brackets::beams(it, detail),
+        FittingKind::Finial(it) => finial::bodies(it, detail),
     }
 }
 

@@ -1,12 +1,12 @@
 //! Closed bodies from polygons: boxes, prisms, polyhedra. Every face is flat, has its own vertices, a unit
 //! normal, and texture coordinates in metres.
 
+pub(in crate::tessellate) mod panel;
 pub(in crate::tessellate) mod polygon;
 pub(in crate::tessellate) mod smooth;
 
 use crate::material::SurfaceId;
-use crate::tessellate::part::bay::Rect;
-use crate::tessellate::part::detail::Panel;
+use crate::tessellate::mesh::panel::{Panel, Rect};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// Triangles of one surface, before it has a material in the scene.

@@ -22,7 +22,8 @@ use crate::catalog::{Below, Catalog, PartDef, Stance};
 use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::program::Content;
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::part::bay::{Bay, Layer};
 
 /// Height of a dado under an opening, metres: three shaku.
 const DADO: f64 = 3.0 * SHAKU;

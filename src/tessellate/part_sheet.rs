@@ -8,6 +8,7 @@ use crate::geometry::SHAKU;
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Kind, Mesh, Node, NodeId, Scene};
 use crate::tessellate::bake::{Lens, Picture, bake};
+use crate::tessellate::mesh::panel::extent;
 use crate::tessellate::mesh::{Bodies, Soup};
 use crate::tessellate::part::bay::{Bay, HALF_POST, Layer};
 use crate::tessellate::part::detail;
@@ -99,7 +100,7 @@ fn bodies(definition: &PartDef, detail: Detail) -> Bodies {
 pub fn picture(definition: &PartDef, density: f64) -> Option<RgbImage> {
     let mut soups = bodies(definition, Detail::Everything).soups;
     soups.iter_mut().for_each(|(_, soup)| slant(soup));
-    let (rect, _) = detail::extent(&soups)?;
+    let (rect, _) = extent(&soups)?;
     let lens = Lens {
         density,
         panes: true,

@@ -1,6 +1,8 @@
 //! Stores the meshes and materials of the scene, each made once.
 
 use super::bake::{WALL, bake};
+use super::hasher::NumberHasher;
+use super::mesh::panel::panes;
 use super::mesh::{Bodies, Soup};
 use super::part;
 use super::weather::{AgedSurfaces, Weather};
@@ -10,13 +12,12 @@ use crate::material::SurfaceId;
 use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Node, Primitive, Scene};
 use crate::tessellate::bake::atlas::Atlas;
 use crate::tessellate::part::bay::Bay;
-use crate::tessellate::part::detail;
 use crate::tessellate::roof::Given;
 use crate::tessellate::trim;
 use crate::tessellate::trim::{Body, Row};
 use glam::DVec2;
 use std::collections::HashMap;
-use std::hash::{BuildHasherDefault, Hasher};
+use std::hash::BuildHasherDefault;
 
 /// The key of a mesh. Lengths in tenths of a millimetre.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -70,48 +71,6 @@ pub(super) fn tenths(metres: f64) -> u32 {
     (metres * 10_000.0 + 0.5) as u32
 }
 
-/// A fast hash for small numbers; the map is never iterated, so its order cannot affect the output.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Quick(u64);
-
-impl Hasher for Quick {
-    fn finish(&self) -> u64 {
-        self.0
-    }
-
-    fn write(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut word = [0; 8];
-            word[..chunk.len()].copy_from_slice(chunk);
-            self.write_u64(u64::from_le_bytes(word));
-        }
-    }
-
-    fn write_u64(&mut self, word: u64) {
-        self.0 = (self.0.rotate_left(26) ^ word).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    }
-
-    fn write_u8(&mut self, n: u8) {
-        self.write_u64(u64::from(n));
-    }
-
-    fn write_u16(&mut self, n: u16) {
-        self.write_u64(u64::from(n));
-    }
-
-    fn write_u32(&mut self, n: u32) {
-        self.write_u64(u64::from(n));
-    }
-
-    fn write_i32(&mut self, n: i32) {
-        self.write_u64(u64::from(n as u32));
-    }
-
-    fn write_usize(&mut self, n: usize) {
-        self.write_u64(n as u64);
-    }
-}
-
 /// Distance of panes behind the image of their frame, metres.
 const BEHIND: f64 = 0.010;
 
@@ -133,7 +92,7 @@ pub(super) struct Store {
     looks: Vec<Look>,
     /// The weather that applies to the meshes under construction.
     pub(super) weather: Weather,
-    cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<Quick>>,
+    cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<NumberHasher>>,
     /// Weathered meshes by result: the same surfaces on the same triangles.
     worn: HashMap<(Key, AgedSurfaces), MeshId>,
     /// The most recently requested part.
@@ -239,7 +198,7 @@ impl Store {
         soups = self.weather.wear(soups);
         let mut pictures: Vec<(MaterialId, Soup)> = vec![];
         for panel in panels {
-            for (glass, rect) in detail::panes(&panel) {
+            for (glass, rect) in panes(&panel) {
                 let at = soups.iter().position(|(id, _)| *id == glass);
                 let at = at.unwrap_or_else(|| {
                     soups.push((glass, Soup::default()));

@@ -13,9 +13,9 @@
 //!
 //! [`Trim`]: crate::building::Trim
 
-mod beyond;
 mod body;
 mod line;
+mod neighbours;
 mod edge;
 mod ridge;
 mod run;
@@ -33,9 +33,10 @@ use crate::building::Roof;
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Soup;
-pub(super) use beyond::{Beyond, Neighbours};
 pub(super) use body::Body;
+pub(super) use neighbours::Neighbours;
 pub(super) use run::{Row, Run};
+pub(super) use seams::Beyond;
 use seams::{Kind, Seam};
 use slope::Field;
 use surface::Surface;

@@ -27,14 +27,14 @@ use glam::dvec3;
 /// A wall with the properties that its units need of each other.
 pub(super) struct Line<'a> {
     pub(super) wall: &'a Wall,
-    pub(super) stands: Vec<Stand<'a>>,
+    pub(super) units: Vec<PlacedUnit<'a>>,
     /// Its length, metres.
     pub(super) length: f64,
 }
 
 /// A unit in its place.
 #[derive(Clone, Copy)]
-pub(super) struct Stand<'a> {
+pub(super) struct PlacedUnit<'a> {
     pub(super) unit: &'a Unit,
     /// Distance from the wall's right end to the unit's, metres.
     pub(super) offset: f64,
@@ -50,7 +50,7 @@ pub(super) struct Stand<'a> {
     pub(super) tops: (f64, f64),
 }
 
-impl Stand<'_> {
+impl PlacedUnit<'_> {
     /// Returns true if it has a wall to join.
     pub(super) fn solid(&self) -> bool {
         self.width > 0.0 && self.stance != Stance::Free
@@ -72,7 +72,7 @@ impl<'a> Line<'a> {
     pub(super) fn new(catalog: &'a Catalog, level: Level<'_>, wall: &'a Wall) -> Line<'a> {
         let unit_m = level.house.unit;
         let mut offset = 0.0;
-        let mut stands = Vec::with_capacity(wall.units.len());
+        let mut units = Vec::with_capacity(wall.units.len());
         let unset = SurfaceId::named("cedar");
         // A row mostly goes on with the part before.
         let mut known: Option<(PartId, (Stance, f64), f64)> = None;
@@ -88,7 +88,7 @@ impl<'a> Line<'a> {
             let top = unit.height.map_or(level.height, |h| f64::from(h) * SHAKU);
             let top = top.min(own_top).min(level.storey.wall_height());
             let at = |u: f64| wall.from + wall.direction * u;
-            stands.push(Stand {
+            units.push(PlacedUnit {
                 unit,
                 offset: offset * unit_m,
                 width: unit.width * unit_m,
@@ -103,10 +103,10 @@ impl<'a> Line<'a> {
             offset = to;
         }
         let finishes = |i: usize| finish_of(catalog, &wall.units[i].content);
-        neighbours(catalog, &mut stands, finishes);
+        neighbours(catalog, &mut units, finishes);
         Line {
             wall,
-            stands,
+            units,
             length: offset * unit_m,
         }
     }
@@ -126,18 +126,18 @@ impl<'a> Line<'a> {
     }
 
     /// Returns the first unit with a wall, seen from the right end, or from the left.
-    pub(super) fn end(&self, left: bool) -> Option<&Stand<'a>> {
-        let mut wide = self.stands.iter().filter(|s| s.width > 0.0);
-        let stand = if left { wide.next_back() } else { wide.next() };
-        stand.filter(|s| s.solid())
+    pub(super) fn end(&self, left: bool) -> Option<&PlacedUnit<'a>> {
+        let mut wide = self.units.iter().filter(|s| s.width > 0.0);
+        let placed = if left { wide.next_back() } else { wide.next() };
+        placed.filter(|s| s.solid())
     }
 
     /// Returns true if the source file places a post at the right end, or the left.
     pub(super) fn has_post(&self, left: bool) -> bool {
         let end = if left {
-            self.stands.last()
+            self.units.last()
         } else {
-            self.stands.first()
+            self.units.first()
         };
         end.is_some_and(|s| s.is_post())
     }
@@ -177,10 +177,10 @@ fn stance(catalog: &Catalog, content: &Content) -> (Stance, f64) {
 /// Gives each unit the finish of the nearest wall part, the left one if two are equally near.
 fn neighbours(
     catalog: &Catalog,
-    stands: &mut [Stand<'_>],
+    units: &mut [PlacedUnit<'_>],
     finish: impl Fn(usize) -> Option<SurfaceId>,
 ) {
-    let n = stands.len();
+    let n = units.len();
     // Units run to the left: what follows in the list is on the left.
     let mut left: Option<(usize, SurfaceId)> = None;
     let mut lefts = vec![None; n];
@@ -191,10 +191,10 @@ fn neighbours(
     let mut right: Option<(usize, SurfaceId)> = None;
     for i in 0..n {
         right = finish(i).map(|f| (i, f)).or(right);
-        stands[i].around = match (lefts[i], right) {
+        units[i].around = match (lefts[i], right) {
             (Some((l, f)), Some((r, _))) if l - i <= i - r => f,
             (_, Some((_, f))) | (Some((_, f)), None) => f,
-            (None, None) => default_finish(catalog, &stands[i].unit.content),
+            (None, None) => default_finish(catalog, &units[i].unit.content),
         };
     }
 }
@@ -238,10 +238,10 @@ impl Walker<'_> {
         before: Option<&Line<'_>>,
         after: Option<&Line<'_>>,
     ) {
-        self.air = self.air_before(level, line);
+        self.air = self.air_before(level, line.wall);
         let facade = self.facade_node(level, line);
-        for (i, stand) in line.stands.iter().enumerate() {
-            self.stand(level, facade, line, stand, i + 1);
+        for (i, placed) in line.units.iter().enumerate() {
+            self.placed_unit(level, facade, line, placed, i + 1);
         }
         self.posts(level, facade, line, before, after);
         self.store.weather = self.frame((0.0, level.height));
@@ -264,36 +264,36 @@ impl Walker<'_> {
     }
 
     /// Adds one unit, and the wedge above it.
-    fn stand(
+    fn placed_unit(
         &mut self,
         level: Level<'_>,
         facade: NodeId,
         line: &Line<'_>,
-        stand: &Stand<'_>,
+        placed: &PlacedUnit<'_>,
         number: usize,
     ) {
         let slot = Slot {
             facade,
-            x: -(stand.offset + stand.width),
-            width: stand.width,
-            z: (0.0, stand.top()),
-            around: stand.around,
-            room: self.room(level, line, stand),
+            x: -(placed.offset + placed.width),
+            width: placed.width,
+            z: (0.0, placed.top()),
+            around: placed.around,
+            room: self.room(level, line, placed),
             post: level.post(),
             mirrors: line.wall.reflection,
             half: false,
             number: (number, ""),
             within: 0,
         };
-        self.unit(level, slot, stand.unit);
-        let (right, left) = stand.tops;
-        if stand.solid() && (right - left).abs() > 1e-3 {
-            let base = stand.top();
-            let layer = wall_layer(stand.stance);
+        self.unit(level, slot, placed.unit);
+        let (right, left) = placed.tops;
+        if placed.solid() && (right - left).abs() > 1e-3 {
+            let base = placed.top();
+            let layer = wall_layer(placed.stance);
             let bodies = ceiling::wedge(
-                stand.around,
+                placed.around,
                 layer,
-                stand.width,
+                placed.width,
                 base,
                 left - base,
                 right - base,
@@ -313,12 +313,12 @@ impl Walker<'_> {
     }
 
     /// Returns the depth available for a passage in this unit, metres.
-    fn room(&self, level: Level<'_>, line: &Line<'_>, stand: &Stand<'_>) -> f64 {
-        if !part::has_passage(self.catalog, &stand.unit.content) {
+    fn room(&self, level: Level<'_>, line: &Line<'_>, placed: &PlacedUnit<'_>) -> f64 {
+        if !part::has_passage(self.catalog, &placed.unit.content) {
             return part::DEEPEST;
         }
         let unit = level.house.unit;
-        let offsets = (stand.offset / unit, (stand.offset + stand.width) / unit);
+        let offsets = (placed.offset / unit, (placed.offset + placed.width) / unit);
         let standing = level
             .standing
             .get_or_init(|| crate::tessellate::wall::index::WallIndex::of(level.storey));

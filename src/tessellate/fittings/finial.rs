@@ -1,7 +1,7 @@
 //! Finials: a jewel on a dew basin, and fish tails at the ends of a ridge. Pagoda masts and shrine ridges have modules
 //! of their own.
 
-use super::lathe::turned;
+use super::lathe::{sides, turned};
 use super::{block, shrine, sorin};
 use crate::ast::FinialKind;
 use crate::building::fittings::Finial;
@@ -24,16 +24,6 @@ pub(super) fn bodies(it: &Finial, detail: Detail) -> Bodies {
         FinialKind::Chigi => shrine::chigi(&mut bodies, it, detail),
     }
     bodies
-}
-
-/// Number of sides of round bodies at a detail.
-pub(super) fn sides(detail: Detail) -> usize {
-    match detail {
-        Detail::Body => 6,
-        Detail::Flat => 8,
-        Detail::Openings => 12,
-        Detail::Everything => 20,
-    }
 }
 
 /// Adds a square basin, a lotus and a pointed jewel.

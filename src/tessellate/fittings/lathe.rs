@@ -1,12 +1,23 @@
 //! Bodies of revolution around a vertical axis.
 
 use crate::material::SurfaceId;
+use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;
 use glam::{DVec2, DVec3, dvec2};
 use std::f64::consts::TAU;
 
 /// Radii smaller than this count as zero, metres.
 const AXIS: f64 = 1e-4;
+
+/// Number of sides of round bodies at a detail.
+pub(super) fn sides(detail: Detail) -> usize {
+    match detail {
+        Detail::Body => 6,
+        Detail::Flat => 8,
+        Detail::Openings => 12,
+        Detail::Everything => 20,
+    }
+}
 
 /// Revolves a profile of (radius, height) around the vertical axis through `at`. The profile runs upwards along the
 /// outside, from axis to axis, or back to its start if it bounds a ring. Neighbouring faces at a small angle share

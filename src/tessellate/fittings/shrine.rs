@@ -1,6 +1,6 @@
 //! Shrine ridges: crossed boards (千木 chigi) at the ends, logs (鰹木 katsuogi) across the ridge between them.
 
-use super::finial::sides;
+use super::lathe::sides;
 use crate::building::fittings::Finial;
 use crate::material::SurfaceId;
 use crate::scene::Detail;

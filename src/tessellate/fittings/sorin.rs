@@ -2,8 +2,7 @@
 //! of the height after Horyu-ji.
 
 use super::block;
-use super::finial::sides;
-use super::lathe::turned;
+use super::lathe::{sides, turned};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
 use crate::tessellate::mesh::Bodies;

@@ -3,7 +3,8 @@
 use crate::catalog::body::{Apron, Place};
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::Axis;
-use crate::tessellate::part::bay::{Bay, Rect};
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::part::bay::Bay;
 use glam::{DVec2, dvec2};
 use std::f64::consts::FRAC_PI_2;
 

@@ -3,9 +3,10 @@
 use crate::catalog::body::{Bars, Place, Rails, Studs};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::mesh::{Axis, Soup};
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::part::bay::{Bay, Layer};
 use crate::tessellate::part::round::arcade;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 

@@ -6,6 +6,7 @@ use crate::catalog::value::{Area, Level};
 use crate::catalog::{PartDef, Stance};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::{Axis, Bodies, THIN};
 use glam::{DVec2, dvec2, dvec3};
 
@@ -14,45 +15,6 @@ pub(in crate::tessellate) const HALF_POST: f64 = 0.0605;
 
 /// Height to which foundations reach below the floor, the lowest point of any part, metres.
 const GROUND: f64 = -0.285;
-
-/// A rectangle in x and z.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::tessellate) struct Rect {
-    pub(in crate::tessellate) x0: f64,
-    pub(in crate::tessellate) x1: f64,
-    pub(in crate::tessellate) z0: f64,
-    pub(in crate::tessellate) z1: f64,
-}
-
-impl Rect {
-    pub(in crate::tessellate) fn width(&self) -> f64 {
-        self.x1 - self.x0
-    }
-
-    pub(in crate::tessellate) fn height(&self) -> f64 {
-        self.z1 - self.z0
-    }
-
-    /// Returns the rectangle shrunk by `x` at left and right, and by `z` at bottom and top.
-    pub(in crate::tessellate) fn shrunk(&self, x: f64, z: f64) -> Rect {
-        Rect {
-            x0: self.x0 + x,
-            x1: self.x1 - x,
-            z0: self.z0 + z,
-            z1: self.z1 - z,
-        }
-    }
-
-    /// Returns the rectangle with another extent in x.
-    pub(in crate::tessellate) fn across(&self, x0: f64, x1: f64) -> Rect {
-        Rect { x0, x1, ..*self }
-    }
-
-    /// Returns the rectangle with another extent in z.
-    pub(in crate::tessellate) fn between(&self, z0: f64, z1: f64) -> Rect {
-        Rect { z0, z1, ..*self }
-    }
-}
 
 /// A layer of the wall: its front, outwards from the centre line, and its depth inwards; metres.
 #[derive(Clone, Copy, Debug, PartialEq)]

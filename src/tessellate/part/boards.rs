@@ -3,7 +3,8 @@
 use crate::catalog::body::{Boards, Panels, Place, Wall};
 use crate::catalog::value::Run;
 use crate::material::SurfaceId;
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::part::bay::{Bay, Layer};
 use glam::dvec2;
 
 /// Adds the panel of a wall; with a batter, it gets thinner upwards on both sides.

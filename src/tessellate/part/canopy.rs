@@ -4,7 +4,8 @@
 use crate::catalog::body::Oriel;
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::THIN;
-use crate::tessellate::part::bay::{Bay, Rect};
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::part::bay::Bay;
 use crate::tessellate::part::boards::pieces;
 
 /// Thickness of the covering, metres.

@@ -3,8 +3,9 @@
 use crate::catalog::body::{Cloth, Place};
 use crate::material::SurfaceId;
 use crate::tessellate::mesh::Axis;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::smooth::soft_bar;
-use crate::tessellate::part::bay::{Bay, Rect};
+use crate::tessellate::part::bay::Bay;
 use glam::{dvec2, dvec3};
 
 /// Share of the drop over which neighbouring cloths are sewn together.

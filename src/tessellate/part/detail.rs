@@ -8,9 +8,9 @@ use crate::catalog::Stance;
 use crate::catalog::body::{Element, Shape};
 use crate::material::SurfaceId;
 use crate::scene::Detail;
-use crate::tessellate::mesh::Soup;
+use crate::tessellate::mesh::panel::{Panel, Rect, extent};
 use crate::tessellate::part;
-use crate::tessellate::part::bay::{Bay, HALF_POST, Layer, Rect};
+use crate::tessellate::part::bay::{Bay, HALF_POST, Layer};
 
 /// Bars and rails below this size become images at detail 2, metres.
 const FINE: f64 = 0.040;
@@ -20,17 +20,6 @@ const ONE_PLANE: f64 = 0.045;
 
 /// Elements that project farther than this from the wall define its silhouette, metres.
 const RELIEF: f64 = 0.080;
-
-/// Small elements shown as one image.
-#[derive(Clone, Debug)]
-pub(in crate::tessellate) struct Panel {
-    /// The area it covers.
-    pub(in crate::tessellate) rect: Rect,
-    /// Distance of its plane outside the centre line, metres.
-    pub(in crate::tessellate) front: f64,
-    /// The geometry to bake.
-    pub(in crate::tessellate) soups: Vec<(SurfaceId, Soup)>,
-}
 
 /// Builds the bodies of a part at the detail of its bay.
 pub(in crate::tessellate) fn build(bay: &mut Bay<'_>) {
@@ -162,28 +151,4 @@ fn panel(bay: &mut Bay<'_>, front: Option<f64>, build: impl FnOnce(&mut Bay<'_>)
         front: front.unwrap_or(foremost),
         soups: made.soups,
     });
-}
-
-/// Returns the area of soups and their front, outside the centre line; `None` if they have no extent.
-pub(in crate::tessellate) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
-    let points = || soups.iter().flat_map(|(_, s)| &s.positions);
-    let least = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::min);
-    let most = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::max);
-    let rect = Rect {
-        x0: least(0)?,
-        x1: most(0)?,
-        z0: least(2)?,
-        z1: most(2)?,
-    };
-    let has_area = rect.width() > 1e-3 && rect.height() > 1e-3;
-    has_area.then_some((rect, -least(1)?))
-}
-
-/// Returns the panes of a panel: one rectangle behind each of its glass surfaces.
-pub(in crate::tessellate) fn panes(panel: &Panel) -> impl Iterator<Item = (SurfaceId, Rect)> {
-    let glass = panel.soups.iter().filter(|(id, _)| id.surface().glass);
-    glass.filter_map(|(id, soup)| {
-        let (rect, _) = extent(std::slice::from_ref(&(*id, soup.clone())))?;
-        Some((*id, rect))
-    })
 }

@@ -4,8 +4,9 @@ use crate::catalog::Below;
 use crate::catalog::body::{Depth, Jambs, Open, Place};
 use crate::catalog::value::Sides;
 use crate::material::SurfaceId;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bars::frame;
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::part::bay::{Bay, Layer};
 
 /// Thickness of the walls of a passage, metres.
 const LINING: f64 = 0.020;

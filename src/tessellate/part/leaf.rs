@@ -2,8 +2,9 @@
 
 use crate::catalog::body::{Leaf, Place};
 use crate::material::SurfaceId;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bars::middles;
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::part::bay::{Bay, Layer};
 
 /// Clearance between two tracks, metres.
 const TRACK: f64 = 0.003;

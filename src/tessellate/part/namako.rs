@@ -3,7 +3,8 @@
 use crate::catalog::body::{Namako, Place};
 use crate::catalog::value::Joints;
 use crate::material::SurfaceId;
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::part::bay::{Bay, Layer};
 use crate::tessellate::part::boards::pieces;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 

@@ -1,8 +1,9 @@
 //! Boxes in front of the wall: de-goshi, oriels, handrails, balcony railings.
 
 use crate::catalog::body::{Element, Oriel};
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::part::bars::middles;
-use crate::tessellate::part::bay::{Bay, Layer, Rect};
+use crate::tessellate::part::bay::{Bay, Layer};
 use crate::tessellate::part::canopy::canopy;
 use crate::tessellate::part::detail::elements;
 

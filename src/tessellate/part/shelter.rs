@@ -2,8 +2,9 @@
 
 use crate::catalog::body::{Coping, Place, Wing};
 use crate::material::SurfaceId;
+use crate::tessellate::mesh::panel::Rect;
 use crate::tessellate::mesh::{Axis, Bodies};
-use crate::tessellate::part::bay::{Bay, Rect};
+use crate::tessellate::part::bay::Bay;
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// Thickness of a small roof, metres.

@@ -1,7 +1,8 @@
 //! Sill and head of sliding leaves: shikii and kamoi with their grooves.
 
 use crate::catalog::body::{Place, Track};
-use crate::tessellate::part::bay::{Bay, Rect};
+use crate::tessellate::mesh::panel::Rect;
+use crate::tessellate::part::bay::Bay;
 
 /// Width of the ridge between two grooves, metres.
 const RIDGE: f64 = 0.001;

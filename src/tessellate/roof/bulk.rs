@@ -5,7 +5,6 @@ use crate::building::{Face, Finish, Roof, Solid};
 use crate::material::SurfaceId;
 use crate::roof::solid::massive::{groups, massive};
 use crate::scene::Detail;
-use crate::tessellate::roof::mesh_key::Walls;
 use crate::tessellate::roof::plaster;
 use glam::DVec2;
 use std::borrow::Cow;
@@ -37,6 +36,15 @@ pub(in crate::tessellate) fn is_fill(solid: &Solid) -> bool {
         .faces
         .first()
         .is_some_and(|f| f.finish == Finish::Gable)
+}
+
+/// The properties of a roof that depend on the walls below.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::tessellate) struct Walls {
+    /// The surfaces of the gable fills, solid by solid.
+    pub(in crate::tessellate) gables: Vec<SurfaceId>,
+    /// True if they are plastered over their posts; eaves and verges are then plastered as well.
+    pub(in crate::tessellate) plastered: bool,
 }
 
 /// The solids that some roofs show.

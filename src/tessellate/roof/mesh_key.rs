@@ -2,10 +2,9 @@
 
 use crate::ast::{RoofKind, RoofShape};
 use crate::building::{Face, Roof, Solid, Trim};
-use crate::material::SurfaceId;
 use crate::scene::{Detail, MeshId};
-use crate::tessellate::roof::bulk::Bulk;
-use crate::tessellate::store::Quick;
+use crate::tessellate::hasher::NumberHasher;
+use crate::tessellate::roof::bulk::{Bulk, Walls};
 use crate::tessellate::trim::{Beyond, Run};
 use crate::tessellate::weather::Weather;
 use glam::DVec3;
@@ -14,7 +13,8 @@ use std::hash::{BuildHasherDefault, Hash, Hasher};
 use std::rc::Rc;
 
 /// The meshes of all roofs so far. Never iterated, so its order cannot affect the output.
-pub(in crate::tessellate) type Roofs<'a> = HashMap<MeshKey<'a>, Shown, BuildHasherDefault<Quick>>;
+pub(in crate::tessellate) type Roofs<'a> =
+    HashMap<MeshKey<'a>, Shown, BuildHasherDefault<NumberHasher>>;
 
 /// The output of a roof: its mesh, and the rows of tiles and rafters on and under it.
 pub(in crate::tessellate) type Shown = (Option<MeshId>, Rc<[(Run, MeshId)]>);
@@ -33,15 +33,6 @@ pub(in crate::tessellate) struct MeshKey<'a> {
     /// The roofs whose solids it shows.
     shown: &'a [Roof],
     walls: Walls,
-}
-
-/// The properties of a roof that depend on the walls below.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::tessellate) struct Walls {
-    /// The surfaces of the gable fills, solid by solid.
-    pub(in crate::tessellate) gables: Vec<SurfaceId>,
-    /// True if they are plastered over their posts; eaves and verges are then plastered as well.
-    pub(in crate::tessellate) plastered: bool,
 }
 
 impl<'a> MeshKey<'a> {

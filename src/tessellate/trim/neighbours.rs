@@ -2,7 +2,7 @@
 //! if this is equal as well, so it is determined before the trim.
 
 use crate::building::{Finish, HouseRoofs, Roof};
-use crate::tessellate::trim::seams::{End, Kind};
+use crate::tessellate::trim::seams::{Beyond, End, Kind};
 use crate::tessellate::trim::surface::Surface;
 use glam::{DVec2, DVec3};
 
@@ -14,15 +14,6 @@ const APART: f64 = 0.04;
 /// The longest extension of a ridge into another roof, and the step of the search, metres.
 const FARTHEST: f64 = 1.5;
 const PACE: f64 = 0.05;
-
-/// The surroundings of the joints of one roof.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::tessellate) struct Beyond {
-    /// The rise of the slope beyond each joint in the order of edges, if there is one; empty if it was not computed.
-    pub(super) rises: Vec<Option<DVec2>>,
-    /// Lengths by which ridges extend beyond their ends at joints, metres, in the order of seams.
-    pub(super) runs: Vec<f64>,
-}
 
 /// The slopes of all roofs of a house.
 #[derive(Debug, Default)]

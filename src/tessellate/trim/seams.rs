@@ -6,7 +6,6 @@
 
 use crate::building::EdgeKind;
 use crate::geometry::tolerance::POINT;
-use crate::tessellate::trim::beyond::Beyond;
 use crate::tessellate::trim::surface::{Beside, Side, Surface};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -66,6 +65,15 @@ pub(super) struct Seam {
     pub(super) ends: [End; 2],
     /// Lengths by which ridges extend beyond ends at joints, metres.
     pub(super) runs: [f64; 2],
+}
+
+/// The surroundings of the joints of one roof.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::tessellate) struct Beyond {
+    /// The rise of the slope beyond each joint in the order of edges, if there is one; empty if it was not computed.
+    pub(super) rises: Vec<Option<DVec2>>,
+    /// Lengths by which ridges extend beyond their ends at joints, metres, in the order of seams.
+    pub(super) runs: Vec<f64>,
 }
 
 /// Default extension of a ridge into what covers its end, metres.

@@ -10,7 +10,7 @@ use crate::scene::{Kind, Node, NodeId};
 use crate::tessellate::mesh::{Axis, Bodies};
 use crate::tessellate::part::shelter;
 use crate::tessellate::store::Share;
-use crate::tessellate::wall::{Line, Stand};
+use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Walker, turn_of};
 use glam::{DVec2, DVec3, dvec2};
 
@@ -56,7 +56,7 @@ impl Walker<'_> {
         facade: NodeId,
         line: &Line<'_>,
         before: &Line<'_>,
-        (last, first): (&Stand<'_>, &Stand<'_>),
+        (last, first): (&PlacedUnit<'_>, &PlacedUnit<'_>),
     ) -> Option<&mut Node> {
         let Content::Part(id) = first.unit.content else {
             return None;
@@ -81,8 +81,8 @@ impl Walker<'_> {
     }
 
     /// Returns how far below its top a unit's wall ends: under the coping of a fence.
-    fn filled(&self, stand: &Stand<'_>) -> f64 {
-        let Content::Part(id) = &stand.unit.content else {
+    fn filled(&self, placed: &PlacedUnit<'_>) -> f64 {
+        let Content::Part(id) = &placed.unit.content else {
             return 0.0;
         };
         let part = self.catalog.part(*id);
@@ -98,15 +98,15 @@ impl Walker<'_> {
     }
 
     /// Returns the surface of a corner beside a unit.
-    fn finish(&self, stand: &Stand<'_>) -> SurfaceId {
-        match &stand.unit.content {
+    fn finish(&self, placed: &PlacedUnit<'_>) -> SurfaceId {
+        match &placed.unit.content {
             Content::Part(id) => {
                 let part = self.catalog.part(*id);
                 let wall = part.body.first().map(|e| e.place.finish);
                 match part.from {
                     // Panels over a dark ground show at the corner, not the ground.
-                    None => part.finish.or(wall).unwrap_or(stand.around),
-                    Some(_) => stand.around,
+                    None => part.finish.or(wall).unwrap_or(placed.around),
+                    Some(_) => placed.around,
                 }
             }
             _ => SurfaceId::named("mortar"),

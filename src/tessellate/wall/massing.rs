@@ -10,7 +10,7 @@ use crate::program::{Content, Unit};
 use crate::scene::{MaterialId, Mesh, MeshId};
 use crate::tessellate::mesh::Soup;
 use crate::tessellate::store::{Share, primitive};
-use crate::tessellate::wall::{Line, Stand};
+use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker, part, turn_of};
 use glam::{DVec3, dvec2};
 
@@ -65,7 +65,7 @@ impl Walker<'_> {
             let (before, after) = Line::beside(&lines, i);
             let first = before.map_or(0.0, |b| corner(b, line));
             let last = after.map_or(0.0, |a| corner(line, a));
-            self.air = self.air_before(level, line);
+            self.air = self.air_before(level, line.wall);
             let mut stretches = self.stretches(level, line);
             self.air = None;
             if let Some(stretch) = stretches.first_mut().filter(|s| s.from < 1e-6) {
@@ -90,12 +90,12 @@ impl Walker<'_> {
     fn stretches(&mut self, level: Level<'_>, line: &Line<'_>) -> Vec<Stretch> {
         let mut stretches: Vec<Stretch> = vec![];
         let catalog = self.catalog;
-        let shown = |s: &&Stand<'_>| s.solid() && !shows_through(catalog, level, s);
-        for stand in line.stands.iter().filter(shown) {
+        let shown = |s: &&PlacedUnit<'_>| s.solid() && !shows_through(catalog, level, s);
+        for placed in line.units.iter().filter(shown) {
             let mut bands = vec![];
             // One weather for the wall: neighbours of one look stay one face.
             self.store.weather = self.frame((0.0, level.height));
-            self.bands(stand.unit, stand, (0.0, stand.top()), &mut bands);
+            self.bands(placed.unit, placed, (0.0, placed.top()), &mut bands);
             if level.grounded() {
                 let stone = self.store.surface_at(SurfaceId::named("stone"), 0.0);
                 bands.push(Band {
@@ -104,19 +104,19 @@ impl Walker<'_> {
                     picture: false,
                 });
             }
-            let end = stand.offset + stand.width;
+            let end = placed.offset + placed.width;
             let goes_on = stretches.last_mut().filter(|s| {
-                let level = (s.tops.0 - s.tops.1).abs() < 1e-6 && stand.tops == s.tops;
-                let near = (s.to - stand.offset).abs() < 1e-6 && s.face == stand.face;
+                let level = (s.tops.0 - s.tops.1).abs() < 1e-6 && placed.tops == s.tops;
+                let near = (s.to - placed.offset).abs() < 1e-6 && s.face == placed.face;
                 level && near && s.bands == bands && bands.iter().all(|b| !b.picture)
             });
             match goes_on {
                 Some(stretch) => stretch.to = end,
                 None => stretches.push(Stretch {
-                    from: stand.offset,
+                    from: placed.offset,
                     to: end,
-                    face: stand.face,
-                    tops: stand.tops,
+                    face: placed.face,
+                    tops: placed.tops,
                     bands,
                 }),
             }
@@ -125,7 +125,7 @@ impl Walker<'_> {
     }
 
     /// Returns the stripes of a unit from its foot to its top; the first unit of a half stands for all of it.
-    fn bands(&mut self, unit: &Unit, stand: &Stand<'_>, z: (f64, f64), out: &mut Vec<Band>) {
+    fn bands(&mut self, unit: &Unit, placed: &PlacedUnit<'_>, z: (f64, f64), out: &mut Vec<Band>) {
         let (z0, z1) = z;
         let mut band =
             |store: &mut crate::tessellate::Store, from: f64, to: f64, surface: SurfaceId| {
@@ -147,16 +147,16 @@ impl Walker<'_> {
             Content::Split(split) => {
                 let middle = z1 - (z1 - z0) * split.ratio.clamp(0.0, 1.0);
                 if let Some(unit) = split.lower.first() {
-                    self.bands(unit, stand, (z0, middle), out);
+                    self.bands(unit, placed, (z0, middle), out);
                 }
                 if let Some(unit) = split.upper.first() {
-                    self.bands(unit, stand, (middle, z1), out);
+                    self.bands(unit, placed, (middle, z1), out);
                 }
             }
             Content::Part(id) => {
                 let definition = self.catalog.part(*id);
-                let main = part::main_surface(definition).unwrap_or(stand.around);
-                let fills_half = definition.fills && z != (0.0, stand.top());
+                let main = part::main_surface(definition).unwrap_or(placed.around);
+                let fills_half = definition.fills && z != (0.0, placed.top());
                 let (foot, top) = match (definition.from, definition.to) {
                     (Some(from), Some(to)) if !fills_half => {
                         ((from * SHAKU).clamp(z0, z1), (to * SHAKU).clamp(z0, z1))
@@ -164,7 +164,7 @@ impl Walker<'_> {
                     _ => z,
                 };
                 let (store, mut shown) = (&mut self.store, vec![]);
-                band(store, z0, foot, stand.around);
+                band(store, z0, foot, placed.around);
                 match unit.picture {
                     Some(_) if top - foot <= 1e-3 => {}
                     Some(id) => shown.push(Band {
@@ -174,7 +174,7 @@ impl Walker<'_> {
                     }),
                     None => band(store, foot, top, main),
                 }
-                band(store, top, z1, stand.around);
+                band(store, top, z1, placed.around);
                 out.extend(shown);
             }
         }
@@ -182,8 +182,8 @@ impl Walker<'_> {
 }
 
 /// Returns true if a bay is open between posts that are drawn.
-fn shows_through(catalog: &Catalog, level: Level<'_>, stand: &Stand<'_>) -> bool {
-    match &stand.unit.content {
+fn shows_through(catalog: &Catalog, level: Level<'_>, placed: &PlacedUnit<'_>) -> bool {
+    match &placed.unit.content {
         Content::Part(id) => {
             level.post().is_some() && crate::tessellate::wall::room::is_open(catalog.part(*id))
         }

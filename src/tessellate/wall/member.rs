@@ -9,7 +9,7 @@ use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::mesh::{Axis, Bodies, Soup};
 use crate::tessellate::part::bay::Layer;
 use crate::tessellate::store::{Key, Share, primitive, tenths};
-use crate::tessellate::wall::{Line, Stand};
+use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2, dvec3};
 
@@ -100,7 +100,7 @@ impl Walker<'_> {
         if !level.framed() {
             return;
         }
-        let shows = |s: Option<&Stand<'_>>| s.is_some_and(|s| s.stance == Stance::Posts);
+        let shows = |s: Option<&PlacedUnit<'_>>| s.is_some_and(|s| s.stance == Stance::Posts);
         let last = before.and_then(|b| b.end(true));
         let set = line.has_post(false) || before.is_some_and(|b| b.has_post(true));
         if !set && (shows(last) || shows(line.end(false))) {
@@ -109,23 +109,23 @@ impl Walker<'_> {
             let height = height(last, line.end(false));
             self.post(level, facade, 0.0, (0.0, height), side);
         }
-        let mut previous: Option<&Stand<'_>> = None;
+        let mut previous: Option<&PlacedUnit<'_>> = None;
         let mut set = false;
-        for stand in &line.stands {
-            if stand.is_post() {
+        for placed in &line.units {
+            if placed.is_post() {
                 set = true;
                 continue;
             }
-            let inner = stand.offset > SAME;
+            let inner = placed.offset > SAME;
             // Flat parts have the halves of their posts in their pictures.
             let own = level.storey.order.posts.is_some();
             let drawn = (own || self.detail > Detail::Flat) && !set;
-            if inner && drawn && (shows(previous) || shows(Some(stand))) {
-                let height = height(previous, Some(stand));
-                self.post(level, facade, -stand.offset, (0.0, height), POST);
+            if inner && drawn && (shows(previous) || shows(Some(placed))) {
+                let height = height(previous, Some(placed));
+                self.post(level, facade, -placed.offset, (0.0, height), POST);
             }
             set = false;
-            previous = Some(stand);
+            previous = Some(placed);
         }
         if after.is_none() && shows(line.end(true)) && !line.has_post(true) {
             let height = height(line.end(true), None);
@@ -200,14 +200,14 @@ impl Walker<'_> {
             before.map_or(0, |b| half_turn(b, line)),
             after.map_or(0, |a| half_turn(line, a)),
         ];
-        let full = |s: &Stand<'_>| s.tops.0 == level.height && s.tops.1 == level.height;
-        let posts = |s: &Stand<'_>| s.stance == Stance::Posts;
+        let full = |s: &PlacedUnit<'_>| s.tops.0 == level.height && s.tops.1 == level.height;
+        let posts = |s: &PlacedUnit<'_>| s.stance == Stance::Posts;
         self.run(level, facade, line, PLATES, ends, |s| posts(s) && full(s));
         if !level.grounded() {
             return;
         }
         let deep = MEMBERS[usize::from(PLINTHS)].half;
-        let heavy = |s: &Stand<'_>| {
+        let heavy = |s: &PlacedUnit<'_>| {
             matches!(s.stance, Stance::Bare | Stance::Modern | Stance::Fence) && s.width > 0.0
         };
         self.run(level, facade, line, SILLS, ends, posts);
@@ -229,17 +229,17 @@ impl Walker<'_> {
         line: &Line<'_>,
         kind: u8,
         [start, end]: [i32; 2],
-        wants: impl Fn(&Stand<'_>) -> bool,
+        wants: impl Fn(&PlacedUnit<'_>) -> bool,
     ) {
         let mut open: Option<f64> = None;
-        let wide = line.stands.iter().filter(|s| !s.is_post());
-        for stand in wide.map(Some).chain([None]) {
-            match (open, stand.is_some_and(&wants)) {
-                (None, true) => open = stand.map(|s| s.offset),
+        let wide = line.units.iter().filter(|s| !s.is_post());
+        for placed in wide.map(Some).chain([None]) {
+            match (open, placed.is_some_and(&wants)) {
+                (None, true) => open = placed.map(|s| s.offset),
                 (Some(from), false) => {
-                    let to = stand.map_or(line.length, |s| s.offset);
+                    let to = placed.map_or(line.length, |s| s.offset);
                     let first = if from < SAME { start } else { 0 };
-                    let last = if stand.is_none() { end } else { 0 };
+                    let last = if placed.is_none() { end } else { 0 };
                     self.member(level, facade, kind, (from, to), [first, last]);
                     open = None;
                 }
@@ -325,8 +325,8 @@ fn half_turn(before: &Line<'_>, line: &Line<'_>) -> i32 {
 }
 
 /// Returns the height of a post between two units: that of the higher one.
-fn height(a: Option<&Stand<'_>>, b: Option<&Stand<'_>>) -> f64 {
-    let posts = |s: &&Stand<'_>| s.stance == Stance::Posts;
+fn height(a: Option<&PlacedUnit<'_>>, b: Option<&PlacedUnit<'_>>) -> f64 {
+    let posts = |s: &&PlacedUnit<'_>| s.stance == Stance::Posts;
     let a = a.filter(posts).map_or(0.0, |s| s.tops.1);
     let b = b.filter(posts).map_or(0.0, |s| s.tops.0);
     a.max(b)

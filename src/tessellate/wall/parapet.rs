@@ -36,13 +36,13 @@ impl Walker<'_> {
             return;
         }
         let mut run: Option<(f64, f64, f64)> = None;
-        let wide = line.stands.iter().filter(|s| !s.is_post());
-        for stand in wide.map(Some).chain([None]) {
-            let own = stand.filter(|s| s.stance == Stance::Modern && s.top() == level.height);
-            if let Some(stand) = own {
-                let rise = rise(self.catalog, &stand.unit.content);
-                let (from, _, highest) = run.unwrap_or((stand.offset, 0.0, 0.0));
-                run = Some((from, stand.offset + stand.width, rise.max(highest)));
+        let wide = line.units.iter().filter(|s| !s.is_post());
+        for placed in wide.map(Some).chain([None]) {
+            let own = placed.filter(|s| s.stance == Stance::Modern && s.top() == level.height);
+            if let Some(placed) = own {
+                let rise = rise(self.catalog, &placed.unit.content);
+                let (from, _, highest) = run.unwrap_or((placed.offset, 0.0, 0.0));
+                run = Some((from, placed.offset + placed.width, rise.max(highest)));
             } else if let Some((from, to, rise)) = run.take().filter(|r| r.2 > 0.0) {
                 self.head(level, facade, line, (from, to), rise);
             }

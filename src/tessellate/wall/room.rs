@@ -9,7 +9,7 @@ use crate::program::{Content, Unit};
 use crate::scene::{Detail, Kind, MeshId};
 use crate::tessellate::mesh::{Axis, Bodies};
 use crate::tessellate::store::Share;
-use crate::tessellate::wall::{Line, Stand};
+use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::weather::Weather;
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3};
@@ -36,8 +36,8 @@ impl Walker<'_> {
         level: Level<'_>,
         lines: &[(&Ring, Vec<Line<'_>>)],
     ) {
-        let stands = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.stands);
-        let seen = stands().find_map(|s| self.floor(level, s.unit));
+        let units = || lines.iter().flat_map(|(_, l)| l).flat_map(|l| &l.units);
+        let seen = units().find_map(|s| self.floor(level, s.unit));
         let Some(floor) = seen.filter(|_| level.framed() && self.detail > Detail::Flat) else {
             return;
         };
@@ -48,7 +48,7 @@ impl Walker<'_> {
         // No ceiling over yards behind fences, and none that would stick out of a lean-to.
         let own = |c: &&crate::building::Ceiling| c.storey == level.storey.number;
         let covered = !level.ceilings.iter().any(|c| own(&c))
-            && stands().all(|s| s.stance != Stance::Fence && is_full(level, s));
+            && units().all(|s| s.stance != Stance::Fence && is_full(level, s));
         let foot = if level.grounded() { GROUND } else { BOARDS };
         let step = |metres: f64| (metres * 10_000.0).round() as i64;
         let points = outlines.iter().flatten().flat_map(|p| [p.x, p.y]);
@@ -103,8 +103,8 @@ impl Walker<'_> {
 }
 
 /// Returns true if a unit reaches the storey's top.
-fn is_full(level: Level<'_>, stand: &Stand<'_>) -> bool {
-    stand.is_post() || (stand.top() - level.height).abs() < SAME
+fn is_full(level: Level<'_>, placed: &PlacedUnit<'_>) -> bool {
+    placed.is_post() || (placed.top() - level.height).abs() < SAME
 }
 
 /// Returns true if a part is an opening that is empty or holds only cloth.

@@ -6,7 +6,6 @@ use crate::catalog::PartDef;
 use crate::geometry::{Heading, SHAKU};
 use crate::program::{Age, Content};
 use crate::rng::Place;
-use crate::tessellate::wall::Line;
 use crate::tessellate::weather::{Exposure, Weather, Years, luck, sun, turn_of, years_at};
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2};
@@ -249,10 +248,10 @@ impl Walker<'_> {
     pub(in crate::tessellate) fn air_before(
         &self,
         level: Level<'_>,
-        line: &Line<'_>,
+        wall: &Wall,
     ) -> Option<WallExposure> {
         let aged = self.aged.as_ref()?;
-        Some(aged.before(level.house, level.storey, line.wall))
+        Some(aged.before(level.house, level.storey, wall))
     }
 
     /// Returns the weather of the current wall's frame between two heights above the floor.

@@ -1,0 +1,78 @@
+//! Panels: rectangles of a wall plane that show small elements as one image.
+
+use crate::material::SurfaceId;
+use crate::tessellate::mesh::Soup;
+
+/// A rectangle in x and z.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::tessellate) struct Rect {
+    pub(in crate::tessellate) x0: f64,
+    pub(in crate::tessellate) x1: f64,
+    pub(in crate::tessellate) z0: f64,
+    pub(in crate::tessellate) z1: f64,
+}
+
+impl Rect {
+    pub(in crate::tessellate) fn width(&self) -> f64 {
+        self.x1 - self.x0
+    }
+
+    pub(in crate::tessellate) fn height(&self) -> f64 {
+        self.z1 - self.z0
+    }
+
+    /// Returns the rectangle shrunk by `x` at left and right, and by `z` at bottom and top.
+    pub(in crate::tessellate) fn shrunk(&self, x: f64, z: f64) -> Rect {
+        Rect {
+            x0: self.x0 + x,
+            x1: self.x1 - x,
+            z0: self.z0 + z,
+            z1: self.z1 - z,
+        }
+    }
+
+    /// Returns the rectangle with another extent in x.
+    pub(in crate::tessellate) fn across(&self, x0: f64, x1: f64) -> Rect {
+        Rect { x0, x1, ..*self }
+    }
+
+    /// Returns the rectangle with another extent in z.
+    pub(in crate::tessellate) fn between(&self, z0: f64, z1: f64) -> Rect {
+        Rect { z0, z1, ..*self }
+    }
+}
+
+/// Small elements shown as one image.
+#[derive(Clone, Debug)]
+pub(in crate::tessellate) struct Panel {
+    /// The area it covers.
+    pub(in crate::tessellate) rect: Rect,
+    /// Distance of its plane outside the centre line, metres.
+    pub(in crate::tessellate) front: f64,
+    /// The geometry to bake.
+    pub(in crate::tessellate) soups: Vec<(SurfaceId, Soup)>,
+}
+
+/// Returns the area of soups and their front, outside the centre line; `None` if they have no extent.
+pub(in crate::tessellate) fn extent(soups: &[(SurfaceId, Soup)]) -> Option<(Rect, f64)> {
+    let points = || soups.iter().flat_map(|(_, s)| &s.positions);
+    let least = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::min);
+    let most = |k: usize| points().map(|p| f64::from(p[k])).reduce(f64::max);
+    let rect = Rect {
+        x0: least(0)?,
+        x1: most(0)?,
+        z0: least(2)?,
+        z1: most(2)?,
+    };
+    let has_area = rect.width() > 1e-3 && rect.height() > 1e-3;
+    has_area.then_some((rect, -least(1)?))
+}
+
+/// Returns the panes of a panel: one rectangle behind each of its glass surfaces.
+pub(in crate::tessellate) fn panes(panel: &Panel) -> impl Iterator<Item = (SurfaceId, Rect)> {
+    let glass = panel.soups.iter().filter(|(id, _)| id.surface().glass);
+    glass.filter_map(|(id, soup)| {
+        let (rect, _) = extent(std::slice::from_ref(&(*id, soup.clone())))?;
+        Some((*id, rect))
+    })
+}
