@@ -1,8 +1,8 @@
-//! The hash of the tables of meshes.
+//! The hash of the tables in which meshes are looked up.
 
 use std::hash::Hasher;
 
-/// A fast hash for small numbers; the map is never iterated, so its order cannot affect the output.
+/// A fast hash for small numbers. Maps with it are never iterated, so that their order cannot affect the output.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct NumberHasher(u64);
 
