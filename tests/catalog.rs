@@ -177,6 +177,8 @@ fn parts_are_found_by_what_people_call_them() {
         ("連窓 水平連続窓 renzoku ribbon", "NWI  "),
         ("塀 hei", "KTB  |KDB  |KIB  "),
         ("fence", "KTB  |KIB  "),
+        ("門 もん mon gate", "TKI  |TIT 2|TIK  |TIH  "),
+        ("木戸 kido 木戸門", "TKI  "),
     ] {
         for word in words.split(' ') {
             let found = found(word);

@@ -169,8 +169,8 @@ pub(super) fn last_storey() -> Text {
 /// The only house.
 pub(super) fn last_house() -> Text {
     text!(
-        "this is the only house of the text, and a text has one at least",
-        "家はこれだけです。テキストには少なくとも一軒必要です"
+        "this is the only house in the file, and a file needs at least one",
+        "ファイルには少なくとも一軒の家が必要です。これが最後の一軒です"
     )
 }
 
