@@ -1,8 +1,8 @@
-//! The document as written, from either syntax: every construct the author used, with its place.
+//! The document as written, from either syntax: every construct that the author used, with its place.
 //!
-//! Invariants: spans lie in the source; numbers are finite (the readers report others and leave them
-//! out); elements nest at most `Limits::nesting` deep. Codes are still text: whether a part exists is the
-//! business of `expand`, the only pass that opens the catalogue for them.
+//! Invariants: spans lie in the source; numbers are finite (the readers report others and leave them out); elements
+//! nest at most `Limits::nesting` deep. Codes are still strings: only `expand`, which opens the catalogue, decides
+//! whether a part exists.
 
 mod era;
 mod fittings;
@@ -38,17 +38,18 @@ pub struct Document {
     /// Custom parts that every house of the file may use.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<WrittenPart>,
-    /// Which of the variants of its text this is, where several are made.
+    /// The variant that this document belongs to, if several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,
 }
 
-/// One of several houses, or groups of houses, made of one file: each draws everything with a seed of its own.
+/// One of several houses, or groups of houses, built from one file; each makes its random choices with a seed of its
+/// own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Variant {
     /// From 0.
     pub number: u32,
-    /// Building the file with this seed makes the same.
+    /// The seed with which the file alone builds the same variant.
     pub seed: u64,
 }
 
@@ -67,7 +68,7 @@ pub struct House {
     pub storeys: Vec<Item<Storey>>,
     /// Walls given facade by facade (the `Structure` of 003), if the house is written that way.
     pub structures: Vec<Structure>,
-    /// The house written short, if it is.
+    /// The monument, if the house is written as one element.
     pub monument: Option<Monument>,
     /// Fittings of the house.
     pub fittings: Fittings,
@@ -75,7 +76,7 @@ pub struct House {
     pub textures: Vec<Texture>,
     /// The roof section.
     pub roofs: Roofs,
-    /// Custom parts that only this house knows.
+    /// Custom parts known only in this house.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<WrittenPart>,
 }
@@ -83,9 +84,9 @@ pub struct House {
 /// Values that hold for a whole house; `None` means the default of docs/contract.md.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Settings {
-    /// East of the house's origin, metres.
+    /// Metres east of the house's origin.
     pub x: Option<Spanned<f64>>,
-    /// North of the house's origin, metres.
+    /// Metres north of the house's origin.
     pub y: Option<Spanned<f64>>,
     /// Height of the house's origin, metres.
     pub z: Option<Spanned<f64>>,
@@ -93,27 +94,27 @@ pub struct Settings {
     pub azimuth: Option<Spanned<f64>>,
     /// One U in shaku: 3.0 Edo-ma, 3.25 Kyo-ma.
     pub unit: Option<Spanned<f64>>,
-    /// Key of all draws.
+    /// Seed of all random choices.
     pub seed: Option<Spanned<u64>>,
-    /// Whether the first line stands on a street.
+    /// True if the first line faces a street.
     pub street: Option<Spanned<bool>>,
     /// Years since it was built; without it nothing weathers.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub age: Option<Spanned<f64>>,
-    /// When it was built.
+    /// Era of construction.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub era: Option<Spanned<Era>>,
 }
 
-/// Something of a kind, or an operation on the things beside it. Operations are rare and stand in boxes: a list of
-/// things should not take the room of a list of operations.
+/// An item of a list, or an operation on the items beside it. Operations are rare and boxed, so that they do not
+/// enlarge the items.
 #[derive(Clone, Debug, Serialize)]
 pub enum Item<T> {
-    /// The thing itself.
+    /// A single item.
     One(T),
     /// The content several times (003-08).
     Repeat(Box<Repeat<T>>),
-    /// A draw (003-10).
+    /// A random choice (003-10).
     Random(Box<Random>),
     /// A substitution (003-11).
     Replace(Box<Replace>),
@@ -124,13 +125,13 @@ pub enum Item<T> {
 pub struct Repeat<T> {
     /// The start tag.
     pub span: Span,
-    /// How often; 0 leaves the content out.
+    /// Number of repetitions; 0 leaves the content out.
     pub num: Spanned<u32>,
-    /// What.
+    /// The repeated content.
     pub body: Vec<Item<T>>,
 }
 
-/// `<random code="a 2, b">`: an edit where the enclosing element has parts of its own, else a slot.
+/// `<random code="a 2, b">`: an edit where the enclosing element has parts of its own, otherwise a slot.
 #[derive(Clone, Debug, Serialize)]
 pub struct Random {
     /// The element.
@@ -160,7 +161,7 @@ pub enum StoreyKind {
     /// Rooms, and a roof above them.
     #[default]
     Storey,
-    /// A wall around the flat roof of the storey below; not counted.
+    /// A wall round the flat roof of the storey below; not counted.
     Parapet,
 }
 
@@ -175,7 +176,7 @@ pub struct Storey {
     pub start: Option<Spanned<(f64, f64)>>,
     /// Storey or parapet.
     pub kind: StoreyKind,
-    /// Posts, veranda, brackets of its own.
+    /// Its own posts, veranda and brackets.
     pub order: Order,
     /// Rows that stand in the storey itself form one loop; further ones are courtyards or wings.
     pub loops: Vec<Loop>,
@@ -186,9 +187,9 @@ pub struct Storey {
 /// An operation on a whole storey or floor, in document order.
 #[derive(Clone, Debug, Serialize)]
 pub enum Edit {
-    /// Draw again.
+    /// A random choice.
     Random(Random),
-    /// Substitute.
+    /// A substitution.
     Replace(Replace),
 }
 
@@ -197,9 +198,9 @@ pub enum Edit {
 pub struct Loop {
     /// The element, or its lines.
     pub span: Span,
-    /// Whether the solid lies outside the loop: a courtyard.
+    /// True for a courtyard, whose solid lies outside the loop.
     pub hole: bool,
-    /// Whether it is a wall inside the storey, which does not close.
+    /// True for a wall inside the storey, which does not close.
     pub inner: bool,
     /// Start point (a, b) in U, author frame.
     pub start: Option<Spanned<(f64, f64)>>,
@@ -227,7 +228,7 @@ pub struct Structure {
     pub size: Option<Spanned<f64>>,
     /// Metres per size unit.
     pub scale: Option<Spanned<f64>>,
-    /// Whether parts run from left to right as seen from outside (default: to the left).
+    /// True if parts run from left to right as seen from outside (default: to the left).
     pub rightwards: bool,
     /// Clockwise seen from above.
     pub facades: Vec<Item<Facade>>,
@@ -238,19 +239,19 @@ pub struct Structure {
 pub struct Facade {
     /// The start tag.
     pub span: Span,
-    /// Its name in part pictures; its number from 1 where it has none.
+    /// Its name in names of part images; without one, its number from 1.
     pub id: Option<Spanned<String>>,
     /// Share of the structure's size.
     pub ratio: Option<Spanned<f64>>,
     /// Turn from the previous facade's direction, degrees, right positive; `None` = 0 for the first, 90.
     pub angle: Option<Spanned<f64>>,
-    /// Whether its glass mirrors the neighbourhood.
+    /// True if its glass reflects the surroundings.
     pub reflection: bool,
     /// From the ground up.
     pub floors: Vec<Item<Floor>>,
 }
 
-/// One storey row of a facade.
+/// The part of a facade that belongs to one storey.
 #[derive(Clone, Debug, Serialize)]
 pub struct Floor {
     /// The start tag.
@@ -270,16 +271,16 @@ pub struct Floor {
 pub struct Texture {
     /// The element.
     pub span: Span,
-    /// Of which part or picture.
+    /// The part or image it applies to.
     pub code: Spanned<String>,
-    /// Share of light that it mirrors, 0 to 1.
+    /// Share of light that it reflects, 0 to 1.
     pub reflection: Option<Spanned<f64>>,
-    /// The file of the picture that the code means.
+    /// The image file of the code.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub src: Option<Picture>,
 }
 
-/// A file of a picture, named from the file in which that is written.
+/// The path of an image file, relative to the file in which it is written.
 #[derive(Clone, Debug, Serialize)]
 pub struct Picture {
     /// Its path.

@@ -16,33 +16,33 @@ pub mod stl;
 
 use std::borrow::Cow;
 
-/// Where back ends find the pictures of materials.
+/// Access to the images of materials.
 pub trait Images {
-    /// The files of a drawn look, by the name that [`crate::scene::Image::Surface`] carries.
+    /// Returns the image files of a look, by the name in [`crate::scene::Image::Surface`].
     fn files(&self, look: &str) -> Option<SurfaceFiles<'_>>;
 
-    /// A part picture, by its index in [`crate::scene::Scene::pictures`]; PNG or JPEG.
+    /// Returns a part image, by its index in [`crate::scene::Scene::pictures`]; PNG or JPEG.
     fn picture(&self, index: u32) -> Option<PictureBytes<'_>>;
 
-    /// A page of baked pictures, by its index in [`crate::scene::Scene::baked`].
+    /// Returns a page of baked images, by its index in [`crate::scene::Scene::baked`].
     fn baked(&self, index: u32) -> Option<SurfaceFiles<'_>>;
 
-    /// What a wall mirrors, by its index in [`crate::scene::Scene::mirrored`].
+    /// Returns the reflection of a wall, by its index in [`crate::scene::Scene::mirrored`].
     fn mirrored(&self, _index: u32) -> Option<PictureBytes<'_>> {
         None
     }
 }
 
-/// One picture as a file: its name without a folder, its bytes as PNG or JPEG.
+/// An image file: its name without a folder, and its bytes as PNG or JPEG.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PictureBytes<'a> {
     /// For example `cedar_color.jpg`.
     pub name: Cow<'a, str>,
-    /// The encoded picture.
+    /// The encoded image.
     pub bytes: &'a [u8],
 }
 
-/// The pictures of one surface.
+/// The images of one surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SurfaceFiles<'a> {
     /// Width and height of one repeat, metres.
@@ -55,7 +55,7 @@ pub struct SurfaceFiles<'a> {
     pub orm: Option<PictureBytes<'a>>,
 }
 
-/// Shapes without pictures: plain colours.
+/// Access to no images: surfaces have plain colours.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoImages;
 
@@ -78,17 +78,16 @@ impl Images for NoImages {
 pub struct OutFile<'a> {
     /// Path below the output's folder, with `/`.
     pub name: String,
-    /// The whole content; pictures are borrowed, since copying a megabyte of them takes longer than making
-    /// the model.
+    /// The whole content; images are borrowed, since copying a megabyte of them takes longer than building the model.
     pub bytes: Cow<'a, [u8]>,
 }
 
-/// The folder of pictures beside an output of this stem.
+/// Returns the folder of images beside an output with this stem.
 fn picture_folder(stem: &str) -> String {
     format!("{stem}_textures")
 }
 
-/// A name that formats divided by blanks and slashes take as one word.
+/// Returns a name without blanks and slashes, for formats that use them as separators.
 fn one_word(name: &str) -> String {
     let fits = |c: char| !(c.is_whitespace() || c.is_control() || "/\\#\"".contains(c));
     name.chars()

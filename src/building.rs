@@ -68,7 +68,7 @@ pub struct House {
     pub span: Span,
     /// Its name, empty if it has none.
     pub name: String,
-    /// The variant that it belongs to, where several are made.
+    /// The variant that it belongs to, if several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
@@ -96,7 +96,7 @@ pub struct House {
 }
 
 impl House {
-    /// A plan point at a height, in the house frame.
+    /// Returns a plan point at a height, in the house frame.
     pub fn place(&self, p: DVec2, z: f64) -> DVec3 {
         dvec3(-p.x * self.unit, p.y * self.unit, z)
     }
@@ -113,7 +113,7 @@ pub struct Storey {
     pub kind: StoreyKind,
     /// Its floor, metres above the house's origin.
     pub z0: f64,
-    /// Its top.
+    /// Its top, metres above the house's origin.
     pub z1: f64,
     /// Posts, veranda and brackets.
     pub order: Order,
@@ -198,7 +198,7 @@ pub struct HouseRoofs {
 }
 
 impl HouseRoofs {
-    /// The automatic roofs over the regions of a storey. The pent roof that a street house gets is not among them.
+    /// Returns the automatic roofs over the regions of a storey. The street pent roof is not among them.
     pub fn over_regions(&self, storey: u32) -> impl Iterator<Item = &Roof> {
         let automatic = |r: &&Roof| r.span.is_none() && r.shape != RoofShape::Pent;
         self.roofs
@@ -226,17 +226,17 @@ pub struct StoreyPlan {
 /// One automatic region in U.
 #[derive(Clone, Debug, Serialize)]
 pub struct PlanRegion {
-    /// a0, b0, a1, b1 of its rectangle, or of its bounds where it has a polygon.
+    /// a0, b0, a1, b1 of its rectangle, or of its bounds if it has a polygon.
     pub rect: [f64; 4],
-    /// The region's own outline where the plan is not orthogonal.
+    /// The region's own outline if the plan is not orthogonal.
     pub polygon: Option<Vec<DVec2>>,
     /// "a" (parallel to the first line), "b" or none.
     pub ridge: Option<&'static str>,
     /// F, B, L, R of a lean-to.
     pub fall: Option<&'static str>,
-    /// main, branch or lean-to; the strips of a skirt are lean-tos of the shape YOS.
+    /// main, branch or lean-to; the strips of a lower roof are lean-tos of the shape YOS.
     pub role: &'static str,
-    /// Its form.
+    /// Its roof form.
     pub shape: RoofShape,
     /// Index of the trunk of a branch.
     pub over: Option<usize>,
@@ -249,9 +249,9 @@ pub struct Roof {
     pub storey: u32,
     /// Its line in the source, if it has one.
     pub span: Option<Span>,
-    /// Form.
+    /// Its form.
     pub shape: RoofShape,
-    /// Covering.
+    /// Its covering.
     pub kind: RoofKind,
     /// Trim beyond its solids.
     pub trim: Trim,
@@ -265,7 +265,7 @@ pub struct Roof {
     pub solids: Vec<Solid>,
 }
 
-/// Boards, beams and brackets under the part of a storey that stands out over nothing.
+/// Boards, beams and brackets under the part of a storey that projects over the one below.
 #[derive(Clone, Debug, Serialize)]
 pub struct Soffit {
     /// The storey above it, from 1.
@@ -326,7 +326,7 @@ pub struct Ceiling {
     pub slope: DVec2,
 }
 
-/// A cell in integer steps, as U.
+/// Returns the rectangle of a cell, given in integer steps, in U.
 pub fn rect_of(cell: Cell) -> [f64; 4] {
     let u = |s: i64| s as f64 / crate::geometry::STEPS as f64;
     [u(cell.a0), u(cell.b0), u(cell.a1), u(cell.b1)]

@@ -1,9 +1,9 @@
-//! The catalogue of parts: what a code means, how wide it is, and which simple bodies make its shape.
+//! The catalogue of parts: the meaning of each code, its width, and the simple bodies that make up its shape.
 //!
-//! Built-in parts and custom parts are made in the same way, from the elements that the reader of the XML form
-//! finds. Built-in parts are known everywhere; custom ones are known in a [`Scope`](custom), so that two houses of
-//! a run may mean different things by one code. A code is looked up from the house outwards: its custom parts, those of
-//! its file, of files named by `--catalog`, of the file `catalog.hsd` beside it, the built-in ones.
+//! Built-in and custom parts are made in the same way, from the elements that the reader of the XML form finds.
+//! Built-in parts are known everywhere; custom ones are known in a [`Scope`](custom), so that one code may mean
+//! different things in two houses of a run. A code is looked up from the house outwards: among its custom parts, those
+//! of its file, of files named by `--catalog`, of the file `catalog.hsd` beside it, and the built-in ones.
 
 pub(crate) mod body;
 mod nearest;
@@ -31,11 +31,11 @@ use value::Mm;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 pub struct PartId(pub u16);
 
-/// Which custom parts are known; the default knows none.
+/// A set of known custom parts; the default is empty.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ScopeId(u32);
 
-/// How a part stands in the frame of its house.
+/// The relation of a part to the frame of its house.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stance {
     /// Between posts that show: shin-kabe, and all joinery.
@@ -44,13 +44,13 @@ pub(crate) enum Stance {
     Bare,
     /// A modern wall without posts.
     Modern,
-    /// A fence: lower than the storey, no posts of the house.
+    /// A fence or garden wall: lower than the storey, no posts of the house.
     Fence,
-    /// Nothing that joins the wall: posts, wings, voids.
+    /// A part outside the wall plane or without a wall: posts, wings, voids.
     Free,
 }
 
-/// The wall under an opening.
+/// The filling under an opening.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Below {
     /// A boarded dado.
@@ -66,22 +66,22 @@ pub(crate) enum Below {
 pub struct PartDef {
     code: CodeText,
     class: char,
-    /// Its name in Japanese.
+    /// The Japanese name.
     pub ja: Box<str>,
-    /// The name in letters.
+    /// The romanised Japanese name.
     pub romaji: Box<str>,
     /// The English name.
     pub en: Box<str>,
-    /// Other names by which people search for it, in any script.
+    /// Other names by which a search finds it, in any script.
     pub aliases: Box<[Box<str>]>,
     width: f64,
     /// Foot of the opening above the storey's floor, shaku; `None` = a wall of the storey's height.
     pub from: Option<f64>,
     /// Top of the opening or fence, shaku.
     pub to: Option<f64>,
-    /// The material, in words.
+    /// The material, as a phrase.
     pub made: Box<str>,
-    /// When it was built.
+    /// The era it belongs to.
     pub era: Era,
     /// Weathering classes joined by `+` (docs/evidence.md 4.9).
     pub weathering: Box<str>,
@@ -89,61 +89,61 @@ pub struct PartDef {
     pub(crate) finish: Option<SurfaceId>,
     pub(crate) stance: Stance,
     pub(crate) below: Below,
-    /// Whether a small wall fills what is left above the opening.
+    /// True if a small wall fills the space above the opening.
     pub(crate) above: bool,
-    /// Width of the opening where it is narrower than the bay.
+    /// Width of the opening if it is narrower than the bay.
     pub(crate) clear: Option<Mm>,
-    /// Share of light that its glass mirrors.
+    /// Share of light that its glass reflects.
     pub(crate) reflection: Option<f64>,
-    /// The floor that one sees through it, where it is not the storey's usual one.
+    /// The floor seen through it, if it is not the storey's usual one.
     pub(crate) floor: Option<SurfaceId>,
-    /// Whether it fills the half of a split unit, whatever its heights say.
+    /// True if it fills the half of a split unit regardless of its heights.
     pub(crate) fills: bool,
-    /// How far the front that it belongs to rises above the highest storey, shaku.
+    /// Height by which a front with this part rises above the highest storey, shaku.
     pub(crate) parapet: Option<f64>,
-    /// The name of the picture that its `picture` elements show.
+    /// The name of the image that its `picture` elements show.
     pub texture: Option<Spanned<String>>,
     pub(crate) body: Vec<Element>,
-    /// The definition, for parts that have this one as their base.
+    /// The definition, for parts based on this one.
     written: WrittenPart,
 }
 
 impl PartDef {
-    /// Its code of five columns, or its longer name.
+    /// Returns its code of five columns, or its longer name.
     pub fn code(&self) -> &str {
         self.code.as_str()
     }
 
-    /// Where it is defined.
+    /// Returns the place of its definition.
     pub fn span(&self) -> Span {
         self.written.span
     }
 
-    /// Its Japanese name, whole and without the content of parentheses.
+    /// Returns its Japanese name, whole and without the content of parentheses.
     fn ja_names(&self) -> [&str; 2] {
         let head = self.ja.split('(').next().unwrap_or_default();
         [&self.ja, head]
     }
 
-    /// Whether a search finds the part: by its code, a name or an alias.
+    /// Returns true if a search finds the part by its code, a name or an alias.
     pub fn is_found_by(&self, query: &Query) -> bool {
         let names = [&*self.ja, &*self.romaji, &*self.en];
         let aliases = self.aliases.iter().map(|a| &**a);
         names.into_iter().chain(aliases).any(|n| query.finds(n))
     }
 
-    /// Its width in U: 0, 1/2, 1 or 2.
+    /// Returns its width in U: 0, 1/2, 1 or 2.
     pub fn width(&self) -> f64 {
         self.width
     }
 
-    /// The letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern; a
+    /// Returns the letter of its class: K wall, T door, M window, G lattice, H post, A opening, N modern; a
     /// blank for the void. Custom parts have that of their base.
     pub fn class(&self) -> char {
         self.class
     }
 
-    /// Whether it is open down to the floor. Of class A party walls, aprons, rails and benches are not.
+    /// Returns true if it is open down to the floor. In class A, party walls, aprons, rails and benches are not.
     pub fn is_open(&self) -> bool {
         self.below == Below::Open
     }
@@ -152,7 +152,7 @@ impl PartDef {
 impl Serialize for PartDef {
     fn serialize<S: Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         use serde::ser::SerializeStruct;
-        // Heights given in metres come to shaku with the dust of the division.
+        // Heights given in metres carry rounding errors when converted to shaku.
         let rounded = |h: Option<f64>| h.map(|h| (h * 1e3).round() / 1e3);
         let mut out = s.serialize_struct("PartDef", 12)?;
         out.serialize_field("code", self.code())?;
@@ -171,20 +171,20 @@ impl Serialize for PartDef {
     }
 }
 
-/// Places of the table: a power of two, at least twice as many as parts.
+/// Number of slots of the hash table: a power of two, at least twice the number of parts.
 const SLOTS: usize = 512;
 
-/// An empty place of the table; no part has this number.
+/// An empty slot; no part has this number.
 const EMPTY: u16 = u16::MAX;
 
 /// Every part by number and by code.
 #[derive(Clone, Debug)]
 pub struct Catalog {
     parts: Vec<PartDef>,
-    /// Packed codes with their parts, open addressing: a text holds hundreds of thousands of codes.
+    /// Packed codes with their parts, in open addressing: a source file holds hundreds of thousands of codes.
     table: Box<[(u64, u16); SLOTS]>,
     void: Option<PartId>,
-    /// How many parts everybody knows; custom ones stand behind them.
+    /// Number of built-in parts; custom ones follow them.
     builtin: usize,
     /// Custom parts; a [`ScopeId`] counts them from 1.
     scopes: Vec<Scope>,
@@ -193,7 +193,7 @@ pub struct Catalog {
 }
 
 impl Catalog {
-    /// A catalogue of these parts, which everybody knows.
+    /// Creates a catalogue of these built-in parts.
     pub fn new(entries: &[WrittenPart], out: &mut Diagnostics) -> Catalog {
         let mut catalog = Catalog {
             parts: Vec::new(),
@@ -228,8 +228,8 @@ impl Catalog {
         catalog
     }
 
-    /// Takes in the custom parts of a file, known wherever those of `outer` are not all there is. What the file includes
-    /// yields to its content. Without parts the answer is `outer` itself.
+    /// Adds the custom parts of a file and returns their scope, nested in `outer`, unless all of them are known there.
+    /// Parts of included files yield to those of the file itself. Without parts, returns `outer`.
     pub fn extend(
         &mut self,
         outer: ScopeId,
@@ -242,12 +242,12 @@ impl Catalog {
         self.scope(outer, &own, out)
     }
 
-    /// Says which parts the houses of the next document know, in their order.
+    /// Records the scopes of the houses of the next document, in their order.
     pub fn settle(&mut self, houses: Vec<ScopeId>) {
         self.houses.push(houses);
     }
 
-    /// Which parts a house knows, by the numbers of its document and of the house in it.
+    /// Returns the scope of a house, by the number of its document and its index there.
     pub fn known_in(&self, document: usize, house: usize) -> ScopeId {
         let houses = self.houses.get(document);
         houses
@@ -256,7 +256,7 @@ impl Catalog {
             .unwrap_or_default()
     }
 
-    /// The part that a code means where these parts are known.
+    /// Returns the part that a code means in a scope.
     pub fn find_in(&self, scope: ScopeId, code: &CodeText) -> Option<PartId> {
         let mut next = scope;
         while let Some(scope) = self.own(next) {
@@ -268,7 +268,7 @@ impl Catalog {
         self.find(code)
     }
 
-    /// The parts that are known in a scope, its own before those around it; each code once.
+    /// Returns the parts known in a scope, its own before those of enclosing scopes; each code once.
     pub fn known(&self, scope: ScopeId) -> Vec<PartId> {
         let mut codes = BTreeSet::new();
         let mut found = vec![];
@@ -291,12 +291,12 @@ impl Catalog {
         found
     }
 
-    /// Whether a part came with the program.
+    /// Returns true if a part is built in.
     pub fn is_builtin(&self, id: PartId) -> bool {
         usize::from(id.0) < self.builtin
     }
 
-    /// Puts a code into the table; false where it is there already.
+    /// Enters a code into the table; returns false if it is there already.
     fn enter(&mut self, code: [u8; 5], id: PartId) -> bool {
         let key = pack(code);
         let mut slot = place(key);
@@ -310,13 +310,13 @@ impl Catalog {
         true
     }
 
-    /// The custom parts of a scope; `None` where only the built-in ones are known.
+    /// Returns the custom parts of a scope; `None` if only the built-in ones are known.
     fn own(&self, scope: ScopeId) -> Option<&Scope> {
         let index = (scope.0 as usize).checked_sub(1)?;
         self.scopes.get(index)
     }
 
-    /// The built-in part of exactly this code; `.....` is the void.
+    /// Returns the built-in part of exactly this code; `.....` is the void.
     pub fn find(&self, code: &CodeText) -> Option<PartId> {
         let CodeText::Five(code) = code else {
             return None;
@@ -332,22 +332,22 @@ impl Catalog {
         }
     }
 
-    /// The part of a number; numbers come from this catalogue only.
+    /// Returns the part of a number; numbers come from this catalogue only.
     pub fn part(&self, id: PartId) -> &PartDef {
         &self.parts[usize::from(id.0)]
     }
 
-    /// Every part in the catalogue's order.
+    /// Returns every part in the catalogue's order.
     pub fn parts(&self) -> &[PartDef] {
         &self.parts
     }
 
-    /// Whether a part is the void: the walk goes on, no wall is built.
+    /// Returns true if a part is the void, where the walk continues without a wall.
     pub fn is_void(&self, id: PartId) -> bool {
         self.void == Some(id)
     }
 
-    /// The part of this name or alias, Japanese or romanised; what a name has in parentheses may be left out.
+    /// Returns the part of this name or alias, Japanese or romanised; the content of parentheses may be omitted.
     pub fn called(&self, name: &str) -> Option<&PartDef> {
         let lower = name.to_lowercase();
         let named = |part: &&PartDef| part.ja_names().contains(&name);
@@ -358,13 +358,13 @@ impl Catalog {
         found.or_else(|| parts().find(also))
     }
 
-    /// The part whose Japanese name a text begins with, the longest such name, and its length in the text.
+    /// Returns the part with the longest Japanese name that a string begins with, and the length of that name in it.
     pub fn named_at(&self, text: &str) -> Option<(&PartDef, usize)> {
         let first = text.chars().next()?;
         let parts = self.parts.iter().filter(|p| p.ja.starts_with(first));
         let names = parts.flat_map(|p| p.ja_names().map(|n| (p, n)));
         let found = names.filter(|(_, n)| !n.is_empty() && text.starts_with(n));
-        // The first of equal names: the plain one stands before the wide one.
+        // Of equal names the first: the plain part precedes the wide one.
         let longest = found.reduce(|best, next| {
             if next.1.len() > best.1.len() {
                 next
@@ -375,7 +375,7 @@ impl Catalog {
         longest.map(|(part, name)| (part, name.len()))
     }
 
-    /// Up to three parts that an unknown code may mean, best first; nothing farther than three letters.
+    /// Returns up to three parts that an unknown code may mean, best first; at most three edits away.
     pub fn nearest(&self, code: &str) -> Vec<PartId> {
         nearest::nearest(self, code)
     }
@@ -384,13 +384,13 @@ impl Catalog {
 /// The form of built-in codes.
 const FIVE: Noun = noun("five columns of ASCII", "ASCII の五桁");
 
-/// A code as one number.
+/// Packs a code into one number.
 fn pack(code: [u8; 5]) -> u64 {
     let [a, b, c, d, e] = code;
     u64::from_le_bytes([a, b, c, d, e, 0, 0, 0])
 }
 
-/// Where the search for a number starts.
+/// Returns the slot at which the search for a key starts.
 fn place(key: u64) -> usize {
     // Fibonacci hashing: the upper bits of the product depend on all five letters.
     (key.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 55) as usize % SLOTS

@@ -4,14 +4,14 @@ use crate::building::{Face, Solid};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
-/// Corners closer to each other than this count as one, metres.
+/// Corners closer to each other than this count as one point, metres.
 pub const WELD: f64 = 1e-9;
-/// The most that a face's corners may leave its plane, metres.
+/// The greatest distance of a face's corners from its plane, metres.
 pub const PLANE: f64 = 1e-6;
 /// The least area of a face, square metres.
 pub const AREA: f64 = 1e-8;
 
-/// Something wrong with a solid.
+/// A defect of a solid.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Flaw {
     /// A coordinate is not finite: no back end can write it.
@@ -24,8 +24,8 @@ pub enum Flaw {
         /// Index of the face.
         face: usize,
     },
-    /// An edge does not belong to exactly two faces in opposite directions: the solid is not watertight, and printers
-    /// and volume computations fail.
+    /// An edge does not belong to exactly two faces in opposite directions: the solid is not watertight, and so 3D
+    /// printing and volume computations fail.
     OpenEdge {
         /// Its ends, by index.
         edge: (u32, u32),
@@ -54,7 +54,7 @@ pub enum Flaw {
     },
 }
 
-/// Returns the flaws of a solid, the gravest first; later checks are left out where they would be meaningless.
+/// Returns the flaws of a solid, the most severe first; later checks are left out where they would be meaningless.
 pub fn solid_flaws(solid: &Solid) -> impl Iterator<Item = Flaw> {
     let mut flaws: Vec<Flaw> = not_finite(solid).chain(bad_faces(solid)).collect();
     if flaws.is_empty() {
@@ -89,7 +89,7 @@ fn bad_faces(solid: &Solid) -> impl Iterator<Item = Flaw> {
         .map(|(face, _)| Flaw::BadFace { face })
 }
 
-/// The number of times that each edge is run in its ascending and in its descending direction.
+/// Counts how often each edge is traversed in its ascending and in its descending direction.
 fn tally<K: Ord + Copy>(edges: impl Iterator<Item = (K, K)>) -> BTreeMap<(K, K), (u32, u32)> {
     let mut tally = BTreeMap::new();
     for (p, q) in edges {
@@ -200,7 +200,7 @@ fn inward(solid: &Solid) -> Vec<Flaw> {
     let mut volumes: BTreeMap<usize, f64> = BTreeMap::new();
     for f in &solid.faces {
         let part = find(&root, f.corners[0] as usize);
-        // Measured from a corner of the part, so that distance from the origin costs nothing.
+        // Measured from a corner of the part, so that distance from the origin costs no precision.
         let apex = solid.points[part];
         let first = solid.points[f.corners[0] as usize] - apex;
         *volumes.entry(part).or_default() += double_area(solid, f).dot(first) / 6.0;

@@ -46,12 +46,12 @@ use std::time::{Duration, Instant};
 pub struct Options {
     /// Seed and limits.
     pub expand: expand::Options,
-    /// Parameters of the sources and their values; the last of a name counts.
+    /// Parameters of the sources and their values; the last value of a name counts.
     pub parameters: Vec<(String, String)>,
     /// How much of the joinery is modelled.
     #[cfg(feature = "models")]
     pub detail: Detail,
-    /// Files of custom parts for all houses; of two that define a part the later one counts.
+    /// Files of custom parts for all houses; later definitions of a part override earlier ones.
     pub catalogs: Arc<[Source]>,
     /// How many variants of the sources are made, each with the next seed and placed in rows.
     pub variants: Option<NonZeroU32>,
@@ -59,22 +59,22 @@ pub struct Options {
     pub notes_values: bool,
 }
 
-/// Everything that is known of sources without making a scene.
+/// The result of checking sources, without a scene.
 #[derive(Debug)]
 pub struct Checked {
-    /// The parameters of the texts.
+    /// The parameters of the source files.
     pub parameters: Vec<Parameter>,
     /// Files that the sources include, for reports.
     pub included: Vec<Source>,
-    /// The parts that the houses may be made of.
+    /// The catalogue with the custom parts of the sources.
     pub catalog: Cow<'static, Catalog>,
     /// Walls and roofs.
     pub building: Building,
-    /// The values of expressions and names, where they were asked for.
+    /// The values of expressions and names, if requested.
     pub values: Values,
 }
 
-/// Runs the chain up to the roofs and reads the images, so that everything wrong is reported.
+/// Runs the chain up to the roofs and reads the images, so that every error is reported.
 pub fn check(
     sources: &[&Source],
     world: &dyn World,
@@ -100,8 +100,8 @@ pub fn check(
     }
 }
 
-/// Removes fixes that would replace an expression by a word, or insert codes right after one: a wrong value that is
-/// computed is not fixed at its use, and blanks that fill up a code belong to it.
+/// Removes fixes that would replace an expression by a word, or insert codes right after one: a computed value is not
+/// fixed at its use, and blanks that pad a code belong to it.
 fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnostics) {
     let file = |id: FileId| {
         let mut all = sources.iter().copied().chain(included);
@@ -119,7 +119,7 @@ fn spare_expressions(sources: &[&Source], included: &[Source], out: &mut Diagnos
     });
 }
 
-/// Runs and times one step.
+/// Runs and times one stage.
 pub fn timed<T>(
     times: &mut Vec<(&'static str, Duration)>,
     name: &'static str,
@@ -131,14 +131,14 @@ pub fn timed<T>(
     made
 }
 
-/// The result of reading.
+/// The result of parsing.
 #[derive(Debug)]
 pub struct Read {
     /// The documents of the sources, in their order.
     pub documents: Vec<Document>,
     /// Files that the sources include, for reports.
     pub included: Vec<Source>,
-    /// The parts that the houses may be made of.
+    /// The catalogue with the custom parts of the sources.
     pub catalog: Cow<'static, Catalog>,
 }
 
@@ -152,7 +152,7 @@ pub fn documents(
     documents_noted(sources, world, options, None, out)
 }
 
-/// The same, and records the values of expressions and names.
+/// As [`documents`], and records the values of expressions and names.
 fn documents_noted(
     sources: &[&Source],
     world: &dyn World,
@@ -183,14 +183,14 @@ fn documents_noted(
     }
 }
 
-/// Room for the files that sources may include.
+/// Creates the cache for the files that sources may include.
 fn cache(sources: &[&Source], options: &Options) -> SourceCache {
     let all = sources.iter().copied().chain(options.catalogs.iter());
     let first = all.map(|s| usize::from(s.id().0) + 1).max();
     SourceCache::new(first.unwrap_or(0), options.expand.limits.includes)
 }
 
-/// The context that files are read in.
+/// Returns the context in which files are read.
 fn setting<'a>(
     world: &'a dyn World,
     options: &'a Options,
@@ -206,7 +206,7 @@ fn setting<'a>(
     }
 }
 
-/// Reads the sources; files and elements that were read before are taken from where they are kept.
+/// Reads the sources; files and elements that were read before come from the cache.
 fn read<'a>(
     sources: &[&'a Source],
     setting: parse::ReadContext<'a>,
@@ -247,7 +247,7 @@ fn unknown_parameters(
     }
 }
 
-/// The program of all documents.
+/// Returns the program of all documents.
 pub fn program(
     sources: &[&Source],
     documents: &[Document],
@@ -256,12 +256,12 @@ pub fn program(
     options: &expand::Options,
     out: &mut Diagnostics,
 ) -> Program {
-    // With variants there are the documents of all sources several times.
+    // With variants, the documents of all sources occur several times.
     let pairs: Vec<(&Source, &Document)> = sources.iter().copied().cycle().zip(documents).collect();
     expand::expand(&pairs, catalog, world, options, out)
 }
 
-/// Walls, roofs and fittings of all houses of a program.
+/// Builds walls, roofs and fittings of all houses of a program.
 pub fn building(program: Program, catalog: &Catalog, out: &mut Diagnostics) -> Building {
     let mut cache = RoofCache::default();
     let houses = program.houses.into_iter();

@@ -36,17 +36,17 @@ mod textures;
 /// The options of this pass.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options {
-    /// Takes the place of the seed of every house.
+    /// Overrides the seed of every house.
     pub seed: Option<u64>,
     /// Bounds on the expanded parts of a house.
     pub limits: Limits,
 }
 
-/// One U in shaku where none is given: Edo-ma.
+/// One U in shaku by default: Edo-ma.
 const UNIT: f64 = 3.0;
 
-/// Identity of a house for its random draws: its name counts, and where it has none this number. In a document it is
-/// the house's index. A house that is made alone with the id that it has in a run is the same to the last bit.
+/// Identity of a house for its random choices: its name counts, or this number if it has none. In a document it is the
+/// house's index. A house made alone with the id that it has in a run is identical to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct HouseId(pub u64);
 
@@ -57,23 +57,22 @@ pub struct HouseContext<'a> {
     pub source: &'a Source,
     /// The custom parts that it knows.
     pub scope: ScopeId,
-    /// The variant that its document belongs to, where several are made.
+    /// The variant that its document belongs to, if several are made.
     pub variant: Option<Variant>,
 }
 
-/// Expands the houses of a run, one after another. It keeps codes and images that were looked up, which changes no
-/// house, and numbers the images in the order of their first use. All houses together are held to one bound: the
-/// storeys that short forms make.
+/// Expands the houses of a run, one after another. It caches codes and images, which changes no house, and numbers the
+/// images in the order of their first use. All houses together share one bound: the storeys that monuments make.
 pub struct Expander<'a> {
     codes: Codes<'a>,
     options: &'a Options,
     used: codes::UsedImages,
-    /// Storeys that short forms have made so far.
+    /// Storeys that monuments have made so far.
     written_short: u64,
 }
 
 impl<'a> Expander<'a> {
-    /// An expander that has made no house yet.
+    /// Creates an expander that has made no house yet.
     pub fn new(catalog: &'a Catalog, world: &'a dyn World, options: &'a Options) -> Self {
         Expander {
             codes: Codes::new(catalog, world),
@@ -148,7 +147,7 @@ struct Pass<'a, 'c> {
     codes: &'a mut Codes<'c>,
     source: &'a Source,
     out: &'a mut Diagnostics,
-    /// Messages that were already reported, which repeated content would report again.
+    /// Messages already reported, which repeated content would report again.
     said: BTreeSet<(u16, Span)>,
     operations: Vec<Rc<Operation>>,
     operation_index: HashMap<usize, usize>,
@@ -156,7 +155,7 @@ struct Pass<'a, 'c> {
     steps: u64,
     limit: u64,
     over: bool,
-    /// Storeys that the short forms of all houses so far have made.
+    /// Storeys that the monuments of all houses so far have made.
     written_short: u64,
 }
 
@@ -225,7 +224,7 @@ impl<'a, 'c> Pass<'a, 'c> {
         Some(made)
     }
 
-    /// How old the house is, if anybody says.
+    /// Returns the age of the house, if it is given.
     fn age(&mut self, settings: &ast::Settings, place: Place) -> Option<Age> {
         let era = settings.era.as_ref();
         let Some(years) = &settings.age else {
@@ -274,19 +273,19 @@ impl<'a, 'c> Pass<'a, 'c> {
         storeys
     }
 
-    /// Says something once for a place, however often its content is repeated.
+    /// Reports something once for a place, however often its content is repeated.
     fn once(&mut self, code: u16, span: Span, say: impl FnOnce() -> Diagnostic) {
         if self.is_news(code, span) {
             self.out.push(say());
         }
     }
 
-    /// Whether nothing was reported with this code of this place; from now on it was.
+    /// Returns true if no diagnostic with this code was reported for this place, and records it.
     fn is_news(&mut self, code: u16, span: Span) -> bool {
         self.said.insert((code, span))
     }
 
-    /// The first line of a long construct: a whole house underlined tells nothing.
+    /// Returns the first line of a long construct: an underlined house would show nothing.
     fn head(&self, span: Span) -> Span {
         if span.file != self.source.id() {
             return span;
@@ -298,7 +297,7 @@ impl<'a, 'c> Pass<'a, 'c> {
     }
 }
 
-/// A length above zero. The readers report others; here the default takes their place.
+/// Returns a length above zero. The readers report others; here the default takes their place.
 fn positive(length: &Spanned<f64>) -> Option<f64> {
     Some(length.value).filter(|value| *value > 0.0)
 }

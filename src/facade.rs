@@ -10,7 +10,7 @@ use crate::{print, roof};
 use glam::DVec2;
 
 /// Formats a source file in its own form of the language, with its own line ends. A legacy file must be free of
-/// errors, an XML file well-formed. `None` where the meaning is in doubt; `out` says why.
+/// errors, an XML file well-formed. Returns `None` if the meaning is in doubt; `out` receives the reason.
 ///
 /// ```
 /// use hsd::{Diagnostics, FileId, Source};

@@ -2,8 +2,8 @@
 //! end under them, finials stand on them.
 //!
 //! - [`around`]: outlines at a margin outside the walls;
-//! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one thing each;
-//! - [`undersides`]: where the roofs end that brackets stand under.
+//! - [`platform`], [`veranda`], [`brackets`], [`beams`], [`finial`]: one kind of fitting each;
+//! - [`undersides`]: the undersides of the roofs over brackets.
 
 mod around;
 mod beams;
@@ -84,28 +84,28 @@ fn fitting(span: Span, storey: u32, what: FittingKind) -> Fitting {
     Fitting { span, storey, what }
 }
 
-/// The surface of a paint, or of bare wood.
+/// Returns the surface of a paint, or of bare wood.
 fn paint(paint: Option<crate::ast::Paint>) -> crate::material::SurfaceId {
     crate::material::SurfaceId::named(paint.unwrap_or_default().surface())
 }
 
-/// A plan point in the house frame, metres.
+/// Returns a plan point in the house frame, metres.
 fn metres(house: &House, p: DVec2) -> DVec2 {
     house.place(p, 0.0).truncate()
 }
 
-/// The direction out of the house at a wall, house frame.
+/// Returns the direction out of the house at a wall, house frame.
 fn outward(wall: &Wall) -> DVec2 {
     // The interior is on the right of the walk.
     dvec2(-wall.direction.y, -wall.direction.x)
 }
 
-/// The closed outer rings of a storey.
+/// Returns the closed outer rings of a storey.
 fn rings(storey: &Storey) -> impl Iterator<Item = &Ring> {
     storey.rings.iter().filter(|r| r.closed && !r.hole)
 }
 
-/// The places of a wall's posts, in U from its right end: its ends and the borders of its bays.
+/// Returns the positions of a wall's posts, in U from its right end: its ends and the borders of its bays.
 fn posts_of(wall: &Wall) -> Vec<f64> {
     let length = wall.from.distance(wall.to);
     let mut at = 0.0;
@@ -121,7 +121,7 @@ fn posts_of(wall: &Wall) -> Vec<f64> {
     posts
 }
 
-/// Whether a bay holds a wall or an opening, not a void.
+/// Returns true if a bay holds a wall or an opening rather than a void.
 fn stands(content: &Content) -> bool {
     !matches!(content, Content::Void)
 }

@@ -17,10 +17,10 @@ use glam::{DVec2, dvec2};
 /// One shaku in metres (law of 1891).
 pub const SHAKU: f64 = 10.0 / 33.0;
 
-/// Integer steps in one U: decimals of six digits are exact, quarters above all.
+/// Integer steps in one U: six decimals are exact, including quarters.
 pub const STEPS: i64 = 1_000_000;
 
-/// A plan coordinate as integer steps.
+/// Returns a plan coordinate in integer steps.
 pub fn steps(u: f64) -> i64 {
     (u * STEPS as f64).round() as i64
 }
@@ -31,13 +31,13 @@ pub fn steps(u: f64) -> i64 {
 pub struct Heading(f64);
 
 impl Heading {
-    /// From degrees, right positive.
+    /// Creates a heading from degrees, right positive.
     pub fn new(degrees: f64) -> Heading {
         let turned = degrees.rem_euclid(360.0);
         Heading(if turned >= 360.0 { 0.0 } else { turned })
     }
 
-    /// Degrees from the first heading.
+    /// Returns the degrees from the first heading.
     pub fn degrees(self) -> f64 {
         self.0
     }
@@ -48,20 +48,20 @@ impl Heading {
         Heading::new(self.0 + degrees)
     }
 
-    /// The unit vector in the author frame; exact for right angles.
+    /// Returns the unit vector in the author frame; exact for right angles.
     pub fn vector(self) -> DVec2 {
         match self.0 {
             0.0 => dvec2(1.0, 0.0),
             90.0 => dvec2(0.0, 1.0),
             180.0 => dvec2(-1.0, 0.0),
             270.0 => dvec2(0.0, -1.0),
-            // `libm`, since the platform's sine differs between machines.
+            // `libm`, since the sine of the platform differs between machines.
             d => dvec2(libm::cos(d.to_radians()), libm::sin(d.to_radians())),
         }
     }
 }
 
-/// Twice the signed area of a closed polygon; positive = interior on the right of the walk.
+/// Returns twice the signed area of a closed polygon; positive = interior on the right of the walk.
 pub fn area2(corners: &[DVec2]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     corners.iter().zip(next).map(|(p, q)| p.perp_dot(*q)).sum()

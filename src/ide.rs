@@ -1,8 +1,8 @@
 //! Answers to editors: hover, completion, definition, references and the like.
 //!
-//! Everything takes and gives plain types and byte offsets into [`Source::text`]; only [`lsp`](crate::lsp) knows the
-//! protocol. An [`Analysis`] is all that is known of one file at one moment: nothing in it changes, and what is costly
-//! and not always asked for is computed when it is asked for.
+//! Everything takes and returns plain types and byte offsets into [`Source::text`]; only [`lsp`](crate::lsp) knows the
+//! protocol. An [`Analysis`] holds everything known of one file at one moment: it is immutable, and expensive results
+//! that are rarely needed are computed on demand.
 
 pub mod card;
 pub mod complete;
@@ -31,7 +31,7 @@ use std::cell::OnceCell;
 use std::ops::Range;
 use std::path::Path;
 
-/// All that is known of a source file.
+/// The analysis of a source file.
 #[derive(Debug)]
 pub struct Analysis {
     /// The file, file 0.
@@ -42,7 +42,7 @@ pub struct Analysis {
     pub checked: Checked,
     options: Options,
     outline: OnceCell<Outline>,
-    /// Of the included files.
+    /// The outlines of the included files.
     outlines: OnceCell<Vec<Outline>>,
     names: OnceCell<names::Names>,
 }
@@ -50,14 +50,14 @@ pub struct Analysis {
 /// A place in a source file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// Which of [`Analysis::source`] and its included files.
+    /// The number of the file, [`Analysis::source`] or an included one.
     pub file: FileId,
-    /// Where in its text.
+    /// The range in its text.
     pub range: Range<usize>,
 }
 
 impl Analysis {
-    /// Checks a source file.
+    /// Analyses a source file.
     pub fn new(source: Source, world: &dyn World, options: &Options) -> Analysis {
         let mut out = Diagnostics::new();
         let asked = Options {
@@ -76,14 +76,14 @@ impl Analysis {
         }
     }
 
-    /// The text of the file.
+    /// Returns the outline of the file.
     pub fn outline(&self) -> &Outline {
         let limits = &self.options.expand.limits;
         self.outline
             .get_or_init(|| crate::parse::outline::of(&self.source, limits))
     }
 
-    /// The definitions of the included files.
+    /// Returns the outlines of the included files.
     fn outlines(&self) -> &[Outline] {
         let limits = &self.options.expand.limits;
         self.outlines.get_or_init(|| {
@@ -94,17 +94,17 @@ impl Analysis {
         })
     }
 
-    /// The text.
+    /// Returns the text of the file.
     pub fn text(&self) -> &str {
         self.source.text()
     }
 
-    /// The parts that are known in it.
+    /// Returns the catalogue of the parts known in it.
     pub fn catalog(&self) -> &Catalog {
         &self.checked.catalog
     }
 
-    /// Where something is stated, in words: the line, and the file where that is another one.
+    /// Describes the place of a statement: the line, and the file if it is another one.
     fn line_of(&self, source: &Source, span: Span) -> Text {
         let line = source.line_column(span).0;
         if source.id() == self.source.id() {
@@ -115,12 +115,12 @@ impl Analysis {
         text!("{name}, line {line}", "{name} {line} 行")
     }
 
-    /// The file and the files that it includes.
+    /// Returns the file and the files that it includes.
     pub fn sources(&self) -> impl Iterator<Item = &Source> {
         std::iter::once(&self.source).chain(&self.checked.included)
     }
 
-    /// A file that was read for it.
+    /// Returns a file that was read for it, by its number.
     pub fn file(&self, id: FileId) -> Option<&Source> {
         self.sources().find(|s| s.id() == id)
     }

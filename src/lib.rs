@@ -11,7 +11,7 @@
 //! assert!(!out.has_errors());
 //! ```
 //!
-//! [`compile`] makes the model, [`glb`] writes it, [`check`](check()) only reports, [`format`](format()) lays a file out, [`roof_over`]
+//! [`compile`] makes the model, [`glb`] writes it, [`check`](check()) only reports, [`format`](format()) formats a file, [`roof_over`]
 //! roofs an outline. These and the types they take are the public interface. The modules below are public only to the
 //! program, its tests, benchmarks and fuzz targets, which are crates of their own; they are hidden from this page and
 //! follow no semantic versioning.
@@ -29,12 +29,12 @@
 //! [`Diagnostics`] and continues; none panics. [`compile`] runs them all.
 //!
 //! From expansion to fittings the unit of work is a house: [`driver::house`] makes one from its syntax and an id, and a
-//! run is a loop over houses. A house is the same alone and in any company, so it may be made again, or elsewhere.
+//! run is a loop over houses. A house does not depend on the others, so it may be made again, or elsewhere.
 //!
 //! | step | makes | what no longer exists after it |
 //! |---|---|---|
 //! | [`Source::new`] | [`Source`] | encodings; spans count bytes of the original file ever after |
-//! | [`parse::parse`] | [`ast::Document`] | syntax: the legacy text and XML give one tree; expressions, parameters, conditions, named pieces, included files |
+//! | [`parse::parse`] | [`ast::Document`] | syntax: the legacy form and the XML form give one tree; expressions, parameters, conditions, definitions, included files |
 //! | [`expand::Expander::house`] | [`program::House`] | repeat, split lists, random, replace, unknown codes, defaults |
 //! | [`lower::house`] | [`building::House`] | turns and rows: every wall has two ends |
 //! | [`roof::house`] | [`building::HouseRoofs`] | open tops: regions cover every uncovered area once, solids lie over them |
@@ -42,13 +42,13 @@
 //! | [`tessellate::tessellate`] | [`scene::Scene`] | part codes and plans: meshes, materials, a tree of nodes |
 //! | [`backend`] | bytes | |
 //!
-//! [`mod@print`] goes the other way: a text laid out anew, or in the other form of the language.
+//! [`mod@print`] goes the other way: it formats a source file, or converts it to the other form of the language.
 //!
 //! # Nouns and verbs
 //!
 //! The trees between the steps are noun modules: data, small accessors, invariants in their headers. The steps are
 //! verb modules. A noun uses no verb; a step uses its input, its output and the foundations. `tests/order.rs` holds
-//! the sources to that. The core does no input or output: pictures and included texts come through [`source::World`];
+//! the sources to that. The core does no input or output: images and included files come through [`source::World`];
 //! files are read by [`fs`] for the shells [`cli`], [`lsp`] and [`view`], and only [`cli`] prints.
 //!
 //! # Numbers

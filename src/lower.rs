@@ -3,9 +3,9 @@
 //! docs/evidence.md 2.3).
 //!
 //! - [`walk`]: one loop to walls, one after another;
-//! - [`close`]: whether the walk closes, and which line would close it;
+//! - [`close`]: closed walks, and the line that would close an open one;
 //! - [`text`]: edits that make a line of the legacy form longer, shorter, or turn the other way;
-//! - [`crossing`]: whether walls cross or touch, within a ring and between rings.
+//! - [`crossing`]: walls that cross or touch, within a ring and between rings.
 
 mod close;
 mod crossing;
@@ -29,8 +29,7 @@ pub fn lower(program: Program, out: &mut Diagnostics) -> Shell {
     }
 }
 
-/// Places the walls of one house. Every flaw of an outline is reported; its walls are built all the same, as an open
-/// facade.
+/// Places the walls of one house. Every defect of an outline is reported; its walls are still built, as an open facade.
 pub fn house(house: program::House, out: &mut Diagnostics) -> House {
     let (mut z, mut number) = (0.0, 0);
     let raised = raised(&house);

@@ -1,8 +1,8 @@
-//! The surfaces of a house by name: which material they are of, at which age, in which colour and gloss. The
-//! catalogue names them; `tessellate` turns those in use into materials of the scene.
+//! The surfaces of a house by name: the material of each, its age, colour and gloss. The catalogue names them;
+//! `tessellate` turns those in use into materials of the scene.
 //!
-//! A surface named after a look (`cedar_silver`) wears just that; one named after a material (`cedar`) wears what
-//! a kept house of some years shows. Tints are linear RGB and at most 1.
+//! A surface named after a look (`cedar_silver`) has exactly that look; one named after a material (`cedar`) has the
+//! look of a maintained house of some years. Tints are linear RGB and at most 1.
 
 mod ageing;
 mod table;
@@ -22,11 +22,11 @@ pub struct Surface {
     pub name: &'static str,
     /// Its material, including how that ages; `None` = a plain colour.
     pub material: Option<&'static Material>,
-    /// The look of the texture library that it wears, in metres; `None` = plain colour.
+    /// The look of the texture library that it shows, in metres; `None` = plain colour.
     pub picture: Option<&'static str>,
-    /// Multiplies the picture's colour, linear RGB and opacity.
+    /// Multiplies the texture's colour, linear RGB and opacity.
     pub tint: [f32; 4],
-    /// 0 mirror-smooth to 1 dull; multiplies the picture's.
+    /// 0 mirror-smooth to 1 dull; multiplies the texture's roughness.
     pub roughness: f32,
     /// 0 or 1.
     pub metallic: f32,
@@ -37,30 +37,29 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Returns true if the picture has a grain that runs along a member.
+    /// Returns true if the texture has a grain that runs along a member.
     pub fn grain(&self) -> bool {
         self.material.is_some_and(|material| material.grain)
     }
 }
 
-/// Index of a [`Surface`]: one of the table, or behind those one that has weathered.
+/// Index of a [`Surface`]: one of the table or, after those, a weathered one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SurfaceId(u16);
 
 impl SurfaceId {
-    /// The surface of a name.
+    /// Returns the surface of a name.
     pub fn find(name: &str) -> Option<SurfaceId> {
         let at = TABLE.iter().position(|s| s.name == name)?;
         Some(SurfaceId(at as u16))
     }
 
-    /// The names of all surfaces.
+    /// Returns the names of all surfaces.
     pub fn names() -> impl Iterator<Item = &'static str> {
         TABLE.iter().map(|s| s.name)
     }
 
-    /// The surface of a name that the table is known to hold; plain wood where it does not, which a test
-    /// excludes.
+    /// Returns the surface of a name in the table; for unknown names, which a test excludes, plain wood.
     pub fn named(name: &str) -> SurfaceId {
         SurfaceId::find(name).unwrap_or(SurfaceId(0))
     }
@@ -82,7 +81,7 @@ impl SurfaceId {
         }
     }
 
-    /// Its place in the table.
+    /// Returns its index in the table.
     pub fn index(self) -> usize {
         usize::from(self.0)
     }
@@ -97,7 +96,7 @@ impl Serialize for SurfaceId {
 /// Number of surfaces in the table.
 pub const COUNT: usize = TABLE.len();
 
-/// Every surface in the table.
+/// Returns every surface in the table.
 pub fn all() -> &'static [Surface] {
     TABLE
 }

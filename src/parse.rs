@@ -1,11 +1,11 @@
-//! From a source to a document, whatever the syntax.
+//! Reads a source into a document, in either syntax.
 //!
-//! The first character that is no white space decides: `<` opens the XML form, everything else is
-//! legacy form (docs/contract.md 2 and 3). What concerns a file as a whole is stated here, once for both
-//! readers: its size, its encoding, bytes without a meaning, a file that is no text at all.
+//! The first character that is not white space decides: `<` opens the XML form, everything else is legacy form
+//! (docs/contract.md 2 and 3). Checks of a file as a whole are here, once for both readers: its size, its encoding,
+//! invalid bytes, binary files.
 //!
-//! Reading never fails. A reader reports what it cannot take, reads on as if the fix it proposes had
-//! been made, and returns every house it found.
+//! Reading never fails. A reader reports what it cannot accept, continues as if the proposed fix had been applied, and
+//! returns every house it found.
 
 pub use builtin::builtin;
 pub use values::{Seen, Values};
@@ -29,22 +29,22 @@ pub mod schema;
 /// The settings with which a file is read.
 #[derive(Clone, Copy)]
 pub struct ReadContext<'a> {
-    /// Bounds on what is taken in.
+    /// Limits on the input.
     pub limits: Limits,
-    /// Parameters and their values; the last of a name counts.
+    /// Parameters and their values; the last value of a name counts.
     pub parameters: &'a [(String, String)],
-    /// Takes the place of the seed of every house. With it parameters that may be are drawn.
+    /// Overrides the seed of every house. With it, parameters with `random` are chosen at random.
     pub seed: Option<u64>,
-    /// Where the files lie that others include.
+    /// Access to included files.
     pub world: &'a dyn World,
-    /// Where those that were read are kept.
+    /// The cache of files already read.
     pub cache: &'a SourceCache,
-    /// Where it is taken down what expressions and names come to, if requested.
+    /// Records the values of expressions, if requested.
     pub values: Option<&'a Values>,
 }
 
 impl<'a> ReadContext<'a> {
-    /// No parameters, no other files.
+    /// Creates a context without parameters and other files.
     pub fn alone(limits: &Limits, cache: &'a SourceCache) -> ReadContext<'a> {
         ReadContext {
             limits: *limits,
@@ -57,19 +57,19 @@ impl<'a> ReadContext<'a> {
     }
 }
 
-/// The known word that is nearest to one, if it may be a slip of that.
+/// Returns the known word nearest to a misspelt one, if it is near enough.
 pub fn nearest<'k>(word: &str, known: impl Iterator<Item = &'k str> + Clone) -> Option<&'k str> {
     xml::nearest(word, known)
 }
 
-/// Reads a file of either syntax that stands for itself.
+/// Reads a file of either syntax that includes no other.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
     let cache = SourceCache::new(0, 0);
     let setting = ReadContext::alone(limits, &cache);
     parse_in(source, setting, &mut xml::Trees::default(), out)
 }
 
-/// Reads a file of either syntax. What was read before is taken from `trees`.
+/// Reads a file of either syntax. Elements that were read before are taken from `trees`.
 pub fn parse_in<'a>(
     source: &'a Source,
     setting: ReadContext<'a>,
@@ -90,7 +90,7 @@ pub fn parse_in<'a>(
     }
 }
 
-/// Whether a file is a source file of tolerable length; says how its bytes were read.
+/// Returns true if a file is a source file within the size limit; reports its encoding.
 fn is_readable(source: &Source, limits: &Limits, out: &mut dyn FnMut(Diagnostic)) -> bool {
     if source.size() > limits.bytes {
         let start = source.span(0..0);
@@ -107,14 +107,14 @@ fn is_readable(source: &Source, limits: &Limits, out: &mut dyn FnMut(Diagnostic)
     true
 }
 
-/// A tenth of NUL characters among the first thousand: a picture, an archive, or UTF-16 without a mark.
+/// Returns true if a tenth of the first thousand characters is NUL: an image, an archive, or UTF-16 without a mark.
 fn looks_binary(text: &str) -> bool {
     let head = &text.as_bytes()[..text.len().min(1000)];
     let nuls = head.iter().filter(|&&b| b == 0).count();
     nuls > 0 && nuls * 10 >= head.len()
 }
 
-/// Says once how the bytes were read, where that is not plain UTF-8.
+/// Reports the encoding of a file once, if it is not plain UTF-8.
 fn encoding(source: &Source, out: &mut dyn FnMut(Diagnostic)) {
     let start = source.span(0..0);
     match source.encoding() {

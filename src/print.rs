@@ -1,9 +1,8 @@
-//! Documents back to files: `hsd fmt` lays a source file out anew, in its own form or in the other.
+//! Documents back to files: `hsd fmt` formats a source file, in its own form or in the other.
 //!
-//! A source file is laid out from what its author wrote, not from what the program makes of it: comments stay where they
-//! are, numbers keep their spelling, the order of everything is the author's. What a layout may never do is change
-//! the meaning, so each result is read again, and where the tree of the document is not the same but for its places,
-//! the file stays as it is.
+//! A source file is formatted from what its author wrote, not from the result of parsing: comments stay where they are,
+//! numbers keep their spelling, and the order stays. Formatting must never change the meaning, so each result is parsed
+//! again; if its tree differs in more than its places, the file is left unchanged.
 //!
 //! | file | does |
 //! |---|---|
@@ -45,7 +44,7 @@ pub enum Form {
 }
 
 impl Form {
-    /// The form of a source file: its first character that is no white space decides (docs/contract.md 2).
+    /// Returns the form of a source file: its first character that is not white space decides (docs/contract.md 2).
     pub fn of(source: &Source) -> Form {
         match source.text().trim_start().starts_with(['<', '＜']) {
             true => Form::Xml,
@@ -53,7 +52,7 @@ impl Form {
         }
     }
 
-    /// The other one.
+    /// Returns the other form.
     pub fn other(self) -> Form {
         match self {
             Form::Legacy => Form::Xml,
@@ -61,7 +60,7 @@ impl Form {
         }
     }
 
-    /// The name.
+    /// Returns the name of the form.
     pub fn name(self) -> Text {
         match self {
             Form::Legacy => say::legacy_form(),
@@ -70,11 +69,10 @@ impl Form {
     }
 }
 
-/// Lays a source file out anew in its own form, with its own line ends. A legacy file has to be without errors, an XML file
-/// to be well-formed: whether its elements make sense does not matter here.
+/// Formats a source file in its own form, with its own line ends. A legacy file must be free of errors, an XML file
+/// well-formed; its elements need not be valid.
 ///
-/// # Errors
-/// `None` where the meaning of the file is in doubt; `out` says why.
+/// # Errors `None` if the meaning of the file is in doubt; `out` receives the reason.
 pub fn format(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option<String> {
     let mut told = Diagnostics::new();
     let document = parse::parse(source, limits, &mut told);
@@ -95,7 +93,7 @@ pub fn format(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option
     kept
 }
 
-/// Errors only: to say the rest is the business of other commands.
+/// Passes on errors only: other commands report the rest.
 fn pass_on(told: Diagnostics, out: &mut Diagnostics) {
     let errors = told.into_sorted().into_iter();
     errors
@@ -103,12 +101,12 @@ fn pass_on(told: Diagnostics, out: &mut Diagnostics) {
         .for_each(|d| out.push(d));
 }
 
-/// Whether a source file says the same as the document.
+/// Returns true if a source file has the same meaning as the document.
 fn same(source: &Source, document: &Document, text: &str, limits: &Limits) -> bool {
     if text == source.text() {
         return true;
     }
-    // A layout may be longer than what a file is allowed to have.
+    // Formatted output may exceed the size limit of a source file.
     let limits = Limits {
         bytes: usize::MAX,
         ..*limits
@@ -118,7 +116,7 @@ fn same(source: &Source, document: &Document, text: &str, limits: &Limits) -> bo
     essence(&read) == essence(document)
 }
 
-/// The line end that a source file has most.
+/// Returns the most frequent line end of a source file.
 fn line_end(text: &str) -> &'static str {
     let (mut windows, mut old, mut unix) = (0usize, 0usize, 0usize);
     let bytes = text.as_bytes();
@@ -137,7 +135,7 @@ fn line_end(text: &str) -> &'static str {
     }
 }
 
-/// A text of line feeds with other line ends.
+/// Replaces the line feeds of a string by other line ends.
 fn with_ends(text: String, end: &str) -> String {
     match end {
         "\n" => text,

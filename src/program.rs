@@ -13,18 +13,18 @@ use serde::Serialize;
 pub struct Program {
     /// In the order of the documents.
     pub houses: Vec<House>,
-    /// Part pictures in use, in the order of first use.
+    /// Part images in use, in the order of first use.
     pub pictures: Vec<Picture>,
 }
 
-/// A picture that represents a whole part (003-01), found by its name.
+/// An image that represents a whole part (003-01), found by its name.
 #[derive(Clone, Debug, Serialize)]
 pub struct Picture {
-    /// The name it is called by.
+    /// The name by which a code refers to it.
     pub name: String,
     /// The path below one of the texture folders.
     pub path: String,
-    /// Its size in pixels; a part without a width of its own takes its proportion from it.
+    /// Its size in pixels; it gives the proportion of a part without a width of its own.
     pub size: (u32, u32),
 }
 
@@ -39,7 +39,7 @@ pub struct House {
     pub span: Span,
     /// Its name, empty if it has none.
     pub name: String,
-    /// Which of the variants of its text it belongs to, if several are made.
+    /// The variant that it belongs to, if several are made.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub variant: Option<Variant>,
     /// East, north, up of the origin, metres.
@@ -81,11 +81,11 @@ pub struct Roofs {
     pub mode: RoofMode,
     /// The method of the automatic ones.
     pub method: RoofMethod,
-    /// Where a wish for roofs is written, if anywhere: an open plan is an error only then.
+    /// Where roofs are requested, if anywhere: only then is an open plan an error.
     pub wished: Option<Span>,
     /// The style of automatic roofs.
     pub style: RoofStyle,
-    /// Roofs with a place of their own.
+    /// Written roofs.
     pub lines: Vec<RoofLine>,
 }
 
@@ -98,7 +98,7 @@ pub struct Storey {
     pub height: f64,
     /// Storey or parapet.
     pub kind: StoreyKind,
-    /// Posts, veranda and brackets, the house's where it has none of its own.
+    /// Its posts, veranda and brackets; by default the house's.
     pub order: Order,
     /// Outer walks and courtyards.
     pub loops: Vec<Loop>,
@@ -128,8 +128,7 @@ pub struct Line {
     pub span: Span,
     /// From right to left as seen from outside.
     pub units: Vec<Unit>,
-    /// The turn at the end, degrees, right positive; that of the last line counts as whatever closes
-    /// the walk.
+    /// The turn at the end, degrees, right positive; that of the last line is ignored, since the walk closes.
     pub turn: f64,
     /// True if the glass of this line is reflective.
     pub reflection: bool,
@@ -138,17 +137,17 @@ pub struct Line {
 /// One step along a line.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Unit {
-    /// Where it is written.
+    /// Its place in the source.
     pub span: Span,
     /// Width in U; 0 for posts and wing walls.
     pub width: f64,
     /// The content.
     pub content: Content,
-    /// Height in shaku where the author gave one.
+    /// Height in shaku if given.
     pub height: Option<f32>,
     /// Share of light it reflects, if a `Texture` specifies it.
     pub reflection: Option<f32>,
-    /// The picture that its part's texture shows here.
+    /// The image that its part's texture shows here.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub picture: Option<PictureId>,
 }
@@ -160,16 +159,16 @@ pub enum Content {
     Void,
     /// A part of the catalogue.
     Part(PartId),
-    /// A part picture.
+    /// A part image.
     Picture(PictureId),
     /// Units above and below.
     Split(Box<Split>),
 }
 
-/// A unit divided above and below; both halves are as wide as the unit.
+/// A unit divided into an upper and a lower half; both are as wide as the unit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Split {
-    /// Share of the upper half in the height.
+    /// Share of the height that the upper half takes.
     pub ratio: f64,
     /// Above, from right to left as seen from outside.
     pub upper: Vec<Unit>,

@@ -1,7 +1,7 @@
 //! Reports: diagnostics as text for people, lines for editors, JSON and SARIF for programs.
 //!
-//! Every format is linear in the files and in the number of messages: lines and characters are counted once a
-//! file. The report for people shows at most [`SHOWN`] messages, errors first.
+//! Every format takes time linear in the size of the files and the number of messages: lines and characters are counted
+//! once per file. The report for people shows at most [`SHOWN`] messages, errors first.
 
 mod clean;
 mod excerpt;
@@ -17,16 +17,16 @@ use lines::{Lines, Position};
 use std::cell::OnceCell;
 use std::io::{self, Write};
 
-/// Messages that the report for people shows.
+/// The maximum number of messages in the report for people.
 pub const SHOWN: usize = 50;
 
-/// How a report is written.
+/// The format of a report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Format {
-    /// With the lines in question.
+    /// With excerpts of the source, for people.
     #[default]
     Human,
-    /// A line each: `file:line:column: error[HSD0104]: message (help: ...)`.
+    /// One line each: `file:line:column: error[HSD0104]: message (help: ...)`.
     Short,
     /// One array (docs/contract.md 5).
     Json,
@@ -34,12 +34,12 @@ pub enum Format {
     Sarif,
 }
 
-/// What a report for people may use.
+/// The style of a report for people.
 #[derive(Clone, Copy, Debug)]
 pub struct Style {
-    /// Whether the reader sees colours.
+    /// True if the output may have colours.
     pub color: bool,
-    /// Columns of the screen.
+    /// Width of the output in columns.
     pub width: usize,
 }
 
@@ -52,7 +52,7 @@ impl Default for Style {
     }
 }
 
-/// Messages and the files they speak of.
+/// Messages and the files they refer to.
 #[derive(Debug)]
 pub struct Report<'a> {
     language: Language,
@@ -61,7 +61,7 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// A report on sorted diagnostics. Sources may come in any order.
+    /// Creates a report on sorted diagnostics. Sources may come in any order.
     pub fn new(sources: &'a [Source], diagnostics: &'a [Diagnostic]) -> Report<'a> {
         let mut files: Vec<_> = sources.iter().map(|s| (s, OnceCell::new())).collect();
         files.sort_by_key(|(source, _)| source.id());
@@ -72,17 +72,16 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// The same report for readers of another language. What programs match stays as it is: codes, and the words
-    /// for severities in short lines, JSON and SARIF.
+    /// Returns the same report in another language. Words that programs match stay as they are: codes, and the
+    /// severities in short lines, JSON and SARIF.
     #[must_use]
     pub fn in_language(self, language: Language) -> Report<'a> {
         Report { language, ..self }
     }
 
-    /// Writes it.
+    /// Writes the report.
     ///
-    /// # Errors
-    /// When `out` takes no more.
+    /// # Errors If `out` fails.
     pub fn write(&self, format: Format, style: Style, out: &mut dyn Write) -> io::Result<()> {
         match format {
             Format::Human => human::write(self, style, out),
@@ -92,7 +91,7 @@ impl<'a> Report<'a> {
         }
     }
 
-    /// How many of what in which file: `2 errors, 1 warning in shop.hsd`; `None` without messages.
+    /// Returns the counts by severity and file: `2 errors, 1 warning in shop.hsd`; `None` without messages.
     pub fn summary(&self) -> Option<String> {
         let severities = [Severity::Error, Severity::Warning, Severity::Note];
         let count = |s| self.diagnostics.iter().filter(|d| d.severity == s).count();
@@ -140,19 +139,19 @@ impl<'a> Report<'a> {
         at.map_or("?", |at| self.files[at].0.name())
     }
 
-    /// Where a span begins.
+    /// Returns the position at which a span begins.
     fn position(&self, span: Span) -> Position {
         let lines = self.lines(span.file);
         lines.map_or(Position::default(), |l| l.position(l.range(span).start))
     }
 }
 
-/// The word of a severity for programs, in every format and language.
+/// Returns the word of a severity for programs, equal in every format and language.
 fn word(severity: Severity) -> &'static str {
     name(severity).en
 }
 
-/// The word of a severity for people.
+/// Returns the word of a severity for people.
 fn name(severity: Severity) -> Noun {
     match severity {
         Severity::Error => noun("error", "エラー"),
@@ -161,7 +160,7 @@ fn name(severity: Severity) -> Noun {
     }
 }
 
-/// The title of a page of `hsd explain`: its first line without the code.
+/// Returns the title of a page of `hsd explain`: its first line without the code.
 pub fn title(page: &str) -> &str {
     let line = page.lines().next().unwrap_or_default();
     line.split_once(": ")

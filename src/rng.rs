@@ -1,10 +1,10 @@
-//! Draws: each one is a hash of where it happens, so that an edit elsewhere changes no other draw.
+//! Random choices: each one is a hash of its place, so that an edit elsewhere changes no other choice.
 //!
-//! A [`Place`] is folded from (seed, house, facade or row, storey, position, operation) one field after
-//! another by the finaliser of splitmix64; texts go in as 64-bit FNV-1a. The numbers are part of the
-//! language: a house must look the same in every later version, so nothing here may change.
+//! A [`Place`] is folded from (seed, house, facade or row, storey, position, operation), one field after another, by
+//! the finaliser of splitmix64; strings enter as 64-bit FNV-1a. The numbers are part of the language: a house must look
+//! the same in every later version, so nothing here may change.
 
-/// Where something happens, as a hash of all fields so far.
+/// The place of a random choice, as a hash of all fields so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place(u64);
 
@@ -23,37 +23,37 @@ fn fnv(text: &str) -> u64 {
 }
 
 impl Place {
-    /// The place of everything that has this seed.
+    /// Returns the root place of a seed.
     pub fn seed(seed: u64) -> Place {
         Place(mix(seed.wrapping_add(STEP)))
     }
 
-    /// The place of the number `n` within this one.
+    /// Returns the place of the number `n` within this one.
     pub fn at(self, n: u64) -> Place {
         Place(mix(self.0.rotate_left(23) ^ mix(n.wrapping_add(STEP))))
     }
 
-    /// The place of a name within this one; never that of a number.
+    /// Returns the place of a name within this one; it never equals that of a number.
     pub fn named(self, name: &str) -> Place {
         self.at(u64::MAX).at(fnv(name))
     }
 
-    /// The draw of this place: 0 <= share < 1, evenly.
+    /// Returns the random number of this place, uniform in 0 <= share < 1.
     pub fn share(self) -> f64 {
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// The hash itself, to go on from in a later step.
+    /// Returns the hash, from which a later step can continue.
     pub fn key(self) -> u64 {
         self.0
     }
 
-    /// The place that a key was taken from.
+    /// Returns the place that a key was taken from.
     pub fn of(key: u64) -> Place {
         Place(key)
     }
 
-    /// An index drawn by weights, given as their running sums: finite, not falling, the last above 0.
+    /// Returns a random index by weights, given as their running sums: finite, not decreasing, the last above 0.
     pub fn pick(self, sums: &[f64]) -> usize {
         let mark = self.share() * sums.last().copied().unwrap_or(0.0);
         let index = sums.partition_point(|sum| *sum <= mark);

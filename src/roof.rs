@@ -1,12 +1,12 @@
-//! Roofs: from placed walls to closed solids over everything they leave open, one house at a time.
+//! Roofs: from placed walls to closed solids over everything they leave uncovered, one house at a time.
 //!
 //! | step | module | result |
 //! |---|---|---|
-//! | what is open | [`plan`], `storey` | the storey's plan less the storey above less the roof lines |
+//! | uncovered area | [`plan`], `storey` | the storey's plan less the storey above less the roof lines |
 //! | division | [`partition`] | rectangles that cover it once, cut by a method and merged |
 //! | roles | [`plan::roles`] | main roofs, branches that run into their trunk, lean-tos |
 //! | shape | [`shape`] | a [`shape::form::Form`] each: upper surface in facets, walls under it |
-//! | joining | `join` | roofs of one height meet in valleys, gables make room for their neighbours |
+//! | joining | `join` | roofs of one height meet in valleys, gables are cut back for their neighbours |
 //! | closing | [`solid`] | closed solids with gable walls |
 //!
 //! Plans that are not at right angles, and any plan by `method skeleton`, are roofed as a whole: the straight
@@ -60,7 +60,7 @@ pub fn roof(shell: Shell, out: &mut Diagnostics) -> Building {
     }
 }
 
-/// Roofs one house. The cache saves time and changes nothing.
+/// Roofs one house. The cache only saves time.
 pub fn house(house: &House, cache: &mut RoofCache, out: &mut Diagnostics) -> Arc<HouseRoofs> {
     let key = Key::of(house);
     if let Some((roofs, diagnostics)) = cache.find(house, &key) {

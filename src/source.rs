@@ -126,7 +126,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// The smallest span that holds both; the file of `self`.
+    /// Returns the smallest span that holds both; the file of `self`.
     pub fn to(self, other: Span) -> Span {
         Span {
             file: self.file,
@@ -135,7 +135,7 @@ impl Span {
         }
     }
 
-    /// The empty span at the end of `self`.
+    /// Returns the empty span at the end of `self`.
     pub fn after(self) -> Span {
         Span {
             start: self.end,
@@ -145,7 +145,7 @@ impl Span {
 }
 
 impl serde::Serialize for Span {
-    /// As `[start, end]`, under a name by which a serializer can tell places from content.
+    /// Serializes as `[start, end]`, under a name by which a serializer can distinguish places from content.
     fn serialize<S: serde::Serializer>(&self, s: S) -> Result<S::Ok, S::Error> {
         s.serialize_newtype_struct("Span", &[self.start, self.end])
     }
@@ -156,7 +156,7 @@ impl serde::Serialize for Span {
 pub struct Spanned<T> {
     /// The value.
     pub value: T,
-    /// Where.
+    /// Its place.
     pub span: Span,
 }
 
@@ -167,7 +167,7 @@ impl<T> Spanned<T> {
     }
 }
 
-/// One file: its name, its text, and the way between offsets of both.
+/// A source file: its name, its text, and the conversion between offsets in both.
 #[derive(Clone, Debug)]
 pub struct Source {
     id: FileId,
@@ -189,7 +189,7 @@ enum Offsets {
 
 impl Source {
     /// Decodes a file. A byte order mark decides; then an XML declaration's label; then whatever is
-    /// valid UTF-8 is UTF-8; the rest is taken for Shift_JIS or EUC-JP, whichever fits (docs/evidence.md 2.6, A13).
+    /// valid UTF-8 is UTF-8; otherwise Shift_JIS or EUC-JP, whichever fits (docs/evidence.md 2.6, A13).
     pub fn new(id: FileId, name: impl Into<String>, bytes: &[u8]) -> Source {
         let (encoding, bom) = detect(bytes);
         let utf8 = (encoding == encoding_rs::UTF_8).then(|| std::str::from_utf8(&bytes[bom..]));
@@ -209,37 +209,37 @@ impl Source {
         }
     }
 
-    /// The number of this file.
+    /// Returns the number of this file.
     pub fn id(&self) -> FileId {
         self.id
     }
 
-    /// The name as the author gave it on the command line.
+    /// Returns the name as given on the command line.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The decoded text, without a byte order mark.
+    /// Returns the decoded text, without a byte order mark.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Bytes of the original file.
+    /// Returns the number of bytes in the original file.
     pub fn size(&self) -> usize {
         self.len
     }
 
-    /// The encoding's name, "UTF-8" or for example "Shift_JIS".
+    /// Returns the encoding's name, "UTF-8" or for example "Shift_JIS".
     pub fn encoding(&self) -> &'static str {
         self.encoding
     }
 
-    /// Whether some bytes were invalid in the encoding and became U+FFFD.
+    /// Returns true if some bytes were invalid in the encoding and became U+FFFD.
     pub fn malformed(&self) -> bool {
         self.malformed
     }
 
-    /// The span of a range of [`Source::text`].
+    /// Returns the span of a range of [`Source::text`].
     pub fn span(&self, range: Range<usize>) -> Span {
         let (start, end) = (self.original(range.start), self.original(range.end));
         Span {
@@ -249,13 +249,13 @@ impl Source {
         }
     }
 
-    /// The range of [`Source::text`] that a span covers.
+    /// Returns the range of [`Source::text`] that a span covers.
     pub fn text_range(&self, span: Span) -> Range<usize> {
         let start = self.decoded(span.start);
         start..self.decoded(span.end).max(start)
     }
 
-    /// Line and column of a span's start, both from 1, columns in characters.
+    /// Returns line and column of a span's start, both from 1, columns in characters.
     pub fn line_column(&self, span: Span) -> (usize, usize) {
         let before = &self.text[..self.text_range(span).start];
         let line_start = before.rfind('\n').map_or(0, |i| i + 1);
@@ -285,7 +285,7 @@ impl Source {
     }
 }
 
-/// Looks an offset up in the table, from one side to the other, clamped to the next entry.
+/// Converts an offset by the table, in either direction, clamped to the next entry.
 fn across(
     table: &[(u32, u32)],
     at: u32,
@@ -320,8 +320,8 @@ fn detect(bytes: &[u8]) -> (&'static encoding_rs::Encoding, usize) {
     (encoding, 0)
 }
 
-/// The old Japanese encoding in which all bytes mean something. Where both would do, the one with fewer
-/// half-width kana: people wrote few of them, and EUC-JP read as Shift_JIS is full of them.
+/// Returns the Japanese encoding in which all bytes are valid. If both are, the one with fewer half-width kana: they
+/// are rare in real files, and EUC-JP read as Shift_JIS is full of them.
 fn japanese(bytes: &[u8]) -> Option<&'static encoding_rs::Encoding> {
     let candidates = [encoding_rs::SHIFT_JIS, encoding_rs::EUC_JP];
     let readable = candidates.into_iter().filter_map(|encoding| {
@@ -332,7 +332,7 @@ fn japanese(bytes: &[u8]) -> Option<&'static encoding_rs::Encoding> {
     readable.min_by_key(|(narrow, _)| *narrow).map(|(_, e)| e)
 }
 
-/// Decodes byte by byte, noting where text and file part; slow, but old files are small.
+/// Decodes byte by byte and notes where text and file offsets diverge; slow, but old files are small.
 fn decode(
     encoding: &'static encoding_rs::Encoding,
     bytes: &[u8],

@@ -1,8 +1,8 @@
-//! Source files to start from, which `hsd new` copies: the house types of `library/`, each written once for every plot
-//! and every front, and finished houses of `examples/`.
+//! Templates, the source files that `hsd new` copies: the house types of `library/`, which fit any plot and any front,
+//! and finished houses of `examples/`.
 //!
 //! In the library the town houses share their fronts in a file that they include. A copy is complete: the included
-//! pieces are written into it.
+//! definitions are written into it.
 
 use crate::catalog::Query;
 use crate::diagnostic::{Noun, noun};
@@ -14,16 +14,16 @@ pub struct Template {
     pub word: &'static str,
     /// The Japanese name.
     pub ja: &'static str,
-    /// The Japanese name in letters.
+    /// The Japanese name, romanised.
     pub romaji: &'static str,
     /// The English name.
     pub en: &'static str,
-    /// Other names that a search finds it by, with commas.
+    /// Other names by which a search finds it, separated by commas.
     pub aliases: &'static str,
     text: &'static str,
 }
 
-/// The pieces that some templates include, and the line that includes them.
+/// The definitions that some templates include, and the line that includes them.
 const FRONTS: &str = include_str!("../library/fronts.hsd");
 const INCLUDES_FRONTS: &str = "  <include href=\"fronts.hsd\"/>\n";
 
@@ -117,20 +117,21 @@ const ABSENT: &[(&str, Noun)] = &[
 ];
 
 impl Template {
-    /// The text of the source file, which includes no other file.
+    /// Returns the content of the source file, which includes no other file.
     pub fn text(&self) -> String {
         self.text.replacen(INCLUDES_FRONTS, &pieces(FRONTS), 1)
     }
 
-    /// The template of this Japanese name, in any spelling of its reading, or of this name on the command line.
+    /// Returns the template with this Japanese name, in any spelling of its reading, or with this name on the command
+    /// line.
     pub fn named(name: &str) -> Option<&'static Template> {
         let query = Query::new(name);
         let own = |t: &&Template| [t.word, t.ja, t.romaji].iter().any(|n| query.is(n));
         TYPES.iter().chain(EXAMPLES).find(own)
     }
 
-    /// The templates that a search finds by a name or an alias, house types first. Those that have the very word as a
-    /// name or an alias leave no room for others.
+    /// Returns the templates that a search finds by a name or an alias, house types first. If some match exactly, only
+    /// those are returned.
     pub fn found(word: &str) -> Vec<&'static Template> {
         let query = Query::new(word);
         let all = || TYPES.iter().chain(EXAMPLES);
@@ -143,7 +144,7 @@ impl Template {
         }
     }
 
-    /// Templates whose names are like a misspelt word or share a kanji with it; none where nothing is near.
+    /// Returns templates whose names resemble a misspelt word or share a kanji with it; none if nothing is near.
     pub fn nearest(word: &str) -> Vec<&'static Template> {
         const OFFERS: usize = 3;
         let query = Query::new(word);
@@ -172,7 +173,7 @@ fn listed(names: &'static str) -> impl Iterator<Item = &'static str> {
     names.split(',').map(str::trim)
 }
 
-/// The content of a file's outermost element, below the comment above it.
+/// Returns the content of a file's outermost element, without the comment above it.
 fn pieces(file: &str) -> String {
     let (head, rest) = file.split_once("<Catalog>\n").unwrap_or(("", file));
     let inner = rest

@@ -1,15 +1,15 @@
-//! The pictures of the materials: each surface a house can show, drawn by a formula.
+//! The textures of the materials: each surface of a house, computed by a formula.
 //!
 //! Nothing here is a photograph. A surface is a function from a point to a height, a colour and
 //! a roughness; [`Surface::draw`] samples it and derives the normal map from the heights, so
 //! colour and relief always agree. Every random number comes from an integer hash of a lattice
-//! that closes on itself, hence the pictures are seamless and the same bytes on every machine.
+//! that closes on itself, hence the textures are seamless and the same bytes on every machine.
 //!
 //! The kernel is `noise` (random fields), `cells` (joints, grains and straws), `color` (ramps),
 //! `grain` (wood) and `paint` (sampling, relief); the materials are built from it and listed in
-//! `table`; `files` turns pictures into the files of `textures/`, `samples` looks points up in them.
+//! `table`; `files` encodes textures as the files of `textures/`, `samples` samples them at points.
 //!
-//! Orientation: `u` runs to the right in the picture, `v` upwards (towards its top edge). On a
+//! Orientation: `u` runs to the right in the texture, `v` upwards (towards its top edge). On a
 //! roof `v` points up the slope.
 
 mod surface;
@@ -28,7 +28,7 @@ pub use table::SURFACES;
 use image::RgbImage;
 use std::fmt;
 
-/// A material's pictures: seamless in both axes, `size` px square. Its looks share the relief.
+/// The textures of a material: seamless in both axes, `size` px square. Its looks share the relief.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Maps {
     /// Base colour, sRGB, of each look.
@@ -44,18 +44,18 @@ pub struct Maps {
 pub struct Look {
     /// Lower-case name, unique among the looks of all surfaces, the stem of its colour file.
     pub name: &'static str,
-    /// Its mean colour as a web number, such as 0xF2EFE6, where one is known (docs/evidence.md 4.9).
+    /// Its mean colour as a hexadecimal sRGB number, such as 0xF2EFE6, if known (docs/evidence.md 4.9).
     pub mean: Option<u32>,
 }
 
 impl Look {
-    /// File name of the base colour, a JPEG of [`COLOR_SIZE`] px.
+    /// Returns the file name of the base colour, a JPEG of [`COLOR_SIZE`] px.
     pub fn color_file(&self) -> String {
         format!("{}_color.jpg", self.name)
     }
 }
 
-/// A material that can be drawn.
+/// A material whose textures can be computed.
 #[derive(Clone, Copy)]
 pub struct Surface {
     /// Lower-case name, the stem of the files that its looks share.
@@ -64,7 +64,7 @@ pub struct Surface {
     pub metres: f64,
     /// Its possible looks; the first is the new one.
     pub looks: &'static [Look],
-    /// Draws the pictures with `size` px a side, before their means are set.
+    /// Computes the textures with `size` px a side, before their mean colours are adjusted.
     paint: fn(size: u32) -> Maps,
 }
 
@@ -79,7 +79,7 @@ impl fmt::Debug for Surface {
 }
 
 impl Surface {
-    /// Its pictures with `size` px a side, a colour for each look.
+    /// Returns its textures with `size` px a side, a colour map for each look.
     pub fn draw(&self, size: u32) -> Maps {
         let mut maps = (self.paint)(size);
         debug_assert_eq!(maps.colors.len(), self.looks.len(), "{}", self.name);
@@ -91,18 +91,18 @@ impl Surface {
         maps
     }
 
-    /// File name of the normal map, a JPEG of [`COLOR_SIZE`] px.
+    /// Returns the file name of the normal map, a JPEG of [`COLOR_SIZE`] px.
     pub fn normal_file(&self) -> String {
         format!("{}_normal.jpg", self.name)
     }
 
-    /// File name of the occlusion, roughness and metalness map, a PNG of [`ORM_SIZE`] px.
+    /// Returns the file name of the occlusion, roughness and metalness map, a PNG of [`ORM_SIZE`] px.
     pub fn orm_file(&self) -> String {
         format!("{}_orm.png", self.name)
     }
 }
 
-/// The surface that has a look of that name, and the look.
+/// Returns the surface that has a look of that name, and the look.
 pub fn look(name: &str) -> Option<(&'static Surface, &'static Look)> {
     let of = |surface: &'static Surface| {
         let look = surface.looks.iter().find(|look| look.name == name)?;

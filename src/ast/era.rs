@@ -1,8 +1,8 @@
-//! When parts and houses were built.
+//! The eras of parts and houses.
 
 use serde::{Serialize, Serializer};
 
-/// When a part or a house was built (docs/evidence.md 5).
+/// The era in which a part or a house was built (docs/evidence.md 5).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Era {
     /// Any time.
@@ -27,7 +27,7 @@ impl Era {
         ("N", Era::Modern),
     ];
 
-    /// `all`, `E`, `M` or `N`.
+    /// Returns `all`, `E`, `M` or `N`.
     pub fn word(self) -> &'static str {
         match self {
             Era::All => "all",

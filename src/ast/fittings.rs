@@ -1,5 +1,6 @@
-//! Fittings of a house: platform, posts, veranda, bracket complexes, and the finial of the roof. Lengths in shaku. Values that no one wrote are those of [`Default`], or `None` where they follow from
-//! the house; `docs/evidence.md` 4.8 and 7.10 say what monuments have.
+//! Fittings of a house: platform, posts, veranda, bracket complexes, and the finial of the roof. Lengths in shaku.
+//! Omitted values are those of [`Default`], or `None` if they follow from the house; `docs/evidence.md` 4.8 and 7.10
+//! describe monuments.
 
 use crate::source::{Span, Spanned};
 use serde::Serialize;
@@ -26,7 +27,7 @@ impl Side {
         ('R', Side::Right),
     ];
 
-    /// Out of the house, author frame.
+    /// Returns the direction out of the house, author frame.
     pub fn outward(self) -> glam::DVec2 {
         match self {
             Side::Front => glam::DVec2::NEG_Y,
@@ -47,7 +48,7 @@ pub enum Paint {
     Hinoki,
     /// Bare zelkova.
     Keyaki,
-    /// Red lead (丹塗 ni-nuri) with yellow ends, as at gates, pagodas and shrines.
+    /// Red lead (丹塗 ni-nuri) with yellow ends, as on gates, pagodas and shrines.
     Vermilion,
     /// Iron red with soot.
     Bengara,
@@ -66,7 +67,7 @@ impl Paint {
         ("sooted", Paint::Sooted),
     ];
 
-    /// The surface it wears.
+    /// Returns the name of its surface.
     pub fn surface(self) -> &'static str {
         Self::ALL
             .iter()
@@ -80,17 +81,17 @@ impl Paint {
 pub struct Platform {
     /// The element.
     pub span: Span,
-    /// Of its top above the ground.
+    /// Height of its top above the ground.
     pub height: f64,
-    /// From the walls to its edge: left and right, front and back.
+    /// Distances from the walls to its edge: left and right, front and back.
     pub margin: [f64; 2],
-    /// Where stairs lead up.
+    /// Sides with stairs.
     pub stairs: Vec<Side>,
     /// Width of the stairs; `None` = the middle bay, or a third of the side.
     pub width: Option<f64>,
 }
 
-/// `<Posts>`: what carries the walls of a storey.
+/// `<Posts>`: the posts and beams that carry the walls of a storey.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Posts {
     /// The element.
@@ -99,38 +100,38 @@ pub struct Posts {
     pub size: f64,
     /// True if they are round.
     pub round: bool,
-    /// Of posts and beams.
+    /// Paint of posts and beams.
     pub paint: Paint,
     /// Rows of tie beams (長押 nageshi) before the posts: at the foot, over the doors, under the sills.
     pub nageshi: u32,
 }
 
-/// How a railing (高欄 koran) ends at corners.
+/// The form of a railing (高欄 koran) at corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum Rail {
-    /// There is none.
+    /// No railing.
     #[default]
     None,
-    /// Rails cross and run out beyond each other (組高欄 kumi-koran).
+    /// Rails that cross and project beyond each other (組高欄 kumi-koran).
     Crossed,
-    /// Posts with bulbs stand there (擬宝珠高欄 giboshi-koran).
+    /// Corner posts with giboshi finials (擬宝珠高欄 giboshi-koran).
     Knobbed,
 }
 
-/// `<Veranda>`: boards around a storey (縁 en).
+/// `<Veranda>`: boards round a storey (縁 en).
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Veranda {
     /// The element.
     pub span: Span,
-    /// From the walls to its edge.
+    /// Distance from the walls to its edge.
     pub width: f64,
-    /// Of its boards above the ground on the ground storey, which it raises; above the storey's foot upstairs.
+    /// Height of its boards: on the ground storey, which it raises, above the ground; upstairs above the storey's foot.
     pub height: f64,
     /// Its railing.
     pub rail: Rail,
-    /// Where wooden stairs lead up to that of a ground storey.
+    /// Sides with wooden stairs, on the ground storey.
     pub stairs: Vec<Side>,
-    /// Of its timber; `None` = as the posts.
+    /// Paint of its timber; `None` = as the posts.
     pub paint: Option<Paint>,
 }
 
@@ -139,26 +140,26 @@ pub struct Veranda {
 pub struct Brackets {
     /// The element.
     pub span: Span,
-    /// How often they step out: 0 in the plane of the wall, 3 = mitesaki.
+    /// The number of steps: 0 in the plane of the wall, 3 = mitesaki.
     pub steps: u32,
-    /// From the top of the posts to the top of the storey; `None` = by the steps.
+    /// Height from the top of the posts to the top of the storey; `None` = by the steps.
     pub height: Option<f64>,
-    /// From the wall to the purlin they carry; `None` = by the steps.
+    /// Distance from the wall to the purlin they carry; `None` = by the steps.
     pub out: Option<f64>,
-    /// Of their timber; `None` = as the posts.
+    /// Paint of their timber; `None` = as the posts.
     pub paint: Option<Paint>,
 }
 
-/// A finial.
+/// The kinds of finials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum FinialKind {
-    /// 相輪: base, bowl, nine rings, water-flame and jewels on the mast of a pagoda.
+    /// 相輪: base, bowl, nine rings, water-flame and jewels on the shaft on top of a pagoda.
     Sorin,
     /// 宝珠: a jewel on a dew basin (露盤 roban), on pyramids.
     Hoju,
-    /// 鴟尾: fish tails at the ends of the ridge.
+    /// 鴟尾: upturned ornaments at the ends of the ridge.
     Shibi,
-    /// 千木・鰹木: crossed boards and logs on the ridge of a shrine.
+    /// 千木・鰹木: forked finials and billets on the ridge of a shrine.
     Chigi,
 }
 
@@ -172,52 +173,53 @@ impl FinialKind {
     ];
 }
 
-/// `<Finial>`: what crowns the highest roof, or the one over a place.
+/// `<Finial>`: the ornament on the highest roof, or on the one over a place.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Finial {
     /// The element.
     pub span: Span,
-    /// Which.
+    /// Its kind.
     pub kind: FinialKind,
-    /// Above the roof; `None` = by the kind and the size of the roof.
+    /// Height above the roof; `None` = by the kind and the size of the roof.
     pub height: Option<f64>,
-    /// Logs between the crossed boards; `None` = by the length of the ridge.
+    /// Number of billets between the forked finials; `None` = by the length of the ridge.
     pub count: Option<u32>,
-    /// Over which place of the plan, in U; `None` = the highest roof.
+    /// A place of the plan, in U, whose roof carries it; `None` = the highest roof.
     pub at: Option<Spanned<(f64, f64)>>,
 }
 
-/// All of a house that holds for the whole of it.
+/// The fittings of a whole house.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Fittings {
     /// The platform under it.
     pub platform: Option<Platform>,
-    /// Of storeys that have none of their own.
+    /// Posts of storeys that have none of their own.
     pub posts: Option<Posts>,
-    /// Of storeys that have none of their own.
+    /// Brackets of storeys that have none of their own.
     pub brackets: Option<Brackets>,
-    /// On its roofs.
+    /// Finials of its roofs.
     pub finials: Vec<Finial>,
 }
 
-/// The settings of one storey.
+/// The posts, veranda and brackets of one storey.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Order {
-    /// The support of its walls.
+    /// The posts of its walls.
     pub posts: Option<Posts>,
-    /// Round it.
+    /// The veranda round it.
     pub veranda: Option<Veranda>,
-    /// Under its eaves.
+    /// The brackets under its eaves.
     pub brackets: Option<Brackets>,
 }
 
 impl Brackets {
-    /// From the top of the posts to the storey's top, shaku: a block, an arm, and a little more each step.
+    /// Returns the height from the top of the posts to the storey's top, shaku: a block, an arm, and a little more for
+    /// each step.
     pub fn zone(&self) -> f64 {
         self.height.unwrap_or(1.8 + 1.1 * f64::from(self.steps))
     }
 
-    /// From the wall to the purlin, shaku.
+    /// Returns the distance from the wall to the purlin, shaku.
     pub fn reach(&self) -> f64 {
         self.out.unwrap_or(1.2 * f64::from(self.steps))
     }

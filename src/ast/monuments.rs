@@ -1,19 +1,19 @@
-//! Houses written short: a pagoda, a gate, a hall, a shrine by its measures alone. `expand` makes storeys, posts,
-//! brackets and roofs of them; what no attribute says follows from the others (`docs/evidence.md` 4.8, 7.10).
-//! Lengths in shaku, shares without unit.
+//! Monuments, houses described by their measures alone: a pagoda, a gate, a hall, a shrine. `expand` makes storeys,
+//! posts, brackets and roofs of them; omitted attributes follow from the others (`docs/evidence.md` 4.8, 7.10). Lengths
+//! in shaku, shares without unit.
 
 use super::fittings::Paint;
 use super::{RoofKind, RoofShape};
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
-/// A number that may be left out.
+/// An optional number.
 pub type Given = Option<Spanned<f64>>;
 
-/// Two numbers that may be left out.
+/// Two optional numbers.
 pub type Pair = Option<Spanned<[f64; 2]>>;
 
-/// A house written short.
+/// A monument.
 #[derive(Clone, Debug, Serialize)]
 pub enum Monument {
     /// `<Pagoda>`.
@@ -25,7 +25,7 @@ pub enum Monument {
 }
 
 impl Monument {
-    /// The element.
+    /// Returns the span of the element.
     pub fn span(&self) -> Span {
         match self {
             Monument::Pagoda(p) => p.span,
@@ -35,18 +35,18 @@ impl Monument {
     }
 }
 
-/// Attributes that all of them have.
+/// Attributes common to all monuments.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct Measures {
-    /// Of the columns on the ground, from their feet to the brackets.
+    /// Height of the columns on the ground, from their feet to the brackets.
     pub columns: Given,
     /// Diameter of the columns.
     pub post: Given,
-    /// Of all timber.
+    /// Paint of all timber.
     pub paint: Option<Spanned<Paint>>,
     /// Steps of the brackets.
     pub steps: Option<Spanned<u64>>,
-    /// Rise of the roof, sun.
+    /// Pitch of the roof, sun.
     pub pitch: Given,
     /// Overhang of the (lowest) roof.
     pub eaves: Given,
@@ -56,11 +56,11 @@ pub struct Measures {
     pub thickness: Given,
     /// Covering.
     pub kind: Option<Spanned<RoofKind>>,
-    /// Form of the (top) roof.
+    /// Form of the roof, or of the top one.
     pub shape: Option<Spanned<RoofShape>>,
     /// Height of the platform; 0 = none.
     pub platform: Given,
-    /// From the walls to the platform's edge: left and right, front and back.
+    /// Distances from the walls to the platform's edge: left and right, front and back.
     pub margin: Pair,
 }
 
@@ -71,15 +71,15 @@ pub struct Pagoda {
     pub span: Span,
     /// Attributes that all of these elements have.
     pub measures: Measures,
-    /// How many.
+    /// Number of storeys.
     pub storeys: Option<Spanned<u64>>,
     /// Side of the first storey.
     pub width: Given,
-    /// Bays of a side.
+    /// Number of bays of a side.
     pub bays: Option<Spanned<u64>>,
     /// Width of the last storey as a share of the first.
     pub taper: Given,
-    /// From eaves plate to eaves plate, as a share of the upper one's width.
+    /// Height from eaves plate to eaves plate, as a share of the upper one's width.
     pub rise: Given,
     /// Height of the sorin; 0 = none.
     pub sorin: Given,
@@ -92,21 +92,21 @@ pub struct Gate {
     pub span: Span,
     /// Attributes that all of these elements have.
     pub measures: Measures,
-    /// Along the front, and in depth.
+    /// Numbers of bays along the front and in depth.
     pub bays: Pair,
-    /// Width of a bay along the front, and in depth.
+    /// Widths of a bay along the front and in depth.
     pub bay: Pair,
-    /// One or two.
+    /// Number of storeys, one or two.
     pub storeys: Option<Spanned<u64>>,
-    /// Bays with doors.
+    /// Number of bays with doors.
     pub doors: Option<Spanned<u64>>,
-    /// How far the upper walls stand back.
+    /// Distance by which the upper walls stand back.
     pub inset: Given,
     /// Height of the upper columns.
     pub upper: Given,
 }
 
-/// A hall of one storey, round whose core an aisle under a roof of its own may run.
+/// A hall of one storey, optionally with an aisle under a roof of its own round its core.
 #[derive(Clone, Debug, Serialize)]
 pub struct Hall {
     /// The element.
@@ -115,20 +115,20 @@ pub struct Hall {
     pub shrine: bool,
     /// Attributes that all of these elements have.
     pub measures: Measures,
-    /// Along the front, and in depth.
+    /// Numbers of bays along the front and in depth.
     pub bays: Pair,
-    /// Width of a bay along the front, and in depth.
+    /// Widths of a bay along the front and in depth.
     pub bay: Pair,
-    /// Bays with doors in front.
+    /// Number of bays with doors in front.
     pub doors: Option<Spanned<u64>>,
     /// Width of the aisle; 0 = one roof over all.
     pub aisle: Given,
-    /// Height of the core's walls above the roof of the aisle's.
+    /// Height of the core's walls above the roof of the aisle.
     pub upper: Given,
     /// Width of the veranda; 0 = none.
     pub veranda: Given,
     /// Height of its floor.
     pub floor: Given,
-    /// Logs on the ridge; 0 = no chigi.
+    /// Number of billets on the ridge; 0 = no chigi.
     pub katsuogi: Option<Spanned<u64>>,
 }

@@ -4,22 +4,22 @@ use super::Item;
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
-/// The items of a wall line. Files hold hundreds of thousands of codes, so a code takes as little room as it
-/// can, and what is rare stands in a box.
+/// An item of a wall line. Files hold hundreds of thousands of codes, so a code takes as little memory as possible, and
+/// rare items are boxed.
 #[derive(Clone, Debug, Serialize)]
 pub enum Piece {
-    /// A code of five columns of which nothing more is stated; the span is on it, and may be shorter.
+    /// A code of five columns without attributes; its span may be shorter.
     Code(#[serde(serialize_with = "as_text")] [u8; 5], Span),
     /// A part with a name of another length, a width or a height.
     Part(Box<Part>),
-    /// One storey part divided above and below (003-09).
+    /// A part of one storey divided into an upper and a lower half (003-09).
     Split(Box<Split>),
     /// A unit that could not be read and was reported: it counts as 1 U without a shape.
     Error(Span),
 }
 
 impl Piece {
-    /// A code of which nothing more is stated.
+    /// Creates an item for a code without attributes.
     pub fn new(code: CodeText, span: Span) -> Piece {
         match code {
             CodeText::Five(five) => Piece::Code(five, span),
@@ -31,7 +31,7 @@ impl Piece {
         }
     }
 
-    /// Its code, if it has one.
+    /// Returns its code, if it has one.
     pub fn code(&self) -> Option<Spanned<CodeText>> {
         match self {
             Piece::Code(five, span) => Some(Spanned::new(CodeText::Five(*five), *span)),
@@ -45,10 +45,10 @@ fn as_text<S: serde::Serializer>(five: &[u8; 5], s: S) -> Result<S::Ok, S::Error
     CodeText::Five(*five).serialize(s)
 }
 
-/// A code with what was reported about this one use of it.
+/// A code with the attributes of this use of it.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Part {
-    /// The code as written, `span` on it. Shorter than 5 where blanks were lost.
+    /// The code as written, with its span. Shorter than 5 columns if blanks were lost.
     pub code: Spanned<CodeText>,
     /// Width in U instead of the catalogue's.
     pub width: Option<Spanned<f64>>,
@@ -61,7 +61,7 @@ pub struct Part {
 pub struct Split {
     /// The start tag.
     pub span: Span,
-    /// Share of the upper half in the height, 0 to 1.
+    /// Share of the height that the upper half takes, 0 to 1.
     pub ratio: Option<Spanned<f64>>,
     /// Above.
     pub upper: Half,
@@ -83,12 +83,12 @@ pub struct Half {
 pub enum CodeText {
     /// A code of the catalogue's form, padded with blanks.
     Five([u8; 5]),
-    /// A name of any other length: an own part or a part picture.
+    /// A name of any other length: a custom part or a part image.
     Name(Box<str>),
 }
 
 impl CodeText {
-    /// ASCII of at most five bytes is padded to a code; everything else is a name.
+    /// Converts a string: ASCII of at most five bytes is padded to a code; everything else is a name.
     pub fn new(text: &str) -> CodeText {
         if text.len() > 5 || !text.is_ascii() {
             return CodeText::Name(text.into());
@@ -98,7 +98,7 @@ impl CodeText {
         CodeText::Five(five)
     }
 
-    /// The text, with its padding.
+    /// Returns the string, with its padding.
     pub fn as_str(&self) -> &str {
         match self {
             CodeText::Five(five) => std::str::from_utf8(five).unwrap_or_default(),

@@ -3,25 +3,25 @@
 use crate::source::{Span, Spanned};
 use serde::Serialize;
 
-/// Which roofs stand: the written ones, and automatic ones for the rest or none.
+/// The roofs of a house: the written ones, and automatic ones for the rest or none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum RoofMode {
-    /// The lines, and automatic roofs for what they leave open.
+    /// Written roofs, and automatic roofs over what they leave uncovered.
     #[default]
     Auto,
-    /// The lines only.
+    /// Written roofs only.
     Explicit,
 }
 
-/// How a plan is divided into roofs (docs/contract.md 4).
+/// A method of dividing a plan into roofs (docs/contract.md 4).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub enum RoofMethod {
-    /// Least roof is cut.
+    /// The partition that cuts the least roof.
     #[default]
     LeastCut,
     /// The published method (001-15 to 001-19).
     Kd,
-    /// Branches cut off one after the other (002-22, 002-23).
+    /// Branches are cut off one after the other (002-22, 002-23).
     BranchCut,
     /// No division: one hipped roof over the whole outline, by its straight skeleton.
     Skeleton,
@@ -48,7 +48,7 @@ pub struct Roofs {
     pub method: Option<Spanned<RoofMethod>>,
     /// The style of automatic roofs.
     pub style: RoofStyle,
-    /// Roofs with a place of their own.
+    /// Written roofs.
     pub lines: Vec<RoofLine>,
 }
 
@@ -57,7 +57,7 @@ pub struct Roofs {
 pub enum RoofKind {
     /// K, sangawara-buki: pantiles.
     Tiles,
-    /// G, hon-gawara-buki: flat tiles under rows of round cover tiles.
+    /// G, hon-gawara-buki: concave tiles with round tiles over the joints.
     CoverTiles,
     /// I, ita-buki: boards.
     Boards,
@@ -78,21 +78,21 @@ pub enum RoofShape {
     Gable,
     /// YOS, yosemune: hip.
     Hip,
-    /// YOK, yokonaga-kirizuma: gable with its ridge along the short side.
+    /// YOK, yokonaga-kirizuma: gable roof with its ridge along the short side.
     BroadGable,
     /// IRI, irimoya: hip and gable.
     HipAndGable,
-    /// HAK, hakama-goshi: gable with its top hipped.
+    /// HAK, hakama-goshi: gable roof with hipped tips.
     HalfHip,
-    /// HOG, hogyo: pyramid.
+    /// HOG, hogyo: pyramidal roof.
     Pyramid,
-    /// KAT, katanagare: lean-to.
+    /// KAT, katanagare: shed roof.
     LeanTo,
     /// HIS, hisashi: pent roof outside the walls.
     Pent,
-    /// TER, tera: temple.
+    /// TER, tera: concave hip-and-gable roof, as on temples.
     Temple,
-    /// KAR, karahafu: undulating gable.
+    /// KAR, karahafu: cusped gable.
     Karahafu,
     /// RIK, rikuyane: flat, with a parapet.
     Flat,
@@ -114,7 +114,7 @@ impl RoofShape {
         ("RIK", RoofShape::Flat),
     ];
 
-    /// The shape of three letters.
+    /// Returns the shape of three letters.
     pub fn from_letters(letters: &str) -> Option<RoofShape> {
         Self::ALL
             .iter()
@@ -127,7 +127,7 @@ impl RoofShape {
         matches!(self, RoofShape::Hip | RoofShape::Pyramid) && !ratio
     }
 
-    /// Its three letters.
+    /// Returns its three letters.
     pub fn letters(self) -> &'static str {
         Self::ALL
             .iter()
@@ -148,7 +148,7 @@ impl RoofKind {
         ('T', RoofKind::Metal),
     ];
 
-    /// The kind of a letter.
+    /// Returns the kind of a letter.
     pub fn from_letter(letter: char) -> Option<RoofKind> {
         Self::ALL
             .iter()
@@ -157,7 +157,7 @@ impl RoofKind {
     }
 }
 
-/// The run of a ridge, or the fall of a single slope.
+/// The direction of a ridge, or the fall of a single slope.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum RoofDirection {
     /// X: ridge parallel to the first line.
@@ -193,11 +193,11 @@ pub struct RoofStyle {
     pub noshi: Option<Spanned<u32>>,
     /// S: sagitta of the slope in per cent of its length; negative is convex (mukuri).
     pub sori: Option<Spanned<f64>>,
-    /// C: place of an irimoya's gable, share of the span.
+    /// C: position of an irimoya's gable, share of the span.
     pub gable: Option<Spanned<f64>>,
     /// R: length of a hip's ridge, share of the roof's length.
     pub ratio: Option<Spanned<f64>>,
-    /// O: no onigawara.
+    /// O: plain ridge ends, without onigawara.
     pub plain_ridge: Option<Spanned<bool>>,
 }
 

@@ -9,15 +9,15 @@ use std::fmt;
 pub enum Value {
     /// A finite number.
     Number(f64),
-    /// Yes or no.
+    /// A truth value, yes or no.
     Truth(bool),
-    /// Any other text, such as a code.
+    /// Any other string, such as a code.
     Text(String),
 }
 
 impl Value {
-    /// Reads plain text as a value: `2.5` is a number; `yes`, `no`, `true` and `false` are truths; everything else,
-    /// including `01`, is text.
+    /// Reads a string as a value: `2.5` is a number; `yes`, `no`, `true` and `false` are truth values; everything else,
+    /// including `01`, is a string.
     pub fn read(text: &str) -> Value {
         match text.trim() {
             "yes" | "true" => Value::Truth(true),
@@ -29,13 +29,13 @@ impl Value {
         }
     }
 
-    /// Returns true if both values are of the same kind: numbers, truths or texts.
+    /// Returns true if both values are of the same kind: numbers, truth values or strings.
     pub fn is_like(&self, other: &Value) -> bool {
         std::mem::discriminant(self) == std::mem::discriminant(other)
     }
 }
 
-/// A finite number in the usual form.
+/// Returns the number in the usual form, if it is finite.
 fn number(word: &str) -> Option<f64> {
     let form = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
     let digits = word.trim_start_matches(['+', '-']).as_bytes();
@@ -44,7 +44,8 @@ fn number(word: &str) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// As attributes have it: a number in its shortest form that reads as the same one, a truth as `yes` or `no`.
+/// Writes the value as attributes have it: a number in its shortest form that reads as the same one, a truth value as
+/// `yes` or `no`.
 impl fmt::Display for Value {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -78,15 +79,15 @@ pub struct Parameter {
     pub default: Option<Value>,
     /// The value in this run.
     pub value: Option<Value>,
-    /// The least value.
+    /// The minimum.
     pub min: Option<f64>,
-    /// The greatest value.
+    /// The maximum.
     pub max: Option<f64>,
-    /// Values lie this far apart, from the least one on.
+    /// The distance between allowed values, counted from the minimum.
     pub step: Option<f64>,
-    /// The only values, where they are listed.
+    /// The allowed values, if they are listed.
     pub choices: Vec<Value>,
-    /// True if a run with a seed draws it by default.
+    /// True if a run with a seed chooses it at random by default.
     pub random: bool,
     /// The unit of measure, for people.
     pub unit: Option<String>,

@@ -12,7 +12,7 @@ use serde::{Serialize, Serializer};
 
 const VERSION: u32 = 1;
 
-/// That of `--stage building`: since 2 a house holds its roofs and fittings.
+/// The version of `--stage building`: since 2 a house holds its roofs and fittings.
 const BUILDING_VERSION: u32 = 2;
 
 #[derive(Serialize)]
@@ -22,7 +22,7 @@ struct Versioned<T> {
     content: T,
 }
 
-/// A line of JSON.
+/// Returns a line of JSON.
 fn line(version: u32, content: impl Serialize) -> serde_json::Result<String> {
     let mut text = serde_json::to_string(&Versioned { version, content })?;
     text.push('\n');
@@ -44,7 +44,7 @@ struct File<'a> {
 /// `--stage ast`: the parsed source, file by file.
 ///
 /// # Errors
-/// Never for documents of the readers, whose numbers are finite; as for the other functions here.
+/// Never for documents of the readers, whose numbers are finite. The same holds for the other functions here.
 pub fn ast(sources: &[&Source], documents: &[Document]) -> serde_json::Result<String> {
     let both = sources.iter().zip(documents);
     let files = both.map(|(source, document)| File {
@@ -118,7 +118,7 @@ struct Storey {
     z: Number,
     /// The first outer ring.
     outline: Outline,
-    /// All outer rings if a storey has several.
+    /// All outer rings, if a storey has several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     outlines: Vec<Outline>,
     holes: Vec<Outline>,
@@ -151,7 +151,7 @@ pub struct Region {
     #[serde(serialize_with = "letters")]
     shape: RoofShape,
     over: Option<usize>,
-    /// Only if it is not a rectangle.
+    /// The outline, if it is not a rectangle.
     #[serde(skip_serializing_if = "Option::is_none")]
     polygon: Option<Outline>,
 }

@@ -9,11 +9,11 @@ use crate::building::{Building, Built, EdgeKind, HouseRoofs, RoofSurface, Storey
 use glam::{DVec2, DVec3, dvec2};
 use std::fmt::Write;
 
-/// Fills of regions, in turn.
+/// Fill colours of regions, cyclically.
 const FILLS: [&str; 8] = [
     "#d9c8a9", "#b9c7b4", "#c9b3a5", "#aebfcb", "#e0d6bd", "#c3bdd0", "#cfd6a8", "#d6b8b8",
 ];
-/// Pixels.
+/// Margin in pixels.
 const MARGIN: f64 = 12.0;
 const TITLE: f64 = 20.0;
 const ROW: f64 = 1000.0;
@@ -174,7 +174,7 @@ fn corners_of([a0, b0, a1, b1]: [f64; 4]) -> [DVec2; 4] {
     [dvec2(a0, b0), dvec2(a1, b0), dvec2(a1, b1), dvec2(a0, b1)]
 }
 
-/// An arrow down each slope, in the middle of its largest facet: shaft and barbs, house frame, metres.
+/// Returns an arrow down each slope, in the middle of its largest facet: shaft and barbs, house frame, metres.
 fn arrows(surface: &RoofSurface) -> Vec<[DVec3; 2]> {
     let mut strokes = vec![];
     for slope in surface.slopes() {
@@ -205,7 +205,7 @@ fn arrows(surface: &RoofSurface) -> Vec<[DVec3; 2]> {
     strokes
 }
 
-/// A length in pixels, to the hundredth.
+/// Returns a length in pixels, rounded to the hundredth.
 fn short(pixels: f64) -> Number {
     Number((pixels * 100.0).round() / 100.0)
 }

@@ -12,7 +12,7 @@ const LARGEST: f64 = 1e7;
 pub struct Flaw {
     /// The node's name.
     pub name: String,
-    /// Its place in the source.
+    /// Its span in the source.
     pub span: Option<Span>,
 }
 

@@ -1,9 +1,9 @@
-//! The space under a roof, with which its sheets can be made one massive solid.
+//! The space under a roof, with which its slabs can be merged into one solid.
 
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// The room between a roof's sheets and the top of the walls that carry it.
+/// The space between a roof's slabs and the top of the walls that carry it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Attic {
     /// Height of the wall plate, metres. Only roofs of one storey and plate meet, and they are consecutive in their

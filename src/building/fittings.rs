@@ -40,7 +40,7 @@ pub struct Platform {
     pub outline: Vec<DVec2>,
     /// Heights of ground and top.
     pub z: (f64, f64),
-    /// Up to it.
+    /// Stairs up to it.
     pub stairs: Vec<Stairs>,
 }
 
@@ -51,7 +51,7 @@ pub struct Stairs {
     pub at: DVec2,
     /// Direction down and out, unit length.
     pub out: DVec2,
-    /// Across.
+    /// Width.
     pub width: f64,
     /// Heights of foot and top.
     pub z: (f64, f64),
@@ -64,7 +64,7 @@ pub struct Veranda {
     pub sides: Vec<Deck>,
     /// The outline of the walls, counter-clockwise.
     pub walls: Vec<DVec2>,
-    /// The height that carries it from below: the ground, or the storey's foot where brackets reach out from the walls.
+    /// The height of what supports it: the ground, or the storey's foot if brackets project from the walls.
     pub foot: f64,
     /// Height of its floor.
     pub top: f64,
@@ -74,7 +74,7 @@ pub struct Veranda {
     pub rail: Rail,
     /// Timber.
     pub paint: SurfaceId,
-    /// Up to it.
+    /// Stairs up to it.
     pub stairs: Vec<Stairs>,
 }
 
@@ -134,7 +134,7 @@ pub struct Head {
 pub struct Beam {
     /// The centres of its ends, at its underside.
     pub ends: [DVec3; 2],
-    /// Across.
+    /// Width.
     pub width: f64,
     /// Height.
     pub height: f64,
@@ -149,6 +149,6 @@ pub struct Finial {
     pub ridge: [DVec3; 2],
     /// Height above the ridge.
     pub height: f64,
-    /// Number of logs between crossed boards.
+    /// Number of billets between the forked finials.
     pub count: u32,
 }

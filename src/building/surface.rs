@@ -1,4 +1,4 @@
-//! The upper surface of one roof: its sloping facets and their typed edges, worked out once when the roof is closed.
+//! The upper surface of one roof: its sloping facets and their typed edges, computed once when the roof is closed.
 //! Trim, drawings and dumps read ridges, hips and valleys here; nothing infers them again.
 //!
 //! Frame: house frame, metres. Flat roofs have no facets.
@@ -30,7 +30,7 @@ pub enum EdgeKind {
     Eaves,
     /// An exposed edge along the fall of a slope (keraba).
     Verge,
-    /// The exposed high edge of a slope, as on a free-standing lean-to.
+    /// The exposed high edge of a slope, as on a free-standing shed roof.
     Crest,
     /// An edge at a wall or under another roof.
     Abutment,
@@ -61,7 +61,7 @@ pub struct RoofFacet {
 }
 
 impl RoofFacet {
-    /// The direction down the slope in plan, unit length.
+    /// Returns the direction down the slope in plan, unit length.
     pub fn fall(&self) -> DVec2 {
         -self.rise.normalize_or_zero()
     }
@@ -95,8 +95,8 @@ pub struct RoofSurface {
 type Rims = Vec<((u32, u32), [f64; 2])>;
 
 impl RoofSurface {
-    /// The surface of finished solids, read off their faces by finish. Edges without a neighbour in the same roof are
-    /// [`Beside::Wall`] until the roofs of the house are known.
+    /// Derives the surface of finished solids from the finishes of their faces. Edges without a neighbour in the same
+    /// roof are [`Beside::Wall`] until the roofs of the house are known.
     pub fn of(solids: &[Solid]) -> RoofSurface {
         let mut surface = RoofSurface::default();
         let covers = |f: &Face| matches!(f.finish, Finish::Covering(_));
@@ -142,7 +142,7 @@ impl RoofSurface {
         }
     }
 
-    /// The index of a point, that of the one at the same place if there is one.
+    /// Returns the index of a point, or of an existing one at the same place.
     fn number(&mut self, p: DVec3, known: Option<&mut BTreeMap<[i64; 3], u32>>) -> u32 {
         let next = self.points.len() as u32;
         let number = known.map_or(next, |known| {
@@ -173,7 +173,7 @@ impl RoofSurface {
         for (n, facet) in self.facets.iter().enumerate() {
             for (from, to) in sides(&facet.corners) {
                 let beside = match owner((to, from)) {
-                    // Of the two sides of an inner edge one is enough.
+                    // Each inner edge is visited from both sides; one is enough.
                     Some(_) if from > to => continue,
                     Some(other) => Beside::Facet(other),
                     None => depth((from, to)).map_or(Beside::Wall, Beside::Open),
@@ -265,24 +265,24 @@ impl RoofSurface {
         }
     }
 
-    /// A point by its index.
+    /// Returns a point by its index.
     pub fn at(&self, point: u32) -> DVec3 {
         self.points[point as usize]
     }
 
-    /// The ends of an edge.
+    /// Returns the ends of an edge.
     pub fn ends(&self, edge: &RoofEdge) -> [DVec3; 2] {
         edge.ends.map(|end| self.at(end))
     }
 
-    /// The plan area of a facet, square metres.
+    /// Returns the plan area of a facet, square metres.
     pub fn area(&self, facet: &RoofFacet) -> f64 {
         let corners = facet.corners.iter();
         let plan: Vec<DVec2> = corners.map(|i| self.at(*i).truncate()).collect();
         crate::geometry::area2(&plan) / 2.0
     }
 
-    /// The lines of one kind: edges that continue each other straight in plan are joined. Hips run upwards.
+    /// Returns the lines of one kind: edges that continue each other straight in plan are joined. Hips run upwards.
     pub fn lines(&self, kind: EdgeKind) -> Vec<[DVec3; 2]> {
         let edges = self.edges.iter().filter(|e| e.kind == kind);
         let mut lines: Vec<[DVec3; 2]> = edges.map(|e| self.ends(e)).collect();
@@ -304,7 +304,7 @@ impl RoofSurface {
         lines
     }
 
-    /// The slopes: facets that folds join, each as a list of facet indices in order.
+    /// Returns the slopes: facets joined by folds, each as a list of facet indices in order.
     pub fn slopes(&self) -> Vec<Vec<u32>> {
         let mut slope: Vec<usize> = (0..self.facets.len()).collect();
         let find = |slope: &[usize], mut f: usize| {
@@ -332,7 +332,7 @@ impl RoofSurface {
 }
 
 impl RoofEdge {
-    /// The same edge from its other facet; an edge of one facet stays as it is.
+    /// Returns the same edge from its other facet; an edge of one facet stays as it is.
     #[must_use]
     pub fn turned(self) -> RoofEdge {
         match self.beside {
@@ -347,11 +347,11 @@ impl RoofEdge {
     }
 }
 
-/// The kind of an edge between a slope to its left and another to its right, by their rises per metre.
+/// Returns the kind of an edge between a slope to its left and another to its right, by their rises per metre.
 pub(crate) fn meeting(left: DVec2, right: DVec2, way: DVec3) -> EdgeKind {
     let run = way.truncate().length();
     let out = -way.truncate().perp() / run;
-    // How steeply the surface falls away on both sides together.
+    // The sum of the falls of the surface on both sides.
     let bend = left.dot(out) - right.dot(out);
     let level = way.z.abs() < LEVEL_SHARE * left.length().max(right.length()) * run;
     match (bend > 0.0, level) {
@@ -366,7 +366,7 @@ fn sides(corners: &Corners) -> impl Iterator<Item = (u32, u32)> + '_ {
     (0..n).map(move |i| (corners[i], corners[(i + 1) % n]))
 }
 
-/// A face of the covering; level and upright ones have no fall.
+/// Adds a face of the covering; level and vertical ones have no fall.
 fn facet(points: &[DVec3], corners: Corners) -> Option<RoofFacet> {
     let first = points[*corners.first()? as usize];
     let at = |i: usize| points[corners[i] as usize] - first;
@@ -380,8 +380,8 @@ fn facet(points: &[DVec3], corners: Corners) -> Option<RoofFacet> {
     (rise.length() > LEVEL).then_some(RoofFacet { corners, rise })
 }
 
-/// The edge that a face of the rim hangs on, and how deep it hangs at both ends: its two highest adjacent corners with
-/// something under them.
+/// Returns the edge from which a face of the rim hangs, and its depth at both ends: the edge of its two highest
+/// adjacent corners with something under them.
 fn rim(points: &[DVec3], corners: &Corners, rims: &mut Rims) {
     let below = |id: u32| {
         let top = points[id as usize];
@@ -392,13 +392,13 @@ fn rim(points: &[DVec3], corners: &Corners, rims: &mut Rims) {
     for (from, to) in sides(corners) {
         let depth = [below(to), below(from)];
         if depth[0] > 0.0 || depth[1] > 0.0 {
-            // The face above runs along it the other way.
+            // The face above traverses it in the opposite direction.
             rims.push(((to, from), depth));
         }
     }
 }
 
-/// Two lines as one, if they share an end and run on straight in plan.
+/// Joins two lines, if they share an end and continue straight in plan.
 fn straight(one: [DVec3; 2], other: [DVec3; 2]) -> Option<[DVec3; 2]> {
     let [p, q] = one;
     let [r, s] = other;

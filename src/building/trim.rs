@@ -15,7 +15,7 @@ pub struct Trim {
     pub noshi: u32,
     /// True if ridges end in onigawara.
     pub ends: bool,
-    /// True if the source file places a mast or jewel on its apex (sorin, hoju), which replaces the default finial.
+    /// True if the source file places a sōrin or a jewel on its apex, which replaces the default finial.
     pub crowned: bool,
     /// True if a pendant (gegyo) hangs under the apex of its gables.
     pub pendant: bool,

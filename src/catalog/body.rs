@@ -1,7 +1,7 @@
-//! The bodies of a part: a short list of simple elements with attributes. `tessellate/part` makes each
-//! into closed solids; a part is refined by its list alone.
+//! The bodies of a part: a short list of simple elements with attributes. `tessellate/part` makes each into closed
+//! solids; a part becomes more detailed by its list alone.
 //!
-//! Every element has a place (`over from to left right front thick finish`), and attributes of its own.
+//! Every element has a placement (`over from to left right front thick finish`), and attributes of its own.
 //! `front` counts outwards from the wall's centre line, `thick` inwards from there.
 
 use super::nearest::near;
@@ -13,10 +13,10 @@ use crate::diagnostic::messages::xml as elements;
 use crate::material::SurfaceId;
 use crate::source::Spanned;
 
-/// An element of a part's body, with what is inside it.
+/// An element of a part's body, with its children.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Element {
-    /// Where it is and what it is made of.
+    /// Its placement and material.
     pub(crate) place: Place,
     /// The kind.
     pub(crate) shape: Shape,
@@ -24,7 +24,7 @@ pub(crate) struct Element {
     pub(crate) children: Vec<Element>,
 }
 
-/// Reads one attribute; its default where it is not given, or cannot be read, which is reported.
+/// Reads one attribute; returns its default if it is missing or cannot be read, which is reported.
 pub(super) fn value<T: Value>(
     attributes: &[WrittenAttribute],
     name: &str,
@@ -42,7 +42,7 @@ pub(super) fn value<T: Value>(
     })
 }
 
-/// Structures whose fields are attributes.
+/// Defines structures whose fields are attributes.
 macro_rules! attributes {
     ($($(#[$doc:meta])* $name:ident { $($(#[doc = $about:literal])* $field:ident: $ty:ty = $default:expr,)* })*) => {$(
         $(#[$doc])*
@@ -53,10 +53,10 @@ macro_rules! attributes {
             /// The names of its attributes.
             const NAMES: &'static [&'static str] = &[$(stringify!($field)),*];
 
-            /// Their meanings.
+            /// The descriptions of its attributes.
             const ABOUT: &'static [&'static str] = &[$(concat!($($about),*)),*];
 
-            /// From the attributes of an element.
+            /// Reads the attributes of an element.
             fn read(attributes: &[WrittenAttribute], out: &mut Diagnostics) -> $name {
                 let _ = (attributes, &out);
                 $name { $($field: value(attributes, stringify!($field), $default, out),)* }
@@ -65,7 +65,7 @@ macro_rules! attributes {
     )*};
 }
 
-/// The elements by their words.
+/// Defines the kinds of elements by their words.
 macro_rules! shapes {
     ($($word:literal $name:ident over $area:ident,)*) => {
         /// The kind of an element.
@@ -75,7 +75,7 @@ macro_rules! shapes {
         /// The words of all elements.
         pub(super) const WORDS: &[&str] = &[$($word),*];
 
-        /// The attributes of an element with what they mean, by its word.
+        /// Returns the attributes of an element with their descriptions, by its word.
         pub(crate) fn attributes_of(word: &str) -> Option<Vec<(&'static str, &'static str)>> {
             let (names, about) = match word {
                 $($word => ($name::NAMES, $name::ABOUT),)*
@@ -88,7 +88,7 @@ macro_rules! shapes {
         }
 
         impl Element {
-            /// From an element as written, without its content; `None` where its word is unknown, which is reported.
+            /// Reads an element without its children; `None` if its word is unknown, which is reported.
             pub(super) fn read(entry: &WrittenBody, out: &mut Diagnostics) -> Option<Element> {
                 let attributes = &entry.attributes;
                 let word: &str = &entry.word.value;

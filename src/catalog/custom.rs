@@ -1,7 +1,7 @@
-//! Custom parts: which of them are known where, and how one is made from its base.
+//! Custom parts: their scopes, and their derivation from a base.
 //!
-//! A base is found as a code is: among the parts of the same place, then outwards. A part that has the code of its base
-//! takes the one outside, and so changes a part of the catalogue for the houses that know it.
+//! A base is found as a code is: among the parts of the same scope, then outwards. A part that has the code of its base
+//! refers to the outer one, and so changes a part of the catalogue for the houses in its scope.
 
 use crate::ast::{CodeText, WrittenAttribute, WrittenBody, WrittenPart, attribute_value};
 use crate::catalog::{Catalog, PartDef, PartId, ScopeId, read};
@@ -11,16 +11,16 @@ use crate::diagnostic::messages::xml as elements;
 use crate::source::{Span, Spanned};
 use std::collections::BTreeMap;
 
-/// Parts that are based on one another.
+/// The maximum depth of parts based on one another.
 const DEEPEST: usize = 64;
 
-/// How many scopes are looked through for one that is just the same.
+/// The number of recent scopes that are searched for an identical one.
 const RECENT: usize = 64;
 
-/// Numbers for parts; the last one means none.
+/// The maximum number of parts; the last number means none.
 const MOST: usize = u16::MAX as usize - 1;
 
-/// Custom parts that are known somewhere, and where to look on.
+/// The custom parts of one scope, and the enclosing scope.
 #[derive(Clone, Debug)]
 pub(super) struct Scope {
     pub(super) outer: ScopeId,
@@ -29,10 +29,10 @@ pub(super) struct Scope {
     entries: Vec<WrittenPart>,
 }
 
-/// The parts of one scope on their way into the catalogue.
+/// A scope whose parts are being added to the catalogue.
 struct ScopeBuilder<'e> {
     entries: Vec<&'e WrittenPart>,
-    /// By code, the first of each.
+    /// The first part of each code.
     codes: BTreeMap<String, usize>,
     made: Vec<Option<PartId>>,
     scope: ScopeId,
@@ -41,14 +41,14 @@ struct ScopeBuilder<'e> {
 /// The base of a part.
 enum Base {
     None,
-    /// One of the same scope.
+    /// A part of the same scope.
     Own(usize),
-    /// One further out.
+    /// A part of an enclosing scope.
     Outer(PartId),
 }
 
 impl Catalog {
-    /// Makes parts and the scope in which they are known.
+    /// Creates parts and the scope in which they are known.
     pub(super) fn scope(
         &mut self,
         outer: ScopeId,
@@ -58,7 +58,7 @@ impl Catalog {
         if entries.is_empty() {
             return outer;
         }
-        // Variants of a text define the same again and again.
+        // Variants of a file define the same parts again and again.
         let alike = |s: &Scope| s.outer == outer && s.entries.iter().eq(entries.iter().copied());
         let recent = self.scopes.len().saturating_sub(RECENT);
         if let Some(at) = self.scopes[recent..].iter().rposition(alike) {
@@ -85,7 +85,7 @@ impl Catalog {
         scope
     }
 
-    /// Makes a part and before it those on which it is based.
+    /// Creates a part, after those on which it is based.
     fn make(
         &mut self,
         builder: &mut ScopeBuilder<'_>,
@@ -139,7 +139,7 @@ impl Catalog {
         }
     }
 
-    /// Finds the base of a part and reports what is wrong with it.
+    /// Finds the base of a part and reports errors in it.
     fn base(
         &self,
         builder: &ScopeBuilder<'_>,
@@ -167,7 +167,7 @@ impl Catalog {
         Base::None
     }
 
-    /// A part made from its base.
+    /// Returns a part derived from its base.
     fn derived(&self, entry: &WrittenPart, base: Option<PartId>, out: &mut Diagnostics) -> PartDef {
         let base = base.map(|id| self.part(id));
         let whole = merged(entry, base.map(|b| &b.written), out);
@@ -177,7 +177,7 @@ impl Catalog {
 }
 
 impl ScopeBuilder<'_> {
-    /// Takes the code of a part, unless another one has it.
+    /// Registers the code of a part, unless another one has it.
     fn enter(&mut self, index: usize, entry: &WrittenPart, out: &mut Diagnostics) {
         let Some(code) = attribute_value(&entry.attributes, "code") else {
             return; // reported by the reader
@@ -199,14 +199,14 @@ impl ScopeBuilder<'_> {
         }
     }
 
-    /// Returns true if the part is the one its code refers to.
+    /// Returns true if the code of the part refers to this part.
     fn is_first(&self, index: usize) -> bool {
         let code = attribute_value(&self.entries[index].attributes, "code");
         let code = code.map(|c| CodeText::new(c.value.trim()));
         code.is_some_and(|c| self.codes.get(c.as_str()) == Some(&index))
     }
 
-    /// The code of a part, and where it names its base.
+    /// Returns the code of a part, and the place that names its base.
     fn link(&self, index: usize) -> (String, Span) {
         let entry = self.entries[index];
         let code = attribute_value(&entry.attributes, "code").map_or("", |c| c.value.trim());
@@ -215,18 +215,18 @@ impl ScopeBuilder<'_> {
     }
 }
 
-/// A part with what it takes over from its base.
+/// Merges a part with its base.
 fn merged(entry: &WrittenPart, base: Option<&WrittenPart>, out: &mut Diagnostics) -> WrittenPart {
     let mut whole = WrittenPart {
         span: entry.span,
         ..base.cloned().unwrap_or_default()
     };
-    // A code of five columns tells its own width.
+    // A code of five columns determines its own width.
     let columns = attribute_value(&entry.attributes, "code").map(|c| CodeText::new(c.value.trim()));
     if columns.is_some_and(|code| read::column(&code).is_some()) {
         whole.attributes.retain(|a| a.name.value != "width");
     }
-    // Searches for the base are not meant for what is made of it.
+    // Aliases of the base do not apply to parts derived from it.
     whole.attributes.retain(|a| a.name.value != "aliases");
     set(&mut whole.attributes, &entry.attributes);
     for code in whole
@@ -257,7 +257,7 @@ fn merged(entry: &WrittenPart, base: Option<&WrittenPart>, out: &mut Diagnostics
     whole
 }
 
-/// Gives what shows the texture the depth that the part asks for.
+/// Gives the elements that show the texture the depth that the part specifies.
 fn extrude(whole: &mut WrittenPart, entry: &WrittenPart, out: &mut Diagnostics) {
     let Some(depth) = attribute_value(&entry.attributes, "depth") else {
         return;
@@ -338,7 +338,7 @@ fn change(body: &mut Vec<WrittenBody>, own: &WrittenBody, out: &mut Diagnostics)
     }
 }
 
-/// Every element of a word, those inside others too.
+/// Visits every element of a word, including nested ones.
 fn each(body: &mut [WrittenBody], word: &str, act: &mut dyn FnMut(&mut WrittenBody)) {
     for element in body {
         if element.word.value == word {
@@ -364,7 +364,7 @@ fn has(body: &[WrittenBody], word: &str) -> bool {
         .any(|e| e.word.value == word || has(&e.children, word))
 }
 
-/// The words of a body, each once.
+/// Returns the distinct words of a body.
 fn words(body: &[WrittenBody]) -> Vec<String> {
     let mut found: Vec<String> = vec![];
     for element in body {
@@ -378,7 +378,7 @@ fn words(body: &[WrittenBody]) -> Vec<String> {
     found
 }
 
-/// Sets attributes anew; those that are not named stay.
+/// Sets attributes; those that are not named stay.
 fn set(attributes: &mut Vec<WrittenAttribute>, news: &[WrittenAttribute]) {
     for new in news {
         match attributes

@@ -1,17 +1,16 @@
-//! Which code an unknown one was meant to be.
+//! Finds the code that an unknown one was meant to be.
 
 use super::{Catalog, PartId};
 use strsim::osa_distance;
 
-/// How many spellings are offered.
+/// The number of spellings offered.
 const OFFERS: usize = 3;
 
-/// Edits farther than this are another word.
+/// The maximum edit distance.
 const FARTHEST: usize = 3;
 
-/// Up to three parts whose code is near, best first. Case does not count, nor do lost blanks; among
-/// equals a code that only lost its last columns wins, then the same class letter, then the catalogue's
-/// order.
+/// Returns up to three parts whose code is near, best first. Case and lost blanks do not count; among equals, a code
+/// that only lost its last columns wins, then the same class letter, then the catalogue's order.
 pub(super) fn nearest(catalog: &Catalog, code: &str) -> Vec<PartId> {
     let folded = code.trim().to_ascii_uppercase();
     let squeezed: String = folded.split_whitespace().collect();
@@ -35,7 +34,7 @@ pub(super) fn nearest(catalog: &Catalog, code: &str) -> Vec<PartId> {
     found.into_iter().map(|(_, _, _, id)| id).collect()
 }
 
-/// The known word that is nearest to one, if it may be a slip of that.
+/// Returns the known word nearest to a misspelt one, if it is near enough.
 pub(super) fn near<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let far = |k: &str| osa_distance(&word.to_lowercase(), &k.to_lowercase());
     let best = known.iter().map(|k| (far(k), *k)).min()?;

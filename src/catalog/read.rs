@@ -1,4 +1,4 @@
-//! From a part as written to a part: the head by its attributes, the bodies by the tables of [`body`](super::body).
+//! Reads a part: the head from its attributes, the bodies by the tables of [`body`](super::body).
 
 use super::body::{Element, value};
 use super::value::Value;
@@ -9,7 +9,7 @@ use crate::diagnostic::messages::xml as elements;
 use crate::diagnostic::{Diagnostics, Noun, noun};
 use crate::source::Spanned;
 
-/// The widest part, U.
+/// The maximum width of a part, U.
 const WIDEST: f64 = 100.0;
 
 /// The maximum number of pieces in one part.
@@ -21,7 +21,7 @@ const SMALLEST: f64 = 10.0;
 /// The longest length in a part, millimetres.
 const LONGEST: f64 = 100_000.0;
 
-/// The part of a definition; whatever is wrong with it is reported, and the rest of it read. `class` is that of its base.
+/// Reads the part of a definition; errors are reported and the rest is read. `class` is that of its base.
 pub(super) fn part(entry: &WrittenPart, class: Option<char>, out: &mut Diagnostics) -> PartDef {
     let head = Head {
         given: &entry.attributes,
@@ -30,7 +30,7 @@ pub(super) fn part(entry: &WrittenPart, class: Option<char>, out: &mut Diagnosti
     let width = head.width(&code, out).unwrap_or_else(|| {
         let says = |name: &str| attribute_value(head.given, name).is_some();
         if !says("width") && !says("base") {
-            // The width assumed when none is given.
+            // The default width.
             let words = ["1"];
             out.push(elements::attribute_missing(
                 entry.span, "PartDef", "width", &words,
@@ -75,7 +75,7 @@ pub(super) fn part(entry: &WrittenPart, class: Option<char>, out: &mut Diagnosti
     part
 }
 
-/// The elements of a body.
+/// Reads the elements of a body.
 fn bodies(entries: &[WrittenBody], out: &mut Diagnostics) -> Vec<Element> {
     let mut made = vec![];
     for entry in entries {
@@ -131,7 +131,7 @@ fn is_sound(word: &str, attribute: &WrittenAttribute) -> bool {
     (least..=LONGEST).contains(&number)
 }
 
-/// About how many pieces elements make: what is counted in them, one in the other.
+/// Estimates the number of pieces that elements make, nested ones multiplied.
 fn count(entries: &[WrittenBody]) -> f64 {
     const COUNTS: [&str; 14] = [
         "count",
@@ -161,7 +161,7 @@ fn count(entries: &[WrittenBody]) -> f64 {
     entries.iter().map(one).sum()
 }
 
-/// The class that a code tells.
+/// Returns the class that a code determines.
 fn first_letter(code: &CodeText) -> char {
     let letter = code.as_str().chars().next().unwrap_or(' ');
     match code {
@@ -176,12 +176,12 @@ struct Head<'a> {
 }
 
 impl<'a> Head<'a> {
-    /// An attribute's text, or nothing.
+    /// Returns an attribute's value, or an empty string.
     fn text(&self, name: &str) -> &'a str {
         attribute_value(self.given, name).map_or("", |text| &text.value)
     }
 
-    /// A name; without one the part goes by its code.
+    /// Returns a name; by default the code of the part.
     fn name(&self, name: &str, code: &CodeText) -> Box<str> {
         match self.text(name) {
             "" => code.as_str().trim_end().into(),
@@ -189,18 +189,18 @@ impl<'a> Head<'a> {
         }
     }
 
-    /// The words of a list with commas.
+    /// Returns the items of a list with commas.
     fn list(&self, name: &str) -> Box<[Box<str>]> {
         let words = self.text(name).split([',', '、']).map(str::trim);
         words.filter(|w| !w.is_empty()).map(Box::from).collect()
     }
 
-    /// A value, or its default where nothing is written.
+    /// Returns a value, or its default if it is missing.
     fn or<T: Value>(&self, name: &str, default: T, out: &mut Diagnostics) -> T {
         value(self.given, name, default, out)
     }
 
-    /// A number within bounds.
+    /// Returns a number within bounds.
     fn number(&self, name: &str, form: Noun, most: f64, out: &mut Diagnostics) -> Option<f64> {
         let text = attribute_value(self.given, name)?;
         let read = shaku(&text.value).filter(|n| (0.0..=most).contains(n));
@@ -210,7 +210,7 @@ impl<'a> Head<'a> {
         read
     }
 
-    /// A height in shaku.
+    /// Returns a height in shaku.
     fn height(&self, name: &str, out: &mut Diagnostics) -> Option<f64> {
         let form = noun(
             "shaku, or metres with `m`",
@@ -219,7 +219,7 @@ impl<'a> Head<'a> {
         self.number(name, form, 1000.0, out)
     }
 
-    /// The width, as it is written or as the fifth column of the code tells it. Says where the two differ.
+    /// Returns the width, as written or as determined by the fifth column of the code. Reports if the two differ.
     fn width(&self, code: &CodeText, out: &mut Diagnostics) -> Option<f64> {
         let form = noun(
             "a width in U from 0 to 100, such as 1, 2 or 0.5",
@@ -245,7 +245,7 @@ impl<'a> Head<'a> {
     }
 }
 
-/// The width that the fifth column of a code tells.
+/// Returns the width that the fifth column of a code determines.
 pub(super) fn column(code: &CodeText) -> Option<f64> {
     let CodeText::Five(five) = code else {
         return None;
@@ -258,7 +258,7 @@ pub(super) fn column(code: &CodeText) -> Option<f64> {
     }
 }
 
-/// A height in shaku, or in metres where `m` follows.
+/// Parses a height in shaku, or in metres with the suffix `m`.
 fn shaku(text: &str) -> Option<f64> {
     match text.strip_suffix('m') {
         Some(metres) => Some(f64::read(metres)? / crate::geometry::SHAKU),

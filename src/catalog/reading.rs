@@ -1,6 +1,6 @@
-//! Japanese words in letters: how to tell that two spellings are one word.
+//! Romanisation of Japanese words, for comparing spellings.
 
-/// The sounds of kana, in Hepburn's letters; pairs with a small kana stand before their first.
+/// The sounds of kana, in Hepburn romanisation; pairs with a small kana precede their first kana.
 #[rustfmt::skip]
 const KANA: &[(&str, &str)] = &[
     ("きゃ", "kya"), ("きゅ", "kyu"), ("きょ", "kyo"), ("しゃ", "sha"), ("しゅ", "shu"), ("しょ", "sho"), ("しぇ", "she"),
@@ -21,7 +21,7 @@ const KANA: &[(&str, &str)] = &[
     ("べ", "be"), ("ぼ", "bo"), ("ぱ", "pa"), ("ぴ", "pi"), ("ぷ", "pu"), ("ぺ", "pe"), ("ぽ", "po"), ("ー", ""),
 ];
 
-/// A reading without what romanisations differ in: long vowels, hyphens, blanks. Kana are romanised.
+/// Folds a reading: removes the differences between romanisations (long vowels, hyphens, blanks). Kana are romanised.
 pub fn folded(reading: &str) -> String {
     let mut out = String::new();
     for c in romanised(&reading.to_lowercase()).chars() {
@@ -46,9 +46,9 @@ pub fn folded(reading: &str) -> String {
     out
 }
 
-/// A text with its kana in letters; all else stays as it is.
+/// Romanises the kana of a string; everything else stays as it is.
 fn romanised(text: &str) -> String {
-    // The two kana differ by a constant, but for the sign of a long vowel, which only one has.
+    // Katakana and hiragana differ by a constant, except for the sign of a long vowel, which only one has.
     let flat = |c: char| match c {
         'ァ'..='ヶ' => char::from_u32(c as u32 - 0x60).unwrap_or(c),
         c => c,
@@ -76,7 +76,7 @@ fn romanised(text: &str) -> String {
     out
 }
 
-/// A text whose full-width letters and digits, as an input method leaves them, are plain ones.
+/// Converts full-width letters and digits, as an input method leaves them, to plain ones.
 pub fn narrow(text: &str) -> String {
     let plain = |c: char| match c {
         '！'..='～' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),

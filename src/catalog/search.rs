@@ -1,4 +1,4 @@
-//! Search by name: tells whether a Japanese or English name is what a query asks for, whatever the spelling.
+//! Search by name: matches Japanese or English names against a query, whatever the spelling.
 //!
 //! A name matches where one of its words begins with the query. Kanji have no gaps between words, so there the query
 //! may also end the name (`窓` finds `虫籠窓`), unless it would cut a word in two (`簾` is no part of `暖簾`).
@@ -29,7 +29,7 @@ const VARIANTS: &[(&str, &str)] = &[
     ("生け垣", "生垣"),
 ];
 
-/// Words of several kanji that a match must not cut.
+/// Words of several kanji that a match must not split.
 const UNDIVIDED: &[&str] = &["暖簾", "床几", "格子", "障子", "連子", "犬矢来", "看板"];
 
 /// Romanisations of one syllable, from Kunrei to Hepburn.
@@ -45,7 +45,7 @@ const KUNREI: &[(&str, &str)] = &[
     ("zi", "ji"),
 ];
 
-/// First sounds as they change inside a compound: `kōshi` is `de-gōshi`.
+/// Initial sounds and their voiced form inside a compound: `kōshi` becomes `de-gōshi`.
 const VOICED: &[(&str, &str)] = &[
     ("sh", "j"),
     ("ch", "j"),
@@ -57,14 +57,14 @@ const VOICED: &[(&str, &str)] = &[
     ("f", "b"),
 ];
 
-/// Sounds of fewer letters must be a whole word: else `tō` finds `town`.
+/// Queries shorter than this must match a whole word: otherwise `tō` would find `town`.
 const SHORT: usize = 3;
 
 /// A user's search query.
 #[derive(Clone, Debug)]
 pub struct Query {
     written: String,
-    /// In letters; empty where the query has kanji.
+    /// The romanised query; empty if it has kanji.
     sound: String,
 }
 
@@ -159,7 +159,7 @@ fn cuts_word(name: &str, start: usize, end: usize) -> bool {
     })
 }
 
-/// A name as it is compared in writing: one spelling of each word, no kana behind kanji where they only inflect.
+/// Normalizes a name in writing: one spelling of each word, without inflectional kana after kanji.
 fn written(name: &str) -> String {
     let mut name = narrow(name.trim()).to_lowercase();
     for (variant, plain) in VARIANTS {
@@ -179,7 +179,7 @@ fn written(name: &str) -> String {
         .collect()
 }
 
-/// A name in letters as it is compared: any romanisation, no long vowels.
+/// Normalizes a romanised name: any romanisation, no long vowels.
 fn sound(name: &str) -> String {
     let mut sound: String = folded(&narrow(name.trim()));
     for (kunrei, hepburn) in KUNREI {

@@ -1,18 +1,18 @@
-//! Values in the attributes of a part: lengths, places, shares, surfaces.
+//! Values in the attributes of a part: lengths, positions, shares, surfaces.
 
 use super::nearest::near;
 use crate::diagnostic::{Noun, noun};
 use crate::material::SurfaceId;
 
-/// A value that an attribute holds.
+/// The value of an attribute.
 pub(crate) trait Value: Sized {
     /// Its form, for messages.
     const FORM: Noun;
-    /// The words that it may be, if there are few.
+    /// The allowed words, if there are few.
     const WORDS: &'static [&'static str] = &[];
-    /// From the attribute's text.
+    /// Parses the attribute's value.
     fn read(text: &str) -> Option<Self>;
-    /// The known word that an unknown one is probably a slip of.
+    /// Returns the known words nearest to an unknown one.
     fn offers(text: &str) -> Vec<&'static str> {
         near(text, Self::WORDS).map_or(Self::WORDS.to_vec(), |word| vec![word])
     }
@@ -22,7 +22,7 @@ pub(crate) trait Value: Sized {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Mm(pub(crate) f64);
 
-/// A place along an axis of an area: `120` mm after its start, `t120` mm before its end, `33%` of it.
+/// A position along an axis of an area: `120` mm after its start, `t120` mm before its end, `33%` of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Level {
     /// Metres after the start.
@@ -34,7 +34,7 @@ pub(crate) enum Level {
 }
 
 impl Level {
-    /// The place between `lo` and `hi`.
+    /// Returns the position between `lo` and `hi`.
     pub(crate) fn at(self, lo: f64, hi: f64) -> f64 {
         match self {
             Level::Start(m) => lo + m,
@@ -44,7 +44,7 @@ impl Level {
     }
 }
 
-/// The range of an element.
+/// The area in which an element is placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Area {
     /// The part's whole width and height.
@@ -59,7 +59,7 @@ pub(crate) enum Area {
     Below,
 }
 
-/// Which way boards run.
+/// The direction of boards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Run {
     /// Level.
@@ -77,7 +77,7 @@ pub(crate) enum Joints {
     Running,
 }
 
-/// Which sides of a rectangle: any of the letters l, r, t, b.
+/// The sides of a rectangle: any of the letters l, r, t, b.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Sides {
     pub(crate) left: bool,
@@ -95,7 +95,7 @@ impl Sides {
     };
 }
 
-/// A finite number.
+/// Parses a finite number.
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|n: &f64| n.is_finite())
 }

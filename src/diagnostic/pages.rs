@@ -1,4 +1,4 @@
-//! The pages of `hsd explain`: cause, example and mend of every code, from `grammar/diagnostics/`, and in Japanese
+//! The pages of `hsd explain`: cause, example and fix of every code, from `grammar/diagnostics/`, and in Japanese
 //! from the folder `ja` in it.
 
 use super::{Code, Language};
@@ -21,7 +21,7 @@ impl Page {
     }
 }
 
-/// The page of a number of four digits, from the folders.
+/// Includes the page of a number of four digits from both folders.
 macro_rules! pages {
     ($($number:literal)*) => {
         &[$(Page {
@@ -60,7 +60,7 @@ pub static PAGES: &[Page] = pages! {
     "0901" "0902" "0903" "0904" "0905" "0906" "0909"
 };
 
-/// The number that four digits say.
+/// Parses a number of four digits.
 const fn code(digits: &str) -> u16 {
     let (mut number, mut i) = (0, 0);
     while i < digits.len() {
@@ -70,7 +70,7 @@ const fn code(digits: &str) -> u16 {
     number
 }
 
-/// The page of a code.
+/// Returns the page of a code.
 pub fn page(code: Code) -> Option<&'static Page> {
     PAGES.iter().find(|page| page.code == code)
 }

@@ -35,7 +35,7 @@ pub(super) fn arrange(building: &mut Building) {
     }
 }
 
-/// The houses of a variant and the ground they take, metres.
+/// The houses of a variant and the ground they cover, metres.
 struct Group {
     variant: u32,
     houses: Vec<usize>,
@@ -64,7 +64,7 @@ impl Group {
     }
 }
 
-/// The lower left corner of each group, metres.
+/// Returns the lower left corner of each group, metres.
 fn places(groups: &[Group]) -> Vec<DVec2> {
     let room = |g: &Group| (g.size().x + APART) * (g.size().y + STREET);
     let area: f64 = groups.iter().map(room).sum();
@@ -84,7 +84,7 @@ fn places(groups: &[Group]) -> Vec<DVec2> {
     places
 }
 
-/// The ground under a house and its eaves, metres in the world.
+/// Returns the ground covered by a house and its eaves, metres in the world.
 fn bounds(built: &Built) -> (DVec2, DVec2) {
     let house = &built.house;
     let walls = house

@@ -1,4 +1,4 @@
-//! A source in the other form of the language, if it makes the same building there.
+//! Converts a source to the other form of the language, if it makes the same building there.
 
 use super::{Options, building, documents, program};
 use crate::diagnostic::messages::print as say;
@@ -7,10 +7,9 @@ use crate::print::{self, Form};
 use crate::program::Roofs;
 use crate::source::{Source, World};
 
-/// Writes a source in the form that it is not in. `world` is asked for images, since codes may name them.
+/// Converts a source to the other form. `world` is asked for images, since codes may name them.
 ///
-/// # Errors
-/// `None` where the source has errors or the other form cannot express it; `out` receives the reason.
+/// # Errors `None` if the source has errors or the other form cannot express it; `out` receives the reason.
 pub fn convert(
     source: &Source,
     world: &dyn World,
@@ -57,7 +56,7 @@ fn written(
     print::to_legacy(source, document, &program, catalog, out)
 }
 
-/// The options for reading it: parameters have their defaults.
+/// Returns the options for reading it, with parameters at their defaults.
 fn plain(options: &Options) -> Options {
     Options {
         parameters: vec![],
@@ -65,7 +64,7 @@ fn plain(options: &Options) -> Options {
     }
 }
 
-/// The building without places; `None` where the source cannot be read.
+/// Returns the building without places; `None` if the source cannot be read.
 fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Option<Vec<u8>> {
     let mut out = Diagnostics::new();
     let read = documents(&[source], world, &plain(options), &mut out);
@@ -82,7 +81,7 @@ fn walls_and_roofs(source: &Source, world: &dyn World, options: &Options) -> Opt
         &mut out,
     );
     let mut built = building(program, catalog, &mut out);
-    // The roof section may be written in another way; the roofs that come of it are compared.
+    // The roof section may be written in another way; the resulting roofs are compared.
     for built in &mut built.houses {
         built.house.roofs = Roofs::default();
     }

@@ -1,5 +1,5 @@
 //! A house is the unit of work: from its syntax and an id to walls, roofs and fittings. A run, a variant, a tile or a
-//! thread is a loop over houses; one made alone with its id is the same to the last bit as in any company.
+//! thread is a loop over houses; one made alone with its id is identical to the last bit to the one in a run.
 
 use super::Read;
 use crate::ast;
@@ -13,9 +13,9 @@ use crate::program::{self, Picture};
 use crate::roof::{self, RoofCache};
 use crate::source::{Source, World};
 
-/// Makes one house: expands its syntax, places its walls, roofs and fits it. `None` where it would exceed a limit.
+/// Makes one house: expands its syntax, places its walls, roofs and fits it. Returns `None` if it would exceed a limit.
 /// Parts refer by index to the images that are returned with it. To make many houses use a [`HouseBuilder`], which
-/// shares what they have in common.
+/// shares work between them.
 pub fn house(
     house: &ast::House,
     id: HouseId,
@@ -29,8 +29,8 @@ pub fn house(
     Some((built, builder.into_images()))
 }
 
-/// Makes houses one after another and remembers what they have in common, to save time: looked-up codes and images, and
-/// the roofs of houses with one plan.
+/// Makes houses one after another and caches what they have in common: looked-up codes and images, and the roofs of
+/// houses with the same plan.
 pub struct HouseBuilder<'a> {
     catalog: &'a Catalog,
     expander: Expander<'a>,
@@ -38,7 +38,7 @@ pub struct HouseBuilder<'a> {
 }
 
 impl<'a> HouseBuilder<'a> {
-    /// A builder that has made no house yet.
+    /// Creates a builder that has made no house yet.
     pub fn new(catalog: &'a Catalog, world: &'a dyn World, options: &'a expand::Options) -> Self {
         HouseBuilder {
             catalog,
@@ -65,7 +65,7 @@ impl<'a> HouseBuilder<'a> {
     }
 }
 
-/// Walls, then roofs, then fittings of an expanded house.
+/// Makes walls, then roofs, then fittings of an expanded house.
 pub(super) fn finish(
     house: program::House,
     catalog: &Catalog,
@@ -82,7 +82,7 @@ pub(super) fn finish(
     }
 }
 
-/// Makes all houses that were read and drops the syntax of each when it is done. Unnamed houses have their index in
+/// Makes all houses that were read and frees the syntax of each when it is done. Unnamed houses have their index in
 /// their document as id.
 pub(super) fn houses(
     read: &mut Read,
@@ -95,7 +95,7 @@ pub(super) fn houses(
     let catalog = &*read.catalog;
     let mut builder = HouseBuilder::new(catalog, world, options);
     let mut houses = vec![];
-    // With variants there are the documents of all sources several times.
+    // With variants, the documents of all sources occur several times.
     let sources = sources.iter().copied().cycle();
     for (number, (source, document)) in sources.zip(documents).enumerate() {
         let variant = document.variant;

@@ -1,4 +1,4 @@
-//! The model of a run: its scene, the images in it, and the shapes that back ends leave out.
+//! The model of a run: its scene, its images, and the shapes that back ends leave out.
 
 use super::{Options, arrange, documents, house, spare_expressions, timed, variants};
 use crate::backend::images::{Library, PictureError};
@@ -15,22 +15,22 @@ use crate::tessellate;
 use std::borrow::Cow;
 use std::time::Duration;
 
-/// The result of a run, and the time of each step.
+/// The result of a run, and the duration of each stage.
 #[derive(Debug)]
 pub struct Compiled {
-    /// Files that were read beside the sources, for reports.
+    /// Files that the sources include, for reports.
     pub included: Vec<Source>,
-    /// The parts that the houses may be made of.
+    /// The catalogue with the custom parts of the sources.
     pub catalog: Cow<'static, Catalog>,
     /// Walls and roofs.
     pub building: Building,
     /// The scene that back ends write.
     pub scene: Scene,
-    /// The steps in order.
+    /// The durations of the stages, in order.
     pub times: Vec<(&'static str, Duration)>,
 }
 
-/// Runs the whole chain. It does not stop at errors: everything sound is built.
+/// Runs the whole chain. It does not stop at errors: everything valid is built.
 pub fn compile(
     sources: &[&Source],
     world: &dyn World,
@@ -69,8 +69,8 @@ pub fn compile(
 }
 
 /// Runs the whole chain on one file up to the bytes of a GLB without images, and returns their number. For fuzzing: no
-/// input makes it panic. Houses have at most 20,000 parts, so that a fuzzer spends its time on strange sources and not
-/// on `repeat num="1000000"`.
+/// input may make it panic. Houses have at most 20,000 parts, so that a fuzzer spends its time on unusual sources
+/// rather than on `repeat num="1000000"`.
 pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
     let source = Source::new(FileId(0), name, bytes);
     let mut out = Diagnostics::new();
@@ -91,13 +91,13 @@ pub fn compile_bytes(name: &str, bytes: &[u8]) -> usize {
     gltf::glb(&compiled.scene, &Library::default()).len()
 }
 
-/// The meshes, materials and nodes of a building.
+/// Builds the scene of a building: meshes, materials and nodes.
 pub fn scene(building: &Building, catalog: &Catalog, detail: Detail) -> Scene {
     tessellate::tessellate(building, catalog, detail)
 }
 
-/// Loads the images of a building and reports those that cannot be shown. `paths` are those of
-/// [`Scene::pictures`], or of the building where there is no scene.
+/// Loads the images of a building and reports those that cannot be shown. `paths` are those of [`Scene::pictures`], or
+/// of the building if there is no scene.
 pub fn pictures(
     paths: &[String],
     building: &Building,
@@ -133,7 +133,7 @@ pub fn flaws(compiled: &Compiled, out: &mut Diagnostics) {
         .for_each(|d| out.push(d));
 }
 
-/// The place where an image is first called for.
+/// Returns the first place that refers to an image.
 fn first_use(building: &Building, id: PictureId) -> Option<Span> {
     let storeys = building.houses.iter().flat_map(|h| &h.house.storeys);
     let walls = storeys.flat_map(|s| &s.rings).flat_map(|r| &r.walls);

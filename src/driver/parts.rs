@@ -1,5 +1,5 @@
-//! The catalogue of a run: the built-in parts, those of files given for it or found beside a source, and those of the
-//! sources.
+//! The catalogue of a run: the built-in parts, those of files given on the command line or found beside a source, and
+//! those of the sources.
 
 use crate::ast::Document;
 use crate::catalog::{Catalog, ScopeId};
@@ -11,7 +11,7 @@ use crate::source::Source;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// The file beside a source whose parts it knows.
+/// The name of the file whose parts are known to the sources beside it.
 pub(crate) const BESIDE: &str = "catalog.hsd";
 
 /// Returns the catalogue of a run and records which parts each house knows. `given` are files for all sources.
@@ -39,9 +39,9 @@ pub fn catalog<'a>(
         return Cow::Borrowed(builtin);
     }
     let mut catalog = builtin.clone();
-    // By file: sources in one folder share the file beside them.
+    // Grouped by file: sources in one folder share the file beside them.
     let mut folders: BTreeMap<Option<&str>, ScopeId> = BTreeMap::new();
-    // With variants there are the documents of all sources several times.
+    // With variants, the documents of all sources occur several times.
     let all = sources.iter().zip(beside).cycle();
     for (document, (source, file)) in documents.iter().zip(all) {
         let known = folders.get(&file.map(Source::name)).copied();
@@ -70,7 +70,7 @@ pub fn catalog<'a>(
     Cow::Owned(catalog)
 }
 
-/// The file of parts beside a source, unless the source is that file itself.
+/// Returns the file of parts beside a source, unless the source is that file itself.
 fn beside<'a>(source: &Source, setting: ReadContext<'a>) -> Option<&'a Source> {
     let path = setting.world.text(source.name(), BESIDE).ok()?;
     if path == source.name() {

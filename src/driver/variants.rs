@@ -1,5 +1,4 @@
-//! Variants of the sources: each is read and drawn with the seed after that of the one before. So any of them can be built
-//! alone, with its seed.
+//! Variants of the sources: each is read with the next seed, so that any of them can be built alone with its seed.
 
 use super::Read;
 use crate::ast::{Document, Variant};
@@ -59,7 +58,7 @@ pub(super) fn documents(
     }
 }
 
-/// Adds to the name of each house the seed of its variant; all draws are done by now.
+/// Adds the seed of its variant to the name of each house, after all random choices are made.
 pub(super) fn name(building: &mut Building) {
     for house in building.houses.iter_mut().map(|b| &mut b.house) {
         if let Some(variant) = house.variant {

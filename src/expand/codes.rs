@@ -1,4 +1,4 @@
-//! The meaning of a code: a part of the catalogue, else an image, else the nearest part and an error.
+//! The meaning of a code: a part of the catalogue, otherwise an image, otherwise the nearest part and an error.
 
 use super::Pass;
 use crate::ast::CodeText;
@@ -17,7 +17,7 @@ pub(super) enum Which {
 }
 
 impl Which {
-    /// `None` for a split, which has no code.
+    /// Returns the meaning of a unit; `None` for a split, which has no code.
     pub(super) fn of(content: &Content) -> Option<Which> {
         match content {
             Content::Void => Some(Which::Void),
@@ -36,18 +36,18 @@ impl Which {
     }
 }
 
-/// How wide things are where nothing is stated about their width.
+/// The default width of units.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Mode {
-    /// In a row of a house the grid counts: a picture is 1 U wide.
+    /// In a row of a house the grid counts: an image is 1 U wide.
     Row,
-    /// In a floor of a facade of this height in U a picture keeps its proportion, since the floor is
-    /// scaled to its facade.
+    /// In a floor of a facade of this height in U an image keeps its proportion, since the floor is scaled to its
+    /// facade.
     Floor(f64),
 }
 
 impl Mode {
-    /// The mode of a piece that takes this share of the height.
+    /// Returns the mode of a piece that takes this share of the height.
     pub(super) fn share(self, share: f64) -> Mode {
         match self {
             Mode::Row => Mode::Row,
@@ -60,34 +60,35 @@ impl Mode {
     }
 }
 
-/// A code and what it stands for.
+/// The result of looking up a code.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
     pub(super) which: Which,
-    /// Width in U by the catalogue; `None` for pictures.
+    /// Width in U by the catalogue; `None` for images.
     pub(super) width: Option<f64>,
 }
 
 const RECENT: usize = 256;
 
-/// Searches for near spellings in one house: they cost time, and 100,000 unknown codes need no 100,000 suggestions.
+/// The maximum number of searches for near spellings in one house: they cost time, and 100,000 unknown codes need no
+/// 100,000 suggestions.
 const SEARCHES: u32 = 500;
 
-/// The catalogue and the pictures, with what was looked up before.
+/// The catalogue and the images, with a cache of lookups.
 pub(super) struct Codes<'a> {
     pub(super) catalog: &'a Catalog,
-    /// Which custom parts the house knows.
+    /// The scope of custom parts known in the house.
     scope: ScopeId,
     pub(super) world: &'a dyn World,
     pub(super) pictures: Vec<Picture>,
     names: BTreeMap<String, Option<PictureId>>,
-    /// The pictures of a name and its variants, by the first of them.
+    /// The images of a name and its variants, by the first of them.
     variants: BTreeMap<PictureId, Vec<PictureId>>,
-    /// Pictures that the house gives to codes.
+    /// Images that the house assigns to codes.
     given: BTreeMap<String, PictureId>,
-    /// Codes seen lately: old texts repeat a dozen codes hundreds of thousands of times.
+    /// A cache of recent codes: old files repeat a dozen codes hundreds of thousands of times.
     recent: Vec<Option<([u8; 5], Found)>>,
-    /// Searches for near spellings that the house has left.
+    /// The number of searches for near spellings left in the house.
     searches: u32,
 }
 
@@ -106,7 +107,7 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// Goes on to a house that knows these custom parts.
+    /// Continues with a house that has this scope.
     pub(super) fn enter(&mut self, scope: ScopeId) {
         self.searches = SEARCHES;
         if scope != self.scope || !self.given.is_empty() {
@@ -116,18 +117,18 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The part that the house means by the code of another one.
+    /// Returns the part that the house means by the code of another one.
     pub(super) fn own_part(&self, id: PartId) -> PartId {
         let code = CodeText::new(self.catalog.part(id).code());
         self.catalog.find_in(self.scope, &code).unwrap_or(id)
     }
 
-    /// The meaning of a code, if it has one.
+    /// Returns the meaning of a code, if it has one.
     #[inline]
     pub(super) fn known(&mut self, code: &CodeText) -> Option<Found> {
         let five = match code {
             CodeText::Five(five) => five,
-            // Blanks at the ends of an attribute are no part of a name.
+            // Blanks at the ends of an attribute do not belong to a name.
             CodeText::Name(name) => return self.look_up(&CodeText::new(name.trim())),
         };
         let word = u32::from_le_bytes([five[0], five[1], five[2], five[4]]);
@@ -147,11 +148,11 @@ impl<'a> Codes<'a> {
         if exact.is_some() || !code.as_str().contains('_') {
             return exact;
         }
-        // A literal name wins over `_` as a blank.
+        // A literal name takes precedence over `_` as a blank.
         self.exact(&CodeText::new(&code.as_str().replace('_', " ")))
     }
 
-    /// Adds a picture that is named by its file.
+    /// Adds an image that is named by its file.
     pub(super) fn add_picture(&mut self, name: &str, file: PictureFile) -> PictureId {
         self.pictures.push(Picture {
             name: name.to_owned(),
@@ -159,12 +160,12 @@ impl<'a> Codes<'a> {
             size: file.size,
         });
         let id = PictureId(self.pictures.len() as u32 - 1);
-        // A picture named by its file has no variants.
+        // An image named by its file has no variants.
         self.variants.insert(id, vec![id]);
         id
     }
 
-    /// Gives a picture to a code, for this house.
+    /// Assigns an image to a code, for this house.
     pub(super) fn give(&mut self, code: &CodeText, id: PictureId) {
         let name = code.as_str().trim_end_matches(' ').to_owned();
         self.given.entry(name).or_insert(id);
@@ -192,7 +193,7 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// A part picture by its name.
+    /// Returns a part image by its name.
     pub(super) fn picture(&mut self, name: &str) -> Option<Found> {
         let id = match self.names.get(name) {
             Some(id) => *id,
@@ -208,13 +209,13 @@ impl<'a> Codes<'a> {
         })
     }
 
-    /// Returns true if there are any pictures, in the house or as textures of the catalogue.
+    /// Returns true if there are any images, in the house or as textures of the catalogue.
     pub(super) fn has_pictures(&self) -> bool {
         let textured = || self.catalog.parts().iter().any(|p| p.texture.is_some());
         !self.pictures.is_empty() || textured()
     }
 
-    /// A picture and its variants, which are numbered from 1 without a gap.
+    /// Returns an image and its variants, which are numbered from 1 without a gap.
     pub(super) fn variants(&mut self, id: PictureId) -> &[PictureId] {
         if !self.variants.contains_key(&id) {
             let name = self.pictures[id.0 as usize].name.clone();
@@ -225,7 +226,7 @@ impl<'a> Codes<'a> {
                     _ => break,
                 }
             }
-            // Without a file of the bare name the first variant stands for it.
+            // Without a file of the bare name the first variant takes its place.
             found.dedup_by_key(|id| self.pictures[id.0 as usize].path.clone());
             self.variants.insert(id, found);
         }
@@ -243,7 +244,7 @@ impl<'a> Codes<'a> {
         Some(PictureId(self.pictures.len() as u32 - 1))
     }
 
-    /// The width in U of a thing about whose width nothing was reported.
+    /// Returns the width in U of a code without a given width.
     pub(super) fn own_width(&self, which: Which, mode: Mode) -> f64 {
         match (which, mode) {
             (Which::Void, _) => 1.0,
@@ -256,14 +257,14 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The width in U of what was found, where nothing else is stated.
+    /// Returns the width in U of a lookup without a given width.
     pub(super) fn own_width_of(&self, found: &Found, mode: Mode) -> f64 {
         found
             .width
             .unwrap_or_else(|| self.own_width(found.which, mode))
     }
 
-    /// The author's name for it.
+    /// Returns the author's name for it.
     pub(super) fn name(&self, which: Which) -> &str {
         match which {
             Which::Void => ".....",
@@ -272,7 +273,7 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The nearest spellings of the catalogue, as long as there is use in more of them.
+    /// Returns the nearest spellings of the catalogue, until the limit of searches is reached.
     pub(super) fn nearest(&mut self, code: &str) -> Vec<String> {
         if self.searches == 0 {
             return vec![];
@@ -283,7 +284,7 @@ impl<'a> Codes<'a> {
             .collect()
     }
 
-    /// The code of the part that has this Japanese or romanised name.
+    /// Returns the code of the part that has this Japanese or romanised name.
     fn called(&mut self, name: &str) -> Option<&'a str> {
         if self.searches == 0 {
             return None;
@@ -298,8 +299,8 @@ impl<'a> Codes<'a> {
         self.stand_in("").which
     }
 
-    /// Stands in for an unknown code: a plain part of its class, in the width that its fifth column
-    /// tells, so that the outline stays right.
+    /// Returns a substitute for an unknown code: a plain part of its class, in the width that its fifth column
+    /// determines, so that the outline stays right.
     fn stand_in(&self, text: &str) -> Found {
         let plain = match text.as_bytes().first() {
             Some(b'T') => "TIT  ",
@@ -325,7 +326,7 @@ impl<'a> Codes<'a> {
 }
 
 impl Pass<'_, '_> {
-    /// The meaning of a code, or an error and the likeliest meaning.
+    /// Returns the meaning of a code; reports an unknown one and returns the likeliest meaning.
     #[inline]
     pub(super) fn resolve(&mut self, code: &CodeText, span: Span) -> Found {
         match self.codes.known(code) {
@@ -370,10 +371,10 @@ impl Pass<'_, '_> {
     }
 }
 
-/// Variants of a picture.
+/// The maximum number of variants of an image.
 const VARIANTS: u32 = 999;
 
-/// The name of a picture's variant: the number stands before the ending, where the name has one.
+/// Returns the name of an image's variant: the number precedes the extension, if the name has one.
 fn variant(name: &str, number: u32) -> String {
     let ending = |e: &&str| ["png", "jpg", "jpeg"].contains(&&*e.to_ascii_lowercase());
     match name.rsplit_once('.') {
@@ -383,7 +384,7 @@ fn variant(name: &str, number: u32) -> String {
     }
 }
 
-/// Upper case save the `h` of half a unit in the fifth column.
+/// Converts to upper case, except the `h` of half a unit in the fifth column.
 fn upper_but_width(text: &str) -> String {
     let upper = text.to_ascii_uppercase();
     match upper.strip_suffix('H') {
@@ -392,8 +393,8 @@ fn upper_but_width(text: &str) -> String {
     }
 }
 
-/// The images that houses show, in the order of first use. Draws look up more names than they take, and images that
-/// are not shown should not be loaded.
+/// The images that houses show, in the order of first use. More names are looked up than chosen, and images that are
+/// not shown should not be loaded.
 #[derive(Default)]
 pub(super) struct UsedImages {
     /// New number of each image looked up.
@@ -402,7 +403,7 @@ pub(super) struct UsedImages {
 }
 
 impl UsedImages {
-    /// Gives the images of a house their new numbers. `known` are all that were looked up.
+    /// Renumbers the images of a house. `known` are all that were looked up.
     pub(super) fn renumber(&mut self, house: &mut House, known: &[Picture]) {
         if known.is_empty() {
             return;

@@ -1,4 +1,4 @@
-//! `random` and `replace` as edits: both run over the fully expanded row of the
+//! `random` and `replace` as edits: both act on the fully expanded row of the
 //! enclosing element, including the halves of splits, and change its units (docs/contract.md 3).
 
 use super::Pass;
@@ -26,7 +26,7 @@ impl EditRef<'_> {
         }
     }
 
-    /// Tells operations apart; their spans do not where a named piece is used twice.
+    /// Distinguishes operations; their spans do not if a definition is used twice.
     fn address(self) -> usize {
         match self {
             EditRef::Random(random) => std::ptr::from_ref(random).addr(),
@@ -35,8 +35,8 @@ impl EditRef<'_> {
     }
 }
 
-/// Operations with their ordinals in their element, by which the keys of their draws differ. Only draws
-/// count, so that a substitution more or less changes no draw.
+/// Returns operations with their ordinals in their element, which enter the keys of their random choices. Only `random`
+/// counts, so that adding a substitution changes no choice.
 pub(super) fn numbered<'d>(
     edits: impl Iterator<Item = EditRef<'d>>,
 ) -> impl Iterator<Item = (EditRef<'d>, u64)> {
@@ -50,21 +50,21 @@ pub(super) fn numbered<'d>(
 /// A row of units with the context needed to edit it.
 pub(super) struct Strip {
     pub(super) units: Vec<Unit>,
-    /// The row's place in the keys of draws.
+    /// The row's place in the keys of random choices.
     pub(super) place: Place,
     pub(super) mode: Mode,
-    /// True if some width was derived from a picture's proportions only.
+    /// True if some width was derived only from an image's proportions.
     pub(super) natural: bool,
 }
 
 impl Strip {
-    /// Sum of the widths in U.
+    /// Returns the sum of the widths in U.
     pub(super) fn width(&self) -> f64 {
         self.units.iter().map(|unit| unit.width).sum()
     }
 }
 
-/// An operation with its codes looked up, once however often it acts.
+/// An operation whose codes were looked up, once however often it is applied.
 pub(super) struct Operation {
     span: Span,
     /// The code to replace; `None` = every code.
@@ -113,7 +113,7 @@ impl Operation {
         site.row.at(site.index).at(site.key).pick(&self.sums)
     }
 
-    /// Counts it as used, as a slot does.
+    /// Marks it as used, as a slot does.
     pub(super) fn used(&self) {
         self.hit.set(true);
     }
@@ -125,7 +125,7 @@ fn within(ranges: &[(u32, u32)], position: u32) -> bool {
 }
 
 impl Pass<'_, '_> {
-    /// The operation with its codes looked up.
+    /// Looks up the codes of an operation.
     pub(super) fn operation(&mut self, edit: EditRef<'_>, mode: Mode) -> Rc<Operation> {
         let address = edit.address();
         if let Some(index) = self.operation_index.get(&address) {
@@ -140,7 +140,7 @@ impl Pass<'_, '_> {
         operation
     }
 
-    /// Runs an operation over a row. `key` tells it from the other operations of its element.
+    /// Applies an operation to a row. `key` distinguishes it from the other operations of its element.
     pub(super) fn edit(&mut self, edit: EditRef<'_>, key: u64, strip: &mut Strip) {
         let operation = self.operation(edit, strip.mode);
         let longest = operation.longest.get().max(strip.units.len());
@@ -166,7 +166,7 @@ impl Pass<'_, '_> {
         strip.units = units;
     }
 
-    /// Applies an operation to a unit; returns true if the unit took its width from a picture's proportions.
+    /// Applies an operation to a unit; returns true if the unit took its width from an image's proportions.
     fn edit_unit(&mut self, operation: &Operation, unit: &mut Unit, site: Site) -> bool {
         if !self.work(1, operation.span) {
             return false;
@@ -197,8 +197,8 @@ impl Pass<'_, '_> {
         false
     }
 
-    /// Puts something in the place of a unit. In a row the width stays, and another one is an error;
-    /// in a floor it follows, since the floor is scaled; inside a split it stays, since the halves fit.
+    /// Replaces the content of a unit. In a row the width stays, and another one is an error; in a floor it follows,
+    /// since the floor is scaled; inside a split it stays, since the halves fit.
     fn put(&mut self, span: Span, unit: &mut Unit, new: Found, site: Site) -> bool {
         let old = Which::of(&unit.content);
         let own = self.codes.own_width_of(&new, site.mode);
@@ -221,7 +221,7 @@ impl Pass<'_, '_> {
         natural
     }
 
-    /// Says which operations of the house never found what they look for.
+    /// Reports the operations of the house that never found a match.
     pub(super) fn report_idle_operations(&mut self) {
         for operation in std::mem::take(&mut self.operations) {
             let beyond = operation.at.as_ref().and_then(|at| {
@@ -240,13 +240,13 @@ impl Pass<'_, '_> {
     }
 }
 
-/// Where an operation is at work.
+/// The place at which an operation acts.
 #[derive(Clone, Copy)]
 struct Site {
     row: Place,
     /// Index in that row.
     index: u64,
-    /// Tells the operation from the others of its element.
+    /// Distinguishes the operation from the others of its element.
     key: u64,
     /// Position in the outermost row, from 1.
     position: u32,

@@ -15,16 +15,16 @@ use crate::program::{Content, Line, Loop, Storey, Unit};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
 
-/// Floor height in shaku where none is given: 3.5 m.
+/// Default floor height in shaku: 3.5 m.
 const HEIGHT: f64 = 11.55;
 
-/// Metres per size unit where nothing is stated (`docs/evidence.md` 8).
+/// Metres per size unit by default (`docs/evidence.md` 8).
 const SCALE: f64 = 0.1;
 
 /// A turn beyond this many degrees was probably meant as the angle between the walls.
 const STEEP: f64 = 150.0;
 
-/// Levels of lists in the keys of draws; the depth of repetitions is added to them.
+/// Levels of lists in the keys of random choices; the depth of repetitions is added to them.
 const FLOORS: u64 = 0x100;
 const FACADES: u64 = 0x200;
 
@@ -33,13 +33,13 @@ struct Wall<'d> {
     facade: &'d ast::Facade,
     id: String,
     floors: Flat<'d, ast::Floor>,
-    /// Width in U where the author settled it.
+    /// Width in U if the author gave it.
     width: Option<f64>,
     place: Place,
     strips: Vec<Strip>,
 }
 
-/// The storeys of a structure.
+/// A storey of a structure.
 struct Level {
     span: Span,
     height: f64,
@@ -47,7 +47,7 @@ struct Level {
 }
 
 impl Pass<'_, '_> {
-    /// The storeys of a structure; one U is `unit` shaku.
+    /// Returns the storeys of a structure; one U is `unit` shaku.
     pub(super) fn structure(
         &mut self,
         structure: &ast::Structure,
@@ -115,7 +115,7 @@ impl Pass<'_, '_> {
         wall
     }
 
-    /// Heights and kinds of the storeys. The facades of a storey must agree in height.
+    /// Returns heights and kinds of the storeys. The facades of a storey must agree in height.
     fn levels(&mut self, walls: &[Wall<'_>]) -> Vec<Level> {
         let count = walls.iter().map(|w| w.floors.ones.len()).max();
         let mut levels = vec![];
@@ -203,8 +203,8 @@ impl Pass<'_, '_> {
     }
 }
 
-/// Scales the floors to their facade. Where the author gave no width, the lowest floor that has one
-/// settles it for those floors whose parts have only the proportions of their pictures.
+/// Scales the floors to their facade. If the author gave no width, the lowest floor that has one determines it for
+/// floors whose parts have only the proportions of their images.
 fn settle_width(wall: &mut Wall<'_>, rightwards: bool) {
     let lowest = wall.strips.iter().map(Strip::width).find(|w| *w > SAME);
     for strip in &mut wall.strips {
@@ -229,7 +229,7 @@ fn reverse(units: &mut [Unit]) {
     }
 }
 
-/// The walk of one storey. A facade that ends below it leaves its side open.
+/// Returns the walk of one storey. A facade that ends below it leaves its side open.
 fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Loop {
     let first = walls.first().map_or(0.0, |wall| turn(wall.facade, 0.0));
     let mut lines = vec![];
@@ -255,7 +255,7 @@ fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Lo
         lines.push(Line {
             span,
             units,
-            // The last turn is whatever closes the ring.
+            // The last turn is ignored, since the ring closes.
             turn: turns.get(index).copied().unwrap_or(0.0),
             reflection: facade.reflection,
         });
@@ -274,7 +274,7 @@ fn turn(facade: &ast::Facade, default: f64) -> f64 {
     facade.angle.as_ref().map_or(default, |angle| angle.value)
 }
 
-/// Width in U by size, ratio and scale, where one of the first two is given.
+/// Returns the width in U by size, ratio and scale, if one of the first two is given.
 fn facade_width(structure: &ast::Structure, facade: &ast::Facade, unit: f64) -> Option<f64> {
     if structure.size.is_none() && facade.ratio.is_none() {
         return None;

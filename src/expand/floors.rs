@@ -1,5 +1,5 @@
-//! The base row of a facade's floor: its own parts, else those of the floor of the same id elsewhere,
-//! else the part pictures `f{facade}f{floor}f{n}` (003-15, `docs/evidence.md` 8).
+//! The base row of a facade's floor: its own parts, otherwise those of the floor of the same id elsewhere, otherwise
+//! the part images `f{facade}f{floor}f{n}` (003-15, `docs/evidence.md` 8).
 
 use super::Pass;
 use super::codes::{Found, Mode, Which};
@@ -20,7 +20,7 @@ pub(super) struct Bases<'d> {
 }
 
 impl<'d> Bases<'d> {
-    /// Takes a floor of the facade of this index into account; the first of an id counts.
+    /// Records a floor of the facade of this index; the first of an id counts.
     pub(super) fn add(&mut self, facade: usize, floor: &'d Floor) {
         let Some(id) = floor.id.as_ref().filter(|_| has_parts(&floor.pieces)) else {
             return;
@@ -37,7 +37,7 @@ impl<'d> Bases<'d> {
     }
 }
 
-/// `top` also reads as `t`.
+/// Returns the id, with `t` for `top`.
 fn letter(id: &str) -> &str {
     if id == "top" { "t" } else { id }
 }
@@ -45,17 +45,17 @@ fn letter(id: &str) -> &str {
 /// A floor at its place.
 pub(super) struct FloorAt<'a> {
     pub(super) floor: &'a Floor,
-    /// Index of its facade, and the facade's name in pictures.
+    /// Index of its facade, and the facade's name in names of images.
     pub(super) facade: usize,
     pub(super) facade_id: &'a str,
-    /// Number of the storey, parapets left out: the name of a floor that has none.
+    /// Number of the storey, without parapets: the name of a floor that has none.
     pub(super) number: usize,
     pub(super) place: Place,
     pub(super) mode: Mode,
 }
 
 impl Pass<'_, '_> {
-    /// The row of a floor with its operations done.
+    /// Returns the row of a floor with its operations applied.
     pub(super) fn floor(&mut self, at: &FloorAt<'_>, bases: &Bases<'_>) -> Strip {
         let pieces = &at.floor.pieces;
         let id = match &at.floor.id {
@@ -103,7 +103,7 @@ impl Pass<'_, '_> {
         (!strip.units.is_empty()).then_some(strip)
     }
 
-    /// Adds the part of one number: one picture, or upper and lower ones. False when there is none.
+    /// Adds the part of one number: one image, or an upper and a lower one. Returns false if there is none.
     fn picture_part(&mut self, at: &FloorAt<'_>, name: &str, strip: &mut Strip) -> bool {
         let span = at.floor.span;
         if let Some(found) = self.codes.picture(name) {
@@ -118,7 +118,7 @@ impl Pass<'_, '_> {
         }
         let mut lower = self.picture_half(name, 'l', span, empty(place, halves));
         if lower.units.is_empty() {
-            // Without a lower picture nothing was divided: the pieces stand side by side.
+            // Without a lower image nothing was divided: the pieces stand side by side.
             self.once(319, span, || say::no_lower_picture(span, name));
             for unit in upper.units {
                 if let Some(which) = Which::of(&unit.content) {

@@ -1,6 +1,7 @@
-//! Variants of part pictures (000-22, 000-43): beside `CODE.png`, or in its place, lie `CODE.1.png`, `CODE.2.png` and so on.
-//! Each place draws its own, when all else is settled, by a key of its own: the seed, the house, the storey, the line and the
-//! position. So nothing that is edited elsewhere changes a draw, and a variant more only takes some places from the others.
+//! Variants of part images (000-22, 000-43): beside `CODE.png`, or instead of it, lie `CODE.1.png`, `CODE.2.png` and so
+//! on. Each place chooses its own at random, after everything else is settled, by a key of the seed, the house, the
+//! storey, the line and the position. So edits elsewhere change no choice, and an additional variant only takes some
+//! places from the others.
 
 use crate::diagnostic::messages::pictures as say;
 use crate::expand::Pass;
@@ -14,7 +15,7 @@ const UPPER: u64 = 1;
 const LOWER: u64 = 2;
 
 impl Pass<'_, '_> {
-    /// Draws the pictures of a house.
+    /// Chooses the images of a house.
     pub(super) fn pictures(&mut self, storeys: &mut [Storey], house: Place) {
         if !self.codes.has_pictures() {
             return;
@@ -59,13 +60,13 @@ impl Pass<'_, '_> {
     }
 }
 
-/// Things with the places of their numbers.
+/// Pairs items with the places of their numbers.
 fn numbered<T>(things: &mut [T], place: Place) -> impl Iterator<Item = (&mut T, Place)> {
     let places = (0..).map(move |n| place.at(n));
     things.iter_mut().zip(places)
 }
 
-/// The variant that has the largest share at this place, each by a key of its own.
+/// Returns the variant that has the largest share at this place, each by a key of its own.
 fn drawn(variants: &[PictureId], place: Place) -> Option<PictureId> {
     let shares = variants
         .iter()

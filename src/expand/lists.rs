@@ -1,4 +1,4 @@
-//! Lists of codes as `random` and `replace` have them, and the weights of a draw.
+//! Lists of codes in `random` and `replace`, and the weights of a random choice.
 
 use super::Pass;
 use super::codes::Found;
@@ -7,11 +7,11 @@ use crate::diagnostic::messages::parts as say;
 use crate::source::{Span, Spanned};
 use std::ops::Range;
 
-/// The void, which has nothing to trim down to.
+/// The void, which cannot be trimmed.
 const VOID: &str = "     ";
 
 impl Pass<'_, '_> {
-    /// The codes of a list with their places; unknown ones are reported and stood in for.
+    /// Returns the codes of a list with their places; unknown ones are reported and substituted.
     pub(super) fn list(&mut self, list: &Spanned<String>) -> Vec<(Found, Span)> {
         let pieces = self.list_pieces(list);
         let spelling = self.spelling(list);
@@ -33,7 +33,7 @@ impl Pass<'_, '_> {
         found
     }
 
-    /// The code of which white space made two pieces, as in `TSH 2 TKD 2`.
+    /// Returns the code that white space split in two, as in `TSH 2 TKD 2`.
     fn torn(&mut self, before: &str, width: &str) -> Option<Found> {
         if width.len() != 1 || self.codes.known(&CodeText::new(width)).is_some() {
             return None;
@@ -42,8 +42,8 @@ impl Pass<'_, '_> {
             .known(&CodeText::new(&format!("{before:<4}{width}")))
     }
 
-    /// The pieces of a list: divided at commas if it has any, else one code if it is known as a whole,
-    /// else divided at white space. Empty pieces are reported and left out.
+    /// Returns the pieces of a list: divided at commas if it has any; otherwise one code if it is known as a whole;
+    /// otherwise divided at white space. Empty pieces are reported and left out.
     pub(super) fn list_pieces(&mut self, list: &Spanned<String>) -> Vec<Range<usize>> {
         let text = list.value.as_str();
         if text.contains(',') {
@@ -89,7 +89,7 @@ impl Pass<'_, '_> {
         pieces
     }
 
-    /// How a value stands in the source.
+    /// Returns the spelling of a value in the source.
     pub(super) fn spelling(&self, list: &Spanned<String>) -> Spelling {
         let span = list.span;
         if span.file == self.source.id() {
@@ -103,7 +103,7 @@ impl Pass<'_, '_> {
         Spelling::Otherwise
     }
 
-    /// The span of a range of a value.
+    /// Returns the span of a range of a value.
     pub(super) fn within(
         &self,
         list: &Spanned<String>,
@@ -121,7 +121,7 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// A comma beside an empty piece of a list, with the blanks of that piece.
+    /// Returns the span of a comma beside an empty piece of a list, with the blanks of that piece.
     fn comma(
         &self,
         list: &Spanned<String>,
@@ -138,7 +138,7 @@ impl Pass<'_, '_> {
         exact.then(|| self.within(list, spelling, &range))
     }
 
-    /// The attribute whose value stands in a place, with the blanks before it.
+    /// Returns the span of the attribute with this value, with the blanks before it.
     fn attribute(&self, value: Span) -> Option<Span> {
         if value.file != self.source.id() {
             return None;
@@ -152,7 +152,7 @@ impl Pass<'_, '_> {
         Some(self.source.span(start..range.end + quote.len_utf8()))
     }
 
-    /// Returns true if nothing follows the span on its line of the legacy text.
+    /// Returns true if nothing follows the span on its line of a legacy file.
     pub(super) fn ends_line(&self, span: Span) -> bool {
         let (text, range) = (self.source.text(), self.source.text_range(span));
         let rest = text[range.end..].trim_start_matches(' ');
@@ -160,8 +160,8 @@ impl Pass<'_, '_> {
         span.file == self.source.id() && ends && !text.trim_start().starts_with('<')
     }
 
-    /// The weights of a draw among this many codes, as running sums; equal ones where none or wrong ones
-    /// are given.
+    /// Returns the weights of a random choice among this many codes, as running sums; equal weights if they are missing
+    /// or wrong.
     pub(super) fn weight_sums(&mut self, random: &Random, codes: usize) -> Vec<f64> {
         let mut sum = 0.0;
         let add = |weight| {
@@ -185,7 +185,7 @@ impl Pass<'_, '_> {
         }
         let sum: f64 = weights.value.iter().sum();
         let fit = weights.value.iter().all(|w| *w >= 0.0) && sum > 0.0 && sum.is_finite();
-        // The readers report the others.
+        // The readers report wrong ones.
         if fit { weights.value.clone() } else { equal }
     }
 }
@@ -196,13 +196,13 @@ fn trimmed(text: &str, range: Range<usize>) -> Range<usize> {
     start..start.max(range.start + piece.trim_end().len())
 }
 
-/// How a value stands in its source.
+/// The spelling of a value in its source.
 #[derive(Clone, Copy)]
 pub(super) enum Spelling {
     /// Letter by letter, from this offset of the text.
     Text(usize),
     /// In another file, with as many bytes.
     Bytes,
-    /// With character references: only its whole place is known.
+    /// With character references: only its whole span is known.
     Otherwise,
 }

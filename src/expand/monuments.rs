@@ -1,8 +1,8 @@
-//! Houses written short (`docs/evidence.md` 4.8, 7.10): a pagoda, a gate, a hall or a shrine becomes storeys of bays, posts,
-//! verandas, brackets, a platform and roofs, as an author could write them out. What stands beside the element in its
-//! house (`Platform`, `Posts`, `Brackets`, `Finial`, `Roofs`) takes the place of what it would have made.
+//! Monuments (`docs/evidence.md` 4.8, 7.10): a pagoda, a gate, a hall or a shrine becomes storeys of bays, posts,
+//! verandas, brackets, a platform and roofs, as an author could write them out. Elements beside it in its house
+//! (`Platform`, `Posts`, `Brackets`, `Finial`, `Roofs`) replace those that it would make.
 //!
-//! - [`draft`]: the house in the making;
+//! - [`draft`]: the house under construction;
 //! - [`pagoda`], [`gate`], [`hall`]: one element each.
 
 mod draft;
@@ -18,11 +18,11 @@ use crate::program::{Content, House, Storey};
 use crate::source::{Span, Spanned};
 use draft::Draft;
 
-/// Parts that a storey of a house written short takes of the limit.
+/// Parts of the limit that a storey of a monument counts as.
 const PARTS_A_STOREY: u64 = 1250;
 
 impl<'c> Pass<'_, 'c> {
-    /// The storeys of a house that is written short; `None` where it is not.
+    /// Returns the storeys of a monument; `None` for other houses.
     pub(super) fn monument(&mut self, house: &ast::House, unit: f64) -> Option<Draft<'c>> {
         let monument = house.monument.as_ref()?;
         let span = monument.span();
@@ -39,7 +39,7 @@ impl<'c> Pass<'_, 'c> {
         }
         let mut draft = Draft::new(span, unit, self.codes.catalog);
         if self.written_short > self.most_storeys() {
-            // Said of the first of them. What is left out is not computed.
+            // Reported for the first of them. Excess storeys are not computed.
             self.over = true;
             return Some(draft);
         }
@@ -54,7 +54,7 @@ impl<'c> Pass<'_, 'c> {
         Some(draft)
     }
 
-    /// Storeys with the parts that the house means by their codes.
+    /// Replaces codes of storeys by the parts that the house means by them.
     pub(super) fn own_parts(&self, mut storeys: Vec<Storey>) -> Vec<Storey> {
         let loops = storeys.iter_mut().flat_map(|s| &mut s.loops);
         for unit in loops.flat_map(|l| &mut l.lines).flat_map(|l| &mut l.units) {
@@ -65,13 +65,13 @@ impl<'c> Pass<'_, 'c> {
         storeys
     }
 
-    /// Storeys that all houses of a run that are written short may have together.
+    /// Returns the maximum number of storeys that all monuments of a run may have together.
     fn most_storeys(&self) -> u64 {
         self.limit / PARTS_A_STOREY
     }
 
-    /// Takes room for storeys that a few letters make: a storey with its roof, posts and brackets is
-    /// far more work than a line of codes, and all houses of a run share what there is.
+    /// Counts storeys of a monument against the limit: a few letters make a storey with its roof, posts and brackets,
+    /// which is far more work than a line of codes, and all houses of a run share the limit.
     fn charge_storeys(&mut self, storeys: u64, span: Span) {
         let most = self.most_storeys();
         self.written_short = self.written_short.saturating_add(storeys);
@@ -81,7 +81,7 @@ impl<'c> Pass<'_, 'c> {
         }
     }
 
-    /// A height that must not fall below the least that stands; says so where it does.
+    /// Raises a height to the minimum, and reports it.
     fn at_least(&mut self, span: Span, what: Scarce, has: f64, least: f64) -> f64 {
         if has < least {
             self.once(704, span, || say::no_room(span, what, has, least));
@@ -90,7 +90,7 @@ impl<'c> Pass<'_, 'c> {
     }
 }
 
-/// Adds the parts generated from the short form to a house, except those written explicitly.
+/// Adds the elements that a monument makes to a house, except those written explicitly.
 pub(super) fn furnish(made: &mut House, draft: Draft<'_>) {
     made.platform = made.platform.take().or(draft.platform);
     if made.finials.is_empty() {
@@ -101,11 +101,11 @@ pub(super) fn furnish(made: &mut House, draft: Draft<'_>) {
     made.roofs.wished = made.roofs.wished.or(Some(draft.span));
 }
 
-/// Defaults of a house's storeys.
+/// Applies the defaults of a house to its storeys.
 pub(super) fn share(storeys: &mut [Storey], fittings: &ast::Fittings, short: bool) {
     for storey in storeys {
         let order = &mut storey.order;
-        // Beside a house written short they take the place of its own.
+        // Beside a monument they replace its own.
         if short || order.posts.is_none() {
             order.posts = fittings.posts.clone().or(order.posts.take());
         }
@@ -115,7 +115,7 @@ pub(super) fn share(storeys: &mut [Storey], fittings: &ast::Fittings, short: boo
     }
 }
 
-/// The first style, and the second where it says nothing.
+/// Returns the first style, completed by the second.
 fn overlaid(over: &RoofStyle, under: &RoofStyle) -> RoofStyle {
     RoofStyle {
         kind: over.kind.or(under.kind),
@@ -150,12 +150,12 @@ fn place_of(item: &ast::Item<ast::Storey>) -> Span {
     }
 }
 
-/// A number, or what is for it.
+/// Returns a number, or its default.
 fn or(given: Given, default: f64) -> f64 {
     given.map_or(default, |n| n.value)
 }
 
-/// The same of whole numbers.
+/// Returns a whole number, or its default.
 fn count(given: Option<Spanned<u64>>, default: u32) -> u32 {
     given.map_or(default, |n| u32::try_from(n.value).unwrap_or(default))
 }

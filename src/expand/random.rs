@@ -1,5 +1,5 @@
-//! `random`: a draw from a list (003-10). Where a code of the list stands in the enclosing element it
-//! draws again; where it has nothing to edit it is a slot, one part at its place in the row.
+//! `random`: a random choice from a list (003-10). If a code of the list is in the enclosing element, it replaces that
+//! code anew; otherwise it is a slot, one part at its place in the row.
 
 use super::Pass;
 use super::codes::{Found, Mode};
@@ -35,8 +35,8 @@ impl Pass<'_, '_> {
         operation
     }
 
-    /// The content of a slot; `None` where its list is empty. In a row the outline must not depend on the
-    /// draw, so the first code's width counts.
+    /// Returns the content of a slot; `None` if its list is empty. In a row the outline must not depend on the choice,
+    /// so the first code's width counts.
     pub(super) fn draw_slot(
         &mut self,
         random: &Random,

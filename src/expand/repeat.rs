@@ -1,8 +1,8 @@
-//! `repeat`: content several times (003-08), at every level from parts to facades; and the limit that
-//! keeps a careless number from filling the machine.
+//! `repeat`: content several times (003-08), at every level from parts to facades; and the limit that keeps a mistyped
+//! number from exhausting memory.
 //!
-//! The output of a repetition is counted before it is generated, with saturation, so that nested
-//! repetitions are caught as well. Operations inside a repetition act on the output of that repetition.
+//! The output of a repetition is counted before it is generated, with saturation, so that nested repetitions are caught
+//! as well. Operations inside a repetition act on the output of that repetition.
 
 use super::Pass;
 use super::edits::{EditRef, numbered};
@@ -10,9 +10,9 @@ use crate::ast::{Edit, Facade, Floor, Item, Loop, Piece, Repeat, Row, Storey};
 use crate::diagnostic::messages::parts as say;
 use crate::source::Span;
 
-/// How many parts a construct makes at least; 1 for empty ones, which cost room as well.
+/// Estimates the number of parts that a construct makes; 1 for empty ones, which cost memory as well.
 pub(super) trait Weigh {
-    /// The things that a `random` of this kind may choose.
+    /// The list that a `random` of this kind belongs to.
     const SLOT: u64 = 0;
     fn weigh(&self) -> u64;
 }
@@ -73,20 +73,20 @@ fn weigh_repeat<T: Weigh>(repeat: &Repeat<T>) -> u64 {
 #[derive(Clone, Copy)]
 pub(super) struct Scoped<'d> {
     pub(super) edit: EditRef<'d>,
-    /// Tells the operations of one element and its levels apart in the keys of draws.
+    /// Distinguishes the operations of one element and its levels in the keys of random choices.
     pub(super) key: u64,
     pub(super) from: usize,
     pub(super) to: usize,
 }
 
-/// Things of one kind without repetitions, and the operations beside them, innermost first.
+/// Items of one kind without repetitions, and the operations beside them, innermost first.
 pub(super) struct Flat<'d, T> {
     pub(super) ones: Vec<&'d T>,
     pub(super) edits: Vec<Scoped<'d>>,
 }
 
 impl Pass<'_, '_> {
-    /// Undoes the repetitions of a list. `level` tells the kinds of lists apart in the keys of draws.
+    /// Expands the repetitions of a list. `level` distinguishes the kinds of lists in the keys of random choices.
     pub(super) fn flatten<'d, T: Weigh>(
         &mut self,
         items: &'d [Item<T>],
@@ -132,7 +132,7 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// How often to go round: 0 where nothing would come of it or far too much.
+    /// Returns the number of repetitions: 0 if they would make nothing or exceed the limit.
     pub(super) fn rounds<T: Weigh>(&mut self, repeat: &Repeat<T>) -> u32 {
         let weight = weigh_repeat(repeat);
         if weight > self.room() {
@@ -144,7 +144,7 @@ impl Pass<'_, '_> {
         repeat.num.value
     }
 
-    /// Takes room for this many parts; false when the house is full.
+    /// Counts parts against the limit; returns false if it is exceeded.
     #[inline]
     pub(super) fn charge(&mut self, parts: u64, span: Span) -> bool {
         self.parts += parts;
@@ -154,8 +154,8 @@ impl Pass<'_, '_> {
         !self.stopped()
     }
 
-    /// Takes time for the steps of an operation; false when it has been too much. Operations times
-    /// parts grow faster than the file.
+    /// Counts steps of an operation against the limit; returns false if it is exceeded. Operations times parts grow
+    /// faster than the file.
     pub(super) fn work(&mut self, steps: u64, span: Span) -> bool {
         self.steps += steps;
         if self.steps > self.limit.saturating_mul(STEPS_A_PART) {
@@ -186,10 +186,10 @@ impl Pass<'_, '_> {
 /// Steps of operations that one part of the limit allows for.
 const STEPS_A_PART: u64 = 10;
 
-/// Noting an operation costs memory, more than a step.
+/// Recording an operation costs memory, more than a step.
 const EDIT_ROOM: u64 = 10;
 
-/// The operations among items, in order.
+/// Returns the operations among items, in order.
 pub(super) fn edits<'d, T>(items: &'d [Item<T>]) -> impl Iterator<Item = EditRef<'d>> {
     items.iter().filter_map(|item| match item {
         Item::Random(random) => Some(EditRef::Random(random)),
@@ -198,7 +198,7 @@ pub(super) fn edits<'d, T>(items: &'d [Item<T>]) -> impl Iterator<Item = EditRef
     })
 }
 
-/// The operations of a storey, in order.
+/// Returns the operations of a storey, in order.
 pub(super) fn storey_edits(edits: &[Edit]) -> impl Iterator<Item = EditRef<'_>> {
     edits.iter().map(|edit| match edit {
         Edit::Random(random) => EditRef::Random(random),

@@ -30,7 +30,7 @@ impl Pass<'_, '_> {
     }
 }
 
-/// Ranges in order and apart, so that a position is found by halving.
+/// Returns ranges sorted and merged, so that a position is found by binary search.
 fn merged(at: &Spanned<Vec<(u32, u32)>>) -> Spanned<Vec<(u32, u32)>> {
     let turned = |&(a, b): &(u32, u32)| (a.min(b), a.max(b));
     let mut ranges: Vec<_> = at.value.iter().map(turned).collect();

@@ -21,7 +21,7 @@ pub(super) fn roofs(roofs: &ast::Roofs) -> Roofs {
     }
 }
 
-/// Where a wish for roofs is written. `explicit` without a line is none: it asks for no roof at all.
+/// Returns the place where roofs are requested. `explicit` without a line requests no roof at all.
 fn wished(roofs: &ast::Roofs) -> Option<Span> {
     if let (Some(first), Some(last)) = (roofs.lines.first(), roofs.lines.last()) {
         return Some(first.span.to(last.span));

@@ -2,7 +2,7 @@
 //!
 //! Each `random` is classified as a slot or an edit before anything is placed. In a floor the base row
 //! decides: parts of its own make every `random` an edit. In a row of a house a `random` holds its place
-//! in the outline, unless a code of its list stands beside it (grammar/README.md).
+//! in the outline, unless a code of its list is beside it (grammar/README.md).
 
 use super::codes::{Mode, Which};
 use super::edits::{EditRef, Strip, numbered};
@@ -17,7 +17,7 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub(super) struct RowEdits<'d> {
     list: Vec<(EditRef<'d>, u64)>,
-    /// By the address of the `random`, its ordinal as the key of its draws.
+    /// The ordinal of each slot, by the address of its `random`; it is the key of its choices.
     slots: HashMap<usize, u64>,
 }
 
@@ -55,7 +55,7 @@ fn address(random: &Random) -> usize {
 }
 
 impl Pass<'_, '_> {
-    /// Expands a row that stands for itself: a row of a house, the half of a split, or a floor.
+    /// Expands an independent row: a row of a house, the half of a split, or a floor.
     pub(super) fn strip(&mut self, pieces: &[Item<Piece>], place: Place, mode: Mode) -> Strip {
         let list = RowEdits::gather(pieces);
         let edits = if list.is_empty() {
@@ -86,7 +86,7 @@ impl Pass<'_, '_> {
         strip
     }
 
-    /// Runs the operations of a floor whose parts come from elsewhere.
+    /// Applies the operations of a floor whose parts come from elsewhere.
     pub(super) fn edit_borrowed(&mut self, pieces: &[Item<Piece>], strip: &mut Strip) {
         let edits = RowEdits {
             list: RowEdits::gather(pieces),
@@ -131,7 +131,7 @@ impl Pass<'_, '_> {
         RowEdits { list, slots }
     }
 
-    /// The codes of the parts of a row, into the halves of its splits.
+    /// Returns the codes of the parts of a row, including the halves of its splits.
     fn codes_of(&mut self, pieces: &[Item<Piece>], codes: &mut Vec<Which>) {
         for item in pieces {
             match item {
@@ -233,13 +233,13 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// The half of a split, an element of its own for the operations in it.
+    /// Expands the half of a split, which is an element of its own for the operations in it.
     pub(super) fn half(&mut self, half: &Half, place: Place, mode: Mode) -> Strip {
         self.strip(&half.pieces, place, mode)
     }
 }
 
-/// A unit of which nothing more is stated.
+/// Creates a unit without attributes.
 pub(super) fn bare_unit(span: Span, width: f64, which: Which) -> Unit {
     Unit {
         span,

@@ -1,5 +1,5 @@
-//! `split`: one storey part divided above and below (003-09), as deep as one likes. Both halves are as
-//! wide as the part.
+//! `split`: a part of one storey divided into an upper and a lower half (003-09), to any depth. Both halves are as wide
+//! as the part.
 
 use super::Pass;
 use super::codes::{Mode, Which};
@@ -12,14 +12,14 @@ use crate::program::{Content, Split, Unit};
 use crate::rng::Place;
 use crate::source::Span;
 
-/// Share of the upper half where none is given.
+/// Default share of the upper half.
 pub(super) const EVEN: f64 = 0.5;
 
 impl Pass<'_, '_> {
-    /// One split, and whether its width was only taken from pictures.
+    /// Expands one split; returns whether its width comes only from images.
     pub(super) fn split(&mut self, split: &ast::Split, place: Place, mode: Mode) -> (Unit, bool) {
         let ratio = split.ratio.as_ref().map_or(EVEN, |ratio| ratio.value);
-        // The readers let shares only between 0 and 1 through; a document built otherwise does no harm.
+        // The readers admit only shares between 0 and 1; a document built otherwise does no harm.
         let ratio = if ratio > 0.0 && ratio < 1.0 {
             ratio
         } else {
@@ -29,7 +29,7 @@ impl Pass<'_, '_> {
         let mut lower = self.half(&split.lower, place.at(2), mode.share(1.0 - ratio));
         let (above, below) = (upper.width(), lower.width());
         let fixed = !upper.natural && !lower.natural;
-        // A half that is not written at all stands where the split does, and was reported.
+        // A missing half has the place of the split, and was reported.
         let written = split.upper.span != split.span && split.lower.span != split.span;
         if fixed && written && (above - below).abs() >= SAME && !self.stopped() {
             let spans = (split.upper.span, split.lower.span);
@@ -45,7 +45,7 @@ impl Pass<'_, '_> {
     }
 }
 
-/// The width of both halves: that of a half whose width is settled, else the larger.
+/// Returns the width of both halves: that of a half with a given width, otherwise the larger.
 pub(super) fn common_width(upper: &Strip, lower: &Strip) -> f64 {
     match (upper.natural, lower.natural) {
         (false, true) if upper.width() > SAME => upper.width(),
@@ -54,7 +54,7 @@ pub(super) fn common_width(upper: &Strip, lower: &Strip) -> f64 {
     }
 }
 
-/// The unit of two halves of this width.
+/// Creates the unit of two halves of this width.
 pub(super) fn divided(span: Span, ratio: f64, width: f64, upper: Strip, lower: Strip) -> Unit {
     Unit {
         span,

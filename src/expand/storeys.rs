@@ -10,16 +10,16 @@ use crate::program::{Line, Loop, Storey};
 use crate::rng::Place;
 use crate::source::Spanned;
 
-/// Storey height in shaku where none is given.
+/// Default storey height in shaku.
 const HEIGHT: f64 = 9.0;
 
-/// Levels of lists in the keys of draws; the depth of repetitions is added to them.
+/// Levels of lists in the keys of random choices; the depth of repetitions is added to them.
 const ROWS: u64 = 0x100;
 const STOREY: u64 = 0x200;
 const STOREYS: u64 = 0x300;
 
 impl Pass<'_, '_> {
-    /// All storeys, without repetitions. `house` is the house's place in the keys of draws.
+    /// Returns all storeys, without repetitions. `place` is the house's place in the keys of random choices.
     pub(super) fn storeys(&mut self, house: &ast::House, place: Place) -> Vec<Storey> {
         let flat = self.flatten(&house.storeys, STOREYS);
         let mut storeys = vec![];
@@ -94,7 +94,7 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// The lines of a walk.
+    /// Expands the lines of a walk.
     fn walk(&mut self, walk: &ast::Loop, place: Place) -> Vec<Line> {
         let flat = self.flatten(&walk.rows, ROWS);
         let turn = if walk.hole { -90.0 } else { 90.0 };
@@ -125,7 +125,7 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// Runs an operation over rows, the first of which has this number in its walk.
+    /// Applies an operation to rows, the first of which has this number in its walk.
     fn edit_lines(
         &mut self,
         edit: EditRef<'_>,

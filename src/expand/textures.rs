@@ -1,5 +1,5 @@
-//! `Texture`: the picture that a code means, and the share of light that a part mirrors (003-13). That shows only on
-//! facades whose reflection is enabled (003-14).
+//! `Texture`: the image of a code, and the share of light that a part reflects (003-13). Reflections show only on
+//! facades with `reflection` (003-14).
 
 use super::Pass;
 use super::codes::Which;
@@ -11,7 +11,7 @@ use crate::source::IncludeError;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Pass<'_, '_> {
-    /// Gives codes the pictures that a house names by their files.
+    /// Assigns the images that a house names by their files.
     pub(super) fn given_pictures(&mut self, house: &ast::House) {
         for texture in &house.textures {
             let Some(src) = &texture.src else { continue };
@@ -110,7 +110,7 @@ fn apply(units: &mut [Unit], shares: &BTreeMap<Which, f32>) {
     }
 }
 
-/// Edits between two names, of which only the first 64 bytes count.
+/// Returns the edit distance of two names, of which only the first 64 bytes count.
 fn distance(a: &str, b: &str) -> usize {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     let (a, b) = (&a[..a.len().min(64)], &b[..b.len().min(64)]);

@@ -15,8 +15,8 @@ pub(super) fn outline(house: &House, ring: &Ring) -> Vec<DVec2> {
     points
 }
 
-/// A counter-clockwise outline moved outwards by these distances along x and y. Where it would cross itself, in
-/// narrow courts that open outwards, the rectangle round all of it.
+/// Moves a counter-clockwise outline outwards by these distances along x and y. If it would cross itself, in narrow
+/// courts that open outwards, returns its bounding rectangle.
 pub(super) fn moved(points: &[DVec2], by: DVec2) -> Vec<DVec2> {
     let n = points.len();
     let edge = |i: usize| (points[(i + 1) % n] - points[i % n]).normalize_or_zero();

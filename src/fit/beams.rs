@@ -18,7 +18,7 @@ const LINTEL: f64 = 0.74;
 /// Height of a beam, as a share of the post's side.
 const HEIGHT: f64 = 0.62;
 
-/// The beams of all walls; they end at voids.
+/// Returns the beams of all walls; they end at voids.
 pub(super) fn beams(catalog: &Catalog, house: &House, storey: &Storey, posts: &Posts) -> Vec<Beam> {
     let height = storey.wall_height();
     let post = posts.size * SHAKU;
@@ -36,7 +36,7 @@ pub(super) fn beams(catalog: &Catalog, house: &House, storey: &Storey, posts: &P
 }
 
 fn beam(house: &House, wall: &Wall, (from, to): (f64, f64), (post, foot): (f64, f64)) -> Beam {
-    // From the wall to a little before the posts.
+    // From the wall to slightly beyond the posts.
     let width = post / 2.0 + 0.03;
     let beyond = |at: f64, end: f64| if (at - end).abs() < 1e-6 { width } else { 0.0 };
     let length = wall.from.distance(wall.to);
@@ -71,7 +71,7 @@ fn runs(wall: &Wall, crosses: impl Fn(&Unit) -> bool) -> Vec<(f64, f64)> {
     runs
 }
 
-/// True if a beam runs through a bay: not through a void, nor, if `doors` is set, through a door.
+/// Returns true if a beam runs through a bay: not through a void, nor, if `doors` is set, through a door.
 fn is_wall(catalog: &Catalog, unit: &Unit, doors: bool) -> bool {
     match &unit.content {
         Content::Void => false,

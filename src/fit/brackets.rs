@@ -158,7 +158,7 @@ fn bend(before: &Wall, wall: &Wall) -> f64 {
     }
 }
 
-/// True if the bay at this place holds a part.
+/// Returns true if the bay at this place holds a part.
 fn bay_stands(wall: &Wall, at: f64) -> bool {
     let mut end = 0.0;
     let bay = wall.units.iter().find(|u| {

@@ -23,7 +23,7 @@ pub(super) fn finial(
         .filter(|(_, roof)| place.is_none_or(|p| covers(roof, p)))
         .filter_map(|(n, roof)| Some((top(roof)?, (n, roof))))
         .reduce(|a, b| if b.0.z > a.0.z + 1e-9 { b } else { a })?;
-    // Tails and boards stand on the ridge tiles, masts and jewels on the bare apex.
+    // Shibi and chigi stand on the ridge tiles, sōrin and jewels on the bare apex.
     let tiles = match written.kind {
         FinialKind::Shibi | FinialKind::Chigi => roof.trim.ridge_height(roof.kind) * 0.8,
         FinialKind::Sorin | FinialKind::Hoju => 0.0,
@@ -80,7 +80,7 @@ fn ridge(roof: &Roof, highest: DVec3) -> [DVec3; 2] {
             .reduce(|a, b| if by(b) > by(a) + 1e-9 { b } else { a })
             .unwrap_or(from)
     };
-    // Only what lies as high as the top across the ridge: a sagging one is narrow.
+    // Only points as high as the top across the ridge: a sagging ridge is narrow.
     let first = far(highest, &|p| {
         p.distance(highest) - 4.0 * (highest.z - p.z).max(0.0)
     });
@@ -97,8 +97,8 @@ fn span(roof: &Roof) -> f64 {
     (hi - lo).min_element()
 }
 
-/// The height of a finial by default, metres: a sorin 0.3 of a pagoda of usual height, the others by the size
-/// of their roof.
+/// Returns the default height of a finial, metres: for a sorin 0.3 of a pagoda of usual height, for the others by the
+/// size of their roof.
 fn usual(kind: FinialKind, ridge: f64, span: f64) -> f64 {
     match kind {
         FinialKind::Sorin => 0.9 * span,
@@ -108,7 +108,7 @@ fn usual(kind: FinialKind, ridge: f64, span: f64) -> f64 {
     }
 }
 
-/// Returns the nearest odd number, at least 3: ridges usually carry 3 to 9 logs.
+/// Returns the nearest odd number, at least 3: ridges usually carry 3 to 9 billets.
 fn odd(n: f64) -> u32 {
     ((((n - 1.0) / 2.0).round() * 2.0) as u32 + 1).clamp(3, 11)
 }

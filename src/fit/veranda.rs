@@ -77,7 +77,7 @@ fn posts_between(house: &House, ring: &Ring, from: DVec2, to: DVec2) -> Vec<f64>
     found
 }
 
-/// Returns where stairs reach an edge, metres from its first corner.
+/// Returns the gap where stairs reach an edge, metres from its first corner.
 fn gap([p, q]: [DVec2; 2], stairs: &Stairs) -> Option<(f64, f64)> {
     let along = (q - p).normalize_or_zero();
     let (on, off) = ((stairs.at - p).dot(along), (stairs.at - p).perp_dot(along));

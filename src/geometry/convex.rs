@@ -1,10 +1,10 @@
-//! Any simple polygon as a few convex ones: its triangles, joined again while they stay convex.
+//! Divides any simple polygon into a few convex ones: its triangles, joined again while they stay convex.
 
 use crate::geometry::tolerance::POINT;
 use crate::geometry::triangulate::{ears, turn};
 use glam::DVec2;
 
-/// Strictly convex parts of a counter-clockwise polygon, as indices of its corners.
+/// Returns strictly convex parts of a counter-clockwise polygon, as indices of its corners.
 pub(crate) fn parts(ring: &[DVec2]) -> Vec<Vec<usize>> {
     let whole: Vec<usize> = (0..ring.len()).collect();
     if is_convex(ring, &whole) {
@@ -28,7 +28,7 @@ pub(crate) fn parts(ring: &[DVec2]) -> Vec<Vec<usize>> {
     pieces
 }
 
-/// True if a piece turns left at every corner.
+/// Returns true if a piece turns left at every corner.
 fn is_convex(ring: &[DVec2], piece: &[usize]) -> bool {
     let n = piece.len();
     (0..n).all(|i| {
@@ -37,7 +37,7 @@ fn is_convex(ring: &[DVec2], piece: &[usize]) -> bool {
     })
 }
 
-/// Joins the two pieces along the cut between `i` and `k`, if what comes out is convex.
+/// Joins the two pieces along the cut between `i` and `k`, if the result is convex.
 fn join(ring: &[DVec2], pieces: &mut Vec<Vec<usize>>, i: usize, k: usize) {
     let along = |piece: &Vec<usize>, from: usize, to: usize| {
         let n = piece.len();

@@ -23,17 +23,17 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// Extent along a, in grid steps.
+    /// Returns the extent along a, in grid steps.
     pub fn width(&self) -> i64 {
         self.a1.saturating_sub(self.a0)
     }
 
-    /// Extent along b, in grid steps.
+    /// Returns the extent along b, in grid steps.
     pub fn depth(&self) -> i64 {
         self.b1.saturating_sub(self.b0)
     }
 
-    /// Area in square grid steps.
+    /// Returns the area in square grid steps.
     pub fn area(&self) -> i128 {
         i128::from(self.width()) * i128::from(self.depth())
     }
@@ -48,7 +48,7 @@ impl Cell {
         self.a0 < other.a1 && other.a0 < self.a1 && self.b0 < other.b1 && other.b0 < self.b1
     }
 
-    /// The four corners in walk order (interior on the right), from the least (a, b).
+    /// Returns the four corners in walk order (interior on the right), from the least (a, b).
     pub fn corners(&self) -> [(i64, i64); 4] {
         [
             (self.a0, self.b0),
@@ -58,15 +58,15 @@ impl Cell {
         ]
     }
 
-    /// Sorting key of regions: (b0, a0, b1, a1), `docs/contract.md` 4.
+    /// Returns the sorting key of regions: (b0, a0, b1, a1), `docs/contract.md` 4.
     pub fn key(&self) -> (i64, i64, i64, i64) {
         (self.b0, self.a0, self.b1, self.a1)
     }
 }
 
-/// A region bounded by axis-parallel closed loops, even-odd: outer loops and holes alike,
-/// perhaps several disjoint pieces. The last corner joins the first; corners in mid-wall and
-/// any starting corner or direction are fine, and so are coincident edges, which cancel.
+/// A region bounded by axis-parallel closed loops, even-odd: outer loops and holes alike, perhaps several disjoint
+/// pieces. The last corner joins the first; corners in mid-wall and any starting corner or direction are allowed, and
+/// so are coincident edges, which cancel.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Plan {
     /// The loops, in grid steps of the author frame.
@@ -74,26 +74,26 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The region bounded by these loops.
+    /// Creates the region bounded by these loops.
     pub fn from_loops(loops: Vec<Vec<(i64, i64)>>) -> Self {
         Self { loops }
     }
 
-    /// The union of cells that do not overlap each other (others count even-odd).
+    /// Returns the union of cells that do not overlap each other (others count even-odd).
     pub fn from_cells(cells: &[Cell]) -> Self {
         Self {
             loops: cells.iter().map(|c| c.corners().to_vec()).collect(),
         }
     }
 
-    /// Every edge of every loop, as written.
+    /// Returns every edge of every loop, as written.
     pub fn edges(&self) -> impl Iterator<Item = ((i64, i64), (i64, i64))> + '_ {
         self.loops
             .iter()
             .flat_map(|l| (0..l.len()).map(move |i| (l[i], l[(i + 1) % l.len()])))
     }
 
-    /// The number of corners of its loops, as written.
+    /// Returns the number of corners of its loops, as written.
     pub fn corners(&self) -> usize {
         self.loops.iter().map(Vec::len).sum()
     }
@@ -103,7 +103,7 @@ impl Plan {
         self.edges().all(|(p, q)| p.0 == q.0 || p.1 == q.1)
     }
 
-    /// The plan as one cell, if it is written as a single loop of four corners.
+    /// Returns the plan as one cell, if it is written as a single loop of four corners.
     pub fn as_cell(&self) -> Option<Cell> {
         let [only] = self.loops.as_slice() else {
             return None;
@@ -133,22 +133,22 @@ impl Plan {
         }
     }
 
-    /// The part of this region outside `other`, exactly: P_k minus P_{k+1} (domain 3.8).
+    /// Returns the part of this region outside `other`, exactly: P_k minus P_{k+1} (domain 3.8).
     pub fn difference(&self, other: &Plan) -> Plan {
         self.combine(other, |mine, theirs| mine && !theirs)
     }
 
-    /// This region and `other`.
+    /// Returns the union of this region and `other`.
     pub fn union(&self, other: &Plan) -> Plan {
         self.combine(other, |mine, theirs| mine || theirs)
     }
 
-    /// The part that this region and `other` share.
+    /// Returns the part that this region and `other` share.
     pub fn intersection(&self, other: &Plan) -> Plan {
         self.combine(other, |mine, theirs| mine && theirs)
     }
 
-    /// This region without some cells, which may overlap each other.
+    /// Returns this region without some cells, which may overlap each other.
     pub fn minus_cells(&self, cells: &[Cell]) -> Plan {
         let covering = Plan::from_cells(cells);
         let Some(mut raster) = Raster::joint(&[self, &covering]) else {
@@ -173,20 +173,21 @@ impl Plan {
         self.as_cell().is_none() && slabs::strips(self).is_empty()
     }
 
-    /// Area in square grid steps, saturating.
+    /// Returns the area in square grid steps, saturating.
     pub fn area(&self) -> i128 {
         slabs::strips(self)
             .iter()
             .fold(0i128, |sum, c| sum.saturating_add(c.area()))
     }
 
-    /// The region in clean loops: corners only, no coincident edges, outer loops walked with
-    /// the interior on the right from their least (b, a) corner, holes the other way.
+    /// Returns the region in clean loops: corners only, no coincident edges, outer loops walked with the interior on
+    /// the right from their least (b, a) corner, holes the other way.
     pub fn clean(&self) -> Plan {
         self.combine(&Plan::default(), |mine, _| mine)
     }
 
-    /// The 4-connected pieces: joined along walls, not at corners alone, in the order of their least (b, a) corner.
+    /// Returns the 4-connected pieces: joined along walls, not at corners alone, in the order of their least (b, a)
+    /// corner.
     pub fn components(&self) -> Vec<Plan> {
         let Some(mut raster) = Raster::of(self) else {
             return vec![self.clone()];
@@ -203,7 +204,7 @@ impl Plan {
             .collect()
     }
 
-    /// The distinct coordinates (a's, b's) of the region's walls, ascending.
+    /// Returns the distinct coordinates (a's, b's) of the region's walls, ascending.
     pub fn coordinates(&self) -> (Vec<i64>, Vec<i64>) {
         Raster::of(self).map_or_else(
             || {
@@ -238,7 +239,7 @@ impl Plan {
     }
 }
 
-/// Numbers the 4-connected pieces of true fields from 1, and counts them.
+/// Numbers the 4-connected pieces of the true fields from 1; returns the numbers and their count.
 fn label(inside: &[bool], cols: usize) -> (Vec<u32>, u32) {
     let mut labels = vec![0u32; inside.len()];
     let mut count = 0;

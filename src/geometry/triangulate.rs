@@ -9,7 +9,7 @@ const MANY: usize = 48;
 /// Points nearer to the border of an ear, in twice the area of the triangle they span with it, lie on the border.
 const ON_BORDER: f64 = 1e-12;
 
-/// Passes on the triangles of a counter-clockwise ring, as indices of its corners; always two less than corners. The
+/// Passes on the triangles of a counter-clockwise ring, as indices of its corners; always two fewer than corners. The
 /// ring may pass a place twice, as along a bridge to a hole.
 pub(crate) fn ears(ring: &[DVec2], mut out: impl FnMut([u32; 3])) {
     let mut rest: Vec<u32> = (0..ring.len() as u32).collect();
@@ -21,7 +21,7 @@ pub(crate) fn ears(ring: &[DVec2], mut out: impl FnMut([u32; 3])) {
     }
 }
 
-/// The triangles of an outline (counter-clockwise) with holes (clockwise), as corners, without slivers.
+/// Returns the triangles of an outline (counter-clockwise) with holes (clockwise), as corners, without slivers.
 pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
     let ring = bridged(outline, holes);
     let mut found = Vec::with_capacity(ring.len());
@@ -34,8 +34,9 @@ pub fn triangles(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<[DVec2; 3]> {
     found
 }
 
-/// The place of the corner to cut off next: of all whose triangle holds no other corner the roundest, so that corners in
-/// a straight row are not left to the end as a triangle without area; where there is none, the corner that comes nearest.
+/// Returns the index of the corner to cut off next: of all whose triangle holds no other corner the roundest, so that
+/// collinear corners are not left to the end as a triangle without area; if there is none, the corner that comes
+/// nearest.
 fn best_ear(ring: &[DVec2], rest: &[u32]) -> usize {
     let n = rest.len();
     let mut best = (f64::NEG_INFINITY, 0);
@@ -70,22 +71,22 @@ fn best_ear(ring: &[DVec2], rest: &[u32]) -> usize {
     best.1
 }
 
-/// True if a point lies in a counter-clockwise triangle or on its border.
+/// Returns true if a point lies in a counter-clockwise triangle or on its border.
 fn holds([a, b, c]: [DVec2; 3], p: DVec2) -> bool {
     let left = |q: DVec2, r: DVec2| (r - q).perp_dot(p - q) >= -ON_BORDER;
     left(a, b) && left(b, c) && left(c, a)
 }
 
-/// Twice the area to the left of the way p, q, r.
+/// Returns twice the area to the left of the path p, q, r.
 pub(crate) fn turn(p: DVec2, q: DVec2, r: DVec2) -> f64 {
     (q - p).perp_dot(r - p)
 }
 
-/// One ring out of an outline and its holes, joined by the shortest bridges that cross nothing.
+/// Joins an outline and its holes into one ring by the shortest bridges that cross nothing.
 pub(crate) fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
     let mut ring = outline.to_vec();
     let mut rest: Vec<&Vec<DVec2>> = holes.iter().filter(|h| h.len() > 2).collect();
-    // From the hole that reaches farthest on, so that a bridge meets only what is joined already.
+    // In the order of the hole that reaches farthest, so that a bridge meets only what is joined already.
     let reach = |hole: &[DVec2]| hole.iter().map(|p| p.x).fold(f64::MIN, f64::max);
     rest.sort_by(|g, h| reach(h).total_cmp(&reach(g)));
     for n in 0..rest.len() {
@@ -117,7 +118,7 @@ pub(crate) fn bridged(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
     ring
 }
 
-/// True if `from` lies within the angle of the ring's corner `i`, so that a bridge runs inside.
+/// Returns true if `from` lies within the angle of the ring's corner `i`, so that a bridge runs inside.
 fn opens_to(ring: &[DVec2], i: usize, from: DVec2) -> bool {
     let n = ring.len();
     let (p, q, r) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);

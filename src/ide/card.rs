@@ -1,4 +1,4 @@
-//! The card of a part: its names, its picture, its measures, in Markdown.
+//! The card of a part: its names, its image, its dimensions, in Markdown.
 
 use super::Analysis;
 use crate::catalog::{Era, PartDef};
@@ -12,25 +12,25 @@ use base64::prelude::BASE64_STANDARD;
 use image::imageops::{self, FilterType};
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Pixels a metre in which parts are drawn, and by which share the picture is made smaller then.
+/// Resolution at which parts are rendered, pixels per metre, and the share by which the image is then scaled down.
 const DENSITY: f64 = 156.0;
 
-/// The longer side of a picture, pixels.
+/// The longer side of an image, pixels.
 const SIDE: u32 = 160;
 
-/// Quality of the picture, first; the next where it would be too large, bytes.
+/// JPEG qualities in the order tried; the next if the image would be too large, bytes.
 const QUALITIES: [u8; 3] = [88, 75, 50];
 const LARGEST: usize = 8800; // 12 kB in base 64, including the surrounding markup
 
-/// Pictures that are kept, the youngest last.
+/// Maximum number of cached images, the most recent last.
 const KEPT: usize = 256;
 
 static PICTURES: Mutex<Vec<(PartDef, Option<Picture>)>> = Mutex::new(vec![]);
 
-/// A picture as JPEG.
+/// An image as JPEG.
 pub type Picture = Arc<[u8]>;
 
-/// The card of a part, for a house of this number.
+/// Returns the card of a part, for a house of this number.
 pub(super) fn card(
     a: &Analysis,
     part: &PartDef,
@@ -86,7 +86,7 @@ pub(super) fn card(
     out
 }
 
-/// A width in U, shaku and metres.
+/// Formats a width in U, shaku and metres.
 pub(super) fn width(units: f64, unit: f64) -> Text {
     let (u, shaku, metres) = (
         short(units, 3),
@@ -113,7 +113,7 @@ fn heights(part: &PartDef) -> Text {
     }
 }
 
-/// Where the part is defined.
+/// Returns the place where the part is defined.
 fn origin(a: &Analysis, part: &PartDef) -> Text {
     let own = a
         .catalog()
@@ -142,7 +142,7 @@ fn origin(a: &Analysis, part: &PartDef) -> Text {
     }
 }
 
-/// A number of at most this many decimals.
+/// Formats a number with at most this many decimals.
 pub(super) fn short(number: f64, decimals: usize) -> String {
     let text = format!("{:.decimals$}", number + 0.0);
     match text.contains('.') {
@@ -151,14 +151,15 @@ pub(super) fn short(number: f64, decimals: usize) -> String {
     }
 }
 
-/// The picture of a part as a `data:` URI; `None` of what cannot be seen.
+/// Returns the image of a part as a `data:` URI; `None` if the part is invisible.
 fn picture(part: &PartDef) -> Option<String> {
     let file = part_picture(part)?;
     let text = BASE64_STANDARD.encode(&*file);
     Some(format!("data:image/jpeg;base64,{text}"))
 }
 
-/// The picture of a part as JPEG, its longer side of 160 pixels; `None` of what cannot be seen. It is made once.
+/// Returns the image of a part as JPEG, its longer side of 160 pixels; `None` if the part is invisible. It is rendered
+/// once.
 pub fn part_picture(part: &PartDef) -> Option<Picture> {
     let kept = || PICTURES.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, found)) = kept().iter().find(|(p, _)| p == part) {
@@ -174,7 +175,7 @@ pub fn part_picture(part: &PartDef) -> Option<Picture> {
 }
 
 fn drawn(part: &PartDef) -> Option<Vec<u8>> {
-    // A part of a hundred units would be a picture of a hundred megapixels.
+    // An image of a part of a hundred units would have a hundred megapixels.
     let density = DENSITY.min(DENSITY * 4.0 / part.width().max(1.0));
     let picture = part_sheet::picture(part, density)?;
     let (w, h) = picture.dimensions();

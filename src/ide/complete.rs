@@ -1,7 +1,7 @@
 //! Completion: part codes, elements, attributes and their values, names, keys, roof words.
 //!
-//! Nothing here trusts the file to be sound: it is under way. Where the reader's own view of it is not to be had, the
-//! characters before the place decide (see `place`).
+//! The file is being edited and may be malformed. Where the reader cannot interpret it, the characters before the place
+//! decide (see `place`).
 
 mod cells;
 pub(super) mod legacy;
@@ -23,7 +23,7 @@ use std::ops::Range;
 pub enum CompletionKind {
     /// A part of the catalogue, by its code.
     Part,
-    /// A part of the author's own.
+    /// A custom part.
     OwnPart,
     /// An element of the XML form.
     Element,
@@ -31,58 +31,58 @@ pub enum CompletionKind {
     EndTag,
     /// An attribute.
     Attribute,
-    /// A word that a value or a field may be.
+    /// A word that a value or a field allows.
     Value,
-    /// A name in expressions: a `let`, a `Param`, a parameter of a piece, `k`.
+    /// A name in expressions: a `let`, a `Param`, a parameter of a definition, `k`.
     Name,
     /// A function of expressions.
     Function,
-    /// A piece, at a `use`.
+    /// A definition, at a `use`.
     Piece,
-    /// A file: a source file or a picture.
+    /// A file: a source file or an image.
     File,
     /// A key of the legacy header.
     Key,
     /// The letter at the end of a wall line.
     Turn,
-    /// A name that something else has: the id of a floor, the code of a base.
+    /// A name that another element has: the id of a floor, the code of a base.
     Reference,
 }
 
-/// Something that may be here.
+/// A proposal at a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Completion {
     /// The label in the list.
     pub label: String,
     /// The kind.
     pub kind: CompletionKind,
-    /// The meaning, in one line.
+    /// The description, in one line.
     pub detail: Text,
     /// The range that it replaces; it contains the requested place and lies in one line.
     pub replace: Range<usize>,
-    /// The new content.
+    /// The inserted text.
     pub insert: String,
-    /// The same in the snippet syntax of the protocol, where it has places to go on from.
+    /// The same in the snippet syntax of the protocol, if it has tab stops.
     pub snippet: Option<String>,
-    /// The text that a client compares with the typed text; begins with that, in its script.
+    /// The string that a client compares with the typed one; begins with it, in its script.
     pub filter: String,
-    /// The order of the list.
+    /// The sort key in the list.
     pub sort: String,
-    /// The key by which [`documentation`] gives details.
+    /// The key by which [`documentation`] finds details.
     pub part: Option<PartKey>,
 }
 
-/// A part that a proposal stands for.
+/// The part that a proposal represents.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PartKey {
-    /// Its code as the catalogue has it: five columns, or a longer name.
+    /// Its code as in the catalogue: five columns, or a longer name.
     pub code: String,
 }
 
-/// The completions at an offset, best first. `files` lists those below the folder of this file whose names have an
-/// ending such as `hsd` or `png`, by their paths from that folder.
+/// Returns the completions at an offset, best first. `files` lists those below the folder of this file whose names have
+/// an extension such as `hsd` or `png`, by their paths from that folder.
 ///
-/// The list depends on what was typed, in whatever script, so a client should ask again as typing goes on
+/// The list depends on the typed characters, in any script, so a client should ask again as typing continues
 /// (`isIncomplete`).
 pub fn complete(a: &Analysis, at: usize, files: &dyn Fn(&str) -> Vec<String>) -> Vec<Completion> {
     let text = a.text();
@@ -102,7 +102,7 @@ pub fn complete(a: &Analysis, at: usize, files: &dyn Fn(&str) -> Vec<String>) ->
     found
 }
 
-/// More about the part of a proposal, in Markdown: its card, with a picture where `pictures` are wanted.
+/// Returns details about the part of a proposal, in Markdown: its card, with an image if `pictures` is set.
 pub fn documentation(
     a: &Analysis,
     key: &PartKey,
@@ -115,14 +115,14 @@ pub fn documentation(
     Some(card::card(a, part, 0, language, pictures))
 }
 
-/// Returns true if the text contains the typed letters in order, the way clients compare them.
+/// Returns true if the string contains the typed letters in order, the way clients compare them.
 fn answers(filter: &str, typed: &str) -> bool {
     let mut letters = filter.chars().flat_map(char::to_lowercase);
     let mut typed = typed.chars().flat_map(char::to_lowercase);
     typed.all(|wanted| letters.any(|letter| letter == wanted))
 }
 
-/// The request.
+/// A completion request.
 struct Request<'a> {
     a: &'a Analysis,
     text: &'a str,
@@ -131,7 +131,7 @@ struct Request<'a> {
 }
 
 impl Completion {
-    /// A word that takes the place of what is under way; what was typed of it stays what a client compares.
+    /// Creates a completion that replaces the word being typed; clients compare the typed characters.
     fn word(label: &str, kind: CompletionKind, detail: Text, replace: &Range<usize>) -> Completion {
         Completion {
             label: label.to_owned(),
@@ -146,7 +146,7 @@ impl Completion {
         }
     }
 
-    /// The same with another place in the list.
+    /// Returns the same completion with another sort key.
     fn sorted(self, sort: impl Into<String>) -> Completion {
         Completion {
             sort: sort.into(),

@@ -1,5 +1,5 @@
-//! All fixes of a source file at once. A fix may reveal what the mistake had hidden, so fixed files are read again and
-//! fixed again, and the best of them is taken: one that is no better than the file as it is, is not offered.
+//! All fixes of a source file at once. A fix may reveal further errors, so fixed files are read again and fixed again,
+//! and the best result is taken; it is offered only if it is better than the file as it is.
 
 use crate::diagnostic::{self, Severity};
 use crate::ide::Analysis;
@@ -7,15 +7,15 @@ use crate::ide::format::{Edit, edits};
 use crate::source::Span;
 use std::collections::BTreeMap;
 
-/// How bad a source file is: errors, then everything that is reported about it.
+/// Returns the number of errors, then of all diagnostics, of a source file.
 fn badness(a: &Analysis) -> (usize, usize) {
     let errors = a.diagnostics.iter();
     let errors = errors.filter(|d| d.severity == Severity::Error).count();
     (errors, a.diagnostics.len())
 }
 
-/// How many fixes make a source file better, and what they change; `None` where none do. `read` analyses a source file in the place of
-/// this one, at most `rounds` times.
+/// Returns the number of fixes that improve a source file, and their edits; `None` if none do. `read` analyses a source
+/// file in the place of this one, at most `rounds` times.
 pub fn fix_all(
     a: &Analysis,
     read: &dyn Fn(&str) -> Analysis,
@@ -40,9 +40,10 @@ pub fn fix_all(
     Some((count, edits(a.text(), &text)))
 }
 
-/// A source file after the first fix of each message, as many as do not touch one another, and how many those are.
+/// Applies the first fix of each diagnostic, as far as they do not overlap; returns the source file and the number of
+/// fixes.
 fn round(a: &Analysis) -> Option<(String, usize)> {
-    // By their ends: none of them meets another.
+    // Sorted by their ends, so that none overlaps another.
     let mut taken: BTreeMap<u32, (u32, &diagnostic::Edit)> = BTreeMap::new();
     let mut count = 0;
     for fix in a.diagnostics.iter().filter_map(|d| d.fixes.first()) {

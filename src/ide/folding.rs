@@ -16,17 +16,16 @@ pub enum FoldKind {
     Imports,
 }
 
-/// Something that can be folded away; it covers more than one line.
+/// A foldable range; it covers more than one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fold {
-    /// From its start to the end of the last line that vanishes; its first line stays, and so does the line of an end
-    /// tag.
+    /// From its start to the end of the last hidden line; its first line stays, and so does the line of an end tag.
     pub range: Range<usize>,
     /// The kind.
     pub kind: FoldKind,
 }
 
-/// The foldable ranges, in the order of the file.
+/// Returns the foldable ranges, in the order of the file.
 pub fn folds(a: &Analysis) -> Vec<Fold> {
     let (outline, text) = (a.outline(), a.text());
     let mut found = vec![];
@@ -43,7 +42,7 @@ pub fn folds(a: &Analysis) -> Vec<Fold> {
     found
 }
 
-/// Comments of several lines, and lines of comments one after another.
+/// Adds comments of several lines, and consecutive lines of comments.
 fn comments(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     let mut open: Option<Range<usize>> = None;
     for comment in &outline.comments {
@@ -67,13 +66,13 @@ fn comment_fold(range: Range<usize>) -> Fold {
     Fold { range, kind }
 }
 
-/// Line ends in a source file.
+/// Returns the number of line ends in a source file.
 fn breaks(text: &str) -> usize {
     let feeds = text.matches('\n').count();
     feeds.max(text.matches('\r').count())
 }
 
-/// Storeys and roofs of the legacy form, and houses where there are several.
+/// Adds storeys and roofs of the legacy form, and houses if there are several.
 fn legacy(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     let houses = sections::houses(outline, text);
     let several = houses.len() > 1;
@@ -95,7 +94,7 @@ fn legacy(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     }
 }
 
-/// Elements of several lines. The line of the end tag stays where that is alone.
+/// Adds elements of several lines. The line of the end tag stays if it is alone there.
 fn elements(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     for element in &outline.elements {
         let mut end = element.range.end;
@@ -116,14 +115,14 @@ fn elements(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     }
 }
 
-/// Includes one after another.
+/// Adds consecutive includes.
 fn imports(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     let includes = outline.elements.iter();
     let includes = includes.filter(|e| e.schema.is_some_and(|s| s.name == "include"));
     let mut open: Option<Range<usize>> = None;
     for include in includes.map(|e| &e.range) {
         match &mut open {
-            // One that was not closed may hold the next.
+            // An unclosed element may contain the next.
             Some(open) if gap(text, open, include).is_some_and(str::is_empty) => {
                 open.end = include.end;
             }
@@ -136,7 +135,7 @@ fn imports(outline: &Outline, text: &str, found: &mut Vec<Fold>) {
     found.extend(open.map(import_fold));
 }
 
-/// The text between two elements, without white space around it; `None` where the one holds the other.
+/// Returns the source between two elements, without white space around it; `None` if one contains the other.
 fn gap<'t>(text: &'t str, first: &Range<usize>, next: &Range<usize>) -> Option<&'t str> {
     text.get(first.end..next.start).map(str::trim)
 }

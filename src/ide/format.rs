@@ -14,14 +14,14 @@ pub struct Edit {
     pub text: String,
 }
 
-/// The edits that lay the file out, in its order; `None` where its meaning is in doubt.
+/// Returns the edits that format the file, in its order; `None` if its meaning is in doubt.
 pub fn format(a: &Analysis) -> Option<Vec<Edit>> {
     let limits = &a.options.expand.limits;
     let made = print::format(&a.source, limits, &mut Diagnostics::new())?;
     Some(edits(a.text(), &made))
 }
 
-/// Those of them that touch the lines of a range.
+/// Returns the edits that touch the lines of a range.
 pub fn format_range(a: &Analysis, range: Range<usize>) -> Option<Vec<Edit>> {
     let text = a.text();
     let bound = |at: usize| (0..=at.min(text.len())).rfind(|i| text.is_char_boundary(*i));
@@ -33,8 +33,8 @@ pub fn format_range(a: &Analysis, range: Range<usize>) -> Option<Vec<Edit>> {
     Some(edits)
 }
 
-/// The edits that turn one text into another: of lines that differ what differs in them, so that a cursor elsewhere stays
-/// where it is.
+/// Returns the edits that turn one string into another: only the differing parts of differing lines, so that a cursor
+/// elsewhere stays where it is.
 pub fn edits(old: &str, new: &str) -> Vec<Edit> {
     let (before, after): (Vec<&str>, Vec<&str>) = (lines(old), lines(new));
     let starts = starts(&before);
@@ -54,7 +54,7 @@ pub fn edits(old: &str, new: &str) -> Vec<Edit> {
     found
 }
 
-/// The edit of a line: what lies between the same start and the same end.
+/// Returns the edit of a line: the part between the common start and the common end.
 pub(super) fn within(at: usize, old: &str, new: &str) -> Option<Edit> {
     let same = |(a, b): &(char, char)| a == b;
     let length = |(c, _): (char, char)| c.len_utf8();
@@ -72,12 +72,12 @@ pub(super) fn within(at: usize, old: &str, new: &str) -> Option<Edit> {
     (!range.is_empty() || !text.is_empty()).then_some(Edit { range, text })
 }
 
-/// The lines of a source file with their ends.
+/// Returns the lines of a source file with their line ends.
 fn lines(text: &str) -> Vec<&str> {
     text.split_inclusive('\n').collect()
 }
 
-/// Where lines begin, and where the last one ends.
+/// Returns the offsets at which lines begin, and the end of the last one.
 fn starts(lines: &[&str]) -> Vec<usize> {
     let mut at = 0;
     let mut starts = vec![0];

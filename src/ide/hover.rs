@@ -12,16 +12,17 @@ use crate::diagnostic::{Language, Text};
 use crate::print::Form;
 use std::ops::Range;
 
-/// The hover of a place.
+/// The hover text of a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Hover {
     /// The range that the hover describes; it contains the place.
     pub range: Range<usize>,
-    /// In Markdown.
+    /// The text, in Markdown.
     pub markdown: String,
 }
 
-/// The thing at an offset. `pictures` = cards of parts show a picture, as a `data:` URI; some clients show its raw text.
+/// Returns the hover text at an offset. `pictures`: cards of parts show an image, as a `data:` URI; some clients show
+/// its raw text.
 pub fn hover(a: &Analysis, at: usize, language: Language, pictures: bool) -> Option<Hover> {
     if !a.text().is_char_boundary(at) || a.outline().in_comment(at) {
         return None;
@@ -39,7 +40,7 @@ pub fn hover(a: &Analysis, at: usize, language: Language, pictures: bool) -> Opt
     found.filter(|h| !h.markdown.is_empty())
 }
 
-/// The request.
+/// A hover request.
 struct Request<'a> {
     a: &'a Analysis,
     at: usize,
@@ -48,7 +49,7 @@ struct Request<'a> {
 }
 
 impl Request<'_> {
-    /// Paragraphs about a range; those without words are left out.
+    /// Joins paragraphs about a range; empty ones are left out.
     fn told(
         &self,
         range: &Range<usize>,
@@ -65,7 +66,7 @@ impl Request<'_> {
         })
     }
 
-    /// The card of the part that a code means.
+    /// Returns the card of the part that a code means.
     fn part(&self, range: &Range<usize>, code: &str) -> Option<Hover> {
         let id = parts::meant(self.a, self.at, code)?;
         let house = parts::house_at(self.a, self.at);

@@ -1,5 +1,5 @@
-//! Inlay hints for what a source file does not state: how long a line is, where the walk is after it, how high
-//! a storey is and which one, and what an open walk lacks. All of it comes from the walls that were built.
+//! Inlay hints for values that a source file does not state: the length of a line, the end point of the walk, the
+//! number and height of a storey, and the gap of an open walk. All are taken from the walls as built.
 
 use super::Analysis;
 use super::walked::{self, Built, Walked, length, plain, span_of};
@@ -9,21 +9,21 @@ use crate::text;
 use glam::DVec2;
 use std::ops::Range;
 
-/// A few words after a place of the file.
+/// A label after a place of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Inlay {
-    /// Behind what.
+    /// The offset after which it stands.
     pub at: usize,
-    /// The words.
+    /// The label.
     pub label: String,
-    /// Their meanings.
+    /// Its explanation.
     pub tooltip: Text,
 }
 
-/// The hints of a range, in the order of the file.
+/// Returns the hints of a range, in the order of the file.
 pub fn inlays(a: &Analysis, range: Range<usize>, language: Language) -> Vec<Inlay> {
     let mut found = vec![];
-    // Of two at one place the length of the line comes first.
+    // Of two hints at one place the length of the line comes first.
     for ((start, end), walls) in walked::walls(a, &range) {
         found.extend(line(a, start..end, &walls, language));
     }
@@ -37,7 +37,8 @@ pub fn inlays(a: &Analysis, range: Range<usize>, language: Language) -> Vec<Inla
     found
 }
 
-/// The number and height of a storey: behind its start tag, or behind its first line, whose columns it leaves as they are.
+/// Adds the number and height of a storey: after its start tag, or after its first line, whose columns stay as they
+/// are.
 fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language) -> Option<Inlay> {
     let outline = a.outline();
     let elements = &outline.elements;
@@ -64,18 +65,18 @@ fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language)
     })
 }
 
-/// Where the words of the line of an offset end.
+/// Returns the end of the content of the line at an offset.
 fn line_end(text: &str, at: usize) -> usize {
     let line = text.get(at..).and_then(|t| t.split(['\n', '\r']).next());
     at + line.map_or(0, |l| l.trim_end().len())
 }
 
-/// A length in metres to a hundredth.
+/// Rounds a length in metres to a hundredth.
 fn centi(metres: f64) -> f64 {
     (metres * 100.0).round() / 100.0
 }
 
-/// The length of a line, where the walk is after it and, where it is the last, what it lacks.
+/// Adds the length of a line, the end point of the walk and, on the last line, the gap.
 fn line(
     a: &Analysis,
     range: Range<usize>,
@@ -93,7 +94,7 @@ fn line(
     let (x, y) = (plain(end.x), plain(end.y));
     let many = beside.len();
     let (label, tooltip) = match (alone, many) {
-        // The walks of several storeys or houses are in several places.
+        // The walks of several storeys or houses end at several places.
         (false, _) => {
             let each = span_of(walls.iter().map(|w| length(w.wall)));
             let metres = span_of(walls.iter().map(|w| centi(length(w.wall) * w.unit)));
@@ -135,7 +136,7 @@ fn line(
     Some(inlay)
 }
 
-/// Adds what an open walk lacks to get back to its start.
+/// Adds the gap that closes an open walk.
 fn lack(inlay: &mut Inlay, gap: DVec2, language: Language) {
     let sides = [
         (gap.x, text!("left", "左"), text!("right", "右")),

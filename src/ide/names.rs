@@ -3,8 +3,8 @@
 //!
 //! | file | answers |
 //! |---|---|
-//! | `known` | which values and pieces are known at a place |
-//! | `rename` | what another name changes, and whether it is allowed |
+//! | `known` | the values and definitions known at a place |
+//! | `rename` | the edits of a rename, and whether it is allowed |
 
 mod known;
 mod rename;
@@ -26,15 +26,14 @@ use crate::parse::names::resolve;
 use crate::parse::names::table::{NameTable, NamedThing, Occurrence, Role};
 use std::ops::Range;
 
-/// Something with a name.
+/// A named symbol.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symbol {
     /// The kind.
     pub kind: SymbolKind,
     /// Its name; a code with its padding.
     pub name: String,
-    /// The name of the file that defines it, and where in its text; `None` = it comes with the program, or no one
-    /// defines it.
+    /// The file that defines it, by name, and the range in its text; `None` = it is built in, or undefined.
     pub defined: Option<(String, Range<usize>)>,
 }
 
@@ -45,16 +44,16 @@ pub(super) struct Names {
     index: NameTable,
 }
 
-/// The thing at an offset.
+/// The symbol at an offset.
 enum Found {
-    /// Names; several where one is computed.
+    /// Names; several if one is computed.
     Names(Vec<Occurrence>),
     /// A code.
     Code(CodeOccurrence),
 }
 
 impl Analysis {
-    /// The file and the files that it includes.
+    /// Returns the file and the files that it includes.
     fn files(&self) -> Vec<File<'_>> {
         let included = self.checked.included.iter().zip(self.outlines());
         let all = std::iter::once((&self.source, self.outline())).chain(included);
@@ -80,7 +79,7 @@ impl Analysis {
         Codes::of(files, &self.names(files).links, given)
     }
 
-    /// The thing at an offset of the file.
+    /// Returns the symbol at an offset of the file.
     fn found(&self, files: &[File<'_>], codes: &Codes<'_>, at: usize) -> Option<Found> {
         let marks = self.names(files).index.at(self.source.id(), at);
         let marks: Vec<Occurrence> = marks.cloned().collect();
@@ -110,7 +109,7 @@ fn place_of_spot(codes: &Codes<'_>, spot: &CodeOccurrence) -> Place {
     }
 }
 
-/// The symbol at an offset.
+/// Returns the symbol at an offset.
 pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -147,7 +146,7 @@ pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
     }
 }
 
-/// Where what is at an offset is defined.
+/// Returns the places that define the symbol at an offset.
 pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -179,14 +178,14 @@ pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
     }
 }
 
-/// Where what is at an offset is used, in this file and the files that were read for it.
+/// Returns the places that use the symbol at an offset, in this file and the files that were read for it.
 pub fn references(a: &Analysis, at: usize, with_declaration: bool) -> Vec<Place> {
     let found = occurrences(a, at).into_iter();
     let kept = found.filter(|(_, declares)| with_declaration || !declares);
     kept.map(|(place, _)| place).collect()
 }
 
-/// Where what is at an offset is in this file, and whether it is defined there.
+/// Returns the places of the symbol at an offset in this file, and for each whether it is its definition.
 pub fn highlights(a: &Analysis, at: usize) -> Vec<(Range<usize>, bool)> {
     let found = occurrences(a, at).into_iter();
     let here = found.filter(|(place, _)| place.file == a.source.id());
@@ -194,7 +193,7 @@ pub fn highlights(a: &Analysis, at: usize) -> Vec<(Range<usize>, bool)> {
         .collect()
 }
 
-/// All places of what is at an offset, and whether it is defined there.
+/// Returns all places of the symbol at an offset, and for each whether it is its definition.
 fn occurrences(a: &Analysis, at: usize) -> Vec<(Place, bool)> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -221,7 +220,7 @@ fn spots_like(codes: &Codes<'_>, spot: &CodeOccurrence) -> Vec<(Place, bool)> {
         .collect()
 }
 
-/// Where a thing is used that another file may define.
+/// Returns the uses of a symbol that another file may define.
 pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -244,11 +243,11 @@ pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
 
 /// The meaning of a symbol in these files.
 enum Target {
-    /// By its number in the index.
+    /// A name, by its number in the index.
     Name(usize),
-    /// A custom part, or a picture.
+    /// A custom part, or an image.
     Code(CodeOccurrence),
-    /// A part that comes with the program.
+    /// A built-in part.
     Builtin,
 }
 

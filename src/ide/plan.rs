@@ -1,4 +1,4 @@
-//! The plan of a source file for those who draw on it: every wall with its place and with the place where it is written.
+//! The plan of a source file for the plan editor: every wall with its place in the plan and in the file.
 //!
 //! Places are `[a, b]` in U in the author frame of their house; spans are bytes of the original file; houses, storeys,
 //! rings, walls and units stand in the order of the [`Building`](crate::building::Building), by which strokes count
@@ -17,11 +17,11 @@
 //!     "ridge":[[6,4],[0,4]]}]}]}
 //! ```
 //!
-//! `fixed` is the key of a reason, in words of the language that was asked for, why no stroke can change a thing (for a
-//! wall: move it), or null. `height` of a storey is in shaku, `z0`, `z1` and `z` are metres above the house's origin. The `part` of a unit is one of
-//! `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`, `picture`, `split`. `regions` are those of
-//! `hsd dump --stage regions`. The `rect` of a roof are its bounds with its eaves, `ridge` the line of its highest
-//! points, null where that is a point, a surface or broken.
+//! `fixed` is null, or the key of the reason why no stroke can change an item (for a wall: move it); `reasons` has its
+//! text in the requested language. `height` of a storey is in shaku, `z0`, `z1` and `z` are metres above the house's
+//! origin. The `part` of a unit is one of `wall`, `door`, `window`, `lattice`, `post`, `opening`, `modern`, `void`,
+//! `picture`, `split`. `regions` are those of `hsd dump --stage regions`. The `rect` of a roof are its bounds with its
+//! eaves, `ridge` the line of its highest points, null where that is a point, a surface or broken.
 
 use super::Analysis;
 use super::stroke::{house_fixed, storey_fixed};
@@ -42,7 +42,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The plan of a source file.
 #[derive(Debug, Serialize)]
 pub struct Plan {
-    /// The meanings of the reasons in it.
+    /// The texts of the reasons in it, by key.
     pub reasons: BTreeMap<&'static str, String>,
     /// In the order of the file.
     pub houses: Vec<House>,
@@ -53,31 +53,31 @@ pub struct Plan {
 pub struct House {
     /// Empty if it has none.
     pub name: String,
-    /// Where it is written.
+    /// Its place in the file.
     #[serde(flatten)]
     pub place: Place,
     /// East, north, up, metres.
     pub origin: [Number; 3],
-    /// Where its front looks, degrees from north.
+    /// Direction of its front, degrees clockwise from north.
     pub azimuth: Number,
     /// Metres in one U.
     pub unit_m: Number,
-    /// True if its first wall stands on a street.
+    /// True if its first wall faces a street.
     pub street: bool,
-    /// Why no storey can be put on it.
+    /// The reason why no storey can be added on it.
     pub fixed: Option<&'static str>,
     /// From the ground up.
     pub storeys: Vec<Storey>,
-    /// Everything above the walls.
+    /// Its roofs.
     pub roofs: Vec<Roof>,
 }
 
-/// Where something is written.
+/// A place in the source files.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Place {
     /// The file; 0 is the file itself.
     pub file: u16,
-    /// Its bytes.
+    /// Its range of bytes.
     pub span: Span,
 }
 
@@ -90,14 +90,14 @@ pub struct Storey {
     pub kind: &'static str,
     /// Its floor, metres above the house's origin.
     pub z0: Number,
-    /// Its top.
+    /// Its top, metres above the house's origin.
     pub z1: Number,
-    /// Shaku.
+    /// Its height, shaku.
     pub height: Number,
-    /// Where it is written.
+    /// Its place in the file.
     #[serde(flatten)]
     pub place: Place,
-    /// Why its height cannot be changed.
+    /// The reason why its height cannot be changed.
     pub fixed: Option<&'static str>,
     /// Outer walks and courtyards.
     pub rings: Vec<Ring>,
@@ -112,7 +112,7 @@ pub struct Ring {
     pub hole: bool,
     /// True for a wall inside the storey.
     pub inner: bool,
-    /// True if it ends where it begins.
+    /// True if it ends at its start.
     pub closed: bool,
     /// In walk order.
     pub walls: Vec<Wall>,
@@ -127,32 +127,32 @@ pub struct Wall {
     pub from: [Number; 2],
     /// Its left end.
     pub to: [Number; 2],
-    /// Where its line is written.
+    /// The place of its line in the file.
     #[serde(flatten)]
     pub place: Place,
     /// True if its glass is reflective.
     pub reflection: bool,
-    /// Why it cannot be moved.
+    /// The reason why it cannot be moved.
     pub fixed: Option<&'static str>,
     /// From its right end to its left end.
     pub units: Vec<Unit>,
 }
 
-/// The content of a wall.
+/// A unit of a wall.
 #[derive(Debug, Serialize)]
 pub struct Unit {
-    /// Its code, or the name of its part or picture; empty for a void or a split.
+    /// Its code, or the name of its part or image; empty for a void or a split.
     pub code: String,
-    /// The kind.
+    /// Its kind.
     pub part: &'static str,
     /// Its right end.
     pub from: [Number; 2],
     /// Its left end.
     pub to: [Number; 2],
-    /// Where it is written.
+    /// Its place in the file.
     #[serde(flatten)]
     pub place: Place,
-    /// Why no other part can be put there.
+    /// The reason why it cannot be replaced.
     pub fixed: Option<&'static str>,
 }
 
@@ -177,7 +177,7 @@ pub struct Roof {
 }
 
 impl Plan {
-    /// The plan of a source file; reasons are in this language.
+    /// Returns the plan of a source file, with reasons in this language.
     pub fn of(a: &Analysis, language: Language) -> Plan {
         let sheet = Sheet::of(a);
         let (building, catalog) = (&a.checked.building, a.catalog());
@@ -198,12 +198,12 @@ impl Plan {
     }
 }
 
-/// How units are labelled.
+/// Writes a plan and collects its reasons.
 struct Writer<'a> {
     sheet: &'a Sheet<'a>,
     catalog: &'a Catalog,
     pictures: &'a [program::Picture],
-    /// The reasons that were given.
+    /// The reasons in use.
     used: BTreeSet<Reason>,
 }
 
@@ -219,7 +219,7 @@ fn point(p: DVec2) -> [Number; 2] {
 }
 
 impl Writer<'_> {
-    /// Notes a reason.
+    /// Records a reason and returns its key.
     fn told(&mut self, reason: Option<Reason>) -> Option<&'static str> {
         self.used.extend(reason);
         reason.map(Reason::key)
@@ -299,7 +299,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The code or name of a unit.
+    /// Returns the code or name of a unit.
     fn code(&self, unit: &program::Unit) -> String {
         let picture = |id: program::PictureId| self.pictures.get(id.0 as usize);
         match &unit.content {
@@ -309,7 +309,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The kind, in one word.
+    /// Returns the kind of a unit as one word.
     fn part(&self, unit: &program::Unit) -> &'static str {
         match &unit.content {
             Content::Void => "void",
@@ -331,7 +331,7 @@ impl Writer<'_> {
     }
 }
 
-/// Heights that differ by less are the same, metres.
+/// Heights that differ by less are equal, metres.
 const LEVEL: f64 = 1e-3;
 
 fn roof(roof: &building::Roof, unit: f64) -> Roof {
@@ -362,7 +362,7 @@ fn roof(roof: &building::Roof, unit: f64) -> Roof {
     }
 }
 
-/// The ends of the line on which all points lie, if they lie on one.
+/// Returns the ends of the line on which all points lie, if they are collinear.
 fn ridge(points: Vec<DVec2>) -> Option<[[Number; 2]; 2]> {
     let first = *points.first()?;
     let far = |from: DVec2| {

@@ -1,4 +1,4 @@
-//! The parts of a legacy file: its houses, their storeys and their roofs, as ranges of lines.
+//! The sections of a legacy file: its houses, their storeys and their roofs, as ranges of lines.
 
 use crate::parse::syntax::LineKind;
 use crate::parse::syntax::{Line, Outline};
@@ -17,7 +17,7 @@ pub(super) struct House {
     pub(super) roofs: Option<Range<usize>>,
 }
 
-/// The houses of a legacy file.
+/// Returns the houses of a legacy file.
 pub(super) fn houses(outline: &Outline, text: &str) -> Vec<House> {
     let lines = &outline.lines;
     let mut found = vec![];
@@ -64,7 +64,7 @@ fn grow(range: &mut Option<Range<usize>>, line: usize) {
     *range = Some(start..line + 1);
 }
 
-/// The range of the file that some lines have.
+/// Converts a range of lines to a range of the file.
 pub(super) fn text_range(outline: &Outline, lines: &Range<usize>) -> Range<usize> {
     let start = outline.lines.get(lines.start).map_or(0, |l| l.range.start);
     let last = lines.end.checked_sub(1).and_then(|l| outline.lines.get(l));

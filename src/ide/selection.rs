@@ -4,7 +4,7 @@ use super::{Analysis, sections};
 use crate::parse::syntax::{Attribute, Element, Outline};
 use std::ops::Range;
 
-/// The ranges that contain an offset, innermost first; each is smaller than the next and lies within it.
+/// Returns the ranges that contain an offset, innermost first; each is smaller than the next and lies within it.
 pub fn selection(a: &Analysis, at: usize) -> Vec<Range<usize>> {
     let (outline, text) = (a.outline(), a.text());
     let mut at = at.min(text.len());
@@ -27,12 +27,12 @@ pub fn selection(a: &Analysis, at: usize) -> Vec<Range<usize>> {
     nested(found, at)
 }
 
-/// Those of some ranges that hold an offset and lie within one another, innermost first.
+/// Returns the ranges that contain an offset and are nested, innermost first.
 fn nested(mut ranges: Vec<Range<usize>>, at: usize) -> Vec<Range<usize>> {
     ranges.retain(|r| !r.is_empty() && r.start <= at && at <= r.end);
     ranges.sort_by_key(|r| (r.len(), r.start));
     let mut kept: Vec<Range<usize>> = vec![];
-    // From the outside in, so that what crosses something larger goes.
+    // From the outside in, so that a range that crosses a larger one is removed.
     for range in ranges.into_iter().rev() {
         let fits = |outer: &Range<usize>| {
             outer.start <= range.start && range.end <= outer.end && *outer != range
@@ -45,7 +45,7 @@ fn nested(mut ranges: Vec<Range<usize>>, at: usize) -> Vec<Range<usize>> {
     kept
 }
 
-/// The word at an offset.
+/// Returns the word at an offset.
 fn word(text: &str, at: usize) -> Range<usize> {
     let fits = |c: char| c.is_alphanumeric() || c == '_';
     let before = &text[..at];
@@ -54,7 +54,7 @@ fn word(text: &str, at: usize) -> Range<usize> {
     start..end
 }
 
-/// The text of a line.
+/// Returns the content of the line at an offset.
 fn line(text: &str, at: usize) -> Range<usize> {
     let start = text[..at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
     let end = text[at..].find(['\n', '\r']).map_or(text.len(), |i| at + i);
@@ -63,7 +63,7 @@ fn line(text: &str, at: usize) -> Range<usize> {
     start + indent..start + indent + written.trim().len()
 }
 
-/// Codes, lines, storeys and houses of the legacy form.
+/// Adds codes, lines, storeys and houses of the legacy form.
 fn legacy(outline: &Outline, text: &str, at: usize, found: &mut Vec<Range<usize>>) {
     let Some(number) = outline.line_at(at) else {
         return;
@@ -88,7 +88,7 @@ fn legacy(outline: &Outline, text: &str, at: usize, found: &mut Vec<Range<usize>
     }
 }
 
-/// The code at an offset, and the run of equal ones around it.
+/// Adds the code at an offset, and the run of equal ones around it.
 fn codes(codes: &[Range<usize>], text: &str, at: usize, found: &mut Vec<Range<usize>>) {
     let last = codes.partition_point(|c| c.start <= at);
     let Some(own) = last.checked_sub(1).filter(|i| at <= codes[*i].end) else {
@@ -107,7 +107,7 @@ fn codes(codes: &[Range<usize>], text: &str, at: usize, found: &mut Vec<Range<us
     found.push(codes[first].start..codes[last].end);
 }
 
-/// The names, attributes and codes of an element.
+/// Adds the names, attributes and codes of an element.
 fn inside(element: &Element, text: &str, at: usize, found: &mut Vec<Range<usize>>) {
     found.push(element.name.clone());
     found.extend(element.end_name.clone());
@@ -129,7 +129,7 @@ fn value(attribute: &Attribute, text: &str, at: usize, found: &mut Vec<Range<usi
     let (inner, range) = (&attribute.inner, &attribute.range);
     found.extend([attribute.name.clone(), inner.clone(), range.clone()]);
     expressions(&attribute.expressions, found);
-    // One of a list.
+    // An item of a list.
     if attribute.expressions.is_empty() && (inner.start..=inner.end).contains(&at) {
         let start = text[inner.start..at]
             .rfind(',')
@@ -152,7 +152,7 @@ fn expressions(all: &[crate::parse::syntax::Expression], found: &mut Vec<Range<u
     }
 }
 
-/// An element: its tag, what it holds, all of it.
+/// Adds an element: its tag, its content, the whole.
 fn around(element: &Element, found: &mut Vec<Range<usize>>) {
     found.push(element.tag.clone());
     found.push(element.range.clone());

@@ -1,7 +1,7 @@
-//! Strokes of the drawing tool: what an author draws on the plan, as the least change of the file. The file stays the
-//! truth: a stroke is computed from it, changes it, and is forgotten.
+//! Strokes of the plan editor: what an author draws on the plan, as the smallest change of the file. The file remains
+//! the only source: a stroke is computed from it, changes it, and leaves no other state.
 //!
-//! This is the contract with the page. A stroke is a JSON object; `do` says what it does. Houses, storeys, rings, walls
+//! This is the contract with the page. A stroke is a JSON object; `do` names its kind. Houses, storeys, rings, walls
 //! and units are counted from 0 as they are in the [`Plan`](super::plan::Plan) of the same revision. Places are
 //! `[a, b]` in U in the author frame of the house; heights are in shaku; `by` counts whole units, outward where it is
 //! positive (away from the interior, which lies on the right of the walk; into the court where the ring is a hole).
@@ -21,13 +21,13 @@
 //!
 //! | stroke | does |
 //! |---|---|
-//! | `set-part` | Another part in the place of a unit, which is named by its place in the plan, or by its span (bytes of the file itself). The wall keeps its length: a wider part takes the place of neighbours to its left (behind it in the walk) that are plain or go as a whole, and to its right where there are none; a narrower one is filled up with plain wall. An empty part is a void. |
-//! | `move-wall` | A wall slides along its normal; the walls beside it grow or shrink. `storeys` is `"one"` (where it is left out) or `"all"`: walls of other storeys that stand right above or below move along. Walls that come to lie in one line become one. |
-//! | `break-wall` | The part of a wall between `from` and `to`, units from its `from` end, is pushed out or in. |
-//! | `draw-house` | A house with this outline, walked either way round. `house` names the house in whose frame the outline lies; without it, or where there is none, that of the world: a to the west and b to the north from its origin, 1 U = 10/11 m. `height` may be left out. |
-//! | `add-storey` | A storey on the highest one, with its outline or the given one. `height` may be left out. |
-//! | `remove-storey`, `remove-house` | What they say. |
-//! | `set-height` | The height of a storey. |
+//! | `set-part` | Replaces the part of a unit, which is given by its place in the plan, or by its span (bytes of the file itself). The wall keeps its length: a wider part takes the place of neighbours to its left (behind it in the walk) that are plain or can be removed as a whole, and to its right if there are none; a narrower one is padded with plain wall. An empty part is a void. |
+//! | `move-wall` | Slides a wall along its normal; the walls beside it grow or shrink. `storeys` is `"one"` (the default) or `"all"`: walls of other storeys directly above or below move along. Walls that come to lie in one line become one. |
+//! | `break-wall` | Pushes the part of a wall between `from` and `to`, units from its `from` end, out or in. |
+//! | `draw-house` | Adds a house with this outline, walked either way round. `house` names the house in whose frame the outline lies; without it, or if there is none, that of the world: a to the west and b to the north from its origin, 1 U = 10/11 m. `height` is optional. |
+//! | `add-storey` | Adds a storey on the highest one, with its outline or the given one. `height` is optional. |
+//! | `remove-storey`, `remove-house` | Removes a storey or a house. |
+//! | `set-height` | Changes the height of a storey. |
 //!
 //! Roof lines stay as they are, save those that lay over the whole storey whose wall moves, edges over such a wall and pent
 //! roofs along it, and those whose height was the top of a storey that rises or falls: they follow; where such a height is
@@ -67,55 +67,55 @@ use crate::diagnostic::Text;
 use crate::ide::stroke::sheet::Sheet;
 use serde::Deserialize;
 
-/// A stroke of the author. See the [module](self) for what each is in JSON.
+/// A stroke of the author. See the [module](self) for the JSON form of each.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 #[serde(tag = "do", rename_all = "kebab-case")]
 pub enum Stroke {
-    /// Another part in the place of a unit.
+    /// Replaces the part of a unit.
     SetPart {
-        /// Which unit.
+        /// The unit.
         #[serde(flatten)]
         unit: UnitAt,
-        /// A code, the name of an own part or of a picture.
+        /// A code, or the name of a custom part or an image.
         part: String,
     },
-    /// A wall slides along its normal.
+    /// Slides a wall along its normal.
     MoveWall {
-        /// Which wall.
+        /// The wall.
         #[serde(flatten)]
         wall: WallAt,
-        /// Units outward.
+        /// Distance outward in units.
         by: i32,
-        /// Which storeys move along.
+        /// The storeys that move along.
         #[serde(default)]
         storeys: Storeys,
     },
-    /// A part of a wall is pushed out or in.
+    /// Pushes a part of a wall out or in.
     BreakWall {
-        /// Which wall.
+        /// The wall.
         #[serde(flatten)]
         wall: WallAt,
-        /// Where the part begins, U from the wall's `from` end.
+        /// Start of the part, U from the wall's `from` end.
         from: u32,
-        /// Where it ends.
+        /// End of the part.
         to: u32,
-        /// Units outward.
+        /// Distance outward in units.
         by: i32,
     },
-    /// A new house.
+    /// Adds a house.
     DrawHouse {
         /// Its corners in walk order, either way round, the first not repeated.
         outline: Vec<[f64; 2]>,
         /// The height of its storey in shaku.
         #[serde(default)]
         height: Option<f64>,
-        /// In whose frame the outline lies.
+        /// The house in whose frame the outline lies.
         #[serde(default)]
         house: Option<usize>,
     },
-    /// A storey on the highest one.
+    /// Adds a storey on the highest one.
     AddStorey {
-        /// Of which house.
+        /// The house.
         house: usize,
         /// Its height in shaku.
         #[serde(default)]
@@ -124,25 +124,25 @@ pub enum Stroke {
         #[serde(default)]
         outline: Option<Vec<[f64; 2]>>,
     },
-    /// A storey goes.
+    /// Removes a storey.
     RemoveStorey {
-        /// Of which house.
+        /// The house.
         house: usize,
-        /// Which one.
+        /// The storey.
         storey: usize,
     },
-    /// A storey becomes higher or lower.
+    /// Changes the height of a storey.
     SetHeight {
-        /// Of which house.
+        /// The house.
         house: usize,
-        /// Which one.
+        /// The storey.
         storey: usize,
-        /// In shaku.
+        /// The new height, shaku.
         height: f64,
     },
-    /// A house goes.
+    /// Removes a house.
     RemoveHouse {
-        /// Which one.
+        /// The house.
         house: usize,
     },
 }
@@ -179,25 +179,24 @@ pub enum UnitAt {
     },
 }
 
-/// Which storeys move with a wall.
+/// The storeys that move with a wall.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Storeys {
     /// Its own only.
     #[default]
     One,
-    /// All whose wall stands right above or below it.
+    /// All storeys whose wall stands directly above or below it.
     All,
 }
 
-/// The result of a stroke.
+/// Returns the edits of a stroke.
 ///
-/// # Errors
-/// Why it cannot be made, and what to do instead; the file is left alone then.
+/// # Errors The reason why it cannot be made, and an alternative; the file is unchanged then.
 pub fn edits(a: &Analysis, stroke: &Stroke) -> Result<Vec<Edit>, Text> {
     let sheet = &Sheet::of(a);
     let mut edits = worked_out(sheet, stroke)?;
-    // A source file that ended without a line end still does.
+    // A source file without a final line end gets none.
     if let Some(last) = edits.last_mut()
         && last.text.is_empty()
         && last.range.end == sheet.text.len()

@@ -6,7 +6,7 @@ use crate::parse::syntax::Element;
 use crate::parse::syntax::LineKind;
 use std::ops::Range;
 
-/// Characters of a row that its name shows.
+/// Maximum length of a row's name, characters.
 const LONGEST: usize = 60;
 
 /// The kind of a symbol.
@@ -24,21 +24,21 @@ pub enum SymbolKind {
     Facade,
     /// The roofs of a house, or one of them.
     Roof,
-    /// A named piece.
+    /// A definition.
     Piece,
     /// A `Param`.
     Parameter,
     /// A `let`.
     Value,
-    /// An own part.
+    /// A custom part.
     Part,
-    /// A file that is included.
+    /// An included file.
     File,
-    /// Anything else that is at a house.
+    /// Any other element of a house.
     Fitting,
 }
 
-/// A thing in a source file.
+/// A symbol of a source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Symbol {
     /// The name.
@@ -47,15 +47,15 @@ pub struct Symbol {
     pub detail: String,
     /// The kind.
     pub kind: SymbolKind,
-    /// All of it.
+    /// The whole range.
     pub range: Range<usize>,
-    /// Its name, or what is for that; within `range`.
+    /// The range of its name, or of what identifies it; within `range`.
     pub selection: Range<usize>,
-    /// The pieces, in the order of the file.
+    /// The nested symbols, in the order of the file.
     pub children: Vec<Symbol>,
 }
 
-/// The outline of a source file.
+/// Returns the symbols of a source file.
 pub fn symbols(a: &Analysis) -> Vec<Symbol> {
     let known = KnownName {
         a,
@@ -67,7 +67,7 @@ pub fn symbols(a: &Analysis) -> Vec<Symbol> {
     found
 }
 
-/// The file, and what was built of it.
+/// The file, and the building made from it.
 struct KnownName<'a> {
     a: &'a Analysis,
     storeys: Lines<Built<'a>>,
@@ -75,7 +75,7 @@ struct KnownName<'a> {
 }
 
 impl KnownName<'_> {
-    /// The houses of the legacy form.
+    /// Returns the houses of the legacy form.
     fn legacy(&self) -> Vec<Symbol> {
         let (outline, text) = (self.a.outline(), self.a.text());
         let houses = sections::houses(outline, text);
@@ -101,7 +101,7 @@ impl KnownName<'_> {
             .collect()
     }
 
-    /// The name of a house, and its place.
+    /// Returns the name of a house, and its place.
     fn house_name(&self, house: &sections::House, number: usize) -> (String, Range<usize>) {
         let (outline, text) = (self.a.outline(), self.a.text());
         let lines = house.header.clone().unwrap_or_default();
@@ -169,7 +169,7 @@ impl KnownName<'_> {
         }
     }
 
-    /// A wall line: its codes, and how long it is.
+    /// Returns the symbol of a wall line: its codes, and its length.
     fn row(&self, range: Range<usize>, selection: Range<usize>, codes: &str) -> Symbol {
         let walls = self.walls.get(&(range.start, range.end));
         let walls = walls.map_or(&[][..], Vec::as_slice);
@@ -190,7 +190,7 @@ impl KnownName<'_> {
         leaf(name, detail, SymbolKind::Row, range, selection)
     }
 
-    /// The codes that are in an element or further in.
+    /// Returns the codes in an element and its descendants.
     fn codes_in(&self, number: usize) -> String {
         let elements = &self.a.outline().elements;
         let end = elements[number].range.end;
@@ -202,12 +202,12 @@ impl KnownName<'_> {
         words.join(" ")
     }
 
-    /// The content of the XML form.
+    /// Returns the symbols of the XML form.
     fn elements(&self) -> Vec<Symbol> {
         let elements = &self.a.outline().elements;
         let mut made: Vec<Option<Symbol>> = (0..elements.len()).map(|e| self.element(e)).collect();
         let mut roots = vec![];
-        // Children are behind their parents: from the last one on each is whole when its turn comes.
+        // Children follow their parents: going backwards, each is complete when its turn comes.
         let mut waiting: Vec<Vec<Symbol>> = vec![vec![]; elements.len()];
         for number in (0..elements.len()).rev() {
             let mut inside = std::mem::take(&mut waiting[number]);
@@ -228,7 +228,7 @@ impl KnownName<'_> {
         roots
     }
 
-    /// The kind of an element; `None` = its content counts in its place.
+    /// Returns the kind of an element; `None` = its content takes its place.
     fn element(&self, number: usize) -> Option<Symbol> {
         let (element, text) = (&self.a.outline().elements[number], self.a.text());
         let said = |name: &str| element.value(name).map(str::trim).filter(|v| !v.is_empty());
@@ -274,7 +274,7 @@ impl KnownName<'_> {
     }
 }
 
-/// The name and detail of a storey that was built.
+/// Returns the name and detail of a storey as built.
 fn storey(built: &[Built<'_>]) -> (Option<String>, String) {
     if built.is_empty() {
         return (None, String::new());
@@ -286,7 +286,7 @@ fn storey(built: &[Built<'_>]) -> (Option<String>, String) {
     (Some(name), format!("{height} shaku, {perimeter} U"))
 }
 
-/// The symbol of an element; its name is that of the element where it has none of its own.
+/// Returns the symbol of an element, named after the element if it has no name of its own.
 fn symbol(element: &Element, kind: SymbolKind, name: Option<&str>, detail: String) -> Symbol {
     let word = element.schema.map_or("", |s| s.name);
     leaf(

@@ -20,7 +20,7 @@ use std::ops::Range;
 /// The kind of a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum TokenKind {
-    /// For human readers.
+    /// A comment.
     Comment,
     /// A word of the language: a setting of the legacy form, a covering, a shape; `and`, `yes` in expressions.
     Keyword,
@@ -28,47 +28,47 @@ pub enum TokenKind {
     Element,
     /// The name of an attribute (LSP `property`).
     Attribute,
-    /// A value that is a text.
+    /// A string value.
     String,
     /// A number.
     Number,
     /// The code of a part (LSP `enumMember`).
     Code,
-    /// A parameter of a piece.
+    /// A parameter of a definition.
     Parameter,
     /// A name in an expression, of a `let` or a `Param` (LSP `variable`).
     Variable,
-    /// A piece, or a function of an expression (LSP `function`).
+    /// A definition, or a function of an expression (LSP `function`).
     Function,
-    /// A turn, the end of a storey or a house, a sign in an expression.
+    /// A turn, the end of a storey or a house, an operator in an expression.
     Operator,
 }
 
-/// Further notes on a word.
+/// Modifiers of a token.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Modifiers {
-    /// It is named here.
+    /// It declares a name.
     pub declaration: bool,
-    /// It comes with the program.
+    /// It is built in.
     pub default_library: bool,
-    /// It is one's own part.
+    /// It is a custom part.
     pub own: bool,
     /// Unknown.
     pub unknown: bool,
 }
 
-/// A word; it is on one line.
+/// A token; it lies on one line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Token {
-    /// Where.
+    /// Its range.
     pub range: Range<usize>,
     /// The kind.
     pub kind: TokenKind,
-    /// More of it.
+    /// Its modifiers.
     pub modifiers: Modifiers,
 }
 
-/// The words of a source file in their order; none overlaps another.
+/// Returns the tokens of a source file in order, without overlaps.
 pub fn tokens(a: &Analysis) -> Vec<Token> {
     let mut list = List::new(a);
     for comment in &a.outline().comments {
@@ -79,11 +79,11 @@ pub fn tokens(a: &Analysis) -> Vec<Token> {
     list.finish()
 }
 
-/// Tokens in the making.
+/// The tokens collected so far.
 struct List<'a> {
     text: &'a str,
     builtin: &'static Catalog,
-    /// The codes of custom parts, and the names of pictures that are shown.
+    /// The codes of custom parts, and the names of images that are shown.
     own: BTreeSet<&'a str>,
     found: Vec<Token>,
 }
@@ -124,7 +124,7 @@ impl<'a> List<'a> {
         }
     }
 
-    /// The part of a code; `None` = unknown.
+    /// Returns the modifiers of a code; `None` = unknown.
     fn known(&self, code: &str) -> Option<Modifiers> {
         let (own, code) = (self.own.contains(code.trim()), CodeText::new(code.trim()));
         let default_library = !own && self.builtin.find(&code).is_some();
@@ -135,7 +135,7 @@ impl<'a> List<'a> {
         })
     }
 
-    /// A code; blanks that fill it up are no part of its word.
+    /// Adds a code; padding blanks do not belong to its token.
     fn code(&mut self, range: &Range<usize>) {
         let text = self.text;
         let written = &text[range.clone()];
@@ -147,7 +147,7 @@ impl<'a> List<'a> {
         self.put(range.start..end, TokenKind::Code, known);
     }
 
-    /// The tokens in order; those of several lines are divided, and of two that overlap the first one counts.
+    /// Returns the tokens in order; those of several lines are divided, and of two that overlap the first one counts.
     fn finish(self) -> Vec<Token> {
         let (text, mut found) = (self.text, self.found);
         found.sort_by_key(|t| (t.range.start, std::cmp::Reverse(t.range.end)));

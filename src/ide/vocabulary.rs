@@ -1,4 +1,4 @@
-//! Meanings of the language's words: values, roof lines, the legacy header, and letters of classes.
+//! Descriptions of the language's words: values, roof lines, the legacy header, and letters of classes.
 
 mod shapes;
 mod stuffs;
@@ -9,7 +9,7 @@ pub(super) use stuffs::STUFFS;
 use crate::diagnostic::{Noun, noun};
 use crate::source::Source;
 
-/// Words with what they mean.
+/// Words with their descriptions.
 pub(super) type Table = [(&'static str, Noun)];
 
 /// The covering of a roof.
@@ -268,7 +268,7 @@ const BELOWS: &Table = &[
 ];
 const UPPER: &Table = &[("*", noun("the top of the walls there", "そこの壁の上端"))];
 
-/// The words of an attribute, or of a key of the legacy header (`element` is empty then).
+/// Returns the words of an attribute, or of a key of the legacy header (`element` is empty then).
 pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
     match (element, attribute) {
         ("Storey" | "Floor", "kind") => STOREYS,
@@ -294,18 +294,18 @@ pub(super) fn table(element: &str, attribute: &str) -> &'static Table {
     }
 }
 
-/// The meaning of a word of a table.
+/// Returns the description of a word in a table.
 pub(super) fn meaning(table: &Table, word: &str) -> Option<Noun> {
     table.iter().find(|(w, _)| *w == word).map(|(_, n)| *n)
 }
 
-/// A file without its folders, which would be most of a line.
+/// Returns a file name without its folders, which would take most of a line.
 pub(super) fn file(source: &Source) -> &str {
     let name = source.name();
     name.rsplit(['/', '\\']).next().unwrap_or(name)
 }
 
-/// The name of a class of parts.
+/// Returns the name of a class of parts.
 pub(super) fn class(letter: char) -> Noun {
     match letter {
         'K' => noun("wall", "壁"),
@@ -319,7 +319,7 @@ pub(super) fn class(letter: char) -> Noun {
     }
 }
 
-/// The materials of a weathering class.
+/// Returns the materials of a weathering class.
 pub(super) fn weathering(class: &str) -> Option<Noun> {
     Some(match class {
         "WD" => noun(
@@ -353,7 +353,7 @@ pub(super) fn weathering(class: &str) -> Option<Noun> {
     })
 }
 
-/// A description of a function of expressions.
+/// Descriptions of the functions of expressions.
 pub(super) const FUNCTIONS: &Table = &[
     (
         "min",

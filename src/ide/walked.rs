@@ -1,5 +1,5 @@
-//! The lines that the walls of a building come from. A line may be for many walls: those of a
-//! repetition, of a storey that is repeated, of a piece that is used again.
+//! The lines that the walls of a building come from. A line may make many walls: in a repetition, in a repeated storey,
+//! in a definition that is used several times.
 
 use super::Analysis;
 use crate::ast::StoreyKind;
@@ -9,26 +9,26 @@ use crate::source::{FileId, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// A storey that was built.
+/// A storey as built.
 #[derive(Clone, Copy)]
 pub(super) struct Built<'a> {
     pub(super) storey: &'a Storey,
 }
 
 impl Built<'_> {
-    /// Its height in shaku.
+    /// Returns its height in shaku.
     pub(super) fn height(self) -> f64 {
         (self.storey.z1 - self.storey.z0) / SHAKU
     }
 
-    /// The length of its outer walls in units.
+    /// Returns the length of its outer walls in units.
     pub(super) fn perimeter(self) -> f64 {
         let outer = self.storey.rings.iter().filter(|r| !r.hole && !r.inner);
         outer.flat_map(|r| &r.walls).map(length).sum()
     }
 }
 
-/// A wall that was built, and its walk.
+/// A wall as built, and its walk.
 #[derive(Clone, Copy)]
 pub(super) struct Walked<'a> {
     pub(super) wall: &'a Wall,
@@ -49,7 +49,7 @@ impl Walked<'_> {
     }
 }
 
-/// The length of a wall in units.
+/// Returns the length of a wall in units.
 pub(super) fn length(wall: &Wall) -> f64 {
     wall.from.distance(wall.to)
 }
@@ -57,7 +57,7 @@ pub(super) fn length(wall: &Wall) -> f64 {
 /// The things built from a range of the file, by its start and end.
 pub(super) type Lines<T> = BTreeMap<(usize, usize), Vec<T>>;
 
-/// The storeys by their ranges of the file.
+/// Returns the storeys by their ranges of the file.
 pub(super) fn storeys(a: &Analysis) -> Lines<Built<'_>> {
     let mut found = Lines::new();
     for built in &a.checked.building.houses {
@@ -73,7 +73,7 @@ pub(super) fn storeys(a: &Analysis) -> Lines<Built<'_>> {
     found
 }
 
-/// The walls by the ranges of their lines that touch a range of the file.
+/// Returns the walls whose lines touch a range of the file, by the ranges of these lines.
 pub(super) fn walls<'a>(a: &'a Analysis, within: &Range<usize>) -> Lines<Walked<'a>> {
     let mut found = Lines::new();
     let span = a.source.span(within.clone());
@@ -93,7 +93,7 @@ pub(super) fn walls<'a>(a: &'a Analysis, within: &Range<usize>) -> Lines<Walked<
     found
 }
 
-/// The place of a span, if that is in the file itself.
+/// Returns the range of a span, if it is in the file itself.
 fn place(a: &Analysis, span: Span) -> Option<(usize, usize)> {
     if span.file != a.source.id() {
         return None;
@@ -102,13 +102,13 @@ fn place(a: &Analysis, span: Span) -> Option<(usize, usize)> {
     Some((range.start, range.end))
 }
 
-/// A number without needless decimals.
+/// Formats a number without needless decimals.
 pub(super) fn plain(number: f64) -> String {
     let rounded = (number * 1000.0).round() / 1000.0;
     format!("{}", rounded + 0.0) // no negative zero
 }
 
-/// The numbers of storeys as `3`, `2–5` or `2, 4`; `None` where all of them are parapets.
+/// Formats the numbers of storeys as `3`, `2–5` or `2, 4`; `None` if all of them are parapets.
 pub(super) fn numbers(storeys: &[Built<'_>]) -> Option<String> {
     let counted = storeys
         .iter()
@@ -128,7 +128,7 @@ pub(super) fn numbers(storeys: &[Built<'_>]) -> Option<String> {
     })
 }
 
-/// The least and the greatest of some numbers as `8` or `8–9`.
+/// Formats the least and the greatest of some numbers as `8` or `8–9`.
 pub(super) fn span_of(numbers: impl Iterator<Item = f64> + Clone) -> String {
     let least = numbers.clone().fold(f64::INFINITY, f64::min);
     let most = numbers.fold(f64::NEG_INFINITY, f64::max);

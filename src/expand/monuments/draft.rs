@@ -1,4 +1,4 @@
-//! A house in the making: rectangular storeys of bays.
+//! A house under construction: rectangular storeys of bays.
 
 use crate::ast::{
     Brackets, CodeText, Finial, FinialKind, Measures, Order, Paint, Platform, Posts, RoofKind,
@@ -12,26 +12,26 @@ use crate::source::{Span, Spanned};
 /// The part of a bay, and the bay's width in shaku.
 pub(super) type Bay = (&'static str, f64);
 
-/// Widths of bays are whole multiples of this in U, a tenth of a millimetre: walls close exactly, and storeys stand
-/// in each other's middle.
+/// Widths of bays are whole multiples of this in U, a tenth of a millimetre: walls close exactly, and storeys are
+/// centred on each other.
 const GRID: f64 = 1e-4;
 
-/// A length of the plan in U, on that grid.
+/// Rounds a length of the plan in U to that grid.
 fn units(shaku: f64, unit: f64) -> f64 {
     on_steps((shaku / unit / GRID).round() * GRID)
 }
 
-/// Without the dust of sums.
+/// Rounds away the errors of sums.
 fn on_steps(u: f64) -> f64 {
     let steps = STEPS as f64;
     (u * steps).round() / steps
 }
 
-/// A house in the making; lengths in shaku.
+/// A house under construction; lengths in shaku.
 pub(crate) struct Draft<'c> {
-    /// Where its codes are looked up.
+    /// The catalogue of its codes.
     catalog: &'c Catalog,
-    /// The element that asks for it.
+    /// The element that it is made from.
     pub(super) span: Span,
     /// One U in shaku.
     pub(super) unit: f64,
@@ -40,7 +40,7 @@ pub(crate) struct Draft<'c> {
     pub(super) finials: Vec<Finial>,
     /// The style of its roofs.
     pub(super) style: RoofStyle,
-    /// Roofs with a place of their own.
+    /// Written roofs.
     pub(super) lines: Vec<RoofLine>,
     /// Width and depth of the ground storey in U.
     ground: Option<[f64; 2]>,
@@ -50,12 +50,12 @@ pub(crate) struct Draft<'c> {
     top: f64,
 }
 
-/// A rectangular storey, in the middle of the ground storey.
+/// A rectangular storey, centred on the ground storey.
 pub(super) struct Level<'a> {
     /// Bays of the four walls in walk order, from right to left.
     pub(super) walls: [&'a [Bay]; 4],
     pub(super) height: f64,
-    /// From its foot to the floor of its veranda: plain wall.
+    /// Height from its foot to the floor of its veranda, a plain wall.
     pub(super) base: f64,
     pub(super) order: Order,
 }
@@ -77,7 +77,7 @@ impl<'c> Draft<'c> {
         }
     }
 
-    /// How many parts it has.
+    /// Returns the number of its parts.
     pub(super) fn parts(&self) -> u64 {
         let loops = self.storeys.iter().flat_map(|s| &s.loops);
         let lines = loops.flat_map(|l| &l.lines);
@@ -87,7 +87,7 @@ impl<'c> Draft<'c> {
     /// Adds a storey.
     pub(super) fn storey(&mut self, level: &Level<'_>) {
         let zone = level.order.brackets.as_ref().map_or(0.0, Brackets::zone);
-        // The share of what is above the base.
+        // The share of the height above the base.
         let wall = level.height - zone;
         let share = (1.0 - level.base / wall.max(0.1)).clamp(0.05, 1.0);
         let lines: Vec<Line> = level
@@ -122,7 +122,7 @@ impl<'c> Draft<'c> {
         });
     }
 
-    /// Adds a wall inside the ground storey, parallel to its front and so far behind it.
+    /// Adds a wall inside the ground storey, parallel to its front, at this distance behind it.
     pub(super) fn inner(&mut self, behind: f64, bays: &[Bay]) {
         let line = self.line(bays, 1.0);
         let start = (0.0, units(behind, self.unit));
@@ -194,12 +194,12 @@ impl<'c> Draft<'c> {
         });
     }
 
-    /// A value of the house's roofs.
+    /// Returns a value with the span of the element.
     pub(super) fn say<T>(&self, value: T) -> Option<Spanned<T>> {
         Some(Spanned::new(value, self.span))
     }
 
-    /// The dimensions of all roofs, with defaults.
+    /// Sets the style of all roofs, with defaults.
     pub(super) fn look(&mut self, measures: &Measures, usual: &Usual) {
         let of = |given: Option<Spanned<f64>>, usual: f64| given.or(self.say(usual));
         self.style = RoofStyle {
@@ -217,7 +217,7 @@ impl<'c> Draft<'c> {
         };
     }
 
-    /// The platform, unless its height is nought.
+    /// Adds the platform, unless its height is zero.
     pub(super) fn platform(
         &mut self,
         measures: &Measures,
@@ -306,7 +306,8 @@ pub(super) struct Usual {
 /// White plaster between posts.
 pub(super) const WALL: &str = "KSK";
 
-/// Bays of a side, mirrored: `edge` at the ends, `next` beside them, `middle` in this many in the middle.
+/// Returns the bays of a side, mirrored: `edge` at the ends, `next` beside them, and this number of `middle` in the
+/// middle.
 pub(super) fn bays(
     count: u32,
     width: f64,
@@ -314,7 +315,7 @@ pub(super) fn bays(
     middle: (&'static str, u32),
 ) -> Vec<Bay> {
     let inner = middle.1.min(count);
-    // An even number in the middle of an odd one would stand askew.
+    // An even number of bays in the middle of an odd number would be off centre.
     let first = (count - inner) / 2;
     let is_middle = |i: u32| i >= first && i < first + inner;
     (0..count)

@@ -1,24 +1,25 @@
-//! `<Gate>`: a gate house of one or two storeys. The ground storey stands open, its doors hang in the middle row of
-//! columns; upstairs a veranda runs round. Defaults after Suzakumon (`docs/evidence.md` 4.8, S30): bays of 17 shaku, eaves of
-//! 12, set back a little upstairs; heights as shares of the bay.
+//! `<Gate>`: a gate house of one or two storeys. The ground storey is open, with doors in the middle row of columns; a
+//! veranda runs round the upper storey. Defaults after Suzakumon (`docs/evidence.md` 4.8, S30): bays of 17 shaku, eaves
+//! of 12, set back a little upstairs; heights as shares of the bay.
 
 use super::draft::{Draft, Level, Usual, WALL, bays};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
 
-/// Shares of a bay: columns, diameter of one, brackets, how far upper walls stand back, upper columns.
+/// Shares of a bay: height of columns, diameter of one, height of brackets, setback of upper walls, height of upper
+/// columns.
 const COLUMNS: f64 = 1.03;
 const POST: f64 = 0.135;
 const BRACKETS: f64 = 0.40;
 const INSET: f64 = 0.16;
 const UPPER: f64 = 0.68;
-/// Overhang as a share of a bay, and the purlin's place in it.
+/// Overhang as a share of a bay, and the purlin's position in it.
 const EAVES: f64 = 0.706;
 const REACH: f64 = 0.36;
-/// The main roof is steeper than the skirt by this many sun.
+/// The main roof is steeper than the lower roof by this many sun.
 const STEEPER: f64 = 1.2;
-/// No columns are lower than this, shaku.
+/// The minimum height of columns, shaku.
 const LEAST: f64 = 2.0;
 
 impl Pass<'_, '_> {
@@ -41,7 +42,7 @@ impl Pass<'_, '_> {
             veranda: None,
             brackets: draft.brackets(steps, zone, REACH * eaves),
         };
-        // Doors hang in the middle row, or in front where there is none.
+        // Doors hang in the middle row, or in front if there is none.
         let row = if ny > 1 { ny / 2 } else { 0 };
         let leaves = bays(nx, bx, WALL, ("TIK", doors));
         let open = bays(nx, bx, "AFU", ("AFU", 0));
@@ -54,7 +55,7 @@ impl Pass<'_, '_> {
             order: order(draft),
         });
         if two {
-            // A hipped skirt, which the upper walls cut.
+            // A hipped lower roof, which the upper walls cut.
             draft.roof(RoofStyle {
                 shape: draft.say(RoofShape::Hip),
                 ..RoofStyle::default()
@@ -82,7 +83,7 @@ impl Pass<'_, '_> {
         }
     }
 
-    /// The upper storey, and its roof of steeper pitch.
+    /// Adds the upper storey, and its roof of steeper pitch.
     fn upper(&mut self, it: &ast::Gate, draft: &mut Draft<'_>, up: Upper) {
         let m = &it.measures;
         let pitch = or(m.pitch, 5.0);

@@ -1,12 +1,12 @@
-//! `<Hall>` and `<Shrine>`: one model (000-79, 000-80), which slope, thickness and covering of the roof, paint and
-//! floor make a temple hall or a shrine. An aisle puts the core under a roof of its own above that of the aisle's.
+//! `<Hall>` and `<Shrine>`: one model (000-79, 000-80); slope, thickness and covering of the roof, paint and floor make
+//! it a temple hall or a shrine. With an aisle, the core has a roof of its own above that of the aisle.
 
 use super::draft::{Bay, Draft, Level, Usual, WALL, bays};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
 
-/// No columns are lower than this, shaku.
+/// The minimum height of columns, shaku.
 const LEAST: f64 = 2.0;
 
 /// Defaults of a hall or a shrine; lengths in shaku, shares of a bay.
@@ -82,7 +82,7 @@ impl Pass<'_, '_> {
         let [nx, ny] = it.bays.map_or(kind.bays, |b| b.value.map(|n| n as u32));
         let paint = m.paint.map_or(kind.paint, |p| p.value);
         let steps = count(m.steps, kind.steps);
-        // As many as stand in the middle of the front.
+        // As many doors as there are bays in the middle of the front.
         let half = nx.div_ceil(2);
         let doors = count(it.doors, half - (nx - half) % 2).min(nx);
         let columns = self.at_least(
@@ -106,7 +106,7 @@ impl Pass<'_, '_> {
         let front = bays(nx, bx, codes.window, (codes.door, doors));
         let back = bays(nx, bx, codes.wall, (codes.door, nx % 2));
         let mut side: Vec<Bay> = bays(ny, by, codes.wall, (codes.wall, 0));
-        // A window next to the front on either side.
+        // A window beside the front on either side.
         let mut other = side.clone();
         if ny > 1 {
             side[0].0 = codes.window;
@@ -126,7 +126,7 @@ impl Pass<'_, '_> {
         self.crown(it, draft);
     }
 
-    /// The core above the roof of its aisle.
+    /// Adds the core above the roof of its aisle.
     fn core(
         &mut self,
         it: &ast::Hall,
@@ -168,9 +168,9 @@ impl Pass<'_, '_> {
         });
     }
 
-    /// The finial.
+    /// Adds the finial.
     fn crown(&mut self, it: &ast::Hall, draft: &mut Draft<'_>) {
-        // Pyramids wear their jewel already.
+        // Pyramidal roofs have a jewel by default.
         let pyramid = draft
             .style
             .shape

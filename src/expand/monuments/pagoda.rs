@@ -1,6 +1,6 @@
-//! `<Pagoda>`: square storeys that taper by a share (逓減率 teigen-ritsu), a skirt of roof round each, a pyramid on top,
-//! and the mast on it. Rules after Horyu-ji's (`docs/evidence.md` 4.8, S54 and S55), as shares of widths: they give its
-//! documented height, and To-ji's, from the width and the taper alone.
+//! `<Pagoda>`: square storeys that taper by a share (逓減率 teigen-ritsu), a lower roof round each, and a pyramidal roof
+//! with the finial on top. Rules after Horyu-ji's (`docs/evidence.md` 4.8, S54 and S55), as shares of widths: they give
+//! its documented height, and To-ji's, from the width and the taper alone.
 
 use super::draft::{Bay, Draft, Usual, WALL};
 use super::{Pass, count, or};
@@ -10,26 +10,26 @@ use crate::diagnostic::messages::fittings::Scarce;
 /// Height of the first columns, and of the brackets on them, as shares of the first width.
 const COLUMNS: f64 = 0.49;
 const BRACKETS: f64 = 0.265;
-/// From one eaves plate to the next, as a share of the upper storey's width.
+/// Height from one eaves plate to the next, as a share of the upper storey's width.
 const RISE: f64 = 0.855;
 /// Diameter of the first columns as a share of the first width.
 const POST: f64 = 0.085;
-/// Overhang, and the purlin's place in it.
+/// Overhang, and the purlin's position in it.
 const EAVES: f64 = 0.47;
 const REACH: f64 = 0.36;
-/// Share of the mast in the whole height.
+/// Share of the sōrin in the whole height.
 const SORIN: f64 = 0.3;
 /// The middle bay is wider than the others by this factor.
 const MIDDLE: f64 = 1.25;
-/// No columns are lower than this, shaku.
+/// The minimum height of columns, shaku.
 const LEAST: f64 = 1.5;
 
 /// One storey's measures, shaku.
 struct Tier {
     width: f64,
-    /// From plate to plate.
+    /// Height from plate to plate.
     height: f64,
-    /// Share of its width in the first one's.
+    /// Its width as a share of the first one's.
     share: f64,
 }
 
@@ -52,7 +52,7 @@ impl Pass<'_, '_> {
                 0 => 0.0,
                 _ => (tiers[i - 1].width - tier.width) / 2.0,
             };
-            // The height hidden by the skirt below; `base` adds the part visible between it and the veranda.
+            // The height hidden by the lower roof; `base` adds the part visible between it and the veranda.
             let hidden = pitch / 10.0 * inset + thickness * 1.15 + 0.4;
             let base = f64::from(u8::from(i > 0)) * (hidden + tier.width * 0.1);
             let zone = BRACKETS * tier.width;
@@ -101,7 +101,8 @@ fn usual(first: f64) -> Usual {
     }
 }
 
-/// Widths fall evenly to the share of the last one (w1 (1 - (1 - rho) (i - 1) / (n - 1))).
+/// Returns the storeys; their widths decrease linearly to the share of the last one (w1 (1 - (1 - rho) (i - 1) / (n -
+/// 1))).
 fn tiers(it: &ast::Pagoda, first: f64) -> Vec<Tier> {
     let n = count(it.storeys, 5).max(1);
     let (taper, rise) = (or(it.taper, 0.7), or(it.rise, RISE));
@@ -123,7 +124,7 @@ fn tiers(it: &ast::Pagoda, first: f64) -> Vec<Tier> {
     (0..n).map(tier).collect()
 }
 
-/// Doors in the middle, windows beside them, walls beyond.
+/// Returns the bays of a side: doors in the middle, windows beside them, walls beyond.
 fn side(bays: u32, width: f64) -> Vec<Bay> {
     let wide = if bays > 2 && bays % 2 == 1 {
         MIDDLE

@@ -7,7 +7,7 @@
 
 use crate::geometry::plan::{Cell, Plan};
 
-/// Fields a raster may have; beyond it plans are handled in slabs (see `slabs.rs`).
+/// The maximum number of fields of a raster; larger plans are handled in slabs (see `slabs.rs`).
 pub(crate) const MAX_FIELDS: usize = 1 << 20;
 
 /// A rectangle of fields: grid lines `i0 < i1` along a, `j0 < j1` along b.
@@ -19,7 +19,7 @@ pub(crate) struct Span {
     pub(crate) j1: usize,
 }
 
-/// One axis of the grid: reduced offsets of the lines, and the way back.
+/// One axis of the grid: reduced offsets of the lines, and their source coordinates.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Axis {
     /// Reduced offsets of the grid lines from the first, ascending.
@@ -38,17 +38,17 @@ impl Axis {
         }
     }
 
-    /// Number of intervals between lines.
+    /// Returns the number of intervals between lines.
     pub(crate) fn fields(&self) -> usize {
         self.source.len().saturating_sub(1)
     }
 
-    /// Number of the line at coordinate `c`, which must be one of the grid's.
+    /// Returns the number of the line at coordinate `c`, which must be one of the grid's.
     fn line(&self, c: i64) -> usize {
         self.source.partition_point(|&x| x < c)
     }
 
-    /// Length of the interval behind line `i`, reduced.
+    /// Returns the length of the interval behind line `i`, reduced.
     pub(crate) fn step(&self, i: usize) -> u64 {
         self.at[i + 1] - self.at[i]
     }
@@ -88,7 +88,7 @@ pub(crate) struct Raster {
 }
 
 impl Raster {
-    /// The raster of a plan; `None` where it would have more than [`MAX_FIELDS`] fields.
+    /// Returns the raster of a plan; `None` if it would have more than [`MAX_FIELDS`] fields.
     pub(crate) fn of(plan: &Plan) -> Option<Self> {
         let mut raster = Self::joint(&[plan])?;
         raster.inside = raster.fill(plan);
@@ -99,7 +99,7 @@ impl Raster {
         Some(raster)
     }
 
-    /// The grid of the coordinates of several plans, all fields outside, offsets not reduced.
+    /// Returns the grid of the coordinates of several plans, all fields outside, offsets not reduced.
     pub(crate) fn joint(plans: &[&Plan]) -> Option<Self> {
         let corners = || plans.iter().flat_map(|p| p.loops.iter().flatten());
         let a = Axis::new(corners().map(|p| p.0).collect());
@@ -120,8 +120,8 @@ impl Raster {
         self.b.fields()
     }
 
-    /// Which fields of this grid lie inside `plan`, by the half-open even-odd rule. A
-    /// slanting edge counts as a step.
+    /// Returns for each field of this grid whether it lies inside `plan`, by the half-open even-odd rule. A slanting
+    /// edge counts as a step.
     pub(crate) fn fill(&self, plan: &Plan) -> Vec<bool> {
         let cols = self.cols();
         let mut inside = vec![false; cols * self.rows()];
@@ -141,7 +141,7 @@ impl Raster {
         inside
     }
 
-    /// Which fields of this grid any of some cells covers, overlapping or not.
+    /// Returns for each field of this grid whether any of some cells covers it, overlapping or not.
     pub(crate) fn covered(&self, cells: &[Cell]) -> Vec<bool> {
         let cols = self.cols();
         // Cells that begin minus cells that end along a, then summed.
@@ -163,7 +163,7 @@ impl Raster {
         covered
     }
 
-    /// True if the field left of line `i` (towards smaller a) in row `j` is inside.
+    /// Returns true if the field left of line `i` (towards smaller a) in row `j` is inside.
     fn before(&self, i: usize, j: usize) -> bool {
         i > 0 && self.inside[j * self.cols() + i - 1]
     }
@@ -172,7 +172,7 @@ impl Raster {
         i < self.cols() && self.inside[j * self.cols() + i]
     }
 
-    /// Drops the lines that carry no wall: corners in mid-wall, doubled edges.
+    /// Removes the lines that carry no wall: corners in mid-wall, doubled edges.
     fn compress(&mut self) {
         let (cols, rows) = (self.cols(), self.rows());
         let keep_a: Vec<bool> = (0..=cols)
@@ -201,7 +201,7 @@ impl Raster {
         self.b.keep(&keep_b);
     }
 
-    /// The whole grid.
+    /// Returns the whole grid.
     pub(crate) fn span(&self) -> Span {
         Span {
             i0: 0,
@@ -211,13 +211,13 @@ impl Raster {
         }
     }
 
-    /// The area of a rectangle, reduced.
+    /// Returns the area of a rectangle, reduced.
     pub(crate) fn area(&self, s: Span) -> u128 {
         let (a, b) = (&self.a.at, &self.b.at);
         u128::from(a[s.i1] - a[s.i0]) * u128::from(b[s.j1] - b[s.j0])
     }
 
-    /// A rectangle of fields in the plan's coordinates.
+    /// Converts a rectangle of fields to the plan's coordinates.
     pub(crate) fn cell(&self, s: Span) -> Cell {
         let (a, b) = (&self.a.source, &self.b.source);
         Cell {
@@ -228,8 +228,8 @@ impl Raster {
         }
     }
 
-    /// The boundary as closed loops of corners: round outer loops (0,0) (w,0) (w,d) (0,d),
-    /// round holes the other way; where two corners touch, the loops touch and do not cross.
+    /// Returns the boundary as closed loops of corners: round outer loops (0,0) (w,0) (w,d) (0,d), round holes the
+    /// other way; where two corners touch, the loops touch and do not cross.
     pub(crate) fn loops(&self) -> Vec<Vec<(i64, i64)>> {
         let stride = self.cols() + 1;
         let mut out = self.outgoing();
@@ -242,7 +242,7 @@ impl Raster {
         loops
     }
 
-    /// For each grid point the walls that leave it, as bits: +a, +b, -a, -b.
+    /// Returns for each grid point the walls that leave it, as bits: +a, +b, -a, -b.
     fn outgoing(&self) -> Vec<u8> {
         let (cols, rows) = (self.cols(), self.rows());
         if cols == 0 || rows == 0 {
@@ -274,7 +274,7 @@ impl Raster {
         out
     }
 
-    /// Walks one loop from `start`, taking its walls out of `out`.
+    /// Walks one loop from `start` and removes its walls from `out`.
     fn walk(&self, start: usize, stride: usize, out: &mut [u8]) -> Vec<(i64, i64)> {
         let mut corners = Vec::new();
         let (mut at, mut heading) = (start, None::<u32>);

@@ -1,19 +1,19 @@
 //! Plans with too many corners for a raster, handled in slabs between neighbouring b's.
 //!
-//! Nothing is ranked here: a slab's intervals run on into the next slab while they do not
-//! change. It is exact for any even-odd plan, and small for any outline a person draws.
+//! No coordinates are ranked here: a slab's intervals continue into the next slab while they do not change. It is exact
+//! for any even-odd plan, and small for any outline a person draws.
 
 use crate::geometry::plan::{Cell, Plan};
 
-/// A wall along b: its a, its front and its back end, and whose it is.
+/// A wall along b: its a, its front and back end, and true if it belongs to the first plan.
 type Wall = (i64, i64, i64, bool);
 
-/// The plan as cells that do not overlap: strips along a, each as deep as it stays unchanged.
+/// Returns the plan as cells that do not overlap: strips along a, each as deep as it stays unchanged.
 pub(crate) fn strips(plan: &Plan) -> Vec<Cell> {
     combine(plan, &Plan::default(), |mine, _| mine)
 }
 
-/// The fields of two plans for which `keep` (first inside, second inside) holds, as strips.
+/// Returns the fields of two plans for which `keep` (first inside, second inside) holds, as strips.
 pub(crate) fn combine(first: &Plan, second: &Plan, keep: fn(bool, bool) -> bool) -> Vec<Cell> {
     let mut walls = walls(first, second);
     walls.sort_unstable_by_key(|w| (w.1, w.0));
@@ -48,7 +48,7 @@ fn walls(first: &Plan, second: &Plan) -> Vec<Wall> {
     walls
 }
 
-/// The kept intervals along a of one slab, from its walls sorted by a.
+/// Returns the kept intervals along a of one slab, from its walls sorted by a.
 fn intervals(active: &[Wall], keep: fn(bool, bool) -> bool) -> Vec<(i64, i64)> {
     let (mut mine, mut theirs, mut start) = (false, false, None);
     let mut found: Vec<(i64, i64)> = Vec::new();
@@ -73,7 +73,7 @@ fn intervals(active: &[Wall], keep: fn(bool, bool) -> bool) -> Vec<(i64, i64)> {
     found
 }
 
-/// Lets the open strips run on where the slab has the same interval, closes the others.
+/// Continues the open strips that have the same interval in this slab, and closes the others.
 fn advance(
     open: Vec<Cell>,
     now: Vec<(i64, i64)>,

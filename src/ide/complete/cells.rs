@@ -1,11 +1,11 @@
-//! The code under way in a run of codes of five columns, and the place that a whole one would take there.
+//! The code being typed in a run of codes of five columns, and the range that a whole one would replace.
 
 use std::ops::Range;
 
-/// Columns of a code.
+/// Number of columns of a code.
 const CELL: usize = 5;
 
-/// A code under way.
+/// A code being typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Cell {
     /// The range that a whole code replaces.
@@ -16,7 +16,7 @@ pub(super) struct Cell {
     pub(super) pad: usize,
 }
 
-/// The code at an offset of a run of codes; `known` = whether a text is a code of the catalogue.
+/// Returns the code at an offset of a run of codes; `known` tests whether a string is a code of the catalogue.
 pub(super) fn under_way(
     text: &str,
     run: Range<usize>,
@@ -31,7 +31,7 @@ pub(super) fn under_way(
     }
 }
 
-/// Where a name begins in a word, if it holds one: no code has small letters, save the `h` of half a unit.
+/// Returns the start of a name in a word, if it has one: no code has small letters, except the `h` of half a unit.
 fn name_start(text: &str, run: usize, word: Range<usize>) -> Option<usize> {
     let written = &text[word.clone()];
     let column = columns(&text[run..word.start]) % CELL;
@@ -47,12 +47,12 @@ fn name_start(text: &str, run: usize, word: Range<usize>) -> Option<usize> {
     }
 }
 
-/// Characters of names that no code has.
+/// Returns true for characters of names that no code has.
 fn foreign(c: char) -> bool {
     c.is_ascii_lowercase() || !c.is_ascii()
 }
 
-/// A name in whatever script: it is as long as it is, and its code begins in the column where one may.
+/// Returns a name in any script: it keeps its length, and its code begins in a column where a code may begin.
 fn named(text: &str, run: Range<usize>, mut start: usize, at: usize) -> Cell {
     let typed = text[start..at].to_owned();
     let more = text[at..run.end].find(|c| !foreign(c));
@@ -73,7 +73,7 @@ fn named(text: &str, run: Range<usize>, mut start: usize, at: usize) -> Cell {
     }
 }
 
-/// A code by its columns.
+/// Returns a code by its columns.
 fn coded(text: &str, run: Range<usize>, at: usize, known: &dyn Fn(&str) -> bool) -> Cell {
     let before = &text[run.start..at];
     let into = columns(before) % CELL;
@@ -81,7 +81,7 @@ fn coded(text: &str, run: Range<usize>, at: usize, known: &dyn Fn(&str) -> bool)
     let whole = head(&text[start..run.end], CELL);
     let rest = head(&text[at..run.end], CELL);
     let typed = text[start..at].trim().to_owned();
-    // A code after the place that stays whole keeps its columns if nothing of it is taken.
+    // A code after the place that stays whole keeps its columns if nothing of it is replaced.
     let blank = whole.trim().is_empty();
     let own = blank || into > 0 && known(whole);
     let apart = !own && (into == 0 || !rest.starts_with(' ') && known(rest));
@@ -93,18 +93,18 @@ fn coded(text: &str, run: Range<usize>, at: usize, known: &dyn Fn(&str) -> bool)
     }
 }
 
-/// Columns are characters.
+/// Returns the number of columns, which are characters.
 pub(super) fn columns(text: &str) -> usize {
     text.chars().count()
 }
 
-/// The first columns of a text.
+/// Returns the first columns of a string.
 fn head(text: &str, columns: usize) -> &str {
     let end = text.char_indices().nth(columns).map(|(i, _)| i);
     &text[..end.unwrap_or(text.len())]
 }
 
-/// The last columns of a text.
+/// Returns the last columns of a string.
 fn tail(text: &str, columns: usize) -> &str {
     if columns == 0 {
         return "";
@@ -113,7 +113,7 @@ fn tail(text: &str, columns: usize) -> &str {
     &text[start.unwrap_or(0)..]
 }
 
-/// A code as it is in its five columns.
+/// Returns a code padded to its five columns.
 pub(super) fn padded(code: &str) -> String {
     format!("{code:<CELL$}")
 }

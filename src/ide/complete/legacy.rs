@@ -7,22 +7,22 @@ use crate::parse::syntax::LineKind;
 use crate::text;
 use std::ops::Range;
 
-/// The role of a line, as the lines before it determine.
+/// The role of a line, as determined by the lines before it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::ide) struct Before {
-    /// Lines of numbers in the header of this house.
+    /// Number of lines of numbers in the header of this house.
     pub(in crate::ide) numbers: usize,
-    /// Lines of walls in this house.
+    /// Number of wall lines in this house.
     pub(in crate::ide) walls: usize,
-    /// Lines of walls since the storey began.
+    /// Number of wall lines since the storey began.
     pub(in crate::ide) rows: usize,
-    /// Storeys that are closed.
+    /// Number of finished storeys.
     pub(in crate::ide) storeys: usize,
     /// True if the previous line is blank or a roof.
     pub(in crate::ide) apart: bool,
 }
 
-/// The lines before the one that begins at `line`, by what the reader takes them for.
+/// Classifies the lines before the one that begins at `line`, as the reader does.
 pub(in crate::ide) fn before(a: &crate::ide::Analysis, line: usize) -> Before {
     let text = a.text();
     let mut before = Before::default();
@@ -58,7 +58,7 @@ pub(in crate::ide) fn before(a: &crate::ide::Analysis, line: usize) -> Before {
     before
 }
 
-/// The completions at the requested place.
+/// Returns the completions at the requested place.
 pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
     let start = request.text[..request.at]
         .rfind(['\n', '\r'])
@@ -92,7 +92,7 @@ pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
     wall(request, &line, before)
 }
 
-/// Codes, and behind whole ones the letters of turns.
+/// Adds codes, and after complete ones the letters of turns.
 fn wall(request: &Request<'_>, line: &Range<usize>, before: Before) -> Vec<Completion> {
     let written = &request.text[line.clone()];
     let shown = written.trim_end();
@@ -127,7 +127,7 @@ fn wall(request: &Request<'_>, line: &Range<usize>, before: Before) -> Vec<Compl
     found
 }
 
-/// Keys, their values, and the numbers that come first.
+/// Adds keys, their values, and the numbers that come first.
 fn header(
     request: &Request<'_>,
     line: &Range<usize>,
@@ -227,7 +227,7 @@ fn keys(
     found
 }
 
-/// A value that a key may begin with.
+/// Returns a sample value of a key.
 fn sample(key: &str) -> &'static str {
     match key {
         "unit" => "3.25",

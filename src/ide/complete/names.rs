@@ -1,4 +1,4 @@
-//! Names in expressions, and pieces.
+//! Names in expressions, and definitions.
 
 use super::place::Tag;
 use super::{Completion, CompletionKind, Request};
@@ -8,10 +8,10 @@ use crate::ide::vocabulary;
 use crate::text;
 use std::ops::Range;
 
-/// Completions in an expression that begins at `from`; `storey` = whether `k` is known.
+/// Returns the completions in an expression that begins at `from`; `storey` = whether `k` is known.
 pub(super) fn in_braces(request: &Request<'_>, from: usize, storey: bool) -> Vec<Completion> {
     let before = &request.text[from..request.at];
-    // Within quotes there is a text, and no name.
+    // Quotes contain a string, not names.
     if before.matches('\'').count() % 2 == 1 || before.matches('"').count() % 2 == 1 {
         return vec![];
     }
@@ -45,7 +45,7 @@ pub(super) fn in_braces(request: &Request<'_>, from: usize, storey: bool) -> Vec
     found
 }
 
-/// The pieces that a `use` may name.
+/// Returns the definitions that a `use` may name.
 pub(super) fn pieces(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
     let all = names::pieces(request.a, request.at).into_iter().enumerate();
     all.map(|(rank, piece)| {
@@ -62,7 +62,7 @@ pub(super) fn pieces(request: &Request<'_>, range: &Range<usize>) -> Vec<Complet
     .collect()
 }
 
-/// A description of a name, in one line.
+/// Returns a description of a name, in one line.
 pub(in crate::ide) fn about(known: &KnownName<'_>) -> Text {
     let element = known.element();
     if known.is_argument() {
@@ -95,7 +95,7 @@ pub(in crate::ide) fn about(known: &KnownName<'_>) -> Text {
     (words + &bounds).into()
 }
 
-/// The parameters of the piece that a `use` names.
+/// Returns the parameters of the definition that a `use` names.
 pub(super) fn of_use<'a>(request: &Request<'a>, tag: &Tag) -> Vec<KnownName<'a>> {
     let named = tag
         .attributes

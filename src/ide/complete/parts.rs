@@ -9,16 +9,16 @@ use crate::text;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Where in a house codes stand, as far as that says which of them are likely.
+/// The position of codes in a house, as far as it makes some of them more likely.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Storey {
-    /// Above the ground storey.
+    /// True above the ground storey.
     pub(super) upper: bool,
-    /// Not the wall that the house shows.
+    /// True for walls other than the front.
     pub(super) rear: bool,
 }
 
-/// Parts in a run of codes, each filling its columns.
+/// Returns parts in a run of codes, each padded to its columns.
 pub(super) fn in_run(request: &Request<'_>, cell: &Cell, storey: Storey) -> Vec<Completion> {
     let insert = |part: &PartDef| {
         let code = part.code();
@@ -28,7 +28,7 @@ pub(super) fn in_run(request: &Request<'_>, cell: &Cell, storey: Storey) -> Vec<
     proposals(request, &cell.typed, &cell.range, storey, &insert)
 }
 
-/// Parts in a value.
+/// Returns parts in a value.
 pub(super) fn in_value(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
     let typed = &request.text[range.start..request.at.clamp(range.start, range.end)];
     let insert = |part: &PartDef| Some(visible(part.code()).trim_end().to_owned());
@@ -80,11 +80,11 @@ fn proposals(
         .collect()
 }
 
-/// The parts that may be at an offset.
+/// Returns the parts known at an offset.
 pub(in crate::ide) fn known(a: &Analysis, at: usize) -> Vec<PartId> {
     let catalog = a.catalog();
     let mut found = catalog.known(catalog.known_in(0, house_at(a, at)));
-    // A file without houses, or one that is broken, knows its parts all the same.
+    // A file without houses, or a malformed one, still has its parts.
     let own = |id: &PartId| !catalog.is_builtin(*id);
     if !found.iter().any(own) && !catalog.parts().is_empty() {
         let all = (0..catalog.parts().len()).map(|i| PartId(i as u16));
@@ -96,7 +96,7 @@ pub(in crate::ide) fn known(a: &Analysis, at: usize) -> Vec<PartId> {
     found
 }
 
-/// The number of the house that an offset lies in.
+/// Returns the number of the house at an offset.
 pub(in crate::ide) fn house_at(a: &Analysis, at: usize) -> usize {
     let houses = &a.checked.building.houses;
     let holds = |span| {
@@ -109,7 +109,7 @@ pub(in crate::ide) fn house_at(a: &Analysis, at: usize) -> usize {
     found.unwrap_or(0)
 }
 
-/// The part that a code means at an offset.
+/// Returns the part that a code means at an offset.
 pub(in crate::ide) fn meant(a: &Analysis, at: usize, code: &str) -> Option<PartId> {
     let catalog: &Catalog = a.catalog();
     let spelled = code.trim_end();
@@ -125,7 +125,7 @@ pub(in crate::ide) fn meant(a: &Analysis, at: usize, code: &str) -> Option<PartI
     find(spelled).or_else(|| find(blank.trim_end()))
 }
 
-/// How often each code is in the file.
+/// Counts the uses of each code in the file.
 fn used(a: &Analysis) -> BTreeMap<&str, u32> {
     let outline = a.outline();
     let text = a.text();
@@ -149,7 +149,7 @@ fn used(a: &Analysis) -> BTreeMap<&str, u32> {
     codes.into_iter().zip(times).collect()
 }
 
-/// The typed text, in the forms in which it is compared.
+/// The typed string, in the forms in which it is compared.
 struct Wanted {
     code: String,
     lower: String,
@@ -173,7 +173,7 @@ impl Wanted {
         }
     }
 
-    /// How well a part answers, best 0; `None` = not at all.
+    /// Returns the quality of a part's match, best 0; `None` = no match.
     fn rank(&self, part: &PartDef) -> Option<u8> {
         if self.lower.is_empty() {
             return Some(4);
@@ -213,7 +213,8 @@ impl Wanted {
     }
 }
 
-/// How a part's name sounds: as it is read, and with the first sound of each word as it is alone (`gōshi` is `kōshi`).
+/// Returns the sounds of a part's name: as it is read, and with the first sound of each word unvoiced (`gōshi` as
+/// `kōshi`).
 fn sounds(part: &PartDef) -> [String; 2] {
     let alone: Vec<String> = part
         .romaji
@@ -229,7 +230,7 @@ fn sounds(part: &PartDef) -> [String; 2] {
     [folded(&part.romaji), folded(&alone.concat())]
 }
 
-/// The text that a client compares with the typed text.
+/// Returns the string that a client compares with the typed one.
 fn filter(typed: &str, part: &PartDef) -> String {
     let [sound, alone] = sounds(part);
     let code = visible(part.code()).trim_end();
@@ -246,7 +247,7 @@ fn detail(part: &PartDef) -> Text {
     text!("{ja} {romaji}: {en}, {width} U", "{ja} {romaji} {width} U")
 }
 
-/// A code that can be seen: the void's is five blanks.
+/// Returns a visible form of a code: the void's is five blanks.
 pub(in crate::ide) fn visible(code: &str) -> &str {
     match code.trim().is_empty() {
         true => ".....",
@@ -254,7 +255,7 @@ pub(in crate::ide) fn visible(code: &str) -> &str {
     }
 }
 
-/// How likely a class is at a place, 0 first.
+/// Returns the likelihood of a class at a place, 0 first.
 fn fit(class: char, storey: Storey) -> usize {
     let order = match (storey.upper, storey.rear) {
         (false, false) => "GTKMAHN ",

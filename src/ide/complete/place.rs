@@ -1,20 +1,20 @@
-//! The surroundings of a place in a file in the XML form, by its characters alone: the file is being edited, and tags that
-//! are not closed yet would lead a reader of the whole astray.
+//! The surroundings of a place in a file in the XML form, by its characters alone: the file is being edited, and
+//! unclosed tags would mislead a reader of the whole.
 
 use crate::parse::schema;
 use crate::parse::schema::Schema;
 use std::ops::Range;
 
-/// Where a place is.
+/// The syntactic role of a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(in crate::ide) enum Place {
-    /// Where nothing is proposed: in a comment, a declaration, after the name of an end tag.
+    /// A place without proposals: in a comment, a declaration, after the name of an end tag.
     Nowhere,
     /// Among elements and codes.
     Content,
-    /// In the name of a start tag, behind `<`.
+    /// In the name of a start tag, after `<`.
     TagName(Tag),
-    /// In an end tag; where it begins and ends.
+    /// In an end tag, with its range.
     EndTag(Range<usize>),
     /// In the name of an attribute, or where one may begin.
     AttributeName(Tag, Range<usize>),
@@ -27,7 +27,7 @@ pub(in crate::ide) enum Place {
 pub(in crate::ide) struct Tag {
     pub(in crate::ide) name: Range<usize>,
     pub(in crate::ide) attributes: Vec<TagAttribute>,
-    /// Behind `>`, or where it breaks off.
+    /// The offset after `>`, or where it breaks off.
     pub(in crate::ide) end: usize,
     /// True if it ends with `/>`.
     pub(in crate::ide) empty: bool,
@@ -48,7 +48,7 @@ pub(in crate::ide) struct TagAttribute {
 /// The open elements around a place, outermost first: their names and start tags.
 pub(in crate::ide) type Open<'t> = Vec<(&'t str, usize)>;
 
-/// Where an offset is, and what is open around it.
+/// Returns the role of an offset, and the elements open around it.
 pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
     let mut open: Open<'_> = vec![];
     let mut from = 0;
@@ -100,13 +100,13 @@ pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
     (Place::Content, open)
 }
 
-/// Opens an element, unless it is whole or none.
+/// Opens an element, unless it is empty, nameless or a leaf.
 fn enter<'t>(open: &mut Open<'t>, text: &'t str, start: usize, tag: &Tag) {
     let name = &text[tag.name.clone()];
     if tag.empty || name.is_empty() || schema::named(name).is_some_and(Schema::is_leaf) {
         return;
     }
-    // An element that holds none of its kind ends where the next begins.
+    // An element that cannot contain its own kind ends where the next begins.
     if let Some(last) = open
         .iter()
         .rposition(|(n, _)| *n == name && SINGLE.contains(n))
@@ -116,12 +116,12 @@ fn enter<'t>(open: &mut Open<'t>, text: &'t str, start: usize, tag: &Tag) {
     open.push((name, start));
 }
 
-/// Elements that never are in one of their kind.
+/// Elements that never contain their own kind.
 const SINGLE: [&str; 8] = [
     "Row", "Storey", "House", "Floor", "Facade", "Loop", "Roofs", "PartDef",
 ];
 
-/// The start tag that begins here.
+/// Returns the start tag that begins here.
 pub(in crate::ide) fn tag(text: &str, start: usize) -> Tag {
     let name = start + 1..start + 1 + word(&text[start + 1..]);
     let mut tag = Tag {
@@ -177,7 +177,7 @@ fn attribute(text: &str, name: Range<usize>) -> TagAttribute {
         .filter(|c| matches!(c, '"' | '\''))
     else {
         let len = word(&text[at..]);
-        // Behind a lone `=` the next word is the next attribute.
+        // After a lone `=` the next word is the next attribute.
         let here = if at > equals + 1 {
             equals + 1..equals + 1
         } else {
@@ -206,7 +206,7 @@ fn attribute(text: &str, name: Range<usize>) -> TagAttribute {
     }
 }
 
-/// The place of an offset in a tag.
+/// Returns the role of an offset in a tag.
 fn within(tag: Tag, at: usize) -> Place {
     if at <= tag.name.end {
         return Place::TagName(tag);
@@ -224,7 +224,7 @@ fn within(tag: Tag, at: usize) -> Place {
     Place::AttributeName(tag, range)
 }
 
-/// The length of the word at the start of a text.
+/// Returns the length of the word at the start of a string.
 fn word(text: &str) -> usize {
     let ends = |c: char| c.is_whitespace() || matches!(c, '<' | '>' | '/' | '=' | '"' | '\'');
     text.find(ends).unwrap_or(text.len())
@@ -234,7 +234,8 @@ fn blanks(text: &str) -> usize {
     text.len() - text.trim_start().len()
 }
 
-/// The expression that a place of a source file is in, by the offset behind its opening brace; `from` = where its run of text begins.
+/// Returns the expression at a place of a source file, by the offset after its opening brace; `from` = the start of its
+/// run of text.
 pub(in crate::ide) fn braces(text: &str, from: usize, at: usize) -> Option<usize> {
     let before = text.get(from..at)?;
     let open = before.rfind('{')?;

@@ -1,4 +1,4 @@
-//! The words of roof lines, each in its turn.
+//! The words of roof lines, field by field.
 
 use super::{Completion, CompletionKind, Request, parts};
 use crate::diagnostic::{Noun, Text, noun};
@@ -15,12 +15,12 @@ pub(in crate::ide) enum Field {
     Direction,
     Height,
     Shape,
-    /// Which of the four.
+    /// One of the four corner coordinates.
     Corner(usize),
     Option,
 }
 
-/// The field of the word of a number.
+/// Returns the field of the word of a number.
 pub(in crate::ide) fn field(number: usize) -> Field {
     match number {
         0 => Field::Covering,
@@ -32,7 +32,7 @@ pub(in crate::ide) fn field(number: usize) -> Field {
     }
 }
 
-/// The completions at the requested place.
+/// Returns the completions at the requested place.
 pub(super) fn complete(request: &Request<'_>, line: &Range<usize>) -> Vec<Completion> {
     let head = &request.text[line.start..request.at];
     let start = head.rfind(char::is_whitespace).map_or(0, |i| {
@@ -55,7 +55,7 @@ pub(super) fn complete(request: &Request<'_>, line: &Range<usize>) -> Vec<Comple
     }
 }
 
-/// Words of a table that begin as was typed, or whose meaning does so in either language.
+/// Returns words of a table that begin with the typed string, or whose description does in either language.
 fn words(table: &Table, typed: &str, range: &Range<usize>) -> Vec<Completion> {
     let lower = typed.to_lowercase();
     let fits = |word: &str, about: &Noun| {
@@ -83,7 +83,7 @@ fn words(table: &Table, typed: &str, range: &Range<usize>) -> Vec<Completion> {
     .collect()
 }
 
-/// Ridges and falls; a shape that is written already takes one or the other.
+/// Returns ridges and falls; a shape that is written already allows one or the other.
 fn directions(
     request: &Request<'_>,
     line: &Range<usize>,
@@ -100,7 +100,7 @@ fn directions(
     found
 }
 
-/// The tops of the storeys, and whatever stands there.
+/// Returns `*` for the top of the walls, and the tops of the storeys.
 fn heights(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
     const TOP: Noun = noun("the top of the walls there", "そこの壁の上端");
     let mut found =
@@ -127,7 +127,7 @@ fn heights(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
     found
 }
 
-/// The rectangles of the storeys: corner, opposite corner.
+/// Returns the rectangles of the storeys: corner, opposite corner.
 fn corners(request: &Request<'_>, end: usize, range: &Range<usize>) -> Vec<Completion> {
     if !request.text[range.end..end].trim().is_empty() {
         return vec![];
@@ -167,7 +167,7 @@ fn corners(request: &Request<'_>, end: usize, range: &Range<usize>) -> Vec<Compl
     found
 }
 
-/// Options that the line does not have yet.
+/// Returns options that the line does not have yet.
 fn options(request: &Request<'_>, line: &Range<usize>, range: &Range<usize>) -> Vec<Completion> {
     let rest = [
         &request.text[line.start..range.start],

@@ -12,7 +12,7 @@ use crate::parse::schema::Kind;
 use crate::text;
 use std::ops::Range;
 
-/// Completions for the value of an attribute.
+/// Returns the completions for the value of an attribute.
 pub(super) fn complete(
     request: &Request<'_>,
     open: &Open<'_>,
@@ -71,7 +71,7 @@ fn proposals(
     }
 }
 
-/// The words of a list.
+/// Returns the words of a list.
 fn listed(
     request: &Request<'_>,
     element: &str,
@@ -110,7 +110,7 @@ fn listed(
     }
 }
 
-/// The item of a list that an offset lies in, without the blanks around it.
+/// Returns the item of a list at an offset, without the blanks around it.
 fn item(request: &Request<'_>, inner: &Range<usize>, dividers: &[char]) -> Range<usize> {
     let before = &request.text[inner.start..request.at];
     let start = before
@@ -124,7 +124,7 @@ fn item(request: &Request<'_>, inner: &Range<usize>, dividers: &[char]) -> Range
     start + blanks..end
 }
 
-/// Files below the folder of the file.
+/// Returns files below the folder of the file.
 fn files(request: &Request<'_>, inner: &Range<usize>, endings: &[&str]) -> Vec<Completion> {
     let own = request
         .a
@@ -141,7 +141,7 @@ fn files(request: &Request<'_>, inner: &Range<usize>, endings: &[&str]) -> Vec<C
     others.map(word).collect()
 }
 
-/// Names that other elements of a kind have.
+/// Returns names that other elements of a kind have.
 fn references(request: &Request<'_>, element: &str, inner: &Range<usize>) -> Vec<Completion> {
     let elements = request.a.outline().elements.iter();
     let named = elements.filter(|e| e.schema.is_some_and(|s| s.name == element));
@@ -158,7 +158,7 @@ fn references(request: &Request<'_>, element: &str, inner: &Range<usize>) -> Vec
     names.iter().map(word).collect()
 }
 
-/// The elements that the base of a part may consist of.
+/// Returns the body elements that a `change` or `remove` may name.
 fn shapes(inner: &Range<usize>) -> Vec<Completion> {
     let real = vocabulary::SHAPES
         .iter()
@@ -167,14 +167,14 @@ fn shapes(inner: &Range<usize>) -> Vec<Completion> {
         .collect()
 }
 
-/// The surfaces of the texture library.
+/// Returns the surfaces of the texture library.
 fn surfaces(inner: &Range<usize>) -> Vec<Completion> {
     let all = material::all().iter();
     all.map(|s| Completion::word(s.name, CompletionKind::Value, Text::default(), inner))
         .collect()
 }
 
-/// Values of a parameter: those of its list, and its default.
+/// Returns values of a parameter: those of its list, and its default.
 fn argument(request: &Request<'_>, tag: &Tag, name: &str, inner: &Range<usize>) -> Vec<Completion> {
     let all = names::of_use(request, tag);
     let Some(parameter) = all.iter().find(|p| p.name() == name) else {
@@ -203,7 +203,7 @@ fn argument(request: &Request<'_>, tag: &Tag, name: &str, inner: &Range<usize>) 
     found
 }
 
-/// The default of a parameter, empty where it has none.
+/// Returns the default of a parameter, empty if it has none.
 pub(super) fn default_of<'a>(parameter: &KnownName<'a>) -> &'a str {
     let element = parameter.element();
     match parameter.is_argument() {

@@ -9,7 +9,7 @@ use crate::parse::schema;
 use crate::parse::schema::{Content, ELEMENTS, Holds, ROOT, Schema};
 use std::ops::Range;
 
-/// The completions at the requested place.
+/// Returns the completions at the requested place.
 pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
     let (place, open) = place::place(request.text, request.at);
     match place {
@@ -29,21 +29,21 @@ pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
     }
 }
 
-/// The content of an element.
+/// The content allowed in an element.
 pub(super) enum Held {
-    /// The description in the language's tables.
+    /// As described in the language's tables.
     Known(&'static Content),
-    /// Pieces of anything.
+    /// The content of a definition.
     Anything,
-    /// Elements of shape.
+    /// Body elements.
     Shapes,
     /// `choice` elements.
     Choices,
-    /// Nothing is known of it.
+    /// Unknown content.
     Unknown,
 }
 
-/// The content allowed in the innermost open element.
+/// Returns the content allowed in the innermost open element.
 pub(super) fn held(open: &[(&str, usize)]) -> Held {
     let Some(((name, _), round)) = open.split_last() else {
         return Held::Known(&ROOT);
@@ -79,7 +79,7 @@ impl Held {
     }
 }
 
-/// Among elements and codes.
+/// Returns the completions among elements and codes.
 fn content(request: &Request<'_>, open: &Open<'_>) -> Vec<Completion> {
     let held = held(open);
     if held.text() {
@@ -110,7 +110,7 @@ fn content(request: &Request<'_>, open: &Open<'_>) -> Vec<Completion> {
     elements(request, open, before.len()..request.at, &Tag::default())
 }
 
-/// The run of codes that an offset lies in: a line, up to tags and braces, without its indentation.
+/// Returns the run of codes at an offset: a line, up to tags and braces, without its indentation.
 fn run(text: &str, at: usize) -> Range<usize> {
     let start = text[..at]
         .rfind(['\n', '\r', '>', '}'])
@@ -127,7 +127,7 @@ fn run(text: &str, at: usize) -> Range<usize> {
     start..end
 }
 
-/// Which storey and wall a row belongs to, as far as its tags tell.
+/// Returns the storey and wall of a row, as far as its tags tell.
 fn storey(request: &Request<'_>, open: &Open<'_>) -> parts::Storey {
     let start = |name: &str| {
         open.iter()
@@ -150,7 +150,7 @@ fn storey(request: &Request<'_>, open: &Open<'_>) -> parts::Storey {
     }
 }
 
-/// The elements that may be in the innermost open one. `range` begins with the `<`, where there is one.
+/// Returns the elements allowed in the innermost open one. `range` begins with the `<`, if there is one.
 fn elements(
     request: &Request<'_>,
     open: &Open<'_>,
@@ -160,7 +160,7 @@ fn elements(
     let held = held(open);
     let mut found = vec![];
     let mut add = |name: &str, about: Text, form: Form, rank: u32| {
-        // The name of a tag that goes on is changed, and nothing else.
+        // Only the name of a tag with further content is replaced.
         let goes_on = tag.closed || !tag.attributes.is_empty();
         let word = Completion::word(name, CompletionKind::Element, about, &range);
         found.push(Completion {
@@ -194,7 +194,7 @@ fn elements(
     found
 }
 
-/// The content that an element allows, each with its rank.
+/// Returns the elements that an element allows, each with its rank.
 fn allowed(held: &Held) -> Vec<(u32, &'static Schema)> {
     let list: Vec<&'static Schema> = match held {
         Held::Known(content) => content.elements().collect(),
@@ -208,7 +208,7 @@ fn allowed(held: &Held) -> Vec<(u32, &'static Schema)> {
     (100..).zip(list).collect()
 }
 
-/// The elements that are computed before all else, where they may be behind this file.
+/// Returns the elements that are evaluated before all others, if they are allowed here.
 fn language(held: &Held, open: &Open<'_>, follows: &str) -> Vec<(u32, &'static Schema)> {
     let nothing = matches!(held, Held::Known(content) if content.is_nothing());
     if open.is_empty() || nothing || matches!(held, Held::Choices | Held::Shapes) {
@@ -227,10 +227,10 @@ fn language(held: &Held, open: &Open<'_>, follows: &str) -> Vec<(u32, &'static S
         .collect()
 }
 
-/// Elements that are in no piece.
+/// Elements that no definition contains.
 const OUTER: [&str; 4] = ["Houses", "Catalog", "choice", "PartDef"];
 
-/// How an element is written.
+/// The form in which an element is written.
 struct Form {
     plain: String,
     snippet: String,
@@ -279,7 +279,7 @@ impl Form {
     }
 }
 
-/// A value that an attribute may begin with.
+/// Returns a sample value of an attribute.
 fn first(attribute_schema: &schema::AttributeSchema) -> &'static str {
     match attribute_schema.kind {
         _ if !attribute_schema.default.is_empty() => attribute_schema.default,
@@ -290,7 +290,7 @@ fn first(attribute_schema: &schema::AttributeSchema) -> &'static str {
     }
 }
 
-/// A text in a snippet.
+/// Escapes a string for a snippet.
 pub(super) fn escaped(text: &str) -> String {
     text.replace('\\', "\\\\")
         .replace('$', "\\$")
@@ -301,7 +301,7 @@ fn both(en: &'static str, ja: &'static str) -> Text {
     noun(en, ja).into()
 }
 
-/// The end tag of the innermost open element, then those around it.
+/// Returns the end tag of the innermost open element, then those around it.
 fn end_tags(open: &Open<'_>, range: &Range<usize>) -> Vec<Completion> {
     const ENDS: Noun = noun("ends the innermost open element", "開いている要素を閉じる");
     let innermost = open.iter().rev().take(1);
@@ -312,7 +312,7 @@ fn end_tags(open: &Open<'_>, range: &Range<usize>) -> Vec<Completion> {
     tags.collect()
 }
 
-/// The attributes that a tag does not have yet.
+/// Returns the attributes that a tag does not have yet.
 fn attributes(
     request: &Request<'_>,
     open: &Open<'_>,
@@ -370,7 +370,7 @@ fn attributes(
     found
 }
 
-/// An attribute with its value: a default, or the words it may be.
+/// Completes an attribute with its value: a default, or a choice of words.
 fn with_value(word: Completion, (default, choices): (&str, &[&str])) -> Completion {
     let value = match choices {
         [] => format!("${{1:{}}}", escaped(default)),
@@ -384,7 +384,7 @@ fn with_value(word: Completion, (default, choices): (&str, &[&str])) -> Completi
     }
 }
 
-/// The meaning of an attribute, and its default.
+/// Returns the description of an attribute, and its default.
 fn about(attribute_schema: &schema::AttributeSchema) -> Text {
     let (mut en, mut ja) = (
         attribute_schema.en.to_owned(),
@@ -400,7 +400,7 @@ fn about(attribute_schema: &schema::AttributeSchema) -> Text {
     Text::both(en, ja)
 }
 
-/// The words of an attribute, that which one begins with first.
+/// Returns the words of an attribute, its default first.
 fn choices(attribute_schema: &schema::AttributeSchema, first: &str) -> Vec<&'static str> {
     let words: &[&str] = match attribute_schema.kind {
         schema::Kind::Choice(words) => words,
@@ -412,7 +412,7 @@ fn choices(attribute_schema: &schema::AttributeSchema, first: &str) -> Vec<&'sta
     words
 }
 
-/// The attributes of an element of shape.
+/// Returns the attributes of a body element.
 fn shape_attributes(name: &str, open: &Open<'_>) -> Vec<(&'static str, &'static str)> {
     if !matches!(held(open), Held::Shapes) {
         return vec![];

@@ -11,13 +11,13 @@ use crate::text;
 use glam::DVec3;
 use std::ops::Range;
 
-/// Walls of one line that are reported about; a repetition makes many.
+/// Maximum number of described walls per line; a repetition makes many.
 const WALLS: usize = 3;
 
 /// A tsubo, square metres.
 const TSUBO: f64 = 400.0 / 121.0;
 
-/// The walls that were built of a row.
+/// Describes the walls built from a row.
 pub(super) fn walls(request: &Request<'_>, row: &Range<usize>) -> Vec<Text> {
     let is = |span: Span| {
         let range = request.a.source.text_range(span);
@@ -60,13 +60,13 @@ fn wall(house: &House, storey: &Storey, ring: &Ring, wall: &Wall) -> Text {
     )
 }
 
-/// A length in U, shaku and metres.
+/// Formats a length in U, shaku and metres.
 fn lengths(units: f64, unit: f64) -> (String, String, String) {
     let metres = units * unit;
     (short(units, 3), short(metres / SHAKU, 2), short(metres, 2))
 }
 
-/// The place of a wall, seen by one before the house.
+/// Returns the side of a wall, as seen from the street.
 fn side(ring: &Ring, wall: &Wall) -> Noun {
     let (x, y) = (wall.direction.x, wall.direction.y);
     match (ring.hole || ring.inner, x.abs() >= y.abs()) {
@@ -79,7 +79,7 @@ fn side(ring: &Ring, wall: &Wall) -> Noun {
     }
 }
 
-/// The storeys that were built of an element, or of lines.
+/// Describes the storeys built from an element, or from lines.
 pub(super) fn storeys(request: &Request<'_>, element: &Range<usize>) -> Vec<Text> {
     let houses = request.a.checked.building.houses.iter().map(|b| &b.house);
     let all = houses.flat_map(|h| h.storeys.iter().map(move |s| (h, s)));
@@ -102,7 +102,7 @@ fn storey(house: &House, storey: &Storey) -> Text {
     )
 }
 
-/// An area; nothing of walls that bound none.
+/// Formats an area; empty for walls that enclose none.
 fn bounded(area: f64, what: Noun) -> Text {
     if area <= 0.0 {
         return "".into();
@@ -111,7 +111,7 @@ fn bounded(area: f64, what: Noun) -> Text {
     text!([what] "{what} {area} m² = {tsubo} tsubo", "{what} {area} m² = {tsubo} 坪")
 }
 
-/// Area in square metres, and the length of the outer walls in U.
+/// Returns the area in square metres, and the length of the outer walls in U.
 fn measures(house: &House, storey: &Storey) -> (f64, f64) {
     let (mut area, mut perimeter) = (0.0, 0.0);
     for ring in storey.rings.iter().filter(|r| !r.inner) {
@@ -130,7 +130,7 @@ fn measures(house: &House, storey: &Storey) -> (f64, f64) {
     (area, perimeter)
 }
 
-/// The houses that were built of an element.
+/// Describes the houses built from an element.
 pub(super) fn houses(request: &Request<'_>, element: &Range<usize>) -> Vec<Text> {
     let all = request.a.checked.building.houses.iter();
     let own = all.filter(|b| same(request, b.house.span, element));
@@ -150,7 +150,7 @@ pub(super) fn houses(request: &Request<'_>, element: &Range<usize>) -> Vec<Text>
         .collect()
 }
 
-/// The roofs that were built of a line or an element; of the whole section those of its house.
+/// Describes the roofs built from a line or an element; for the whole section those of its house.
 pub(super) fn roofs(request: &Request<'_>, place: &Range<usize>, section: bool) -> Vec<Text> {
     let mut found = vec![];
     for Built { house, roofs, .. } in &request.a.checked.building.houses {
@@ -202,7 +202,7 @@ fn roof(roof: &Roof) -> Text {
     )
 }
 
-/// Twice the area of a polygon, along its normal.
+/// Returns twice the area of a polygon, along its normal.
 fn twice(points: &[DVec3]) -> DVec3 {
     let Some((first, rest)) = points.split_first() else {
         return DVec3::ZERO;

@@ -1,4 +1,4 @@
-//! Expressions, names and pieces: their values in this run.
+//! Expressions, names and definitions: their values in this run.
 
 use super::{Hover, Request, holds};
 use crate::diagnostic::Text;
@@ -10,7 +10,7 @@ use crate::parse::syntax::Expression;
 use crate::text;
 use std::ops::Range;
 
-/// The value of an expression, or of the name at the place.
+/// Describes the value of an expression, or of the name at the place.
 pub(super) fn expression(request: &Request<'_>, expression: &Expression) -> Option<Hover> {
     let text = request.a.text();
     let seen = request
@@ -58,7 +58,7 @@ pub(super) fn expression(request: &Request<'_>, expression: &Expression) -> Opti
     )
 }
 
-/// A name: what it came to, and how it was reported.
+/// Describes a name: its value, and its description.
 pub(super) fn value(
     request: &Request<'_>,
     range: &Range<usize>,
@@ -79,7 +79,7 @@ pub(super) fn value(
     request.told(range, [came, said])
 }
 
-/// A piece: its parameters with their defaults, and what is reported about it.
+/// Describes a definition: its parameters with their defaults, and its description.
 pub(super) fn piece(request: &Request<'_>, range: &Range<usize>, name: &str) -> Option<Hover> {
     let found = names::pieces(request.a, request.at).into_iter();
     let piece = found.into_iter().find(|p| p.name() == name)?;
@@ -102,7 +102,7 @@ pub(super) fn piece(request: &Request<'_>, range: &Range<usize>, name: &str) -> 
     )
 }
 
-/// A file that is included: what it defines.
+/// Describes an included file: its definitions.
 pub(super) fn file(request: &Request<'_>, range: &Range<usize>, href: &str) -> Option<Hover> {
     let ends = |name: &str| {
         name == href
@@ -130,13 +130,13 @@ pub(super) fn file(request: &Request<'_>, range: &Range<usize>, href: &str) -> O
     request.told(range, [lines.join("\n").into()])
 }
 
-/// The values of a place.
+/// Formats the values of a place.
 fn list(seen: &Seen) -> String {
     let values: Vec<String> = seen.values.iter().map(|v| format!("`{v}`")).collect();
     values.join(", ") + if seen.more { ", …" } else { "" }
 }
 
-/// The word at an offset; empty where none is.
+/// Returns the word at an offset; empty if there is none.
 pub(super) fn word_at(text: &str, at: usize) -> Range<usize> {
     let in_word = |c: char| c.is_alphanumeric() || c == '_';
     let start = text[..at].rfind(|c| !in_word(c));
@@ -149,7 +149,7 @@ pub(super) fn word_at(text: &str, at: usize) -> Range<usize> {
     start..end
 }
 
-/// The expression that holds an offset.
+/// Returns the expression that contains an offset.
 pub(super) fn expression_at(expressions: &[Expression], at: usize) -> Option<&Expression> {
     expressions.iter().find(|e| holds(&e.range, at))
 }

@@ -13,7 +13,7 @@ use crate::parse::syntax::LineKind;
 use crate::text;
 use std::ops::Range;
 
-/// The thing at the requested place.
+/// Returns the hover text at the requested place.
 pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
     let outline = request.a.outline();
     let line = &outline.lines[outline.line_at(request.at)?];
@@ -29,7 +29,7 @@ pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
     }
 }
 
-/// A part on its code, the wall everywhere else.
+/// Returns the card of a part on its code, the wall everywhere else.
 fn wall(request: &Request<'_>, line: &Line) -> Option<Hover> {
     let text = request.a.text();
     let written = |range: &Range<usize>| range.start + text[range.clone()].trim_end().len();
@@ -52,7 +52,7 @@ fn wall(request: &Request<'_>, line: &Line) -> Option<Hover> {
     request.told(&range, meaning.into_iter().chain(walls))
 }
 
-/// The words of a line with their places.
+/// Returns the words of a line with their places.
 fn words_of(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
     let written = &text[line.clone()];
     let words = written.split_whitespace();
@@ -154,7 +154,7 @@ fn roof(request: &Request<'_>, line: &Line) -> Option<Hover> {
     request.told(&words[index], head.into_iter().chain(built))
 }
 
-/// An option: what its letter means, and its number.
+/// Describes an option: its letter, and its number.
 fn option(word: &str) -> Option<Text> {
     let (letter, number) = (word.get(..1)?, word.get(1..)?);
     let about = Text::from(vocabulary::meaning(vocabulary::OPTIONS, letter)?);

@@ -11,7 +11,7 @@ use crate::parse::schema::{AttributeSchema, Kind};
 use crate::parse::syntax::{Attribute, Element};
 use crate::text;
 
-/// The thing at the requested place.
+/// Returns the hover text at the requested place.
 pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
     let outline = request.a.outline();
     let number = outline.element_at(request.at)?;
@@ -47,7 +47,7 @@ pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
         .flatten()
 }
 
-/// The kind of an element, and the things built from it.
+/// Describes the kind of an element, and the things built from it.
 fn element_told(
     request: &Request<'_>,
     element: &Element,
@@ -89,7 +89,7 @@ fn element_told(
     )
 }
 
-/// The names in backticks of an English list of elements.
+/// Returns the names in backticks of an English list of elements.
 fn ja_home(home: &str) -> String {
     let names: Vec<&str> = home.split('`').skip(1).step_by(2).collect();
     names.join("、")
@@ -148,7 +148,7 @@ fn attribute_told(request: &Request<'_>, number: usize, attribute: &Attribute) -
     }
 }
 
-/// The part in a list of codes that the place is in.
+/// Returns the card of the part in a list of codes.
 fn listed_part(request: &Request<'_>, attribute: &Attribute) -> Option<Hover> {
     let text = request.a.text();
     let inner = &attribute.inner;
@@ -167,7 +167,7 @@ fn listed_part(request: &Request<'_>, attribute: &Attribute) -> Option<Hover> {
     request.part(&range, &text[range.clone()])
 }
 
-/// The meaning of an attribute, its values, and its default.
+/// Describes an attribute, its values, and its default.
 fn bears_told(attribute_schema: &AttributeSchema) -> Vec<Text> {
     let (name, en, ja) = (
         attribute_schema.name,
@@ -185,7 +185,7 @@ fn bears_told(attribute_schema: &AttributeSchema) -> Vec<Text> {
     told
 }
 
-/// The kind of value of an attribute.
+/// Describes the kind of value of an attribute.
 fn form(kind: Kind) -> Option<Text> {
     let number = |least: f64, most: f64| {
         let (least, most) = (bound(least), bound(most));

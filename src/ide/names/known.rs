@@ -1,4 +1,4 @@
-//! The values and pieces that are known at a place, as those who write there see them.
+//! The values and definitions known at a place.
 
 use crate::ide::Analysis;
 use crate::parse::names::Definition;
@@ -7,7 +7,7 @@ use crate::parse::syntax::{Element, Outline};
 use crate::source::Source;
 use std::ops::Range;
 
-/// A name in expressions, or a piece, and where it is stated.
+/// A name in expressions, or a definition, and its place.
 #[derive(Clone, Copy)]
 pub(in crate::ide) struct KnownName<'a> {
     pub(in crate::ide) source: &'a Source,
@@ -19,7 +19,7 @@ pub(in crate::ide) struct KnownName<'a> {
 }
 
 impl<'a> KnownName<'a> {
-    /// The name that an element defines.
+    /// Returns the name that an element defines.
     pub(in crate::ide) fn of(a: &'a Analysis, element: usize) -> Option<KnownName<'a>> {
         let (source, outline) = (&a.source, a.outline());
         let (attribute, _) = named(source.text(), outline.elements.get(element)?)?;
@@ -48,12 +48,12 @@ impl<'a> KnownName<'a> {
         &self.outline.elements[self.element]
     }
 
-    /// The name.
+    /// Returns the name.
     pub(in crate::ide) fn name(&self) -> &'a str {
         self.source.text()[self.place()].trim()
     }
 
-    /// The place of the name.
+    /// Returns the place of the name.
     pub(in crate::ide) fn place(&self) -> Range<usize> {
         let attribute = &self.element().attributes[self.attribute];
         match attribute.word.as_str() {
@@ -68,7 +68,7 @@ impl<'a> KnownName<'a> {
     }
 }
 
-/// The values that expressions know at an offset, the nearest first; each name once.
+/// Returns the values known in expressions at an offset, the nearest first; each name once.
 pub(in crate::ide) fn values(a: &Analysis, at: usize) -> Vec<KnownName<'_>> {
     let scopes = &a.names(&a.files()).index.scopes;
     let given = scopes.values(scopes.at(0, a.outline(), at), at);
@@ -76,21 +76,21 @@ pub(in crate::ide) fn values(a: &Analysis, at: usize) -> Vec<KnownName<'_>> {
     known.collect()
 }
 
-/// The pieces that a `use` at an offset may name, the nearest first; each name once.
+/// Returns the definitions that a `use` at an offset may name, the nearest first; each name once.
 pub(in crate::ide) fn pieces(a: &Analysis, at: usize) -> Vec<KnownName<'_>> {
     let outline = a.outline();
     let scopes = &a.names(&a.files()).index.scopes;
     let round: Vec<usize> = outline
         .element_at(at)
         .map_or(vec![], |e| outline.around(e).collect());
-    // A piece cannot be in itself.
+    // A definition cannot contain itself.
     let other = |g: &&Definition| g.file != 0 || !round.contains(&g.element);
     let pieces = scopes.pieces(scopes.at(0, outline, at)).into_iter();
     let given = pieces.filter_map(|(_, piece)| piece.given.iter().rfind(other));
     given.filter_map(|g| KnownName::given(a, *g)).collect()
 }
 
-/// The parameters of a piece: the attributes of its `define`, and the `Param`s directly in it.
+/// Returns the parameters of a definition: the attributes of its `define`, and the `Param`s directly in it.
 pub(in crate::ide) fn parameters<'a>(piece: &KnownName<'a>) -> Vec<KnownName<'a>> {
     let (text, elements) = (piece.source.text(), &piece.outline.elements);
     let known = |element: usize, attribute: usize| KnownName {

@@ -1,7 +1,7 @@
-//! Rename: the edits, and whether every name means afterwards what it meant before.
+//! Rename: the edits, and a check that every name keeps its meaning.
 //!
-//! That is tested: outlines of the files are made anew with the edits, and each name in them has to stand for the
-//! same as before. So no name can be captured by another, nor clash with one.
+//! For the check, outlines of the files are made again with the edits, and each name in them must refer to the same
+//! definition as before. So no name can be captured by another, nor clash with one.
 
 use super::{Found, Symbol, SymbolKind, Target, target};
 use crate::ast::CodeText;
@@ -22,7 +22,7 @@ use std::ops::Range;
 /// The replacement of a range in a file.
 pub type Change = (FileId, Range<usize>, String);
 
-/// The range that a rename at an offset would change, and the current name; `None` where nothing can be renamed.
+/// Returns the range that a rename at an offset would change, and the current name; `None` if nothing can be renamed.
 pub fn prepare_rename(a: &Analysis, at: usize) -> Option<(Range<usize>, String)> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -48,10 +48,9 @@ pub fn prepare_rename(a: &Analysis, at: usize) -> Option<(Range<usize>, String)>
     Some((range.start..range.start + now.len(), now.to_owned()))
 }
 
-/// The edits that give what is at an offset another name.
+/// Returns the edits that rename the symbol at an offset.
 ///
-/// # Errors
-/// Where the name is none, or means something else already.
+/// # Errors If the name is invalid, or means something else already.
 pub fn rename(a: &Analysis, at: usize, new: &str) -> Result<Vec<Change>, Text> {
     let symbol = prepare_rename(a, at).and_then(|_| super::symbol_at(a, at));
     let Some(symbol) = symbol else {
@@ -63,10 +62,9 @@ pub fn rename(a: &Analysis, at: usize, new: &str) -> Result<Vec<Change>, Text> {
     rename_symbol(a, &symbol, new)
 }
 
-/// The edits that give a thing another name that this file or another one defines.
+/// Returns the edits that rename a symbol that this file or another one defines.
 ///
-/// # Errors
-/// Where the name is none, or means something else already.
+/// # Errors If the name is invalid, or means something else already.
 pub fn rename_symbol(a: &Analysis, symbol: &Symbol, new: &str) -> Result<Vec<Change>, Text> {
     let files = a.files();
     let codes = a.codes(&files);
@@ -91,7 +89,7 @@ pub fn rename_symbol(a: &Analysis, symbol: &Symbol, new: &str) -> Result<Vec<Cha
     }
 }
 
-/// Another name for a value, a parameter, a piece or a floor.
+/// Renames a value, a parameter, a definition or a floor.
 fn name(a: &Analysis, files: &[File<'_>], number: usize, new: &str) -> Result<Vec<Change>, Text> {
     let index = &a.names(files).index;
     let named = &index.symbols[number];
@@ -182,7 +180,7 @@ fn meanings(index: &NameTable, edits: &[Change]) -> Meanings {
         .collect()
 }
 
-/// Where an offset is after some edits of one length each.
+/// Returns the position of an offset after some edits of one length each.
 fn moved(file: FileId, at: usize, edits: &[Change]) -> usize {
     let before = edits.iter().filter(|(f, r, _)| *f == file && r.start < at);
     let (gone, come) = before.fold((0, 0), |(gone, come), (_, range, new)| {
@@ -191,7 +189,7 @@ fn moved(file: FileId, at: usize, edits: &[Change]) -> usize {
     at + come - gone
 }
 
-/// The meaning of every name after some edits.
+/// Returns the meaning of every name after some edits.
 fn tried(a: &Analysis, files: &[File<'_>], edits: &[Change]) -> Meanings {
     let limits = &a.options.expand.limits;
     let all = std::iter::once(&a.source).chain(&a.checked.included);
@@ -216,7 +214,7 @@ fn tried(a: &Analysis, files: &[File<'_>], edits: &[Change]) -> Meanings {
     meanings(&resolve(&after, &Links::of(&after)), &[])
 }
 
-/// A source file after the edits of its file.
+/// Applies the edits of one file to its text.
 fn applied(file: FileId, text: &str, edits: &[Change]) -> String {
     let mut own: Vec<&Change> = edits.iter().filter(|(f, ..)| *f == file).collect();
     own.sort_by_key(|(_, range, _)| range.start);
@@ -230,7 +228,7 @@ fn applied(file: FileId, text: &str, edits: &[Change]) -> String {
     made
 }
 
-/// Another code for a custom part.
+/// Renames a custom part.
 fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<Change>, Text> {
     let old = codes.text(site).trim();
     if old == new {
@@ -265,7 +263,7 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
         ));
     }
     let edit = |spot: &CodeOccurrence| {
-        // A code keeps its columns; where its last blanks were left out it may go on without them.
+        // A code keeps its columns; if its last blanks were left out, it may go on without them.
         let width = match spot.form {
             CodeForm::Columns => spot.range.len().min(5),
             _ => 0,

@@ -1,16 +1,16 @@
-//! Edits on the bytes of a file: in its encoding, and so that they can be taken back to the very bytes.
+//! Edits on the bytes of a file: in its encoding, and so that undo restores the exact bytes.
 
 use super::Edit;
 use crate::print;
 use crate::source::Source;
 use std::ops::Range;
 
-/// Bytes in the place of others.
+/// A replacement of bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Patch {
     /// The bytes to remove.
     pub range: Range<usize>,
-    /// The new text.
+    /// The new bytes.
     pub bytes: Vec<u8>,
 }
 
@@ -23,8 +23,8 @@ pub struct Applied {
     pub undo: Patch,
 }
 
-/// Makes edits of the text of a source in its bytes. Where the encoding of the file cannot hold what comes, all of it
-/// becomes UTF-8.
+/// Applies edits of the text of a source to its bytes. If the encoding of the file cannot represent the new text, the
+/// whole file becomes UTF-8.
 pub fn apply(source: &Source, bytes: &[u8], edits: &[Edit]) -> Applied {
     let text = source.text();
     let (mut new, mut at) = (String::with_capacity(text.len() + 64), 0);
@@ -41,7 +41,7 @@ pub fn apply(source: &Source, bytes: &[u8], edits: &[Edit]) -> Applied {
     Applied { bytes: new, undo }
 }
 
-/// The bytes with only those changed that belong to edits, if what comes is ASCII in an encoding that knows it.
+/// Applies edits to the bytes in place, if the new text is ASCII in an encoding that contains ASCII.
 fn spliced(source: &Source, bytes: &[u8], edits: &[Edit]) -> Option<Vec<u8>> {
     let wide = source.encoding().starts_with("UTF-16");
     let utf8 = source.encoding() == "UTF-8";
@@ -58,12 +58,12 @@ fn spliced(source: &Source, bytes: &[u8], edits: &[Edit]) -> Option<Vec<u8>> {
         at = end;
     }
     new.extend_from_slice(bytes.get(at..)?);
-    // No one could tell its encoding by fewer letters that are not ASCII.
+    // With fewer non-ASCII letters its encoding could no longer be detected.
     let again = Source::new(source.id(), source.name(), &new);
     (again.encoding() == source.encoding() || new.is_ascii()).then_some(new)
 }
 
-/// The change that turns some bytes into others.
+/// Returns the change that turns some bytes into others.
 fn difference(from: &[u8], to: &[u8]) -> Patch {
     let head = from.iter().zip(to).take_while(|(a, b)| a == b).count();
     let (rest, other) = (&from[head..], &to[head..]);
@@ -75,7 +75,7 @@ fn difference(from: &[u8], to: &[u8]) -> Patch {
     }
 }
 
-/// The bytes as they were before, and what brings those of now back.
+/// Returns the bytes as they were before, and the change that redoes the stroke.
 pub fn take_back(bytes: &[u8], undo: &Patch) -> Option<Applied> {
     let gone = bytes.get(undo.range.clone())?;
     let old = [

@@ -1,4 +1,4 @@
-//! A change of a ring of walls: how it is written now, and how it shall be.
+//! A change of a ring of walls: its current form in the file, and the new one.
 
 use super::draft::{Draft, Piece};
 use crate::building::Ring;
@@ -7,10 +7,10 @@ use crate::ide::format::Edit;
 use crate::ide::stroke::sheet::{Row, Sheet};
 use glam::DVec2;
 
-/// The columns of a code.
+/// Number of columns of a code.
 pub(super) const CELL: usize = 5;
 
-/// A ring, how it is written, and how it shall be.
+/// A ring, its form in the file, and its new walls.
 pub(super) struct Change<'a> {
     pub(super) sheet: &'a Sheet<'a>,
     pub(super) ring: &'a Ring,
@@ -39,8 +39,8 @@ impl Change<'_> {
         old.distance(self.draft.start) > SAME
     }
 
-    /// The turn that a line needs at its end: `R` or `L`; none where it ends the walk, or stands as it was beside the
-    /// one that it stood beside.
+    /// Returns the turn that a line needs at its end: `R` or `L`; none if it ends the walk, or keeps its turn and its
+    /// neighbour.
     pub(super) fn turn(&self, line: usize) -> Option<&'static str> {
         let lines = &self.draft.lines;
         let next = lines.get(line + 1)?;
@@ -54,14 +54,14 @@ impl Change<'_> {
         (!as_before).then_some(if cross > 0.0 { "R" } else { "L" })
     }
 
-    /// The text of a cell.
+    /// Returns the source of a cell.
     pub(super) fn slice(&self, cell: (usize, usize)) -> &str {
         let range = &self.rows[cell.0].cells[cell.1].range;
         self.sheet.text.get(range.clone()).unwrap_or_default()
     }
 }
 
-/// A code filled up to its columns.
+/// Pads a code to its columns.
 pub(super) fn padded(code: &str) -> String {
     let columns = |c: char| if c == '\u{3000}' { 2 } else { 1 };
     let width: usize = code.chars().map(columns).sum();
@@ -69,7 +69,7 @@ pub(super) fn padded(code: &str) -> String {
     format!("{code}{:missing$}", "")
 }
 
-/// Sorted, and those that touch made one.
+/// Sorts edits and merges adjacent ones.
 pub(super) fn tidy(mut edits: Vec<Edit>) -> Vec<Edit> {
     edits.retain(|e| !e.range.is_empty() || !e.text.is_empty());
     edits.sort_by_key(|e| (e.range.start, e.range.end));

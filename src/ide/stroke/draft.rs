@@ -1,5 +1,5 @@
-//! The walls of a ring while they are drawn: lists of pieces and directions. What becomes of the file is settled when
-//! all is drawn.
+//! The walls of a ring during a stroke: lists of pieces and directions. The edits of the file are determined at the
+//! end.
 
 use super::refuse;
 use crate::building::Ring;
@@ -9,27 +9,27 @@ use crate::ide::stroke::sheet::{Cell, Form, Inner, Row, What};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// The wall that is being read.
+/// A piece of a wall during a stroke.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
-    /// Which cell of which wall it is; `None` = it is new.
+    /// The cell and the wall it comes from; `None` = it is new.
     pub(super) old: Option<(usize, usize)>,
-    /// How often a `repeat` makes it; 1 for all else.
+    /// Number of rounds of a `repeat`; 1 otherwise.
     pub(super) count: u32,
     /// Its code.
     pub(super) code: String,
     /// The kind of content it produces.
     pub(super) what: What,
-    /// The width of all of it, U.
+    /// Its total width, U.
     pub(super) width: f64,
-    /// True if it takes over the diagnostics of the part it replaces.
+    /// True if it replaces the part of an existing cell.
     pub(super) instead: bool,
     /// The parts of one round of a `repeat`.
     pub(super) inner: Vec<Piece>,
 }
 
 impl Piece {
-    /// A part of this many units.
+    /// Creates a part of this many units.
     pub(super) fn new(code: &str, what: What, width: f64) -> Piece {
         Piece {
             old: None,
@@ -58,13 +58,13 @@ impl Piece {
         }
     }
 
-    /// The width of one of its parts.
+    /// Returns the width of one of its parts.
     fn one(&self) -> f64 {
         self.width / f64::from(self.count.max(1))
     }
 
-    /// It with one of its rounds written out, and where the parts of that begin; what makes one part at a time is left
-    /// with one of them for itself.
+    /// Returns the piece with one of its rounds written out, and the index at which the parts of that round begin; a
+    /// repeat of a single part keeps one of them as a piece of its own.
     pub(super) fn unrolled(&self, round: u32) -> (Vec<Piece>, usize) {
         let round = round.min(self.count.saturating_sub(1));
         let middle = match self.inner.is_empty() {
@@ -85,7 +85,7 @@ impl Piece {
         !self.inner.is_empty()
     }
 
-    /// This many of its parts.
+    /// Returns the piece with this many of its parts.
     pub(super) fn times(&self, count: u32) -> Piece {
         Piece {
             count,
@@ -99,48 +99,48 @@ fn inner(part: &Inner) -> Piece {
     Piece::new(&part.code, part.what, part.width)
 }
 
-/// A wall under way.
+/// A wall during a stroke.
 #[derive(Clone, Debug)]
 pub(super) struct Line {
-    /// Whose line of the file it keeps.
+    /// The wall whose line of the file it keeps.
     pub(super) base: Option<usize>,
-    /// Where it runs.
+    /// Its direction.
     pub(super) direction: DVec2,
-    /// In the order of the file: from its right end, or from its left one where that runs rightwards.
+    /// In the order of the file: from its right end, or from its left one if that runs rightwards.
     pub(super) pieces: Vec<Piece>,
 }
 
 impl Line {
-    /// Its length, U.
+    /// Returns its length, U.
     pub(super) fn length(&self) -> f64 {
         self.pieces.iter().map(|p| p.width).sum()
     }
 }
 
-/// A ring under way.
+/// A ring during a stroke.
 #[derive(Clone, Debug)]
 pub(super) struct Draft {
-    /// Where its walk begins.
+    /// The start of its walk.
     pub(super) start: DVec2,
     /// Its walls.
     pub(super) lines: Vec<Line>,
-    /// True if the text of its walls runs against the walk.
+    /// True if its walls are written against the walk.
     rightwards: bool,
-    /// The plain wall of each wall that was there.
+    /// The plain wall of each existing wall.
     plain: Vec<String>,
 }
 
 /// The end of a wall.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
-    /// Where the walk comes to it.
+    /// The end where the walk arrives.
     Start,
-    /// Where it leaves it.
+    /// The end where the walk leaves.
     Finish,
 }
 
 impl End {
-    /// The end of the text of a wall that stands at this one.
+    /// Returns the end of a wall's source that corresponds to this one.
     fn written(self, rightwards: bool) -> End {
         match (self, rightwards) {
             (End::Start, true) => End::Finish,
@@ -154,7 +154,7 @@ impl End {
 pub(super) const PLAIN: &str = "KSK";
 
 impl Draft {
-    /// A ring as it is.
+    /// Creates the draft of a ring as it is.
     pub(super) fn of(ring: &Ring, rows: &[Row]) -> Draft {
         let line = |(index, (wall, row)): (usize, (&crate::building::Wall, &Row))| Line {
             base: Some(index),
@@ -173,7 +173,7 @@ impl Draft {
         }
     }
 
-    /// The corners, the first at the start.
+    /// Returns the corners, the first at the start.
     pub(super) fn corners(&self) -> Vec<DVec2> {
         let mut at = self.start;
         let step = |line: &Line| {
@@ -184,14 +184,14 @@ impl Draft {
         self.lines.iter().map(step).collect()
     }
 
-    /// Plain wall as it is in a wall, this many units of it.
+    /// Returns this many units of the plain wall of a line.
     pub(super) fn plain(&self, line: usize, width: f64) -> Result<Vec<Piece>, Text> {
         let own = self.lines[line].base.and_then(|b| self.plain.get(b));
         let code = own.map_or(PLAIN, |c| c.as_str());
         plain(code, width)
     }
 
-    /// Makes a wall longer at one end.
+    /// Extends a wall at one end.
     pub(super) fn grow(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
         let end = end.written(self.rightwards);
         let own = &self.lines[line].pieces;
@@ -205,7 +205,7 @@ impl Draft {
             End::Start => own.get(at),
             End::Finish => at.checked_sub(1).and_then(|i| own.get(i)),
         };
-        // A repetition of plain wall is counted up.
+        // The count of a repetition of plain wall is increased.
         let whole = (by - by.round()).abs() < SAME;
         if let Some(run) = beside.filter(|p| whole && is_run(p)) {
             let more = run.times(run.count + by.round() as u32);
@@ -218,13 +218,13 @@ impl Draft {
         Ok(())
     }
 
-    /// Makes a wall shorter at one end: plain wall goes first, the nearest to the corner before the rest.
+    /// Shortens a wall at one end: plain wall is removed first, then the rest, nearest to the corner first.
     pub(super) fn shrink(&mut self, line: usize, end: End, by: f64) -> Result<(), Text> {
         let at = end.written(self.rightwards);
         let spare = [What::Plain, What::Void];
         let all = [What::Plain, What::Void, What::Other];
         let mut left = self.take(line, at, by, &spare);
-        // The last round of a repetition is written out, so that its parts may go rather than what is but once.
+        // The last round of a repetition is written out, so that its parts are removed rather than single ones.
         while left > SAME && self.unroll(line, at) {
             left = self.take(line, at, left, &all);
         }
@@ -232,14 +232,14 @@ impl Draft {
         if left > SAME {
             return Err(refuse::no_room());
         }
-        // A wide part went: what it was wider is filled up again.
+        // A wide part was removed: the surplus is filled with plain wall.
         if left < -SAME {
             self.grow(line, end, -left)?;
         }
         Ok(())
     }
 
-    /// Writes the round of a repetition out that is nearest to one end, if there is any.
+    /// Writes out the round of a repetition that is nearest to one end, if there is any.
     fn unroll(&mut self, line: usize, end: End) -> bool {
         let pieces = &mut self.lines[line].pieces;
         let found = match end {
@@ -253,7 +253,8 @@ impl Draft {
         true
     }
 
-    /// Takes this many units away at one end, of the first kind as long as there is some; answers what is left to take.
+    /// Removes this many units at one end, of the first kind as long as there are some; returns the number left to
+    /// remove.
     fn take(&mut self, line: usize, end: End, by: f64, kinds: &[What]) -> f64 {
         let mut left = by;
         for &what in kinds {
@@ -287,7 +288,7 @@ impl Draft {
     }
 }
 
-/// Pieces before and behind a place.
+/// Divides pieces at a position.
 fn parted(pieces: Vec<Piece>, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
     let (mut first, mut second, mut place) = (vec![], vec![], 0.0);
     for piece in pieces {
@@ -306,7 +307,7 @@ fn parted(pieces: Vec<Piece>, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text>
     Ok((first, second))
 }
 
-/// Plain wall of whole units, or of a half.
+/// Returns plain wall of whole units, or of a half.
 pub(super) fn plain(code: &str, width: f64) -> Result<Vec<Piece>, Text> {
     let whole = width.round();
     if (width - whole).abs() > SAME {
@@ -319,7 +320,7 @@ pub(super) fn plain(code: &str, width: f64) -> Result<Vec<Piece>, Text> {
     Ok(vec![one; whole.max(0.0) as usize])
 }
 
-/// A piece of plain wall, or a repetition, in two.
+/// Divides a piece of plain wall, or a repetition, in two.
 fn divide(piece: &Piece, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
     let one = piece.one();
     let times = at / one;
@@ -339,7 +340,7 @@ fn divide(piece: &Piece, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
     Err(refuse::through_a_part(&piece.code))
 }
 
-/// The pieces of a line, without the voids that lead to its start.
+/// Returns the pieces of a line, without the voids that lead to its start.
 fn pieces(wall: usize, row: &Row) -> Vec<Piece> {
     let leads = row.leads();
     let cells = row.cells.iter().enumerate().skip(leads);
@@ -356,7 +357,7 @@ fn is_run(piece: &Piece) -> bool {
     piece.what == What::Plain && piece.count > 1 && one
 }
 
-/// The plain wall of one unit that stands most often among some pieces; of two the first.
+/// Returns the most frequent plain wall of one unit among some pieces; of equals the first.
 fn most<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<String> {
     let mut counts: BTreeMap<&str, (u32, usize)> = BTreeMap::new();
     let plain = |p: &&Piece| p.what == What::Plain && (p.one() - 1.0).abs() < SAME;

@@ -7,14 +7,14 @@ use crate::ide::sections;
 use crate::ide::stroke::sheet::{Reason, Sheet, name};
 use crate::source::{FileId, Span};
 
-/// A house.
+/// Returns a house.
 pub(super) fn house<'a>(sheet: &Sheet<'a>, house: usize) -> Result<&'a House, Text> {
     let houses = &sheet.a.checked.building.houses;
     let built = houses.get(house);
     built.map(|b| &b.house).ok_or_else(refuse::no_such_place)
 }
 
-/// A storey and its house.
+/// Returns a storey and its house.
 pub(super) fn storey<'a>(
     sheet: &Sheet<'a>,
     number: usize,
@@ -25,7 +25,7 @@ pub(super) fn storey<'a>(
     storey.map(|s| (house, s)).ok_or_else(refuse::no_such_place)
 }
 
-/// A ring with its house and storey; the wall is there.
+/// Returns a ring with its house and storey; checks that the wall exists.
 pub(super) fn ring<'a>(
     sheet: &Sheet<'a>,
     at: WallAt,
@@ -39,7 +39,7 @@ pub(super) fn ring<'a>(
         .ok_or_else(refuse::no_such_place)
 }
 
-/// The element or lines that a house or a storey is written as.
+/// The element or lines of a house or a storey in the file.
 pub(super) enum Written {
     /// A house of the legacy form: its lines.
     Lines(sections::House),
@@ -47,7 +47,7 @@ pub(super) enum Written {
     Element(usize),
 }
 
-/// Where a house is written.
+/// Returns the element or lines of a house.
 pub(super) fn written_house(sheet: &Sheet<'_>, house: &House) -> Result<Written, Text> {
     if house.span.file != FileId(0) {
         return Err(Reason::Include.text());
@@ -65,7 +65,7 @@ pub(super) fn written_house(sheet: &Sheet<'_>, house: &House) -> Result<Written,
     }
 }
 
-/// The element that begins where a span does.
+/// Returns the element that begins where a span does.
 pub(super) fn element(sheet: &Sheet<'_>, span: Span) -> Option<usize> {
     let at = sheet.a.source.text_range(span).start;
     let element = sheet.outline.element_at(at)?;
@@ -73,7 +73,7 @@ pub(super) fn element(sheet: &Sheet<'_>, span: Span) -> Option<usize> {
     (span.file == FileId(0) && own.range.start == at).then_some(element)
 }
 
-/// The element of a storey that is written row by row.
+/// Returns the element of a storey that is written row by row.
 pub(super) fn storey_element(sheet: &Sheet<'_>, storey: &Storey) -> Result<usize, Text> {
     if storey.span.file != FileId(0) {
         return Err(Reason::Include.text());
@@ -88,7 +88,7 @@ pub(super) fn storey_element(sheet: &Sheet<'_>, storey: &Storey) -> Result<usize
     }
 }
 
-/// Which of the storeys of a legacy house a storey is.
+/// Returns the index of a storey among those of a legacy house.
 pub(super) fn storey_lines(
     sheet: &Sheet<'_>,
     house: &sections::House,

@@ -1,4 +1,4 @@
-//! Strokes that draw a house, and take one away.
+//! Strokes that add and remove houses.
 
 use super::change::tidy;
 use super::find::{self, Written};
@@ -16,10 +16,10 @@ use crate::parse::syntax::Element;
 use crate::parse::syntax::LineKind;
 use glam::{DVec2, dvec2};
 
-/// The height of a first storey in shaku.
+/// The default height of a first storey in shaku.
 const HEIGHT: f64 = 9.5;
 
-/// Where a house is to stand, and how it is measured.
+/// The origin and unit of a new house.
 struct Site {
     east: f64,
     north: f64,
@@ -29,7 +29,7 @@ struct Site {
 }
 
 impl Site {
-    /// The site whose origin is a place in the plan of a house, or of the world.
+    /// Returns the site with its origin at a place in the plan of a house, or of the world.
     fn of(house: Option<&House>, place: DVec2) -> Site {
         let (origin, azimuth, unit) = match house {
             Some(house) => (house.origin, house.azimuth, house.unit),
@@ -50,7 +50,7 @@ impl Site {
     }
 }
 
-/// A new house.
+/// Adds a house.
 pub(super) fn draw(
     sheet: &Sheet<'_>,
     drawn: &[[f64; 2]],
@@ -74,7 +74,7 @@ pub(super) fn draw(
     Ok(tidy(edits))
 }
 
-/// A house at the end of a legacy file.
+/// Adds a house at the end of a legacy file.
 fn lines(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<Edit, Text> {
     let text = sheet.text;
     let end = legacy::line_end(text, 0);
@@ -111,7 +111,7 @@ fn lines(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<Edi
     })
 }
 
-/// A house behind the last one of an XML file.
+/// Adds a house after the last one of an XML file.
 fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<Vec<Edit>, Text> {
     let elements = &sheet.outline.elements;
     let roots: Vec<_> = elements.iter().filter(|e| e.parent.is_none()).collect();
@@ -137,7 +137,7 @@ fn element(sheet: &Sheet<'_>, site: &Site, walk: &Walk, height: f64) -> Result<V
     behind(sheet, root, &house, end)
 }
 
-/// Puts a house behind the last one below a root, which becomes one of several where it is the only one.
+/// Inserts a house after the last one below a root; a single root house becomes one of several.
 fn behind(sheet: &Sheet<'_>, root: &Element, house: &str, end: &str) -> Result<Vec<Edit>, Text> {
     let put = |at: usize, text: String| Edit {
         range: at..at,
@@ -160,7 +160,7 @@ fn behind(sheet: &Sheet<'_>, root: &Element, house: &str, end: &str) -> Result<V
     }
 }
 
-/// A house goes.
+/// Removes a house.
 pub(super) fn remove(sheet: &Sheet<'_>, house: usize) -> Result<Vec<Edit>, Text> {
     let own = find::house(sheet, house)?;
     if sheet.a.checked.building.houses.len() < 2 {
@@ -198,7 +198,7 @@ pub(super) fn remove(sheet: &Sheet<'_>, house: usize) -> Result<Vec<Edit>, Text>
     }
 }
 
-/// The lines of a house go, and one of the lines that part it from others.
+/// Removes the lines of a house, and one of the lines that separate it from others.
 fn lines_gone(sheet: &Sheet<'_>, house: &sections::House) -> Result<Vec<Edit>, Text> {
     let lines = &sheet.outline.lines;
     let own = &lines[house.lines.clone()];

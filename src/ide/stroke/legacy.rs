@@ -1,4 +1,4 @@
-//! A drawn ring in the legacy form: a line a wall, codes in columns, a letter or none at the end.
+//! A drawn ring in the legacy form: one line per wall, codes in columns, a letter or none at the end.
 
 use super::change::{Change, padded};
 use super::draft::Line;
@@ -11,10 +11,10 @@ use crate::parse::syntax::LineKind;
 use glam::DVec2;
 use std::ops::Range;
 
-/// A void that can be seen.
+/// A visible void.
 const POINTS: &str = ".....";
 
-/// The edits of the lines of a ring.
+/// Returns the edits of the lines of a ring.
 pub(super) fn edits(change: &Change<'_>) -> Result<Vec<Edit>, Text> {
     let mut edits = vec![];
     let mut prefix = leading(change);
@@ -66,7 +66,7 @@ pub(super) fn edits(change: &Change<'_>) -> Result<Vec<Edit>, Text> {
     Ok(edits)
 }
 
-/// The range of the line of a wall, without its end.
+/// Returns the range of the line of a wall, without its line end.
 fn line_of(change: &Change<'_>, wall: usize) -> Range<usize> {
     match change.rows[wall].home {
         Home::Line(line) => change.sheet.outline.lines[line].range.clone(),
@@ -74,7 +74,7 @@ fn line_of(change: &Change<'_>, wall: usize) -> Range<usize> {
     }
 }
 
-/// A line with its end; the last one of a source file with the end of that before it.
+/// Returns a line with its line end; the last one of a source file with the line end before it.
 pub(super) fn whole_line(sheet: &Sheet<'_>, line: Range<usize>) -> Range<usize> {
     let text = sheet.text;
     let rest = &text[line.end..];
@@ -93,7 +93,7 @@ pub(super) fn whole_line(sheet: &Sheet<'_>, line: Range<usize>) -> Range<usize> 
     line.start - gone..line.end
 }
 
-/// How the line before or at a place ends.
+/// Returns the line end before or at a place.
 pub(super) fn line_end(text: &str, at: usize) -> &str {
     let rest = &text[at..];
     let found = rest.find(['\r', '\n']).map(|i| at + i);
@@ -105,7 +105,7 @@ pub(super) fn line_end(text: &str, at: usize) -> &str {
     }
 }
 
-/// The codes of a line and its letter, as they are.
+/// Returns the range of the codes of a line and its letter.
 fn core_range(change: &Change<'_>, wall: usize) -> Range<usize> {
     let Home::Line(line) = change.rows[wall].home else {
         return 0..0;
@@ -119,7 +119,7 @@ fn core_range(change: &Change<'_>, wall: usize) -> Range<usize> {
     line.range.start..end
 }
 
-/// The letter of a line as it is.
+/// Returns the letter of a line.
 fn letter<'a>(change: &Change<'a>, wall: usize) -> &'a str {
     let Home::Line(line) = change.rows[wall].home else {
         return "";
@@ -129,7 +129,7 @@ fn letter<'a>(change: &Change<'a>, wall: usize) -> &'a str {
         .unwrap_or_default()
 }
 
-/// The voids that stand before the first part of the first line.
+/// Returns the voids before the first part of the first line.
 fn leading(change: &Change<'_>) -> String {
     let row = &change.rows[0];
     let Some(first) = row.cells.get(row.leads()) else {
@@ -139,7 +139,7 @@ fn leading(change: &Change<'_>) -> String {
     change.sheet.text[start..first.range.start].to_owned()
 }
 
-/// The required end of a line.
+/// Returns the required end of a line.
 fn ending(change: &Change<'_>, index: usize) -> String {
     let line = &change.draft.lines[index];
     let last = change.ring.walls.len() - 1;
@@ -161,7 +161,7 @@ fn ending(change: &Change<'_>, index: usize) -> String {
     }
 }
 
-/// The codes of a line and its letter, as they shall be.
+/// Returns the new codes of a line and its letter.
 fn core(change: &Change<'_>, index: usize, prefix: &str) -> String {
     let line = &change.draft.lines[index];
     let ending = ending(change, index);
@@ -204,7 +204,7 @@ fn cell(change: &Change<'_>, line: &Line, number: usize, last: bool) -> String {
     }
 }
 
-/// The lines that lead to where the walk begins, with their ends.
+/// Returns the lines that lead to the start of the walk, with their line ends.
 fn lead_lines<'a>(change: &'a Change<'_>) -> impl Iterator<Item = Range<usize>> + 'a {
     let lines = &change.sheet.outline.lines;
     let first = match change.rows[0].home {
@@ -227,7 +227,7 @@ fn lead_lines<'a>(change: &'a Change<'_>) -> impl Iterator<Item = Range<usize>> 
     walls.map(|l| whole_line(change.sheet, lines[l].range.clone()))
 }
 
-/// The lines that lead a walk from the origin to its start, and the voids before its first part.
+/// Returns the lines that lead a walk from the origin to its start, and the voids before its first part.
 pub(super) fn lead(start: DVec2, heading: DVec2) -> Result<(Vec<String>, usize), Text> {
     if (start - start.round()).abs().max_element() > SAME || start.abs().max_element() > 1e4 {
         return Err(refuse::odd_start());

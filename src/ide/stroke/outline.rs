@@ -1,4 +1,4 @@
-//! Outlines that are drawn: looked at, turned to their front, and written as walks.
+//! Drawn outlines: checked, rotated to their front, and written as walks.
 
 use super::change::padded;
 use super::legacy;
@@ -12,7 +12,7 @@ use glam::{DVec2, dvec2};
 /// The longest side of an outline, U.
 const LONGEST: f64 = 1000.0;
 
-/// The corners of an outline that was drawn, walked as houses are, from the right end of its front on.
+/// Returns the corners of a drawn outline, walked as houses are, from the right end of its front.
 pub(super) fn checked(drawn: &[[f64; 2]]) -> Result<Vec<DVec2>, Text> {
     let mut corners: Vec<DVec2> = drawn.iter().map(|[a, b]| dvec2(*a, *b)).collect();
     let sound = |p: &DVec2| p.is_finite() && p.abs().max_element() < 1e6;
@@ -83,7 +83,7 @@ pub(super) fn lies_in(corners: &[DVec2], below: &[(Vec<DVec2>, bool)]) -> bool {
     if size.x * size.y > 1e6 {
         return false;
     }
-    // Walls stand on the grid of the outline or between its lines: look at quarters of cells.
+    // Walls stand on the grid of the outline or between its lines: quarters of cells are tested.
     let covered = |p: DVec2| {
         let holes = below.iter().filter(|b| b.1);
         let in_hole = holes.clone().any(|b| inside(&b.0, p));
@@ -104,17 +104,17 @@ pub(super) struct Walk {
     walls: Vec<Side>,
 }
 
-/// A new wall.
+/// A new wall of a walk.
 struct Side {
     direction: DVec2,
     /// Codes of whole units, or wider.
     codes: Vec<String>,
-    /// At its end.
+    /// The turn at its end.
     turn: &'static str,
 }
 
 impl Walk {
-    /// A walk round some corners, each wall of one code.
+    /// Creates a walk round some corners, each wall of one code.
     pub(super) fn new(corners: &[DVec2], codes: &[String], hole: bool) -> Result<Walk, Text> {
         let count = corners.len();
         let mut walls = vec![];
@@ -134,13 +134,13 @@ impl Walk {
         Ok(Walk { start, hole, walls })
     }
 
-    /// The same from the origin on.
+    /// Returns the same walk from the origin.
     pub(super) fn at_origin(mut self) -> Walk {
         self.start = DVec2::ZERO;
         self
     }
 
-    /// Puts a door into its first wall.
+    /// Inserts a door into its first wall.
     pub(super) fn with_door(mut self) -> Walk {
         if let Some(front) = self.walls.first_mut() {
             let length = front.codes.len();
@@ -152,7 +152,7 @@ impl Walk {
         self
     }
 
-    /// As lines of the legacy form.
+    /// Returns the lines of the legacy form.
     pub(super) fn lines(&self) -> Result<Vec<String>, Text> {
         let heading = self.walls.first().map_or(DVec2::X, |w| w.direction);
         let (mut lines, voids) = legacy::lead(self.start, heading)?;
@@ -175,7 +175,7 @@ impl Walk {
         Ok(lines)
     }
 
-    /// As rows of the XML form.
+    /// Returns the rows of the XML form.
     pub(super) fn rows(&self) -> Vec<String> {
         let usual = if self.hole { "L" } else { "R" };
         let count = self.walls.len();
@@ -193,7 +193,7 @@ impl Walk {
         walls.map(row).collect()
     }
 
-    /// Where it begins, if that is not the origin.
+    /// Returns its `start` attribute, unless it begins at the origin.
     pub(super) fn start_attribute(&self) -> String {
         let (a, b) = (self.start.x, self.start.y);
         let origin = a.abs() < SAME && b.abs() < SAME && !self.hole;

@@ -1,4 +1,4 @@
-//! Another part in the place of a unit.
+//! Replaces the part of a unit.
 
 use super::change::{CELL, Change, tidy};
 use super::draft::{Draft, PLAIN, Piece, plain};
@@ -12,10 +12,10 @@ use crate::ide::format::Edit;
 use crate::ide::stroke::sheet::{Form, Home, Reason, Row, Sheet, What, name};
 use crate::program::Content;
 
-/// The code of a void that can be seen.
+/// The visible code of a void.
 const VOID: &str = ".....";
 
-/// The edits that put a part in the place of a unit.
+/// Returns the edits that replace the part of a unit.
 pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>, Text> {
     let (at, unit) = place(sheet, at)?;
     let (_, storey) = find::storey(sheet, at.house, at.storey)?;
@@ -68,7 +68,7 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
     Ok(tidy(write::edits(&change)?))
 }
 
-/// The place of a unit in the plan.
+/// Returns the place of a unit in the plan.
 fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
     let [start, end] = match at {
         UnitAt::Place { wall, unit } => return Ok((wall, unit)),
@@ -100,7 +100,7 @@ fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
     }
 }
 
-/// The part that a name means in a house.
+/// Returns the part that a name means in a house.
 fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
     let catalog = sheet.a.catalog();
     let code = part.trim_end();
@@ -139,7 +139,7 @@ fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
     }
 }
 
-/// The width that a `Part` says of itself, which stays.
+/// Returns the width that a `Part` specifies, which stays.
 fn own_width(sheet: &Sheet<'_>, form: &Form) -> Option<f64> {
     let Form::Part(element) = form else {
         return None;
@@ -178,7 +178,7 @@ fn single(pieces: &mut Vec<Piece>, row: &Row, cell: usize, unit: usize, rightwar
     index + at + inner
 }
 
-/// Puts a piece in the place of another one; the line keeps its length.
+/// Replaces a piece by another one; the line keeps its length.
 fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result<(), Text> {
     let missing = new.width - pieces[index].width;
     let code = new.code.clone();
@@ -205,7 +205,8 @@ fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result
     }
 }
 
-/// Takes this many units away behind or before a piece, as far as those are plain or go as a whole; answers what is left.
+/// Removes this many units after or before a piece, as far as those are plain or can be removed as a whole; returns the
+/// number left.
 fn cover(
     pieces: &mut Vec<Piece>,
     index: usize,

@@ -1,9 +1,9 @@
-//! Why a stroke is refused, and what to do instead.
+//! The reasons why a stroke is refused, each with an alternative.
 
 use crate::diagnostic::Text;
 use crate::text;
 
-/// A place that the plan does not have.
+/// The place is not in the plan.
 pub(super) fn no_such_place() -> Text {
     text!(
         "the text has changed meanwhile: draw that again",
@@ -11,12 +11,12 @@ pub(super) fn no_such_place() -> Text {
     )
 }
 
-/// Nothing would change.
+/// The stroke changes nothing.
 pub(super) fn nothing() -> Text {
     text!("this changes nothing", "何も変わりません")
 }
 
-/// Farther than anybody draws.
+/// The distance is too large.
 pub(super) fn too_far() -> Text {
     text!(
         "this is farther than a wall can be moved at once",
@@ -24,7 +24,7 @@ pub(super) fn too_far() -> Text {
     )
 }
 
-/// A part of a unit.
+/// The distance is not a whole number of units.
 pub(super) fn half_units() -> Text {
     text!(
         "walls are made longer and shorter by whole units: put a part of half a unit there first",
@@ -32,7 +32,7 @@ pub(super) fn half_units() -> Text {
     )
 }
 
-/// A wall would have less than no length.
+/// Walls would cross.
 pub(super) fn walls_cross() -> Text {
     text!(
         "walls would cross or touch: move the others out of the way first",
@@ -40,7 +40,7 @@ pub(super) fn walls_cross() -> Text {
     )
 }
 
-/// Nothing would be left.
+/// Nothing would be left between two walls.
 pub(super) fn vanishes() -> Text {
     text!(
         "nothing would be left between two walls: remove the storey or the house instead",
@@ -48,7 +48,7 @@ pub(super) fn vanishes() -> Text {
     )
 }
 
-/// Facades would come or go.
+/// The stroke would add or remove facades.
 pub(super) fn other_facades() -> Text {
     text!(
         "every floor of a facade stands in one plane: write the new `Facade` in the text",
@@ -64,7 +64,7 @@ pub(super) fn first_wall() -> Text {
     )
 }
 
-/// Nothing is left that may be taken away.
+/// No plain wall is left to remove.
 pub(super) fn no_room() -> Text {
     text!(
         "the wall beside it is computed and cannot become shorter here: change the text instead",
@@ -72,7 +72,7 @@ pub(super) fn no_room() -> Text {
     )
 }
 
-/// A wall breaks within a part.
+/// The wall would break within a part.
 pub(super) fn through_a_part(code: &str) -> Text {
     if code.is_empty() {
         return text!(
@@ -86,7 +86,7 @@ pub(super) fn through_a_part(code: &str) -> Text {
     )
 }
 
-/// A part of a wall that it does not have.
+/// The part of the wall is outside its length.
 pub(super) fn no_such_part(length: f64) -> Text {
     text!(
         "the wall is {length} units long: choose a part of it",
@@ -94,7 +94,7 @@ pub(super) fn no_such_part(length: f64) -> Text {
     )
 }
 
-/// A code that means nothing.
+/// The code is unknown.
 pub(super) fn unknown_part(part: &str) -> Text {
     text!(
         "there is no part `{part}`: choose one of the palette",
@@ -102,7 +102,7 @@ pub(super) fn unknown_part(part: &str) -> Text {
     )
 }
 
-/// A name in a legacy file.
+/// The name has no code in the legacy form.
 pub(super) fn long_name(part: &str) -> Text {
     text!(
         "`{part}` has no code of five columns, and this form knows no others: convert the text to XML first (`hsd fmt --to xml`)",
@@ -110,7 +110,7 @@ pub(super) fn long_name(part: &str) -> Text {
     )
 }
 
-/// A part that is too wide.
+/// The part is too wide.
 pub(super) fn too_wide(part: &str) -> Text {
     text!(
         "`{part}` is too wide for this place: put plain wall beside it first",
@@ -118,7 +118,7 @@ pub(super) fn too_wide(part: &str) -> Text {
     )
 }
 
-/// A void where the walk begins.
+/// A void would come first in the walk.
 pub(super) fn leading_void() -> Text {
     text!(
         "a void cannot stand first in the first wall: the walk would begin behind it",
@@ -126,7 +126,7 @@ pub(super) fn leading_void() -> Text {
     )
 }
 
-/// A start that is no whole unit away.
+/// The start would lie off the grid.
 pub(super) fn odd_start() -> Text {
     text!(
         "the walk would begin between two lines of the grid: change the text instead",
@@ -134,7 +134,7 @@ pub(super) fn odd_start() -> Text {
     )
 }
 
-/// A height that no one builds.
+/// The height is out of bounds.
 pub(super) fn odd_height() -> Text {
     text!(
         "a storey is between 0.1 and 1000 shaku high",
@@ -142,7 +142,7 @@ pub(super) fn odd_height() -> Text {
     )
 }
 
-/// An outline that is none.
+/// The outline is invalid.
 pub(super) fn bad_outline() -> Text {
     text!(
         "an outline goes round along the lines of the grid, in whole units, and neither crosses nor touches itself",
@@ -150,7 +150,7 @@ pub(super) fn bad_outline() -> Text {
     )
 }
 
-/// An outline beyond that of the storey below.
+/// The outline lies beyond that of the storey below.
 pub(super) fn outside() -> Text {
     text!(
         "the outline lies beyond the storey below: draw it inside of that",
@@ -158,7 +158,7 @@ pub(super) fn outside() -> Text {
     )
 }
 
-/// The only storey.
+/// It is the only storey.
 pub(super) fn last_storey() -> Text {
     text!(
         "this is the only storey: remove the house instead",
@@ -166,7 +166,7 @@ pub(super) fn last_storey() -> Text {
     )
 }
 
-/// The only house.
+/// It is the only house.
 pub(super) fn last_house() -> Text {
     text!(
         "this is the only house in the file, and a file needs at least one",
@@ -174,7 +174,7 @@ pub(super) fn last_house() -> Text {
     )
 }
 
-/// Comments would go.
+/// Comments would be removed.
 pub(super) fn comments() -> Text {
     text!(
         "comments stand in it: remove it in the text",
@@ -182,7 +182,7 @@ pub(super) fn comments() -> Text {
     )
 }
 
-/// Another form of the file.
+/// Facades cannot be drawn this way.
 pub(super) fn structure() -> Text {
     text!(
         "facades are not drawn this way: change the text instead",

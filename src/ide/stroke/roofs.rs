@@ -1,5 +1,5 @@
-//! Roof lines that follow the walls: those that lay over a whole storey lie over all of it again, edges over a wall that
-//! slides and pent roofs stay with it, and roofs as high as a storey stay as high. All others are left alone.
+//! Roof lines that follow the walls: those that covered a whole storey still cover it, edges over a sliding wall and
+//! pent roofs stay with it, and roofs at the top of a storey stay there. All others are left unchanged.
 
 use super::WallAt;
 use super::xml::plain;
@@ -20,7 +20,7 @@ struct Bounds {
     high: DVec2,
 }
 
-/// The edits of roof lines where rings of storeys have new corners.
+/// Returns the edits of roof lines for rings of storeys with new corners.
 pub(super) fn follow(
     sheet: &Sheet<'_>,
     house: &House,
@@ -51,8 +51,8 @@ pub(super) fn follow(
     edits
 }
 
-/// The edits of roof lines whose height was the top of a storey; `top` tells the new one in shaku. A height that is computed
-/// cannot follow, and a roof that stayed behind would hang in the air.
+/// Returns the edits of roof lines whose height was the top of a storey; `top` returns the new one in shaku. A computed
+/// height cannot follow, and the roof would hang in the air.
 pub(super) fn raise(
     sheet: &Sheet<'_>,
     house: &House,
@@ -79,7 +79,7 @@ pub(super) fn raise(
     Ok(edits)
 }
 
-/// A number with a decimal where the one before had one.
+/// Formats a number with a decimal if the old one had one.
 pub(super) fn like(old: &str, new: f64) -> String {
     let text = plain(new);
     if old.contains('.') && !text.contains('.') {
@@ -89,7 +89,7 @@ pub(super) fn like(old: &str, new: f64) -> String {
     }
 }
 
-/// The storey to which a roof line belongs: the one whose top is nearest to its height, or the highest.
+/// Returns the storey to which a roof line belongs: the one whose top is nearest to its height, or the highest.
 fn owner(house: &House, line: &RoofLine) -> Option<usize> {
     let storeys = house.storeys.iter().enumerate();
     let mut storeys = storeys.filter(|(_, s)| s.kind == StoreyKind::Storey);
@@ -105,7 +105,7 @@ fn owner(house: &House, line: &RoofLine) -> Option<usize> {
     nearest.map(|(index, _)| index)
 }
 
-/// The bounds of the outer walls of a storey, some of whose rings have other corners.
+/// Returns the bounds of the outer walls of a storey, some of whose rings have new corners.
 fn bounds(storey: &Storey, moved: &[&(WallAt, Vec<DVec2>)]) -> Bounds {
     let mut bounds = Bounds {
         low: DVec2::INFINITY,
@@ -129,11 +129,11 @@ fn bounds(storey: &Storey, moved: &[&(WallAt, Vec<DVec2>)]) -> Bounds {
     bounds
 }
 
-/// Where the corners of a roof come to lie.
+/// Returns the new corners of a roof.
 fn moved_corners(old: [f64; 4], was: Bounds, now: Bounds, pent: bool) -> Option<[f64; 4]> {
     let same = |a: f64, b: f64| (a - b).abs() < SAME;
     let [a0, b0, a1, b1] = old;
-    // The two places of an axis, and the bounds of it.
+    // The two coordinates of an axis, and its bounds.
     let axis = |p: f64, q: f64, low: (f64, f64), high: (f64, f64)| -> Option<(f64, f64)> {
         let (least, most) = (p.min(q), p.max(q));
         let at = |x: f64| if same(x, least) { low.1 } else { high.1 };
@@ -158,7 +158,7 @@ fn moved_corners(old: [f64; 4], was: Bounds, now: Bounds, pent: bool) -> Option<
     Some([a0, b0, a1, b1])
 }
 
-/// Where the corners of a roof come to lie some of whose edges lie over walls that slide.
+/// Returns the new corners of a roof some of whose edges lie over sliding walls.
 fn along_walls(
     old: [f64; 4],
     storey: &Storey,
@@ -173,7 +173,7 @@ fn along_walls(
         }
         let wall = &walls[at.wall];
         let shift = corners[at.wall] - wall.from;
-        // The axis across the wall, and the one along it; edges lie across at `across` and `across + 2`.
+        // The axis across the wall, and the one along it; the edges across are at `across` and `across + 2`.
         let across = usize::from(wall.direction.y.abs() < SAME);
         let along = 1 - across;
         let by = shift.to_array()[across];
@@ -198,7 +198,7 @@ fn along_walls(
     (new != old && !turned(0) && !turned(1)).then_some(new)
 }
 
-/// The corners of a roof line for others.
+/// Returns the edits that replace the corners of a roof line.
 fn rewritten(sheet: &Sheet<'_>, line: &RoofLine, corners: [f64; 4]) -> Vec<Edit> {
     let range = sheet.a.source.text_range(line.corners.span);
     let places = match super::find::element(sheet, line.span) {
@@ -222,7 +222,7 @@ fn rewritten(sheet: &Sheet<'_>, line: &RoofLine, corners: [f64; 4]) -> Vec<Edit>
     changed.map(edit).collect()
 }
 
-/// The words of a range.
+/// Returns the words of a range.
 pub(super) fn words(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     let written = text.get(range.clone()).unwrap_or_default();
     let start = |word: &str| range.start + (word.as_ptr() as usize - written.as_ptr() as usize);
@@ -230,7 +230,7 @@ pub(super) fn words(text: &str, range: Range<usize>) -> Vec<Range<usize>> {
     words.map(|w| start(w)..start(w) + w.len()).collect()
 }
 
-/// A number for another one that ends in the same column, where blanks allow it.
+/// Returns the edit of a number that keeps the end column, as far as blanks allow it.
 fn aligned(text: &str, range: Range<usize>, new: &str) -> Edit {
     let blanks = text[..range.start].len() - text[..range.start].trim_end_matches(' ').len();
     let columns = text[range.clone()].chars().count();

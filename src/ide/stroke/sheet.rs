@@ -1,8 +1,8 @@
-//! A source file as a sheet to draw on: which cells the line of a wall is made of, and which of them a stroke may change.
+//! A source file as a sheet to draw on: the cells of each wall's line, and those that a stroke may change.
 //!
-//! A [`Cell`] is what can be changed for itself: a code, a `Part`, a `repeat` of one code. Everything else that makes
-//! parts is a block, which may be left, moved or taken away as a whole. Cells stand in the order of the file and do not
-//! touch what is between them: comments, line breaks, blanks.
+//! A [`Cell`] can be changed independently: a code, a `Part`, a `repeat` of one code. Everything else that makes parts is
+//! a block, which may be kept, moved or removed as a whole. Cells stand in the order of the file; comments, line breaks
+//! and blanks between them belong to no cell.
 
 mod cells;
 mod reason;
@@ -17,7 +17,7 @@ use crate::source::{FileId, Span};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// Where the line of a wall stands.
+/// The place of a wall's line in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::ide) enum Home {
     /// A line of the legacy form.
@@ -26,14 +26,14 @@ pub(in crate::ide) enum Home {
     Element(usize),
 }
 
-/// How a cell is written.
+/// The form in which a cell is written.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::ide) enum Form {
     /// A code in its columns.
     Code,
     /// A `Part`.
     Part(usize),
-    /// A `repeat` of plain parts, this many times; where the number stands.
+    /// A `repeat` of plain parts: the range of its number, and the number.
     Run(Range<usize>, u32),
     /// Anything else.
     Block,
@@ -42,9 +42,9 @@ pub(in crate::ide) enum Form {
 /// The content of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::ide) enum What {
-    /// Nothing: the walk goes on.
+    /// A void: the walk continues without a wall.
     Void,
-    /// Something without a width.
+    /// A part without a width.
     Post,
     /// A wall of the storey's height.
     Plain,
@@ -55,17 +55,17 @@ pub(in crate::ide) enum What {
 /// A piece of the line of a wall.
 #[derive(Clone, Debug)]
 pub(in crate::ide) struct Cell {
-    /// Where it stands in the file.
+    /// Its range in the file.
     pub(in crate::ide) range: Range<usize>,
-    /// How it is written.
+    /// Its form.
     pub(in crate::ide) form: Form,
     /// The kind of content it produces.
     pub(in crate::ide) what: What,
-    /// Its code without blanks at its end, as it was understood; empty for blocks.
+    /// Its code as understood, without blanks at its end; empty for blocks.
     pub(in crate::ide) code: String,
     /// Its width in U.
     pub(in crate::ide) width: f64,
-    /// Which units of the wall it makes.
+    /// The units of the wall that it makes.
     pub(in crate::ide) units: Range<usize>,
     /// True if something else changes the content as written.
     pub(in crate::ide) altered: bool,
@@ -87,18 +87,18 @@ pub(in crate::ide) struct Inner {
 /// The line of a wall.
 #[derive(Clone, Debug)]
 pub(in crate::ide) struct Row {
-    /// Where it stands.
+    /// Its place.
     pub(in crate::ide) home: Home,
-    /// The elements, in the order of the file.
+    /// Its cells, in the order of the file.
     pub(in crate::ide) cells: Vec<Cell>,
     /// True if the cells run against the walk.
     pub(in crate::ide) rightwards: bool,
-    /// Why none of it may be changed.
+    /// The reason why none of it may be changed.
     pub(in crate::ide) fixed: Option<Reason>,
 }
 
 impl Row {
-    /// Why another part cannot be put in the place of a unit.
+    /// Returns the reason why a unit cannot be replaced.
     pub(in crate::ide) fn unit_fixed(&self, unit: usize) -> Option<Reason> {
         let cell = self.cell_of(unit);
         let own = match cell.map(|c| &self.cells[c]) {
@@ -109,7 +109,7 @@ impl Row {
         self.fixed.or(own)
     }
 
-    /// The same for all units of its wall.
+    /// Returns the same for all units of its wall.
     pub(in crate::ide) fn units_fixed(&self, count: usize) -> Vec<Option<Reason>> {
         let mut all = vec![self.fixed.or(Some(Reason::Computed)); count];
         for cell in &self.cells {
@@ -123,13 +123,13 @@ impl Row {
         all
     }
 
-    /// How many voids at its start lead to where its walk begins.
+    /// Returns the number of leading voids, which lead to the start of the walk.
     pub(in crate::ide) fn leads(&self) -> usize {
         let lead = |c: &&Cell| c.units.is_empty() && c.form == Form::Code;
         self.cells.iter().take_while(lead).count()
     }
 
-    /// The cell that makes a unit.
+    /// Returns the cell that makes a unit.
     pub(in crate::ide) fn cell_of(&self, unit: usize) -> Option<usize> {
         self.cells.iter().position(|c| c.units.contains(&unit))
     }
@@ -145,7 +145,7 @@ pub(in crate::ide) struct Sheet<'a> {
 }
 
 impl<'a> Sheet<'a> {
-    /// The sheet of a source file.
+    /// Creates the sheet of a source file.
     pub(in crate::ide) fn of(a: &'a Analysis) -> Sheet<'a> {
         let outline = a.outline();
         let mut owns = vec![false; outline.elements.len()];
@@ -170,7 +170,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The line of a wall.
+    /// Returns the line of a wall.
     pub(in crate::ide) fn row(&self, wall: &Wall) -> Row {
         let fixed = |reason| Row {
             home: Home::Line(usize::MAX),
@@ -195,12 +195,12 @@ impl<'a> Sheet<'a> {
         row
     }
 
-    /// The lines of the walls of a ring.
+    /// Returns the lines of the walls of a ring.
     pub(in crate::ide) fn rows(&self, ring: &Ring) -> Vec<Row> {
         ring.walls.iter().map(|w| self.row(w)).collect()
     }
 
-    /// Why a wall of a ring cannot be moved.
+    /// Returns the reason why a wall of a ring cannot be moved.
     pub(in crate::ide) fn ring_fixed(
         &self,
         ring: &Ring,
@@ -244,7 +244,8 @@ impl<'a> Sheet<'a> {
             })
     }
 
-    /// Why a wall of facades cannot be moved: it has a width of its own, or stands at the start of the walk.
+    /// Returns the reason why a wall of facades cannot be moved: it has a width of its own, or is at the start of the
+    /// walk.
     fn structure_fixed(&self, row: &Row, reset: bool) -> Option<Reason> {
         let element = self.floor(row)?;
         let elements = &self.outline.elements;
@@ -256,7 +257,7 @@ impl<'a> Sheet<'a> {
         reset.then_some(Reason::First)
     }
 
-    /// The `Floor` of a facade that a line stands in.
+    /// Returns the `Floor` of a facade that contains a line.
     pub(in crate::ide) fn floor(&self, row: &Row) -> Option<usize> {
         match row.home {
             Home::Element(e) if name(&self.outline.elements[e]) == "Floor" => Some(e),
@@ -264,7 +265,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Why a walk cannot begin elsewhere.
+    /// Returns the reason why a walk cannot begin elsewhere.
     fn start_fixed(&self, first: &Row) -> Option<Reason> {
         let Home::Element(element) = first.home else {
             return first.fixed;
@@ -332,7 +333,8 @@ impl<'a> Sheet<'a> {
             .any(|d| wrong(d.code.0))
     }
 
-    /// Why a stroke cannot change the content of an element, based on its ancestors up to the storey or facade.
+    /// Returns the reason why a stroke cannot change the content of an element, based on its ancestors up to the storey
+    /// or facade.
     pub(in crate::ide) fn around_fixed(&self, element: usize) -> Option<Reason> {
         let mut around = self.outline.around(element).skip(1);
         around.find_map(|e| match name(&self.outline.elements[e]) {
@@ -343,7 +345,7 @@ impl<'a> Sheet<'a> {
         })
     }
 
-    /// The children of an element.
+    /// Returns the children of an element.
     pub(in crate::ide) fn children(&self, element: usize) -> impl Iterator<Item = usize> + '_ {
         let elements = &self.outline.elements;
         let end = elements[element].range.end;
@@ -353,7 +355,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// The word of the language that an element is.
+/// Returns the name of an element in the language.
 pub(in crate::ide) fn name(element: &Element) -> &'static str {
     element.schema.map_or("", |s| s.name)
 }

@@ -1,4 +1,4 @@
-//! Strokes that move walls: which rings they change, and which roofs follow.
+//! Strokes that move walls: the rings they change, and the roofs that follow.
 
 use super::change::{Change, tidy};
 use super::draft::Draft;
@@ -12,10 +12,10 @@ use crate::ide::format::Edit;
 use crate::ide::stroke::sheet::Sheet;
 use glam::DVec2;
 
-/// How a ring is drawn anew.
+/// Redraws a ring.
 type Draw<'a> = &'a dyn Fn(&mut Draft, usize) -> Result<(), Text>;
 
-/// A wall slides.
+/// Slides a wall.
 pub(super) fn slide(
     sheet: &Sheet<'_>,
     at: WallAt,
@@ -33,7 +33,7 @@ pub(super) fn slide(
     Ok(tidy(edits))
 }
 
-/// A part of a wall is pushed out or in. Roofs stay: a bay is roofed by itself or stands under the eaves.
+/// Pushes a part of a wall out or in. Roofs stay: a bay is roofed by itself or stands under the eaves.
 pub(super) fn break_out(
     sheet: &Sheet<'_>,
     at: WallAt,
@@ -63,7 +63,7 @@ fn check_way(by: i32) -> Result<(), Text> {
     }
 }
 
-/// The walls of other storeys that stand right above or below a wall.
+/// Returns the walls of other storeys directly above or below a wall.
 fn aligned(house: &House, at: WallAt) -> Vec<WallAt> {
     let own = &house.storeys[at.storey].rings[at.ring].walls[at.wall];
     let normal = outward(own.direction);
@@ -84,7 +84,7 @@ fn aligned(house: &House, at: WallAt) -> Vec<WallAt> {
                 let overlaps = to > SAME && from < own.from.distance(own.to) - SAME;
                 level && overlaps && w.direction.distance(own.direction) < SAME
             };
-            // One wall a ring: a second one moves with the next stroke.
+            // One wall per ring: a second one moves with the next stroke.
             if let Some(wall) = other.walls.iter().position(beside) {
                 let house = at.house;
                 found.push(WallAt {
@@ -99,10 +99,10 @@ fn aligned(house: &House, at: WallAt) -> Vec<WallAt> {
     found
 }
 
-/// Rings with other corners.
+/// Rings with their new corners.
 type Moved = Vec<(WallAt, Vec<DVec2>)>;
 
-/// The edits of some walls, each of a ring of its own, and the rings as they are then.
+/// Returns the edits of some walls, each of a ring of its own, and the resulting rings.
 fn drawn(
     sheet: &Sheet<'_>,
     house: &House,

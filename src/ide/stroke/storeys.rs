@@ -20,16 +20,16 @@ use crate::source::Span;
 use glam::DVec2;
 use std::ops::Range;
 
-/// Storey height in shaku where none is written.
+/// Default storey height in shaku.
 const HEIGHT: f64 = 9.0;
 
-/// Bounds on the height of a storey, shaku.
+/// Checks a height of a storey, shaku.
 pub(super) fn checked(height: f64) -> Result<f64, Text> {
     let fits = (0.1..=1000.0).contains(&height);
     fits.then_some(height).ok_or_else(refuse::odd_height)
 }
 
-/// A storey becomes higher or lower.
+/// Changes the height of a storey.
 pub(super) fn set_height(
     sheet: &Sheet<'_>,
     house: usize,
@@ -54,7 +54,7 @@ pub(super) fn set_height(
     Ok(tidy(edits))
 }
 
-/// The words of the two lines of numbers that begin a legacy house, and where each line ends.
+/// Returns the words of the two lines of numbers that begin a legacy house, and the end of each line.
 fn header(sheet: &Sheet<'_>, house: &sections::House) -> Vec<(Vec<Range<usize>>, usize)> {
     let lines = house.header.clone().unwrap_or(0..0);
     let lines = sheet.outline.lines[lines].iter();
@@ -69,7 +69,7 @@ fn header(sheet: &Sheet<'_>, house: &sections::House) -> Vec<(Vec<Range<usize>>,
     numbers.collect()
 }
 
-/// The change of a height in the header.
+/// Returns the edit of a height in the header.
 fn header_height(
     sheet: &Sheet<'_>,
     house: &sections::House,
@@ -105,7 +105,7 @@ fn header_height(
     })
 }
 
-/// The changes of the elements that tell the height of a storey.
+/// Returns the edits of the elements that specify the height of a storey.
 fn element_heights(sheet: &Sheet<'_>, storey: &Storey, height: f64) -> Result<Vec<Edit>, Text> {
     let mut spans: Vec<Span> = vec![storey.span];
     spans.extend(storey.rings.iter().flat_map(|r| &r.walls).map(|w| w.span));
@@ -145,14 +145,14 @@ fn element_heights(sheet: &Sheet<'_>, storey: &Storey, height: f64) -> Result<Ve
     }
 }
 
-/// The highest storey that has rooms.
+/// Returns the highest storey that has rooms.
 fn top(house: &House) -> Result<(usize, &Storey), Text> {
     let mut storeys = house.storeys.iter().enumerate().rev();
     let found = storeys.find(|(_, s)| s.kind == StoreyKind::Storey);
     found.ok_or_else(refuse::no_such_place)
 }
 
-/// Why nothing can be put on a house.
+/// Returns the reason why no storey can be added on a house.
 pub(in crate::ide) fn house_fixed(sheet: &Sheet<'_>, house: &House) -> Option<Reason> {
     let Ok((_, top)) = top(house) else {
         return Some(Reason::Monument);
@@ -168,7 +168,7 @@ pub(in crate::ide) fn house_fixed(sheet: &Sheet<'_>, house: &House) -> Option<Re
         .or(open.then_some(Reason::Open))
 }
 
-/// Why a storey cannot be removed or raised: where it is written.
+/// Returns the reason why a storey cannot be removed or raised, by its place in the file.
 pub(in crate::ide) fn storey_fixed(sheet: &Sheet<'_>, storey: &Storey) -> Option<Reason> {
     if storey.span.file.0 != 0 {
         return Some(Reason::Include);
@@ -185,7 +185,7 @@ pub(in crate::ide) fn storey_fixed(sheet: &Sheet<'_>, storey: &Storey) -> Option
     }
 }
 
-/// A storey on the highest one.
+/// Adds a storey on the highest one.
 pub(super) fn add(
     sheet: &Sheet<'_>,
     house: usize,
@@ -213,7 +213,7 @@ pub(super) fn add(
     Ok(tidy(edits))
 }
 
-/// The walks of a storey, all of plain wall.
+/// Returns the walks of a storey, all of plain wall.
 fn copied(sheet: &Sheet<'_>, storey: &Storey) -> Result<Vec<Walk>, Text> {
     let mut walks = vec![];
     for ring in storey.rings.iter().filter(|r| r.closed && !r.inner) {
@@ -230,7 +230,7 @@ fn copied(sheet: &Sheet<'_>, storey: &Storey) -> Result<Vec<Walk>, Text> {
     Ok(walks)
 }
 
-/// A walk within a storey.
+/// Returns a walk within a storey.
 fn within(storey: &Storey, outline: &[[f64; 2]]) -> Result<Walk, Text> {
     let corners = outline::checked(outline)?;
     let rings = storey.rings.iter().filter(|r| r.closed && !r.inner);
@@ -242,7 +242,7 @@ fn within(storey: &Storey, outline: &[[f64; 2]]) -> Result<Walk, Text> {
     Walk::new(&corners, &codes, false)
 }
 
-/// A storey behind the last one of a legacy house.
+/// Adds a storey after the last one of a legacy house.
 fn on_lines(
     sheet: &Sheet<'_>,
     house: &sections::House,
@@ -289,7 +289,7 @@ fn on_lines(
     Ok(edits)
 }
 
-/// A storey behind another one in the XML form.
+/// Adds a storey after another one in the XML form.
 fn on_element(
     sheet: &Sheet<'_>,
     storey: &Storey,
@@ -335,7 +335,7 @@ fn on_element(
     })
 }
 
-/// A storey goes.
+/// Removes a storey.
 pub(super) fn remove(sheet: &Sheet<'_>, house: usize, storey: usize) -> Result<Vec<Edit>, Text> {
     let (own, level) = find::storey(sheet, house, storey)?;
     let others = own.storeys.iter().enumerate().filter(|(s, _)| *s != storey);
@@ -367,7 +367,7 @@ pub(super) fn remove(sheet: &Sheet<'_>, house: usize, storey: usize) -> Result<V
     Ok(tidy(edits))
 }
 
-/// The lines of a storey of the legacy form go, and its height.
+/// Removes the lines of a storey of the legacy form, and its height.
 fn lines_gone(sheet: &Sheet<'_>, house: &sections::House, storey: usize) -> Vec<Edit> {
     let lines = &sheet.outline.lines;
     let nothing = |range| Edit {

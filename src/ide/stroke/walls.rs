@@ -1,4 +1,4 @@
-//! Walls that slide and walls that break.
+//! Sliding and breaking of walls.
 
 use super::draft::{Draft, End, Line};
 use super::refuse;
@@ -8,12 +8,12 @@ use crate::geometry::{SAME, area2};
 use crate::ide::stroke::sheet::Reason;
 use glam::{DVec2, dvec2};
 
-/// The way out of a wall that runs in a direction.
+/// Returns the direction outward of a wall that runs in a direction.
 pub(super) fn outward(direction: DVec2) -> DVec2 {
     dvec2(direction.y, -direction.x)
 }
 
-/// The most that a wall moves at once, U.
+/// The maximum distance of one move, U.
 pub(super) const FARTHEST: i32 = 1000;
 
 impl Draft {
@@ -56,7 +56,7 @@ impl Draft {
         }
     }
 
-    /// Takes out those of two walls that have no length left, and makes one of the walls beside each.
+    /// Removes those of two walls that have no length left, and merges their neighbours.
     fn join(&mut self, before: usize, after: usize) -> Result<(), Text> {
         let mut gone: Vec<usize> = [before, after].into_iter().collect();
         gone.retain(|l| self.lines[*l].length() < SAME);
@@ -71,7 +71,7 @@ impl Draft {
         Ok(())
     }
 
-    /// Takes out a wall without a length; the walls beside it become one.
+    /// Removes a wall without a length; its neighbours become one.
     fn collapse(&mut self, line: usize) -> Result<(), Text> {
         let count = self.lines.len();
         let (one, other) = ((line + count - 1) % count, (line + 1) % count);
@@ -83,7 +83,7 @@ impl Draft {
             return Err(refuse::vanishes());
         }
         if other == 0 {
-            // The walk begins where the wall before did.
+            // The walk begins where the previous wall did.
             let moved = std::mem::take(&mut self.lines[one].pieces);
             let length: f64 = moved.iter().map(|p| p.width).sum();
             self.start -= e * length;
@@ -155,7 +155,7 @@ impl Draft {
         }
     }
 
-    /// The wall before one that goes out at its very start reaches as far.
+    /// Extends the wall before a part that is pushed out from its very start.
     fn lengthen_before(&mut self, wall: usize, shift: DVec2) -> Result<(), Text> {
         let count = self.lines.len();
         let before = (wall + count - 1) % count;
@@ -166,7 +166,7 @@ impl Draft {
         self.join(before, before)
     }
 
-    /// The wall behind one that goes out to its very end begins there.
+    /// Moves the start of the wall after a part that is pushed out to its very end.
     fn lengthen_after(&mut self, wall: usize, shift: DVec2) -> Result<(), Text> {
         let after = (wall + 1) % self.lines.len();
         self.stretch(after, End::Start, -shift)?;
@@ -176,7 +176,7 @@ impl Draft {
         self.join(after, after)
     }
 
-    /// Refuses walls that cross or touch others of the storey, or leave another side of a court.
+    /// Refuses walls that cross or touch others of the storey, or that move a court to the other side.
     pub(super) fn check(&self, ring: usize, storey: &Storey) -> Result<(), Text> {
         let corners = self.corners();
         let old = storey.rings[ring].corners();
@@ -217,7 +217,7 @@ impl Draft {
     }
 }
 
-/// The other closed rings of a storey.
+/// Returns the other closed rings of a storey.
 fn others(storey: &Storey, ring: usize) -> impl Iterator<Item = &crate::building::Ring> {
     let all = storey.rings.iter().enumerate();
     all.filter(move |(i, r)| *i != ring && r.closed)

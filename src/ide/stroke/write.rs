@@ -6,7 +6,7 @@ use crate::diagnostic::Text;
 use crate::ide::format::Edit;
 use crate::ide::stroke::sheet::Home;
 
-/// The edits that write a change: the lines that stay are changed where they differ, others come and go.
+/// Returns the edits that write a change: remaining lines are changed where they differ, others are added and removed.
 pub(super) fn edits(change: &Change<'_>) -> Result<Vec<Edit>, Text> {
     let touched = |wall: usize| change.draft.lines.iter().any(|l| l.base == Some(wall));
     for (wall, row) in change.rows.iter().enumerate() {
@@ -21,7 +21,7 @@ pub(super) fn edits(change: &Change<'_>) -> Result<Vec<Edit>, Text> {
             return Err(reason.text());
         }
     }
-    // Facades stand for all their floors.
+    // A facade includes all its floors.
     let floors = change.rows.iter().any(|r| change.sheet.floor(r).is_some());
     let bases = change.draft.lines.iter().map(|l| l.base);
     if floors && !bases.eq((0..change.rows.len()).map(Some)) {

@@ -1,5 +1,5 @@
-//! A drawn ring in the XML form: rows whose codes, parts and repetitions stay where they are, with whatever stands
-//! between them.
+//! A drawn ring in the XML form: rows whose codes, parts and repetitions stay where they are, with the content between
+//! them.
 
 use super::change::{CELL, Change, padded};
 use super::draft::Piece;
@@ -11,7 +11,7 @@ use crate::ide::stroke::sheet::{Cell, Form, Home, Reason, Sheet, What, name};
 use crate::parse::syntax::Element;
 use std::ops::Range;
 
-/// The edits of the rows of a ring.
+/// Returns the edits of the rows of a ring.
 pub(super) fn edits(change: &Change<'_>) -> Result<Vec<Edit>, Text> {
     let mut edits = vec![];
     if change.starts_anew() {
@@ -47,7 +47,7 @@ fn element_of<'a>(change: &Change<'a>, wall: usize) -> &'a Element {
     &change.sheet.outline.elements[index]
 }
 
-/// The attribute that tells where the walk begins, with its new value.
+/// Returns the edit of the attribute that specifies the start of the walk.
 fn start(change: &Change<'_>) -> Result<Edit, Text> {
     let Home::Element(row) = change.rows[0].home else {
         return Err(refuse::no_such_place());
@@ -94,7 +94,7 @@ fn start(change: &Change<'_>) -> Result<Edit, Text> {
     Ok(Edit { range, text })
 }
 
-/// Takes an attribute out, with the blanks before it.
+/// Removes an attribute, with the blanks before it.
 pub(super) fn without(sheet: &Sheet<'_>, attribute: &Range<usize>) -> Edit {
     let before = sheet.text[..attribute.start].trim_end().len();
     Edit {
@@ -103,12 +103,12 @@ pub(super) fn without(sheet: &Sheet<'_>, attribute: &Range<usize>) -> Edit {
     }
 }
 
-/// A number without needless decimals.
+/// Formats a number without needless decimals.
 pub(super) fn plain(number: f64) -> String {
     crate::backend::number::Number(number).to_string()
 }
 
-/// The turn at the end of a row, where it has to be another one.
+/// Returns the edit of the turn at the end of a row, if it changes.
 fn turned(change: &Change<'_>, wall: usize, turn: Option<&str>) -> Result<Option<Edit>, Text> {
     let Some(turn) = turn else { return Ok(None) };
     let element = element_of(change, wall);
@@ -138,7 +138,7 @@ fn turned(change: &Change<'_>, wall: usize, turn: Option<&str>) -> Result<Option
     }))
 }
 
-/// A new row behind another one.
+/// Adds a new row after another one.
 fn new_row(change: &Change<'_>, wall: usize, pieces: &[Piece], turn: Option<&str>) -> Edit {
     let at = element_of(change, wall).range.end;
     let usual = if change.ring.hole { "L" } else { "R" };
@@ -153,7 +153,7 @@ fn new_row(change: &Change<'_>, wall: usize, pieces: &[Piece], turn: Option<&str
     }
 }
 
-/// The line end and the blanks before a thing that is the first on its line.
+/// Returns the line end and the blanks before an element that is first on its line.
 pub(super) fn gap_before(text: &str, at: usize) -> &str {
     let head = text[..at].trim_end_matches([' ', '\t']);
     if !head.ends_with(['\n', '\r']) {
@@ -164,13 +164,13 @@ pub(super) fn gap_before(text: &str, at: usize) -> &str {
     &text[start.len()..at]
 }
 
-/// Takes a row out.
+/// Removes a row.
 fn removed(change: &Change<'_>, wall: usize, edits: &mut Vec<Edit>) {
     let range = element_of(change, wall).range.clone();
     edits.extend(gone(change.sheet, range));
 }
 
-/// Takes an element out with the line that it has for itself; comments in it stay.
+/// Removes an element with its line, if it is alone on it; comments in it stay.
 pub(super) fn gone(sheet: &Sheet<'_>, range: Range<usize>) -> Vec<Edit> {
     let mut edits = vec![];
     let gap = gap_before(sheet.text, range.start).len();
@@ -188,14 +188,14 @@ pub(super) fn gone(sheet: &Sheet<'_>, range: Range<usize>) -> Vec<Edit> {
     edits
 }
 
-/// How new parts are written.
+/// The form in which new parts are written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Style {
     Codes,
     Parts,
 }
 
-/// The edits of a row that stays.
+/// Returns the edits of a remaining row.
 fn row(change: &Change<'_>, wall: usize, pieces: &[Piece], edits: &mut Vec<Edit>) {
     let row = &change.rows[wall];
     let first = row.leads();
@@ -222,7 +222,7 @@ fn row(change: &Change<'_>, wall: usize, pieces: &[Piece], edits: &mut Vec<Edit>
     );
 }
 
-/// A `repeat` that stays but makes more or less.
+/// Changes the count of a remaining `repeat`.
 fn recount(cell: &Cell, piece: &Piece, edits: &mut Vec<Edit>) {
     if let Form::Run(num, count) = &cell.form
         && *count != piece.count
@@ -234,7 +234,7 @@ fn recount(cell: &Cell, piece: &Piece, edits: &mut Vec<Edit>) {
     }
 }
 
-/// The removed and the new text between two cells that stay.
+/// Returns the removed and the new source between two remaining cells.
 fn gap(
     change: &Change<'_>,
     wall: usize,
@@ -275,7 +275,7 @@ fn gap(
     }
 }
 
-/// The code of a `Part` for another one, where nothing else was reported of the part.
+/// Returns the edit that replaces the code of a `Part`, unless its width or height is given for the old one.
 fn recoded(sheet: &Sheet<'_>, element: usize, piece: &Piece) -> Option<Edit> {
     let own = &sheet.outline.elements[element];
     let said = own.attribute("width").is_some() || own.attribute("height").is_some();
@@ -291,7 +291,7 @@ fn escaped(code: &str) -> String {
     quick_xml::escape::escape(code).into_owned()
 }
 
-/// A cell goes, with the line that it has for itself.
+/// Removes a cell, with its line if it is alone on it.
 fn deleted(sheet: &Sheet<'_>, cells: &[Cell], cell: usize) -> Vec<Edit> {
     let (text, range) = (sheet.text, cells[cell].range.clone());
     let rest = text[range.end..].trim_start_matches([' ', '\t']);
@@ -304,7 +304,7 @@ fn deleted(sheet: &Sheet<'_>, cells: &[Cell], cell: usize) -> Vec<Edit> {
         edits[0].range.start += gap;
         return edits;
     }
-    // Blanks that filled up the code before it go where they would stand at the end.
+    // Padding blanks of the code before it are removed at the end of a line.
     let before = cell.checked_sub(1).map(|c| &cells[c]);
     let beside = before.filter(|b| b.form == Form::Code && b.range.end == range.start);
     let last = cells
@@ -324,7 +324,7 @@ fn deleted(sheet: &Sheet<'_>, cells: &[Cell], cell: usize) -> Vec<Edit> {
     }]
 }
 
-/// How a row writes its parts.
+/// Returns the form in which a row writes its parts.
 fn style(cells: &[Cell]) -> Style {
     let codes = cells.iter().any(|c| c.form == Form::Code);
     let parts = cells.iter().any(|c| matches!(c.form, Form::Part(_)));
@@ -339,7 +339,7 @@ fn style(cells: &[Cell]) -> Style {
 fn ends_line(change: &Change<'_>, wall: usize, cell: usize) -> bool {
     let own = &change.rows[wall].cells[cell].range;
     let rest = change.sheet.text[own.end..].trim_start_matches([' ', '\t']);
-    // A comment does not part codes.
+    // A comment does not separate codes.
     !rest.starts_with("<!--") && rest.starts_with(['<', '\n', '\r'])
 }
 
