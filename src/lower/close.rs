@@ -15,7 +15,7 @@ const RING_ERROR: f64 = 0.01;
 const ODD_ERROR: f64 = 0.001;
 /// Walks with up to this many degrees of written turns may stay open: a facade, not a house.
 const OPEN_TURNS: f64 = 180.0;
-/// Plans beyond this many U are taken for a slip, and exceed the precision of what follows.
+/// Plans beyond this many U are taken for a mistake, and exceed the precision of later passes.
 const LARGEST: f64 = 100_000.0;
 
 /// Checks a walk, spreads a small closing error, and returns whether the walk bounds an area.
@@ -55,7 +55,7 @@ pub(super) fn close(walk: &mut Walk, ring: bool, out: &mut Diagnostics) -> bool 
     true
 }
 
-/// The sum of the turns between walls, degrees, without the closing one.
+/// Returns the sum of the turns between walls, degrees, without the closing one.
 fn written(walk: &Walk) -> f64 {
     walk.turns[..walk.turns.len() - 1].iter().sum()
 }
@@ -65,7 +65,7 @@ fn once_round(walk: &Walk) -> f64 {
     if walk.hole { -360.0 } else { 360.0 }
 }
 
-/// True if a closing turn of less than half a circle completes the sum.
+/// Returns true if a closing turn of less than half a circle completes the sum.
 fn closes_with(walk: &Walk, written: f64) -> bool {
     (once_round(walk) - written).abs() < 180.0 - 1e-6
 }
@@ -119,8 +119,8 @@ fn report_gap(walk: &Walk, ring: bool, gap: DVec2, length: f64, out: &mut Diagno
     }
 }
 
-/// The line end whose turn, made the other way, closes the walk: the rest of it then lies turned by
-/// half a circle about that corner.
+/// Returns the line end whose turn, reversed, closes the walk: the rest of it is then rotated by half a circle about
+/// that corner.
 fn wrong_turn(walk: &Walk, written: f64, gap: DVec2) -> Option<usize> {
     let start = walk.walls[0].from;
     (0..walk.turns.len() - 1).find(|&i| {
@@ -132,8 +132,8 @@ fn wrong_turn(walk: &Walk, written: f64, gap: DVec2) -> Option<usize> {
     })
 }
 
-/// Two neighbouring line ends whose turns, exchanged, close the walk: the line between them then runs
-/// the other way; the first of the two.
+/// Returns the first of two neighbouring line ends whose turns, exchanged, close the walk: the line between them then
+/// runs in the opposite direction.
 fn moved_turn(walk: &Walk, written: f64) -> Option<usize> {
     let start = walk.walls[0].from;
     let mut between = 0..walk.turns.len().saturating_sub(2);
@@ -154,19 +154,18 @@ pub(crate) struct ClosingFix {
     pub edit: Option<Edit>,
 }
 
-/// The changes that turn some line ends the other way; none where one of them cannot be changed.
+/// Returns the edits that reverse the turns of some line ends; none if one of them cannot be changed.
 fn flipped(walk: &Walk, range: Range<usize>) -> Vec<Edit> {
     let edits = range.map(|i| text::turn_back(&walk.walls[i], walk.turns[i]));
     edits.collect::<Option<_>>().unwrap_or_default()
 }
 
-/// The same for all, save the last, which closes the walk.
+/// Returns the same edits for all line ends except the last, which closes the walk.
 fn mirrored(walk: &Walk) -> Vec<Edit> {
     flipped(walk, 0..walk.turns.len() - 1)
 }
 
-/// For each axis of the gap the lines that could take it up, the last first: an author has just
-/// written those.
+/// Returns for each axis of the gap the lines that could close it, the last first: an author has just written those.
 fn fixes(walk: &Walk, gap: DVec2) -> Vec<Vec<ClosingFix>> {
     let mut found = vec![];
     for axis in [DVec2::X, DVec2::Y] {
@@ -202,10 +201,11 @@ fn spread(walls: &mut [Wall], gap: DVec2, length: f64) {
     }
 }
 
-/// The largest share by which a wall may grow or shrink.
+/// The largest share by which a wall may be stretched or shortened.
 const MOST_STRETCH: f64 = 0.25;
 
-/// A wall of length l and direction d changes by l (d . k); the sum of all changes is to undo the gap.
+/// Stretches the walls: a wall of length l and direction d changes by l (d . k); the sum of all changes cancels the
+/// gap.
 fn stretch(walls: &mut [Wall], gap: DVec2) -> bool {
     let (mut aa, mut ab, mut bb) = (0.0, 0.0, 0.0);
     for wall in &*walls {

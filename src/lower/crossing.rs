@@ -1,9 +1,9 @@
 //! Checks that no walls of a storey cross or touch (C4), within or between rings, and that every courtyard lies in a
 //! house.
 //!
-//! A sweep along a. Walls across the sweep (all of them in an orthogonal plan) are kept in a tree by b, so
-//! that a plan with a hundred thousand walls costs a hundred thousand look-ups; oblique walls are compared
-//! with every wall that is under the sweep, which is fine for the few dozen of a round tower.
+//! A sweep along a. Walls across the sweep (all of them in an orthogonal plan) are kept in a tree by b, so that a plan
+//! with a hundred thousand walls costs a hundred thousand look-ups; oblique walls are compared with every wall under
+//! the sweep, which is fast enough for the few dozen of a round tower.
 
 use crate::building::Ring;
 use crate::diagnostic::{Diagnostics, messages::plan};
@@ -11,7 +11,7 @@ use crate::geometry::{SAME, steps};
 use glam::DVec2;
 use std::collections::BTreeSet;
 
-/// Comparisons of oblique walls before the sweep gives up; a plan needs a few thousand.
+/// The maximum number of comparisons of oblique walls; a plan needs a few thousand.
 const MOST_COMPARISONS: usize = 20_000_000;
 
 #[derive(Clone, Copy)]
@@ -73,13 +73,13 @@ fn segments(rings: &[Ring]) -> Vec<Segment> {
     segments
 }
 
-/// Neighbours share a corner, and may; where the walk runs straight on they share no more than that.
+/// Returns true for neighbours, which may share a corner; if the walk continues straight they share no more than that.
 fn neighbours(rings: &[Ring], one: &Segment, two: &Segment) -> bool {
     let n = rings[one.ring].walls.len();
     one.ring == two.ring && ((one.wall + 1) % n == two.wall || (two.wall + 1) % n == one.wall)
 }
 
-/// The sweep for right angles, in integer steps: touching is exact.
+/// Finds a crossing at right angles, in integer steps: touching is exact.
 fn square_hit(rings: &[Ring], segments: &[Segment]) -> Option<(Segment, Segment)> {
     // (a, what, b, segment): walls along a begin before walls along b are looked up, and end after.
     let mut events = Vec::with_capacity(segments.len() * 2);
@@ -133,7 +133,7 @@ impl Stack {
     }
 }
 
-/// A wall under the sweep that meets `s` and is not its neighbour.
+/// Returns a wall under the sweep that meets `s` and is not its neighbour.
 fn first_other(
     rings: &[Ring],
     segments: &[Segment],
@@ -146,7 +146,7 @@ fn first_other(
         .find(|o| !neighbours(rings, s, o))
 }
 
-/// The sweep for any angles.
+/// Finds a crossing at any angles.
 fn oblique_hit(rings: &[Ring], segments: &[Segment]) -> Option<(Segment, Segment)> {
     let mut order: Vec<&Segment> = segments.iter().collect();
     order.sort_by_key(|s| (s.low, s.high, s.ring, s.wall));
@@ -168,7 +168,7 @@ fn oblique_hit(rings: &[Ring], segments: &[Segment]) -> Option<(Segment, Segment
     None
 }
 
-/// The distance of two walls in U, 0 where they cross.
+/// Returns the distance of two walls in U, 0 if they cross.
 fn distance(rings: &[Ring], one: &Segment, two: &Segment) -> f64 {
     let (w1, w2) = (
         &rings[one.ring].walls[one.wall],
@@ -192,9 +192,9 @@ fn properly_cross(p: DVec2, q: DVec2, r: DVec2, s: DVec2) -> bool {
     side(p, q, r) * side(p, q, s) < 0.0 && side(r, s, p) * side(r, s, q) < 0.0
 }
 
-/// Courtyards lie in an outer ring; outer rings lie side by side.
+/// Checks that courtyards lie in an outer ring, and that outer rings lie side by side.
 fn check_nesting(rings: &mut [Ring], out: &mut Diagnostics) {
-    // A look at the bounds first: a thousand courtyards have a million pairs.
+    // Bounds are compared first: a thousand courtyards have a million pairs.
     let boxes: Vec<(DVec2, DVec2)> = rings.iter().map(bounds).collect();
     let about = |j: usize, p: DVec2| p.cmpge(boxes[j].0).all() && p.cmple(boxes[j].1).all();
     for i in 0..rings.len() {
@@ -217,7 +217,7 @@ fn check_nesting(rings: &mut [Ring], out: &mut Diagnostics) {
     }
 }
 
-/// The least and the greatest coordinates of a ring.
+/// Returns the least and the greatest coordinates of a ring.
 fn bounds(ring: &Ring) -> (DVec2, DVec2) {
     let corners = ring.walls.iter().map(|w| w.from);
     corners.fold((DVec2::MAX, DVec2::MIN), |(lo, hi), p| {

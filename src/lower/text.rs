@@ -17,7 +17,7 @@ const END_TAG: u32 = 6;
 /// The code of a new wall of one unit.
 const PLAIN: &str = "KSK  ";
 
-/// The last code of a line and what follows it, if that is no more than the letter of a legacy line or the end tag
+/// Returns the last code of a line and what follows it, if that is at most the letter of a legacy line or the end tag
 /// of a row.
 fn end(wall: &Wall) -> Option<(Span, Span)> {
     let last = wall.units.last()?.span;
@@ -32,7 +32,7 @@ fn end(wall: &Wall) -> Option<(Span, Span)> {
     (inside && plain).then_some((last, rest))
 }
 
-/// True if this is the end of a row, not of a line in the legacy form.
+/// Returns true if this is the end of a row, not of a line in the legacy form.
 fn is_row(rest: Span) -> bool {
     rest.end - rest.start == END_TAG
 }

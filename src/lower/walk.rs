@@ -9,16 +9,16 @@ use crate::program::{Content, Line, Loop};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
 
-/// A loop with its walls placed, not yet judged.
+/// A loop with its walls placed, before the check that it closes.
 pub(super) struct Walk {
     pub span: Span,
     pub hole: bool,
     /// Walls with a length, in walk order.
     pub walls: Vec<Wall>,
-    /// The turn after each wall in degrees, zero-length lines added up; the last one is left out of
-    /// all sums, since the last line end counts as whatever closes the walk.
+    /// The turn after each wall in degrees, zero-length lines added up; the last one is left out of all sums, since the
+    /// last line end always closes the walk.
     pub turns: Vec<f64>,
-    /// Where the walk ends.
+    /// The end of the walk.
     pub end: DVec2,
 }
 

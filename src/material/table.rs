@@ -66,7 +66,7 @@ const fn pane(surface: Surface, rgb: [f32; 3], opacity: f32) -> Surface {
 }
 
 pub(super) static TABLE: &[Surface] = &[
-    // Wood. A kept house has brown posts; bengara is iron red with soot in oil over cedar. `boards` are
+    // Wood. A maintained house has brown posts; bengara is iron red with soot in oil over cedar. `boards` are
     // bodies of their own, `boarding` has its joints drawn.
     tinted(worn("cedar", &CEDAR, 1), SHELTERED),
     worn("cedar_fresh", &CEDAR, 0),
@@ -215,7 +215,7 @@ pub(super) static TABLE: &[Surface] = &[
     tinted(worn("sign_rusty", &SHEET, 1), [0.95, 0.91, 0.78]),
     plain("iron", [0.03, 0.03, 0.032], 0.6),
     plain("bronze", [0.11, 0.14, 0.115], 0.55),
-    // What lies in the dark behind openings.
+    // Dark surfaces behind openings.
     plain("dark", [0.012, 0.011, 0.01], 1.0),
     plain("groove", [0.05, 0.05, 0.05], 1.0),
 ];

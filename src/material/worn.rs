@@ -130,7 +130,7 @@ fn make() -> Worn {
         for (stage, look) in material.stages.iter().enumerate() {
             for shade in 0..SHADES {
                 let dim = 1.0 - SHADE * shade as f32;
-                // What stands for years under eaves is in the shades here.
+                // The shades here account for the years under eaves.
                 let own = match base.tint[..3] == SHELTERED {
                     true => [1.0; 3],
                     false => [base.tint[0], base.tint[1], base.tint[2]],

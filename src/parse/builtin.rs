@@ -1,4 +1,4 @@
-//! The catalogue that comes with the program: a file like those of authors, read by the same reader.
+//! The built-in catalogue: a file like those of authors, read by the same reader.
 
 use super::parse;
 use crate::catalog::Catalog;
@@ -16,7 +16,7 @@ static BUILTIN: LazyLock<Catalog> = LazyLock::new(|| {
     catalog
 });
 
-/// The built-in catalogue.
+/// Returns the built-in catalogue.
 pub fn builtin() -> &'static Catalog {
     &BUILTIN
 }

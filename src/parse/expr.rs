@@ -1,4 +1,4 @@
-//! Expressions (docs/contract.md 3): what is between braces, as a tree with places.
+//! Expressions (docs/contract.md 3): the content of braces, as a tree with places.
 //!
 //! From the loosest to the tightest: `or`, `and`, `not`, one comparison, `+ -`, `* / %`, the sign. Chains of equal
 //! operators are lists, so that only parentheses nest, and those at most [`DEEPEST`] deep: no expression is too
@@ -20,13 +20,13 @@ use nom::sequence::{delimited, pair, preceded, terminated};
 use nom::{Err, IResult, Parser};
 use std::ops::Range;
 
-/// Parentheses that may be open at once.
+/// The maximum depth of open parentheses.
 const DEEPEST: usize = 64;
 
-/// Words that name nothing of the author's.
+/// Reserved words, which cannot be names.
 pub(super) const RESERVED: [&str; 8] = ["and", "or", "not", "true", "false", "yes", "no", "k"];
 
-/// An expression and the bytes where it stands.
+/// An expression and its range of bytes.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Expr {
     pub(super) range: Range<usize>,
@@ -61,10 +61,10 @@ pub(super) enum Operator {
     Remainder,
 }
 
-/// Why a text is no expression.
+/// The reason why a string is not an expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Fault {
-    /// The text found instead; empty at the end.
+    /// The unexpected part; empty at the end.
     pub(super) range: Range<usize>,
     pub(super) wanted: Noun,
 }
@@ -87,7 +87,7 @@ const FLATTER: Noun = noun(
     "括弧の入れ子がもっと浅い式",
 );
 
-/// Reads what is between two braces.
+/// Parses the content of braces.
 pub(super) fn parse(text: &str) -> Result<Expr, Fault> {
     let grammar = Grammar { whole: text };
     if let Some(at) = too_deep(text) {
@@ -132,8 +132,8 @@ fn in_name(c: char) -> bool {
     c.is_alphanumeric() || c == '_'
 }
 
-/// The places of the author's names in an expression, even in one that is none yet; words in quotes, numbers, functions
-/// and words of the language are no names.
+/// Returns the places of the author's names in an expression, even in an invalid one; words in quotes, numbers,
+/// functions and reserved words are not names.
 pub(super) fn names(text: &str) -> Vec<Range<usize>> {
     let (mut found, mut at) = (vec![], 0);
     while let Some(c) = text[at..].chars().next() {
@@ -152,7 +152,7 @@ pub(super) fn names(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// Where a parenthesis opens that is one too many.
+/// Returns the offset of a parenthesis that exceeds the maximum depth.
 fn too_deep(text: &str) -> Option<usize> {
     let (mut depth, mut quote) = (0usize, None);
     for (at, c) in text.char_indices() {
@@ -171,7 +171,7 @@ fn too_deep(text: &str) -> Option<usize> {
     None
 }
 
-/// Length of the word or sign at the start of a text.
+/// Returns the length of the word or sign at the start of a string.
 fn word_at(text: &str) -> usize {
     let first = text.chars().next();
     match first {
@@ -209,7 +209,7 @@ impl<'a> ParseError<&'a str> for Missed<'a> {
 
 type Step<'a, T> = IResult<&'a str, T, Missed<'a>>;
 
-/// The rules; they know the whole text to tell places in it.
+/// The grammar rules, with the whole string for computing offsets.
 #[derive(Clone, Copy)]
 struct Grammar<'a> {
     whole: &'a str,
@@ -369,7 +369,7 @@ impl<'a> Grammar<'a> {
         Ok(self.made(text, rest, Kind::Call(name.to_owned(), list)))
     }
 
-    /// Operands of one rank.
+    /// Parses operands of one rank.
     fn chain(
         self,
         text: &'a str,
@@ -406,7 +406,7 @@ fn joined(first: Expr, more: Vec<(Operator, Expr)>) -> Expr {
     }
 }
 
-/// Puts a sign before an expression; two of a kind undo each other, up to the type they ask for.
+/// Applies signs to an expression; two of a kind cancel each other, except for the type they require.
 fn wrap(inner: Expr, starts: &[usize], kind: fn(Box<Expr>) -> Kind) -> Expr {
     let kept = match starts.len() {
         0 => 0,
@@ -421,7 +421,7 @@ fn wrap(inner: Expr, starts: &[usize], kind: fn(Box<Expr>) -> Kind) -> Expr {
         })
 }
 
-/// A word that no longer name begins with.
+/// Parses a word that no longer name begins with.
 fn keyword<'a>(word: &'static str) -> impl Parser<&'a str, Output = &'a str, Error = Missed<'a>> {
     terminated(tag(word), not(satisfy(in_name)))
 }

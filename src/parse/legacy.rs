@@ -1,15 +1,14 @@
 //! Reads the legacy form: header, walls, roofs (docs/contract.md 2; 001-05 to 001-11).
 //!
-//! A file is read line by line, once. A house is a small machine with three states: the header up to the
-//! first line of codes, the walls up to a blank line, the roofs up to `%` or the end of the file. What
-//! is in a wrong place is recognised by its form, reported, and read as what it is, so that one slip
-//! hides none of the others.
+//! A file is read line by line, once. A house is a state machine with three states: the header up to the first line of
+//! codes, the walls up to a blank line, the roofs up to `%` or the end of the file. A misplaced line is recognised by
+//! its form, reported, and read as what it is, so that one mistake hides none of the others.
 //!
 //! | file | reads |
 //! |---|---|
-//! | `line` | lines, and stand-ins for characters that do not belong |
+//! | `line` | lines, and substitutes for invalid characters |
 //! | `places` | the places that fixes change |
-//! | `fixed` | what is reported about those stand-ins |
+//! | `fixed` | messages about those substitutes |
 //! | `words` | words and numbers |
 //! | `header` | place, heights, keys |
 //! | `walls`, `cells` | storeys and rows; the codes of a row |
@@ -54,7 +53,7 @@ pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Documen
     parse_lines(source, limits, out, &mut |_, _| {})
 }
 
-/// Reads a file of the legacy form, and tells of each line what it is, with its range of the source's text.
+/// Reads a file of the legacy form; also returns the kind of each line, with its range of the source's text.
 pub fn parse_lines(
     source: &Source,
     limits: &Limits,
@@ -110,11 +109,11 @@ pub fn parse_lines(
     document
 }
 
-/// The sections as messages call them.
+/// The names of the sections in messages.
 const WALLS: Noun = noun("walls", "壁");
 const ROOFS: Noun = noun("roofs", "屋根");
 
-/// Which lines a house expects.
+/// The section that a house is in.
 #[derive(Clone, Copy, Default, PartialEq, Eq)]
 enum Section {
     #[default]
@@ -123,7 +122,7 @@ enum Section {
     Roofs,
 }
 
-/// A house under way.
+/// A house being read.
 #[derive(Default)]
 struct Draft {
     section: Section,
@@ -132,16 +131,16 @@ struct Draft {
     house: House,
     /// From its first line to its last.
     span: Option<Span>,
-    /// The blank line that was read last, with its line end, in the text of the source.
+    /// The last blank line, with its line end, in the text of the source.
     blank: Option<Range<usize>>,
     /// True if blank lines were read before it, with comments between.
     apart: bool,
-    /// Where the lines of the header end, in the text of the source.
+    /// The end of the header's lines, in the text of the source.
     header_end: Option<usize>,
 }
 
 impl Draft {
-    /// Notes a blank line; those that follow one another are one.
+    /// Records a blank line; consecutive ones count as one.
     fn blank_line(&mut self, range: Range<usize>) {
         let start = match self.blank.take() {
             Some(before) if before.end == range.start => before.start,
@@ -162,7 +161,7 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Notes line ends that editors of today do not count.
+    /// Records line ends that modern editors do not count.
     fn line_end(&mut self, end: Range<usize>) {
         if !self.old_line_ends && self.reporter.source.text()[end.clone()] == *"\r" {
             self.old_line_ends = true;
@@ -172,7 +171,7 @@ impl<'a> Reader<'a> {
     }
 
     fn line(&mut self, raw: &'a str, at: usize, end: Range<usize>) -> LineKind {
-        // Some programs of the time end a file with Ctrl-Z.
+        // Some old programs end a file with Ctrl-Z.
         let last = end.end == self.reporter.source.text().len();
         let raw = if last {
             raw.trim_end_matches('\u{1a}')
@@ -242,7 +241,7 @@ impl<'a> Reader<'a> {
         (house.blank, house.apart) = (None, false);
         match section {
             Some(section) => house.section = section,
-            // A key among walls or roofs is read there and then.
+            // A key among walls or roofs is read immediately.
             None => {
                 house
                     .header
@@ -270,7 +269,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Where a line belongs by its form; `None` is a line of the header in a wrong place.
+    /// Returns the section of a line by its form; `None` for a misplaced line of the header.
     fn section_of(&mut self, line: &Line<'_>, end: usize) -> Option<Section> {
         match self.house.section {
             Section::Header => Some(self.after_header(line)),
@@ -287,8 +286,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The changes that move a line to the end of the header. The blank line before it goes too where it would part
-    /// the walls.
+    /// Returns the edits that move a line to the end of the header. The blank line before it is removed too if it would
+    /// separate the walls.
     fn moved_up(&self, line: &Line<'_>, end: usize) -> Vec<Edit> {
         let (house, source) = (&self.house, self.reporter.source);
         let Some(to) = house.header_end else {
@@ -379,7 +378,7 @@ impl<'a> Reader<'a> {
         self.finish_house();
     }
 
-    /// Takes the house under way, unless nothing was written, and makes room for the next.
+    /// Finishes the current house, unless nothing was written, and prepares for the next.
     fn finish_house(&mut self) {
         let draft = std::mem::take(&mut self.house);
         let (Some(span), mut walls, mut house) = (draft.span, draft.walls, draft.house) else {
@@ -418,13 +417,14 @@ fn is_tag(line: &str) -> bool {
             .is_some_and(|c| c.is_ascii_alphabetic() || matches!(c, '?' | '!'))
 }
 
-/// Comment marks of other languages, at the start of a line.
+/// Returns the comment mark of another language at the start of a line.
 fn other_comment(text: &str) -> Option<&str> {
     let signs = ["//", "/*", ";"];
     signs.into_iter().find(|sign| text.starts_with(sign))
 }
 
-/// Two capitals, points, a control letter, or whole voids before them: the beginning of a wall line.
+/// Returns true if a string looks like the beginning of a wall line: two capitals, points, a control letter, or whole
+/// voids before them.
 fn looks_like_codes(text: &str) -> bool {
     let words = text.trim_start();
     let bytes = words.as_bytes();

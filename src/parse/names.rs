@@ -1,15 +1,16 @@
-//! The table of names: what the source files of a run define, and where it is used. It is made once from their outlines,
-//! so that it covers branches that are not taken and pieces that nothing uses, even in broken files; editors read it.
+//! The table of names: the definitions of the source files of a run, and their uses. It is built once from their
+//! outlines, so that it covers branches that are not taken and unused definitions, even in malformed files; editors
+//! read it.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `resolve` | fills the table |
 //! | `table` | symbols with their definitions and uses |
-//! | `scopes` | which values and pieces are known where |
-//! | `links` | which `include` leads to which file |
+//! | `scopes` | the values and definitions known at each place |
+//! | `links` | the files that `include` elements refer to |
 //! | `ids` | floors and facades |
 //! | `codes` | codes of parts and images |
-//! | `file` | source files, and what their elements name |
+//! | `file` | source files, and the names in their elements |
 
 pub(crate) mod codes;
 pub(crate) mod file;
@@ -22,23 +23,23 @@ pub(crate) mod table;
 pub(crate) use resolve::resolve;
 pub(crate) use scopes::Definition;
 
-/// The kind of thing that a name means.
+/// The kind of a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum SymbolKind {
     /// A `let`, or the `Param` of a house or a file.
     Value,
-    /// A parameter of a piece.
+    /// A parameter of a definition.
     Parameter,
     /// A `define`.
     Piece,
-    /// A part: a custom one, or one that comes with the program.
+    /// A part, custom or built-in.
     Part,
-    /// A picture that a `Texture` names.
+    /// An image that a `Texture` names.
     Picture,
     /// A `Floor` by its id.
     Floor,
     /// A `Facade` by its id.
     Facade,
-    /// A file that is included.
+    /// An included file.
     File,
 }

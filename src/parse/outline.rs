@@ -1,4 +1,4 @@
-//! Makes the [`Outline`] of a source file of either form, whatever is wrong with it.
+//! Builds the [`Outline`] of a source file of either form, however malformed.
 
 use super::legacy;
 use super::syntax::{Line, LineKind, Outline};
@@ -8,7 +8,7 @@ use crate::diagnostic::Diagnostics;
 use crate::source::{Limits, Source};
 use std::ops::Range;
 
-/// The outline of a source file of either form.
+/// Returns the outline of a source file of either form.
 pub fn of(source: &Source, limits: &Limits) -> Outline {
     let text = source.text();
     if source.size() > limits.bytes || crate::parse::looks_binary(text) {
@@ -21,7 +21,7 @@ pub fn of(source: &Source, limits: &Limits) -> Outline {
     }
 }
 
-/// The outline of a legacy file, and of the XML file that may be after it.
+/// Returns the outline of a legacy file, and of the XML file that may follow it.
 fn of_lines(source: &Source, limits: &Limits) -> Outline {
     let mut lines = vec![];
     let mut out = Diagnostics::new();
@@ -68,7 +68,7 @@ fn fill(line: &mut Line, source: &Source, row: &Row) {
     line.turn = turn.filter(|t| !t.is_empty());
 }
 
-/// Takes the `^` that ends a storey, which is no turn of its row.
+/// Removes the `^` that ends a storey, which is no turn of its row.
 fn end(line: &mut Line, text: &str) {
     let written = text[line.range.clone()].trim_end();
     if line.kind == LineKind::Wall && line.turn.is_none() && written.ends_with('^') {
@@ -78,7 +78,7 @@ fn end(line: &mut Line, text: &str) {
     }
 }
 
-/// The rows that a legacy document has, in the order of the file.
+/// Returns the rows of a legacy document, in the order of the file.
 fn rows(document: &Document) -> impl Iterator<Item = &Row> {
     let storeys = document.houses.iter().flat_map(|h| &h.storeys);
     let loops = storeys.filter_map(one).flat_map(|s| &s.loops);

@@ -1,8 +1,8 @@
-//! Where the readers' messages go: spans are made here, and a flood of them ends here.
+//! Collects the readers' messages: computes their spans and limits their number.
 //!
-//! A file of a million broken lines, or one that is no XML at all, can hold a fault a byte. No one reads a million
-//! messages, and keeping them would take more memory than a file is allowed to (docs/contract.md 7); so after [`ENOUGH`]
-//! the rest is counted only, and the last message says how many there were.
+//! A file of a million broken lines, or one that is no XML at all, can have an error per byte. Nobody reads a million
+//! messages, and keeping them would exceed the memory limit (docs/contract.md 7); so after [`ENOUGH`] the rest is only
+//! counted, and the last message states their number.
 
 use crate::diagnostic::messages::file;
 use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Text};
@@ -10,36 +10,36 @@ use crate::source::{Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Messages of one code on one place, where something is read several times.
+/// The maximum number of messages of one code for one place, if content is read several times.
 const A_FEW: usize = 4;
 
-/// More white space than anybody puts before something.
+/// The maximum white space considered before an item.
 const FAR: usize = 4096;
 
-/// Messages on one file that are passed on.
+/// The maximum number of messages for one file.
 const ENOUGH: usize = 500;
 
-/// The faults found in one source, and in those that it includes. Their texts count as if they stood behind one
-/// another: so a range tells the file too.
+/// The messages about one source, and those that it includes. Their texts are numbered consecutively, so that a range
+/// determines its file.
 pub(super) struct Reporter<'a> {
     /// The source that is being read.
     pub(super) source: &'a Source,
-    /// Where its text begins among all texts.
+    /// The start of its text among all texts.
     base: usize,
-    /// All sources but the first, with where they begin.
+    /// All sources except the first, with the starts of their texts.
     more: Vec<(usize, &'a Source)>,
     first: &'a Source,
     /// Messages already reported, for content that is read several times.
     once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
-    /// How the lines of the first source end.
+    /// The line end of the first source.
     line_end: &'static str,
     out: Diagnostics,
     said: usize,
-    /// The worst of those left out.
+    /// The highest severity of the omitted messages.
     worst: Option<Severity>,
 }
 
-/// The first line end of a text, or the usual one.
+/// Returns the first line end of a text, or the usual one.
 fn line_end(text: &str) -> &'static str {
     match text.find(['\n', '\r']).map(|at| &text.as_bytes()[at..]) {
         Some([b'\r', b'\n', ..]) => "\r\n",
@@ -63,12 +63,12 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// How the lines of the text end.
+    /// Returns the line end of the text.
     pub(super) fn line_end_text(&self) -> &'static str {
         self.line_end
     }
 
-    /// Goes on to a source that the others include, and says where its text begins among all texts.
+    /// Switches to an included source, and returns the start of its text among all texts.
     pub(super) fn enter(&mut self, source: &'a Source) -> usize {
         let (last, at) = match self.more.last() {
             Some((at, last)) => (*last, *at),
@@ -80,24 +80,24 @@ impl<'a> Reporter<'a> {
         self.base
     }
 
-    /// Goes back to the first source: from now on ranges are those of all texts.
+    /// Returns to the first source: from now on ranges are those of all texts.
     pub(super) fn leave(&mut self) {
         (self.source, self.base) = (self.first, 0);
     }
 
-    /// From now on says the same thing once for a place.
+    /// From now on, reports the same message only once per place.
     pub(super) fn say_once(&mut self) {
         self.once.get_or_insert_default();
     }
 
-    /// The source at an offset, and where it begins.
+    /// Returns the source at an offset, and the start of its text.
     pub(super) fn source_at(&self, at: usize) -> (usize, &'a Source) {
         let next = self.more.partition_point(|(base, _)| *base <= at);
         next.checked_sub(1)
             .map_or((0, self.first), |i| self.more[i])
     }
 
-    /// The span of a range of the text.
+    /// Returns the span of a range of the text.
     pub(super) fn span(&self, range: &Range<usize>) -> Span {
         if self.more.is_empty() {
             return self.first.span(range.clone());
@@ -125,7 +125,7 @@ impl<'a> Reporter<'a> {
         self.span(&(range.start - blanks..range.end))
     }
 
-    /// The author's words in a range of the text.
+    /// Returns the source in a range of the text.
     pub(super) fn quote(&self, range: &Range<usize>) -> &'a str {
         let (base, source) = self.source_at(self.base + range.start);
         let offset = |at: usize| (self.base + at).saturating_sub(base);
@@ -139,7 +139,7 @@ impl<'a> Reporter<'a> {
         self.push(|| message(span));
     }
 
-    /// Reports a message. It is built only if it may still be kept.
+    /// Reports a message. It is built only if it will be kept.
     pub(super) fn push(&mut self, message: impl FnOnce() -> Diagnostic) {
         if self.once.is_some() {
             if self.said > ENOUGH && self.worst == Some(Severity::Error) {
@@ -155,7 +155,7 @@ impl<'a> Reporter<'a> {
         }
     }
 
-    /// Returns true if a message is new for its place. Values differ from copy to copy; a few of them suffice.
+    /// Returns true if a message is new for its place. Values differ between copies; a few of them suffice.
     fn is_news(&mut self, message: &Diagnostic) -> bool {
         let Some(once) = &mut self.once else {
             return true;

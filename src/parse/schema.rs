@@ -1,6 +1,6 @@
-//! The elements of the language: their attributes and content (docs/contract.md 3). Everything that the reader says about
-//! unknown words, wrong places and values comes from these tables; the schemas in `grammar/schema` and the reference
-//! are made of them.
+//! The elements of the language: their attributes and content (docs/contract.md 3). All messages of the reader about
+//! unknown words, wrong places and values come from these tables; the schemas in `grammar/schema` and the reference are
+//! generated from them.
 
 mod attributes;
 mod kinds;
@@ -61,17 +61,17 @@ pub(in crate::parse) fn is_language(tag: Tag) -> bool {
 /// The properties of a language's elements that error recovery needs.
 #[derive(Clone, Copy)]
 pub(in crate::parse) struct SchemaHints {
-    /// Never holds anything.
+    /// True for an element that never has content.
     pub(in crate::parse) leaf: fn(&str) -> bool,
-    /// Never is directly in another of its name.
+    /// True for an element that is never a direct child of another of its name.
     pub(in crate::parse) alone: fn(&str) -> bool,
-    /// An element of the language.
+    /// True for an element of the language.
     pub(in crate::parse) known: fn(&str) -> bool,
-    /// An element that must have an attribute.
+    /// True for an element and a required attribute of it.
     pub(in crate::parse) needs: fn(&str, &str) -> bool,
-    /// An element and an attribute of it that says yes or no.
+    /// True for an element and an attribute of it with the values yes and no.
     pub(in crate::parse) switch: fn(&str, &str) -> bool,
-    /// The element that contains several elements of these names, if there is one.
+    /// Returns the element that contains several elements of these names, if there is one.
     pub(in crate::parse) around: fn(&[&str]) -> Option<&'static str>,
 }
 
@@ -85,7 +85,7 @@ pub struct Schema {
     pub attributes: &'static [AttributeSchema],
     /// The allowed content.
     pub holds: Holds,
-    /// Where it belongs, for the message when it stands elsewhere.
+    /// Its place, for the message about a misplaced one.
     pub home: &'static str,
     /// The English name.
     pub en: &'static str,
@@ -93,27 +93,27 @@ pub struct Schema {
     pub ja: &'static str,
 }
 
-/// Completions for the content of an element.
+/// The allowed content of an element.
 #[derive(Clone, Copy, Debug)]
 pub enum Holds {
-    /// This.
+    /// This content.
     Only(&'static Content),
     /// The repeated content of the element around it.
     Repeated,
-    /// The same as in the element around it.
+    /// The same content as in the parent element.
     Same,
-    /// Pieces of anything.
+    /// The content of a definition.
     Anything,
-    /// Elements of shape, which only the catalogue knows.
+    /// Body elements, which only the catalogue defines.
     Shapes,
-    /// `choice` elements, which hold the same as the element around it; or nothing.
+    /// `choice` elements with the same content as the parent element; or nothing.
     Choices,
 }
 
 /// Content that is allowed in a place.
 #[derive(Debug)]
 pub struct Content {
-    /// A name for it.
+    /// Its name.
     pub name: &'static str,
     pub(in crate::parse) tags: &'static [Tag],
     /// True if text is read as codes there.
@@ -130,12 +130,12 @@ impl Content {
 }
 
 impl Schema {
-    /// The attribute of a name.
+    /// Returns the attribute of a name.
     pub fn attribute(&self, name: &str) -> Option<&'static AttributeSchema> {
         self.attributes.iter().find(|a| a.name == name)
     }
 
-    /// The attributes that it must have.
+    /// Returns the required attributes.
     pub(in crate::parse) fn required(&self) -> impl Iterator<Item = &'static str> + Clone + use<> {
         let all = self.attributes.iter();
         all.filter(|a| a.required).map(|a| a.name)
@@ -160,7 +160,7 @@ impl Schema {
         matches!(self.tag, Catalog | Define | House | Houses | Structure)
     }
 
-    /// Returns true if its other attributes are parameters of a piece.
+    /// Returns true if its other attributes are parameters of a definition.
     pub fn takes_any_attribute(&self) -> bool {
         matches!(self.tag, Tag::Define | Tag::Use)
     }
@@ -187,7 +187,7 @@ impl Content {
         ELEMENTS.iter().filter(|e| self.tags.contains(&e.tag))
     }
 
-    /// The content of a `repeat` there.
+    /// Returns the content of a `repeat` there.
     pub fn repeated(&'static self) -> &'static Content {
         self.again.unwrap_or(self)
     }
@@ -213,7 +213,7 @@ const fn element(
     }
 }
 
-/// Where elements of [`language`](crate::parse::xml::language) belong.
+/// The place of elements of [`language`](crate::parse::xml::language).
 const ANY: &str = "any element";
 
 use Holds::{Anything, Choices, Only, Repeated, Same, Shapes};
@@ -308,7 +308,7 @@ const fn content(name: &'static str, tags: &'static [Tag]) -> Content {
     }
 }
 
-/// The same where a `repeat` holds something else.
+/// Content in which a `repeat` contains something else.
 const fn repeating(again: &'static Content, name: &'static str, tags: &'static [Tag]) -> Content {
     Content {
         again: Some(again),
@@ -402,16 +402,16 @@ pub(in crate::parse) static FACADE: Content = content(
     &[Tag::Floor, Tag::Repeat, Tag::Random, Tag::Replace],
 );
 pub(in crate::parse) static ROOFS: Content = content("roofs", &[Tag::Roof]);
-/// Things that only other files use.
+/// Definitions that only other files use.
 pub(in crate::parse) static DEFINITIONS: Content = content("definitions", &[Tag::PartDef]);
 pub(in crate::parse) static NOTHING: Content = content("nothing", &[]);
 
-/// The element of a name.
+/// Returns the element of a name.
 pub fn named(name: &str) -> Option<&'static Schema> {
     ELEMENTS.iter().find(|e| e.name == name)
 }
 
-/// The attribute that a name stands for.
+/// Returns the canonical name of an attribute.
 pub(in crate::parse) fn canonical(attribute: &str) -> &str {
     match attribute {
         "texturecode" => "code",
@@ -419,12 +419,12 @@ pub(in crate::parse) fn canonical(attribute: &str) -> &str {
     }
 }
 
-/// The schema of an element's attribute.
+/// Returns the schema of an element's attribute.
 fn borne(element: &str, attribute: &str) -> Option<&'static AttributeSchema> {
     named(element)?.attribute(canonical(attribute))
 }
 
-/// The attribute meant by a word that other programs use for it.
+/// Returns the attribute meant by a word that other programs use for it.
 pub(in crate::parse) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
     let counts = ["count", "times", "n", "number", "repeat"];
     (tag == Tag::Repeat && counts.iter().any(|c| word.eq_ignore_ascii_case(c))).then_some("num")

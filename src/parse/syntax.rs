@@ -1,15 +1,15 @@
 //! The outline of a source file as its author sees it: every line, element, attribute, code and expression with its
-//! place, before anything is computed. Editors ask it what is where; the passes have no use for it.
+//! place, before anything is computed. Editors use it; the passes do not.
 //!
 //! Invariants: ranges are of [`Source::text`](crate::source::Source::text) and lie within it, on borders of characters;
-//! elements are in the order of their start tags, each after its parent; codes are in the order of the file. There is
-//! an outline whatever is wrong with the file, and errors are not reported here but by [`parse`](crate::parse::parse).
+//! elements are in the order of their start tags, each after its parent; codes are in the order of the file. Every file
+//! has an outline, however malformed; errors are reported by [`parse`](crate::parse::parse), not here.
 
 use crate::parse::expr;
 use crate::parse::schema::{AttributeSchema, Schema};
 use std::ops::Range;
 
-/// Returns true if a text is a valid name of a value: letters, digits and `_`, and not a reserved word.
+/// Returns true if a string is a valid name of a value: letters, digits and `_`, and not a reserved word.
 pub fn is_name(text: &str) -> bool {
     expr::is_name(text) && !expr::RESERVED.contains(&text)
 }
@@ -30,7 +30,7 @@ pub struct Outline {
 pub enum LineKind {
     /// White space only.
     Blank,
-    /// For human readers.
+    /// A comment.
     Comment,
     /// `%` between houses.
     Separator,
@@ -47,7 +47,7 @@ pub enum LineKind {
 pub struct Line {
     /// Without its line end.
     pub range: Range<usize>,
-    /// The purpose.
+    /// Its kind.
     pub kind: LineKind,
     /// The codes of a wall line.
     pub codes: Vec<Range<usize>>,
@@ -58,7 +58,7 @@ pub struct Line {
 /// An element of the XML form.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// Its schema; `None` = not an element of the language, e.g. an element of shape.
+    /// Its schema; `None` = not an element of the language, e.g. a body element.
     pub schema: Option<&'static Schema>,
     /// Its name in the start tag.
     pub name: Range<usize>,
@@ -72,17 +72,17 @@ pub struct Element {
     pub attributes: Vec<Attribute>,
     /// The text directly in it.
     pub words: Vec<Words>,
-    /// The element around it.
+    /// Its parent.
     pub parent: Option<usize>,
 }
 
 impl Element {
-    /// The attribute of a name.
+    /// Returns the attribute of a name.
     pub fn attribute(&self, name: &str) -> Option<&Attribute> {
         self.attributes.iter().find(|a| a.word == name)
     }
 
-    /// The value of an attribute.
+    /// Returns the value of an attribute.
     pub fn value(&self, name: &str) -> Option<&str> {
         self.attribute(name).map(|a| &*a.value)
     }
@@ -93,7 +93,7 @@ impl Element {
 pub struct Attribute {
     /// Its schema.
     pub attribute_schema: Option<&'static AttributeSchema>,
-    /// The name it stands for: `texturecode` is `code`.
+    /// Its canonical name: `texturecode` is `code`.
     pub word: String,
     /// The name as written.
     pub name: Range<usize>,
@@ -110,7 +110,7 @@ pub struct Attribute {
 /// A run of text in an element.
 #[derive(Clone, Debug)]
 pub struct Words {
-    /// From its first character that is no white space to its last.
+    /// From its first character that is not white space to its last.
     pub range: Range<usize>,
     /// Codes of five columns, or fewer at a line's end.
     pub codes: Vec<Range<usize>>,
@@ -128,7 +128,7 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// The expression between these braces; `at` = where the text of the place begins that holds it.
+    /// Returns the expression between these braces; `at` = the start of the text that contains it.
     pub(super) fn new(inner: &str, range: Range<usize>) -> Expression {
         let start = range.start + 1;
         let names = expr::names(inner).into_iter();
@@ -140,7 +140,7 @@ impl Expression {
 }
 
 impl Outline {
-    /// The innermost element whose range holds an offset; at a border the one that begins there.
+    /// Returns the innermost element whose range contains an offset; at a border the one that begins there.
     pub fn element_at(&self, at: usize) -> Option<usize> {
         let last = self.elements.partition_point(|e| e.range.start <= at);
         let mut next = last.checked_sub(1);
@@ -154,7 +154,7 @@ impl Outline {
         None
     }
 
-    /// The line of the legacy form at an offset.
+    /// Returns the line of the legacy form at an offset.
     pub fn line_at(&self, at: usize) -> Option<usize> {
         let index = self.lines.partition_point(|l| l.range.end < at);
         self.lines
@@ -165,7 +165,7 @@ impl Outline {
             .or_else(|| (self.lines[index].range.end == at).then_some(index))
     }
 
-    /// An element and those around it, innermost first.
+    /// Returns an element and its ancestors, innermost first.
     pub fn around(&self, element: usize) -> impl Iterator<Item = usize> + '_ {
         std::iter::successors(Some(element), |e| self.elements[*e].parent)
     }

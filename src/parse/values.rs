@@ -1,6 +1,7 @@
-//! Values of expressions and names, recorded while a file is computed, for editors that show them.
+//! Values of expressions and names, recorded while a file is computed, for display in editors.
 //!
-//! A place may be computed many times, in a repetition or a piece that is used often; the first few values are kept.
+//! A place may be computed many times, in a repetition or a definition that is used often; the first few values are
+//! kept.
 
 use crate::ast::Value;
 use crate::source::Span;
@@ -19,7 +20,7 @@ pub struct Values {
 /// The values of one place.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Seen {
-    /// The first few different values, in the order of the work.
+    /// The first few different values, in the order of computation.
     pub values: Vec<Value>,
     /// True if there were more of them.
     pub more: bool,
@@ -28,7 +29,7 @@ pub struct Seen {
 }
 
 impl Values {
-    /// The value of a place, if there is one.
+    /// Returns the values of a place, if there are any.
     pub fn at(&self, place: Span) -> Option<Seen> {
         self.seen.borrow().get(&place).cloned()
     }

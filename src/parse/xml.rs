@@ -1,6 +1,6 @@
-//! The XML form (docs/contract.md 3), in three steps: [`tree`] reads the elements of any file, however broken, with their
-//! places; [`language`] computes expressions and definitions; the rest turns that tree into the document by the tables of
-//! [`schema`](crate::parse::schema).
+//! The XML form (docs/contract.md 3), in three steps: [`tree`] reads the elements of any file, however malformed, with
+//! their places; [`language`] computes expressions and definitions; the rest turns that tree into the document by the
+//! tables of [`schema`](crate::parse::schema).
 //!
 //! Details that the contract leaves open:
 //! - `true`, `false`, `1`, `0` are read as `yes` and `no`; attributes with a colon in their name, and `xmlns`, are
@@ -9,7 +9,7 @@
 //! - `random` and `replace` may be in whatever holds parts at any depth, and act on that; a `Floor` may hold its
 //!   base row as `Row`.
 //! - An unknown word that looks like a known one is read as that one, so that its content is checked too.
-//! - Expressions, conditions and named pieces are computed on the tree, see [`language`].
+//! - Expressions, conditions and definitions are computed on the tree, see [`language`].
 
 mod edits;
 mod language;
@@ -30,18 +30,19 @@ use crate::parse::schema::Tag;
 use crate::source::{Limits, Source, SourceCache};
 use read::{Node, Reader};
 
-/// Deeper nesting would overflow the stack of the passes, which recurse, whatever the limit is raised to.
+/// The maximum depth of elements whatever the limit is raised to: deeper nesting would overflow the stack of the
+/// passes, which recurse.
 const DEEPEST: usize = 256;
 
-/// Reads a file in the XML form that stands for itself: its parameters are at their defaults, and it can include
-/// nothing. Whatever is wrong with it is reported, and the rest of it read.
+/// Reads a self-contained file in the XML form: its parameters are at their defaults, and it can include nothing.
+/// Errors are reported, and the rest is read.
 pub fn parse(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Document {
     let cache = SourceCache::new(0, 0);
     let setting = ReadContext::alone(limits, &cache);
     parse_from(source, 0, setting, &mut Trees::default(), out)
 }
 
-/// The known word that is nearest to one.
+/// Returns the known word nearest to one.
 pub(super) fn nearest<'k>(
     word: &str,
     known: impl Iterator<Item = &'k str> + Clone,
@@ -49,7 +50,7 @@ pub(super) fn nearest<'k>(
     suggest::Suggest::new().among(word, known)
 }
 
-/// Reads what is from this offset of the text on. What was read before is taken from `trees`.
+/// Reads the text from this offset. Elements that were read before are taken from `trees`.
 pub(super) fn parse_from<'a>(
     source: &'a Source,
     at: usize,
@@ -93,7 +94,7 @@ pub(super) fn parse_from<'a>(
 }
 
 impl Reader<'_, '_> {
-    /// The houses of the file, and the custom parts that all of them know.
+    /// Returns the houses of the file, and the custom parts that all of them know.
     fn houses(&mut self, parts: &mut Vec<WrittenPart>) -> Vec<House> {
         let mut houses = vec![];
         for node in self.roots() {
@@ -123,7 +124,7 @@ impl Reader<'_, '_> {
                                 let mut house = self.house(schema, element);
                                 let settings = &mut house.settings;
                                 settings.age = settings.age.or(age);
-                                // Of a house that has no age either, it would say nothing.
+                                // For a house without an age it would have no effect.
                                 if settings.age.is_some() {
                                     settings.era = settings.era.or(era);
                                 }

@@ -1,12 +1,12 @@
-//! Files as bytes in the encoding of the file they came from.
+//! Encodes files in the encoding of the file they came from.
 
 use crate::source::{FileId, Source};
 use encoding_rs::Encoding;
 
 const MARK: &str = "\u{feff}";
 
-/// The bytes of a source file in the encoding of a source, with a byte order mark if it has one. UTF-8 where that encoding
-/// cannot hold the file, or where no one could tell from the bytes that they are in it.
+/// Returns the bytes of a source file in the encoding of a source, with a byte order mark if it has one; UTF-8 if that
+/// encoding cannot represent the file, or could not be detected from the bytes.
 pub fn encode(text: &str, source: &Source) -> Vec<u8> {
     let marked = source.span(0..0).start > 0;
     let bytes = in_encoding(text, source.encoding(), marked);
@@ -14,7 +14,7 @@ pub fn encode(text: &str, source: &Source) -> Vec<u8> {
     bytes.filter(readable).unwrap_or_else(|| utf8(text, marked))
 }
 
-/// The name by which a declaration tells the encoding of a source.
+/// Returns the name of a source's encoding in a declaration.
 pub(super) fn label(source: &Source) -> &'static str {
     match source.encoding() {
         "UTF-16LE" | "UTF-16BE" => "UTF-16",

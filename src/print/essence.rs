@@ -1,16 +1,16 @@
 //! The meaning of a tree, without its places.
 //!
-//! Two files mean the same where the trees of both are the same but for their places. So this serializer writes down
-//! everything but [`Span`](crate::source::Span)s, which go by their name, and knows nothing else of the trees: what is
-//! added to them is compared too.
+//! Two files mean the same if their trees differ only in places. So this serializer writes everything except
+//! [`Span`](crate::source::Span)s, which it recognizes by their name, and knows nothing else of the trees: new fields
+//! are compared too.
 
 use serde::ser::{self, Serialize, Serializer};
 use std::fmt::Error;
 
-/// The content of a tree as bytes; equal for trees that differ in places only.
+/// Returns the content of a tree as bytes; equal for trees that differ only in places.
 pub fn essence(tree: &impl Serialize) -> Vec<u8> {
     let mut writer = Writer { bytes: vec![] };
-    // Writing to memory does not fail, and no tree of ours refuses to be written.
+    // Writing to memory does not fail, and none of our trees refuses serialization.
     let written = tree.serialize(&mut writer);
     debug_assert!(written.is_ok());
     writer.bytes
@@ -198,7 +198,7 @@ impl<'w> Serializer for &'w mut Writer {
     }
 }
 
-/// Members one after another, and a bracket behind them, so that no two lists run into each other.
+/// Writes members one after another, with a closing bracket, so that no two lists run into each other.
 macro_rules! members {
     ($($of:ident $member:ident),*) => {$(
         impl ser::$of for &mut Writer {
@@ -224,7 +224,7 @@ members!(
     SerializeTupleVariant serialize_field
 );
 
-/// The same with names: of fields, or of their values in a map.
+/// Writes members with names: of fields, or of their values in a map.
 macro_rules! named_members {
     ($($of:ident),*) => {$(
         impl ser::$of for &mut Writer {

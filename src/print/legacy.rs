@@ -1,5 +1,4 @@
-//! Lays out a legacy file: codes in their five columns, fields of roof lines below each other, one blank line
-//! where there are several.
+//! Formats a legacy file: codes in their five columns, fields of roof lines aligned, one blank line instead of several.
 //!
 //! Conventions, where the contract leaves a choice:
 //! - the last code of a line loses the blanks that fill it up, since editors take them away too; a control letter
@@ -18,13 +17,13 @@ use crate::parse::legacy::parse_lines;
 use crate::parse::syntax::LineKind;
 use crate::source::{Limits, Source};
 
-/// Columns of a code.
+/// Number of columns of a code.
 const CELL: usize = 5;
 
-/// A void that can be seen.
+/// A visible void.
 const VOID: &str = ".....";
 
-/// Lays out a source file without errors, with line feeds.
+/// Formats a source file without errors, with line feeds.
 pub(super) fn format(source: &Source, limits: &Limits, document: &Document) -> String {
     let mut lines = vec![];
     let each = &mut |range, kind| lines.push((range, kind));
@@ -64,14 +63,14 @@ pub(super) fn format(source: &Source, limits: &Limits, document: &Document) -> S
     printer.text
 }
 
-/// The lines of codes, in the order of the file.
+/// Returns the lines of codes, in the order of the file.
 fn rows(document: &Document) -> impl Iterator<Item = &Row> {
     let storeys = document.houses.iter().flat_map(|house| &house.storeys);
     let loops = storeys.filter_map(one).flat_map(|storey| &storey.loops);
     loops.flat_map(|walk| &walk.rows).filter_map(one)
 }
 
-/// The thing itself; a legacy form knows no operations.
+/// Returns the item itself; the legacy form has no operations.
 fn one<T>(item: &Item<T>) -> Option<&T> {
     match item {
         Item::One(thing) => Some(thing),
@@ -103,7 +102,7 @@ impl Printer {
         }
         self.gap = false;
         write(&mut self.text);
-        // Codes end where they have to: the last may need its blanks.
+        // Codes end at their fifth column: the last may need its blanks.
         if kind != LineKind::Wall {
             let blank = |c: char| c != '\n' && c.is_whitespace();
             let end = self.text.trim_end_matches(blank).len();
@@ -117,7 +116,7 @@ fn header(raw: &str, text: &mut String) {
     let raw = raw.trim();
     let key = raw.split_whitespace().next().unwrap_or_default();
     if key == "name" {
-        // A name may hold any number of blanks.
+        // A name may contain any number of blanks.
         text.push_str("name ");
         text.push_str(raw[key.len()..].trim());
     } else {
@@ -136,7 +135,7 @@ fn wall(row: Option<&Row>, raw: &str, text: &mut String) {
     codes(row.into_iter().flat_map(codes_of), text, control);
 }
 
-/// The codes of a line.
+/// Returns the codes of a line.
 pub(super) fn codes_of(row: &Row) -> impl Iterator<Item = CodeText> {
     let pieces = row.pieces.iter().filter_map(one);
     pieces.filter_map(Piece::code).map(|code| code.value)
@@ -155,7 +154,7 @@ pub(super) fn codes(list: impl Iterator<Item = CodeText>, text: &mut String, con
     }
     if control.is_empty() {
         let end = text.trim_end_matches(' ').len().max(start);
-        // One column alone would be taken for a slip or a control letter.
+        // One column alone would be taken for a mistake or a control letter.
         if (end - start) % CELL != 1 {
             text.truncate(end);
         }

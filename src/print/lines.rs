@@ -1,11 +1,11 @@
-//! How two files differ, line by line.
+//! Line differences between two files.
 
 use std::ops::Range;
 
-/// How far apart the same line may be in both files.
+/// The maximum distance of a line's positions in both files.
 const NEAR: usize = 60;
 
-/// The lines that differ, as ranges of both files in their order; all between them are the same.
+/// Returns the lines that differ, as ranges of both files in their order; all lines between them are equal.
 pub fn changes<L: PartialEq>(old: &[L], new: &[L]) -> Vec<(Range<usize>, Range<usize>)> {
     let (mut i, mut j, mut found) = (0, 0, vec![]);
     while i < old.len() || j < new.len() {
@@ -20,8 +20,8 @@ pub fn changes<L: PartialEq>(old: &[L], new: &[L]) -> Vec<(Range<usize>, Range<u
     found
 }
 
-/// How many lines of both are before the next one they share; at least one of both files moves on. As many of one as
-/// of the other come first, since most changes are within lines.
+/// Returns the number of lines of both before the next one they share; at least one of both is positive. Equal numbers
+/// come first, since most changes are within lines.
 fn apart<L: PartialEq>(old: &[L], new: &[L]) -> (usize, usize) {
     for distance in 1..=NEAR.min(old.len() + new.len()) {
         let middle = distance.div_ceil(2);

@@ -4,10 +4,10 @@
 use crate::parse::syntax::LineKind;
 use std::ops::Range;
 
-/// Fields before the options: covering, direction, height, shape, a0, b0, a1, b1.
+/// Number of fields before the options: covering, direction, height, shape, a0, b0, a1, b1.
 const FIELDS: usize = 8;
 
-/// How wide the fields are at least, so that they are in columns 1, 3, 5-9, 11-13, 15-17, 19-21, 23-25, 27-29.
+/// Minimum widths of the fields, so that they are in columns 1, 3, 5-9, 11-13, 15-17, 19-21, 23-25, 27-29.
 const WIDTHS: [usize; FIELDS] = [1, 1, 5, 3, 3, 3, 3, 3];
 
 /// Fields of numbers.
@@ -25,7 +25,7 @@ impl Default for Table {
     }
 }
 
-/// A table for each house of a source file.
+/// Returns a table for each house of a source file.
 pub(super) fn tables(text: &str, lines: &[(Range<usize>, LineKind)]) -> Vec<Table> {
     let mut tables = vec![Table::default()];
     for (range, kind) in lines {
@@ -43,7 +43,7 @@ pub(super) fn tables(text: &str, lines: &[(Range<usize>, LineKind)]) -> Vec<Tabl
 }
 
 impl Table {
-    /// Makes room for a line.
+    /// Widens the fields for a line.
     pub(super) fn hold(&mut self, raw: &str) {
         let Some(fields) = fields(raw) else { return };
         for (width, field) in self.widths.iter_mut().zip(&fields) {
@@ -73,7 +73,7 @@ impl Table {
     }
 }
 
-/// The fields of a line that has all of them.
+/// Returns the fields of a line that has all of them.
 fn fields(raw: &str) -> Option<Vec<String>> {
     let list: Vec<&str> = raw.split_whitespace().take(FIELDS).collect();
     let number = |text: &str| text.parse::<f64>().is_ok();

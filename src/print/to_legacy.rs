@@ -1,5 +1,5 @@
-//! A house in the legacy form. It is written from the program of the house, where repetitions and substitutions are
-//! counted out and expressions have values; what the lines of codes cannot say is reported with its place.
+//! A house in the legacy form. It is written from the program of the house, where repetitions are expanded and
+//! expressions have values; features without a legacy form are reported with their place.
 
 use super::{legacy, table};
 use crate::ast::{
@@ -14,10 +14,9 @@ use crate::source::{Source, Span};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-/// Writes the houses of an XML file without errors as legacy form, with its line ends.
+/// Writes the houses of an XML file without errors in the legacy form, with its line ends.
 ///
-/// # Errors
-/// `None` where the legacy form cannot say something; `out` says what.
+/// # Errors `None` if the legacy form cannot express something; `out` receives the reason.
 pub fn to_legacy(
     source: &Source,
     document: &Document,
@@ -48,7 +47,7 @@ pub fn to_legacy(
         let written = document.houses.get(index);
         let facades = written.and_then(|house| house.structures.first());
         if let Some(structure) = facades {
-            // All else that could be said of them comes from that.
+            // All further messages would follow from that.
             writer.refuse(structure.span, say::facades(structure.span));
             continue;
         }
@@ -70,7 +69,7 @@ struct Writer<'s> {
     catalog: &'s Catalog,
     pictures: &'s [Picture],
     text: String,
-    /// Where they count as standing, and their lines; the last one first.
+    /// The comments with the offsets they belong to, and their lines; the last one first.
     comments: Vec<(usize, Vec<String>)>,
     /// The diagnostics reported so far, by code and place: repeated content would repeat them.
     told: BTreeSet<(u16, Span)>,
@@ -170,7 +169,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The letter of a turn.
+    /// Returns the letter of a turn.
     fn turn(&mut self, line: &Line) -> &'static str {
         match line.turn {
             90.0 if line.units.is_empty() => "R",
@@ -191,12 +190,12 @@ impl Writer<'_> {
         let codes = codes
             .into_iter()
             .map(|code| crate::ast::CodeText::new(&code));
-        // Voids of the way to the start may be on the line already: whole codes all the same.
+        // The voids that lead to the start may be on the line already, as whole codes.
         legacy::codes(codes, &mut self.text, control);
         self.text.push('\n');
     }
 
-    /// The code of a unit.
+    /// Returns the code of a unit.
     fn code(&mut self, unit: &Unit) -> String {
         let (code, width) = match &unit.content {
             Content::Void => (".....", 1.0),
@@ -232,7 +231,7 @@ impl Writer<'_> {
         code
     }
 
-    /// Voids and turns that lead to the start of a storey: whole lines, or voids before the first part.
+    /// Writes voids and turns that lead to the start of a storey: whole lines, or voids before the first part.
     fn way(&mut self, (a, b): (f64, f64), span: Span) -> String {
         if a.fract() != 0.0 || b.fract() != 0.0 || a.abs().max(b.abs()) > 1000.0 {
             self.refuse(span, say::start_between(self.head(span)));
@@ -240,7 +239,7 @@ impl Writer<'_> {
         }
         let (mut text, mut heading) = (String::new(), 0);
         let mut turn_to = |text: &mut String, target: i32| {
-            // The end of a line turns right by itself.
+            // The end of a line turns right by default.
             let right = if text.ends_with('.') { "\n" } else { "R\n" };
             match (target - heading).rem_euclid(4) {
                 1 => text.push_str(right),
@@ -290,7 +289,7 @@ impl Writer<'_> {
         }
     }
 
-    /// The first line of a long construct.
+    /// Returns the first line of a long construct.
     fn head(&self, span: Span) -> Span {
         let range = self.source.text_range(span);
         let first = self.source.text()[range.clone()].lines().next();
@@ -299,7 +298,7 @@ impl Writer<'_> {
     }
 }
 
-/// The words of a roof line; what is stated for all roofs is stated for each.
+/// Returns the words of a roof line; settings of all roofs are repeated for each.
 fn roof(line: &RoofLine, all: &RoofStyle) -> String {
     let own = &line.style;
     let letter = |kind: RoofKind| {
@@ -361,7 +360,7 @@ fn roof(line: &RoofLine, all: &RoofStyle) -> String {
     words
 }
 
-/// Where something is reported about the looks of all roofs.
+/// Returns the place of a setting for all roofs.
 fn style_span(style: &RoofStyle) -> Option<Span> {
     let numbers = [
         &style.pitch,

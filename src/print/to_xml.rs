@@ -1,4 +1,4 @@
-//! A legacy file as XML: a row for a line, a storey for each `^`, attributes for the header, `Roof`s for the roof
+//! A legacy file as XML: a row for each line, a storey for each `^`, attributes for the header, `Roof`s for the roof
 //! lines. Numbers keep their spelling, comments keep their order.
 
 use super::{encode, legacy, xml};
@@ -11,10 +11,9 @@ use crate::source::{Limits, Source, Span};
 use std::fmt::Write;
 use std::ops::Range;
 
-/// Writes a legacy form without errors as XML, with its line ends.
+/// Writes a legacy file without errors as XML, with its line ends.
 ///
-/// # Errors
-/// `None` where XML cannot say something; `out` says what.
+/// # Errors `None` if XML cannot express something; `out` receives the reason.
 pub fn to_xml(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option<String> {
     let mut comments = vec![];
     let each = &mut |range: Range<usize>, kind| {
@@ -47,7 +46,7 @@ fn declaration(source: &Source) -> String {
 struct Writer<'s, C: Iterator<Item = Range<usize>>> {
     source: &'s Source,
     text: String,
-    /// Those that are still to come.
+    /// The remaining comments.
     comments: std::iter::Peekable<C>,
     out: &'s mut Diagnostics,
     sound: bool,
@@ -192,7 +191,7 @@ impl<C: Iterator<Item = Range<usize>>> Writer<'_, C> {
         self.value("plain_ridge", plain);
     }
 
-    /// The source text.
+    /// Returns the source text.
     fn spelled(&self, span: Span) -> &str {
         &self.source.text()[self.source.text_range(span)]
     }
@@ -220,7 +219,7 @@ impl<C: Iterator<Item = Range<usize>>> Writer<'_, C> {
         }
     }
 
-    /// Writes the comments that are before a place, or all that are left; neighbours become one.
+    /// Writes the comments before a place, or all remaining ones; adjacent ones become one.
     fn comments_before(&mut self, place: Option<Span>) {
         let end = place.map_or(usize::MAX, |span| self.source.text_range(span).start);
         let mut before: Option<usize> = None;
@@ -255,7 +254,7 @@ fn escape(text: &str, out: &mut String) {
     }
 }
 
-/// A comment of XML holds no two dashes in a row and no control characters.
+/// Writes a comment; those of XML contain no two dashes in a row and no control characters.
 fn comment(text: &str, out: &mut String) {
     for c in text.chars() {
         if c == '-' && out.ends_with('-') {

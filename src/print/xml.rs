@@ -1,7 +1,7 @@
-//! Lays out an XML file: two blanks a level, an element a line, attributes in the author's order.
+//! Formats an XML file: two blanks per level, one element per line, attributes in the author's order.
 //!
-//! Nothing here depends on what the language knows of an element, but for which of them hold codes ([`HOLDS_CODES`]):
-//! unknown elements and attributes are laid out like any others. Conventions:
+//! Nothing here depends on the schema of an element, except which ones contain codes ([`HOLDS_CODES`]): unknown elements
+//! and attributes are formatted like any others. Conventions:
 //! - an element without content is `<x/>`, one with a single child may stay on one line; quotes and references stay as they are written;
 //! - tags that are longer than [`WIDTH`] columns go on in further lines, four blanks in;
 //! - blank lines stand where the author put them, one for several, none at the ends of an element;
@@ -17,14 +17,14 @@ use std::ops::Range;
 
 use raw::{Element, Node};
 
-/// Columns of a line.
+/// Maximum number of columns of a line.
 const WIDTH: usize = 100;
 
 /// Elements whose text is codes of five columns.
 const HOLDS_CODES: [&str; 5] = ["Row", "Floor", "split", "upper", "lower"];
 
-/// Lays out a source file with these line ends; `None` where it is not well-formed. Line breaks in values and in sections
-/// of plain text stay what they are.
+/// Formats a source file with these line ends; `None` if it is not well-formed. Line breaks in values and in CDATA
+/// sections stay as they are.
 pub(super) fn format(text: &str, end: &'static str) -> Option<String> {
     let nodes = raw::read(text)?;
     if nodes.iter().any(is_content) {
@@ -54,17 +54,17 @@ fn is_white(text: &str) -> bool {
     text.chars().all(is_blank)
 }
 
-/// White space, as the reader takes it away around line breaks.
+/// Returns true for white space that the reader removes around line breaks.
 fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
 }
 
-/// Line breaks in white space.
+/// Returns the number of line breaks in white space.
 fn breaks(text: &str) -> usize {
     lines(text).count() - 1
 }
 
-/// The lines of a source file, whatever they end with.
+/// Returns the lines of a source file, whatever their line ends.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
     text.split('\n').flat_map(|line| {
         let line = line.strip_suffix('\r').unwrap_or(line);
@@ -72,8 +72,8 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The comments of a well-formed text, the last one first: where they count as standing, and their lines. One at the
-/// end of a line stands where the line begins, since it speaks of that.
+/// Returns the comments of a well-formed file, the last one first: the offsets they belong to, and their lines. One at
+/// the end of a line belongs to the line's start.
 pub(super) fn comments(text: &str) -> Vec<(usize, Vec<String>)> {
     let mut found = raw::comments(text);
     found.reverse();
@@ -101,23 +101,23 @@ pub(super) fn comments(text: &str) -> Vec<(usize, Vec<String>)> {
         .collect()
 }
 
-/// Where the elements of a name are in a well-formed text, and the value of their first attribute.
+/// Returns the places of the elements of a name in a well-formed file, and the value of their first attribute.
 pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a str)> {
     raw::elements(text, name)
 }
 
 struct Printer {
     text: String,
-    /// Where the last line begins in it.
+    /// The start of the last line in it.
     line: usize,
     /// True if tags are written without line breaks, for measuring.
     flat: bool,
-    /// The end of a line.
+    /// The line end.
     end: &'static str,
 }
 
 impl Printer {
-    /// Columns of the last line.
+    /// Returns the number of columns of the last line.
     fn column(&self) -> usize {
         columns(&self.text[self.line..])
     }
@@ -139,7 +139,7 @@ impl Printer {
         self.text.extend(std::iter::repeat_n(' ', count));
     }
 
-    /// Nodes among which white space means nothing, a line each; the last line is left open.
+    /// Writes nodes among which white space is insignificant, one per line; the last line is left open.
     fn structure(&mut self, nodes: &[Node<'_>], depth: usize) {
         let mut white = 0;
         let mut first = true;
@@ -164,7 +164,7 @@ impl Printer {
     }
 
     fn node(&mut self, node: &Node<'_>, depth: usize, codes: bool) {
-        // No letter has more bytes than twice its columns: the measure is full.
+        // No letter has more bytes than twice its columns, so the limit is exceeded.
         if self.flat && self.text.len() > 2 * WIDTH {
             return;
         }
@@ -175,7 +175,7 @@ impl Printer {
         }
     }
 
-    /// Writes an element; `codes` = it stands among codes.
+    /// Writes an element; `codes` = it is among codes.
     fn element(&mut self, element: &Element<'_>, depth: usize, codes: bool) {
         let children = &element.children;
         if children
@@ -220,7 +220,7 @@ impl Printer {
         (codes || more.is_empty()) && self.column() + columns(line) <= WIDTH
     }
 
-    /// Children in the line of their parent.
+    /// Writes children in the line of their parent.
     fn inline(&mut self, children: &[Node<'_>], depth: usize, codes: bool) {
         for (i, child) in children.iter().enumerate() {
             if !vanishes(children, i) {
@@ -229,7 +229,7 @@ impl Printer {
         }
     }
 
-    /// Children without text, a line each.
+    /// Writes children without text, one per line.
     fn column_of(&mut self, children: &[Node<'_>], depth: usize) {
         for (i, child) in children.iter().enumerate() {
             if !vanishes(children, i) {
@@ -240,7 +240,7 @@ impl Printer {
         self.new_line(depth);
     }
 
-    /// Children in the lines that the author gave them.
+    /// Writes children in the lines that the author gave them.
     fn broken(&mut self, children: &[Node<'_>], depth: usize) {
         // A line break where a run of codes begins or ends moves nothing, unless blanks are there.
         let stays: Vec<usize> = (0..children.len())
@@ -286,7 +286,7 @@ impl Printer {
         }
     }
 
-    /// Writes the line breaks that are due.
+    /// Writes the pending line breaks.
     fn flush(&mut self, pending: &mut usize, first: &mut bool, depth: usize) {
         if *pending > 1 && !*first {
             self.push(self.end);
@@ -363,7 +363,7 @@ fn vanishes(nodes: &[Node<'_>], index: usize) -> bool {
         && !joins(Some(index + 1))
 }
 
-/// Columns of a text on the screen: two for most letters beyond ASCII.
+/// Returns the display width of a text in columns: two for most letters beyond ASCII.
 fn columns(text: &str) -> usize {
     if text.is_ascii() {
         return text.len();

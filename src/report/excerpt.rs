@@ -1,28 +1,28 @@
-//! The lines that a message is about, and no others: miette scans and measures whatever it is given.
+//! The lines that a message refers to, and no others: miette scans and measures everything it is given.
 //!
-//! An excerpt is a text of its own: the marked lines and their neighbours. Long lines are cut round the marks,
-//! with `…` for what is missing, and characters that would not stand under their own carets are replaced:
-//! miette counts the half-width voicing marks ﾞ and ﾟ as no column, terminals as one. Each goes through miette
-//! as a private character one column wide and is put back by [`restored`].
+//! An excerpt is a text of its own: the marked lines and their neighbours. Long lines are truncated round the marks,
+//! with `…` for omitted text, and characters that would not align with their carets are replaced: miette counts the
+//! half-width voicing marks ﾞ and ﾟ as no column, terminals as one. Each goes through miette as a private character one
+//! column wide and is put back by [`restored`].
 
 use super::clean;
 use super::lines::{Lines, Position};
 use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 use std::ops::Range;
 
-/// Characters of the longest line that is shown whole.
+/// Maximum length of a line that is shown whole, characters.
 const WHOLE: usize = 160;
-/// Characters before a mark in a longer line.
+/// Characters shown before a mark in a longer line.
 const BEFORE: usize = 50;
-/// Characters from a mark's start on.
+/// Characters shown from a mark's start on.
 const AFTER: usize = 80;
-/// A mark over more lines shows its first only.
+/// The number of lines beyond which a mark shows only its first.
 const TALL: usize = 6;
 
 /// Private characters for ﾞ and ﾟ.
 const STAND_INS: [(char, char); 2] = [('ﾞ', '\u{f8f0}'), ('ﾟ', '\u{f8f1}')];
 
-/// A text that stands for a file.
+/// The excerpt of a file.
 #[derive(Debug)]
 pub(super) struct Excerpt {
     name: String,
@@ -34,9 +34,9 @@ pub(super) struct Excerpt {
 /// A line of the excerpt.
 #[derive(Debug)]
 struct Row {
-    /// Of the file, from 0.
+    /// Its number in the file, from 0.
     line: usize,
-    /// In the excerpt, with its line end.
+    /// Its range in the excerpt, with its line end.
     range: Range<usize>,
 }
 
@@ -48,7 +48,7 @@ struct Mark {
 }
 
 impl Excerpt {
-    /// The lines round some ranges of the text of `lines`.
+    /// Creates an excerpt of the lines around some ranges of the text of `lines`.
     pub(super) fn new(name: &str, lines: &Lines<'_>, ranges: &[Range<usize>]) -> Excerpt {
         let ranges: Vec<_> = ranges.iter().map(|r| trimmed(lines, r.clone())).collect();
         let mut excerpt = Excerpt {
@@ -60,7 +60,7 @@ impl Excerpt {
         let mut shown: Vec<usize> = vec![];
         for range in &ranges {
             let (first, last) = (lines.line(range.start), lines.line(range.end));
-            // After the last line end there is no line, unless a mark stands there.
+            // After the last line end there is no line, unless a mark is there.
             let count = lines.count();
             let open = lines.line_range(count - 1).is_empty() && last + 1 < count;
             let count = count - usize::from(open);
@@ -80,12 +80,12 @@ impl Excerpt {
         excerpt
     }
 
-    /// Where the ranges are in the excerpt, in their order.
+    /// Returns the ranges of the marks in the excerpt, in their order.
     pub(super) fn marks(&self) -> impl Iterator<Item = Range<usize>> {
         self.marks.iter().map(|m| m.range.clone())
     }
 
-    /// Appends a line, and notes where ranges begin and end in it.
+    /// Appends a line, and records the starts and ends of ranges in it.
     fn row(
         &mut self,
         lines: &Lines<'_>,
@@ -139,7 +139,7 @@ impl Excerpt {
         });
     }
 
-    /// The row that holds an offset.
+    /// Returns the row at an offset.
     fn row_at(&self, offset: usize) -> Option<usize> {
         let row = self.rows.partition_point(|r| r.range.end <= offset);
         (row < self.rows.len()).then_some(row)
@@ -185,7 +185,7 @@ impl SourceCode for Excerpt {
     }
 }
 
-/// Puts back what stood for other characters while miette counted columns.
+/// Restores the characters that were replaced while miette counted columns.
 pub(super) fn restored(text: &str) -> String {
     let back = |c: char| {
         STAND_INS
@@ -206,7 +206,7 @@ fn shown(c: char) -> char {
     clean::visible(c).unwrap_or(c)
 }
 
-/// A range without line ends at its end, and its first line only where it is tall.
+/// Returns a range without line ends at its end; of a tall one only the first line.
 fn trimmed(lines: &Lines<'_>, range: Range<usize>) -> Range<usize> {
     let text = &lines.text()[range.clone()];
     let end = range.start + text.trim_end_matches(['\r', '\n']).len();
@@ -217,7 +217,7 @@ fn trimmed(lines: &Lines<'_>, range: Range<usize>) -> Range<usize> {
     range.start..end
 }
 
-/// The parts of a line that are shown, given where marks begin in it.
+/// Returns the parts of a line that are shown, given the starts of marks in it.
 fn kept(line: &str, mut starts: Vec<usize>) -> Vec<Range<usize>> {
     if line.len() <= WHOLE || line.char_indices().nth(WHOLE).is_none() {
         return std::iter::once(0..line.len()).collect();

@@ -1,4 +1,4 @@
-//! The report for people: each message with its lines, drawn by miette.
+//! The report for people: each message with its lines, rendered by miette.
 
 use super::excerpt::{Excerpt, restored};
 use super::{Report, SHOWN, Style, clean, name};
@@ -41,7 +41,7 @@ pub(super) fn write(report: &Report<'_>, style: Style, out: &mut dyn Write) -> i
     hint(&codes, report.language, out)
 }
 
-/// Where more is to be read.
+/// Writes where to read more.
 fn hint(codes: &[Code], language: Language, out: &mut dyn Write) -> io::Result<()> {
     let (first, rest) = match codes {
         [] => return Ok(()),
@@ -69,8 +69,8 @@ fn hint(codes: &[Code], language: Language, out: &mut dyn Write) -> io::Result<(
     }
 }
 
-/// What miette has drawn, with its word for the mend in the reader's language. Only that word begins a line
-/// behind two blanks; both words take as many columns, which the lines below it rely on.
+/// Translates miette's word for the fix. Only that word begins a line after two blanks; both words take as many
+/// columns, which the lines below it rely on.
 fn worded(drawn: &str, language: Language) -> String {
     let line = |line: &str| match line.find("  help: ") {
         Some(at) if language == Language::Japanese && is_style(&line[..at]) => {
@@ -81,7 +81,7 @@ fn worded(drawn: &str, language: Language) -> String {
     drawn.split_inclusive('\n').map(line).collect()
 }
 
-/// Whether a text is nothing but at most one escape sequence of colours.
+/// Returns true if a text is at most one escape sequence of colours.
 fn is_style(text: &str) -> bool {
     let inner = text
         .strip_prefix("\u{1b}[")
@@ -89,8 +89,8 @@ fn is_style(text: &str) -> bool {
     text.is_empty() || inner.is_some_and(|t| t.bytes().all(|b| b.is_ascii_digit() || b == b';'))
 }
 
-/// The messages with their lines: errors before warnings before notes where they are too many, yet in the
-/// order of the files.
+/// Returns the messages that are shown: errors before warnings before notes if they are too many, but in the order of
+/// the files.
 fn shown(all: &[Diagnostic]) -> Vec<&Diagnostic> {
     let mut first: Vec<usize> = (0..all.len()).collect();
     first.sort_by_key(|i| std::cmp::Reverse(all[*i].severity)); // stable
@@ -99,7 +99,7 @@ fn shown(all: &[Diagnostic]) -> Vec<&Diagnostic> {
     first.into_iter().map(|i| &all[i]).collect()
 }
 
-/// A message as miette asks for it.
+/// A message in the interface of miette.
 #[derive(Debug)]
 struct Message {
     code: String,

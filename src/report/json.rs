@@ -1,4 +1,5 @@
-//! One JSON array, an object a line (docs/contract.md 5). Beyond the contract a label has a line and a column too.
+//! One JSON array, one object per line (docs/contract.md 5). In addition to the contract, a label has a line and a
+//! column.
 
 use super::{Report, word};
 use crate::diagnostic::Diagnostic;
@@ -28,7 +29,7 @@ struct Label<'a> {
     span: Bytes,
 }
 
-/// Bytes of the original file.
+/// A range of bytes in the original file.
 #[derive(Serialize)]
 struct Bytes {
     start: u32,

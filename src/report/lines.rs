@@ -21,18 +21,18 @@ impl Default for Position {
     }
 }
 
-/// Where the lines of a source begin, and how many characters stand before some of its bytes.
+/// The starts of the lines of a source, and the number of characters before some of its bytes.
 #[derive(Debug)]
 pub struct Lines<'a> {
     source: &'a Source,
-    /// Offsets into the text.
+    /// The starts of the lines, as offsets into the text.
     starts: Vec<usize>,
-    /// Characters before every [`BLOCK`]th byte.
+    /// The number of characters before every [`BLOCK`]th byte.
     characters: Vec<usize>,
 }
 
 impl<'a> Lines<'a> {
-    /// Counts a source.
+    /// Indexes a source.
     pub fn new(source: &'a Source) -> Lines<'a> {
         let text = source.text().as_bytes();
         let breaks = text.iter().enumerate().filter(|(_, b)| **b == b'\n');
@@ -51,17 +51,17 @@ impl<'a> Lines<'a> {
         }
     }
 
-    /// The text.
+    /// Returns the text.
     pub fn text(&self) -> &'a str {
         self.source.text()
     }
 
-    /// The range of the text that a span covers.
+    /// Returns the range of the text that a span covers.
     pub fn range(&self, span: Span) -> Range<usize> {
         self.source.text_range(span)
     }
 
-    /// Characters before an offset of the text.
+    /// Returns the number of characters before an offset of the text.
     pub fn characters(&self, offset: usize) -> usize {
         let text = self.source.text().as_bytes();
         let offset = offset.min(text.len());
@@ -69,17 +69,17 @@ impl<'a> Lines<'a> {
         self.characters[block] + characters_in(&text[block * BLOCK..offset])
     }
 
-    /// The number of the line, from 0, in which an offset of the text lies.
+    /// Returns the number of the line, from 0, at an offset of the text.
     pub fn line(&self, offset: usize) -> usize {
         self.starts.partition_point(|s| *s <= offset) - 1
     }
 
-    /// How many lines there are; a text that ends with a line end has an empty last one.
+    /// Returns the number of lines; a text that ends with a line end has an empty last one.
     pub fn count(&self) -> usize {
         self.starts.len()
     }
 
-    /// The range of a line, from 0, without its line end.
+    /// Returns the range of a line, from 0, without its line end.
     pub fn line_range(&self, line: usize) -> Range<usize> {
         let text = self.source.text();
         let start = self.starts[line];
@@ -89,7 +89,7 @@ impl<'a> Lines<'a> {
         start..end
     }
 
-    /// Line and column of an offset of the text.
+    /// Returns line and column of an offset of the text.
     pub fn position(&self, offset: usize) -> Position {
         let line = self.line(offset);
         let before = self.characters(self.starts[line]);
@@ -100,7 +100,7 @@ impl<'a> Lines<'a> {
     }
 }
 
-/// Bytes that begin a character.
+/// Returns the number of bytes that begin a character.
 fn characters_in(bytes: &[u8]) -> usize {
     bytes.iter().filter(|b| **b & 0xc0 != 0x80).count()
 }

@@ -73,7 +73,7 @@ struct Outcome<'a> {
     fixes: Vec<SarifFix<'a>>,
 }
 
-/// A mend.
+/// A fix.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct SarifFix<'a> {
@@ -81,7 +81,7 @@ struct SarifFix<'a> {
     artifact_changes: Vec<Change<'a>>,
 }
 
-/// What a mend changes in one file.
+/// The changes of a fix in one file.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Change<'a> {
@@ -156,7 +156,7 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
     writeln!(out)
 }
 
-/// A code with its page.
+/// Returns the rule of a code, with its page.
 fn rule(code: Code, language: Language) -> Rule {
     let page = pages::page(code).map(|p| p.in_language(language));
     Rule {
@@ -199,7 +199,7 @@ fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcom
     }
 }
 
-/// A mend, unless it is one of a file that the report does not know: a change must have a region.
+/// Returns a fix, unless it concerns a file that is not in the report: a change must have a region.
 fn fix<'a>(report: &Report<'_>, fix: &'a Fix) -> Option<SarifFix<'a>> {
     let mut files = BTreeMap::<FileId, Vec<Replacement<'a>>>::new();
     for edit in &fix.edits {
@@ -252,7 +252,7 @@ fn region(report: &Report<'_>, span: Span) -> Option<Region> {
     })
 }
 
-/// A path as a reference; a drive letter would read as a scheme.
+/// Returns a path as a URI; a drive letter would be read as a scheme.
 fn uri(path: &str) -> String {
     let path = path.replace('\\', "/");
     let drive = path.as_bytes().get(1) == Some(&b':');

@@ -1,4 +1,4 @@
-//! A line a message, as compilers write them: editors jump to such lines.
+//! One line per message, as compilers write them: editors jump to such lines.
 
 use super::{Report, clean, word};
 use crate::diagnostic::Language;

@@ -1,22 +1,22 @@
-//! The search for the best cuts that one house may take (`docs/contract.md` 4 and 7).
+//! The budget of the search for the best cuts of one house (`docs/contract.md` 4 and 7).
 //!
 //! Work is counted in steps, never in time, so that a source gives the same roofs on any machine; and every house has a
-//! budget of its own, so that it gets the same roofs alone, in a town, and in a tile of one.
+//! budget of its own, so that its roofs do not depend on other houses.
 //!
-//! A region with n coordinates along each side takes about n^4 / 2 steps: L, T and U plans tens, plans that people draw
-//! a few hundred, a stair of 16 steps some 40,000, a stair of 30 some 600,000. The budget is fifty times what people
-//! draw. Part of it goes with the corners, so that large plans get more; since a corner takes at least six bytes of
-//! source, and more steps need more corners, a file of any length takes time in proportion to its length.
+//! A region with n coordinates along each side takes about n^4 / 2 steps: L, T and U plans take tens, usual plans a few
+//! hundred, a stair of 16 steps some 40,000, a stair of 30 some 600,000. The budget is fifty times what people draw.
+//! Part of it goes with the corners, so that large plans get more; since a corner takes at least six bytes of source,
+//! and more steps need more corners, a file of any length takes time in proportion to its length.
 
 use std::cell::Cell;
 
-/// Steps that every house has.
+/// Steps of every house.
 const A_HOUSE: u64 = 20_000;
 
 /// Further steps for each corner of a region.
 const A_CORNER: u64 = 500;
 
-/// The steps that a house has left.
+/// The remaining steps of a house.
 #[derive(Debug)]
 pub struct SearchBudget {
     left: Cell<u64>,
@@ -32,7 +32,7 @@ impl Default for SearchBudget {
 }
 
 impl SearchBudget {
-    /// A budget of this many steps beside those for corners.
+    /// Creates a budget of this many steps, beside those for corners.
     pub fn new(steps: u64) -> Self {
         Self {
             left: Cell::new(steps),
@@ -41,24 +41,24 @@ impl SearchBudget {
         }
     }
 
-    /// A budget without end.
+    /// Creates an unlimited budget.
     pub(super) fn endless() -> Self {
         Self::new(u64::MAX)
     }
 
-    /// Returns the most steps that the search of a region with this many corners may take.
+    /// Returns the maximum number of steps for the search of a region with this many corners.
     pub(super) fn most(&self, corners: usize) -> u64 {
         self.left.get().saturating_add(for_corners(corners))
     }
 
-    /// Takes off the steps of a search; `done` is false where it was given up.
+    /// Subtracts the steps of a search; `done` is false if it was given up.
     pub(super) fn pay(&self, corners: usize, steps: u64, done: bool) {
         let beyond = steps.saturating_sub(for_corners(corners));
         self.left.set(self.left.get().saturating_sub(beyond));
         self.gave_up.set(self.gave_up.get() || !done);
     }
 
-    /// Returns whether to report that a search was given up: true once for a house.
+    /// Returns true once per house, if a search was given up.
     pub(super) fn is_news(&self) -> bool {
         self.gave_up.get() && !self.reported.replace(true)
     }

@@ -1,9 +1,10 @@
-//! Roofs of houses with one plan are made once: rows and towns repeat their houses, and roofs are the costliest step.
+//! Roofs of houses with the same plan are made once: rows and towns repeat their houses, and roofs are the most
+//! expensive step.
 //!
 //! The key is everything that roofs depend on, to the last bit, without places in the source and without the house's
-//! origin and azimuth. What is kept is in the house frame, so it fits every house of the key as it is; only places are
-//! exchanged for those of the other house. Hence a house is the same with a cache, without one, and with one that
-//! other houses have used. A cache owns what it keeps and can move to another thread.
+//! origin and azimuth. Cached roofs are in the house frame, so they fit every house of the key; only places are
+//! replaced by those of the other house. Hence a house does not depend on the cache. A cache owns what it keeps and can
+//! move to another thread.
 
 use crate::ast::{RoofLine, RoofStyle};
 use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
@@ -14,18 +15,18 @@ use glam::DVec2;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Most memory of a cache in words of 8 bytes, about: 4 MiB. Beyond it everything kept so far is dropped, since
-/// houses that are alike tend to be near each other.
+/// Maximum size of a cache in words of 8 bytes, approximately: 4 MiB. Beyond it everything is dropped, since similar
+/// houses tend to be near each other.
 const MOST_WORDS: usize = 1 << 19;
 
 /// Everything that the roofs of a house depend on, to the last bit.
 #[derive(PartialEq, Eq, Hash)]
 pub(super) struct Key(Box<[u64]>);
 
-/// The roofs of the houses roofed so far, by what they depend on.
+/// The roofs of the houses roofed so far, by key.
 #[derive(Default)]
 pub struct RoofCache {
-    /// Only looked up, never iterated over: its order cannot matter.
+    /// Only looked up, never iterated over, so its order cannot matter.
     kept: HashMap<Key, Kept>,
     words: usize,
 }
@@ -34,13 +35,13 @@ pub struct RoofCache {
 struct Kept {
     roofs: Arc<HouseRoofs>,
     diagnostics: Vec<Diagnostic>,
-    /// The places of that house as [`places`] lists them; empty where neither roofs nor diagnostics have any.
+    /// The places of that house as [`places`] lists them; empty if neither roofs nor diagnostics have any.
     places: Box<[Span]>,
 }
 
 impl RoofCache {
-    /// Returns the roofs and diagnostics kept for this key, with the places of this house. `None` where there are
-    /// none, or where a place is ambiguous.
+    /// Returns the roofs and diagnostics kept for this key, with the places of this house. `None` if there are none, or
+    /// if a place is ambiguous.
     pub(super) fn find(
         &self,
         house: &House,
@@ -65,7 +66,7 @@ impl RoofCache {
         Some((roofs, diagnostics))
     }
 
-    /// Keeps the roofs of a house and what was reported about them.
+    /// Keeps the roofs of a house and their diagnostics.
     pub(super) fn keep(
         &mut self,
         key: Key,
@@ -93,7 +94,7 @@ impl RoofCache {
 }
 
 impl Kept {
-    /// Its memory in words of 8 bytes, about.
+    /// Returns its approximate size in words of 8 bytes.
     fn words(&self) -> usize {
         let solids = self.roofs.roofs.iter().flat_map(|r| &r.solids);
         let soffits = self.roofs.soffits.iter().flat_map(|s| &s.solids);
@@ -103,7 +104,7 @@ impl Kept {
     }
 }
 
-/// The places of roofs. Roofs that are shared are copied only if they have some.
+/// Returns the places of roofs. Shared roofs are copied only if they have some.
 fn roof_places(roofs: &mut Arc<HouseRoofs>) -> impl Iterator<Item = &mut Span> {
     let placed = roofs.roofs.iter().any(|r| r.span.is_some());
     let own = placed.then(|| Arc::make_mut(roofs));
@@ -111,7 +112,7 @@ fn roof_places(roofs: &mut Arc<HouseRoofs>) -> impl Iterator<Item = &mut Span> {
     roofs.filter_map(|roof| roof.span.as_mut())
 }
 
-/// The places of diagnostics, those of their fixes included.
+/// Returns the places of diagnostics, including those of their fixes.
 fn message_places(diagnostics: &mut [Diagnostic]) -> impl Iterator<Item = &mut Span> {
     diagnostics.iter_mut().flat_map(|diagnostic| {
         let Diagnostic {
@@ -127,7 +128,7 @@ fn message_places(diagnostics: &mut [Diagnostic]) -> impl Iterator<Item = &mut S
     })
 }
 
-/// Every place of a house that its roofs or diagnostics about them may have, in one order for all houses of a key.
+/// Returns every place of a house that its roofs or their diagnostics may have, in one order for all houses of a key.
 fn places(house: &House) -> Vec<Span> {
     let mut spans = vec![house.span];
     spans.extend(house.roofs.wished);
@@ -165,7 +166,7 @@ fn style_spans(style: &RoofStyle, spans: &mut Vec<Span>) {
     spans.extend(style.plain_ridge.map(|p| p.span));
 }
 
-/// The place in one house of each place in another; `None` where one place corresponds to two.
+/// Returns the place in one house of each place in another; `None` if one place corresponds to two.
 fn pairs(from: &[Span], to: &[Span]) -> Option<HashMap<Span, Span>> {
     let mut pairs = HashMap::with_capacity(from.len());
     let mut plain = from.len() == to.len();
@@ -177,7 +178,7 @@ fn pairs(from: &[Span], to: &[Span]) -> Option<HashMap<Span, Span>> {
 
 impl Key {
     pub(super) fn of(house: &House) -> Key {
-        // All fields are named, so that the compiler asks about a new one.
+        // All fields are named, so that the compiler rejects a new one here.
         let House {
             span: _,
             name: _,

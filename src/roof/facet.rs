@@ -8,28 +8,28 @@ use std::borrow::Cow;
 /// A corner of a facet.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner {
-    /// Its place, house frame, metres.
+    /// Its position, house frame, metres.
     pub at: DVec2,
     /// True if the edge that starts here lies on the roof's own eaves or verge.
     pub rim: bool,
 }
 
-/// One plane piece of a roof's upper surface.
+/// A plane piece of a roof's upper surface.
 #[derive(Clone, Debug)]
 pub struct Facet {
     /// Convex, counter-clockwise seen from above.
     pub outline: Vec<Corner>,
-    /// The part of it that takes its place from lower roofs, convex: without verges, which stand
-    /// over a lower neighbour rather than in it.
+    /// The convex part of it that cuts lower roofs: without verges, which stand over a lower neighbour rather than in
+    /// it.
     pub body: Vec<DVec2>,
     /// The upper surface.
     pub plane: Plane,
-    /// Offset below its neighbours, metres, so that its sheet shares no corner with theirs.
+    /// Offset below its neighbours, metres, so that its slab shares no corner with theirs.
     pub lowered: f64,
 }
 
 impl Facet {
-    /// A facet whose body is the whole of it, with rims by edge.
+    /// Creates a facet that is all body, with rims by edge.
     pub fn new(corners: &[(DVec2, bool)], body: &[DVec2], plane: Plane) -> Facet {
         let outline = corners.iter().map(|&(at, rim)| Corner { at, rim });
         Facet {
@@ -42,8 +42,8 @@ impl Facet {
 }
 
 impl Facet {
-    /// Its parts beyond its body and beyond further sides: convex, each with its first edge on the side that cut it
-    /// off.
+    /// Returns its parts beyond its body and beyond further sides: convex, each with its first edge on the side that
+    /// cut it off.
     pub(in crate::roof) fn beyond(&self, more: &[HalfPlane]) -> Vec<Vec<Corner>> {
         let mut verges = vec![];
         let same = |(c, p): (&Corner, &DVec2)| c.at == *p;
@@ -98,13 +98,13 @@ impl HalfPlane {
         self.normal.dot(p) - self.at
     }
 
-    /// The parts of a convex piece inside and outside; one may have no corners.
+    /// Returns the parts of a convex piece inside and outside; one may have no corners.
     pub(in crate::roof) fn halves(&self, piece: &[Corner]) -> [Vec<Corner>; 2] {
         let depths: Vec<f64> = piece.iter().map(|c| self.depth(c.at)).collect();
         [part(piece, &depths, 1.0), part(piece, &depths, -1.0)]
     }
 
-    /// Moved outward by a distance, metres.
+    /// Returns the half-plane moved outward by a distance, metres.
     #[must_use]
     pub(in crate::roof) fn moved_out(self, by: f64) -> HalfPlane {
         HalfPlane {
@@ -113,7 +113,7 @@ impl HalfPlane {
         }
     }
 
-    /// Where `upper` is as high as `lower` or higher.
+    /// Returns the half-plane where `upper` is as high as `lower` or higher.
     pub(in crate::roof) fn where_not_lower(upper: Plane, lower: Plane) -> Higher {
         match relative_position(lower, Some(upper)) {
             RelativePosition::Level => Higher::Everywhere,
@@ -121,7 +121,8 @@ impl HalfPlane {
         }
     }
 
-    /// Where `upper` is higher than `lower` by more than the tolerance: everywhere, nowhere, or inside a half-plane.
+    /// Returns where `upper` is higher than `lower` by more than the tolerance: everywhere, nowhere, or inside a
+    /// half-plane.
     pub(in crate::roof) fn where_higher(upper: Plane, lower: Plane) -> Higher {
         match relative_position(lower, Some(upper)) {
             RelativePosition::Below => Higher::Everywhere,
@@ -130,7 +131,7 @@ impl HalfPlane {
         }
     }
 
-    /// To the left of the way from `p` to `q`.
+    /// Returns the half-plane to the left of the line from `p` to `q`.
     pub(in crate::roof) fn left_of(p: DVec2, q: DVec2) -> Option<HalfPlane> {
         let normal = (q - p).perp().try_normalize()?;
         Some(HalfPlane {
@@ -140,14 +141,14 @@ impl HalfPlane {
     }
 }
 
-/// Where one plane is higher than another.
+/// The area where one plane is higher than another.
 pub(in crate::roof) enum Higher {
     Everywhere,
     Nowhere,
     Inside(HalfPlane),
 }
 
-/// Takes from `pieces` of one facet what a cutter covers at a greater height.
+/// Removes from `pieces` of one facet the area that a cutter covers at a greater height.
 pub(in crate::roof) fn cut(
     facet: &Facet,
     pieces: Vec<Vec<Corner>>,
@@ -160,7 +161,7 @@ pub(in crate::roof) fn cut(
         RelativePosition::Crossing(higher) => Some(higher),
     };
     let sides = || higher.iter().chain(cutter.sides);
-    // Most roofs near by do not touch a piece.
+    // Most nearby roofs do not touch a piece.
     if pieces.iter().all(|p| is_outside(p, sides())) {
         return pieces;
     }
@@ -171,7 +172,7 @@ pub(in crate::roof) fn cut(
     left
 }
 
-/// At the same height a facet keeps its body, and its verges give way to the other's body.
+/// Cuts at the same height: a facet keeps its body, and its verges give way to the other's body.
 fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> Vec<Vec<Corner>> {
     let mine = edges(&facet.body);
     let mut left = Vec::with_capacity(pieces.len());
@@ -186,7 +187,7 @@ fn cut_verges(facet: &Facet, pieces: Vec<Vec<Corner>>, cutter: &Cutter<'_>) -> V
     left
 }
 
-/// The parts of a piece with `axis . p` above and below a value; one may have no corners.
+/// Returns the parts of a piece with `axis . p` above and below a value; one may have no corners.
 pub(in crate::roof) fn halves(piece: &[Corner], axis: DVec2, at: f64) -> [Vec<Corner>; 2] {
     HalfPlane { normal: axis, at }.halves(piece)
 }
@@ -216,7 +217,7 @@ fn relative_position(mine: Plane, cutter: Option<Plane>) -> RelativePosition {
     }
 }
 
-/// The half-planes whose common part a convex polygon is.
+/// Returns the half-planes whose intersection is a convex polygon.
 pub(in crate::roof) fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
     let next = polygon.iter().cycle().skip(1);
     polygon
@@ -226,7 +227,7 @@ pub(in crate::roof) fn edges(polygon: &[DVec2]) -> Vec<HalfPlane> {
         .collect()
 }
 
-/// The pieces of `piece` outside the common part of some half-planes.
+/// Returns the pieces of `piece` outside the intersection of some half-planes.
 pub(in crate::roof) fn subtract<'s>(
     piece: Vec<Corner>,
     sides: impl Iterator<Item = &'s HalfPlane> + Clone,
@@ -251,7 +252,7 @@ pub(in crate::roof) fn is_outside<'s>(
     sides.any(|h| piece.iter().all(|c| h.depth(c.at) < CUT))
 }
 
-/// The part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
+/// Returns the part of `piece` inside all half-planes; the rest goes to `off` in convex pieces.
 pub(in crate::roof) fn split_off<'p, 's>(
     piece: Cow<'p, [Corner]>,
     sides: impl Iterator<Item = &'s HalfPlane>,
@@ -275,7 +276,7 @@ pub(in crate::roof) fn split_off<'p, 's>(
     Some(inside)
 }
 
-/// The part of a convex polygon where `sign * depth >= 0`.
+/// Returns the part of a convex polygon where `sign * depth >= 0`.
 fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Vec<Corner> {
     let n = polygon.len();
     let mut kept = Vec::with_capacity(n + 1);
@@ -296,7 +297,7 @@ fn part(polygon: &[Corner], depths: &[f64], sign: f64) -> Vec<Corner> {
     kept
 }
 
-/// The area of an outline, positive when counter-clockwise, square metres.
+/// Returns the area of an outline, positive when counter-clockwise, square metres.
 pub(in crate::roof) fn area(outline: &[Corner]) -> f64 {
     let Some(first) = outline.first() else {
         return 0.0;

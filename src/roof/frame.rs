@@ -1,8 +1,7 @@
 //! From plan to metres: rectangles and planes in the house frame, and the frame of one roof.
 //!
-//! A roof is thought of lying with a low side near its builder: u runs along that side, v goes in
-//! from it, both in metres. The frame is right-handed seen from above whatever the side, so a
-//! shape is written once and never mirrored.
+//! A roof's frame has its origin at a low side: u runs along that side, v goes in from it, both in metres. The frame is
+//! right-handed seen from above whatever the side, so a shape is written once and never mirrored.
 
 use crate::geometry::STEPS;
 use crate::geometry::plan::Cell;
@@ -19,7 +18,7 @@ pub struct Rect {
 }
 
 impl Rect {
-    /// A cell of plan steps in the house frame; `unit` is one U in metres.
+    /// Converts a cell of plan steps to the house frame; `unit` is one U in metres.
     pub fn of(cell: &Cell, unit: f64) -> Rect {
         let at = |s: i64| metres(s, unit);
         Rect {
@@ -28,7 +27,7 @@ impl Rect {
         }
     }
 
-    /// Grown by a distance on every side, metres.
+    /// Returns the rectangle enlarged by a distance on every side, metres.
     #[must_use]
     pub fn grown(self, by: f64) -> Rect {
         Rect {
@@ -37,7 +36,7 @@ impl Rect {
         }
     }
 
-    /// The corners, counter-clockwise seen from above.
+    /// Returns the corners, counter-clockwise seen from above.
     pub fn corners(&self) -> [DVec2; 4] {
         [
             self.min,
@@ -53,7 +52,7 @@ impl Rect {
     }
 }
 
-/// Plan steps in metres.
+/// Converts plan steps to metres.
 pub fn metres(steps: i64, unit: f64) -> f64 {
     steps as f64 / STEPS as f64 * unit
 }
@@ -63,12 +62,12 @@ pub fn metres(steps: i64, unit: f64) -> f64 {
 pub struct Plane {
     /// Height over the origin.
     pub z: f64,
-    /// Rise per metre.
+    /// Rise per metre along x and y.
     pub slope: DVec2,
 }
 
 impl Plane {
-    /// A level.
+    /// Creates a level plane.
     pub fn level(z: f64) -> Plane {
         Plane {
             z,
@@ -76,7 +75,7 @@ impl Plane {
         }
     }
 
-    /// The plane through three points; `None` where they are collinear in plan.
+    /// Returns the plane through three points; `None` if they are collinear in plan.
     pub fn through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
         let normal = (q - p).cross(r - p);
         let slope = -normal.truncate() / normal.z;
@@ -86,7 +85,7 @@ impl Plane {
         })
     }
 
-    /// The plane of a flat polygon; `None` where it is upright or has no area.
+    /// Returns the plane of a flat polygon; `None` if it is vertical or has no area.
     pub fn around(points: impl Iterator<Item = DVec3> + Clone) -> Option<Plane> {
         let first = points.clone().next()?;
         let next = points.clone().skip(1);
@@ -99,12 +98,12 @@ impl Plane {
         })
     }
 
-    /// Height over a point.
+    /// Returns the height over a point.
     pub fn at(&self, p: DVec2) -> f64 {
         self.z + self.slope.dot(p)
     }
 
-    /// Raised by a height, metres.
+    /// Returns the plane raised by a height, metres.
     #[must_use]
     pub fn raised(self, by: f64) -> Plane {
         Plane {
@@ -127,7 +126,7 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// The frame with `near` at v = 0.
+    /// Creates the frame with `near` at v = 0.
     pub fn new(rect: &Rect, near: Side) -> Frame {
         let (lo, hi, size) = (rect.min, rect.max, rect.max - rect.min);
         let (origin, along, length, depth) = match near {
@@ -145,17 +144,17 @@ impl Frame {
         }
     }
 
-    /// A plan point.
+    /// Returns a plan point.
     pub fn at(&self, u: f64, v: f64) -> DVec2 {
         self.origin + self.along * u + self.inward * v
     }
 
-    /// A point.
+    /// Returns a point.
     pub fn point(&self, u: f64, v: f64, z: f64) -> DVec3 {
         self.at(u, v).extend(z)
     }
 
-    /// The plane of height `z` at v = 0 that rises inwards.
+    /// Returns the plane of height `z` at v = 0 that rises inwards.
     pub fn rising(&self, z: f64, pitch: f64) -> Plane {
         let slope = self.inward * pitch;
         Plane {
@@ -164,18 +163,18 @@ impl Frame {
         }
     }
 
-    /// The direction of u.
+    /// Returns the direction of u.
     pub fn along(&self) -> DVec2 {
         self.along
     }
 
-    /// The direction of v.
+    /// Returns the direction of v.
     pub fn inward(&self) -> DVec2 {
         self.inward
     }
 }
 
-/// The low side that a gable with this ridge has at v = 0.
+/// Returns the low side at v = 0 of a gable with this ridge.
 pub fn near_side(ridge: Ridge) -> Side {
     match ridge {
         Ridge::A => Side::Front,
@@ -183,7 +182,7 @@ pub fn near_side(ridge: Ridge) -> Side {
     }
 }
 
-/// The sides at u = 0 and at u = length of a frame.
+/// Returns the sides at u = 0 and at u = length of a frame.
 pub fn end_sides(near: Side) -> [Side; 2] {
     match near {
         Side::Front => [Side::Left, Side::Right],

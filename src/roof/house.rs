@@ -1,4 +1,4 @@
-//! The roofs of one house, storey by storey: what the storey above leaves open is roofed at the top
+//! The roofs of one house, storey by storey: the area that the storey above leaves uncovered is roofed at the top
 //! (docs/evidence.md 3.8), roof lines first, automatic regions for the rest.
 
 use super::partition::{Method, partition_within};
@@ -31,7 +31,7 @@ use crate::roof::storey::{overhang, written};
 use crate::source::Span;
 use std::cell::OnceCell;
 
-/// A house with more roof lines gets no fix that removes them where it bounds no area.
+/// Houses with more roof lines get no fix that removes them if they bound no area.
 const MOST_TAKEN_OUT: usize = 16;
 
 /// Roofs a house, without a cache.
@@ -69,7 +69,7 @@ pub(super) fn roofs(house: &House, out: &mut Diagnostics) -> HouseRoofs {
     done
 }
 
-/// Reports what is wrong with a house as a whole.
+/// Reports errors of a house as a whole.
 fn report_house(house: &House, levels: &[Level<'_>], out: &mut Diagnostics) {
     let style = &house.roofs.style;
     let wish = house
@@ -114,7 +114,7 @@ fn street_pent(house: &House, levels: &[Level<'_>]) -> Option<Cell> {
     before_line([p, q, r, s], depth)
 }
 
-/// The rectangle before the line from p to q, if the one from r to s lies on it.
+/// Returns the rectangle before the line from p to q, if the one from r to s lies on it.
 fn before_line([p, q, r, s]: [Point; 4], depth: i64) -> Option<Cell> {
     let (lines, turned) = match (p.1 == q.1, p.0 == q.0) {
         (true, false) => ([p, q, r, s], false),
@@ -151,7 +151,7 @@ fn before_line([p, q, r, s]: [Point; 4], depth: i64) -> Option<Cell> {
     })
 }
 
-/// One storey on its way to roofs.
+/// The data for roofing one storey.
 struct Storey<'a, 'h> {
     house: &'a House,
     levels: &'a [Level<'h>],
@@ -159,9 +159,9 @@ struct Storey<'a, 'h> {
     /// Top of the house's walls, metres.
     top: f64,
     lines: Vec<&'a PlacedLine<'a>>,
-    /// The street's pent roof.
+    /// The street pent roof.
     pent: Option<Cell>,
-    /// For the best cuts.
+    /// The budget for the best cuts.
     budget: &'a SearchBudget,
     headroom: Headroom,
 }
@@ -212,7 +212,7 @@ impl Storey<'_, '_> {
         }
     }
 
-    /// True if the author asks for one hipped roof over the whole plan, and not for a flat one.
+    /// Returns true if the author requests one hipped roof over the whole plan rather than a flat one.
     fn wants_skeleton(&self) -> bool {
         let roofs = &self.house.roofs;
         let many = self.levels[self.k].plan.corners() > MOST_CORNERS;
@@ -273,7 +273,7 @@ impl Storey<'_, '_> {
         }
         if flat {
             let cells: Vec<Cell> = found.iter().map(|r| r.cell).collect();
-            // One loop is clean as it is but for corners in mid-wall, which an upstand leaves out.
+            // One loop is clean except for corners in mid-wall, which an upstand ignores.
             let border = if many && open.loops.len() == 1 {
                 open
             } else {
@@ -286,7 +286,7 @@ impl Storey<'_, '_> {
         automatic.roofs(&mut done.ceilings)
     }
 
-    /// The shape of automatic roofs; behind a parapet it is flat unless the author asks for another.
+    /// Returns the shape of automatic roofs; behind a parapet it is flat unless the author gives another.
     fn shape(&self, level: &Level<'_>) -> RoofShape {
         let usual = match level.parapet {
             true => RoofShape::Flat,
@@ -309,7 +309,7 @@ impl Storey<'_, '_> {
         }
     }
 
-    /// The roof of a storey that carries a smaller one and no roof lines.
+    /// Returns the lower roof of a storey that carries a smaller one and has no roof lines.
     fn skirt<'c>(&self, context: &Context<'c>) -> Option<Skirt<'c>> {
         let shape = self.house.roofs.style.shape?.value;
         let covered = self.lines.iter().any(|l| l.covers());
@@ -317,8 +317,8 @@ impl Storey<'_, '_> {
         Skirt::over(cell, shape, context)
     }
 
-    /// The area that neither the storey above nor a roof line covers; `None` where their walls and this storey's cross
-    /// in too many places.
+    /// Returns the area that neither the storey above nor a roof line covers; `None` if their walls and this storey's
+    /// cross in too many places.
     fn open(&self, context: &Context<'_>) -> Option<Plan> {
         let plan = &context.level.plan;
         let taken: Vec<Cell> = self
@@ -363,21 +363,21 @@ impl Storey<'_, '_> {
     }
 }
 
-/// The first wall's place: a diagnostic about a storey of a thousand lines marks it.
+/// Returns the first wall's place: a diagnostic about a storey of a thousand lines marks it.
 fn first_wall(level: &Level<'_>) -> Span {
     let wall = level.storey.rings.first().and_then(|r| r.walls.first());
     wall.map_or(level.storey.span, |w| w.span)
 }
 
-/// Regions of a plan without a search: strips along a.
+/// Returns the regions of a plan without a search: strips along a.
 fn strips(open: &Plan) -> Vec<Region> {
     let mut cells = slabs::strips(open);
     cells.sort_unstable_by_key(Cell::key);
     cells.into_iter().map(Region::main).collect()
 }
 
-/// Main roofs as their shape wants them: ridges along the short side (YOK), or along the long side even on a
-/// street where all slopes are equal; single slopes that fall over their long side.
+/// Turns main roofs as their shape requires: ridges along the short side (YOK), or along the long side even on a street
+/// if all slopes are equal; single slopes that fall over their long side.
 fn turn(regions: &mut [Region], shape: RoofShape, equal_slopes: bool) {
     let joined: Vec<usize> = regions
         .iter()

@@ -1,4 +1,4 @@
-//! From forms to solids: roofs of one height meet, then each gets its sheet and its fills.
+//! Turns forms into solids: roofs of one height meet, then each gets its slab and its gable infills.
 
 pub(in crate::roof) mod contact;
 pub(in crate::roof) mod gable_infill;
@@ -16,8 +16,8 @@ use crate::roof::shape::form::{Form, RoofDraft};
 use crate::roof::solid::sheet::sheet;
 use glam::DVec2;
 
-/// The roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not
-/// enter. Returns whether all met; where too many stand in each other's way they stay as they are.
+/// Assembles the roofs of one storey, in order. `walls` are convex parts of the storey above, which roofs do not enter.
+/// Returns whether all met; if too many overlap they stay as they are.
 pub(super) fn assemble(
     mut planned: Vec<RoofDraft>,
     walls: &[Vec<DVec2>],
@@ -26,7 +26,7 @@ pub(super) fn assemble(
     let mut all_met = true;
     let mut start = 0;
     let count_before = roofs.len();
-    // Stable, so that indices of trunks keep their meaning within a height.
+    // A stable sort, so that indices of trunks keep their meaning within a height.
     let first = planned.first().map_or(0.0, |p| p.base);
     planned.sort_by(|p, q| {
         (p.base != first)
@@ -87,7 +87,7 @@ fn group(planned: &mut [RoofDraft], walls: &[Vec<DVec2>], roofs: &mut Vec<Roof>)
     all_met
 }
 
-/// The space between a form and the walls that carry it.
+/// Returns the space between a form and the walls that carry it.
 fn attic(form: &Form, plate: f64, shape: RoofShape) -> Attic {
     let filled = !form.hung && form.under.is_none() && shape != RoofShape::Flat;
     let mut attic = Attic {

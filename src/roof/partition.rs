@@ -1,4 +1,4 @@
-//! A region to rectangles: cut by a method, then merge (domain 3.2; `docs/contract.md` 4).
+//! Divides a region into rectangles: cut by a method, then merge (domain 3.2; `docs/contract.md` 4).
 //!
 //! The rectangles cover the region exactly and never overlap.
 
@@ -27,14 +27,14 @@ pub enum Method {
     BranchCut,
 }
 
-/// The rectangles of a region, sorted by (b0, a0), in the plan's own grid steps.
+/// Returns the rectangles of a region, sorted by (b0, a0), in the plan's own grid steps.
 ///
 /// The region is cut as one, pieces that do not touch included; see [`cut`].
 pub fn partition(plan: &Plan, method: Method) -> Vec<Cell> {
     partition_within(plan, method, &SearchBudget::endless())
 }
 
-/// The same within a budget; where it is too small, `LeastCut` and `BranchCut` are greedy.
+/// Does the same within a budget; if it is too small, `LeastCut` and `BranchCut` are greedy.
 pub fn partition_within(plan: &Plan, method: Method, budget: &SearchBudget) -> Vec<Cell> {
     match plan.as_cell() {
         Some(cell) => vec![cell],
@@ -42,10 +42,10 @@ pub fn partition_within(plan: &Plan, method: Method, budget: &SearchBudget) -> V
     }
 }
 
-/// The rectangles before merging, sorted by (b0, a0).
+/// Returns the rectangles before merging, sorted by (b0, a0).
 ///
 /// `LeastCut` is exact up to 32 distinct coordinates per axis and greedy (`chord.rs`) above.
-/// `BranchCut` is greedy too where it would take more than 2^28 steps (a stair of 480). A
+/// `BranchCut` is greedy too if it would take more than 2^28 steps (a stair of 480). A
 /// region with more than 2^20 grid fields comes in strips along a, whatever the method: ranking
 /// cuts over more lines would take too long.
 pub fn cut(plan: &Plan, method: Method) -> Vec<Cell> {
@@ -66,7 +66,7 @@ fn cut_within(plan: &Plan, method: Method, budget: &SearchBudget) -> Vec<Cell> {
     cells
 }
 
-/// The best cuts, or greedy ones where there are too many to choose from.
+/// Returns the best cuts, or greedy ones if there are too many to choose from.
 fn least_cut(raster: &Raster, corners: usize, budget: &SearchBudget) -> Vec<Cell> {
     if raster.cols().max(raster.rows()) < least_cut::MAX_LINES {
         let (cells, steps) = least_cut::cut(raster, budget.most(corners));
@@ -78,7 +78,7 @@ fn least_cut(raster: &Raster, corners: usize, budget: &SearchBudget) -> Vec<Cell
     chord::cut(raster)
 }
 
-/// Branches, or greedy cuts where there are too many to choose from.
+/// Returns the cuts by branches, or greedy ones if there are too many to choose from.
 fn branch_cut(raster: &Raster, corners: usize, budget: &SearchBudget) -> Vec<Cell> {
     let most = budget.most(corners).min(branch_cut::MOST_STEPS);
     let (cells, steps) = branch_cut::cut(raster, most);
@@ -110,7 +110,7 @@ mod tests {
             assert_ne!(greedy, best);
             assert_eq!(greedy.iter().map(Cell::area).sum::<i128>(), plan.area());
             assert!(spent.is_news() && !spent.is_news());
-            // Realistic plans are searched all the same.
+            // Realistic plans are still searched.
             let (small, best) = (stair(3), partition(&stair(3), method));
             assert_eq!(partition_within(&small, method, &spent), best);
             assert!(!spent.is_news());

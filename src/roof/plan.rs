@@ -1,4 +1,4 @@
-//! The plan of a storey as its roofs see it: levels, outlines, the street, and the regions with their roles.
+//! The plan of a storey for its roofs: levels, outlines, the street, and the regions with their roles.
 
 pub(in crate::roof) mod level;
 pub mod outline;
@@ -8,6 +8,6 @@ pub(in crate::roof) mod sides;
 pub mod street;
 pub(in crate::roof) mod tops;
 
-/// Maximum number of corners, exposed to the sky or in slanting rings, for a storey to get sloped roofs. A storey
-/// with more gets a single flat roof, since sloped roofs over that many parts are slow and rarely intended.
+/// Maximum number of corners, exposed to the sky or in slanting rings, for a storey to get sloped roofs. A storey with
+/// more gets a single flat roof, since sloped roofs over that many parts are slow and rarely intended.
 pub(in crate::roof) const MOST_CORNERS: usize = 1000;

@@ -30,7 +30,7 @@ impl Side {
     /// All sides, in the order in which equal candidates are taken.
     pub const ALL: [Side; 4] = [Side::Back, Side::Front, Side::Left, Side::Right];
 
-    /// The other side.
+    /// Returns the opposite side.
     pub fn opposite(self) -> Side {
         match self {
             Side::Front => Side::Back,
@@ -40,7 +40,7 @@ impl Side {
         }
     }
 
-    /// Direction of a ridge that runs into this side.
+    /// Returns the direction of a ridge that runs into this side.
     pub fn ridge_into(self) -> Ridge {
         match self {
             Side::Front | Side::Back => Ridge::B,
@@ -48,7 +48,7 @@ impl Side {
         }
     }
 
-    /// Length of this side of a cell and the cell's depth from it, in grid steps.
+    /// Returns the length of this side of a cell and the cell's depth from it, in grid steps.
     pub fn measure(self, cell: &Cell) -> (i64, i64) {
         match self {
             Side::Front | Side::Back => (cell.width(), cell.depth()),
@@ -124,8 +124,8 @@ impl Region {
         }
     }
 
-    /// Extent across the ridge in grid steps; a lean-to counts twice its depth, as the gable
-    /// that reaches as high.
+    /// Returns the extent across the ridge in grid steps; for a lean-to twice its depth, as for a gable that reaches as
+    /// high.
     pub fn span(&self) -> i64 {
         match (self.ridge, self.fall) {
             (Some(Ridge::A), _) => self.cell.depth(),
@@ -136,10 +136,10 @@ impl Region {
     }
 }
 
-/// A roof that stands beside the regions, written by the author.
+/// A written roof beside the regions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Beside {
-    /// Its place, ridge and fall, as of a region.
+    /// Its cell, ridge and fall, as of a region.
     pub roof: Region,
     /// True if it stands on top of the walls; only then can other roofs run into it.
     pub level: bool,

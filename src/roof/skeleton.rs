@@ -1,4 +1,4 @@
-//! Straight skeletons: what a plan's edges sweep when all move inwards at one speed, for hipped roofs over any
+//! Straight skeletons: the areas swept by a plan's edges when all move inwards at one speed, for hipped roofs over any
 //! outline.
 //!
 //! | file | idea |
@@ -10,9 +10,9 @@
 //! | `faces` | one polygon for each edge from the paths of the corners |
 //! | `verify` | checks that these tile the outline at the right heights |
 //!
-//! Nothing is exact here, so everything is checked afterwards; where the check fails the corners are moved by a few
-//! hundredths of a millimetre, always by the same amounts, and the sweep is repeated. There are no libraries for this that
-//! compute in f64 under a licence of ours.
+//! Nothing is exact here, so everything is checked afterwards; if the check fails, the corners are moved by a few
+//! hundredths of a millimetre, always by the same amounts, and the sweep is repeated. No library with a compatible
+//! licence computes this in f64.
 //!
 //! Frame: plan metres, whatever the origin; outlines counter-clockwise, courts clockwise, interior on the left. A time
 //! is a distance from the edge, so the height of a roof of pitch p is p times the time.
@@ -32,19 +32,19 @@ pub mod wave;
 
 pub use contour::{Contours, Invalid};
 
-/// The tag of edges without eaves: a wall goes on above them.
+/// The tag of edges without eaves, above which a wall continues.
 pub const FLUSH: u32 = 1;
 
 /// A corner of the plan or a place where edges met.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Node {
-    /// Where, metres.
+    /// Its position, metres.
     pub at: DVec2,
     /// Distance from the edges whose faces meet here, metres; 0 on the outline.
     pub time: f64,
 }
 
-/// An edge of the prepared outline and what it sweeps.
+/// An edge of the prepared outline and its face.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
     /// The line of the edge.
@@ -53,7 +53,7 @@ pub struct Face {
     pub tag: u32,
     /// The edge before it in its ring.
     pub before: u32,
-    /// The nodes round it, counter-clockwise; the first two are the ends of the edge.
+    /// Its nodes, counter-clockwise; the first two are the ends of the edge.
     pub nodes: Vec<u32>,
 }
 
@@ -62,23 +62,23 @@ pub struct Face {
 pub struct Skeleton {
     /// Corners first, in the order of the edges that start there.
     pub nodes: Vec<Node>,
-    /// One for each edge.
+    /// One face for each edge.
     pub faces: Vec<Face>,
 }
 
 impl Skeleton {
-    /// The greatest distance from the outline, metres.
+    /// Returns the greatest distance from the outline, metres.
     pub fn depth(&self) -> f64 {
         self.nodes.iter().map(|n| n.time).fold(0.0, f64::max)
     }
 }
 
-/// The most attempts with moved corners.
+/// The maximum number of attempts with moved corners.
 const ATTEMPTS: u32 = 4;
 
-/// The skeleton of prepared contours; `None` where every attempt fails, which no outline that was tried does.
+/// Returns the skeleton of prepared contours; `None` if every attempt fails, which has happened with no tested outline.
 ///
-/// Takes some microseconds an edge for plans of houses, and grows with the square of the edges.
+/// Takes some microseconds per edge for plans of houses, and grows with the square of the edges.
 pub fn skeleton(contours: &Contours) -> Option<Skeleton> {
     (0..ATTEMPTS).find_map(|attempt| {
         let moved = contours.shaken(attempt);

@@ -1,4 +1,4 @@
-//! Small closed solids: prisms, and walls under a bent line.
+//! Small closed solids: prisms, and walls under a polygonal line.
 
 pub mod sheet;
 pub mod massive;
@@ -7,7 +7,7 @@ use crate::building::{Corners, Face, Finish, Solid};
 use crate::geometry::tolerance::HEIGHT;
 use glam::DVec3;
 
-/// The solid that a convex plane profile sweeps along `by`; the profile may run either way round.
+/// Returns the solid that a convex plane profile sweeps along `by`; the profile may run either way round.
 pub fn prism(profile: &[DVec3], by: DVec3, finish: Finish) -> Solid {
     let n = profile.len() as u32;
     let normal = profile
@@ -34,7 +34,7 @@ pub fn prism(profile: &[DVec3], by: DVec3, finish: Finish) -> Solid {
     Solid { points, faces }
 }
 
-/// A wall from a level foot up to a chain of corners in one upright plane, swept along `by`. The chain stands
+/// Returns a wall from a level foot up to a chain of corners in one vertical plane, swept along `by`. The chain stands
 /// over the foot everywhere.
 pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
     let n = upper.len() as u32;
@@ -43,7 +43,7 @@ pub fn curtain(upper: &[DVec3], foot: f64, by: DVec3, finish: Finish) -> Solid {
         let low = p.truncate().extend(foot);
         points.extend([*p, low, *p + by, low + by]);
     }
-    // Seen from before the wall, the chain must run to the right: turn everything if it does not.
+    // Seen from in front of the wall, the chain must run to the right; if not, everything is reversed.
     let way = upper[upper.len() - 1] - upper[0];
     let flip = way.cross(DVec3::Z).dot(by) > 0.0;
     let mut faces = Vec::with_capacity(upper.len() * 4);
@@ -73,7 +73,7 @@ pub const INFILL_THICKNESS: f64 = 0.07;
 /// Depth to which gable infills penetrate adjoining solids, metres; avoids cracks and coplanar faces.
 pub const SUNK: f64 = 0.01;
 
-/// The convex parts of a prism or a [`curtain`]: of a curtain one for each piece of its chain.
+/// Returns the convex parts of a prism or a [`curtain`]: of a curtain one for each segment of its chain.
 pub(super) fn columns(wall: &Solid) -> Vec<Solid> {
     let pieces = (wall.points.len() / 4).saturating_sub(1);
     let finish = wall.faces[0].finish;
@@ -101,7 +101,7 @@ fn is_convex(solid: &Solid) -> bool {
     })
 }
 
-/// The part of a convex solid where `normal . p <= at`; `None` where nothing is left.
+/// Returns the part of a convex solid where `normal . p <= at`; `None` if nothing is left.
 pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
     let beyond = |p: &DVec3| match normal.dot(*p) - at {
         d if d.abs() < HEIGHT => 0.0,
@@ -155,7 +155,7 @@ pub(super) fn clip(solid: &Solid, normal: DVec3, at: f64) -> Option<Solid> {
     Some(packed(&points, faces))
 }
 
-/// The face that closes a cut: the corners on it, round about its normal.
+/// Returns the face that closes a cut: the corners on it, ordered about its normal.
 fn lid(faces: &[Face], points: &[DVec3], depths: &[f64], normal: DVec3) -> Option<Corners> {
     let on = |c: &u32| depths.get(*c as usize).is_none_or(|d| *d == 0.0);
     let mut all: Vec<u32> = faces
@@ -175,7 +175,7 @@ fn lid(faces: &[Face], points: &[DVec3], depths: &[f64], normal: DVec3) -> Optio
     (all.len() > 2).then(|| all.into_iter().collect())
 }
 
-/// A solid of these faces with the points they use.
+/// Returns a solid of these faces with the points they use.
 fn packed(points: &[DVec3], faces: Vec<Face>) -> Solid {
     let mut number = vec![u32::MAX; points.len()];
     let mut solid = Solid {

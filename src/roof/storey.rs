@@ -1,4 +1,4 @@
-//! The roofs of one storey: roof lines as written, automatic regions for the rest, and the room that each roof has.
+//! The roofs of one storey: roof lines as written, automatic regions for the rest, and the space available to each roof.
 
 pub(in crate::roof) mod abutment;
 pub(in crate::roof) mod automatic;

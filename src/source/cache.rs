@@ -11,7 +11,7 @@ pub struct SourceCache {
 }
 
 impl SourceCache {
-    /// A cache with room for this many files, numbered from `first` on.
+    /// Creates a cache with room for this many files, numbered from `first`.
     pub fn new(first: usize, room: usize) -> SourceCache {
         let room = room.min((usize::from(u16::MAX) + 1).saturating_sub(first));
         SourceCache {
@@ -20,20 +20,20 @@ impl SourceCache {
         }
     }
 
-    /// The file of this name.
+    /// Returns the file of this name.
     pub fn find(&self, name: &str) -> Option<&Source> {
         let there = self.slots.iter().map_while(OnceCell::get);
         there.into_iter().find(|s| s.name() == name)
     }
 
-    /// Takes a file; `None` where there is no more room.
+    /// Adds a file; `None` if the cache is full.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Option<&Source> {
         let index = self.slots.iter().position(|s| s.get().is_none())?;
         let id = u16::try_from(self.first + index).ok()?;
         Some(self.slots[index].get_or_init(|| Source::new(FileId(id), name, bytes)))
     }
 
-    /// The files.
+    /// Returns the files.
     pub fn into_sources(self) -> Vec<Source> {
         let sources = self.slots.into_iter();
         sources.map_while(OnceCell::into_inner).collect()

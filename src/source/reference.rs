@@ -10,7 +10,7 @@ const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
     .remove(b'~')
     .remove(b'/');
 
-/// A path, divided by `/`, as a relative reference (RFC 3986), also valid in a query.
+/// Converts a path, divided by `/`, to a relative reference (RFC 3986), also valid in a query.
 pub(crate) fn reference(path: &str) -> String {
     utf8_percent_encode(path, PLAIN).to_string()
 }

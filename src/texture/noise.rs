@@ -77,7 +77,7 @@ pub(super) fn noise(u: f64, v: f64, period: Period, seed: u32) -> f64 {
     (low + (high - low) * t) * 1.5
 }
 
-/// Fractal noise: each octave has twice the cells and half the amplitude; about -1..1.
+/// Returns fractal noise: each octave has twice the cells and half the amplitude; about -1..1.
 pub(super) fn fbm(u: f64, v: f64, period: Period, octaves: u32, seed: u32) -> f64 {
     let (mut sum, mut strength) = (0.0, 0.5);
     for octave in 0..octaves {

@@ -343,7 +343,7 @@ fn ends_line(change: &Change<'_>, wall: usize, cell: usize) -> bool {
     !rest.starts_with("<!--") && rest.starts_with(['<', '\n', '\r'])
 }
 
-/// Puts parts behind a cell, or before the first one.
+/// Inserts parts after a cell, or before the first one.
 fn inserted(
     change: &Change<'_>,
     wall: usize,
@@ -391,7 +391,7 @@ fn inserted(
     })
 }
 
-/// Pieces as text. `ends` = nothing stands behind them in their line of codes.
+/// Renders pieces as source. `ends` = nothing follows them in their line of codes.
 fn rendered(change: &Change<'_>, pieces: &[Piece], style: Style, glue: &str, ends: bool) -> String {
     let mut text = String::new();
     let mut open = false; // the last code is not filled up yet
@@ -409,14 +409,14 @@ fn rendered(change: &Change<'_>, pieces: &[Piece], style: Style, glue: &str, end
     if open && !ends { fill(text) } else { text }
 }
 
-/// Blanks that fill up the code at the end of a text.
+/// Pads the code at the end of a string with blanks.
 fn fill(text: String) -> String {
     let code = text.rfind('>').map_or(0, |i| i + 1);
     let filled = padded(&text[code..]);
     text[..code].to_owned() + &filled
 }
 
-/// A copy of a source file, without the comments, which stay where they are.
+/// Returns a copy of a source file with its comments blanked out, at the same offsets.
 fn uncommented(text: &str) -> String {
     let mut copy = String::new();
     let mut rest = text;
@@ -427,7 +427,7 @@ fn uncommented(text: &str) -> String {
     copy + rest
 }
 
-/// A piece as text, and whether that is a code in columns.
+/// Renders a piece; returns also whether it is a code in columns.
 fn written(change: &Change<'_>, piece: &Piece, style: Style) -> (String, bool) {
     if let Some((wall, cell)) = piece.old {
         let own = &change.rows[wall].cells[cell];

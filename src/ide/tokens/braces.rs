@@ -3,10 +3,10 @@
 use super::{List, TokenKind};
 use crate::parse::syntax::Expression;
 
-/// Words that name nothing of the author's.
+/// Reserved words of expressions.
 const WORDS: [&str; 8] = ["and", "or", "not", "true", "false", "yes", "no", "k"];
 
-/// The words of an expression with its braces.
+/// Adds the words of an expression with its braces.
 pub(super) fn tokens(expression: &Expression, list: &mut List<'_>) {
     let text = list.text;
     let range = &expression.range;
@@ -33,7 +33,7 @@ pub(super) fn tokens(expression: &Expression, list: &mut List<'_>) {
     }
 }
 
-/// A text, often a code.
+/// Adds a quoted string, often a code.
 fn quoted(rest: &str, at: usize, list: &mut List<'_>) -> usize {
     let length = rest[1..].find(&rest[..1]).map_or(rest.len(), |i| i + 2);
     let inner = rest.get(1..length.saturating_sub(1)).unwrap_or_default();

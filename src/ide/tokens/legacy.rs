@@ -5,7 +5,7 @@ use crate::parse::syntax::LineKind;
 use crate::parse::syntax::{Line, Outline};
 use std::ops::Range;
 
-/// The words of all lines.
+/// Adds the words of all lines.
 pub(super) fn tokens(outline: &Outline, list: &mut List<'_>) {
     for line in &outline.lines {
         match line.kind {
@@ -23,7 +23,7 @@ pub(super) fn tokens(outline: &Outline, list: &mut List<'_>) {
     }
 }
 
-/// The words of a line.
+/// Returns the words of a line.
 fn words<'a>(line: &Line, text: &'a str) -> Vec<(Range<usize>, &'a str)> {
     let written = &text[line.range.clone()];
     let place = |word: &str| word.as_ptr() as usize - written.as_ptr() as usize + line.range.start;
@@ -37,7 +37,7 @@ fn is_number(word: &str) -> bool {
     word.parse::<f64>().is_ok()
 }
 
-/// Numbers, or a setting.
+/// Adds numbers, or a setting.
 fn header(line: &Line, list: &mut List<'_>) {
     let words = words(line, list.text);
     let Some((first, key)) = words.first() else {
@@ -70,7 +70,7 @@ fn header(line: &Line, list: &mut List<'_>) {
     }
 }
 
-/// Covering, direction and shape are words of the language; options a letter and a number.
+/// Adds a roof line: covering, direction and shape are words of the language; options a letter and a number.
 fn roof(line: &Line, list: &mut List<'_>) {
     for (range, word) in words(line, list.text) {
         let option = word.chars().next().filter(|c| c.is_ascii_alphabetic());

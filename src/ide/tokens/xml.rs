@@ -6,7 +6,7 @@ use crate::parse::schema::Kind;
 use crate::parse::syntax::{Attribute, Element, Outline};
 use std::ops::Range;
 
-/// The words of all elements.
+/// Adds the words of all elements.
 pub(super) fn tokens(outline: &Outline, list: &mut List<'_>) {
     let mut codes = vec![];
     for number in 0..outline.elements.len() {
@@ -39,7 +39,7 @@ pub(super) fn tokens(outline: &Outline, list: &mut List<'_>) {
     }
 }
 
-/// Returns true for an element of shape, which only the catalogue defines.
+/// Returns true for a body element, which only the catalogue defines.
 fn is_shape(outline: &Outline, element: &Element) -> bool {
     let around = element.parent.into_iter().flat_map(|p| outline.around(p));
     let mut words = around.map(|e| outline.elements[e].schema.map_or("", |s| s.name));
@@ -50,7 +50,7 @@ fn word(element: &Element) -> &'static str {
     element.schema.map_or("", |s| s.name)
 }
 
-/// The name of an attribute; a parameter of a piece is one.
+/// Adds the name of an attribute; a parameter of a definition is one.
 fn name(element: &Element, attribute: &Attribute, list: &mut List<'_>) {
     let range = attribute.name.clone();
     match word(element) {
@@ -69,7 +69,7 @@ fn name(element: &Element, attribute: &Attribute, list: &mut List<'_>) {
     }
 }
 
-/// The value of an attribute: its codes and expressions, and what lies between.
+/// Adds the value of an attribute: its codes and expressions, and the text between them.
 fn value(
     element: &Element,
     attribute: &Attribute,
@@ -95,7 +95,7 @@ fn value(
             (CodeForm::Part | CodeForm::Picture, _) => list.declare(range.clone(), TokenKind::Code),
             (CodeForm::Perhaps, None) => plain(element, attribute, range.clone(), list),
             (CodeForm::Columns, _) => continue,
-            // Longer names may be those of pictures, which no one lists.
+            // Longer names may be those of images, which are not listed anywhere.
             (_, None) if range.len() != 5 => list.add(range.clone(), TokenKind::Code),
             _ => list.code(range),
         }
@@ -106,7 +106,7 @@ fn value(
     }
 }
 
-/// A plain value.
+/// Adds a plain value.
 fn plain(element: &Element, attribute: &Attribute, range: Range<usize>, list: &mut List<'_>) {
     let text = list.text;
     let written = &text[range.clone()];

@@ -1,9 +1,9 @@
-//! The elements of shape, of which parts are made.
+//! The body elements, of which parts are made.
 
 use crate::diagnostic::noun;
 use crate::ide::vocabulary::Table;
 
-/// The kind of each; their attributes are those of the catalogue.
+/// The descriptions of the body elements; their attributes are those of the catalogue.
 #[rustfmt::skip]
 pub(in crate::ide) const SHAPES: &Table = &[
     ("box", noun("a plain box", "箱")),

@@ -1,9 +1,9 @@
-//! The bodies of parts, as the catalogue defines them.
+//! The materials of parts, as the catalogue names them.
 
 use crate::diagnostic::noun;
 use crate::ide::vocabulary::Table;
 
-/// The words of the catalogue.
+/// The material words of the catalogue.
 #[rustfmt::skip]
 pub(in crate::ide) const STUFFS: &Table = &[
     ("cedar", noun("cedar", "杉")),

@@ -1,15 +1,15 @@
-//! The value of an expression. `and` and `or` leave out what can no longer matter, so that a test may guard a
-//! division.
+//! Evaluates expressions. `and` and `or` skip operands that can no longer matter, so that a test may guard a division.
 
 use super::{Expr, Kind, Operator};
 use crate::ast::Value;
 use crate::diagnostic::{Noun, noun};
 use std::ops::Range;
 
-/// Longer texts are no one's code or name; without a bound a few lines could fill the memory.
+/// The maximum length of a string: longer ones are no codes or names, and without a bound a few lines could exhaust
+/// memory.
 const LONGEST: usize = 4096;
 
-/// Why an expression has no value, and the part of it that is to blame.
+/// The reason why an expression has no value, and the part of it that causes it.
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::parse) struct Trouble {
     pub(in crate::parse) range: Range<usize>,
@@ -18,13 +18,13 @@ pub(in crate::parse) struct Trouble {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::parse) enum Problem {
-    /// Nothing has this name.
+    /// An undefined name.
     Unknown(String),
-    /// No function has this name.
+    /// An unknown function.
     NoFunction(String),
-    /// `k` where no storey is.
+    /// `k` outside a storey.
     NoStorey,
-    /// An operand is not what its operator works on.
+    /// An operand of a type that its operator does not accept.
     Mismatch { wanted: Noun, found: Value },
     /// A function has too many or too few arguments.
     Arguments {
@@ -32,19 +32,19 @@ pub(in crate::parse) enum Problem {
         wanted: Noun,
         found: usize,
     },
-    /// Division by 0.
+    /// A division by 0.
     Division,
-    /// `clamp` between bounds the wrong way round.
+    /// `clamp` with its bounds in the wrong order.
     Bounds,
-    /// Further than numbers go.
+    /// A result out of range.
     Overflow,
-    /// A text beyond all measure.
+    /// A string that is too long.
     TooLong,
-    /// The name's own value could not be had, and this was reported.
+    /// The name's own value could not be computed, which was reported.
     Reported,
 }
 
-/// The value of a name.
+/// Returns the value of a name.
 pub(in crate::parse) type Names<'n> = &'n dyn Fn(&str) -> Result<Value, Problem>;
 
 const NUMBER: Noun = noun("a number", "数値");
@@ -61,7 +61,7 @@ fn kind(value: &Value) -> Noun {
 
 type Outcome = Result<Value, Trouble>;
 
-/// The value of an expression.
+/// Returns the value of an expression.
 pub(in crate::parse) fn evaluate(expr: &Expr, names: Names<'_>) -> Outcome {
     let trouble = |problem| {
         let range = expr.range.clone();
@@ -143,7 +143,7 @@ fn apply(
                 Minus => l - r,
                 Times => l * r,
                 Divided => l / r,
-                // The sign of the divisor, so that positions count round from below 0 too.
+                // The sign of the divisor, so that positions wrap round from below 0 too.
                 _ => l - r * (l / r).floor(),
             };
             finite(number).or_else(|problem| at(whole, problem))

@@ -1,4 +1,4 @@
-//! Expressions: ranks, faults, and what does no harm.
+//! Expressions: ranks, errors, and harmless oddities.
 
 use super::*;
 

@@ -1,8 +1,8 @@
-//! Cuts a wall line into codes of five columns.
+//! Splits a wall line into codes of five columns.
 //!
-//! Only the form is known here: a code begins with one of the class letters (docs/evidence.md 5.1), five blanks
-//! or five points are a void. Where the columns of a line are out of step, every code after the slip
-//! would be unknown; so the words are looked at once, and one message proposes the line as it was meant.
+//! Only the form is known here: a code begins with one of the class letters (docs/evidence.md 5.1), five blanks or five
+//! points are a void. If the columns of a line are misaligned, every code after the mistake would be unknown; so the
+//! words are examined instead, and one message proposes the intended line.
 
 use super::line::{CELL, Line};
 use crate::ast::{CodeText, Item, Piece};
@@ -12,16 +12,16 @@ use nom::bytes::complete::take;
 use nom::{IResult, Parser};
 use std::ops::Range;
 
-/// A void that can be seen.
+/// A visible void.
 const POINTS: &str = ".....";
 
-/// A code, or a void, and where it is in the text of its line.
+/// A code, or a void, and its place in the text of its line.
 struct Cell<'l> {
     text: &'l str,
     range: Range<usize>,
 }
 
-/// The pieces of a part of a line; `turned` tells that a control letter follows it.
+/// Returns the pieces of a part of a line; `turned` = a control letter follows it.
 pub(super) fn pieces(
     line: &Line<'_>,
     mut range: Range<usize>,
@@ -39,7 +39,7 @@ pub(super) fn pieces(
         pieces.push(piece(line, at..at + cell.len(), cell, reporter));
         (rest, at) = (next, at + cell.len());
     }
-    // A last code cut short begins like any other.
+    // A truncated last code begins like any other.
     let last = rest.trim_end_matches(' ');
     odd |= !regular(last);
     doubtful |= !plain(last);
@@ -59,7 +59,7 @@ pub(super) fn pieces(
     pieces
 }
 
-/// Columns are characters, whatever their bytes.
+/// Returns the number of columns, which are characters whatever their bytes.
 pub(super) fn columns(text: &str) -> usize {
     if text.is_ascii() {
         text.len()
@@ -72,7 +72,7 @@ fn five(input: &str) -> IResult<&str, &str> {
     take(CELL).parse(input)
 }
 
-/// The same where columns are bytes, which spares looking at each character.
+/// Takes five columns if they are bytes, which avoids decoding each character.
 fn five_bytes(input: &str) -> IResult<&str, &str> {
     let (_, cell) = take(CELL)
         .parse(input.as_bytes())
@@ -124,7 +124,7 @@ fn piece(line: &Line<'_>, range: Range<usize>, text: &str, reporter: &Reporter<'
     Item::One(Piece::new(code, span))
 }
 
-/// Blanks before the first code that are no whole voids shift every code of the line.
+/// Reports blanks before the first code that are not whole voids: they shift every code of the line.
 fn leading_shift(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> usize {
     let text = &line.text[range.clone()];
     let lead = text.len() - text.trim_start_matches(' ').len();
@@ -163,7 +163,7 @@ fn remainder(
     }
 }
 
-/// Whole cells of points and blanks that are not five points are voids all the same.
+/// Reads whole cells of points and blanks that are not five points as voids.
 fn point_voids(
     line: &Line<'_>,
     range: Range<usize>,
@@ -186,7 +186,7 @@ fn point_voids(
     }
 }
 
-/// Voids at a line end that an editor may trim away (docs/evidence.md 2.6, A4).
+/// Reports voids at a line end that an editor may trim away (docs/evidence.md 2.6, A4).
 fn trailing_voids(line: &Line<'_>, text: &str, at: usize, reporter: &mut Reporter<'_>) {
     let written = text.trim_end_matches(' ');
     let missing = (CELL - columns(written) % CELL) % CELL;
@@ -198,8 +198,8 @@ fn trailing_voids(line: &Line<'_>, text: &str, at: usize, reporter: &mut Reporte
     }
 }
 
-/// The codes of a line that is out of step, if its words leave no doubt: each begins with a class letter
-/// and two capitals, or is a void of points, and none is longer than five columns.
+/// Returns the codes of a misaligned line, if its words leave no doubt: each begins with a class letter and two
+/// capitals, or is a void of points, and none is longer than five columns.
 fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
     let starts = starts(text);
     let first = *starts.first()?;
@@ -214,7 +214,7 @@ fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
     for (i, &start) in starts.iter().enumerate() {
         let end = starts.get(i + 1).copied();
         let segment = &text[start..end.unwrap_or(text.len())];
-        // Some part the codes as they would part words.
+        // Some authors separate codes like words.
         let written = segment.trim_end_matches([' ', ',', ';']);
         if written.len() > CELL {
             return None;
@@ -224,7 +224,7 @@ fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
             text: written,
             range,
         });
-        // A gap of about five columns more than a code needs is a void.
+        // A gap about five columns wider than a code needs is a void.
         let voids = end.map_or(0, |_| ((segment.len() + 2) / CELL).saturating_sub(1));
         let gap = at + start + written.len()..at + start + segment.len();
         cells.extend((0..voids).map(|_| Cell {
@@ -235,7 +235,7 @@ fn in_step(text: &str, at: usize) -> Option<Vec<Cell<'_>>> {
     Some(cells)
 }
 
-/// Where words begin that look like codes.
+/// Returns the starts of words that look like codes.
 fn starts(text: &str) -> Vec<usize> {
     let bytes = text.as_bytes();
     let (mut at, mut found) = (0, vec![]);
@@ -257,7 +257,7 @@ fn starts(text: &str) -> Vec<usize> {
     found
 }
 
-/// Reports a line that is out of step from its first irregular cell on, and takes its words.
+/// Reports a misaligned line from its first irregular cell on, and returns its words.
 fn fixed(
     line: &Line<'_>,
     range: Range<usize>,
@@ -266,7 +266,7 @@ fn fixed(
     reporter: &mut Reporter<'_>,
 ) -> Vec<Item<Piece>> {
     let text = &line.text[range.clone()];
-    // The slip is where a code first stands off its column.
+    // The mistake is where a code first leaves its column.
     let off = |c: &&Cell<'_>| !(c.range.start - range.start).is_multiple_of(CELL);
     let slip = cells
         .iter()
@@ -275,7 +275,7 @@ fn fixed(
     let end = range.start + text.trim_end_matches(' ').len();
     let span = line.span(reporter.source, slip..end);
     let meant: String = cells.iter().map(|c| format!("{:5}", c.text)).collect();
-    // A turn that stands right keeps its place after the five columns of the last code.
+    // A correctly placed turn stays after the five columns of the last code.
     let (last, whole) = if turned && text.len().is_multiple_of(CELL) {
         (range.end, &*meant)
     } else {

@@ -19,7 +19,7 @@ impl Reporter<'_> {
         }
     }
 
-    /// Reports what was fixed in a line of fields: any white space is as good as a blank there, and a
+    /// Reports what was fixed in a line of fields: any white space counts as a blank there, and a
     /// word that is still wrong is reported as a word.
     pub(super) fn fixed_fields(&mut self, line: &Line<'_>) {
         for (i, finding) in line.findings.iter().enumerate() {
@@ -74,7 +74,7 @@ impl Reporter<'_> {
     }
 }
 
-/// A finding and the wide blanks right after it: among wide letters they are as wide as these.
+/// Returns a finding and the wide blanks right after it: among wide letters they are as wide as these.
 fn wide_run(line: &Line<'_>, number: usize) -> Range<usize> {
     let range = line.findings[number].range.clone();
     let next = line.findings.get(number + 1);

@@ -1,4 +1,4 @@
-//! The header: where the house stands, how high its storeys are, and its settings.
+//! The header: the position of the house, the heights of its storeys, and its settings.
 
 use super::line::Line;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
@@ -13,17 +13,17 @@ pub(super) const KEYS: [&str; 8] = [
     "unit", "seed", "roofs", "method", "street", "name", "age", "era",
 ];
 
-/// Height of a storey whose own cannot be read, shaku (docs/contract.md 1).
+/// Default height of a storey whose height cannot be read, shaku (docs/contract.md 1).
 const HEIGHT: f64 = 9.0;
 
-/// Least heights of a ground storey and of an upper one, shaku. No one stands upright below them, but a
+/// Least plausible heights of a ground storey and of an upper one, shaku. Nobody can stand upright below them, but a
 /// tsushi-nikai may be 5 shaku high.
 const LOW: (f64, f64) = (5.0, 4.0);
 
-/// Greatest height of a storey that was surely meant in shaku; the hall of a great temple has less.
+/// Greatest plausible height of a storey in shaku; the hall of a great temple is lower.
 const HIGH: f64 = 40.0;
 
-/// First numbers of a header; a whole country fits into the bounds.
+/// The first numbers of a header; the bounds cover a whole country.
 const PLACE: [Range64; 3] = [
     Range64 {
         what: noun("x", "x"),
@@ -59,7 +59,7 @@ const AGE: Range64 = Range64 {
     unit: noun("years", "年"),
 };
 
-/// The header so far.
+/// The header as read so far.
 #[derive(Default)]
 pub(super) struct Header {
     place: Option<Span>,
@@ -110,7 +110,7 @@ impl Header {
                 self.heights = Some(span);
                 for word in &words {
                     let height = within(word.text, word.span, &STOREY, reporter);
-                    // A height that cannot be read must not move the ones after it.
+                    // An unreadable height must not shift the ones after it.
                     let kept = height.unwrap_or(Spanned::new(HEIGHT, word.span));
                     house.heights.push(kept);
                 }
@@ -123,11 +123,11 @@ impl Header {
         }
     }
 
-    /// Looks at the heights once the number of storeys is known: those left out, and those that seem to be
-    /// given in another unit.
+    /// Checks the heights once the number of storeys is known: missing ones, and those apparently given in another
+    /// unit.
     pub(super) fn judge(&self, house: &House, storeys: usize, reporter: &mut Reporter<'_>) {
         let heights = &house.heights;
-        // Missing heights are the default by contract; numbers that look like heights are worth a word.
+        // Missing heights are the default by contract; extra numbers that look like heights are reported.
         let numbers = [&house.settings.x, &house.settings.y];
         let like_heights = numbers.iter().all(|n| {
             n.as_ref()
@@ -186,12 +186,12 @@ impl Header {
     }
 }
 
-/// The part of a word before `=` or `:`.
+/// Returns the part of a word before `=` or `:`.
 fn key_word(word: &str) -> &str {
     word.split(['=', ':']).next().unwrap_or_default()
 }
 
-/// The key a word means, whatever its case, and how much of the word that is.
+/// Returns the key a word means, ignoring case, and its length in the word.
 fn key_of(word: &str) -> Option<(&'static str, usize)> {
     let head = key_word(word);
     let same = |key: &&&'static str| key.eq_ignore_ascii_case(head);
@@ -205,7 +205,7 @@ pub(super) fn is_key_line(text: &str) -> bool {
         .is_some_and(|first| KEYS.contains(&first))
 }
 
-/// The words after a key, or what is glued to it by `=` or `:`.
+/// Returns the words after a key, or the value attached to it by `=` or `:`.
 fn value<'w>(words: &'w [Word<'w>]) -> Vec<(&'w str, Span)> {
     let glued = words.first().and_then(|w| {
         let at = w.text.find(['=', ':'])?;
@@ -234,7 +234,7 @@ fn place(words: &[Word<'_>], house: &mut House, reporter: &mut Reporter<'_>) {
     }
 }
 
-/// The rest of the line as written, since a name may hold any character.
+/// Returns the rest of the line as written, since a name may contain any character.
 fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, reporter: &mut Reporter<'_>) {
     let rest = line.raw[free..].trim_start_matches(['=', ':']);
     let text = rest.trim();

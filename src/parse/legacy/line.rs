@@ -1,24 +1,24 @@
-//! Lines of a source file, and the replacements of characters that have no place in one.
+//! Lines of a source file, and the replacements of invalid characters.
 //!
-//! Almost every line is printable ASCII and is borrowed as it is. The others are fixed: full-width
-//! blanks and tabs become blanks, full-width letters become plain ones, so that the rest of the reader
-//! sees what the author meant. A map leads back, so spans always cover what is written.
+//! Almost every line is printable ASCII and is borrowed as it is. The others are fixed: full-width blanks and tabs
+//! become blanks, full-width letters become plain ones, so that the rest of the reader sees what the author meant. A
+//! map leads back to the source, so spans always cover what is written.
 
 use crate::parse;
 use crate::source::{Source, Span};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Columns of one code.
+/// Number of columns of one code.
 pub(super) const CELL: usize = 5;
 
-/// A line without its line end, fixed.
+/// A line without its line end, with invalid characters replaced.
 pub(super) struct Line<'a> {
     /// As written.
     pub(super) raw: &'a str,
-    /// Where `raw` begins in the text of the source.
+    /// The start of `raw` in the text of the source.
     pub(super) at: usize,
-    /// With stand-ins for characters that do not belong.
+    /// With substitutes for invalid characters.
     pub(super) text: Cow<'a, str>,
     /// Offset in `raw` of each byte of `text` and of its end; empty where both are the same.
     map: Vec<u32>,
@@ -26,32 +26,32 @@ pub(super) struct Line<'a> {
     pub(super) findings: Vec<Finding>,
 }
 
-/// A run of characters that were fixed, or could not be.
+/// A run of characters that were replaced, or could not be.
 pub(super) struct Finding {
     /// The kind of characters.
     pub(super) kind: Odd,
-    /// Where, in `raw`.
+    /// Its range in `raw`.
     pub(super) range: Range<usize>,
 }
 
-/// Characters that are no printable ASCII.
+/// Kinds of characters that are not printable ASCII.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Odd {
-    /// U+3000, taken for two blanks.
+    /// U+3000, read as two blanks.
     WideBlank,
-    /// A tab, taken for the blanks up to the next border of two codes.
+    /// A tab, read as the blanks up to the next border of two codes.
     Tab,
-    /// White space of other widths, taken for one blank.
+    /// White space of other widths, read as one blank.
     OtherBlank,
-    /// Full-width forms, taken for the plain letters.
+    /// Full-width forms, read as the plain letters.
     Wide,
     /// Characters without a width, left out.
     Invisible,
-    /// Control characters, taken for blanks.
+    /// Control characters, read as blanks.
     Control,
-    /// The stand-in for bytes without a meaning; reported for the file already.
+    /// The replacement character of invalid bytes; reported for the file already.
     Replacement,
-    /// The Japanese name of a part, taken for its code.
+    /// The Japanese name of a part, read as its code.
     PartName,
     /// Everything else; kept.
     Foreign,
@@ -67,7 +67,7 @@ impl<'a> Line<'a> {
             map: vec![],
             findings: vec![],
         };
-        // Without an early end the loop runs over many bytes at a time.
+        // Without an early exit the loop is vectorized.
         let odd = |odd, b: u8| odd | !(b' '..=b'~').contains(&b);
         if raw.bytes().fold(false, odd) {
             line.fix();
@@ -75,15 +75,15 @@ impl<'a> Line<'a> {
         line
     }
 
-    /// The span of a range of `text`.
+    /// Returns the span of a range of `text`.
     pub(super) fn span(&self, source: &Source, range: Range<usize>) -> Span {
         source.span(self.at + self.written(range.start)..self.at + self.written(range.end))
     }
 
-    /// The span of the whole line, without blanks at its ends.
+    /// Returns the span of the whole line, without blanks at its ends.
     pub(super) fn whole(&self, source: &Source) -> Span {
         let (mut start, mut end) = (0, self.raw.len());
-        // Most lines have no white space at their ends, and looking for all kinds of it takes time.
+        // Most lines have no white space at their ends, and searching for all kinds of it takes time.
         if self.raw.starts_with(|c: char| !c.is_ascii_graphic()) {
             start = end - self.raw.trim_start().len();
         }
@@ -93,7 +93,7 @@ impl<'a> Line<'a> {
         source.span(self.at + start..self.at + end)
     }
 
-    /// The offset in `raw` of an offset in `text`.
+    /// Returns the offset in `raw` of an offset in `text`.
     pub(super) fn written(&self, at: usize) -> usize {
         self.map.get(at).map_or(at, |&w| w as usize)
     }
@@ -148,7 +148,7 @@ impl<'a> Line<'a> {
         self.text = Cow::Owned(text);
     }
 
-    /// Notes a character; neighbours of the same kind make one finding.
+    /// Records a character; adjacent ones of the same kind make one finding.
     fn find(&mut self, kind: Odd, range: Range<usize>) {
         match self.findings.last_mut() {
             Some(f) if f.kind == kind && f.range.end == range.start => f.range.end = range.end,
@@ -157,7 +157,7 @@ impl<'a> Line<'a> {
     }
 }
 
-/// The code of the part whose name is here as a word, and where the name ends.
+/// Returns the code of the part whose name is here as a word, and the end of the name.
 fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
     let foreign = |c: char| odd(c) == Some(Odd::Foreign);
     if raw[..at].ends_with(foreign) {
@@ -168,7 +168,7 @@ fn part_name(raw: &str, at: usize) -> Option<(&'static str, usize)> {
     (!raw[end..].starts_with(foreign)).then_some((part.code(), end))
 }
 
-/// Where a name and the blanks that fill it up to whole codes end.
+/// Returns the end of a name and the blanks that pad it to whole codes.
 pub(super) fn after_name(raw: &str, at: usize, end: usize) -> usize {
     let written = raw[at..end].chars().count();
     let missing = written.next_multiple_of(CELL) - written;
@@ -190,15 +190,15 @@ fn odd(c: char) -> Option<Odd> {
     })
 }
 
-/// The plain form of a full-width one; both blocks have the same order.
+/// Returns the plain form of a full-width character; both blocks have the same order.
 fn narrow(c: char) -> char {
     char::from_u32(u32::from(c) - 0xff01 + 0x21).unwrap_or(c)
 }
 
-/// Carriage returns before a line feed that make one line end with it. A file may be a megabyte of them.
+/// The maximum number of carriage returns that form one line end with a line feed. A file may be a megabyte of them.
 const RETURNS: usize = 8;
 
-/// The ranges of the lines of a source file and of their line ends: LF, CR LF (with several CR), or CR.
+/// Returns the ranges of the lines of a source file and of their line ends: LF, CR LF (with several CR), or CR.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = (Range<usize>, Range<usize>)> + '_ {
     let bytes = text.as_bytes();
     let mut at = 0;

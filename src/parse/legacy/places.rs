@@ -1,4 +1,4 @@
-//! Places around a place, for fixes: a whole line, a word with the blanks before it, the digits of a glued word.
+//! Ranges around a place, for fixes: a whole line, a word with the blanks before it, the digits of a glued word.
 
 use super::line::after_line_end;
 use crate::parse::reporter::Reporter;
@@ -8,12 +8,12 @@ use crate::source::Span;
 const ENDS: [char; 2] = ['\n', '\r'];
 
 impl Reporter<'_> {
-    /// The text at a place.
+    /// Returns the source at a place.
     pub(super) fn written(&self, span: Span) -> &str {
         &self.source.text()[self.source.text_range(span)]
     }
 
-    /// The lines of a place, with the last line end.
+    /// Returns the lines of a place, with the last line end.
     pub(super) fn line_of(&self, span: Span) -> Span {
         let (text, range) = (self.source.text(), self.source.text_range(span));
         let start = text[..range.start].rfind(ENDS).map_or(0, |at| at + 1);
@@ -23,7 +23,7 @@ impl Reporter<'_> {
             .span(start..after_line_end(text.as_bytes(), end))
     }
 
-    /// The place, or its whole line if nothing else is there: a line left blank could end a section.
+    /// Returns the place, or its whole line if nothing else is there: a line left blank could end a section.
     pub(super) fn or_line(&self, span: Span) -> Span {
         let (text, range) = (self.source.text(), self.source.text_range(span));
         let before = text[..range.start].trim_end_matches(' ');
@@ -33,14 +33,14 @@ impl Reporter<'_> {
         if alone { self.line_of(span) } else { span }
     }
 
-    /// The place and the blanks before it.
+    /// Returns the place and the blanks before it.
     pub(super) fn with_blanks(&self, span: Span) -> Span {
         let range = self.source.text_range(span);
         let before = self.source.text()[..range.start].trim_end_matches([' ', '\t']);
         self.source.span(before.len()..range.end)
     }
 
-    /// The range of a text that ends a place; nothing where it is written in other letters.
+    /// Returns the range of a string that ends a place; nothing if it is written in other letters.
     pub(super) fn tail(&self, span: Span, text: &str) -> Option<Span> {
         let range = self.source.text_range(span);
         let fits = self.source.text()[range.clone()].ends_with(text);

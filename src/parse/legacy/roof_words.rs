@@ -1,4 +1,4 @@
-//! The words of roof lines: option letters with their bounds, and the names that authors write out for letters.
+//! The words of roof lines: option letters with their bounds, and the names that authors write instead of letters.
 
 use super::words::Range64;
 use crate::diagnostic::noun;
@@ -106,7 +106,7 @@ pub(super) const SHAPE_NAMES: [(&str, &[&str]); 11] = [
     ("RIK", &["陸屋根", "陸", "平屋根", "rikuyane", "flat"]),
 ];
 
-/// The same for the kinds.
+/// Long names of kinds.
 pub(super) const KIND_NAMES: [(&str, &[&str]); 7] = [
     (
         "K",
@@ -134,7 +134,7 @@ pub(super) const KIND_NAMES: [(&str, &[&str]); 7] = [
     ("Y", &["茅", "萱", "茅葺", "茅葺き", "藁", "kaya", "thatch"]),
     ("T", &["トタン", "鉄板", "totan", "metal"]),
 ];
-/// The letters of a shape or kind that is written out.
+/// Returns the letters of a shape or kind that is written out.
 pub(super) fn named(word: &str, names: &[(&'static str, &[&str])]) -> Option<&'static str> {
     let same = |names: &[&str]| names.iter().any(|n| n.eq_ignore_ascii_case(word));
     let found = names.iter().find(|(_, names)| same(names));

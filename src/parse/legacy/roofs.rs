@@ -42,7 +42,7 @@ pub(super) fn looks_like_roof(text: &str) -> bool {
     fields || shaped
 }
 
-/// Reads one line; without its corners a roof has no place and is left out.
+/// Reads one line; without its corners a roof has no place and is omitted.
 pub(super) fn read(line: &Line<'_>, reporter: &mut Reporter<'_>) -> Option<RoofLine> {
     reporter.fixed_fields(line);
     let words = words(line, reporter);
@@ -64,7 +64,7 @@ pub(super) fn read(line: &Line<'_>, reporter: &mut Reporter<'_>) -> Option<RoofL
         let capitals = fields.reporter.written(lower).to_ascii_uppercase();
         fields.reporter.say(say::lower_roof(lower, &capitals));
     }
-    // A roof of another shape than its author meant would only bring on more messages.
+    // A roof of another shape than its author meant would only cause more messages.
     let strange = fields.strange;
     let direction = fitting(direction, style.shape, reporter);
     let corners = corners.filter(|_| !strange)?;
@@ -77,7 +77,7 @@ pub(super) fn read(line: &Line<'_>, reporter: &mut Reporter<'_>) -> Option<RoofL
     })
 }
 
-/// The words of a line that are not read yet.
+/// The remaining words of a line.
 struct Fields<'w, 't, 's> {
     rest: &'w [Word<'w>],
     end: Span,
@@ -99,7 +99,7 @@ impl<'w> Fields<'w, '_, '_> {
         Some(first)
     }
 
-    /// The empty place where a field should stand.
+    /// Returns the empty place of a missing field.
     fn gap(&self) -> Span {
         self.peek().map_or(self.end, |w| Span {
             end: w.span.start,
@@ -107,7 +107,7 @@ impl<'w> Fields<'w, '_, '_> {
         })
     }
 
-    /// Says that a field is not there.
+    /// Reports a missing field.
     fn missing(&mut self, what: Noun) {
         let star = match self.peek() {
             Some(_) => "* ",
@@ -117,7 +117,7 @@ impl<'w> Fields<'w, '_, '_> {
             .say(say::missing_field(self.gap(), what, star));
     }
 
-    /// The word in capitals; lower case is noted.
+    /// Returns the word in capitals; lower case is recorded.
     fn capital(&mut self, word: &Word<'_>) -> String {
         if word.text.bytes().any(|b| b.is_ascii_lowercase()) {
             self.lower = Some(self.lower.map_or(word.span, |l| l.to(word.span)));
@@ -171,7 +171,7 @@ impl<'w> Fields<'w, '_, '_> {
         found.map(|d| Spanned::new(d, word.span))
     }
 
-    /// The next word, unless a number or a shape shows that a field of letters was left out.
+    /// Returns the next word, unless a number or a shape shows that a field of letters was omitted.
     fn letters(&mut self, what: Noun) -> Option<&'w Word<'w>> {
         match self.peek() {
             Some(w) if !numeric(w.text) && shape(w.text).is_none() => self.next(),
@@ -272,7 +272,7 @@ impl<'w> Fields<'w, '_, '_> {
             let letter = text.chars().next().unwrap_or(' ');
             if let Some((_, before)) = seen.iter().find(|(l, _)| *l == letter) {
                 let places = [*before, word].map(|w| {
-                    // A number that stands apart would be left over.
+                    // A separate number would be left over.
                     let whole = w.text.len() > 1 || letter == 'O';
                     whole.then(|| self.reporter.with_blanks(w.span))
                 });
@@ -346,7 +346,7 @@ impl<'w> Fields<'w, '_, '_> {
     }
 }
 
-/// Drops a direction that a shape cannot have: a ridge for one slope, a fall for two.
+/// Removes a direction that a shape cannot have: a ridge for one slope, a fall for two.
 fn fitting(
     direction: Option<Spanned<RoofDirection>>,
     shape: Option<Spanned<RoofShape>>,
@@ -365,7 +365,7 @@ fn fitting(
         _ => ridge,
     };
     if !fits {
-        // Glued to the kind, it has no place of its own.
+        // Attached to the kind, it has no place of its own.
         let own = reporter.written(d.span).chars().count() == 1;
         reporter.say(say::direction_misfit(
             d.span,

@@ -1,4 +1,4 @@
-//! The perimeter: one wall a line, storeys closed by `^`.
+//! The perimeter: one wall per line, storeys closed by `^`.
 
 use super::cells::{columns, pieces};
 use super::line::{CELL, Line};
@@ -18,14 +18,14 @@ enum Control {
     NextStorey,
 }
 
-/// The storeys read so far.
+/// The storeys as read so far.
 #[derive(Default)]
 pub(super) struct Walls {
     storeys: Vec<Item<Storey>>,
     rows: Vec<Item<Row>>,
-    /// From the first row of the storey under way to its last.
+    /// From the first row of the current storey to its last.
     span: Option<Span>,
-    /// The last `^`, while nothing has followed it.
+    /// The last `^`, if nothing has followed it.
     reset: Option<Span>,
 }
 
@@ -53,7 +53,7 @@ impl Walls {
         }
     }
 
-    /// Closes the last storey and hands the storeys over.
+    /// Closes the last storey and returns the storeys.
     pub(super) fn finish(&mut self, reporter: &mut Reporter<'_>) -> Vec<Item<Storey>> {
         if let Some(reset) = self.reset.filter(|_| !self.storeys.is_empty()) {
             reporter.say(say::last_reset(reset));
@@ -73,7 +73,7 @@ impl Walls {
             Control::NextStorey => None,
         });
         let reset = control.and_then(|(c, at)| (c == Control::NextStorey).then_some(at));
-        // A lone `^` is no wall: it closes the one before.
+        // A lone `^` is not a wall: it closes the storey before.
         if reset.is_none() || !pieces.is_empty() {
             self.rows.push(Item::One(Row { span, pieces, turn }));
         } else if self.rows.is_empty() {
@@ -87,8 +87,8 @@ impl Walls {
         self.reset = reset;
     }
 
-    /// Reports a turn that ends `range` but not its line. One before all codes is given to the line
-    /// before, where it belongs, and `true` tells that nothing is left of the range.
+    /// Reports a turn that ends `range` but not its line. One before all codes is assigned to the line before, where it
+    /// belongs; returns true if nothing else is left of the range.
     fn inner_turn(
         &mut self,
         line: &Line<'_>,
@@ -144,7 +144,7 @@ impl Walls {
     }
 }
 
-/// The end of what is no comment. A `#` inside a code is a character like any other.
+/// Returns the start of the comment on a line. A `#` inside a code is an ordinary character.
 fn comment(line: &Line<'_>, reporter: &mut Reporter<'_>) -> usize {
     let text = &*line.text;
     if !text.as_bytes().contains(&b'#') {
@@ -163,10 +163,10 @@ fn comment(line: &Line<'_>, reporter: &mut Reporter<'_>) -> usize {
     text[..at].trim_end_matches(' ').len()
 }
 
-/// Where an `L` or `R` stands as a word of its own with codes after it. In the fifth column of a code it is
-/// left alone: custom parts may be called so.
+/// Returns the first `L` or `R` that is a word of its own with codes after it. In the fifth column of a code it is left
+/// alone: custom parts may have such codes.
 fn first_turn(text: &str) -> Option<usize> {
-    // No farther than the next `^`, and each column counted once: a line may be a megabyte of either.
+    // Not beyond the next `^`, with each column counted once: a line may be a megabyte of either.
     let end = text.bytes().position(|b| b == b'^').unwrap_or(text.len());
     let bytes = &text.as_bytes()[..end];
     let (mut at, mut counted, mut column) = (0, 0, 0);
@@ -187,7 +187,7 @@ fn first_turn(text: &str) -> Option<usize> {
     None
 }
 
-/// The part of a line up to its first `^`; what follows one is the first wall of the next storey.
+/// Returns the part of a line up to its first `^`; the rest is the first wall of the next storey.
 fn before_reset(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> Range<usize> {
     let text = &line.text[range.clone()];
     let Some(at) = text.bytes().position(|b| b == b'^') else {
@@ -207,7 +207,7 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_
     range.start..range.start + at + 1
 }
 
-/// The control letter at the end of a line, and where the codes before it end.
+/// Returns the control letter at the end of a line, and the end of the codes before it.
 fn ending(
     line: &Line<'_>,
     range: Range<usize>,
@@ -237,7 +237,7 @@ fn ending(
     let letter = &text[before.len()..];
     let mut codes = before.trim_end_matches(' ');
     if columns(codes) % CELL == 1 && codes.ends_with(['L', 'R']) {
-        // `L^`: the turn before a reset counts for nothing.
+        // `L^`: the turn before a reset has no effect.
         let turn = &codes[codes.len() - 1..];
         codes = &codes[..codes.len() - 1];
         let gap = line.span(reporter.source, range.start + codes.len()..at.start);
@@ -261,7 +261,7 @@ fn ending(
     (range.start + codes.len(), Some((control, at)))
 }
 
-/// The change that ends a row, which has no turn yet, with a letter right after the five columns of its last code.
+/// Returns the edit that ends a row without a turn with a letter right after the five columns of its last code.
 fn before(row: &Item<Row>, letter: &str, reporter: &Reporter<'_>) -> Option<Edit> {
     let Item::One(row) = row else { return None };
     let text = reporter.written(row.span);

@@ -1,4 +1,4 @@
-//! Words and numbers: what header and roof lines are made of.
+//! Words and numbers, the components of header and roof lines.
 
 use super::line::Line;
 use crate::diagnostic::Noun;
@@ -18,7 +18,7 @@ pub(super) struct Word<'l> {
     pub(super) span: Span,
 }
 
-/// The words of a line, up to a comment that does not belong there.
+/// Returns the words of a line, up to a misplaced comment.
 pub(super) fn words<'l>(line: &'l Line<'_>, reporter: &mut Reporter<'_>) -> Vec<Word<'l>> {
     let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
     while let Ok((next, (read, word))) = word(rest) {
@@ -37,7 +37,7 @@ pub(super) fn words<'l>(line: &'l Line<'_>, reporter: &mut Reporter<'_>) -> Vec<
     found
 }
 
-/// Says that a comment is behind something on its line, and offers to put it before.
+/// Reports a comment behind something on its line, with a fix that moves it before.
 pub(super) fn say_comment(line: &Line<'_>, comment: Span, reporter: &mut Reporter<'_>) {
     let start = reporter.source.span(line.at..line.at);
     let (place, end) = (reporter.with_blanks(comment), reporter.line_end_text());
@@ -45,12 +45,12 @@ pub(super) fn say_comment(line: &Line<'_>, comment: Span, reporter: &mut Reporte
     reporter.say(say::comment_column(comment, place, start, text));
 }
 
-/// The words of a text, without places.
+/// Returns the words of a string, without places.
 pub(super) fn plain_words(text: &str) -> impl Iterator<Item = &str> {
     text.split_ascii_whitespace()
 }
 
-/// The characters read, blanks included, and the word in them. Blanks are ASCII, so bytes do.
+/// Parses a word; returns the characters read, blanks included, and the word. Blanks are ASCII, so bytes suffice.
 fn word(input: &[u8]) -> IResult<&[u8], (&[u8], &[u8])> {
     consumed(preceded(take_while(blank), take_till1(blank))).parse(input)
 }
@@ -59,7 +59,7 @@ fn blank(b: u8) -> bool {
     b.is_ascii_whitespace()
 }
 
-/// A finite decimal number.
+/// Parses a finite decimal number.
 pub(super) fn number(text: &str) -> Option<f64> {
     let mut whole = all_consuming(recognize_float::<_, nom::error::Error<_>>);
     let (_, digits) = whole.parse(text).ok()?;
@@ -75,7 +75,7 @@ pub(super) fn numeric(text: &str) -> bool {
 
 /// The purpose of a number, and its bounds.
 pub(super) struct Range64 {
-    /// As messages call it.
+    /// Its name in messages.
     pub(super) what: Noun,
     /// Its bounds.
     pub(super) bounds: RangeInclusive<f64>,
@@ -114,7 +114,7 @@ pub(super) fn within(
     None
 }
 
-/// The span of all of several words.
+/// Returns the span that covers several words.
 pub(super) fn all(words: &[Word<'_>], source: &Source) -> Span {
     match words {
         [] => source.span(0..0),
@@ -123,13 +123,13 @@ pub(super) fn all(words: &[Word<'_>], source: &Source) -> Span {
     }
 }
 
-/// The candidate that is spelled most like a word, if any is near.
+/// Returns the candidate nearest to a word, if any is near.
 pub(super) fn nearest<'c>(word: &str, candidates: &[&'c str]) -> Option<&'c str> {
     let lower = word.to_ascii_lowercase();
     if lower.len() > 32 {
         return None;
     }
-    // Of words as near, one with the same first letter: that is seldom the mistake.
+    // Of equally near words, one with the same first letter: it is seldom mistyped.
     let score = |c: &&'c str| {
         let small = c.to_ascii_lowercase();
         let edits = strsim::osa_distance(&lower, &small);

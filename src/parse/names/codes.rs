@@ -1,7 +1,7 @@
-//! The codes of parts: where they stand, and which custom part each of them means.
+//! The codes of parts: their places, and the custom part that each of them means.
 //!
-//! A code means the part that the house knows in which it stands: its own one, that of its file, of files named for the
-//! run, of the file beside the source file, and at last the one that comes with the program (see [`catalog`](crate::catalog)).
+//! A code means the part known in its house: one of the house itself, of its file, of files named on the command line,
+//! of the file beside the source file, and finally the built-in one (see [`catalog`](crate::catalog)).
 
 use crate::ast::CodeText;
 use crate::parse::names::file::{File, word};
@@ -10,10 +10,10 @@ use crate::parse::syntax::{Attribute, Element, Outline};
 use crate::source::FileId;
 use std::ops::Range;
 
-/// How a code stands where it stands.
+/// The syntactic form of a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CodeForm {
-    /// Five columns of a wall line; shorter where blanks at its end were left out.
+    /// Five columns of a wall line; shorter if blanks at its end were left out.
     Columns,
     /// Text of an attribute or an expression.
     Value,
@@ -21,11 +21,11 @@ pub(crate) enum CodeForm {
     Part,
     /// The base of a `PartDef`.
     Base,
-    /// A picture that a `Texture` names, with a file of its own.
+    /// An image that a `Texture` names, with a file of its own.
     Picture,
-    /// The picture that a `PartDef` shows.
+    /// The image that a `PartDef` shows.
     Shown,
-    /// A value that may be a code: of a `let`, a parameter, a quoted text.
+    /// A value that may be a code: of a `let`, a parameter, a quoted string.
     Perhaps,
 }
 
@@ -39,26 +39,27 @@ pub(crate) struct CodeOccurrence {
     pub(crate) form: CodeForm,
 }
 
-/// A part or picture that a source file defines: where its code stands.
+/// The definition of a part or image in a source file, at its code.
 pub(crate) type Site = CodeOccurrence;
 
 /// The tables in which codes of a source file are looked up.
 pub(crate) struct Codes<'a> {
     pub(crate) files: &'a [File<'a>],
     sites: Vec<Site>,
-    /// For each file in which houses of the source file its parts are known; `None` = in all of them.
+    /// For each file the houses in which its parts are known; `None` = in all of them.
     homes: Vec<Option<Vec<usize>>>,
-    /// The files that are read without being included: first those named for the run, then the one beside the source file.
+    /// The files that are read without being included: first those named on the command line, then the one beside the
+    /// source file.
     given: usize,
 }
 
-/// A code without the blanks that fill it up.
+/// Returns a code without its padding blanks.
 pub(crate) fn key(code: &str) -> &str {
     code.trim()
 }
 
 impl<'a> Codes<'a> {
-    /// Collects the definitions of source files. This many of them after the first are named for the run.
+    /// Collects the definitions of source files. This many of them after the first are named on the command line.
     pub(crate) fn of(files: &'a [File<'a>], links: &Links, given: usize) -> Codes<'a> {
         let mut sites = vec![];
         for number in 0..files.len() {
@@ -88,7 +89,7 @@ impl<'a> Codes<'a> {
         codes
     }
 
-    /// Notes that a file and those it includes are known in a house, or everywhere.
+    /// Records that a file and those it includes are known in a house, or everywhere.
     fn known_in(&mut self, file: usize, house: Option<usize>, links: &Links) {
         match (&mut self.homes[file], house) {
             (None, _) => return,
@@ -101,19 +102,19 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The text of a code.
+    /// Returns the text of a code.
     pub(crate) fn text(&self, spot: &CodeOccurrence) -> &'a str {
         &self.files[spot.file].text[spot.range.clone()]
     }
 
-    /// The house around an element.
+    /// Returns the house around an element.
     fn house(&self, file: usize, element: Option<usize>) -> Option<usize> {
         let outline = self.files[file].outline;
         let mut around = outline.around(element?);
         around.find(|e| word(&outline.elements[*e]) == "House")
     }
 
-    /// The part or picture that a code means; `None` = one that comes with the program, or none at all.
+    /// Returns the part or image that a code means; `None` = a built-in one, or none at all.
     pub(crate) fn meaning(&self, spot: &CodeOccurrence) -> Option<&Site> {
         if spot.form == CodeForm::Part || spot.form == CodeForm::Picture {
             return self.sites.iter().find(|s| *s == spot);
@@ -141,10 +142,10 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// How far from a house of a file a part is looked for.
+    /// Returns the rank of a definition for a house of a file, the nearest first.
     fn distance(&self, site: &Site, file: usize, house: Option<usize>) -> usize {
         if file != 0 {
-            // A piece means what the house that uses it knows; parts are based on those of their file.
+            // A definition means what the house that uses it knows; parts are based on those of their file.
             return usize::from(site.file != file);
         }
         let own = self.house(site.file, site.element);
@@ -162,7 +163,7 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// All codes of all files that mean the same as one of them, itself included.
+    /// Returns all codes of all files that mean the same as one of them, itself included.
     pub(crate) fn alike(&self, code: &str, meaning: Option<&Site>) -> Vec<CodeOccurrence> {
         let mut found = vec![];
         for number in 0..self.files.len() {
@@ -178,7 +179,7 @@ impl<'a> Codes<'a> {
         found
     }
 
-    /// The code at an offset of a file.
+    /// Returns the code at an offset of a file.
     pub(crate) fn at(&self, file: usize, at: usize) -> Option<CodeOccurrence> {
         let outline = self.files[file].outline;
         let mut found: Option<CodeOccurrence> = None;
@@ -201,7 +202,7 @@ impl<'a> Codes<'a> {
         found.filter(|s| !key(self.text(s)).is_empty())
     }
 
-    /// Every code of a file.
+    /// Visits every code of a file.
     pub(crate) fn each(&self, file: usize, take: &mut dyn FnMut(CodeOccurrence)) {
         let outline = self.files[file].outline;
         for line in 0..outline.lines.len() {
@@ -212,7 +213,7 @@ impl<'a> Codes<'a> {
         }
     }
 
-    /// The number of a file.
+    /// Returns the number of a file.
     pub(crate) fn number(&self, file: FileId) -> Option<usize> {
         self.files.iter().position(|f| f.id == file)
     }
@@ -251,7 +252,7 @@ fn spots_of_element(
     });
 }
 
-/// The codes of an element, those of its attributes and those directly in it.
+/// Visits the codes of an element, those of its attributes and those directly in it.
 pub(crate) fn of_element(
     text: &str,
     outline: &Outline,
@@ -287,7 +288,7 @@ pub(crate) fn of_element(
     }
 }
 
-/// How an attribute of an element refers to codes.
+/// Returns the form of codes in an attribute of an element.
 fn form(element: &Element, attribute: &Attribute) -> Option<CodeForm> {
     let form = match (word(element), &*attribute.word) {
         ("PartDef", "code") => CodeForm::Part,
@@ -307,7 +308,7 @@ fn form(element: &Element, attribute: &Attribute) -> Option<CodeForm> {
     Some(form)
 }
 
-/// The texts in quotes in an expression, without their quotes.
+/// Returns the quoted strings in an expression, without their quotes.
 fn quoted(text: &str, range: &Range<usize>) -> Vec<Range<usize>> {
     let (mut found, mut at) = (vec![], range.start);
     let text = &text[..range.end];
@@ -322,7 +323,7 @@ fn quoted(text: &str, range: &Range<usize>) -> Vec<Range<usize>> {
     found
 }
 
-/// The pieces of a list of codes; a single one may have blanks in it.
+/// Returns the pieces of a list of codes; a single one may contain blanks.
 fn pieces(text: &str, range: &Range<usize>, single: bool) -> Vec<Range<usize>> {
     let written = &text[range.clone()];
     let known = |code: &str| crate::parse::builtin().find(&CodeText::new(code)).is_some();
@@ -350,7 +351,7 @@ fn pieces(text: &str, range: &Range<usize>, single: bool) -> Vec<Range<usize>> {
     pieces.collect()
 }
 
-/// A range without the white space at its ends; `None` where nothing is left.
+/// Returns a range without the white space at its ends; `None` if nothing is left.
 fn trim(text: &str, range: Range<usize>) -> Option<Range<usize>> {
     let written = &text[range.clone()];
     let start = range.start + written.len() - written.trim_start().len();

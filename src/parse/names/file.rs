@@ -13,12 +13,12 @@ pub(crate) struct File<'a> {
     pub(crate) outline: &'a Outline,
 }
 
-/// The word of the language that an element is, if it is one.
+/// Returns the name of an element in the language, if it is one.
 pub(crate) fn word(element: &Element) -> &'static str {
     element.schema.map_or("", |s| s.name)
 }
 
-/// The part of a value that is no white space at its ends; `None` where references are in it or it is empty.
+/// Returns the range of a value without white space at its ends; `None` if it contains references or is empty.
 pub(crate) fn trimmed(text: &str, attribute: &Attribute) -> Option<Range<usize>> {
     let written = text.get(attribute.inner.clone())?;
     if written != attribute.value || written.trim().is_empty() {
@@ -28,7 +28,7 @@ pub(crate) fn trimmed(text: &str, attribute: &Attribute) -> Option<Range<usize>>
     Some(start..start + written.trim().len())
 }
 
-/// The attributes of a `define` or a `use` that are parameters, with their numbers and their names as written.
+/// Returns the attributes of a `define` or a `use` that are parameters, with their numbers and their names as written.
 pub(crate) fn parameters<'e>(
     text: &'e str,
     element: &'e Element,
@@ -38,7 +38,7 @@ pub(crate) fn parameters<'e>(
     all.filter(|(_, name, _)| *name != "name" && *name != "xmlns" && !name.contains(':'))
 }
 
-/// The attribute that names an element, and its name.
+/// Returns the attribute that names an element, and its name.
 pub(crate) fn named(text: &str, element: &Element) -> Option<(usize, Range<usize>)> {
     let mut all = element.attributes.iter().enumerate();
     let (number, name) = all.find(|(_, a)| a.word == "name")?;

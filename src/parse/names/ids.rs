@@ -1,4 +1,4 @@
-//! Floors and facades by their ids: floors of one id in a structure share a row, and pictures are called by both
+//! Floors and facades by their ids: floors of one id in a structure share a row, and images are named by both
 //! (`f1f2f3` shows place 3 of floor 2 of facade 1).
 
 use crate::parse::names::SymbolKind;
@@ -8,7 +8,7 @@ use crate::parse::syntax::Element;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Ids of a structure: which one, floor or facade, id.
+/// Ids of a structure: its number, floor or facade, id.
 type Ids<'a> = BTreeMap<(usize, SymbolKind, &'a str), usize>;
 
 /// Marks the ids of a file.
@@ -56,7 +56,7 @@ pub(crate) fn marks(file: File<'_>, index: &mut NameTable) {
     }
 }
 
-/// `top` also reads as `t`.
+/// Returns the id, with `t` for `top`.
 fn letter(id: &str) -> &str {
     if id == "top" { "t" } else { id }
 }
@@ -70,7 +70,7 @@ fn mark(file: File<'_>, range: Range<usize>, symbol: usize, role: Role) -> Occur
     }
 }
 
-/// Marks the ids in the names of pictures.
+/// Marks the ids in the names of images.
 fn pictures(
     file: File<'_>,
     element: &Element,
@@ -97,7 +97,7 @@ fn pictures(
     }
 }
 
-/// The ids in the name of a picture such as `f1f2f3u1`.
+/// Returns the ids in the name of an image such as `f1f2f3u1`.
 fn of_picture(name: &str) -> Vec<(SymbolKind, Range<usize>)> {
     let marks: Vec<usize> = name.match_indices('f').map(|(i, _)| i).collect();
     match marks[..] {

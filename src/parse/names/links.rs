@@ -1,4 +1,4 @@
-//! Which `include` leads to which file.
+//! The files that `include` elements refer to.
 
 use crate::parse::names::file::{File, trimmed, word};
 use std::ops::Range;
@@ -6,24 +6,24 @@ use std::ops::Range;
 /// An `include`.
 #[derive(Clone, Debug)]
 pub(crate) struct Link {
-    /// In which file, by number in the list of files.
+    /// The including file, by number in the list of files.
     pub(crate) from: usize,
     /// Its element there.
     pub(crate) element: usize,
     /// Its path, without the quotes.
     pub(crate) range: Range<usize>,
-    /// To which file.
+    /// The included file.
     pub(crate) to: usize,
 }
 
-/// All of them.
+/// The links between files.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Links {
     pub(crate) list: Vec<Link>,
 }
 
 impl Links {
-    /// The links between files.
+    /// Collects the links between files.
     pub(crate) fn of(files: &[File<'_>]) -> Links {
         let mut list = vec![];
         let names: Vec<Vec<&str>> = files.iter().map(|f| steps(&[f.name])).collect();
@@ -51,7 +51,7 @@ impl Links {
     }
 }
 
-/// The file that a path leads to: by its whole path or, where files go by other names, the only one that ends so.
+/// Returns the file that a path refers to: by its whole path or, if files have other names, the only one that ends so.
 fn target(from: &str, href: &str, names: &[Vec<&str>]) -> Option<usize> {
     let folder = from.rfind(['/', '\\']).map_or("", |i| &from[..i]);
     let whole = steps(&[folder, href]);
@@ -69,7 +69,7 @@ pub(crate) fn same(one: &str, other: &str) -> bool {
     one == other || steps(&[one]) == steps(&[other])
 }
 
-/// The steps of paths one after another, without `.` and with `..` undone where that can be.
+/// Returns the steps of consecutive paths, without `.` and with `..` resolved if possible.
 fn steps<'p>(paths: &[&'p str]) -> Vec<&'p str> {
     let mut steps: Vec<&str> = vec![];
     for step in paths.iter().flat_map(|p| p.split(['/', '\\'])) {

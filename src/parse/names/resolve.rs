@@ -1,8 +1,8 @@
-//! Fills the table: finds which names are where in the outlines of source files, and which of them mean the same, by the
-//! rules of scope by which [`xml`](crate::parse::xml) computes a file.
+//! Fills the table: finds the names in the outlines of source files, and those that mean the same, by the scoping rules
+//! of [`xml`](crate::parse::xml).
 //!
 //! Names of one frame are one symbol however often they are defined there: the branches of an `if` define one each. The
-//! parameters of pieces that one `use` may mean are one symbol too, since its attributes set them all.
+//! parameters of definitions that one `use` may mean are one symbol too, since its attributes set them all.
 
 use super::SymbolKind;
 use super::file::{File, named, parameters, trimmed, word};
@@ -42,7 +42,7 @@ pub(crate) fn resolve(files: &[File<'_>], links: &Links) -> NameTable {
 struct Resolver<'a> {
     files: &'a [File<'a>],
     index: NameTable,
-    /// The parameters of each piece, by name.
+    /// The parameters of each definition, by name.
     parameters: BTreeMap<usize, BTreeMap<String, usize>>,
 }
 
@@ -52,7 +52,7 @@ fn is_open(word: &str) -> bool {
 }
 
 impl<'a> Resolver<'a> {
-    /// The frames of a file, and what is named in them.
+    /// Collects the frames of a file, and the names in them.
     fn declare(&mut self, number: usize) {
         let elements = &self.files[number].outline.elements;
         let mut names = vec![false; elements.len()];
@@ -87,7 +87,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Takes what an element names.
+    /// Records the name that an element defines.
     fn declared(&mut self, number: usize, own: usize) {
         let file = self.files[number];
         let element = &file.outline.elements[own];
@@ -133,7 +133,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Notes that a piece, defined in the frame `home`, has a parameter that is known in the frame `inside`.
+    /// Records that a definition in the frame `home` has a parameter known in the frame `inside`.
     fn parameter_of(
         &mut self,
         file: File<'_>,
@@ -154,7 +154,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Gives a name to a value or a piece in a frame.
+    /// Records the name of a value or a definition in a frame.
     fn give(&mut self, kind: SymbolKind, frame: usize, range: Range<usize>, given: Definition) {
         let file = self.files[given.file];
         let name = &file.text[range.clone()];
@@ -187,7 +187,7 @@ impl<'a> Resolver<'a> {
         });
     }
 
-    /// Lets frames know those of the files that they include, and all files their own marks as files.
+    /// Connects frames to those of the files that they include, and records the files as symbols.
     fn include(&mut self, links: &Links) {
         let mut files: BTreeMap<usize, usize> = BTreeMap::new();
         for link in &links.list {
@@ -206,7 +206,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// Finds what the names of a file mean.
+    /// Resolves the names of a file.
     fn resolve(&mut self, number: usize) {
         let file = self.files[number];
         for (own, element) in file.outline.elements.iter().enumerate() {
@@ -231,7 +231,7 @@ impl<'a> Resolver<'a> {
         ids::marks(file, &mut self.index);
     }
 
-    /// A name in an expression.
+    /// Resolves a name in an expression.
     fn name(&mut self, file: File<'_>, frame: usize, range: &Range<usize>) {
         let scopes = &self.index.scopes;
         let value = scopes.value(frame, &file.text[range.clone()], range.start);
@@ -240,7 +240,7 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// A `use`: the pieces that it may mean, and their parameters.
+    /// Resolves a `use`: the definitions that it may mean, and their parameters.
     fn used(&mut self, file: File<'_>, element: &Element, around: usize) {
         let Some(attribute) = element.attribute("name") else {
             return;
@@ -272,7 +272,7 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// The texts between the expressions of a value.
+/// Returns the strings between the expressions of a value.
 fn literals<'t>(text: &'t str, range: &Range<usize>, attribute: &Attribute) -> Vec<&'t str> {
     let (mut found, mut at) = (vec![], range.start);
     for expression in &attribute.expressions {
@@ -283,7 +283,7 @@ fn literals<'t>(text: &'t str, range: &Range<usize>, attribute: &Attribute) -> V
     found
 }
 
-/// Returns true if a name contains these texts in order, the first at its start and the last at its end.
+/// Returns true if a name contains these strings in order, the first at its start and the last at its end.
 fn is_like(name: &str, literals: &[&str]) -> bool {
     let [first, middle @ .., last] = literals else {
         return false;

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scopes {
     pub(crate) frames: Vec<Frame>,
-    /// Those of each file.
+    /// The frames of each file.
     pub(crate) of: Vec<Frames>,
 }
 
@@ -17,11 +17,11 @@ pub(crate) struct Scopes {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Frame {
     outer: Option<usize>,
-    /// True for the frame of a piece: its surroundings are evaluated where the piece is used.
+    /// True for the frame of a definition: its surroundings are evaluated where it is used.
     piece: bool,
     pub(crate) values: BTreeMap<String, Binding>,
     pub(crate) pieces: BTreeMap<String, Binding>,
-    /// The frames of included files, and from where on.
+    /// The frames of included files, and the offset from which each is known.
     pub(crate) files: Vec<(usize, usize)>,
 }
 
@@ -30,11 +30,11 @@ pub(crate) struct Frame {
 pub(crate) struct Binding {
     /// Its number in the index.
     pub(crate) symbol: usize,
-    /// Where it is given: in several branches, or again further on.
+    /// Its definitions: in several branches, or again further on.
     pub(crate) given: Vec<Definition>,
 }
 
-/// Where a name is given.
+/// The place of a definition.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Definition {
     /// The number of the file.
@@ -43,7 +43,7 @@ pub(crate) struct Definition {
     pub(crate) element: usize,
     /// The attribute that names it: `name`, or of a `define` the parameter itself.
     pub(crate) attribute: usize,
-    /// From where on it is known.
+    /// The offset from which it is known.
     pub(crate) from: usize,
 }
 
@@ -52,12 +52,12 @@ pub(crate) struct Definition {
 pub(crate) struct Frames {
     pub(crate) around: Vec<usize>,
     pub(crate) inside: Vec<usize>,
-    /// Round all of them.
+    /// The frame around all of them.
     pub(crate) outermost: usize,
 }
 
 impl Scopes {
-    /// A new frame.
+    /// Creates a frame.
     pub(crate) fn frame(&mut self, outer: Option<usize>, piece: bool) -> usize {
         self.frames.push(Frame {
             outer,
@@ -67,7 +67,7 @@ impl Scopes {
         self.frames.len() - 1
     }
 
-    /// The frame of an offset of a file.
+    /// Returns the frame of an offset of a file.
     pub(crate) fn at(&self, file: usize, outline: &Outline, at: usize) -> usize {
         let frames = &self.of[file];
         let Some(own) = outline.element_at(at) else {
@@ -82,14 +82,15 @@ impl Scopes {
         }
     }
 
-    /// The frames that one knows at a place, itself first, each with the place up to which it counts; `None` = all of it.
+    /// Returns the frames known at a place, the innermost first, each with the offset up to which it counts; `None` =
+    /// all of it.
     fn known(&self, frame: usize, at: Option<usize>) -> Vec<(usize, Option<usize>)> {
         let (mut found, mut next, mut at) = (vec![], Some(frame), at);
         while let Some(index) = next {
             let frame = &self.frames[index];
             found.push((index, at));
             self.included(frame, at, &mut found);
-            // Round a piece counts what is known where it is used, and that is not seen from here.
+            // Around a definition, the names at its use are known, which are not visible from here.
             if frame.piece {
                 at = None;
             }
@@ -109,7 +110,7 @@ impl Scopes {
         }
     }
 
-    /// The meaning of a name in a frame at a place.
+    /// Returns the meaning of a name in a frame at a place.
     pub(crate) fn value(&self, frame: usize, name: &str, at: usize) -> Option<usize> {
         let known = self.known(frame, Some(at)).into_iter();
         let mut values = known.filter_map(|(f, at)| Some((self.frames[f].values.get(name)?, at)));
@@ -117,7 +118,7 @@ impl Scopes {
         value.map(|(value, _)| value.symbol)
     }
 
-    /// The values that a frame knows at a place, the nearest first; each name once.
+    /// Returns the values known in a frame at a place, the nearest first; each name once.
     pub(crate) fn values(&self, frame: usize, at: usize) -> Vec<Definition> {
         let (mut names, mut found) = (BTreeSet::new(), vec![]);
         for (frame, at) in self.known(frame, Some(at)) {
@@ -133,14 +134,14 @@ impl Scopes {
         found
     }
 
-    /// The piece of a name.
+    /// Returns the definition of a name.
     pub(crate) fn piece(&self, frame: usize, name: &str) -> Option<usize> {
         let mut known = self.known(frame, None).into_iter();
         let piece = known.find_map(|(f, _)| self.frames[f].pieces.get(name));
         piece.map(|p| p.symbol)
     }
 
-    /// The pieces that a frame knows, the nearest first; each name once.
+    /// Returns the definitions known in a frame, the nearest first; each name once.
     pub(crate) fn pieces(&self, frame: usize) -> Vec<(&str, &Binding)> {
         let (mut names, mut found) = (BTreeSet::new(), vec![]);
         for (frame, _) in self.known(frame, None) {
@@ -153,7 +154,7 @@ impl Scopes {
 }
 
 impl Binding {
-    /// Where it is given last before a place; `None` = anywhere.
+    /// Returns the last place that defines it before an offset; `None` = anywhere.
     fn before(&self, at: Option<usize>) -> Option<Definition> {
         let known = |g: &&Definition| at.is_none_or(|at| g.from <= at);
         self.given.iter().rfind(known).copied()

@@ -8,11 +8,11 @@ use std::ops::Range;
 /// The role of an occurrence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Role {
-    /// Names it.
+    /// The definition of the symbol.
     Declares,
-    /// Means it.
+    /// A use of the symbol.
     Uses,
-    /// May mean it: the name is computed.
+    /// A possible use: the name is computed.
     Computed,
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct Occurrence {
     pub(crate) role: Role,
 }
 
-/// The meaning of a name.
+/// The symbol that a name means.
 #[derive(Clone, Debug)]
 pub(crate) struct NamedThing {
     pub(crate) kind: SymbolKind,
@@ -38,9 +38,9 @@ pub(crate) struct NameTable {
     pub(crate) symbols: Vec<NamedThing>,
     /// By file and place.
     pub(crate) marks: Vec<Occurrence>,
-    /// Which names are known where.
+    /// The names known at each place.
     pub(crate) scopes: Scopes,
-    /// Which symbol stands for one, where several turned out to be the same.
+    /// The representative of each symbol, if several turned out to be the same.
     pub(super) same: Vec<usize>,
 }
 
@@ -66,7 +66,7 @@ impl NameTable {
         self.symbols.len() - 1
     }
 
-    /// The marks at an offset, those with the shortest range.
+    /// Returns the occurrences at an offset, those with the shortest range.
     pub(crate) fn at(&self, file: FileId, at: usize) -> impl Iterator<Item = &Occurrence> {
         let touches = move |m: &&Occurrence| m.range.start <= at && at <= m.range.end;
         let marks = self.in_file(file).iter().filter(touches);
@@ -77,7 +77,7 @@ impl NameTable {
         marks.filter(move |m| Some(better(m)) == best)
     }
 
-    /// The marks of a symbol.
+    /// Returns the occurrences of a symbol.
     pub(crate) fn of_symbol(&self, symbol: usize) -> impl Iterator<Item = &Occurrence> {
         self.marks.iter().filter(move |m| m.symbol == symbol)
     }

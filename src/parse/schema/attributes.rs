@@ -1,4 +1,4 @@
-//! The attributes of every element: values, default and meaning of each.
+//! The attributes of every element: values, default and description of each.
 
 use crate::ast::{Era, FinialKind, Paint, RoofMethod, RoofShape};
 use crate::parse::schema::kinds::Kind::{
@@ -7,15 +7,15 @@ use crate::parse::schema::kinds::Kind::{
 use crate::parse::schema::kinds::{AttributeSchema, Kind, join, may, must, words};
 use crate::parse::schema::vocabulary;
 
-/// Further from the origin than any house of this world in metres, and further than any wall in U or shaku.
+/// The bound on distances from the origin, metres, U or shaku; larger than the earth.
 const FAR: f64 = 1e8;
-/// No wall in U or shaku is longer.
+/// The bound on lengths of walls, U or shaku.
 const LONG: f64 = 1e5;
 const ANYWHERE: Kind = Number(-FAR, FAR);
 const PLACE: Kind = Point(-FAR, FAR);
 /// Sizes in U or shaku: positive, and no larger than a mountain.
 const SIZE: Kind = Number(1e-3, LONG);
-/// Overhangs and other lengths that may be nothing.
+/// Overhangs and other lengths that may be 0.
 const LENGTH: Kind = Number(0.0, LONG);
 /// Degrees.
 const TURN: Kind = Number(-360.0, 360.0);
@@ -25,17 +25,17 @@ const SCALE: Kind = Number(1e-6, 1e6);
 const ANY: Kind = Number(f64::MIN, f64::MAX);
 /// The words that are read as a truth value.
 const TRUTH: Kind = Choice(&["yes", "no", "true", "false"]);
-/// Heights and depths of what is at a house, shaku: no platform is higher than a hill.
+/// Heights and depths of fittings, shaku: no platform is higher than a hill.
 const NEAR: Kind = Number(0.0, 300.0);
 /// Thickness of posts and similar members, shaku.
 const THICK: Kind = Number(0.1, 20.0);
 /// Bays along a side.
 const BAYS: Kind = WholePair(1.0, 60.0);
-/// Brackets of more steps were never built.
+/// Steps of brackets; more were never built.
 const STEPS: Kind = Whole(0, 4);
-/// Lengths of monuments that must be something, shaku.
+/// Lengths of monuments that must be positive, shaku.
 const SPAN: Kind = Number(0.1, 1000.0);
-/// Repetitions that anybody can mean.
+/// The bound on repetitions.
 const MANY: u64 = 10_000_000;
 
 const STOREYS: Kind = Choice(&words(&vocabulary::STOREY_KINDS));
@@ -55,7 +55,7 @@ const HOUSE_OWN: [AttributeSchema; 8] = [
     may("z", ANYWHERE, "0", "height of the ground, metres", "地盤の高さ(m)"),
     may("street", YesNo, "no", "the first line stands on the street: its roof's ridge runs along it", "最初の行が通りに面する(平入りになる)"),
 ];
-/// How old houses are.
+/// The age of a house.
 #[rustfmt::skip]
 const AGED: [AttributeSchema; 2] = [
     may("age", Number(0.0, 2000.0), "", "years since it was built: it has weathered; without, nothing has", "築年数。経年変化を表す。無ければ変化しない"),
@@ -265,7 +265,7 @@ const HALL_OWN: [AttributeSchema; 6] = [
     may("floor", NEAR, "", "height of the floor, shaku", "床の高さ(尺)"),
     may("katsuogi", Whole(0, 99), "", "logs on the ridge; 0 = no chigi either", "鰹木の数。0 なら千木も無し"),
 ];
-/// The bays of a hall or a shrine: how many, and how wide.
+/// The bays of a hall or a shrine: their number, and their width.
 #[rustfmt::skip]
 const fn bays(number: &'static str, width: &'static str) -> [AttributeSchema; 2] {
     [

@@ -6,25 +6,25 @@
 pub enum Kind {
     /// Any text that is not empty.
     Text,
-    /// A number from one to the other.
+    /// A number between two bounds.
     Number(f64, f64),
-    /// A whole number from one to the other.
+    /// A whole number between two bounds.
     Whole(u64, u64),
-    /// Numbers divided by blanks or commas.
+    /// Numbers separated by blanks or commas.
     Numbers(f64, f64),
     /// Two numbers, or one that stands for both.
     Pair(f64, f64),
-    /// The same of whole numbers.
+    /// Two whole numbers, or one that stands for both.
     WholePair(f64, f64),
-    /// Two numbers, of a place.
+    /// Two coordinates.
     Point(f64, f64),
-    /// `yes` or `no`; `true`, `false`, `1` and `0` are taken for them.
+    /// `yes` or `no`; `true`, `false`, `1` and `0` are accepted for them.
     YesNo,
-    /// One of some words.
+    /// One of several words.
     Choice(&'static [&'static str]),
-    /// Some of some words, divided by blanks or commas.
+    /// Several of some words, separated by blanks or commas.
     Choices(&'static [&'static str]),
-    /// One of some words, or a number from one to the other.
+    /// One of several words, or a number between two bounds.
     Either(&'static [&'static str], f64, f64),
     /// Positions from 1 such as `2,5-7`.
     Positions,
@@ -35,19 +35,19 @@ pub enum Kind {
 pub struct AttributeSchema {
     /// Its name; `code` stands for `texturecode` too.
     pub name: &'static str,
-    /// The content.
+    /// The kind of its value.
     pub kind: Kind,
     /// True if the attribute is required.
     pub required: bool,
-    /// The default; empty where it follows from other things.
+    /// The default; empty if it follows from other values.
     pub default: &'static str,
     /// The description in English.
     pub en: &'static str,
-    /// The same in Japanese.
+    /// The description in Japanese.
     pub ja: &'static str,
 }
 
-/// An attribute that may be left out.
+/// Creates an optional attribute.
 pub(super) const fn may(
     name: &'static str,
     kind: Kind,
@@ -65,7 +65,7 @@ pub(super) const fn may(
     }
 }
 
-/// An attribute that must be there.
+/// Creates a required attribute.
 pub(super) const fn must(
     name: &'static str,
     kind: Kind,
@@ -78,7 +78,7 @@ pub(super) const fn must(
     }
 }
 
-/// The words of a list that says what each means.
+/// Returns the words of a list of words and meanings.
 pub(super) const fn words<T, const N: usize>(list: &[(&'static str, T); N]) -> [&'static str; N] {
     let mut words = [""; N];
     let mut at = 0;
@@ -89,7 +89,7 @@ pub(super) const fn words<T, const N: usize>(list: &[(&'static str, T); N]) -> [
     words
 }
 
-/// Some attributes, then others.
+/// Joins two lists of attributes.
 pub(super) const fn join<const A: usize, const B: usize, const N: usize>(
     first: [AttributeSchema; A],
     then: [AttributeSchema; B],

@@ -11,12 +11,12 @@ use crate::parse::xml::tree::token::Attribute;
 use crate::source::Span;
 use std::ops::Range;
 
-/// Words that a fix offers one by one.
+/// The maximum number of words that fixes offer one by one.
 const FEW: usize = 8;
 
-/// Where the end tag of an element stands, and the name in it.
+/// Returns the end tag of an element, and the name in it.
 fn end_tag(reporter: &Reporter<'_>, element: &Element<'_>) -> Option<(Range<usize>, Range<usize>)> {
-    /// No end tag is longer.
+    /// The maximum length of an end tag.
     const LONGEST: usize = 256;
     if element.tag.end >= element.range.end || !reporter.wanted() {
         return None;
@@ -36,7 +36,7 @@ fn end_tag(reporter: &Reporter<'_>, element: &Element<'_>) -> Option<(Range<usiz
     Some((start..element.range.end, inside..inside + name.len()))
 }
 
-/// The tags of an element.
+/// Returns the tags of an element.
 pub(super) fn tags(reporter: &Reporter<'_>, element: &Element<'_>) -> Tags {
     let mut tags = Tags {
         names: vec![reporter.span(&element.name_range)],
@@ -49,12 +49,12 @@ pub(super) fn tags(reporter: &Reporter<'_>, element: &Element<'_>) -> Tags {
     tags
 }
 
-/// Where the name of an element is in its end tag.
+/// Returns the name of an element in its end tag.
 pub(super) fn end_name(reporter: &Reporter<'_>, element: &Element<'_>) -> Option<Span> {
     end_tag(reporter, element).map(|(_, name)| reporter.span(&name))
 }
 
-/// The words that an attribute may have as its value, if they are few.
+/// Returns the words that an attribute allows, if they are few.
 pub(super) fn few_words(attribute_schema: &AttributeSchema) -> &'static [&'static str] {
     match attribute_schema.kind {
         Kind::YesNo => &["yes", "no"],
@@ -63,7 +63,7 @@ pub(super) fn few_words(attribute_schema: &AttributeSchema) -> &'static [&'stati
     }
 }
 
-/// How to put a second element into the first, and how to leave it out.
+/// Returns the fixes that merge a second element into the first, or remove it.
 pub(super) fn of_two(
     reporter: &Reporter<'_>,
     tree: &Tree<'_>,
@@ -74,7 +74,7 @@ pub(super) fn of_two(
         return [None, None];
     }
     let removed = Edit::new(reporter.with_gap(&second.range), "");
-    // Where elements do not are in their order, since they come from pieces, the search finds none.
+    // If elements are not in the order of the file, since they come from definitions, the search finds none.
     let before = |e: &Element<'_>| reporter.span(&e.name_range).start < first.start;
     let found = tree.elements.get(tree.elements.partition_point(before));
     let is_first = |e: &&Element<'_>| {
@@ -87,7 +87,8 @@ pub(super) fn of_two(
     [joined, Some(vec![removed])]
 }
 
-/// Puts the attributes and the content of an element into another one before it, if nothing is stated twice then.
+/// Returns the fix that moves the attributes and the content of an element into an earlier one, if nothing is given
+/// twice then.
 fn joined(reporter: &Reporter<'_>, first: &Element<'_>, second: &Element<'_>) -> Option<Vec<Edit>> {
     let attribute_schema = |of: &Attribute<'_>| {
         let mut all = first.attributes.iter();

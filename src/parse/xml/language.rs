@@ -1,24 +1,25 @@
-//! Computes expressions, conditions and named pieces (docs/contract.md 3) on the elements of a file: from a tree with expressions, parameters,
-//! conditions, named pieces and other files to a tree without any of them, which the rest of the reader then reads
-//! like any other. So every attribute of every element can be an expression, and no later pass knows of them.
+//! Computes expressions, conditions and definitions (docs/contract.md 3) on the elements of a file: from a tree with
+//! expressions, parameters, conditions, definitions and other files to a tree without any of them, which the rest of
+//! the reader then reads like any other. So every attribute of every element can be an expression, and no later pass
+//! knows of them.
 //!
 //! | file | computes |
 //! |---|---|
 //! | `braces` | `{...}` in attributes and codes |
-//! | `scope` | which names are known where |
+//! | `scope` | the names known at each place |
 //! | `names` | `Param` and `let` |
 //! | `conditions` | `if` and `else` |
-//! | `draws` | `random` among pieces of text, and parameters that are drawn |
-//! | `storeys` | the number `k`, and repetitions in which it stands |
+//! | `draws` | `random` among runs of text, and parameters chosen at random |
+//! | `storeys` | the number `k`, and repetitions that use it |
 //! | `pieces` | `define` and `use` |
 //! | `files` | `include` |
-//! | `fixes` | what editors offer to change |
+//! | `fixes` | fixes that editors offer |
 //!
-//! - A name is known behind its `let` or `Param` in the same element and all the content of that; a piece in the whole
-//!   element. `if` and `else` count as what they hold, so that names given in them are known behind them.
-//! - A piece knows the names of the place where it is defined, and its own parameters; not those of the place of use.
-//! - The content of the tree keeps its places: that of a computed value are the braces, that of a piece its definition.
-//! - A file without any of this goes through as it is.
+//! - A name is known after its `let` or `Param` in the same element and all its content; a definition in the whole
+//!   element. `if` and `else` count as their content, so that names given in them are known after them.
+//! - A definition knows the names of the place where it stands, and its own parameters; not those of the place of use.
+//! - The content of the tree keeps its places: that of a computed value are the braces, that of a definition its `define`.
+//! - A file without any of these is passed on unchanged.
 
 mod braces;
 mod conditions;
@@ -60,7 +61,7 @@ const HINTS: u32 = 200;
 /// The number of columns of text that count as one part.
 const COLUMNS: usize = 5;
 
-/// A tree in which nothing is left to be computed.
+/// A tree without expressions.
 pub(super) struct Computed<'a> {
     pub(super) tree: Rc<Tree<'a>>,
     pub(super) parameters: Vec<Parameter>,
@@ -68,7 +69,7 @@ pub(super) struct Computed<'a> {
     pub(super) over: bool,
 }
 
-/// Works out what is computed in a tree. Elements nest at most `nesting` deep in the result.
+/// Computes a tree. Elements nest at most `nesting` deep in the result.
 pub(super) fn compute<'a>(
     tree: Rc<Tree<'a>>,
     setting: ReadContext<'a>,
@@ -133,21 +134,21 @@ struct Expander<'a, 'f> {
     suggest: Suggest,
     made: Tree<'a>,
     parameters: Vec<Parameter>,
-    /// Expressions by their place: a piece is read once however often it is used.
+    /// Expressions by their place: a definition is parsed once however often it is used.
     parsed: BTreeMap<usize, Option<Rc<Expr>>>,
     storeys: Storeys,
-    /// The elements that are being made, outermost first.
+    /// The open output elements, outermost first.
     open: draws::Open<'a>,
-    /// The uses that are under way, outermost first.
+    /// The active uses, outermost first.
     uses: Vec<Used<'a>>,
     files: files::Files<'a>,
-    /// Elements, conditions, uses and files that are open.
+    /// The number of open elements, conditions, uses and files.
     depth: usize,
-    /// How many messages may still list what is known: gathering that takes time.
+    /// The number of messages that may still list known names, which takes time.
     hints: u32,
-    /// True while copies are being made, beyond the elements as written.
+    /// True while copies are made, beyond the elements as written.
     copying: bool,
-    /// Parts that may still be made of copies.
+    /// The number of parts that may still be made of copies.
     room: u64,
     over: bool,
 }
@@ -173,7 +174,7 @@ impl<'s, 'a> ElementRef<'s, 'a> {
 }
 
 impl<'a> Expander<'a, '_> {
-    /// Makes an element; `None` where it would nest too deep or there is no more room.
+    /// Copies an element; `None` if it would nest too deep or exceed the limit.
     fn copy(&mut self, tree: &Rc<Tree<'a>>, index: usize, scope: &Scope<'a>) -> Option<usize> {
         let element_ref = ElementRef { tree, index };
         match element_ref.tag() {
@@ -188,7 +189,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Makes an element with its attributes and all it holds.
+    /// Copies an element with its attributes and content.
     fn element(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) -> Option<usize> {
         let element = element_ref.element();
         if !self.take(
@@ -226,7 +227,7 @@ impl<'a> Expander<'a, '_> {
         Some(made)
     }
 
-    /// Does something a level deeper, unless that is too deep; `into` = the element that loses it then.
+    /// Runs an action one level deeper, unless that is too deep; `into` = the element that loses it then.
     fn inside(
         &mut self,
         place: &std::ops::Range<usize>,
@@ -244,7 +245,7 @@ impl<'a> Expander<'a, '_> {
         self.depth -= 1;
     }
 
-    /// Makes the content of an element.
+    /// Copies the content of an element.
     fn content(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let children = &element_ref.element().children;
         let names = |child: &Child<'_>| match child {
@@ -261,7 +262,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Makes the content of an element, whose names are those of this frame.
+    /// Copies the content of an element, whose names are those of this frame.
     fn list(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
         let children = &element_ref.element().children;
         for child in children {
@@ -289,7 +290,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Makes a child of an element; returns what an `else` after it would mean.
+    /// Copies a child of an element; returns the condition for an `else` after it.
     fn child(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -315,7 +316,7 @@ impl<'a> Expander<'a, '_> {
         Branch::None
     }
 
-    /// Makes an element in another.
+    /// Copies an element into another.
     fn add(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>, into: usize) {
         if let Some(made) = self.copy(element_ref.tree, element_ref.index, scope) {
             let child = Child::Element(made);
@@ -323,7 +324,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// The known names for a message, as long as listing them is useful.
+    /// Returns the known names for a message, up to the maximum number of messages.
     fn known(&mut self, gather: impl FnOnce() -> Vec<String>) -> Vec<String> {
         if self.hints == 0 {
             return vec![];
@@ -340,7 +341,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Takes room for this many parts, if more is made than is written; false when there is none left.
+    /// Counts parts against the limit, if more is made than is written; returns false if it is exceeded.
     fn take(&mut self, parts: u64, place: &std::ops::Range<usize>) -> bool {
         if self.copying || !self.uses.is_empty() {
             match self.room.checked_sub(parts) {

@@ -17,7 +17,7 @@ use crate::source::Source;
 use made::{Expression, Outline, Words};
 use std::ops::Range;
 
-/// The outline of what is from this offset of the text on.
+/// Adds the outline of the text from this offset.
 pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> Outline {
     let mut reporter = Reporter::new(source);
     let tree = tree::read(
@@ -50,7 +50,7 @@ struct Writer<'t, 'a> {
 }
 
 impl Writer<'_, '_> {
-    /// Adds an element and all that is in it.
+    /// Adds an element and its content.
     fn element(&mut self, tree: &Tree<'_>, index: usize, parent: Option<usize>) {
         let element = &tree.elements[index];
         let own = self.outline.elements.len();
@@ -127,7 +127,7 @@ fn attribute(from: &Attribute<'_>, schema: Option<&'static Schema>, text: &str) 
     }
 }
 
-/// The range between the quotes of a value; the whole range where they are missing.
+/// Returns the range between the quotes of a value; the whole range if they are missing.
 fn inner(text: &str, attribute: &Attribute<'_>) -> Range<usize> {
     let value = attribute.value.whole();
     if !value.is_empty() {
@@ -144,7 +144,7 @@ fn inner(text: &str, attribute: &Attribute<'_>) -> Range<usize> {
 
 fn expression(text: &Text<'_>, range: Range<usize>) -> Expression {
     let place = text.range(range.clone());
-    // References stand for one character each: then places in the value are not those in the file.
+    // References stand for one character each: then offsets in the value differ from those in the file.
     let inner = match place.len() == range.len() {
         true => &text.as_str()[range.start + 1..range.end - 1],
         false => "",
@@ -152,7 +152,7 @@ fn expression(text: &Text<'_>, range: Range<usize>) -> Expression {
     Expression::new(inner, place)
 }
 
-/// The name in the end tag of an element, if it has one of its own.
+/// Returns the name in the end tag of an element, if it has one.
 fn end_name(
     text: &str,
     range: &Range<usize>,
@@ -166,7 +166,7 @@ fn end_name(
     (written == name).then_some(start..start + name.len())
 }
 
-/// The comments from an offset on, with their marks.
+/// Returns the comments from an offset on, with their marks.
 fn comments(text: &str, from: usize) -> Vec<Range<usize>> {
     let (mut found, mut at) = (vec![], from);
     while let Some(open) = text[at..].find("<!--").map(|i| at + i) {

@@ -28,11 +28,11 @@ pub(super) struct Reader<'t, 'a> {
     pub(super) tree: &'t Tree<'t>,
     pub(super) reporter: &'t mut Reporter<'a>,
     pub(super) suggest: Suggest,
-    /// Where the row under way could have a `turn`, if it has none.
+    /// The place for a `turn` of the current row, if it has none.
     pub(super) turn: Option<usize>,
 }
 
-/// A child that may be where it stands.
+/// A child that is allowed at its place.
 pub(super) enum Node<'t> {
     /// An element.
     Element(&'static Schema, &'t Element<'t>),
@@ -40,7 +40,7 @@ pub(super) enum Node<'t> {
     Text(&'t Text<'t>),
 }
 
-/// The attributes of an element that are usable or at least given, by their canonical names.
+/// The attributes of an element that are valid or at least given, by their canonical names.
 pub(super) struct Attributes<'t> {
     pub(super) element: &'t Element<'t>,
     schema: &'static Schema,
@@ -48,7 +48,7 @@ pub(super) struct Attributes<'t> {
 }
 
 impl<'t> Attributes<'t> {
-    /// A usable attribute.
+    /// Returns a valid attribute.
     pub(super) fn get(&self, name: &str) -> Option<&'t Attribute<'t>> {
         debug_assert!(self.schema.attribute(name).is_some(), "{name}");
         let found = self
@@ -58,12 +58,12 @@ impl<'t> Attributes<'t> {
         found.map(|(_, attribute, _)| *attribute)
     }
 
-    /// The kind of value of an attribute.
+    /// Returns the kind of value of an attribute.
     pub(super) fn kind(&self, name: &str) -> Kind {
         self.schema.attribute(name).map_or(Kind::Text, |a| a.kind)
     }
 
-    /// The bounds of an attribute's numbers.
+    /// Returns the bounds of an attribute's numbers.
     pub(super) fn bounds(&self, name: &str) -> RangeInclusive<f64> {
         use Kind::{Either, Number, Numbers, Pair, Point, WholePair};
         match self.kind(name) {
@@ -76,7 +76,7 @@ impl<'t> Attributes<'t> {
         }
     }
 
-    /// The bounds of an attribute that is a whole number.
+    /// Returns the bounds of an attribute that is a whole number.
     pub(super) fn whole_bounds(&self, name: &str) -> RangeInclusive<u64> {
         let kind = self.kind(name);
         debug_assert!(matches!(kind, Kind::Whole(..)), "{name} is {kind:?}");
@@ -86,7 +86,7 @@ impl<'t> Attributes<'t> {
         }
     }
 
-    /// The default of an attribute that is a number.
+    /// Returns the default of an attribute that is a number.
     pub(super) fn usual(&self, name: &str) -> f64 {
         let attribute = self.schema.attribute(name);
         let usual = attribute.and_then(|a| a.default.parse().ok());
@@ -96,17 +96,17 @@ impl<'t> Attributes<'t> {
 }
 
 impl<'t> Reader<'t, '_> {
-    /// The span of a whole element.
+    /// Returns the span of a whole element.
     pub(super) fn whole(&self, element: &Element<'_>) -> Span {
         self.reporter.span(&element.range)
     }
 
-    /// The span of an element's start tag.
+    /// Returns the span of an element's start tag.
     pub(super) fn start(&self, element: &Element<'_>) -> Span {
         self.reporter.span(&element.tag)
     }
 
-    /// The outermost elements.
+    /// Returns the outermost elements.
     pub(super) fn roots(&mut self) -> Vec<Node<'t>> {
         let mut nodes = vec![];
         for root in &self.tree.roots {
@@ -115,8 +115,8 @@ impl<'t> Reader<'t, '_> {
         nodes
     }
 
-    /// The children of an element that may be in it. What may not is reported; the children of unknown
-    /// elements count as those of the element around them.
+    /// Returns the allowed children of an element. Others are reported; the children of unknown elements count as those
+    /// of their parent.
     pub(super) fn children(
         &mut self,
         element: &'t Element<'t>,
@@ -127,7 +127,7 @@ impl<'t> Reader<'t, '_> {
         nodes
     }
 
-    /// Reports all the content of an element that holds nothing.
+    /// Reports all the content of an element that must be empty.
     pub(super) fn no_children(&mut self, element: &'t Element<'t>) {
         self.children(element, &schema::NOTHING);
     }
@@ -157,9 +157,9 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Reports a text that is in an element of elements.
+    /// Reports text in an element that allows only elements.
     pub(super) fn misplaced(&mut self, range: &Range<usize>, text: &str, parent: &str) {
-        // A lone `<` was reported of as a tag that is none.
+        // A lone `<` was reported as a malformed tag.
         let (written, verbatim) = (self.reporter.quote(range), "[CDATA[");
         let before = range.start.saturating_sub(verbatim.len())..range.start;
         if written == "<" && self.reporter.quote(&before) != verbatim {
@@ -169,7 +169,7 @@ impl<'t> Reader<'t, '_> {
             .at(range, |s| say::text_not_allowed(s, text, parent, written));
     }
 
-    /// Puts an element among the nodes if it may be there.
+    /// Adds an element to the nodes if it is allowed there.
     fn element(
         &mut self,
         element: &'t Element<'t>,
@@ -182,7 +182,7 @@ impl<'t> Reader<'t, '_> {
             Some(schema) if content.tags.contains(&schema.tag) => {
                 nodes.push(Node::Element(schema, element));
             }
-            // A roof without a rectangle says how all roofs are to be.
+            // A roof without a rectangle gives the style of all roofs.
             Some(schema)
                 if schema.tag == Tag::Roof
                     && content.tags.contains(&Tag::Roofs)
@@ -226,7 +226,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// The attributes of an element, checked by name; what they say is checked when they are asked for.
+    /// Returns the attributes of an element, checked by name; their values are checked when they are read.
     pub(super) fn attributes(
         &mut self,
         schema: &'static Schema,
@@ -236,7 +236,7 @@ impl<'t> Reader<'t, '_> {
     }
 }
 
-/// The attributes of an element, checked by name.
+/// Returns the attributes of an element, checked by name.
 pub(super) fn check<'t>(
     reporter: &mut Reporter<'_>,
     suggest: &mut Suggest,
@@ -310,7 +310,7 @@ impl<'t> Attributes<'t> {
     ) {
         let first = self.list.iter().find(|(n, ..)| *n == name);
         if let Some((_, first, _)) = first {
-            // Twins of the same spelling were reported by the tree.
+            // Duplicates of the same spelling were reported by the tree.
             if first.name != attribute.name && !attribute.faulty {
                 let before = reporter.span(&first.name_range);
                 let both = [&first.range, &attribute.range].map(|range| reporter.with_gap(range));
@@ -333,7 +333,7 @@ impl<'t> Attributes<'t> {
     }
 }
 
-/// Five blanks are the code of a void.
+/// Returns true for the code of a void, five blanks.
 fn void(text: &str) -> bool {
     text == "     "
 }

@@ -1,10 +1,10 @@
-//! Which known word the author may have meant.
+//! Finds the known word that the author may have meant.
 
 use strsim::osa_distance;
 
-/// Searches cost time, and a file of 100,000 unknown words has no use for 100,000 suggestions.
+/// The maximum number of searches: they cost time, and a file of 100,000 unknown words needs no 100,000 suggestions.
 const SEARCHES: u32 = 500;
-/// Longer words are no misspellings of ours.
+/// The maximum length of a word that is compared.
 const LONGEST: usize = 24;
 
 /// Finds known words that look like unknown ones.
@@ -17,8 +17,8 @@ impl Suggest {
         Suggest { left: SEARCHES }
     }
 
-    /// The one of `known` that is nearest to `word`: the same but for case and full-width letters, or else within a
-    /// slip or two of the fingers.
+    /// Returns the one of `known` that is nearest to `word`: equal apart from case and full-width letters, or within a
+    /// typing error or two.
     pub(super) fn among<'k>(
         &mut self,
         word: &str,
@@ -49,7 +49,7 @@ pub(super) fn alike(word: &str, other: &str) -> bool {
     osa_distance(&fold(word), &fold(other)) <= allowance(other)
 }
 
-/// Slips that a word of this length may have.
+/// Returns the number of typing errors allowed in a word of this length.
 fn allowance(word: &str) -> usize {
     match word.chars().count() {
         0..=2 => 0,
@@ -58,7 +58,7 @@ fn allowance(word: &str) -> usize {
     }
 }
 
-/// Lower case, half width, and `-` for `_`.
+/// Folds to lower case, half width, and `-` for `_`.
 fn folds(word: &str) -> impl Iterator<Item = char> + '_ {
     let narrow = word.chars().map(|c| narrow_ascii(c).unwrap_or(c));
     let lower = narrow.map(|c| c.to_ascii_lowercase());
@@ -69,7 +69,7 @@ fn fold(word: &str) -> String {
     folds(word).collect()
 }
 
-/// The ASCII character that a full-width one looks like.
+/// Returns the ASCII character that a full-width one looks like.
 pub(super) fn narrow_ascii(c: char) -> Option<char> {
     match c {
         '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0),

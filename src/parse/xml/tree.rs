@@ -1,9 +1,9 @@
-//! The elements of an XML file as a tree with places. It knows no element of the language but what [`SchemaHints`]
-//! tells, and it is there whatever is wrong with the file.
+//! The elements of an XML file as a tree with places. It knows the elements of the language only through
+//! [`SchemaHints`], and it exists for any file, however malformed.
 //!
-//! Invariants: ranges are of [`Source::text`](crate::source::Source::text) and lie within it; elements nest at most
-//! as deep as the limit says, so that later steps may recurse; children are in the order of the file; texts of
-//! white space only are left out. The tree itself is built and dropped without recursion.
+//! Invariants: ranges are of [`Source::text`](crate::source::Source::text) and lie within it; elements nest at most as
+//! deep as the limit says, so that later steps may recurse; children are in the order of the file; runs of white space
+//! alone are left out. The tree itself is built and dropped without recursion.
 
 pub(in crate::parse::xml) mod chars;
 pub(in crate::parse::xml) mod quotes;
@@ -33,12 +33,12 @@ use std::ops::Range;
 #[derive(Default)]
 pub(super) struct Tree<'a> {
     pub(super) elements: Vec<Element<'a>>,
-    /// The outermost ones; one, unless something is wrong.
+    /// The outermost elements; exactly one in a valid file.
     pub(super) roots: Vec<usize>,
 }
 
 impl Tree<'_> {
-    /// Moves all places in the file, since another one is before it.
+    /// Shifts all places in the file, since another one precedes it.
     pub(super) fn shift(&mut self, by: usize) {
         let shift = |range: &mut Range<usize>| *range = range.start + by..range.end + by;
         for element in &mut self.elements {
@@ -88,7 +88,7 @@ pub(super) enum Child<'a> {
     Text(Text<'a>),
 }
 
-/// Reads a file from an offset on.
+/// Reads a file from an offset.
 pub(super) fn read<'a>(
     reporter: &mut Reporter<'a>,
     at: usize,
@@ -122,20 +122,20 @@ pub(super) fn read<'a>(
     builder.tree
 }
 
-/// An element whose end tag has not come yet.
+/// An element whose end tag has not been read yet.
 struct Open<'a> {
     name: &'a str,
     name_range: Range<usize>,
-    /// Where its start tag ends.
+    /// The end of its start tag.
     inside: usize,
-    /// `None` = nested too deep, or inside such a one: not in the tree.
+    /// `None` = it is not in the tree, being nested too deep.
     element: Option<usize>,
 }
 
 struct Builder<'a> {
     tree: Tree<'a>,
     open: Vec<Open<'a>>,
-    /// How many of a name are open, so that a stray end tag costs no search.
+    /// The number of open elements by name, so that a stray end tag costs no search.
     counts: HashMap<&'a str, usize>,
     run: Run<'a>,
     nesting: usize,
@@ -168,7 +168,7 @@ impl<'a> Builder<'a> {
 
     /// Reports text that is in no element.
     fn outside(&self, range: Range<usize>, reporter: &mut Reporter<'a>) {
-        // A lone `<` was reported of as a tag that is none.
+        // A lone `<` was reported as a malformed tag.
         if &reporter.source.text()[range.clone()] == "<" {
             return;
         }
@@ -176,7 +176,7 @@ impl<'a> Builder<'a> {
         reporter.at(&range, |s| say::text_outside(s, written));
     }
 
-    /// Ends the run of text under way.
+    /// Ends the current run of text.
     fn flush(&mut self) {
         let text = self.run.take();
         let Some(text) = text.filter(|t| !t.as_str().trim_matches(is_blank).is_empty()) else {
@@ -273,7 +273,7 @@ impl<'a> Builder<'a> {
             self.pop(tag.range.end);
         } else if self.is_misspelt(tag, rest) {
             if let Some(open) = self.pop(tag.range.end) {
-                // Where the end tag is right and the start tag wrong, the next step says so of that one.
+                // If the end tag is right and the start tag wrong, the next step reports that one.
                 let known = self.habits.known;
                 if known(open.name) || !known(tag.name) || !alike(open.name, tag.name) {
                     let start = reporter.span(&open.name_range);
@@ -306,7 +306,7 @@ impl<'a> Builder<'a> {
         tag.name.is_empty() || outer || alike(tag.name, innermost.name)
     }
 
-    /// Closes the innermost element where its end tag is missing; `before` = the tag that shows it.
+    /// Closes the innermost element, whose end tag is missing; `before` = the tag that shows it.
     fn unfinished(
         &mut self,
         end: usize,
@@ -347,7 +347,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Reports all outermost elements but the first.
+    /// Reports all outermost elements except the first.
     fn several(&self, first: usize, reporter: &mut Reporter<'a>) {
         let roots = self
             .tree
@@ -371,10 +371,10 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Where to close an element without an end tag, before `end`, and how: on the line of what is before, or on a
-/// line of its own where its content has lines of their own; and that of a leaf right in its start tag.
+/// Returns the fix that closes an element without an end tag, before `end`: on the line of the preceding content, or on
+/// a line of its own if its content has lines of its own; for a leaf, in its start tag.
 fn closing(text: &str, open: &Open<'_>, end: usize, leaf: bool) -> (usize, String) {
-    /// Longer elements have more than one line.
+    /// The maximum length of an element on one line.
     const LINE: usize = 1 << 16;
     let tag = text[..open.inside].trim_end_matches(['>', '＞']);
     if leaf && tag.len() < open.inside {

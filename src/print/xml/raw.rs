@@ -1,19 +1,19 @@
-//! The markup of a well-formed text as it is written: nothing is resolved, nothing is left out.
+//! The markup of a well-formed file as written: nothing is resolved, nothing is left out.
 
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 use std::ops::Range;
 
-/// Elements nested deeper are refused, as by the reader of the language, since the printer recurses.
+/// The maximum depth of elements, as in the reader of the language, since the printer recurses.
 const DEEPEST: usize = 256;
 
-/// A piece of the file.
+/// A node of the file.
 pub(super) enum Node<'a> {
     /// Text with its references.
     Text(&'a str),
     /// `<![CDATA[...]]>`.
     Verbatim(&'a str),
-    /// `<?...?>`, the declaration too.
+    /// `<?...?>`, including the declaration.
     Instruction(&'a str),
     /// `<!--...-->`.
     Comment {
@@ -40,7 +40,7 @@ pub(super) struct Attribute<'a> {
     pub(super) value: &'a str,
 }
 
-/// The nodes of a source file; `None` where it is not well-formed, has a document type, or nests too deep.
+/// Returns the nodes of a source file; `None` if it is not well-formed, has a document type, or nests too deep.
 pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
     let mut reader = Reader::from_str(text);
     let mut open: Vec<Element<'_>> = vec![];
@@ -84,7 +84,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
     }
 }
 
-/// Where the comments stand.
+/// Returns the places of the comments.
 pub(super) fn comments(text: &str) -> Vec<Range<usize>> {
     let mut found = vec![];
     each(text, |event, range| {
@@ -95,7 +95,7 @@ pub(super) fn comments(text: &str) -> Vec<Range<usize>> {
     found
 }
 
-/// Where the tags of a name stand, and the value of the first attribute of each with its quotes.
+/// Returns the places of the tags of a name, and the value of the first attribute of each with its quotes.
 pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a str)> {
     let mut found = vec![];
     each(text, |event, range| {
@@ -109,7 +109,7 @@ pub(super) fn elements<'a>(text: &'a str, name: &str) -> Vec<(Range<usize>, &'a 
     found
 }
 
-/// Every event of a source file with its range, up to the first fault.
+/// Visits every event of a source file with its range, up to the first error.
 fn each<'a>(text: &'a str, mut see: impl FnMut(Event<'a>, Range<usize>)) {
     let mut reader = Reader::from_str(text);
     loop {
@@ -142,7 +142,7 @@ fn element<'a>(text: &'a str, tag: &BytesStart<'_>) -> Option<Element<'a>> {
     })
 }
 
-/// Columns before an offset on its line.
+/// Returns the number of columns before an offset on its line.
 fn column(text: &str, at: usize) -> usize {
     let line = text[..at].rfind(['\n', '\r']).map_or(0, |i| i + 1);
     super::columns(&text[line..at])

@@ -1,17 +1,17 @@
-//! Edges where the roofs of one storey meet: each finds the slope of the other roof beyond it and becomes a valley, a
-//! ridge, a hip or a fold; all others stay abutments.
+//! Edges where the roofs of one storey meet: for each, the slope of the other roof beyond it is found, and it becomes a
+//! valley, a ridge, a hip or a fold; all others stay abutments.
 
 use crate::building::{Beside, EdgeKind, Roof, meeting};
 use crate::roof::frame::Rect;
 use glam::{DVec2, DVec3};
 
-/// Storeys with more facets than this keep plain abutments: the search looks at every facet.
+/// Storeys with more facets than this keep plain abutments, since the search visits every facet.
 const MOST_FACETS: usize = 3000;
 /// Distance beyond an edge at which its neighbour is searched for, metres.
 const STEP: f64 = 0.02;
 /// Maximum height difference between the neighbour and the edge there, metres.
 const RISE: f64 = 0.04;
-/// Slopes that bend less than this at an edge, as a change of rise per metre, are one.
+/// Slopes that bend less than this at an edge, as a change of rise per metre, count as one.
 const FLAT: f64 = 0.05;
 
 /// A facet of a roof.

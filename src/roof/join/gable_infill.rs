@@ -1,8 +1,8 @@
-//! Fills where roofs meet: a gable wall makes room for the roofs of its neighbours and for their fills.
+//! Gable infills where roofs meet: a gable wall is cut by the roofs of its neighbours and by their infills.
 //!
-//! A neighbour's sheet that passes through a gable wall is built in: the wall ends under it and goes on over
-//! it. Where two walls stand in one place, back to back on one line, that of the earlier roof is built and
-//! the other adds what it has beyond. All parts are convex, so that cutting is clipping by planes.
+//! A neighbour's slab that passes through a gable wall is built in: the wall ends under it and continues over it. If two
+//! walls stand back to back on one line, that of the earlier roof is built and the other adds what extends beyond it.
+//! All parts are convex, so that cutting is clipping by planes.
 
 use crate::building::{Face, Finish, Solid};
 use crate::geometry::tolerance::HEIGHT;
@@ -13,9 +13,9 @@ use glam::{DVec2, DVec3};
 /// Overlaps of two solids below this volume stay, cubic metres: they are joints.
 const TOUCH: f64 = 2e-5;
 
-/// One roof of a group on its way to its solids.
+/// One roof of a group before it becomes solids.
 pub(in crate::roof) struct Built {
-    /// Its closed sheets.
+    /// Its closed slabs.
     pub(in crate::roof) sheets: Vec<Solid>,
     /// Vertical thickness, metres.
     pub(in crate::roof) drop: f64,
@@ -23,7 +23,7 @@ pub(in crate::roof) struct Built {
     pub(in crate::roof) fills: Vec<Solid>,
 }
 
-/// A convex body as what lies below all its planes: normals outward, and where along them.
+/// A convex body as the intersection of half-spaces: outward normals, and their distances.
 struct Body {
     planes: Vec<(DVec3, f64)>,
     lo: DVec3,
@@ -31,14 +31,14 @@ struct Body {
 }
 
 impl Body {
-    /// True if all these points lie beyond one of its planes, as for most bodies nearby.
+    /// Returns true if all these points lie beyond one of its planes, as for most bodies nearby.
     fn is_apart(&self, points: &[DVec3]) -> bool {
         let mut planes = self.planes.iter();
         planes.any(|(normal, at)| points.iter().all(|p| normal.dot(*p) - at > -HEIGHT))
     }
 }
 
-/// Cuts the gable walls of every roof by the sheets of the others and by the walls of those before it.
+/// Cuts the gable walls of every roof by the slabs of the others and by the walls of those before it.
 pub(in crate::roof) fn fit(roofs: &mut [Built]) {
     let mut walls = roofs.iter().flat_map(|r| &r.fills);
     if roofs.len() < 2 || !walls.any(is_wall) {
@@ -75,7 +75,7 @@ fn is_wall(fill: &Solid) -> bool {
     fill.faces.iter().all(|f| f.finish == Finish::Gable)
 }
 
-/// The parts of an infill outside the bodies; the whole infill where none of them cuts it.
+/// Returns the parts of an infill outside the bodies; the whole infill if none of them cuts it.
 fn left(fill: Solid, near: &[&Body]) -> Vec<Solid> {
     let whole = columns(&fill);
     let mut parts = whole.clone();
@@ -96,7 +96,7 @@ fn left(fill: Solid, near: &[&Body]) -> Vec<Solid> {
     if cut { parts } else { vec![fill] }
 }
 
-/// The convex parts of a convex solid outside a body; `None` where they hardly touch.
+/// Returns the convex parts of a convex solid outside a body; `None` if they hardly touch.
 fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
     if !meets(bounds(&part.points), (body.lo, body.hi)) || body.is_apart(&part.points) {
         return None;
@@ -104,7 +104,7 @@ fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
     let mut inside = part.clone();
     let mut off = vec![];
     for &(normal, at) in &body.planes {
-        // Most planes of a body pass beside what is left.
+        // Most planes of a body miss the remaining part.
         if inside.points.iter().all(|p| normal.dot(*p) - at < HEIGHT) {
             continue;
         }
@@ -117,8 +117,8 @@ fn outside(part: &Solid, body: &Body) -> Option<Vec<Solid>> {
     })
 }
 
-/// The sheets of a roof in convex bodies, one under each face of its upper surface. Fills may reach a
-/// little way in from above and below.
+/// Divides the slabs of a roof into convex bodies, one under each face of its upper surface. Infills may penetrate
+/// slightly from above and below.
 fn bodies(roof: &Built) -> Vec<Body> {
     let sunk = SUNK.min(roof.drop / 4.0);
     let faces = |s: &Solid| -> Vec<Body> {
@@ -129,7 +129,7 @@ fn bodies(roof: &Built) -> Vec<Body> {
     roof.sheets.iter().flat_map(faces).collect()
 }
 
-/// The body under a face of the upper surface.
+/// Returns the body under a face of the upper surface.
 fn below(solid: &Solid, face: &Face, drop: f64, sunk: f64) -> Option<Body> {
     let points: Vec<DVec3> = corners(solid, face).collect();
     let normal = outward(&points)?;
@@ -154,7 +154,7 @@ fn below(solid: &Solid, face: &Face, drop: f64, sunk: f64) -> Option<Body> {
     })
 }
 
-/// A convex solid as a body.
+/// Converts a convex solid to a body.
 fn of(solid: Solid) -> Body {
     let plane = |face: &Face| {
         let points: Vec<DVec3> = corners(&solid, face).collect();

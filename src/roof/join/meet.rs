@@ -1,9 +1,8 @@
-//! Where roofs of one height meet: each keeps what it covers highest (docs/evidence.md 3.7).
+//! Joins roofs of one height: each keeps the area where it is the highest (docs/evidence.md 3.7).
 //!
-//! Eaves vanish inside a neighbour, branches die in their trunk's slope, valleys run where two
-//! slopes cross; what remains of each roof is still a closed solid of its own, and no two overlap.
-//! Verges are the exception: they stand over a lower neighbour and take nothing from it but what would stand in them
-//! (`verges`).
+//! Eaves vanish inside a neighbour, branches die in their trunk's slope, valleys run where two slopes cross; what
+//! remains of each roof is still a closed solid of its own, and no two overlap. Verges are the exception: they stand
+//! over a lower neighbour and cut only the parts of it that would penetrate them (`verges`).
 
 use crate::roof::facet::{Corner, Cutter, Facet, HalfPlane, cut, edges, halves};
 use crate::roof::frame::Rect;
@@ -13,17 +12,17 @@ use crate::roof::shape::form::Form;
 use crate::roof::solid::sheet::{Piece, has_area};
 use glam::DVec2;
 
-/// The average number of overlapping roofs above which roofs are left unjoined. Roofs side by
-/// side have up to two dozen, the smallest with the widest eaves; only piles of them have more.
+/// The average number of overlapping roofs above which roofs are left unjoined. Roofs side by side have up to two
+/// dozen, the smallest with the widest eaves; only stacked roofs have more.
 const MOST_NEAR: usize = 32;
 
-/// The forms as they are.
+/// Returns the forms uncut.
 pub(in crate::roof) fn apart(forms: &[Form]) -> Vec<Vec<Piece>> {
     forms.iter().map(whole).collect()
 }
 
-/// The remaining pieces of each form. `walls` are the convex parts of the upper storey, which no roof enters.
-/// `None` where too many roofs overlap.
+/// Returns the remaining pieces of each form. `walls` are the convex parts of the upper storey, which no roof enters.
+/// `None` if too many roofs overlap.
 pub(in crate::roof) fn meet(forms: &[Form], walls: &[Vec<DVec2>]) -> Option<Vec<Vec<Piece>>> {
     if let ([_], []) = (forms, walls) {
         return Some(apart(forms));
@@ -74,7 +73,7 @@ fn bounds(form: &Form) -> Rect {
     round(form.facets.iter().flat_map(|f| &f.outline).map(|c| c.at))
 }
 
-/// The box round some corners.
+/// Returns the bounding box of some corners.
 fn round(corners: impl Iterator<Item = DVec2>) -> Rect {
     let none = Rect {
         min: DVec2::MAX,
@@ -86,7 +85,7 @@ fn round(corners: impl Iterator<Item = DVec2>) -> Rect {
     })
 }
 
-/// The storey above as a cutter, higher than every roof.
+/// Returns the storey above as a cutter, higher than every roof.
 fn wall<'f>(body: &'f [DVec2], sides: &'f [HalfPlane]) -> Cutter<'f> {
     Cutter {
         body,
@@ -96,7 +95,7 @@ fn wall<'f>(body: &'f [DVec2], sides: &'f [HalfPlane]) -> Cutter<'f> {
     }
 }
 
-/// The cutters of roof `n`: walls, and nearby facets with their sides.
+/// Returns the cutters of roof `n`: walls, and nearby facets with their sides.
 fn cutters<'f>(
     n: usize,
     forms: &'f [Form],
@@ -106,8 +105,8 @@ fn cutters<'f>(
 ) -> Vec<Cutter<'f>> {
     let mut cutters = walls;
     for &other in near {
-        // A roof under the eaves of its trunk is no part of the surface that the others make: it
-        // takes place from eaves that would pierce it, and gives none.
+        // A roof under the eaves of its trunk is not part of the surface that the others form: it cuts eaves that would
+        // pierce it, and is not cut.
         let tucked = forms[n].under.is_some() && forms[other].under.is_none();
         if tucked || forms[n].under == Some(other) || forms[other].under == Some(n) {
             continue;
@@ -135,8 +134,8 @@ fn remaining(facet: &Facet, cutters: &[Cutter<'_>]) -> Vec<Piece> {
         .collect()
 }
 
-/// Cuts a piece by all cutters; with very many of them first in halves, each with those that it
-/// meets, since a piece would otherwise be tried against every one.
+/// Cuts a piece by all cutters; if they are very many, first in halves, each with those that it meets, since a piece
+/// would otherwise be tested against every one.
 fn cut_by(facet: &Facet, piece: Vec<Corner>, cutters: &[&Cutter<'_>], done: &mut Vec<Vec<Corner>>) {
     const MANY: usize = 48;
     let bounds = |points: &mut dyn Iterator<Item = DVec2>| {

@@ -45,7 +45,7 @@ impl Nearby {
         if to - from <= LEAF {
             return;
         }
-        // By middles, so that a pile of long strips is split across their length.
+        // By midpoints, so that a stack of long strips is split across their length.
         let spread = |axis: usize| {
             let middle = |i: &usize| rects[*i].min[axis] + rects[*i].max[axis];
             let (lo, hi) = part
@@ -62,7 +62,7 @@ impl Nearby {
         self.grow(from + half, to);
     }
 
-    /// The rectangles that share more than a border with `of`, ascending.
+    /// Returns the rectangles that share more than a border with `of`, ascending.
     pub(in crate::roof) fn overlapping(&self, of: &Rect) -> Vec<usize> {
         let mut found = Vec::new();
         if !self.order.is_empty() {
@@ -72,7 +72,7 @@ impl Nearby {
         found
     }
 
-    /// Looks at one node; returns the number of the node after its last one.
+    /// Visits one node; returns the number of the node after its last one.
     fn collect(
         &self,
         of: &Rect,
@@ -94,7 +94,7 @@ impl Nearby {
     }
 }
 
-/// The number of nodes of a tree over this many rectangles.
+/// Returns the number of nodes of a tree over this many rectangles.
 fn nodes(count: usize) -> usize {
     if count <= LEAF {
         1

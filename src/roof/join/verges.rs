@@ -38,7 +38,7 @@ fn cover((outline, plane): &Piece) -> Cover {
     (outline.iter().map(|c| c.at).collect(), *plane)
 }
 
-/// The verges that meeting has left of a form.
+/// Returns the verges of a form that remain after joining.
 fn left_of(form: &Form, met: &[Piece]) -> Vec<Cover> {
     let mut verges = vec![];
     for facet in form.facets.iter().filter(|f| has_verge(f)) {
@@ -60,7 +60,7 @@ fn has_verge(facet: &Facet) -> bool {
     facet.outline.len() != facet.body.len() || !facet.outline.iter().zip(&facet.body).all(same)
 }
 
-/// The part of a piece outside a verge.
+/// Returns the part of a piece outside a verge.
 fn below(
     piece: Vec<Corner>,
     plane: Plane,

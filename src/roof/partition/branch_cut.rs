@@ -1,13 +1,13 @@
 //! `branch-cut`: Sugihara's division by branches, down to outlines of six corners (002-12, 002-22, 002-23).
 //!
-//! Walked clockwise, an outline bends right (R) and left (L). A branch is a run of R beside an L; from the L the
+//! Walked clockwise, an outline turns right (R) and left (L). A branch is a run of R beside an L; from the L the
 //! outgoing wall is extended backwards or the incoming one forwards, until it meets a wall, and the branch comes
 //! off as a rectangle. A part with a single L left goes to [`SixVertex`]. The paper shows this for eight corners and
-//! does not say which branch goes first. Here, whatever the number of corners:
+//! does not state which branch comes first. Here, for any number of corners:
 //! 1. lines that cut off a rectangle come before others;
 //! 2. then the least roof cut for each L that is made straight: a line from L to L counts for both, as in the T
 //!    and the Z, where the paper cuts from both of them as well. This is domain 7.4's "the shorter of the two"
-//!    for all L at once, and what Sugihara came to later, lines in the order of their length (domain 3.5);
+//!    for all L at once, and Sugihara's later rule, lines in the order of their length (domain 3.5);
 //! 3. then the shorter line, the smaller branch, and the place: least b, least a, along a before along b.
 //!
 //! Where no line cuts off a rectangle, the same order divides by whatever line is best: so a courtyard is opened
@@ -18,11 +18,11 @@ use crate::geometry::plan::Cell;
 use crate::geometry::plan::raster::{Raster, Span};
 use crate::roof::partition::six_vertex::SixVertex;
 
-/// Most steps for one region, about half a second: a stair of 480 steps takes as many.
+/// Maximum number of steps for one region, about half a second: a stair of 480 steps takes as many.
 pub(in crate::roof) const MOST_STEPS: u64 = 1 << 28;
 
-/// The roof cells before merging, in no particular order, and how many steps the search took; no cells where
-/// it would take more than `most`. A step is a field or a grid point looked at.
+/// Returns the roof cells before merging, in no particular order, and the number of steps the search took; no cells if
+/// it would take more than `most`. A step is a field or a grid point visited.
 pub(in crate::roof) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u64) {
     let mut cutter = Cutter::new(raster, most);
     match cutter.cut_all() {
@@ -35,7 +35,7 @@ pub(in crate::roof) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u6
 /// that number lies between it and the next.
 type Way = usize;
 
-/// A line that may be cut.
+/// A candidate line for a cut.
 #[derive(Clone, Copy, Debug)]
 struct Line {
     from: usize,
@@ -46,7 +46,7 @@ struct Line {
     rank: Rank,
 }
 
-/// The least goes first.
+/// The rank of a line; the least is cut first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Rank {
     /// True if it cuts off no rectangle.
@@ -54,7 +54,7 @@ struct Rank {
     /// Twice the length for each L, reduced.
     price: u128,
     length: u64,
-    /// Area of the rectangle, of the smaller where both sides are one; reduced, saturating.
+    /// Area of the rectangle, of the smaller if both sides are one; reduced, saturating.
     branch: u128,
     /// The lesser of its grid points, counted row by row, and its way.
     place: (usize, Way),
@@ -62,9 +62,9 @@ struct Rank {
 
 struct Cutter<'r> {
     raster: &'r Raster,
-    /// Grid points in a row.
+    /// Number of grid points in a row.
     stride: usize,
-    /// For each grid point the walls and lines that leave it, a bit each [`Way`].
+    /// For each grid point the walls and lines that leave it, one bit per [`Way`].
     walls: Vec<u8>,
     /// The remaining number of steps.
     steps: u64,
@@ -100,7 +100,7 @@ impl<'r> Cutter<'r> {
         }
     }
 
-    /// Divides every piece; `None` when the steps are used up.
+    /// Divides every piece; `None` if the steps are used up.
     fn cut_all(&mut self) -> Option<()> {
         let mut labels = vec![0; self.raster.inside.len()];
         let mut todo = Vec::new();
@@ -124,7 +124,7 @@ impl<'r> Cutter<'r> {
         Some(())
     }
 
-    /// Takes a piece, one of its fields and its L, to rectangles, or apart into two pieces.
+    /// Divides a piece, given by one of its fields and its L, into rectangles, or into two pieces.
     fn divide(
         &mut self,
         mut field: usize,
@@ -181,10 +181,10 @@ impl<'r> Cutter<'r> {
         }
     }
 
-    /// The corners of a piece whose only L is `p`.
+    /// Returns the corners of a piece whose only L is `p`.
     fn six_corners(&self, p: usize) -> Option<[(i64, i64); 6]> {
         let way = self.bend(p)?;
-        // The ends of both walls of the L, and where the walls beyond them meet again.
+        // The ends of both walls of the L, and the point where the walls beyond them meet again.
         let (one, other) = (
             self.wall_end(p, way, (way + 3) % 4),
             self.wall_end(p, (way + 1) % 4, (way + 2) % 4),
@@ -215,7 +215,7 @@ impl<'r> Cutter<'r> {
         Some([p0, p1, p2, p3, p4, p5])
     }
 
-    /// Where the wall that leaves `p` one way turns to a side.
+    /// Returns the point where the wall that leaves `p` one way turns to a side.
     fn wall_end(&self, p: usize, way: Way, side: Way) -> usize {
         let mut at = self.next(p, way);
         while self.walls[at] >> way & 1 == 1 && self.walls[at] >> side & 1 == 0 {
@@ -224,7 +224,7 @@ impl<'r> Cutter<'r> {
         at
     }
 
-    /// The best line from any of some L.
+    /// Returns the best line from any of some L.
     fn best(&mut self, bends: &[usize]) -> Option<Option<Line>> {
         let mut best: Option<Line> = None;
         for &p in bends {
@@ -239,7 +239,7 @@ impl<'r> Cutter<'r> {
         Some(best)
     }
 
-    /// The line that prolongs a wall beyond the L at `from`.
+    /// Returns the line that extends a wall beyond the L at `from`.
     fn line(&mut self, from: usize, way: Way) -> Option<Line> {
         let (to, fields) = self.run(from, way);
         self.steps = self.steps.checked_sub(fields)?;
@@ -277,7 +277,7 @@ impl<'r> Cutter<'r> {
         Some(line)
     }
 
-    /// Where a line from `p` meets a wall or another line, and how many fields it runs along.
+    /// Returns the point where a line from `p` meets a wall or another line, and its length in fields.
     fn run(&self, p: usize, way: Way) -> (usize, u64) {
         let back = 1 << ((way + 2) % 4);
         let (mut at, mut fields) = (self.next(p, way), 1);
@@ -288,7 +288,7 @@ impl<'r> Cutter<'r> {
         (at, fields)
     }
 
-    /// Draws a line; drawn once more it is gone.
+    /// Draws a line; drawing it again removes it.
     fn draw(&mut self, line: &Line) {
         let mut at = line.from;
         while at != line.to {
@@ -298,7 +298,7 @@ impl<'r> Cutter<'r> {
         }
     }
 
-    /// The piece that a field belongs to, if it is a rectangle.
+    /// Returns the piece that a field belongs to, if it is a rectangle.
     fn rectangle(&mut self, field: usize) -> Option<Option<Span>> {
         let cols = self.stride - 1;
         let (i, j) = (field % cols, field / cols);
@@ -331,7 +331,7 @@ impl<'r> Cutter<'r> {
         Some(closed.then_some(Span { i0, j0, i1, j1 }))
     }
 
-    /// The first of the two walls of an L: `None` where there is none, in mid-wall and at an R. Round an L three
+    /// Returns the first of the two walls of an L: `None` if there is none, in mid-wall and at an R. Round an L three
     /// quadrants belong to one piece.
     fn bend(&self, p: usize) -> Option<Way> {
         let way = match self.walls[p] {
@@ -351,7 +351,7 @@ impl<'r> Cutter<'r> {
         (!off && self.raster.inside[self.field(p, (way + 2) % 4)]).then_some(way)
     }
 
-    /// The field in a quadrant of a grid point, which must be on the grid.
+    /// Returns the field in a quadrant of a grid point, which must be on the grid.
     fn field(&self, p: usize, quadrant: usize) -> usize {
         let (mut i, mut j) = (p % self.stride, p / self.stride);
         if matches!(quadrant, 1 | 2) {
@@ -372,7 +372,7 @@ impl<'r> Cutter<'r> {
         }
     }
 
-    /// Gives all fields of the piece that `start` belongs to a number.
+    /// Numbers all fields of the piece that `start` belongs to.
     fn label(&mut self, start: usize, number: u32, labels: &mut [u32]) -> Option<()> {
         let cols = self.stride - 1;
         let mut stack = vec![start];

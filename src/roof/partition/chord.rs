@@ -1,4 +1,4 @@
-//! `chord`: the greedy stand-in for `least-cut` on outlines with very many coordinates:
+//! `chord`: the greedy substitute for `least-cut` on outlines with very many coordinates:
 //! always the cut that divides the least roof (domain 3.5).
 
 use crate::geometry::plan::Cell;
@@ -6,7 +6,7 @@ use crate::geometry::plan::raster::Raster;
 use crate::roof::partition::scan::{Lengths, best, candidates, halves};
 use std::cmp::Reverse;
 
-/// The roof cells of a raster before merging, in no particular order.
+/// Returns the roof cells of a raster before merging, in no particular order.
 ///
 /// Candidates are those of `kd` (some wall in the cell); least roof divided, then most wall,
 /// then the ties of `kd`.

@@ -8,7 +8,7 @@ use crate::geometry::plan::raster::Raster;
 use crate::roof::partition::scan::{Lengths, best, candidates, halves};
 use std::cmp::Reverse;
 
-/// The roof cells of a raster before merging, in no particular order.
+/// Returns the roof cells of a raster before merging, in no particular order.
 pub(in crate::roof) fn cut(raster: &Raster) -> Vec<Cell> {
     let walls = Lengths::walls(raster);
     let mut roofs = Vec::new();

@@ -13,13 +13,13 @@ use crate::geometry::plan::raster::{Raster, Span};
 use crate::roof::partition::scan::{Lengths, Line, halves};
 use std::cmp::{Ordering, Reverse};
 
-/// Most distinct coordinates on an axis for which the search is made.
+/// Maximum number of distinct coordinates on an axis for which the search is made.
 pub(in crate::roof) const MAX_LINES: usize = 32;
 
-/// The roof cells before merging, in no particular order, and how many steps the search took; no cells
-/// where it would take more than `most`. Both axes need at most [`MAX_LINES`] lines.
+/// Returns the roof cells before merging, in no particular order, and the number of steps the search took; no cells if
+/// it would take more than `most`. Both axes need at most [`MAX_LINES`] lines.
 pub(in crate::roof) fn cut(raster: &Raster, most: u64) -> (Option<Vec<Cell>>, u64) {
-    // Where even to look at all rectangles takes too long, nothing is begun.
+    // If merely visiting all rectangles takes too long, the search is not begun.
     let size = interval(0, raster.cols() + 1) * interval(0, raster.rows() + 1);
     if size as u64 > most {
         return (None, 0);
@@ -73,7 +73,7 @@ struct Best {
 }
 
 impl Best {
-    /// A rectangle without walls: one roof if `area` is given, else nothing.
+    /// A rectangle without walls: one roof if `area` is given, otherwise nothing.
     fn pure(area: Option<u128>, s: Span) -> Self {
         let squares = area.map_or(0, |a| a.saturating_mul(a));
         Self {
@@ -88,7 +88,7 @@ impl Best {
         }
     }
 
-    /// The score of cutting a rectangle into these two.
+    /// Returns the score of cutting a rectangle into these two.
     fn joined(one: &Best, other: &Best, roof: u64, cut: (Line, u8)) -> Self {
         Self {
             score: one.score.plus(other.score, roof),
@@ -98,7 +98,7 @@ impl Best {
         }
     }
 
-    /// Keeps the better of the two; of equals the first, open where they differ.
+    /// Keeps the better of the two; of equals the first, open if they differ.
     fn or(&mut self, rival: Best) {
         match rival.score.cmp(&self.score) {
             Ordering::Less => *self = rival,
@@ -110,7 +110,7 @@ impl Best {
 
 /// All rectangles of grid lines, each solved after those inside it.
 ///
-/// Three observations make most of them cheap, and change nothing of what is found:
+/// Three observations make most of them cheap without changing the result:
 /// - Empty margins are trimmed off: a tree of the whole cuts the rest just as some tree of the rest does.
 /// - A cut that divides no roof goes first and alone, for the same reason.
 /// - A line without wall in a rectangle never cuts it best: moved aside until it meets a wall or another
@@ -121,13 +121,13 @@ struct Search<'r> {
     roof: Lengths,
     /// Marks between two lines b = c, for each interval as numbered by [`interval`].
     across: Vec<Marks>,
-    /// The same between two lines a = c.
+    /// Marks between two lines a = c, likewise.
     along: Vec<Marks>,
-    /// For each rectangle, see [`Search::at`], the place in `best` of what it is trimmed to.
+    /// For each rectangle, see [`Search::at`], the index in `best` of its trimmed rectangle.
     place: Vec<u32>,
-    /// The roof cut of each once more, close together: it rules out most cuts.
+    /// The roof cut of each again, stored compactly: it rules out most cuts.
     least: Vec<u64>,
-    /// The first one is that of all empty rectangles.
+    /// The best trees; the first one is that of all empty rectangles.
     best: Vec<Best>,
     /// The remaining number of rectangles and cuts to examine.
     steps: u64,
@@ -136,14 +136,14 @@ struct Search<'r> {
 /// The content of a strip between two lines, as bits.
 #[derive(Clone, Copy, Debug, Default)]
 struct Marks {
-    /// The lines across it, but the outermost, with wall in it.
+    /// The inner lines across it that have wall in it.
     walls: u32,
     /// The fields across it with roof in it.
     roofs: u32,
 }
 
 impl<'r> Search<'r> {
-    /// Solves them all; `None` where that takes more steps.
+    /// Solves all rectangles; `None` if that takes more steps.
     fn fill(raster: &'r Raster, steps: u64) -> Option<Self> {
         let (cols, rows) = (raster.cols(), raster.rows());
         let size = interval(0, cols + 1) * interval(0, rows + 1);
@@ -172,7 +172,7 @@ impl<'r> Search<'r> {
         Some(search)
     }
 
-    /// Place of a rectangle.
+    /// Returns the index of a rectangle.
     #[inline]
     fn at(&self, s: Span) -> usize {
         interval(s.i0, s.i1) * interval(0, self.raster.rows() + 1) + interval(s.j0, s.j1)
@@ -183,7 +183,7 @@ impl<'r> Search<'r> {
         &self.best[self.place[self.at(s)] as usize]
     }
 
-    /// A rectangle without its empty margins; `None` where all of it is empty.
+    /// Returns a rectangle without its empty margins; `None` if all of it is empty.
     fn trimmed(&self, s: Span) -> Option<Span> {
         let cols = self.across[interval(s.j0, s.j1)].roofs & bits(s.i0, s.i1);
         if cols == 0 {
@@ -194,14 +194,14 @@ impl<'r> Search<'r> {
         Some(Span { i0, j0, i1, j1 })
     }
 
-    /// The lines with wall in a rectangle.
+    /// Returns the lines with wall in a rectangle.
     fn walls(&self, s: Span) -> impl Iterator<Item = (Line, usize)> + use<> {
         let x = self.across[interval(s.j0, s.j1)].walls & bits(s.i0 + 1, s.i1);
         let y = self.along[interval(s.i0, s.i1)].walls & bits(s.j0 + 1, s.j1);
         ones(x, Line::X).chain(ones(y, Line::Y))
     }
 
-    /// Solves a rectangle when those inside it are; `None` when the steps are used up.
+    /// Solves a rectangle after those inside it; `None` if the steps are used up.
     fn solve(&mut self, s: Span) -> Option<()> {
         let Some(rest) = self.trimmed(s) else {
             return Some(());
@@ -222,7 +222,7 @@ impl<'r> Search<'r> {
         Some(())
     }
 
-    /// The best cut of a rectangle; `None` where it has no walls.
+    /// Returns the best cut of a rectangle; `None` if it has no walls.
     fn best_cut(&mut self, s: Span) -> Option<Option<Best>> {
         let mut best: Option<Best> = None;
         let mut most = u64::MAX;
@@ -232,7 +232,7 @@ impl<'r> Search<'r> {
             if roof == 0 {
                 return Some(Some(self.joined(s, line, n)));
             }
-            // The first criterion alone, without its detours: here is where the time goes.
+            // The first criterion alone, inlined: most of the time is spent here.
             let [one, other] = halves(s, line, n).map(|half| self.least[self.at(half)]);
             if one.saturating_add(other).saturating_add(roof) > most {
                 continue;
@@ -253,20 +253,20 @@ impl<'r> Search<'r> {
     }
 }
 
-/// Place of the interval from line `lo` to line `hi`: in the order of `hi`, then `lo`. With 0 and one more
+/// Returns the index of the interval from line `lo` to line `hi`: in the order of `hi`, then `lo`. With 0 and one more
 /// than the fields it is the number of all intervals.
 #[inline]
 fn interval(lo: usize, hi: usize) -> usize {
     hi * (hi - 1) / 2 + lo
 }
 
-/// The bits from `lo` on below `hi`, at most 31.
+/// Returns the bits from `lo` up to but excluding `hi`, at most 31.
 #[inline]
 fn bits(lo: usize, hi: usize) -> u32 {
     (1u32 << hi) - (1u32 << lo.min(hi))
 }
 
-/// The first of some bits and the one behind the last.
+/// Returns the first of some bits and the one after the last.
 fn ends(bits: u32) -> (usize, usize) {
     let (lo, hi) = (bits.trailing_zeros(), u32::BITS - bits.leading_zeros());
     (lo as usize, hi as usize)
@@ -281,7 +281,7 @@ fn ones(mut bits: u32, line: Line) -> impl Iterator<Item = (Line, usize)> {
     })
 }
 
-/// The marks of all intervals of `count` strips, each with the bits of its fields inside.
+/// Returns the marks of all intervals of `count` strips, each with the bits of its fields inside.
 fn marks(count: usize, fields: usize, strip: impl Fn(usize) -> u32) -> Vec<Marks> {
     let mut marks = vec![Marks::default(); interval(0, count + 1)];
     for hi in 1..=count {
@@ -319,7 +319,7 @@ struct Ties<'t, 'r> {
 }
 
 impl Ties<'_, '_> {
-    /// Settles `s` and whatever below it matters; `None` when the steps are used up.
+    /// Settles `s` and the relevant rectangles below it; `None` if the steps are used up.
     fn settle(&mut self, s: Span) -> Option<Settled> {
         let (at, best) = (self.search.place[self.search.at(s)], self.search.best(s));
         let first = Settled {
@@ -332,14 +332,14 @@ impl Ties<'_, '_> {
         if let Some(known) = self.settled[at as usize] {
             return Some(known);
         }
-        // The cuts of a rectangle are those of what it is trimmed to.
+        // The cuts of a rectangle are those of its trimmed rectangle.
         let rest = self.search.trimmed(s).unwrap_or(s);
         let found = self.least(rest, best.score)?.unwrap_or(first);
         self.settled[at as usize] = Some(found);
         Some(found)
     }
 
-    /// Of the cuts that score the same, the one whose sorted list of roofs is least.
+    /// Returns, of the cuts that score the same, the one whose sorted list of roofs is least.
     fn least(&mut self, s: Span, score: Score) -> Option<Option<Settled>> {
         let mut least: Option<(Settled, Option<Vec<Span>>)> = None;
         for (line, n) in self.search.walls(s) {
@@ -371,7 +371,7 @@ impl Ties<'_, '_> {
         Some(least.map(|(kept, _)| kept))
     }
 
-    /// The sorted roofs of `s` if it is cut as `by` says.
+    /// Returns the sorted roofs of `s` if it is cut according to `by`.
     fn list(&self, s: Span, by: Settled) -> Vec<Span> {
         let mut spans = Vec::new();
         if let Some((line, n)) = by.cut {
@@ -401,12 +401,12 @@ impl Ties<'_, '_> {
     }
 }
 
-/// The place of a roof in a sorted list.
+/// Returns the position of a roof in a sorted list.
 fn key(s: &Span) -> (usize, usize, usize, usize) {
     (s.j0, s.i0, s.j1, s.i1)
 }
 
-/// A well mixed number for a roof (splitmix64).
+/// Returns a well-mixed hash of a roof (splitmix64).
 fn print(s: Span) -> u64 {
     let packed = [s.i0, s.j0, s.i1, s.j1]
         .iter()

@@ -1,17 +1,17 @@
 //! Merge: roofs that share a whole edge become one (001-19; domain 3.2).
 //!
-//! Always the pair with the longest shared edge; ties: larger union, then lower b, then lower
-//! a of the union. Where even that leaves two pairs (the corner of a square grid), the pair
-//! side by side along a comes first, as x comes before y among cuts.
+//! Always the pair with the longest shared edge; ties: larger union, then lower b, then lower a of the union. If even
+//! that leaves two pairs (the corner of a square grid), the pair side by side along a comes first, as x comes before y
+//! among cuts.
 
 use crate::geometry::plan::Cell;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
-/// Above this many cells the pairs are kept in order instead of searched each time.
+/// Above this many cells the pairs are kept in a heap instead of being searched each time.
 const FEW: usize = 24;
 
-/// The merit of uniting a pair; the greatest wins.
+/// The merit of uniting a pair; the greatest comes first.
 type Rank = (i64, i128, Reverse<i64>, Reverse<i64>, bool);
 
 /// Unites cells until no two share a whole edge of both; the order of the result is (b0, a0).
@@ -43,7 +43,7 @@ fn merge_few(cells: &mut Vec<Cell>) {
     }
 }
 
-/// The rank of a pair that shares a whole edge of both.
+/// Returns the rank of a pair that shares a whole edge of both.
 fn rank(p: &Cell, q: &Cell) -> Option<Rank> {
     let beside = p.b0 == q.b0 && p.b1 == q.b1 && (p.a1 == q.a0 || q.a1 == p.a0);
     let behind = p.a0 == q.a0 && p.a1 == q.a1 && (p.b1 == q.b0 || q.b1 == p.b0);
@@ -73,7 +73,7 @@ fn united(p: &Cell, q: &Cell) -> Cell {
     }
 }
 
-/// A whole edge: whether it runs along b, its line, its ends.
+/// A whole edge: true if it runs along b, its line, its ends.
 type Edge = (bool, i64, i64, i64);
 
 fn edges(c: &Cell) -> [Edge; 4] {
@@ -85,7 +85,7 @@ fn edges(c: &Cell) -> [Edge; 4] {
     ]
 }
 
-/// The same rule with the pairs in a heap: cells never change, they end and new ones begin.
+/// Applies the same rule with the pairs in a heap: cells never change, they end and new ones begin.
 fn merge_many(cells: Vec<Cell>) -> Vec<Cell> {
     let mut all: Vec<(Cell, bool)> = Vec::with_capacity(2 * cells.len());
     let mut by_edge: BTreeMap<Edge, [usize; 2]> = BTreeMap::new();
@@ -113,7 +113,7 @@ fn merge_many(cells: Vec<Cell>) -> Vec<Cell> {
     all.into_iter().filter(|c| c.1).map(|c| c.0).collect()
 }
 
-/// Adds a living cell, and its pairs with those whose whole edges are already there.
+/// Adds a live cell, and its pairs with those whose whole edges are already there.
 fn enter(
     cell: Cell,
     all: &mut Vec<(Cell, bool)>,

@@ -3,7 +3,7 @@
 
 use crate::geometry::plan::raster::{Raster, Span};
 
-/// Which way a scan line runs; `X` sorts first, as "x before y" demands.
+/// The direction of a scan line; `X` sorts first, as "x before y" demands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::roof) enum Line {
     /// The line a = c (x in domain 3).
@@ -15,8 +15,8 @@ pub(in crate::roof) enum Line {
 /// Prefix sums of one kind of length along every grid line.
 #[derive(Debug)]
 pub(in crate::roof) struct Lengths {
-    /// Line i of axis a: `x[j * (cols + 1) + i]` = length in front of line j. The lines of a cell, which
-    /// are looked at one after another, so lie side by side.
+    /// Line i of axis a: `x[j * (cols + 1) + i]` = length in front of line j. The lines of a cell, which are visited
+    /// one after another, are thus adjacent.
     x: Vec<u64>,
     /// Line j of axis b: `y[i * (rows + 1) + j]` = length right of line i.
     y: Vec<u64>,
@@ -25,12 +25,12 @@ pub(in crate::roof) struct Lengths {
 }
 
 impl Lengths {
-    /// Outer wall: one side inside, the other outside (001-15).
+    /// Returns the outer wall: one side inside, the other outside (001-15).
     pub(in crate::roof) fn walls(raster: &Raster) -> Self {
         Self::measure(raster, |one, other| one != other)
     }
 
-    /// Roof that a cut along the line divides: both sides inside.
+    /// Returns the roof that a cut along the line divides: both sides inside.
     pub(in crate::roof) fn roof(raster: &Raster) -> Self {
         Self::measure(raster, |one, other| one && other)
     }
@@ -60,7 +60,7 @@ impl Lengths {
         Self { x, y, cols, rows }
     }
 
-    /// Length on line `n` of direction `line`, clipped to the interior of `s`, reduced.
+    /// Returns the length on line `n` of direction `line`, clipped to the interior of `s`, reduced.
     #[inline]
     pub(in crate::roof) fn within(&self, line: Line, n: usize, s: Span) -> u64 {
         match line {
@@ -87,8 +87,8 @@ pub(in crate::roof) struct Candidate {
 }
 
 impl Candidate {
-    /// The order of ties: nearest to the middle of `s`, then smaller c, then x before y. Where x and
-    /// y tie, the letter compares the two coordinates of the author frame, so the origin counts.
+    /// Returns the order of ties: nearest to the middle of `s`, then smaller c, then x before y. If x and y tie, the
+    /// letter compares the two coordinates of the author frame, so the origin counts.
     pub(in crate::roof) fn tie(&self, raster: &Raster, s: Span) -> (u128, i64, Line) {
         let (axis, lo, hi) = match self.line {
             Line::X => (&raster.a, s.i0, s.i1),
@@ -100,7 +100,7 @@ impl Candidate {
     }
 }
 
-/// The best of some cuts of `s`: the least rank, then the order of ties.
+/// Returns the best of some cuts of `s`: the least rank, then the order of ties.
 pub(in crate::roof) fn best<R: Ord>(
     raster: &Raster,
     s: Span,
@@ -112,7 +112,7 @@ pub(in crate::roof) fn best<R: Ord>(
         .map(|(_, best)| best)
 }
 
-/// The scan lines strictly inside `s` with wall on them, x first.
+/// Returns the scan lines strictly inside `s` with wall on them, x first.
 pub(in crate::roof) fn candidates(
     walls: &Lengths,
     s: Span,
@@ -125,7 +125,7 @@ pub(in crate::roof) fn candidates(
     })
 }
 
-/// The two halves of `s`: left or lower first.
+/// Returns the two halves of `s`: left or lower first.
 pub(in crate::roof) fn halves(s: Span, line: Line, n: usize) -> [Span; 2] {
     match line {
         Line::X => [Span { i1: n, ..s }, Span { i0: n, ..s }],

@@ -1,7 +1,7 @@
 //! The six-vertex algorithm (002-15 to 002-21): the two boxes and the roofs of an outline of six corners.
 //!
 //! The longest edge carries Box1; of its two neighbours the longer carries Box2, the shorter is the width of
-//! Box1; Roof2 runs on over Box1 up to Roof1's ridge. Two things are mended, as domain 7.4 found them:
+//! Box1; Roof2 runs on over Box1 up to Roof1's ridge. Two things are corrected, as domain 7.4 found them:
 //! - The point where Roof2 ends, printed with the corners of the wrong edge in one case, is written without
 //!   numbers: C + (F - C) · ½ W_box1 / L_box2, with C the corner that both long edges share and F the other end
 //!   of the edge of Box2.
@@ -25,7 +25,7 @@ pub struct SixVertex {
     pub l_box1: i128,
     /// Width of Box1 (002-17).
     pub w_box1: i128,
-    /// The edge that carries Box2, as long as it is drawn (002-16).
+    /// The edge that carries Box2, in full length (002-16).
     pub l_box2: i128,
     /// Width of Box2 (002-18).
     pub w_box2: i128,
@@ -35,10 +35,10 @@ pub struct SixVertex {
 }
 
 impl SixVertex {
-    /// The boxes of six corners in the order of the walls, either way round from any of them; `None` if they
-    /// are no L with six right angles.
+    /// Returns the boxes of six corners in the order of the walls, either way round from any of them; `None` unless
+    /// they form an L with six right angles.
     ///
-    /// By the shorter of the two lines that divide it (domain 7.4), by the longest edge where they are equal.
+    /// By the shorter of the two lines that divide it (domain 7.4), by the longest edge if they are equal.
     pub fn divide(corners: &[Point; 6]) -> Option<Self> {
         let found = Self::by_longest_edge(corners)?;
         Some(match found.w_box2 > found.w_box1 {
@@ -47,10 +47,10 @@ impl SixVertex {
         })
     }
 
-    /// The boxes by the letter of the paper, Box1 on the longest edge. Of two equal ones the edge with the
+    /// Returns the boxes exactly as in the paper, Box1 on the longest edge. Of two equal ones the edge with the
     /// larger Box1 counts, then that whose Box1 lies further in front, then to the right.
     pub fn by_longest_edge(corners: &[Point; 6]) -> Option<Self> {
-        // The corner across from the only bend to the other side is where the two long edges meet.
+        // The two long edges meet in the corner opposite to the only bend to the other side.
         let bends = (0..6).map(|k| turn(corners[(k + 5) % 6], corners[k], corners[(k + 1) % 6]));
         let bends: Vec<i128> = bends.collect();
         let sum: i128 = bends.iter().sum();
@@ -70,18 +70,18 @@ impl SixVertex {
         Some(if first.is_lt() { rival } else { found })
     }
 
-    /// The other way to divide the outline: Box1 on the edge that carried Box2.
+    /// Returns the other division of the outline: Box1 on the edge that carried Box2.
     pub fn exchanged(&self) -> Self {
         let ends = [self.ends[1], self.ends[0]];
         Self::mount(self.corner, ends, [self.w_box2, self.w_box1])
     }
 
-    /// Twice the length of Roof2: 2 L_box2 - W_box1 (002-20).
+    /// Returns twice the length of Roof2: 2 L_box2 - W_box1 (002-20).
     pub fn roof2_doubled(&self) -> i128 {
         2 * self.l_box2 - self.w_box1
     }
 
-    /// Twice the point on the edge of Box2 beside which Roof2 ends, Prf2 (002-21); the ridge end itself lies
+    /// Returns twice the point on the edge of Box2 beside which Roof2 ends, Prf2 (002-21); the ridge end itself lies
     /// half a W_box2 further in.
     pub fn prf2_doubled(&self) -> (i128, i128) {
         let (c, f) = (self.corner, self.ends[1]);
@@ -91,10 +91,10 @@ impl SixVertex {
         (twice(c.0, f.0), twice(c.1, f.1))
     }
 
-    /// Box1 on the edge from the corner to the first end, Box2 on what it leaves of the other edge.
+    /// Places Box1 on the edge from the corner to the first end, Box2 on the rest of the other edge.
     fn mount(corner: Point, ends: [Point; 2], [w_box1, w_box2]: [i128; 2]) -> Self {
         let [end1, end2] = ends;
-        // How far Box1 reaches along the edge of Box2, and Box2 along that of Box1.
+        // The extents of Box1 along the edge of Box2, and of Box2 along that of Box1.
         let across = towards(corner, end2, w_box1);
         let aside = towards(corner, end1, w_box2);
         Self {
@@ -110,7 +110,7 @@ impl SixVertex {
     }
 }
 
-/// The far corner of Box2: its end moved as far aside as `aside` lies from the corner.
+/// Returns the far corner of Box2: its end, displaced as `aside` is from the corner.
 fn end2_beside(end: Point, corner: Point, aside: Point) -> Point {
     if end.0 == corner.0 {
         (aside.0, end.1)
@@ -119,7 +119,7 @@ fn end2_beside(end: Point, corner: Point, aside: Point) -> Point {
     }
 }
 
-/// Which way a right angle turns, ±1; 0 where the edges run on, go back, slant or have no length.
+/// Returns the direction of a right-angle turn, ±1; 0 if the edges continue, reverse, slant or have no length.
 fn turn(p: Point, q: Point, r: Point) -> i128 {
     let step = |p: Point, q: Point| {
         let part = |from: i64, to: i64| (i128::from(to) - i128::from(from)).signum();
@@ -132,7 +132,7 @@ fn turn(p: Point, q: Point, r: Point) -> i128 {
     }
 }
 
-/// Length of an edge along an axis.
+/// Returns the length of an edge along an axis.
 fn length(p: Point, q: Point) -> i128 {
     (i128::from(q.0) - i128::from(p.0)).abs() + (i128::from(q.1) - i128::from(p.1)).abs()
 }

@@ -1,4 +1,4 @@
-//! A storey as its roofs see it: its plan in steps, and the parapet on it.
+//! A storey as input to its roofs: its plan in steps, and the parapet on it.
 
 use crate::ast::StoreyKind;
 use crate::building::{House, Ring, Storey};
@@ -28,7 +28,7 @@ impl Level<'_> {
         self.plan.loops.is_empty()
     }
 
-    /// The closed rings, outer ones or courtyards.
+    /// Returns the closed rings, outer ones or courtyards.
     pub(in crate::roof) fn rings(&self, holes: bool) -> impl Iterator<Item = &Ring> {
         self.storey
             .rings
@@ -37,7 +37,7 @@ impl Level<'_> {
     }
 }
 
-/// The storeys of a house from the ground up, without parapets.
+/// Returns the storeys of a house from the ground up, without parapets.
 pub(in crate::roof) fn levels(house: &House) -> Vec<Level<'_>> {
     let mut levels: Vec<Level<'_>> = Vec::with_capacity(house.storeys.len());
     for storey in &house.storeys {
@@ -62,17 +62,17 @@ pub(in crate::roof) fn levels(house: &House) -> Vec<Level<'_>> {
     levels
 }
 
-/// The corners of a ring in steps; a point in mid-wall does no harm to a plan.
+/// Returns the corners of a ring in steps; points in mid-wall are harmless to a plan.
 fn corners(ring: &Ring) -> Vec<Point> {
     ring.corners().into_iter().map(point).collect()
 }
 
-/// A plan point in steps.
+/// Converts a plan point to steps.
 pub(in crate::roof) fn point(p: DVec2) -> Point {
     (steps(p.x), steps(p.y))
 }
 
-/// The first wall line of a storey with all walls in one line with it, in walk order.
+/// Returns the first wall line of a storey with all collinear walls, in walk order.
 pub(in crate::roof) fn first_line(storey: &Storey) -> Option<(Point, Point)> {
     let ring = storey.rings.first()?;
     let first = ring.walls.first()?;

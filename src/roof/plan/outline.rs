@@ -11,7 +11,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// The walls of a plan whose loops do not overlap each other.
+    /// Creates the outline of a plan whose loops do not overlap each other.
     pub fn of(plan: &Plan) -> Outline {
         let mut walls = [Vec::new(), Vec::new()];
         for (p, q) in plan.edges() {
@@ -25,7 +25,7 @@ impl Outline {
         Outline { walls }
     }
 
-    /// The pieces of a side of `cell` along which a wall runs, ascending.
+    /// Returns the pieces of a side of `cell` along which a wall runs, ascending.
     pub fn along(&self, cell: &Cell, side: Side) -> Vec<(i64, i64)> {
         self.beside(cell, side).collect()
     }
@@ -34,7 +34,7 @@ impl Outline {
         self.pieces(matches!(side, Side::Front | Side::Back), piece(cell, side))
     }
 
-    /// The pieces of a line along a (or b) from `lo` to `hi` along which a wall runs, ascending.
+    /// Returns the pieces of a line along a (or b) from `lo` to `hi` along which a wall runs, ascending.
     pub fn on(&self, along_a: bool, on: (i64, i64, i64)) -> Vec<(i64, i64)> {
         self.pieces(along_a, on).collect()
     }
@@ -54,7 +54,7 @@ impl Outline {
         clipped.filter(|(from, to)| from < to)
     }
 
-    /// The pieces of a side of `cell` along which no wall runs, ascending.
+    /// Returns the pieces of a side of `cell` along which no wall runs, ascending.
     pub fn gaps(&self, cell: &Cell, side: Side) -> Vec<(i64, i64)> {
         let (_, lo, hi) = piece(cell, side);
         let mut gaps = Vec::new();
@@ -77,7 +77,7 @@ impl Outline {
     }
 }
 
-/// A side as a piece of its line: the line, its ends.
+/// Returns a side as a piece of its line: the line, its ends.
 pub fn piece(cell: &Cell, side: Side) -> (i64, i64, i64) {
     match side {
         Side::Front => (cell.b0, cell.a0, cell.a1),

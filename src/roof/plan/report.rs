@@ -1,4 +1,4 @@
-//! A storey as `dump --stage regions` shows it (docs/contract.md 5).
+//! The plan of a storey as in `dump --stage regions` (docs/contract.md 5).
 
 use crate::ast::RoofShape;
 use crate::building::{PlanRegion, Ring, StoreyPlan, rect_of};
@@ -7,7 +7,7 @@ use crate::roof::plan::level::Level;
 use crate::roof::region::{Region, Ridge, Role, Side};
 use glam::DVec2;
 
-/// The automatic regions of an orthogonal storey, whose roofs are of this shape.
+/// Returns the plan of the automatic regions of an orthogonal storey, whose roofs are of this shape.
 pub(in crate::roof) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofShape) -> StoreyPlan {
     let region = |r: &Region| match shape {
         RoofShape::Flat => flat_region(rect_of(r.cell), None),
@@ -23,11 +23,11 @@ pub(in crate::roof) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofSh
             },
             shape: match (r.role, shape) {
                 (Role::LeanTo, _) => RoofShape::LeanTo,
-                // What joins another roof keeps its gable, and a pent roof stands before its wall.
+                // A roof that joins another keeps its gable, and a pent roof stands in front of its wall.
                 (_, RoofShape::LeanTo | RoofShape::Pent) => RoofShape::Gable,
                 (_, shape) => shape,
             },
-            // Written roofs have no place in the list.
+            // Written roofs are not in the list.
             over: match r.role {
                 Role::Branch => r.over.filter(|over| *over < regions.len()),
                 _ => None,
@@ -37,7 +37,7 @@ pub(in crate::roof) fn plan(level: &Level<'_>, regions: &[Region], shape: RoofSh
     with_regions(level, regions.iter().map(region).collect())
 }
 
-/// A storey roofed as a whole round the storey above: the strips on its sides, which fall away from it.
+/// Returns the plan of a lower roof round the storey above: the strips on its sides, which fall away from it.
 pub(in crate::roof) fn skirt(level: &Level<'_>, mut strips: Vec<(Cell, Side)>) -> StoreyPlan {
     strips.sort_unstable_by_key(|(cell, _)| cell.key());
     let region = |(cell, fall): &(Cell, Side)| PlanRegion {
@@ -52,7 +52,7 @@ pub(in crate::roof) fn skirt(level: &Level<'_>, mut strips: Vec<(Cell, Side)>) -
     with_regions(level, strips.iter().map(region).collect())
 }
 
-/// A region for each outline of a storey that is roofed as a whole, in U.
+/// Returns a region for each outline of a storey that is roofed as a whole, in U.
 pub(in crate::roof) fn polygons(
     level: &Level<'_>,
     outlines: Vec<Vec<DVec2>>,

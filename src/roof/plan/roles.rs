@@ -42,7 +42,7 @@ pub fn regions(
     regions_by(plan, upper, cut, street_front, unit, &[])
 }
 
-/// The regions with a given cutting function, beside written roofs.
+/// Returns the regions with a given cutting function, beside written roofs.
 pub fn regions_by(
     plan: &Plan,
     upper: Option<&Plan>,
@@ -79,7 +79,7 @@ pub fn regions_by(
 
 /// The input of the rules.
 struct Judge<'c> {
-    /// The regions and behind them the written roofs.
+    /// The regions, followed by the written roofs.
     cells: &'c [Cell],
     /// The number of regions among them.
     count: usize,
@@ -91,7 +91,7 @@ struct Judge<'c> {
 }
 
 impl Judge<'_> {
-    /// Judges trunks before their branches: by falling area, the street region first.
+    /// Judges trunks before their branches: by decreasing area, the street region first.
     fn all(&self) -> Vec<Region> {
         let mut order: Vec<usize> = (0..self.count).collect();
         order.sort_by_key(|&n| {
@@ -131,7 +131,7 @@ impl Judge<'_> {
         }
     }
 
-    /// Rule 1.
+    /// Applies rule 1.
     fn on_street(&self, cell: Cell, judged: &[Region]) -> Region {
         let behind = || [Side::Back, Side::Front].into_iter();
         let lean_to = |side| Region {
@@ -169,29 +169,29 @@ impl Judge<'_> {
         }
     }
 
-    /// True if an upper wall stands along the whole of a side.
+    /// Returns true if an upper wall stands along the whole of a side.
     fn has_wall(&self, cell: &Cell, side: Side) -> bool {
         !self.walls.is_empty() && self.walls.along(cell, side) == side.measure(cell).0
     }
 
-    /// True if a cell is shallow and long enough to be a lean-to against a side.
+    /// Returns true if a cell is shallow and long enough to be a lean-to against a side.
     fn is_strip(&self, cell: &Cell, side: Side) -> bool {
         let (length, depth) = side.measure(cell);
         depth <= self.steps(2) && length >= depth.saturating_mul(2)
     }
 
-    /// `units` in grid steps.
+    /// Converts `units` to grid steps.
     fn steps(&self, units: i64) -> i64 {
         units.saturating_mul(self.unit)
     }
 
-    /// The longest side along the whole of which an upper wall stands.
+    /// Returns the longest side along the whole of which an upper wall stands.
     fn whole_wall(&self, cell: &Cell) -> Option<Side> {
         let whole = |side: &Side| self.has_wall(cell, *side);
         longest(cell, Side::ALL.into_iter().filter(whole))
     }
 
-    /// The longest side of a strip along at least half of which an upper wall stands.
+    /// Returns the longest side of a strip along at least half of which an upper wall stands.
     fn half_wall(&self, cell: &Cell) -> Option<Side> {
         let half = |side: &Side| {
             let (length, depth) = side.measure(cell);
@@ -206,7 +206,7 @@ impl Judge<'_> {
         )
     }
 
-    /// Rule 2.
+    /// Applies rule 2.
     fn against_wall(&self, cell: Cell, side: Side) -> Region {
         let against_wall = Some(side);
         if side.measure(&cell).1 <= self.steps(3) {
@@ -222,7 +222,7 @@ impl Judge<'_> {
         }
     }
 
-    /// The trunk of a region and the side it lies on it with.
+    /// Returns the trunk of a region and the side that it shares with it.
     fn trunk(&self, n: usize, judged: &[Region]) -> Option<(usize, Side)> {
         let area = self.cells[n].area();
         // A street region that leans on another roof is only a strip.
@@ -242,14 +242,14 @@ impl Judge<'_> {
             })
     }
 
-    /// True if a roof can be the trunk of region `n`. A roof above wall height can be the trunk only of a
-    /// strip leaning on it.
+    /// Returns true if a roof can be the trunk of region `n`. A roof above wall height can be the trunk only of a strip
+    /// leaning on it.
     fn bears(&self, trunk: usize, n: usize, side: Side) -> bool {
         let written = trunk.checked_sub(self.count).map(|i| self.beside[i]);
         written.is_none_or(|w| w.level || self.is_strip(&self.cells[n], side))
     }
 
-    /// Rule 3.
+    /// Applies rule 3.
     fn joined(&self, cell: Cell, side: Side, trunk: usize, t: &Region) -> Region {
         let (length, _) = side.measure(&cell);
         let (over, joins) = (Some(trunk), Some(side));
@@ -279,7 +279,7 @@ impl Judge<'_> {
     }
 }
 
-/// The longest of some sides, the first among equals.
+/// Returns the longest of some sides, the first among equals.
 fn longest(cell: &Cell, sides: impl Iterator<Item = Side>) -> Option<Side> {
     sides.min_by_key(|s| std::cmp::Reverse(s.measure(cell).0))
 }

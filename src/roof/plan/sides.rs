@@ -1,6 +1,6 @@
 //! Neighbours of a side: regions that cover the whole of it, upper walls along it.
 //!
-//! Both are looked up in sorted lists, so that a plan of very many regions stays quick.
+//! Both are looked up in sorted lists, which is fast for plans of very many regions.
 
 use crate::geometry::plan::{Cell, Plan};
 use crate::roof::region::Side;
@@ -17,7 +17,7 @@ pub(in crate::roof) struct Sides {
 }
 
 impl Sides {
-    /// The sides of these cells, owners by index.
+    /// Creates the sides of these cells, with their indices as owners.
     pub(in crate::roof) fn of(cells: &[Cell]) -> Self {
         let facing = Side::ALL.map(|side| {
             let mut pieces: Vec<Piece> = cells
@@ -34,7 +34,7 @@ impl Sides {
         Self { facing }
     }
 
-    /// The region on whose side `side` of `cell` lies with its whole length.
+    /// Returns the region that contains the whole of side `side` of `cell` in its own side.
     pub(in crate::roof) fn beyond(&self, cell: &Cell, side: Side) -> Option<usize> {
         let (at, lo, hi) = piece(cell, side);
         let facing = &self.facing[index(side.opposite())];
@@ -52,7 +52,7 @@ pub(in crate::roof) struct Walls {
 }
 
 impl Walls {
-    /// The walls of an upper plan.
+    /// Creates the walls of an upper plan.
     pub(in crate::roof) fn of(upper: &Plan) -> Self {
         let mut along = [Vec::new(), Vec::new()];
         for (p, q) in upper.clean().edges() {
@@ -85,7 +85,7 @@ impl Walls {
     }
 }
 
-/// A side as a piece of its line: coordinate, ends.
+/// Returns a side as a piece of its line: coordinate, ends.
 fn piece(c: &Cell, side: Side) -> (i64, i64, i64) {
     match side {
         Side::Front => (c.b0, c.a0, c.a1),
@@ -95,7 +95,7 @@ fn piece(c: &Cell, side: Side) -> (i64, i64, i64) {
     }
 }
 
-/// Place of a side in [`Side::ALL`].
+/// Returns the index of a side in [`Side::ALL`].
 fn index(side: Side) -> usize {
     match side {
         Side::Back => 0,

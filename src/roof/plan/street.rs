@@ -4,12 +4,11 @@
 use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
 
-/// The largest rectangle inside the region whose whole front is the first line.
+/// Returns the largest rectangle inside the region whose whole front is the first line.
 ///
-/// `first_line` is the first wall line, collinear lines merged, from its start to its end in
-/// walk order (interior on the right); a line the other way round is understood too. `None`
-/// where the region does not lie behind the whole of it (a set-back storey, say), or where
-/// the line is no wall line at all.
+/// `first_line` is the first wall line, collinear lines merged, from its start to its end in walk order (interior on
+/// the right); a reversed line is accepted too. `None` if the region does not lie behind the whole of it (a set-back
+/// storey, say), or if the line is not a wall line.
 pub fn street_front(plan: &Plan, first_line: ((i64, i64), (i64, i64))) -> Option<Cell> {
     let (start, end) = first_line;
     if start.1 == end.1 && start.0 != end.0 {
@@ -41,8 +40,8 @@ fn turn(plan: &Plan) -> Plan {
     }
 }
 
-/// The rectangle on the line b = `at` from `ends.0` to `ends.1`: behind it if `behind` holds
-/// and there is any region, else before it.
+/// Returns the rectangle on the line b = `at` from `ends.0` to `ends.1`: behind it if `behind` holds and there is any
+/// region, otherwise before it.
 fn front(strips: &[Cell], ends: (i64, i64), at: i64, behind: bool) -> Option<Cell> {
     let deep = |behind: bool| {
         let to = if behind {

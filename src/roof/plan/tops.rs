@@ -1,5 +1,4 @@
-//! The area of each storey under a rectangle, for roof lines: plans are cut into strips once, not once for
-//! each line.
+//! The area of each storey under a rectangle, for roof lines: plans are cut into strips only once for all lines.
 
 use crate::geometry::plan::slabs;
 use crate::geometry::plan::{Cell, Plan};
@@ -27,7 +26,7 @@ impl<'l, 'h> Tops<'l, 'h> {
         Tops { levels, cache }
     }
 
-    /// The area of a storey's plan inside a cell, square steps.
+    /// Returns the area of a storey's plan inside a cell, square steps.
     pub(in crate::roof) fn inside(&self, k: usize, cell: &Cell) -> i128 {
         let plan = &self.levels[k].plan;
         common(
@@ -47,14 +46,14 @@ impl<'l, 'h> Tops<'l, 'h> {
         }
     }
 
-    /// The walls of a storey.
+    /// Returns the walls of a storey.
     pub(in crate::roof) fn outline(&self, k: usize) -> &Outline {
         let plan = &self.levels[k].plan;
         self.cache[k].outline.get_or_init(|| Outline::of(plan))
     }
 }
 
-/// The area that some cells, which do not overlap, share with another.
+/// Returns the area that some non-overlapping cells share with another.
 fn common(cells: &[Cell], with: &Cell) -> i128 {
     let shared = |c: &Cell| Cell {
         a0: c.a0.max(with.a0),

@@ -26,7 +26,7 @@
 
 use glam::{DMat3, DVec2, DVec3, dvec2, dvec3};
 
-/// A roof board and what it lies on; lengths in metres.
+/// A roof board and its supporting rectangle; lengths in metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Board {
     /// w_L: the long edges 12 and 34.
@@ -43,11 +43,11 @@ pub struct Board {
     pub offset: f64,
     /// thick_rf, at right angles to the slope.
     pub thickness: f64,
-    /// st_heit, where the prism starts (F8).
+    /// st_heit, the level at which the prism starts (F8).
     pub start: f64,
 }
 
-/// On which long edge a board lies.
+/// The long edge of a board.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edge {
     /// Edge 12, at greater y.
@@ -57,7 +57,7 @@ pub enum Edge {
 }
 
 impl Edge {
-    /// +1 for edge 12, -1 for edge 34.
+    /// Returns +1 for edge 12, -1 for edge 34.
     fn sign(self) -> f64 {
         match self {
             Edge::E12 => 1.0,
@@ -75,17 +75,17 @@ pub enum Cut {
     Plumb,
 }
 
-/// Thickness at right angles to a slope, measured upright instead: thick / cosθ.
+/// Converts a thickness at right angles to a slope to a vertical one: thick / cosθ.
 pub fn upright(thickness: f64, pitch: f64) -> f64 {
     thickness * secant(pitch)
 }
 
-/// 1 / cosθ of a pitch.
+/// Returns 1 / cosθ of a pitch.
 fn secant(pitch: f64) -> f64 {
     (1.0 + pitch * pitch).sqrt()
 }
 
-/// The top of storeys of these heights, metres: st_heit (F8).
+/// Returns the top of storeys of these heights, metres: st_heit (F8).
 pub fn start(storeys: &[f64]) -> f64 {
     storeys.iter().sum()
 }
@@ -109,14 +109,15 @@ pub fn numbered(mut clockwise: [DVec2; 4]) -> [DVec2; 4] {
 }
 
 impl Board {
-    /// A board whose upper face overhangs the wall by `overhang` in plan: e = (h - d · sinθ) / cosθ (F3).
+    /// Returns the board with its upper face overhanging the wall by `overhang` in plan: e = (h - d · sinθ) / cosθ
+    /// (F3).
     #[must_use]
     pub fn overhanging(self, overhang: f64) -> Self {
         let eaves = (overhang - self.offset * self.sin()) / self.cos();
         Self { eaves, ..self }
     }
 
-    /// A board laid `gap` above the prism: rf_offs = d_low + thick (F1).
+    /// Returns the board laid `gap` above the prism: rf_offs = d_low + thick (F1).
     #[must_use]
     pub fn above(self, gap: f64) -> Self {
         let offset = gap + self.thickness;
@@ -131,54 +132,54 @@ impl Board {
         self.pitch * self.cos()
     }
 
-    /// The gap between the prism and the board, metres; negative where the board enters the prism (F1).
+    /// Returns the gap between the prism and the board, metres; negative if the board enters the prism (F1).
     pub fn gap(&self) -> f64 {
         self.offset - self.thickness
     }
 
-    /// Length of the box along the ridge (004-08, F5).
+    /// Returns the length of the box along the ridge (004-08, F5).
     pub fn length(&self) -> f64 {
         self.w_long + 2.0 * self.verge
     }
 
-    /// side23L = 0.5 · w_S · √(1 + tan²θ): half the span along the slope (004-09).
+    /// Returns side23L = 0.5 · w_S · √(1 + tan²θ): half the span along the slope (004-09).
     pub fn side(&self) -> f64 {
         0.5 * self.w_short * secant(self.pitch)
     }
 
-    /// wid_rfb = side23L + eaves23 + rf_offs · tanθ (004-09, F4).
+    /// Returns wid_rfb = side23L + eaves23 + rf_offs · tanθ (004-09, F4).
     pub fn width(&self) -> f64 {
         self.side() + self.eaves + self.offset * self.pitch
     }
 
-    /// ratio_s: where between the middles of edges 12 and 34 the control points stand (004-10).
+    /// Returns ratio_s: the position of the control points between the middles of edges 12 and 34 (004-10).
     pub fn ratio(&self) -> f64 {
         let over = self.eaves * self.cos() + self.offset * self.sin();
         0.25 - 0.5 * over / self.w_short + self.thickness * self.sin() / self.w_short
     }
 
-    /// cp_rf1 and cp_rf2 from the middles of edges 12 and 34 in any plan (004-11).
+    /// Returns cp_rf1 and cp_rf2 from the middles of edges 12 and 34 in any plan (004-11).
     pub fn control_points(&self, pt12: DVec2, pt34: DVec2) -> [DVec2; 2] {
         let ratio = self.ratio();
         let between = |ratio: f64| (1.0 - ratio) * pt12 + ratio * pt34;
         [between(ratio), between(1.0 - ratio)]
     }
 
-    /// hei_rf: height of the control points (004-12).
+    /// Returns hei_rf: the height of the control points (004-12).
     pub fn height(&self) -> f64 {
         self.start - 0.5 * self.width() * self.sin() - self.thickness * self.cos()
             + self.offset / self.cos()
             + 0.5 * self.pitch * self.w_short
     }
 
-    /// Turns the flat box of a side into its slope (004-13, F7).
+    /// Returns the rotation of the flat box of a side into its slope (004-13, F7).
     pub fn rotation(&self, edge: Edge) -> DMat3 {
-        // About x by -θ or +θ, without going through the angle.
+        // About x by -θ or +θ, computed without the angle.
         let (sin, cos) = (-edge.sign() * self.sin(), self.cos());
         DMat3::from_cols(DVec3::X, dvec3(0.0, cos, sin), dvec3(0.0, -sin, cos))
     }
 
-    /// The eight corners of a board in its place: the lower face, then the upper one, each round from the ridge end
+    /// Returns the eight corners of a board in place: the lower face, then the upper one, each round from the ridge end
     /// at least x.
     pub fn corners(&self, edge: Edge) -> [DVec3; 8] {
         let (x, y) = (self.length() / 2.0, edge.sign() * self.width() / 2.0);
@@ -196,19 +197,19 @@ impl Board {
         [a, b, c, d, e, f, g, h].map(corner)
     }
 
-    /// Height of the ridge line in which the upper faces meet.
+    /// Returns the height of the ridge line in which the upper faces meet.
     pub fn ridge_top(&self) -> f64 {
         self.start + 0.5 * self.w_short * self.pitch + self.offset / self.cos()
     }
 
-    /// The upper edge of the eaves: y from the middle, and height.
+    /// Returns the upper edge of the eaves: y from the middle, and height.
     pub fn eaves_top(&self) -> DVec2 {
         let (sin, cos) = (self.sin(), self.cos());
         let y = 0.5 * self.w_short + self.eaves * cos + self.offset * sin;
         dvec2(y, self.start - self.eaves * sin + self.offset * cos)
     }
 
-    /// The lower edge of the eaves, cut one way or the other (F9).
+    /// Returns the lower edge of the eaves with the given cut (F9).
     pub fn eaves_bottom(&self, cut: Cut) -> DVec2 {
         let down = match cut {
             Cut::Square => self.thickness * dvec2(self.sin(), self.cos()),
@@ -217,8 +218,8 @@ impl Board {
         self.eaves_top() - down
     }
 
-    /// The length of an uncut box's lower face beyond the ridge plane: thick · sinθ on each side (F2). A
-    /// ridge cap that is to hide the gap instead must be twice as wide.
+    /// Returns the length of an uncut box's lower face beyond the ridge plane: thick · sinθ on each side (F2). A ridge
+    /// cap that hides the gap instead must be twice as wide.
     pub fn crossing(&self) -> f64 {
         self.thickness * self.sin()
     }
@@ -228,7 +229,7 @@ impl Board {
 mod tests {
     use crate::roof::shape::board::*;
 
-    /// The board by whose numbers 7.2 checked the formulas: 4.5 sun, eaves of 0.9 along the slope.
+    /// The board with which 7.2 checked the formulas: 4.5 sun, eaves of 0.9 along the slope.
     const BOARD: Board = Board {
         w_long: 9.0,
         w_short: 5.4,
@@ -245,7 +246,7 @@ mod tests {
         assert!(off < 0.51 * 10f64.powi(-digits), "{found} for {wanted}");
     }
 
-    /// Distance from the prism's slope on side 12.
+    /// Returns the distance from the prism's slope on side 12.
     fn above_slope(b: &Board, p: DVec3) -> f64 {
         let apex = dvec3(0.0, 0.0, b.start + 0.5 * b.w_short * b.pitch);
         (p - apex).dot(dvec3(0.0, b.sin(), b.cos()))
@@ -272,7 +273,7 @@ mod tests {
         }
         near(BOARD.gap(), 0.080, 12);
         assert_eq!(BOARD.above(0.08), BOARD);
-        // Read as the text has it, to the board, a thick board would stick in the prism.
+        // Read literally, up to the board, a thick board would penetrate the prism.
         assert!(
             Board {
                 offset: 0.05,

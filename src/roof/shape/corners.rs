@@ -11,13 +11,13 @@ use crate::roof::shape::profile::Profile;
 use crate::roof::shape::strip::Strip;
 use glam::{DVec2, DVec3};
 
-/// Triangles at one side of a corner.
+/// Number of triangles at one side of a corner.
 const PARTS: u32 = 4;
-/// The corner's lift over the sori times the way that it takes.
+/// The corner's lift relative to the sori times the distance over which it rises.
 const RISE: f64 = 1.5;
-/// The share of the fall of the eaves that a lift may take back.
+/// The maximum share of the fall of the eaves that a lift may take back.
 const MOST: f64 = 0.7;
-/// No lift below this is worth its triangles, metres.
+/// The minimum lift that is modelled, metres.
 const LEAST: f64 = 0.02;
 
 /// The lift of the corners of one roof.
@@ -25,19 +25,19 @@ const LEAST: f64 = 0.02;
 pub(in crate::roof) struct Raised {
     /// Height of the corner over the middle of the eaves, metres.
     lift: f64,
-    /// The way along the eaves over which it is gained, metres.
+    /// The distance along the eaves over which it rises, metres.
     way: f64,
     /// Depth of the eaves, metres.
     eaves: f64,
 }
 
-/// A strip end with its corner: everything is seen from the corner of the walls, away from the roof's end.
+/// A strip end with its corner, in coordinates from the corner of the walls, away from the roof's end.
 struct Fan<'s> {
     strip: &'s Strip<'s>,
-    /// Place of the wall corner along u, and the direction of the roof from there.
+    /// Position of the wall corner along u, and the direction of the roof from there.
     foot: f64,
     inward: f64,
-    /// The place of the corner of the eaves, from the wall corner.
+    /// Position of the corner of the eaves, from the wall corner.
     corner: f64,
     way: f64,
     lift: f64,
@@ -46,7 +46,7 @@ struct Fan<'s> {
 }
 
 impl Raised {
-    /// The lift of a roof of this look, with half the shorter side of its walls; none without sori.
+    /// Returns the lift of a roof of this look, with half the shorter side of its walls; none without sori.
     pub(in crate::roof) fn of(look: &Look, profile: &Profile, half: f64) -> Option<Raised> {
         let eaves = -profile.knots[0].d;
         let way = half + eaves;
@@ -97,7 +97,7 @@ impl Raised {
 }
 
 impl Fan<'_> {
-    /// The place on the lower (0) or upper (1) edge after a share of the way from the corner.
+    /// Returns the point on the lower (0) or upper (1) edge after a share of the distance from the corner.
     fn at(&self, edge: usize, share: f64) -> f64 {
         self.foot + self.inward * self.shares[edge] * (self.corner + self.way * share)
     }
@@ -123,7 +123,7 @@ impl Fan<'_> {
     }
 }
 
-/// A triangle whose first side is the eaves; either way round.
+/// Returns a triangle whose first side is the eaves; either way round.
 fn triangle([p, q, r]: [DVec3; 3], rim: bool) -> Option<Facet> {
     let plane = Plane::through([p, q, r])?;
     let (p, q, r): (DVec2, DVec2, DVec2) = (p.truncate(), q.truncate(), r.truncate());

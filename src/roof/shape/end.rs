@@ -1,14 +1,13 @@
 //! The ends of a two-sloped roof: a treatment at each end of its ridge.
 //!
-//! For each distance d inward from the eaves side's wall line a treatment gives two values: where the main
-//! slopes begin, and how far in the end's own slope reaches the same height ([`End::contour`]).
-//! Where the two are equal the slopes share a hip. Distances along the ridge count inward from the end's
-//! wall line.
+//! For each distance d inward from the eaves side's wall line a treatment gives two values: the start of the main
+//! slopes, and the distance inward at which the end's own slope reaches the same height ([`End::contour`]). If the two
+//! are equal the slopes share a hip. Distances along the ridge count inward from the end's wall line.
 
 use crate::ast::RoofShape;
 use crate::roof::shape::look::Look;
 
-/// The place of an irimoya's gable and the height of a half-hip, shares of the span (docs/evidence.md 6).
+/// The position of an irimoya's gable and the height of a half-hip, shares of the span (docs/evidence.md 6).
 const GABLE_AT: f64 = 0.25;
 const HALF_HIP: f64 = 0.2;
 /// The steepest end slope.
@@ -17,24 +16,24 @@ const STEEPEST: f64 = 5.0;
 /// The treatment of an end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Cap {
-    /// The slopes run out over a gable wall, or into the roof or wall there.
+    /// The slopes extend over a gable wall, or into the roof or wall there.
     #[default]
     Gable,
     /// A third slope from the eaves to the ridge, which starts `run` metres in.
     Hip {
-        /// Metres.
+        /// Run of the slope, metres.
         run: f64,
     },
-    /// A third slope up to a gable wall `wall` metres in; the upper gable stands out by `verge`.
+    /// A third slope up to a gable wall `wall` metres in; the upper gable projects by `verge`.
     HipAndGable {
-        /// Metres.
+        /// Distance inward of the gable wall, metres.
         wall: f64,
-        /// Metres.
+        /// Overhang of the upper gable, metres.
         verge: f64,
     },
     /// A gable whose top is cut by a slope of `run` metres.
     HalfHip {
-        /// Metres.
+        /// Run of the slope, metres.
         run: f64,
     },
 }
@@ -44,7 +43,7 @@ pub enum Cap {
 pub struct End {
     /// Length beyond its wall rectangle, inside the roof it joins, metres.
     pub reach: f64,
-    /// The distance inward from which it does so: where it stands above the walls of what it joins.
+    /// The distance inward from which it does so, where it is above the walls of the roof it joins.
     pub from: f64,
     /// Overhang beyond that, metres.
     pub verge: f64,
@@ -57,7 +56,7 @@ pub struct End {
 }
 
 impl Cap {
-    /// The treatment that a shape gives to the free ends of a roof `length` metres long over a half span;
+    /// Returns the treatment that a shape gives to the free ends of a roof `length` metres long over a half span;
     /// `both` = its other end is treated as well.
     pub fn of(look: &Look, length: f64, half: f64, both: bool) -> Cap {
         let room = if both { length / 2.0 } else { length };
@@ -99,12 +98,12 @@ impl Cap {
 }
 
 impl End {
-    /// Which of its corners rise.
+    /// Returns for each of its corners whether it is raised.
     pub fn raised(&self) -> [bool; 2] {
         self.rises.map(|r| r && self.cap.has_corners())
     }
 
-    /// Where the main slopes begin at both distances of a strip, verges included.
+    /// Returns the start of the main slopes at both distances of a strip, verges included.
     pub fn start(&self, strip: [f64; 2], half: f64) -> [f64; 2] {
         match self.cap {
             Cap::Gable if self.reach > 0.0 && !self.runs_on(strip) => [0.0; 2],
@@ -115,7 +114,7 @@ impl End {
         }
     }
 
-    /// The same without verges.
+    /// Returns the start of the main slopes without verges.
     pub fn body(&self, strip: [f64; 2], half: f64) -> [f64; 2] {
         match self.cap {
             Cap::Gable if !self.runs_on(strip) => [0.0; 2],
@@ -127,7 +126,7 @@ impl End {
         }
     }
 
-    /// True if a strip lies high enough to continue into the roof or wall beyond.
+    /// Returns true if a strip lies high enough to continue into the roof or wall beyond.
     fn runs_on(&self, [lower, upper]: [f64; 2]) -> bool {
         lower + upper > 2.0 * self.from
     }
@@ -141,7 +140,7 @@ impl End {
         }
     }
 
-    /// The distances between which the end has a slope of its own that meets the main slopes in hips.
+    /// Returns the distances between which the end has a slope of its own that meets the main slopes in hips.
     pub fn slope(&self, eaves: f64, half: f64) -> Option<(f64, f64)> {
         match self.cap {
             Cap::Gable => None,
@@ -151,7 +150,8 @@ impl End {
         }
     }
 
-    /// The distance inward, metres, up to which its slope continues under the upper gable, to that gable's wall.
+    /// Returns the distance inward, metres, up to which its slope continues under the upper gable, to that gable's
+    /// wall.
     pub fn beyond_hips(&self) -> Option<f64> {
         match self.cap {
             Cap::HipAndGable { wall, .. } => Some(wall),
@@ -159,7 +159,7 @@ impl End {
         }
     }
 
-    /// The distances inward where the border of its slopes bends.
+    /// Returns the distances inward at which the border of its slopes bends.
     pub fn bends(&self, half: f64) -> [Option<f64>; 2] {
         match self.cap {
             Cap::Gable => [(self.reach > 0.0).then_some(self.from), None],
@@ -187,7 +187,7 @@ mod tests {
         assert_eq!(Cap::of(&hip, 10.0, 3.0, true), Cap::Hip { run: 3.0 });
         hip.ratio = Some(0.5);
         assert_eq!(Cap::of(&hip, 10.0, 3.0, true), Cap::Hip { run: 2.5 });
-        // A ridge as long as the roof would leave upright ends.
+        // A ridge as long as the roof would leave vertical ends.
         hip.ratio = Some(1.0);
         let Cap::Hip { run } = Cap::of(&hip, 10.0, 3.0, true) else {
             panic!()

@@ -19,15 +19,15 @@ const UPSTAND: f64 = 0.40;
 const OUT: f64 = 0.09;
 /// Distance from the wall line to its inner face, metres.
 const IN: f64 = 0.07;
-/// More cells than this become solids of their own: matching their edges would cost more than
-/// the faces between them.
+/// The number of cells above which each becomes a solid of its own: matching their edges would cost more than the faces
+/// between them.
 const MANY: usize = 2000;
 
 /// A border of the roof in the house frame with the roof on its left: corners, and for each
 /// whether the upstand follows the edge that starts there.
 pub type Border = Vec<(DVec2, bool)>;
 
-/// The slab over cells that do not overlap.
+/// Returns the slab over cells that do not overlap.
 pub fn slab_of_cells(
     cells: &[Cell],
     unit: f64,
@@ -61,7 +61,7 @@ pub fn slab_of_cells(
         .collect()
 }
 
-/// The slab over any simple outline (counter-clockwise in the house frame) with holes (clockwise).
+/// Returns the slab over any simple outline (counter-clockwise in the house frame) with holes (clockwise).
 pub fn slab(
     outline: &[DVec2],
     holes: &[Vec<DVec2>],
@@ -76,7 +76,7 @@ pub fn slab(
 }
 
 fn coat(kind: RoofKind) -> Coat {
-    // Tiles, boards and thatch cannot lie flat: such a roof is plastered whatever covering is set.
+    // Tiles, boards and thatch cannot lie flat: such a roof is plastered whatever its covering.
     let top = match kind {
         RoofKind::Metal => Finish::Covering(RoofKind::Metal),
         _ => Finish::Plaster,
@@ -89,7 +89,7 @@ fn coat(kind: RoofKind) -> Coat {
     }
 }
 
-/// The borders of an orthogonal plan, free where they run along its storey's walls.
+/// Returns the borders of an orthogonal plan, free along its storey's walls.
 pub fn borders(plan: &Plan, storey: &Outline, unit: f64) -> Vec<Border> {
     plan.loops
         .iter()
@@ -130,7 +130,7 @@ fn border(corners: &[(i64, i64)], storey: &Outline, unit: f64) -> Border {
     border
 }
 
-/// The upstands along the free edges of a border.
+/// Returns the upstands along the free edges of a border.
 pub fn upstands(border: &Border, base: f64) -> Vec<Solid> {
     let border = straightened(border);
     let n = border.len();
@@ -152,7 +152,7 @@ pub fn upstands(border: &Border, base: f64) -> Vec<Solid> {
         .collect()
 }
 
-/// Without corners in mid-edge and edges too short for an upstand's corner.
+/// Returns the border without corners in mid-edge and edges too short for an upstand's corner.
 fn straightened(border: &Border) -> Border {
     let mut kept: Border = Vec::with_capacity(border.len());
     for (i, &(at, free)) in border.iter().enumerate() {
@@ -172,7 +172,7 @@ fn straightened(border: &Border) -> Border {
     kept
 }
 
-/// One run of upstand along a chain of corners with the roof on the left.
+/// Returns one run of upstand along a chain of corners with the roof on the left.
 fn upstand(chain: &[DVec2], closed: bool, base: f64) -> Option<Solid> {
     let n = chain.len();
     let edges = if closed { n } else { n - 1 };
@@ -185,7 +185,7 @@ fn upstand(chain: &[DVec2], closed: bool, base: f64) -> Option<Solid> {
             false => (way(i - 1), way(i)),
         };
         let left = before.perp() + after.perp();
-        // Very sharp corners would shoot out: their mitre is cut at three widths.
+        // Very sharp corners would project far: their mitre is cut at three widths.
         left / (left.length_squared() / 2.0).max(0.2)
     };
     let mut points = Vec::with_capacity(4 * n);
@@ -210,8 +210,7 @@ fn upstand(chain: &[DVec2], closed: bool, base: f64) -> Option<Solid> {
     (!turned).then(|| profile_run(points, n, closed))
 }
 
-/// The solid of a quadrilateral profile (four points each corner, counter-clockwise seen along the
-/// run) led along a chain.
+/// Sweeps a quadrilateral profile (four points per corner, counter-clockwise seen along the run) along a chain.
 fn profile_run(points: Vec<DVec3>, n: usize, closed: bool) -> Solid {
     let finish = Finish::Plaster;
     let mut faces = Vec::with_capacity(4 * n + 2);

@@ -10,17 +10,17 @@ use crate::roof::shape::look::Look;
 pub struct Form {
     /// The upper surface.
     pub facets: Vec<Facet>,
-    /// Vertical thickness: how far the lower surface lies below the upper one, metres.
+    /// Vertical thickness, metres.
     pub drop: f64,
-    /// Height of the upper surface over the wall plate, metres; solids that reach no higher are only eaves.
+    /// Height of the upper surface over the wall plate, metres; lower solids are eaves alone.
     pub floor: f64,
     /// Walls and brackets under the surface; neighbours cut only gable walls.
     pub solids: Vec<Solid>,
-    /// The roof whose eaves it is tucked under, as an index among its group.
+    /// The index of the roof in its group under whose eaves it is tucked.
     pub under: Option<usize>,
     /// True if it hangs on the outside of walls, so that the storey above does not cut it.
     pub hung: bool,
-    /// The walls below where a slope stands out over them as a part of its body.
+    /// The walls below, if a slope projects over them as a part of its body.
     pub walls: Option<Rect>,
 }
 

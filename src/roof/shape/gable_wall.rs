@@ -1,4 +1,4 @@
-//! Gable walls: what fills the end of a roof from the wall plate to its lower surface.
+//! Gable walls: the infill at the end of a roof from the wall plate to its lower surface.
 
 use crate::building::{Finish, Solid};
 use crate::roof::frame::Frame;
@@ -7,7 +7,7 @@ use crate::roof::solid::{INFILL_THICKNESS, SUNK, curtain, prism};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// The upper edge of a fill: (v, z).
+/// The upper edge of an infill: (v, z).
 type Chain = SmallVec<[(f64, f64); 8]>;
 
 /// A wall across u, under a roof.
@@ -17,15 +17,15 @@ pub struct Fill<'f> {
     pub frame: &'f Frame,
     /// Its wall line.
     pub u: f64,
-    /// Out of the house along u: +1 or -1.
+    /// Direction out of the house along u: +1 or -1.
     pub outward: f64,
-    /// The overhang it stands under, metres.
+    /// The overhang above it, metres.
     pub verge: f64,
 }
 
 impl Fill<'_> {
-    /// The wall under two slopes that rise over `base` by this profile, from one distance inward to
-    /// another, where it ends level.
+    /// Returns the wall under two slopes that rise over `base` by this profile, from one distance inward to another,
+    /// where it ends level.
     pub fn under(&self, profile: &Profile, base: f64, (from, top): (f64, f64)) -> Solid {
         let foot = base + profile.height(from) - SUNK;
         let mut chain = heights(profile, base, (from, top));
@@ -39,13 +39,13 @@ impl Fill<'_> {
         self.stand(foot, &chain, profile)
     }
 
-    /// The wedge or trapezoid at the side of a single slope over the whole depth.
+    /// Returns the wedge or trapezoid at the side of a single slope over the whole depth.
     pub fn beside(&self, profile: &Profile, base: f64) -> Solid {
         let chain = heights(profile, base, (0.0, self.frame.depth));
         self.stand(base - SUNK, &chain, profile)
     }
 
-    /// A wall from a level foot up to a chain; it never sticks out from under its verge.
+    /// Returns a wall from a level foot up to a chain; it never projects from under its verge.
     fn stand(&self, foot: f64, chain: &[(f64, f64)], under: &Profile) -> Solid {
         let face = self.u + self.outward * (INFILL_THICKNESS / 2.0).min(self.verge - SUNK / 2.0);
         let by: DVec3 = (self.frame.along() * (-self.outward * INFILL_THICKNESS)).extend(0.0);
@@ -62,7 +62,7 @@ impl Fill<'_> {
     }
 }
 
-/// The lower surface between two distances inward, a little raised.
+/// Returns the heights of the lower surface between two distances inward, slightly raised.
 fn heights(profile: &Profile, base: f64, (from, to): (f64, f64)) -> Chain {
     let between = profile
         .knots
@@ -76,7 +76,7 @@ fn heights(profile: &Profile, base: f64, (from, to): (f64, f64)) -> Chain {
     chain
 }
 
-/// A wall along a line from `from` to `to` (lower corners), up to heights over both.
+/// Returns a wall along a line from `from` to `to` (lower corners), up to heights over both.
 pub fn panel(from: DVec3, to: DVec3, tops: [f64; 2], finish: Finish) -> Solid {
     let across = (to - from).truncate().perp().normalize_or_zero() * INFILL_THICKNESS;
     let by = across.extend(0.0);

@@ -1,8 +1,8 @@
 //! Hipped roofs over any outline: one slope over each wall, all of one pitch, from the straight skeleton.
 //!
-//! As with gables the LOWER surface passes through the wall plate, the upper one lies one drop higher. Every slope is
-//! z = plate + pitch * distance from its wall, inside and out, so that a rectangle gets the yosemune of `docs/evidence.md`
-//! 7.10, a square its hogyo, and any other outline what a carpenter would make of equal slopes.
+//! As with gables the LOWER surface passes through the wall plate, the upper one lies one drop higher. Every slope is z
+//! = plate + pitch * distance from its wall, inside and out, so that a rectangle gets the yosemune of
+//! `docs/evidence.md` 7.10, a square its hogyo, and any other outline a carpenter's roof of equal slopes.
 
 use crate::ast::RoofShape;
 use crate::building::{Attic, Roof, RoofSurface};
@@ -20,16 +20,16 @@ use glam::{DVec2, DVec3};
 
 /// Nodes nearer to each other become one, metres.
 const NEAR: f64 = 0.001;
-/// Slopes whose nodes leave the plane by more are made of triangles, metres.
+/// Slopes whose nodes leave the plane by more are divided into triangles, metres.
 const PLANE: f64 = 2e-7;
 /// The least area of a facet, square metres.
 const LEAST_AREA: f64 = 1e-6;
 
-/// The roof over a simple outline with courts, in metres and in any frame; rings may turn either way. `base` is the
+/// Returns the roof over a simple outline with courts, in metres and in any frame; rings may turn either way. `base` is the
 /// height of the wall plate. Takes some ten microseconds for the plan of a house.
 ///
 /// # Errors
-/// Says why the outline bounds nothing that could be roofed.
+/// The reason why the outline bounds no area that could be roofed.
 ///
 /// ```
 /// use glam::dvec2;
@@ -80,22 +80,21 @@ pub struct Hipped {
 }
 
 impl Hipped {
-    /// Over contours whose edges are tagged [`FLUSH`] or 0.
+    /// Creates the roof over contours whose edges are tagged [`FLUSH`] or 0.
     ///
-    /// # Errors
-    /// [`Invalid::NotFound`] where no skeleton passed its own checks.
+    /// # Errors [`Invalid::NotFound`] if no skeleton passed its own checks.
     pub fn new(contours: &Contours) -> Result<Hipped, Invalid> {
         let skeleton = skeleton(contours).ok_or(Invalid::NotFound)?;
         let stands = drawn_together(&skeleton);
         Ok(Hipped { skeleton, stands })
     }
 
-    /// Twice the distance of the ridge from its walls: the span of a gable as high, metres.
+    /// Returns twice the distance of the ridge from its walls, the span of an equally high gable, metres.
     pub fn span(&self) -> f64 {
         2.0 * self.skeleton.depth()
     }
 
-    /// The form on a wall plate at this height.
+    /// Returns the form on a wall plate at this height.
     pub fn form(&self, base: f64, look: &Look) -> Form {
         let faces = &self.skeleton.faces;
         let over = |f: &Face| if f.tag == FLUSH { 0.0 } else { look.eaves };
@@ -120,7 +119,7 @@ impl Hipped {
         }
     }
 
-    /// The slope of a face with its lower end.
+    /// Returns the slope of a face with its lower end.
     fn slope(
         &self,
         face: &Face,
@@ -173,7 +172,7 @@ impl Slope {
         self.rims.remove(i);
     }
 
-    /// Leaves out corners in mid-edge, places met twice and spikes; sheets put a neighbour's corners back.
+    /// Removes corners in mid-edge, duplicate points and spikes; slabs restore a neighbour's corners.
     fn straighten(&mut self) {
         let mut i = 0;
         let mut kept = 0;
@@ -199,7 +198,7 @@ impl Slope {
         }
     }
 
-    /// Convex facets under one plane, or triangles where nodes that were drawn together bend it.
+    /// Adds convex facets under one plane, or triangles if merged nodes bend it.
     fn facets(&self, facets: &mut Vec<Facet>) {
         if self.places.len() < 3 {
             return;
@@ -234,7 +233,7 @@ impl Slope {
     }
 }
 
-/// The plane through three points.
+/// Returns the plane through three points.
 fn plane_through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
     let normal = (q - p).cross(r - p);
     let slope = -normal.truncate() / normal.z;
@@ -242,8 +241,8 @@ fn plane_through([p, q, r]: [DVec3; 3]) -> Option<Plane> {
     (slope.is_finite() && z.is_finite()).then_some(Plane { z, slope })
 }
 
-/// For each node its representative: nodes at the two ends of a border shorter than a millimetre become one,
-/// the corner of the plan where one of them is a corner.
+/// Returns for each node its representative: nodes at the two ends of a border shorter than a millimetre become one,
+/// the corner of the plan if one of them is a corner.
 fn drawn_together(skeleton: &Skeleton) -> Vec<u32> {
     let corners = skeleton.faces.len() as u32;
     let mut stands: Vec<u32> = (0..skeleton.nodes.len() as u32).collect();

@@ -1,4 +1,4 @@
-//! Lean-to (katanagare, KAT; geya): one slope from a low wall up to a high one.
+//! Shed roof (katanagare, KAT) and lean-to (geya): one slope from a low wall up to a high one.
 //!
 //! Three uses: over the wall plate, against an upper storey's wall or free; tucked under the eaves
 //! of its trunk on the same storey, where the walls below end at its lower surface ([`Ceiling`]);
@@ -37,14 +37,14 @@ pub struct LeanTo {
     pub low: f64,
     /// Pitch, overhangs and so on.
     pub look: Look,
-    /// At u = 0 and at u = length.
+    /// The ends at u = 0 and at u = length.
     pub ends: [Flank; 2],
-    /// At v = depth.
+    /// The high side at v = depth.
     pub high: Flank,
 }
 
 impl LeanTo {
-    /// The form of the roof.
+    /// Returns the form of the roof.
     pub fn form(&self) -> Form {
         let frame = Frame::new(&self.rect, self.near);
         let drop = self.look.drop();
@@ -58,12 +58,12 @@ impl LeanTo {
         }
     }
 
-    /// Its lower surface, of straight ones.
+    /// Returns its lower surface, if that is plane.
     pub fn soffit(&self) -> Plane {
         Frame::new(&self.rect, self.near).rising(self.low, self.look.pitch)
     }
 
-    /// Its rafter line.
+    /// Returns its rafter line.
     fn profile(&self, frame: &Frame) -> Profile {
         Profile::new(&self.look, frame.depth, &[])
     }

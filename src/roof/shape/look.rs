@@ -10,9 +10,9 @@ use crate::source::Spanned;
 /// The resolved options of one roof, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Look {
-    /// Form.
+    /// Its form.
     pub shape: RoofShape,
-    /// Covering.
+    /// Its covering.
     pub kind: RoofKind,
     /// Rise per horizontal metre.
     pub pitch: f64,
@@ -20,11 +20,11 @@ pub struct Look {
     pub eaves: f64,
     /// Overhang beyond the gable wall.
     pub verge: f64,
-    /// The same of the upper gable of an irimoya.
+    /// Overhang of the upper gable of an irimoya.
     pub barge: f64,
     /// Sagitta of the slope as a share of its length: sori, or mukuri where negative.
     pub sori: f64,
-    /// Place of an irimoya's gable or height of a half-hip, share of the span; `None` = as usual.
+    /// Position of an irimoya's gable or height of a half-hip, share of the span; `None` = the default.
     pub gable: Option<f64>,
     /// Length of a hip's ridge, share of the roof's; `None` = equal slopes.
     pub ratio: Option<f64>,
@@ -36,7 +36,7 @@ pub struct Look {
     pub ends: bool,
 }
 
-/// Slope lengths in metres up to which tiles keep the rain out at a pitch (docs/evidence.md 4.3, S20).
+/// Slope lengths in metres up to which tiles keep out rain at a pitch (docs/evidence.md 4.3, S20).
 const TILE_PITCHES: [(f64, f64); 5] = [
     (8.0, 0.40),
     (10.0, 0.45),
@@ -58,8 +58,8 @@ const BARGE: f64 = 0.4;
 const LEAN_TO_PITCH: f64 = 0.3;
 
 impl Look {
-    /// The look of a two-sided roof over `span` metres. `line` are the options of its own line,
-    /// `house` those of the whole house.
+    /// Returns the look of a two-sided roof over `span` metres. `line` has the options of its own line, `house` those
+    /// of the whole house.
     pub fn gable(line: Option<&RoofStyle>, house: &RoofStyle, span: f64, unit: f64) -> Look {
         let mut look = Look::plain(line, house);
         look.shape = shape(line, house);
@@ -69,7 +69,7 @@ impl Look {
             false => 2.5 * SHAKU,
         };
         look.eaves = wish(line, house, |s| s.eaves).map_or_else(
-            // Deep eaves round a narrow roof would be an umbrella.
+            // Deep eaves round a narrow roof would look like an umbrella.
             || eaves.min(SHAKU.max(span / 3.0)),
             |shaku| shaku * SHAKU,
         );
@@ -85,7 +85,7 @@ impl Look {
         look.bounded()
     }
 
-    /// The look of a single slope over `depth` metres.
+    /// Returns the look of a single slope over `depth` metres.
     pub fn lean_to(line: Option<&RoofStyle>, house: &RoofStyle, depth: f64) -> Look {
         let mut look = Look::plain(line, house);
         let eaves = wish(line, house, |s| s.eaves).map(|shaku| shaku * SHAKU);
@@ -119,7 +119,7 @@ impl Look {
         }
     }
 
-    /// Within what can be built: the readers let any finite number through.
+    /// Limits the values to what can be built: the readers admit any finite number.
     fn bounded(mut self) -> Look {
         self.pitch = self.pitch.clamp(0.005, 5.0);
         self.eaves = self.eaves.clamp(0.0, 10.0);
@@ -133,12 +133,12 @@ impl Look {
         self
     }
 
-    /// Vertical thickness: how far the upper surface lies above the lower one, metres.
+    /// Returns the vertical thickness, metres.
     pub fn drop(&self) -> f64 {
         upright(self.thickness, self.pitch)
     }
 
-    /// Its trim.
+    /// Returns its trim.
     pub fn trim(&self) -> Trim {
         let upper_gable = matches!(self.shape, RoofShape::HipAndGable | RoofShape::Temple);
         Trim {
@@ -156,7 +156,7 @@ impl Look {
         }
     }
 
-    /// The finishes of its slopes.
+    /// Returns the finishes of its slopes.
     pub fn coat(&self) -> Coat {
         Coat {
             top: Finish::Covering(self.kind),
@@ -167,7 +167,7 @@ impl Look {
     }
 }
 
-/// The form of a two-sided roof; a line without one is a gable, whatever the house has.
+/// Returns the form of a two-sided roof; a line without one is a gable, whatever the house has.
 fn shape(line: Option<&RoofStyle>, house: &RoofStyle) -> RoofShape {
     let shape = line.map_or(house.shape, |s| s.shape);
     match shape.map_or(RoofShape::Gable, |s| s.value) {
@@ -176,7 +176,7 @@ fn shape(line: Option<&RoofStyle>, house: &RoofStyle) -> RoofShape {
     }
 }
 
-/// The pitch as written, in sun; the house's only for its own covering.
+/// Returns the pitch as written, in sun; the house's only for its own covering.
 fn own_pitch(line: Option<&RoofStyle>, house: &RoofStyle) -> Option<f64> {
     let Some(line) = line else {
         return house.pitch.map(|p| p.value);
@@ -187,7 +187,7 @@ fn own_pitch(line: Option<&RoofStyle>, house: &RoofStyle) -> Option<f64> {
     line.pitch.or(inherited).map(|p| p.value)
 }
 
-/// An option of the line, else of the house.
+/// Returns an option of the line, otherwise of the house.
 fn wish<T: Copy>(
     line: Option<&RoofStyle>,
     house: &RoofStyle,
@@ -198,7 +198,7 @@ fn wish<T: Copy>(
         .map(|s| s.value)
 }
 
-/// Pitch and thickness by covering (docs/evidence.md 6 and 4.4).
+/// Returns pitch and thickness by covering (docs/evidence.md 6 and 4.4).
 fn defaults(kind: RoofKind) -> (f64, f64) {
     match kind {
         RoofKind::Tiles => (0.40, 0.12),
@@ -211,7 +211,7 @@ fn defaults(kind: RoofKind) -> (f64, f64) {
     }
 }
 
-/// The pitch of tiles over a horizontal run: the gentlest that suits the length of its slope.
+/// Returns the pitch of tiles over a horizontal run: the gentlest that suits the length of its slope.
 fn raised(run: f64) -> f64 {
     let slope = |pitch: f64| run * (1.0 + pitch * pitch).sqrt();
     let fits = TILE_PITCHES
@@ -220,7 +220,7 @@ fn raised(run: f64) -> f64 {
     fits.map_or(0.60, |(_, pitch)| *pitch)
 }
 
-/// Pitches in sun that suit a covering (docs/evidence.md 4.3, with room for the unusual).
+/// Returns the range of pitches in sun that suit a covering (docs/evidence.md 4.3, with some tolerance).
 pub fn band(kind: RoofKind) -> (f64, f64) {
     match kind {
         RoofKind::Tiles => (2.5, 10.0),

@@ -36,7 +36,7 @@ pub struct Pent {
 }
 
 impl Pent {
-    /// The form of the roof with its arms and purlin.
+    /// Returns the form of the roof with its arms and purlin.
     pub fn form(&self) -> Form {
         let look = Look {
             eaves: 0.0,
@@ -64,11 +64,11 @@ impl Pent {
         form
     }
 
-    /// A purlin near the low edge, and arms (udegi) from the wall under it.
+    /// Adds a purlin near the low edge, and arms (udegi) from the wall under it.
     fn brackets(&self, low: f64, solids: &mut Vec<Solid>) {
         let frame = Frame::new(&self.rect, self.near);
         let inset = ARM.min(frame.length / 8.0);
-        // Its upper edge touches the soffit where that is lowest.
+        // Its upper edge touches the soffit at its lowest point.
         let top = low + self.look.pitch * (PURLIN - BEAM / 2.0) + 0.005;
         let (v0, v1) = (PURLIN - BEAM / 2.0, PURLIN + BEAM / 2.0);
         let section = [(v0, top - BEAM), (v1, top - BEAM), (v1, top), (v0, top)];

@@ -1,4 +1,4 @@
-//! The rafter line: how high a slope lies over each point between its eaves and its ridge.
+//! The rafter line: the height of a slope over each point between its eaves and its ridge.
 //!
 //! Heights are those of the LOWER surface over the wall plate, as a function of the distance inward from
 //! the wall line. Every line passes through the plate (0 at 0) and reaches pitch * run at its top, curved
@@ -10,11 +10,11 @@ use crate::geometry::tolerance::JOINT;
 use crate::roof::shape::look::Look;
 use smallvec::SmallVec;
 
-/// The largest distance between a strip and the curve, metres.
+/// The maximum distance between a strip and the curve, metres.
 const MISS: f64 = 0.01;
-/// Strips of one stretch at most.
+/// Maximum number of strips of one section.
 const MOST: f64 = 8.0;
-/// The share of the pitch that a curve leaves everywhere: water must run off.
+/// The minimum share of the pitch along a curve: water must run off.
 const LEAST_FALL: f64 = 0.2;
 /// One end of a strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,7 @@ enum Curve {
 /// The rafter line of one slope.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
-    /// Ascending, at least two.
+    /// Its points, ascending, at least two.
     pub knots: SmallVec<[Knot; 8]>,
     pitch: f64,
     eaves: f64,
@@ -48,7 +48,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The line over `run` metres from the wall line to the ridge, with knots at these distances as well.
+    /// Creates the line over `run` metres from the wall line to the ridge, with knots at these distances as well.
     pub fn new(look: &Look, run: f64, at: &[f64]) -> Profile {
         let mut profile = Profile {
             knots: SmallVec::new(),
@@ -58,15 +58,15 @@ impl Profile {
             curve: Curve::of(look, run),
         };
         if profile.curve == Curve::Cosine {
-            // Wider ones would be all there is of it.
+            // Wider ones would leave nothing else.
             profile.eaves = profile.eaves.min(2.0 * run);
         }
         profile.cut(at);
         profile
     }
 
-    /// Cuts the line at its ends, at the wall line where it is curved, at some distances, and as often
-    /// between these as the curve demands.
+    /// Divides the line at its ends, at the wall line if it is curved, at some distances, and between these as often as
+    /// the curve demands.
     fn cut(&mut self, at: &[f64]) {
         let mut stops: SmallVec<[f64; 8]> = SmallVec::new();
         stops.extend([-self.eaves, self.run]);
@@ -78,7 +78,7 @@ impl Profile {
         );
         stops.sort_by(f64::total_cmp);
         stops.dedup_by(|p, q| *p - *q < JOINT);
-        // The ends are exact whatever lies just beside them.
+        // The ends are exact even if other points lie just beside them.
         match &mut stops[..] {
             [_, .., last] => *last = self.run,
             _ => stops = SmallVec::from_slice(&[-self.eaves, self.run]),
@@ -94,7 +94,7 @@ impl Profile {
         self.knots.push(self.knot(self.run));
     }
 
-    /// The width of strips that keep to the curve.
+    /// Returns the width of strips that keep to the curve.
     fn step(&self) -> f64 {
         // A chord over a width misses a curve by its second derivative times width squared over 8.
         let bend = match self.curve {
@@ -108,19 +108,19 @@ impl Profile {
         (8.0 * MISS / bend.max(1e-9)).sqrt()
     }
 
-    /// The height of the cosine's crown over its edge.
+    /// Returns the height of the cosine's crown over its edge.
     fn swell(&self) -> f64 {
         let at_wall = self.share(0.0);
         self.pitch * self.run / (1.0 - at_wall)
     }
 
-    /// The share of the swell that a cosine has reached.
+    /// Returns the share of the rise that a cosine has reached.
     fn share(&self, d: f64) -> f64 {
         let way = (d + self.eaves) / (self.run + self.eaves);
         (1.0 - libm::cos(std::f64::consts::PI * way)) / 2.0
     }
 
-    /// The curve itself at a distance.
+    /// Returns a point of the curve at a distance.
     pub fn knot(&self, d: f64) -> Knot {
         let straight = self.pitch * d;
         let z = match self.curve {
@@ -134,7 +134,7 @@ impl Profile {
         Knot { d, z }
     }
 
-    /// The strips from the eaves up: their lower and their upper knot.
+    /// Returns the strips from the eaves up: their lower and their upper knot.
     pub fn strips(&self) -> impl Iterator<Item = (Knot, Knot)> + '_ {
         self.knots.windows(2).map(|w| (w[0], w[1]))
     }
@@ -144,7 +144,7 @@ impl Profile {
         self.curve == Curve::Line
     }
 
-    /// Height at a distance; beyond the knots the outermost strips run on.
+    /// Returns the height at a distance; the outermost strips are extended beyond the knots.
     pub fn height(&self, d: f64) -> f64 {
         let strips = self.knots.len() - 1;
         let i = self.knots[1..strips].partition_point(|k| k.d < d);
@@ -168,7 +168,7 @@ impl Curve {
         if look.sori == 0.0 || run < 0.1 {
             return Curve::Line;
         }
-        // The sagitta stands at right angles to a slope of this length; the line is measured upright.
+        // The sagitta is perpendicular to a slope of this length; the line is measured vertically.
         let sag = look.sori * run * (1.0 + look.pitch * look.pitch);
         let most = (1.0 - LEAST_FALL) * look.pitch * run / 4.0;
         let hanging = most * run / (run + 2.0 * look.eaves);

@@ -20,7 +20,7 @@ use crate::roof::shape::look::Look;
 use crate::roof::shape::profile::{Knot, Profile};
 use crate::roof::shape::strip::{Edge, Strip};
 
-/// The gap between sheets that must not share a corner, metres.
+/// The gap between slabs that must not share a corner, metres.
 const APART: f64 = 1e-3;
 
 /// A two-sloped roof over a rectangle.
@@ -34,12 +34,12 @@ pub struct RidgeRoof {
     pub base: f64,
     /// Pitch, overhangs and so on.
     pub look: Look,
-    /// At u = 0 and at u = length.
+    /// The ends at u = 0 and at u = length.
     pub ends: [End; 2],
 }
 
 impl RidgeRoof {
-    /// The form of the roof.
+    /// Returns the form of the roof.
     pub fn form(&self) -> Form {
         let drop = self.look.drop();
         let mut facets = Vec::with_capacity(2);
@@ -68,7 +68,7 @@ impl RidgeRoof {
         }
     }
 
-    /// The walls with what the roof runs on over, where a half-hip stands out over its gable wall.
+    /// Returns the walls with the area that the roof extends over, if a half-hip projects over its gable wall.
     fn walls_under_hips(&self) -> Option<Rect> {
         let half_hip = |e: &End| matches!(e.cap, Cap::HalfHip { .. });
         self.ends.iter().any(half_hip).then(|| {
@@ -85,7 +85,7 @@ impl RidgeRoof {
         })
     }
 
-    /// The walls that fill its gables.
+    /// Returns the walls that fill its gables.
     fn walls(&self, slopes: &Slopes<'_>) -> Vec<Solid> {
         let frame = Frame::new(&self.rect, self.near);
         let mut solids = Vec::with_capacity(2);
@@ -144,12 +144,12 @@ impl<'h> Slopes<'h> {
         }
     }
 
-    /// Height of the upper surface over the wall plate.
+    /// Returns the height of the upper surface over the wall plate.
     fn top(&self) -> f64 {
         self.roof.base + self.roof.look.drop()
     }
 
-    /// The strips of the slope that falls to `near`; the ends are those at u = 0 and u = length.
+    /// Returns the strips of the slope that falls to `near`; the ends are those at u = 0 and u = length.
     fn main(&self, near: Side, [start, end]: [End; 2], lifted: [bool; 2], facets: &mut Vec<Facet>) {
         let frame = Frame::new(&self.roof.rect, near);
         let half = self.half;
@@ -173,7 +173,7 @@ impl<'h> Slopes<'h> {
         }
     }
 
-    /// The strips of an end's own slope, which falls to `side`.
+    /// Returns the strips of an end's own slope, which falls to `side`.
     fn end(&self, side: Side, end: End, lifted: [bool; 2], facets: &mut Vec<Facet>) {
         let eaves = -self.profile.knots[0].d;
         let Some((from, to)) = end.slope(eaves, self.half) else {
@@ -183,8 +183,8 @@ impl<'h> Slopes<'h> {
         let within = |d: f64| d > from - 1e-6 && d < to + 1e-6;
         let strips = self.profile.strips();
         let own = strips.filter(|(p, q)| within(p.d) && within(q.d));
-        // The part under the upper gable is a separate sheet, slightly lower, so that it shares no corner
-        // with the slopes above, in whose planes its edges lie.
+        // The part under the upper gable is a separate slab, slightly lower, so that it shares no corner with the
+        // slopes above, in whose planes its edges lie.
         let beyond = end
             .beyond_hips()
             .map(|wall| (self.lowered(to), self.lowered(wall)));
@@ -216,7 +216,7 @@ impl<'h> Slopes<'h> {
         }
     }
 
-    /// A point of the rafter line, lowered by [`APART`].
+    /// Returns a point of the rafter line, lowered by [`APART`].
     fn lowered(&self, d: f64) -> Knot {
         let knot = self.profile.knot(d);
         Knot {
@@ -235,7 +235,7 @@ impl<'h> Slopes<'h> {
         }
     }
 
-    /// True if the main slopes meet the end's slope along the border of a strip.
+    /// Returns true if the main slopes meet the end's slope along the border of a strip.
     fn shares_hip(&self, end: &End, d: [f64; 2]) -> bool {
         let Some((from, to)) = end.slope(-self.profile.knots[0].d, self.half) else {
             return false;

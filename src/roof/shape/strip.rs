@@ -10,7 +10,7 @@ use smallvec::SmallVec;
 /// The lower or the upper edge of a strip.
 #[derive(Clone, Copy, Debug)]
 pub struct Edge {
-    /// Inward from the wall line, metres.
+    /// Distance inward from the wall line, metres.
     pub v: f64,
     /// Height of the upper surface, metres.
     pub z: f64,
@@ -27,15 +27,15 @@ impl Edge {
 pub struct Strip<'f> {
     /// The slope's frame.
     pub frame: &'f Frame,
-    /// Towards the eaves.
+    /// The edge towards the eaves.
     pub lower: Edge,
-    /// Towards the ridge.
+    /// The edge towards the ridge.
     pub upper: Edge,
-    /// Where it begins along u, on the lower and on the upper edge.
+    /// Its start along u, on the lower and on the upper edge.
     pub from: [f64; 2],
-    /// Where it ends.
+    /// Its end along u.
     pub to: [f64; 2],
-    /// Both without verges.
+    /// Its start and end without verges.
     pub body: [[f64; 2]; 2],
     /// True if its lower edge is the eaves.
     pub eaves: bool,
@@ -46,7 +46,7 @@ pub struct Strip<'f> {
 }
 
 impl Strip<'_> {
-    /// Its facet; `None` if it has no width.
+    /// Returns its facet; `None` if it has no width.
     pub fn facet(&self) -> Option<Facet> {
         let [lower, upper] = [self.lower, self.upper];
         let pitch = (upper.z - lower.z) / (upper.v - lower.v);
@@ -62,7 +62,7 @@ impl Strip<'_> {
         Some(Facet::new(&outline, &body, plane))
     }
 
-    /// Its corners with what their edges are; a tip of a triangle is one corner.
+    /// Returns its corners with the kinds of their edges; the tip of a triangle is one corner.
     fn corners(
         &self,
         from: [f64; 2],

@@ -15,7 +15,7 @@ use glam::DVec2;
 /// The largest factor by which the search circle grows with a vertex's speed.
 const LOOSE: f64 = 1e4;
 
-/// The outline moved in until nothing is left. `None` where it lost its way.
+/// Moves the outline inwards until nothing is left. `None` if the sweep fails.
 pub(super) fn sweep(contours: &Contours) -> Option<Wave> {
     let mut wave = Wave::of(contours);
     let mut queue = Queue::of(&wave);
@@ -43,7 +43,7 @@ pub(super) fn sweep(contours: &Contours) -> Option<Wave> {
             if gathered.resolve(&mut wave, &mut queue).is_some() {
                 continue;
             }
-            // Events that do not fit together were not simultaneous: handle the first alone, the rest later.
+            // Inconsistent events were not simultaneous: the first is handled alone, the rest later.
             near[1..].iter().for_each(|j| done[*j] = false);
             let mut first = Gathered::at(&mut wave, &here[..1], 1.0);
             first.close_triangle(&wave);
@@ -77,7 +77,7 @@ struct Gathered {
 }
 
 impl Gathered {
-    /// The vertices and edges of these events that are at the point.
+    /// Collects the vertices and edges of these events that are at the point.
     fn at(wave: &mut Wave, events: &[Event], loose: f64) -> Gathered {
         let (at, time) = (events[0].at, events[0].time);
         let (vertices, pieces) = (Vec::new(), Vec::new());
@@ -123,7 +123,7 @@ impl Gathered {
         vertex.at(self.time).distance(self.at) <= 4.0 * wave.eps * fast
     }
 
-    /// Takes the piece of an edge that passes through the point, or its end there; whether there is one.
+    /// Adds the piece of an edge that passes through the point, or its end there; returns whether there is one.
     fn meets(&mut self, wave: &mut Wave, v: u32, edge: u32) -> bool {
         let way = wave.way(edge);
         let starts = wave.pieces(edge).to_vec();
@@ -132,7 +132,7 @@ impl Gathered {
             if x == v || y == v {
                 continue;
             }
-            // The way of `v` and this edge's line meet in the corner between: the edge of `v` is at its end.
+            // The paths of `v` and this edge's line meet in the corner between: the edge of `v` is at its end.
             let ends = (
                 wave.vertex(x).velocity.is_some(),
                 wave.vertex(y).velocity.is_some(),
@@ -157,7 +157,7 @@ impl Gathered {
         false
     }
 
-    /// Takes the neighbours that are at the point too.
+    /// Adds the neighbours that are at the point too.
     fn spread(&mut self, wave: &Wave) {
         let mut n = 0;
         while n < self.vertices.len() {
@@ -175,7 +175,7 @@ impl Gathered {
             .retain(|x| !vertices.contains(x) && !vertices.contains(&wave.vertex(*x).next));
     }
 
-    /// In a ring of three all meet at one point, whatever they seem to do.
+    /// Closes a ring of three, all of which meet at one point, whatever their computed positions.
     fn close_triangle(&mut self, wave: &Wave) {
         let Some(&v) = self.vertices.first() else {
             return;
@@ -192,7 +192,7 @@ impl Gathered {
         self.vertices.len() + self.pieces.len() > 1
     }
 
-    /// The chains through the point, in no order.
+    /// Returns the chains through the point, in no order.
     fn chains(&self, wave: &Wave) -> Vec<Chain> {
         let here = |v: u32| self.vertices.contains(&v);
         let mut chains = Vec::with_capacity(2);
@@ -225,7 +225,7 @@ impl Gathered {
         chains
     }
 
-    /// Ends what is here and joins what is left.
+    /// Ends the vertices at the point and joins the remaining edges.
     fn resolve(&self, wave: &mut Wave, queue: &mut Queue) -> Option<()> {
         let chains = self.chains(wave);
         let joined = join(wave, &chains)?;
@@ -238,7 +238,7 @@ impl Gathered {
             let (to, from) = (chains[outward], chains[inward]);
             begun.push(wave.begin(node, from.inward, to.outward));
         }
-        // First all links, since chains may be each other's neighbours.
+        // All links are set first, since chains may be each other's neighbours.
         for (v, &(outward, inward)) in begun.iter().zip(&joined) {
             wave.link(chains[inward].before, *v);
             wave.link(*v, chains[outward].after);
@@ -258,7 +258,7 @@ impl Gathered {
     }
 }
 
-/// Which outgoing edge goes on in which incoming one, as indices of chains.
+/// Returns for each outgoing edge the incoming one that continues it, as indices of chains.
 fn join(wave: &Wave, chains: &[Chain]) -> Option<Vec<(usize, usize)>> {
     if chains.len() < 2 {
         return Some((0..chains.len()).map(|i| (i, i)).collect());
@@ -304,7 +304,7 @@ fn close(wave: &mut Wave, u: u32, v: u32, time: f64) -> Option<()> {
     let (left, right) = (wave.vertex(v).right, wave.vertex(u).right);
     wave.end(u, ends[0]);
     wave.end(v, ends[1]);
-    // Seen from u to v, what the edge between them has swept lies to the right.
+    // Seen from u to v, the area that the edge between them has swept lies to the right.
     wave.arc(Arc {
         from: ends[0],
         to: ends[1],

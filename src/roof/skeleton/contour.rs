@@ -1,4 +1,4 @@
-//! An outline with courts made fit for a skeleton, or the reason why it has none.
+//! Prepares an outline with courts for a skeleton, or returns the reason why it has none.
 
 use super::line::Line;
 use super::pairs::{Segment, distance, near_pairs};
@@ -6,21 +6,21 @@ use super::{Face, Skeleton};
 use crate::geometry::tolerance::POINT;
 use glam::{DVec2, dvec2};
 
-/// Corners nearer to each other are one, metres.
+/// Corners nearer to each other become one, metres.
 const ONE: f64 = 0.005;
 /// A corner is left out if it lies nearer to the line between its neighbours, metres.
 const STRAIGHT: f64 = 0.001;
 /// The least area of an outline or of a court, square metres.
 const LEAST_AREA: f64 = 1e-3;
-/// Corners farther from the middle than this are no plan, metres.
+/// Maximum distance of corners from the middle, metres.
 const FARTHEST: f64 = 100_000.0;
-/// The most corners.
+/// Maximum number of corners.
 const MOST_CORNERS: usize = 4000;
 
-/// Why an outline has no roof.
+/// The reason why an outline has no roof.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Invalid {
-    /// Fewer than three corners are left after those at one place.
+    /// Fewer than three distinct corners.
     TooFewCorners,
     /// It bounds no area.
     NoArea,
@@ -30,7 +30,7 @@ pub enum Invalid {
     TooManyCorners,
     /// It crosses or touches itself or a court here.
     Crosses {
-        /// Where.
+        /// The place.
         at: DVec2,
     },
     /// A court lies outside the outline or inside another court.
@@ -68,7 +68,7 @@ impl std::fmt::Display for Invalid {
     }
 }
 
-/// A corner and what the caller wants to know of the edge that starts there.
+/// A corner and the caller's tag of the edge that starts there.
 pub type Start = (DVec2, u32);
 
 /// A simple outline with its courts, ready to be swept.
@@ -78,16 +78,16 @@ pub struct Contours {
     origin: DVec2,
     /// The outline counter-clockwise, then courts clockwise.
     pub(super) rings: Vec<Vec<Start>>,
-    /// Half the longer side of the box round it, metres.
+    /// Half the longer side of its bounding box, metres.
     pub(super) size: f64,
 }
 
 impl Contours {
-    /// Of an outline and its courts, turning either way, metres. Corners at one place, spikes and dents below a
+    /// Prepares an outline and its courts, either way round, metres. Corners at one place, spikes and dents below a
     /// millimetre are left out; edges in one line with different tags stay apart.
     ///
     /// # Errors
-    /// Says what makes it no simple polygon.
+    /// The reason why it is not a simple polygon.
     pub fn new(outline: &[Start], courts: &[Vec<Start>]) -> Result<Contours, Invalid> {
         let all = || outline.iter().chain(courts.iter().flatten()).map(|s| s.0);
         if all().count() > MOST_CORNERS {
@@ -106,7 +106,7 @@ impl Contours {
         let rings = |dent: f64| -> Result<Contours, Invalid> {
             let mut rings = vec![ring(outline, origin, 1.0, dent)?];
             for court in courts {
-                // A court that bounds nothing is none.
+                // A court without area is ignored.
                 rings.extend(ring(court, origin, -1.0, dent).ok());
             }
             let contours = Contours {
@@ -117,7 +117,7 @@ impl Contours {
             contours.check()?;
             Ok(contours)
         };
-        // Leaving out dents may make edges meet that only just pass each other.
+        // Removing dents may make edges meet that only just pass each other.
         rings(STRAIGHT).or_else(|_| rings(1e-9))
     }
 
@@ -126,12 +126,12 @@ impl Contours {
         self.rings.iter().map(Vec::len).sum()
     }
 
-    /// The area inside, square metres.
+    /// Returns the area inside, square metres.
     pub fn area(&self) -> f64 {
         self.rings.iter().map(|r| area2(r) / 2.0).sum()
     }
 
-    /// Every edge: its ends, its tag, and the number of the one before it.
+    /// Returns every edge: its ends, its tag, and the number of the one before it.
     pub(super) fn each(&self) -> impl Iterator<Item = (Segment, u32, u32)> + '_ {
         let mut first = 0;
         self.rings.iter().flat_map(move |ring| {
@@ -144,7 +144,7 @@ impl Contours {
         })
     }
 
-    /// The same with its corners moved a little, differently for each attempt but the first.
+    /// Returns the same contours with slightly moved corners, differently for each attempt but the first.
     pub(super) fn shaken(&self, attempt: u32) -> Contours {
         let mut moved = self.clone();
         if attempt == 0 {
@@ -166,7 +166,7 @@ impl Contours {
         moved
     }
 
-    /// A skeleton of these back where the outline was.
+    /// Moves a skeleton of these contours back to the place of the outline.
     pub(super) fn back(&self, mut skeleton: Skeleton) -> Skeleton {
         let moved = |face: &mut Face| face.line = face.line.moved(self.origin);
         skeleton.nodes.iter_mut().for_each(|n| n.at += self.origin);
@@ -206,7 +206,7 @@ impl Contours {
     }
 }
 
-/// About where two segments that are not apart meet.
+/// Returns the approximate meeting point of two segments.
 fn meeting([p, q]: Segment, [r, s]: Segment) -> DVec2 {
     let (way, other) = (q - p, s - r);
     let share = (r - p).perp_dot(other) / way.perp_dot(other);
@@ -217,7 +217,7 @@ fn meeting([p, q]: Segment, [r, s]: Segment) -> DVec2 {
     }
 }
 
-/// True if a ring surrounds a point (even-odd).
+/// Returns true if a ring surrounds a point (even-odd).
 fn surrounds(ring: &[Start], p: DVec2) -> bool {
     let next = ring.iter().cycle().skip(1);
     ring.iter()
@@ -228,13 +228,13 @@ fn surrounds(ring: &[Start], p: DVec2) -> bool {
         })
 }
 
-/// Twice the signed area.
+/// Returns twice the signed area.
 fn area2(ring: &[Start]) -> f64 {
     let next = ring.iter().cycle().skip(1);
     ring.iter().zip(next).map(|(p, q)| p.0.perp_dot(q.0)).sum()
 }
 
-/// One ring round the origin, turned as asked, without what is no corner.
+/// Returns one ring about the origin, in the given orientation, without redundant corners.
 fn ring(corners: &[Start], origin: DVec2, turn: f64, dent: f64) -> Result<Vec<Start>, Invalid> {
     let mut ring: Vec<Start> = corners.iter().map(|(p, tag)| (*p - origin, *tag)).collect();
     if area2(&ring) * turn < 0.0 {
@@ -259,7 +259,7 @@ fn ring(corners: &[Start], origin: DVec2, turn: f64, dent: f64) -> Result<Vec<St
     }
 }
 
-/// Makes corners at one place one.
+/// Merges corners at one place.
 fn one_place(ring: &mut Vec<Start>) {
     let mut kept: Vec<Start> = Vec::with_capacity(ring.len());
     for start in ring.drain(..) {
@@ -275,11 +275,11 @@ fn one_place(ring: &mut Vec<Start>) {
     *ring = kept;
 }
 
-/// Leaves out corners in mid-edge, those that stand out by less than `dent`, and spikes without area.
+/// Removes corners in mid-edge, those that project by less than `dent`, and spikes without area.
 fn dents(ring: &mut Vec<Start>, dent: f64) {
     let mut kept: Vec<Start> = Vec::with_capacity(ring.len());
     let n = ring.len();
-    // Corners left out since the last kept one must stay near the new edge as well.
+    // Corners removed since the last kept one must stay near the new edge as well.
     let mut skipped: Vec<DVec2> = vec![];
     for i in 0..n {
         let (p, (q, tag), r) = (
@@ -305,7 +305,7 @@ fn dents(ring: &mut Vec<Start>, dent: f64) {
     *ring = kept;
 }
 
-/// The lines of all edges.
+/// Returns the lines of all edges.
 pub(super) fn lines(contours: &Contours) -> Vec<Line> {
     contours
         .each()

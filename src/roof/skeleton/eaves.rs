@@ -1,6 +1,6 @@
-//! The overhangs of a hipped roof's slopes, and where neighbouring slopes meet outside the walls.
+//! The overhangs of a hipped roof's slopes, and the points where neighbouring slopes meet outside the walls.
 //!
-//! Slopes go on in their own planes, hips and valleys in their own lines. Very sharp corners are cut off two overhangs
+//! Slopes continue in their own planes, hips and valleys in their own lines. Very sharp corners are cut off two overhangs
 //! from the wall. Where eaves of one roof would touch each other, in a narrow court or notch, those of both sides are
 //! shortened step by step until they do not.
 
@@ -22,7 +22,7 @@ const MOST_STEPS: u32 = 30;
 /// The least length of an eaves edge, metres.
 const LEAST: f64 = 1e-3;
 
-/// Where the slopes on both sides of a corner end. Each way begins on the line both share, the hip or valley.
+/// The ends of the slopes on both sides of a corner. Each path begins on the line both share, the hip or valley.
 #[derive(Clone, Debug, Default)]
 struct Corner {
     /// On the side of the edge that ends here.
@@ -39,7 +39,7 @@ pub(in crate::roof) struct Eaves {
 }
 
 impl Eaves {
-    /// The eaves of a skeleton's faces with an overhang wished for each, metres.
+    /// Returns the eaves of a skeleton's faces with a requested overhang for each, metres.
     pub(in crate::roof) fn of(skeleton: &Skeleton, wished: &[f64]) -> Eaves {
         let faces = &skeleton.faces;
         let mut next = vec![0; faces.len()];
@@ -71,7 +71,7 @@ impl Eaves {
         }
     }
 
-    /// The lower end of a face from its first hip or valley to its second.
+    /// Returns the lower end of a face from its first hip or valley to its second.
     pub(in crate::roof) fn run(&self, face: usize) -> impl Iterator<Item = DVec2> + '_ {
         let (from, to) = (
             &self.corners[face].after,
@@ -80,7 +80,7 @@ impl Eaves {
         from.iter().chain(to.iter().rev()).copied()
     }
 
-    /// The faces whose eaves touch others or are turned round, each once.
+    /// Returns the faces whose eaves touch others or are reversed, each once.
     fn touching(&self, faces: &[Face], over: &[f64]) -> Vec<usize> {
         let mut bad = vec![false; faces.len()];
         let mut segments: Vec<Segment> = Vec::with_capacity(faces.len() + 8);
@@ -104,7 +104,7 @@ impl Eaves {
         near_pairs(&segments, GAP, |s, t| {
             let (i, j) = (owners[s], owners[t]);
             let open = over[i] > 0.0 || over[j] > 0.0;
-            // Walls that are near each other are no matter of the eaves.
+            // Walls that are near each other do not concern the eaves.
             if open && self.touch(faces, [i, j], segments[s], segments[t]) {
                 bad[i] |= over[i] > 0.0;
                 bad[j] |= over[j] > 0.0;
@@ -126,7 +126,7 @@ impl Eaves {
     }
 }
 
-/// Where the edge `i` and the one before it end outside their common corner.
+/// Returns the ends of the edge `i` and the one before it outside their common corner.
 fn corner(skeleton: &Skeleton, i: usize, over: &[f64]) -> Corner {
     let face = &skeleton.faces[i];
     let before = &skeleton.faces[face.before as usize];
@@ -151,7 +151,7 @@ fn corner(skeleton: &Skeleton, i: usize, over: &[f64]) -> Corner {
         }
         let straight = lines[0].normal.perp_dot(lines[1].normal).abs() < 0.02;
         let end = match convex && !straight {
-            // On along the neighbour's eaves to its own.
+            // Along the neighbour's eaves to its own.
             true => shared + along(lines[1 - own], lines[own], shared, overs[own]),
             false => at - way * overs[own],
         };
@@ -163,13 +163,13 @@ fn corner(skeleton: &Skeleton, i: usize, over: &[f64]) -> Corner {
     }
 }
 
-/// The way along one line from a point to the eaves of another.
+/// Returns the path along one line from a point to the eaves of another.
 fn along(line: Line, to: Line, from: DVec2, over: f64) -> DVec2 {
     let way = line.way();
     way * ((-over - to.depth(from)) / to.normal.dot(way))
 }
 
-/// A sharp corner, cut off square to its bisector.
+/// Returns a sharp corner, cut off square to its bisector.
 fn cut_off(at: DVec2, inward: DVec2, lines: [Line; 2], overs: [f64; 2]) -> Corner {
     let middle = at - inward * SPIKE * overs[0].min(overs[1]);
     let across = inward.perp();

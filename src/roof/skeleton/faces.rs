@@ -1,10 +1,10 @@
-//! From the ways of the vertices to one polygon an edge.
+//! Converts the paths of the vertices to one polygon per edge.
 
 use super::contour::Contours;
 use super::wave::Wave;
 use super::{Face, Skeleton};
 
-/// The faces that the arcs of a finished sweep bound. `None` where some arc is left over or missing.
+/// Returns the faces bounded by the arcs of a finished sweep; `None` if an arc is left over or missing.
 pub(super) fn faces(contours: &Contours, wave: Wave) -> Option<Skeleton> {
     let n = contours.edges();
     // For each face its directed borders, the face on their left.
@@ -32,7 +32,7 @@ pub(super) fn faces(contours: &Contours, wave: Wave) -> Option<Skeleton> {
     })
 }
 
-/// The nodes of a face from the start of its edge, if its borders make one ring.
+/// Returns the nodes of a face from the start of its edge, if its borders form one ring.
 fn round(start: u32, end: u32, mut borders: Vec<(u32, u32)>) -> Option<Vec<u32>> {
     let mut nodes = Vec::with_capacity(borders.len() + 1);
     nodes.push(start);

@@ -12,7 +12,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// From `p` to `q`.
+    /// Creates the line from `p` to `q`.
     pub fn through(p: DVec2, q: DVec2) -> Line {
         let normal = (q - p).perp().normalize_or_zero();
         Line {
@@ -26,12 +26,12 @@ impl Line {
         self.normal.dot(p) - self.at
     }
 
-    /// The direction of its edge.
+    /// Returns the direction of its edge.
     pub fn way(&self) -> DVec2 {
         -self.normal.perp()
     }
 
-    /// The same after everything was moved.
+    /// Returns the line after a translation.
     pub(in crate::roof::skeleton) fn moved(self, by: DVec2) -> Line {
         Line {
             at: self.at + self.normal.dot(by),

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-/// Two ends.
+/// The two ends of a segment.
 pub(in crate::roof) type Segment = [DVec2; 2];
 
 /// Calls `found` with every pair of segments whose boxes, grown by `gap`, touch; the lower index first. Stops as soon
@@ -31,7 +31,7 @@ pub(in crate::roof) fn near_pairs(
     }
 }
 
-/// The least distance of two segments, 0 where they cross.
+/// Returns the least distance of two segments, 0 if they cross.
 pub(in crate::roof) fn distance(s: Segment, t: Segment) -> f64 {
     if cross(s, t) {
         return 0.0;
@@ -45,7 +45,7 @@ fn cross([p, q]: Segment, [r, s]: Segment) -> bool {
     side(p, q, r) != side(p, q, s) && side(r, s, p) != side(r, s, q)
 }
 
-/// The distance of a point from a segment.
+/// Returns the distance of a point from a segment.
 pub(in crate::roof) fn to([p, q]: Segment, r: DVec2) -> f64 {
     let way = q - p;
     let share = (way.dot(r - p) / way.length_squared()).clamp(0.0, 1.0);

@@ -7,7 +7,7 @@ use crate::roof::skeleton::FLUSH;
 use crate::roof::skeleton::contour::Start;
 use glam::DVec2;
 
-/// A wall nearer to the line of another than this stands on it, metres.
+/// A wall nearer to the line of another than this counts as standing on it, metres.
 const UPON: f64 = 0.005;
 /// The least overlap of two walls along a line, metres.
 const COMMON: f64 = 0.02;
@@ -20,21 +20,21 @@ pub(in crate::roof) struct Part {
 }
 
 impl Part {
-    /// Convex pieces of it.
+    /// Returns its convex pieces.
     pub(in crate::roof) fn pieces(&self) -> Vec<Vec<DVec2>> {
         let ring = bridged(&self.outline, &self.courts);
         let piece = |part: Vec<usize>| part.into_iter().map(|i| ring[i]).collect();
         parts(&ring).into_iter().map(piece).collect()
     }
 
-    /// Its edges.
+    /// Returns its edges.
     pub(in crate::roof) fn edges(&self) -> impl Iterator<Item = [DVec2; 2]> + '_ {
         let rings = std::iter::once(&self.outline).chain(&self.courts);
         rings.flat_map(|r| (0..r.len()).map(|i| [r[i], r[(i + 1) % r.len()]]))
     }
 }
 
-/// The parts that some loops bound, even-odd.
+/// Returns the parts that some loops bound, even-odd.
 pub(in crate::roof) fn gathered(loops: &[Vec<DVec2>]) -> Vec<Part> {
     let around = |i: usize| {
         let p = (loops[i][0] + loops[i][1]) / 2.0;
@@ -63,7 +63,7 @@ pub(in crate::roof) fn gathered(loops: &[Vec<DVec2>]) -> Vec<Part> {
     outlines.map(part).collect()
 }
 
-/// A ring divided where walls begin and end on it; those edges are tagged [`FLUSH`].
+/// Returns a ring divided where walls begin and end on it; those edges are tagged [`FLUSH`].
 pub(in crate::roof) fn tagged(ring: &[DVec2], walls: &[[DVec2; 2]]) -> Vec<Start> {
     let mut starts = Vec::with_capacity(ring.len());
     for (i, p) in ring.iter().enumerate() {
@@ -97,7 +97,7 @@ pub(in crate::roof) fn tagged(ring: &[DVec2], walls: &[[DVec2; 2]]) -> Vec<Start
     starts
 }
 
-/// True if a point lies inside a polygon (even-odd, half-open).
+/// Returns true if a point lies inside a polygon (even-odd, half-open).
 fn within(polygon: &[DVec2], p: DVec2) -> bool {
     let next = polygon.iter().cycle().skip(1);
     polygon.iter().zip(next).fold(false, |inside, (q, r)| {

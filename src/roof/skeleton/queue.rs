@@ -8,7 +8,7 @@ use std::collections::BinaryHeap;
 /// An event.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Meeting {
-    /// The edge between two vertices has no length any more.
+    /// The edge between two vertices shrinks to no length.
     Vertices(u32, u32),
     /// A vertex reaches an edge.
     Edge(u32, u32),
@@ -20,14 +20,14 @@ pub(super) struct Event {
     pub(super) time: f64,
     pub(super) at: DVec2,
     pub(super) what: Meeting,
-    /// Counts up: events of one time come in the order in which they were found.
+    /// A serial number: events of one time come in the order in which they were found.
     number: u32,
 }
 
 impl Eq for Event {}
 
 impl Ord for Event {
-    /// The soonest is the greatest.
+    /// Orders the soonest as the greatest.
     fn cmp(&self, other: &Self) -> Ordering {
         let sooner = other.time.total_cmp(&self.time);
         sooner.then(other.number.cmp(&self.number))
@@ -40,18 +40,18 @@ impl PartialOrd for Event {
     }
 }
 
-/// All meetings to come, stale ones among them.
+/// All future meetings, including stale ones.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
     heap: BinaryHeap<Event>,
     count: u32,
-    /// The box round the outline: nothing happens outside, nor later than half its lesser side.
+    /// The bounding box of the outline: nothing happens outside, nor later than half its shorter side.
     lo: DVec2,
     hi: DVec2,
 }
 
 impl Queue {
-    /// The first meetings of all vertices.
+    /// Creates the queue of the first meetings of all vertices.
     pub(super) fn of(wave: &Wave) -> Queue {
         let n = wave.vertices.len();
         let places = wave.nodes.iter().map(|n| n.at);
@@ -79,7 +79,7 @@ impl Queue {
         });
     }
 
-    /// The next event and all others within a span of time after it, soonest first.
+    /// Returns the next event and all others within a span of time after it, soonest first.
     pub(super) fn next(&mut self, span: f64) -> Vec<Event> {
         let Some(first) = self.heap.pop() else {
             return vec![];
@@ -94,7 +94,7 @@ impl Queue {
         events
     }
 
-    /// The events of a new vertex.
+    /// Adds the events of a new vertex.
     pub(super) fn add(&mut self, wave: &Wave, v: u32, now: f64) {
         if wave.vertex(v).velocity.is_none() {
             return self.closing(wave, v, now);
@@ -109,7 +109,7 @@ impl Queue {
         }
     }
 
-    /// When the edge from `u` to the next vertex has no length.
+    /// Adds the time at which the edge from `u` to the next vertex has no length.
     fn shrinking(&mut self, wave: &Wave, u: u32, now: f64) {
         let v = wave.vertex(u).next;
         let ends = (wave.vertex(u), wave.vertex(v));
@@ -136,7 +136,7 @@ impl Queue {
         self.push(now + left, slow.at(now + left), Meeting::Vertices(u, v));
     }
 
-    /// When a vertex that turns right reaches other edges.
+    /// Adds the times at which a reflex vertex reaches other edges.
     fn running(&mut self, wave: &Wave, v: u32, now: f64) {
         let vertex = wave.vertex(v);
         let Some(velocity) = vertex.velocity.filter(|_| wave.is_reflex(v)) else {
@@ -162,7 +162,7 @@ impl Queue {
         }
     }
 
-    /// A vertex whose edges coincide: the nearer of its neighbours meets the edge opposite at once.
+    /// Adds the event of a vertex whose edges coincide: the nearer of its neighbours meets the opposite edge at once.
     fn closing(&mut self, wave: &Wave, v: u32, now: f64) {
         let vertex = wave.vertex(v);
         let here = vertex.at(now);

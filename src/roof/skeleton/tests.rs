@@ -13,7 +13,7 @@ fn of(outline: &[(f64, f64)], courts: &[&[(f64, f64)]]) -> Skeleton {
     skeleton(&contours).expect("has a skeleton")
 }
 
-/// The nodes inside, sorted.
+/// Returns the inner nodes, sorted.
 fn inner(skeleton: &Skeleton) -> Vec<(f64, f64, f64)> {
     let round = |x: f64| (x * 1e6).round() / 1e6 + 0.0;
     let inside = skeleton.nodes.iter().filter(|n| n.time > 0.0);
@@ -158,7 +158,7 @@ fn an_h_splits_at_both_ends_of_its_bar() {
     assert!(inner(&skeleton).contains(&(4.0, 9.0, 2.0)));
 }
 
-/// Draws from a running generator: tests only.
+/// A running random generator, for tests only.
 struct Draw(u64);
 
 impl Draw {

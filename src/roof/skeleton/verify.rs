@@ -40,7 +40,7 @@ fn area(skeleton: &Skeleton, face: &Face) -> f64 {
     fan.sum::<f64>() / 2.0
 }
 
-/// True if no two borders of a face cross by more than `trifle`.
+/// Returns true if no two borders of a face cross by more than `trifle`.
 fn is_simple(skeleton: &Skeleton, face: &Face, trifle: f64) -> bool {
     let n = face.nodes.len();
     if n < 5 {

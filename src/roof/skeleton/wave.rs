@@ -1,4 +1,4 @@
-//! The moving outline: rings of vertices, each on the way of two lines that move inwards at one speed.
+//! The moving outline: rings of vertices, each on the path of two lines that move inwards at one speed.
 
 use super::Node;
 use super::contour::{Contours, lines};
@@ -6,7 +6,7 @@ use super::line::Line;
 use crate::geometry::tolerance::PARALLEL;
 use glam::DVec2;
 
-/// The velocity of the meeting point of two lines that move at speed 1; `None` where they lie side by side and face
+/// Returns the velocity of the meeting point of two lines that move at speed 1; `None` if they are parallel and face
 /// each other, so that they meet everywhere at once.
 pub fn velocity(left: DVec2, right: DVec2) -> Option<DVec2> {
     let (sine, cosine) = (left.perp_dot(right), left.dot(right));
@@ -28,25 +28,25 @@ pub(super) struct Vertex {
     pub(super) left: u32,
     /// The edge that starts at it.
     pub(super) right: u32,
-    /// Where it began.
+    /// The node where it began.
     pub(super) node: u32,
     start: Node,
-    /// `None` where its edges coincide: it ends at once.
+    /// `None` if its edges coincide: it ends at once.
     pub(super) velocity: Option<DVec2>,
     pub(super) alive: bool,
 }
 
 impl Vertex {
-    /// Where it is at a time.
+    /// Returns its position at a time.
     pub(super) fn at(&self, time: f64) -> DVec2 {
         self.start.at + self.velocity.unwrap_or_default() * (time - self.start.time)
     }
 }
 
-/// A piece of the way of a vertex or of a ridge: a border between two faces.
+/// A part of the path of a vertex or of a ridge: a border between two faces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Arc {
-    /// Nodes.
+    /// Its first node.
     pub(super) from: u32,
     pub(super) to: u32,
     /// The face on its left.
@@ -55,22 +55,22 @@ pub(super) struct Arc {
     pub(super) right: u32,
 }
 
-/// The moving outline, and what it has left behind.
+/// The moving outline, and the borders it has left behind.
 #[derive(Clone, Debug)]
 pub(super) struct Wave {
     pub(super) lines: Vec<Line>,
     pub(super) vertices: Vec<Vertex>,
     pub(super) nodes: Vec<Node>,
     pub(super) arcs: Vec<Arc>,
-    /// The vertices where a piece of each edge starts, dead ones among them.
+    /// The vertices at which pieces of each edge start, including dead ones.
     pieces: Vec<Vec<u32>>,
     pub(super) alive: usize,
-    /// Lengths and times below this are none, metres.
+    /// Lengths and times below this count as zero, metres.
     pub(super) eps: f64,
 }
 
 impl Wave {
-    /// At time 0.
+    /// Creates the outline at time 0.
     pub(super) fn of(contours: &Contours) -> Wave {
         let lines = lines(contours);
         let n = lines.len();
@@ -95,7 +95,7 @@ impl Wave {
         wave
     }
 
-    /// A new vertex between two edges at a node, without neighbours yet.
+    /// Creates a vertex between two edges at a node, without neighbours yet.
     pub(super) fn begin(&mut self, node: u32, left: u32, right: u32) -> u32 {
         let id = self.vertices.len() as u32;
         let normal = |edge: u32| self.lines[edge as usize].normal;
@@ -123,7 +123,7 @@ impl Wave {
         &self.vertices[id as usize]
     }
 
-    /// Ends a vertex at a node: its way becomes an arc.
+    /// Ends a vertex at a node: its path becomes an arc.
     pub(super) fn end(&mut self, id: u32, node: u32) {
         let vertex = &mut self.vertices[id as usize];
         vertex.alive = false;
@@ -148,7 +148,7 @@ impl Wave {
         self.nodes.len() as u32 - 1
     }
 
-    /// The vertices at which pieces of an edge start.
+    /// Returns the vertices at which pieces of an edge start.
     pub(super) fn pieces(&mut self, edge: u32) -> &[u32] {
         let vertices = &self.vertices;
         let pieces = &mut self.pieces[edge as usize];

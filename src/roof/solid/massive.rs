@@ -1,8 +1,8 @@
 //! Massive roofs: one closed solid for roofs that meet, with their attics, for details that show no joinery.
 //!
-//! A roof is made of sheets and of gable walls under them. Each is a closed solid, with faces inside the house that
-//! are never visible. Here the space below becomes part of it: inside the walls the solid reaches the wall plate, under
-//! eaves and verges to the lower surface of its sheets, and the upright faces between the two are the gable walls.
+//! A roof consists of slabs and of gable walls under them. Each is a closed solid, with faces inside the house that are
+//! never visible. Here the space below becomes part of it: inside the walls the solid reaches the wall plate, under
+//! eaves and verges to the lower surface of its slabs, and the vertical faces between the two are the gable walls.
 //! Roofs that meet have no faces between them.
 //!
 //! The upper surface is cut into parts with a plane below each, no two of which share any space (`parts`). They become
@@ -28,17 +28,17 @@ use crate::roof::solid::SUNK;
 use crate::roof::solid::sheet::surface;
 use parts::Part;
 
-/// The most sets of roofs tried where they cannot all become one solid.
+/// The maximum number of sets of roofs tried if they cannot all become one solid.
 const MOST_SETS: usize = 8;
 
-/// The roofs of a house in groups that may meet: those of one storey, but for flat ones.
+/// Returns groups of the roofs of a house that may meet: those of one storey, except flat ones.
 pub fn groups(roofs: &[Roof]) -> impl Iterator<Item = &[Roof]> {
     let sloped = |r: &Roof| r.shape != RoofShape::Flat;
     roofs.chunk_by(move |p, q| p.storey == q.storey && sloped(p) && sloped(q))
 }
 
-/// The solids of one of these [`groups`]; none where it has no attic. Roofs that touch in an edge only cannot be one
-/// closed solid: such a group is made of several.
+/// Returns the solids of one of these [`groups`]; none if it has no attic. Roofs that touch only in an edge cannot be
+/// one closed solid: such a group becomes several.
 pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
     roofs.iter().find(|r| r.attic.filled)?;
     if let Some(solids) = together(roofs) {
@@ -64,7 +64,7 @@ pub fn massive(roofs: &[Roof]) -> Option<Vec<Solid>> {
     Some(sets.into_iter().flat_map(|set| set.1).collect())
 }
 
-/// The solids of some roofs as one, if there is such a thing.
+/// Returns the solids of some roofs as one, if that is possible.
 fn together<'r>(roofs: impl IntoIterator<Item = &'r Roof>) -> Option<Vec<Solid>> {
     let (mut parts, mut others) = (vec![], vec![]);
     for roof in roofs {

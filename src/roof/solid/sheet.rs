@@ -27,8 +27,8 @@ pub struct Coat {
 /// A polygon of the upper surface with its plane.
 pub type Piece = (Vec<Corner>, Plane);
 
-/// The closed solids under these pieces, `drop` metres thick measured upright. Solids that reach
-/// nowhere higher than `floor` are left out: they are eaves without their roof.
+/// Returns the closed solids under these pieces, `drop` metres thick measured vertically. Solids that are nowhere
+/// higher than `floor` are left out: they are eaves without their roof.
 pub fn sheet(pieces: &[Piece], drop: f64, coat: &Coat, floor: f64) -> Vec<Solid> {
     let mut mesh = Mesh::of(pieces);
     if mesh.is_gable() {
@@ -45,7 +45,7 @@ pub fn sheet(pieces: &[Piece], drop: f64, coat: &Coat, floor: f64) -> Vec<Solid>
         .collect()
 }
 
-/// The upper surface that a sheet was made from, and its drop; none of solids without a covering.
+/// Returns the upper surface from which a slab was made, and its thickness; none for solids without a covering.
 pub(in crate::roof) fn surface(solid: &Solid) -> Option<(Vec<Piece>, f64)> {
     let covering = |f: &&Face| matches!(f.finish, Finish::Covering(_));
     let first = solid.faces.iter().find(covering)?;
@@ -74,7 +74,7 @@ pub(in crate::roof) fn surface(solid: &Solid) -> Option<(Vec<Piece>, f64)> {
     Some((pieces.collect(), drop))
 }
 
-/// A face of the mesh: point indices, and for each whether the edge that starts there is a rim.
+/// A face of the mesh: point indices, each with true if the edge that starts there is a rim.
 type Loop = Vec<(u32, bool)>;
 
 #[derive(Default)]
@@ -108,7 +108,7 @@ impl Mesh {
         mesh
     }
 
-    /// True if it is a plain gable, two quadrilaterals that share an edge; its corners match already.
+    /// Returns true for a plain gable, two quadrilaterals that share an edge; its corners match already.
     fn is_gable(&self) -> bool {
         let [first, second] = &self.faces[..] else {
             return false;
@@ -119,7 +119,7 @@ impl Mesh {
         first.len() == 4 && second.len() == 4 && self.points.len() == 6 && (0..4).any(shared)
     }
 
-    /// Puts corners into the edges they lie on, then divides faces that got straight corners.
+    /// Inserts corners into the edges they lie on, then divides faces that got straight corners.
     fn conform(&mut self) {
         let sorted = Sorted::of(&self.points);
         let faces = std::mem::take(&mut self.faces);
@@ -169,7 +169,7 @@ impl Mesh {
         way.z / way.truncate().length()
     }
 
-    /// True if `j` lies off the straight line from `i` to `k`.
+    /// Returns true if `j` lies off the straight line from `i` to `k`.
     fn turns(&self, i: u32, j: u32, k: u32) -> bool {
         let (p, q, r) = (self.plan(i), self.plan(j), self.plan(k));
         let way = (r - p).normalize_or_zero();
@@ -184,7 +184,7 @@ impl Mesh {
         let Some(from) = (0..n).find(|i| straight(*i)) else {
             return self.faces.push(face);
         };
-        // Another straight corner across makes the best cut: both vanish at once.
+        // Another straight corner opposite makes the best cut: both vanish at once.
         let across = |i: &usize| self.turns(id(from), id(from + 1), id(*i)) && *i != from;
         let ahead = (from + 2..from + n - 1).map(|i| i % n);
         let best = ahead.clone().filter(across).find(|i| straight(*i));
@@ -203,7 +203,7 @@ impl Mesh {
         self.divide(second);
     }
 
-    /// Every edge as (its ends ascending, its face, its place there), sorted.
+    /// Returns every edge as (its ends ascending, its face, its index there), sorted.
     fn edges(&self) -> Vec<(u32, u32, u32, u32)> {
         let mut edges = Vec::with_capacity(self.faces.len() * 4);
         for (f, face) in self.faces.iter().enumerate() {
@@ -216,7 +216,7 @@ impl Mesh {
         edges
     }
 
-    /// Faces connected through edges, as components in the order of their first face.
+    /// Returns faces connected through edges, as components in the order of their first face.
     fn components(&self) -> Vec<Vec<usize>> {
         if self.faces.len() == 1 {
             return vec![vec![0]];
@@ -247,8 +247,8 @@ impl Mesh {
             .fold(f64::MIN, f64::max)
     }
 
-    /// The closed solid of one component; one for each face where it touches itself in a corner,
-    /// since upright edges would belong to four sides there.
+    /// Returns the closed solid of one component; one for each face if it touches itself in a corner, since vertical
+    /// edges would belong to four sides there.
     fn close(&self, faces: &[usize], drop: f64, coat: &Coat) -> Vec<Solid> {
         let rims = self.rims(faces);
         if faces.len() > 1 && touches_itself(&rims) {
@@ -260,7 +260,7 @@ impl Mesh {
         vec![self.solid(faces, &rims, drop, coat)]
     }
 
-    /// The edges of these faces that no other of them shares: from, to, whether a rim.
+    /// Returns the edges of these faces that no other of them shares: from, to, true for a rim.
     fn rims(&self, faces: &[usize]) -> Vec<(u32, u32, bool)> {
         let mut edges = Vec::with_capacity(faces.len() * 4);
         for f in faces {
@@ -308,7 +308,7 @@ impl Mesh {
         Solid { points, faces: all }
     }
 
-    /// The points of some faces, each followed by the one below it, and their new numbers.
+    /// Returns the points of some faces, each followed by the one below it, and their new numbers.
     fn doubled(&self, faces: &[usize], drop: f64) -> (Vec<DVec3>, Vec<u32>) {
         let mut number = vec![u32::MAX; self.points.len()];
         let mut points = Vec::with_capacity(self.points.len() * 2);
@@ -324,7 +324,7 @@ impl Mesh {
     }
 }
 
-/// True if a border passes through a point twice.
+/// Returns true if a border passes through a point twice.
 fn touches_itself(rims: &[(u32, u32, bool)]) -> bool {
     let mut starts: Vec<u32> = rims.iter().map(|(p, _, _)| *p).collect();
     starts.sort_unstable();
@@ -352,7 +352,7 @@ impl Sorted {
         }))
     }
 
-    /// All points of a box in plan, and some beside it: the shorter of its two strips, since most edges run
+    /// Returns all points of a box in plan, and some beside it: the shorter of its two strips, since most edges run
     /// along one axis.
     pub(in crate::roof) fn near(&self, lo: DVec2, hi: DVec2) -> &[(f64, u32)] {
         let strip = |axis: usize| {
@@ -366,9 +366,9 @@ impl Sorted {
     }
 }
 
-/// Gives equal corners the same number.
+/// Numbers corners, equal ones alike.
 struct Weld {
-    /// All corners sorted by x, with the number once they have one; `None` while few.
+    /// All corners sorted by x, with the number once they have one; `None` while there are few.
     sorted: Option<Vec<(DVec3, u32)>>,
 }
 
@@ -385,7 +385,7 @@ impl Weld {
         Weld { sorted }
     }
 
-    /// The number of a corner, a new one with its height where it is new.
+    /// Returns the number of a corner, adding new ones with their height.
     fn id(&mut self, at: DVec3, points: &mut Vec<DVec3>) -> u32 {
         let same = |p: DVec3| (p - at).abs().cmplt(DVec3::new(CUT, CUT, HEIGHT)).all();
         let known = match &mut self.sorted {
@@ -410,7 +410,7 @@ impl Weld {
     }
 }
 
-/// True if an outline has enough area for a face.
+/// Returns true if an outline has enough area for a face.
 pub(in crate::roof) fn has_area(outline: &[Corner]) -> bool {
     area(outline) > 1e-6
 }

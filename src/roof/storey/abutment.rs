@@ -9,7 +9,7 @@ use crate::roof::storey::automatic::Automatic;
 /// Depth to which a ridge penetrates the slope it ends in, metres.
 const INTO: f64 = 0.02;
 
-/// The slope of a trunk as a branch comes to it.
+/// The slope of a trunk as seen from a branch.
 struct Slope {
     profile: Profile,
     /// Metres in plan for each metre of the profile's distance.
@@ -21,7 +21,7 @@ struct Slope {
 }
 
 impl Automatic<'_, '_> {
-    /// The treatment of the free ends of a region's roof or of a written one.
+    /// Returns the treatment of the free ends of a region's roof or of a written one.
     pub(in crate::roof) fn cap(&self, n: usize) -> Cap {
         let region = &self.regions[n];
         let Some(ridge) = region.ridge else {
@@ -34,7 +34,7 @@ impl Automatic<'_, '_> {
         Cap::of(&self.looks[n], length, metres(region.span()) / 2.0, both)
     }
 
-    /// The slope of `trunk` seen from a roof that lies with `side` on it.
+    /// Returns the slope of `trunk` seen from a roof that lies with `side` on it.
     fn slope_from(&self, trunk: usize, side: Side) -> Option<Slope> {
         let (region, look) = (&self.regions[trunk], &self.looks[trunk]);
         let across = self.context.metres(side.measure(&region.cell).1);
@@ -57,14 +57,13 @@ impl Automatic<'_, '_> {
             (None, Some(fall)) if fall == side.opposite() && region.over.is_none() => {
                 Some(slope(across, 1.0, across, false))
             }
-            // Over a lean-to that lies lower.
+            // Above a lower lean-to.
             _ => None,
         }
     }
 
-    /// The end of branch `n` that lies with `side` on its trunk: the ridge runs on until it dies in
-    /// the trunk's slope (docs/evidence.md 3.7). Where it stands higher than the trunk, it ends over the
-    /// trunk's ridge in a gable.
+    /// Returns the end of branch `n` that lies with `side` on its trunk: the ridge continues until it ends in the
+    /// trunk's slope (docs/evidence.md 3.7). If it is higher than the trunk, it ends over the trunk's ridge in a gable.
     pub(in crate::roof) fn abut(&self, n: usize, trunk: usize, side: Side, plain: End) -> End {
         let (own, other) = (&self.looks[n], &self.looks[trunk]);
         let Some(slope) = self.slope_from(trunk, side) else {

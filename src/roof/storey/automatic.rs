@@ -23,24 +23,24 @@ use std::cell::OnceCell;
 
 use glam::{DVec3, dvec2, dvec3};
 
-/// The least height that an outer wall keeps under a lean-to, metres.
+/// The minimum height of an outer wall under a lean-to, metres.
 const LEAST_WALL: f64 = 1.8;
 /// Depth of a lean-to's upper edge below the wall plate of its trunk, metres.
 const TUCKED: f64 = 0.10;
 
-/// The regions of one storey on their way to roofs.
+/// The data for roofing the regions of one storey.
 pub(in crate::roof) struct Automatic<'c, 'h> {
     pub(in crate::roof) context: &'c Context<'h>,
-    /// The regions and behind them the roofs that the author wrote.
+    /// The regions, followed by the written roofs.
     pub(in crate::roof) regions: Vec<Region>,
     /// The number of regions.
     count: usize,
     written: &'c [Written],
     /// Height of the wall plates, metres.
     pub(in crate::roof) base: f64,
-    /// Of each region.
+    /// The look of each region.
     pub(in crate::roof) looks: Vec<Look>,
-    /// Of each lean-to that fits under the eaves of its trunk: where it lies.
+    /// For each lean-to that fits under the eaves of its trunk, its slope.
     tucked: Vec<Option<LeanTo>>,
     /// Neighbours along whole sides.
     sides: Option<Sides>,
@@ -76,8 +76,8 @@ impl<'c, 'h> Automatic<'c, 'h> {
         this
     }
 
-    /// Places the lean-tos under their trunks' eaves, trunks first: by falling area. What would leave
-    /// too little of its outer wall becomes a gable.
+    /// Places the lean-tos under their trunks' eaves, trunks first: by decreasing area. A lean-to that would leave too
+    /// little of its outer wall becomes a gable.
     fn tuck_all(&mut self) {
         let leans = |r: &Region| r.fall.is_some() && r.over.is_some();
         self.tucked = vec![None; self.regions.len()];
@@ -94,7 +94,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// The height of the outer wall under a tucked lean-to, metres.
+    /// Returns the height of the outer wall under a tucked lean-to, metres.
     fn left(&self, slope: &LeanTo) -> f64 {
         slope.low - self.context.level.storey.z0
     }
@@ -117,7 +117,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// A roof for every region, in their order; ceilings where walls end lower.
+    /// Returns a roof for every region, in their order; adds ceilings where walls end lower.
     pub(in crate::roof) fn roofs(&self, ceilings: &mut Vec<Ceiling>) -> Vec<RoofDraft> {
         let roof = |n: usize| {
             let region = &self.regions[n];
@@ -163,8 +163,8 @@ impl<'c, 'h> Automatic<'c, 'h> {
             .ridge_roof_with(region.cell, ridge, self.base, look, ends)
     }
 
-    /// The end of roof `n` that joins no trunk. It may still lie on the slope of a roof that stands
-    /// higher, as at the far end of a wing between two halls: then it dies there as well.
+    /// Returns the end of roof `n` that joins no trunk. It may still lie on the slope of a higher roof, as at the far
+    /// end of a wing between two halls: then it ends there as well.
     fn other_end(&self, n: usize, side: Side, plain: End) -> End {
         let region = &self.regions[n];
         let beyond = self
@@ -187,7 +187,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             let rise = self.looks[other].pitch * self.context.metres(neighbour.span()) / 2.0;
             let own = self.looks[n].pitch * self.context.metres(region.span()) / 2.0;
             if own < rise {
-                // Its wall stands higher: a verge would stick into it.
+                // Its wall is higher: a verge would penetrate it.
                 return End {
                     verge: 0.0,
                     ..plain
@@ -197,8 +197,8 @@ impl<'c, 'h> Automatic<'c, 'h> {
         plain
     }
 
-    /// A lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end
-    /// at its lower surface.
+    /// Returns a lean-to under the eaves of its trunk: it lies below the wall plate, and walls below it end at its
+    /// lower surface.
     fn tucked_roof(&self, n: usize, lean_to: &LeanTo, ceilings: &mut Vec<Ceiling>) -> RoofDraft {
         let region = &self.regions[n];
         let storey = self.context.level.storey;
@@ -217,7 +217,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             .of_form(form, RoofShape::LeanTo, lean_to.look, self.base)
     }
 
-    /// The slope of a tucked lean-to, gentler where its outer wall would get too low.
+    /// Returns the slope of a tucked lean-to, gentler if its outer wall would get too low.
     fn tucked_slope(&self, n: usize, fall: Side) -> LeanTo {
         let region = &self.regions[n];
         let depth = self.context.metres(fall.measure(&region.cell).1);
@@ -230,7 +230,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             joint - self.tuck(n, fall, look) - look.drop() - look.pitch * depth
         };
         let joint = self.joint_height(n, fall.opposite());
-        // Under a roof that stands much higher it rises from the plate like one against a wall.
+        // Under a roof that is much higher it rises from the plate like one against a wall.
         let stands = below(joint, &look) >= self.base;
         let low = |look: &Look| match stands {
             true => self.base,
@@ -261,13 +261,13 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// Height of the wall plate of a region or a written roof.
+    /// Returns the height of the wall plate of a region or a written roof.
     fn plate(&self, n: usize) -> f64 {
         let written = n.checked_sub(self.count).and_then(|i| self.written.get(i));
         written.map_or(self.base, |w| w.base)
     }
 
-    /// The place of a trunk among the roofs of its height: written ones follow the regions.
+    /// Returns the index of a trunk among the roofs of its height: written ones follow the regions.
     fn place(&self, trunk: usize) -> usize {
         let written = trunk
             .checked_sub(self.count)
@@ -275,7 +275,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         match written {
             None => trunk,
             Some(w) if w.beside.level => self.count + w.before,
-            // It joins no roof here, but eaves of others still give way.
+            // It joins no roof here, but eaves of others are still cut back.
             Some(_) => usize::MAX,
         }
     }
@@ -298,7 +298,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// Height of the trunk's plate along the joint; its own soffit where it is tucked as well.
+    /// Returns the height of the trunk's plate along the joint; its own soffit if it is tucked as well.
     fn joint_height(&self, n: usize, side: Side) -> f64 {
         let Some(trunk) = self.regions[n].over else {
             return self.base;
@@ -314,7 +314,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
             .min(self.base)
     }
 
-    /// The ends of a whole side, at height 0.
+    /// Returns the ends of a whole side, at height 0.
     fn ends_of(&self, n: usize, side: Side) -> (DVec3, DVec3) {
         let (line, lo, hi) = piece(&self.regions[n].cell, side);
         (self.on_side(side, line, lo), self.on_side(side, line, hi))
@@ -328,7 +328,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// Fills above a tucked lean-to where it opens to other rooms: from its surface to the plate.
+    /// Returns the infills above a tucked lean-to where it opens to other rooms: from its surface to the plate.
     fn heads(&self, n: usize, lean_to: &LeanTo, solids: &mut Vec<crate::building::Solid>) {
         let cell = &self.regions[n].cell;
         let soffit = lean_to.soffit();
@@ -351,7 +351,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
         }
     }
 
-    /// True if another tucked lean-to lies beyond this piece of a side.
+    /// Returns true if another tucked lean-to lies beyond this piece of a side.
     fn tucked_beyond(&self, n: usize, side: Side, line: i64, (lo, hi): (i64, i64)) -> bool {
         let beyond = |m: &usize| {
             let (theirs, from, to) = piece(&self.regions[*m].cell, side.opposite());
@@ -370,7 +370,7 @@ impl<'c, 'h> Automatic<'c, 'h> {
     }
 }
 
-/// The look of a region's roof, gentle enough to stay below the eaves of the storeys above.
+/// Returns the look of a region's roof, gentle enough to stay below the eaves of the storeys above.
 fn look(context: &Context<'_>, region: &Region, base: f64) -> Look {
     let look = match (region.ridge, region.fall) {
         (None, Some(fall)) => {
@@ -389,7 +389,7 @@ fn look(context: &Context<'_>, region: &Region, base: f64) -> Look {
     }
 }
 
-/// The run of a ridge along the low side of a lean-to.
+/// Returns the direction of a ridge along the low side of a lean-to.
 fn along(fall: Side) -> Ridge {
     match fall.ridge_into() {
         Ridge::A => Ridge::B,

@@ -98,12 +98,12 @@ fn place_one<'h>(
             top / SHAKU,
         ));
     }
-    // Sums of storeys differ from what is written by the last bit: roofs of one height must meet.
+    // Sums of storeys differ from the written height in the last bit, but roofs of one height must meet.
     let base = if gap(top) < 1e-6 { top } else { base };
     Some(placed((level, base)))
 }
 
-/// Level and height of a line with `*`.
+/// Returns level and height of a line with `*`.
 fn topmost(
     house: &House,
     line: &RoofLine,
@@ -113,7 +113,7 @@ fn topmost(
 ) -> Option<(usize, f64)> {
     let levels = tops.levels;
     if shape == RoofShape::Pent {
-        // Its upper edge at the foot of the upper wall, or well under the eaves of the only one.
+        // Its upper edge is at the foot of the upper wall, or well under the eaves of the only one.
         let look = Look::lean_to(Some(&line.style), &house.roofs.style, 0.9);
         let depth = cell.width().min(cell.depth()) as f64 / STEPS as f64 * house.unit;
         let foot = levels.first()?.storey.z1 - if levels.len() > 1 { 0.0 } else { 0.5 };
@@ -207,7 +207,7 @@ fn check_options(house: &House, one: &PlacedLine<'_>, out: &mut Diagnostics) {
         } else {
             (depth, width)
         };
-        // Hira-iri houses are commonly somewhat deeper than wide; twice as deep is a slip.
+        // Hira-iri houses are commonly somewhat deeper than wide; twice as deep is probably a mistake.
         if span >= 2 * length && span > 6 * STEPS {
             let other = if ridge == Ridge::A { "Y" } else { "X" };
             let wide = span as f64 / STEPS as f64;
@@ -230,7 +230,7 @@ pub(in crate::roof) fn check_pitch(
     }
 }
 
-/// The roof of a line.
+/// Returns the roof of a line.
 pub(in crate::roof) fn planned(
     one: &PlacedLine<'_>,
     context: &Context<'_>,
@@ -281,7 +281,7 @@ pub(in crate::roof) fn planned(
     planned
 }
 
-/// The side opposite to the one that lies on a wall.
+/// Returns the side opposite to the one that lies on a wall.
 pub(in crate::roof) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Side {
     let on_wall = |side: &Side| !context.outline().along(cell, side.opposite()).is_empty();
     [Side::Front, Side::Back, Side::Left, Side::Right]
@@ -290,7 +290,7 @@ pub(in crate::roof) fn away_from_wall(context: &Context<'_>, cell: &Cell) -> Sid
         .unwrap_or(Side::Front)
 }
 
-/// True if a line's roof stands on top of its storey, not above the roofs of higher storeys.
+/// Returns true if a line's roof stands on top of its storey, not above the roofs of higher storeys.
 fn stands_on(one: &PlacedLine<'_>, context: &Context<'_>) -> bool {
     one.base < context.level.storey.z1 + 0.5
 }

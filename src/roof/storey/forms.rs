@@ -1,4 +1,4 @@
-//! From a rectangle and options to a roof: the neighbours of each side decide its ends.
+//! Makes a roof of a rectangle and options: the neighbours of each side determine its ends.
 
 use crate::ast::{RoofShape, RoofStyle};
 use crate::building::{Attic, Roof, RoofSurface};
@@ -27,18 +27,18 @@ pub(in crate::roof) struct Context<'h> {
     pub(in crate::roof) level: &'h Level<'h>,
     /// The storey above, if it is closed and at right angles.
     pub(in crate::roof) above: Option<&'h Level<'h>>,
-    /// Its plan.
+    /// The plan of the storey above.
     pub(in crate::roof) upper: Option<&'h Plan>,
     /// Top of the highest walls, metres.
     pub(in crate::roof) roof_top: f64,
-    /// The room that the eaves of the storeys above leave to its roofs.
+    /// The space that the eaves of the storeys above leave to its roofs.
     pub(in crate::roof) headroom: Headroom,
     pub(in crate::roof) outline: OnceCell<Outline>,
     pub(in crate::roof) upper_outline: OnceCell<Outline>,
 }
 
 impl Context<'_> {
-    /// The walls of the storey.
+    /// Returns the walls of the storey.
     pub(in crate::roof) fn outline(&self) -> &Outline {
         self.outline.get_or_init(|| match &self.level.plan {
             plan if !self.level.orthogonal || plan.loops.is_empty() => Outline::default(),
@@ -47,7 +47,7 @@ impl Context<'_> {
         })
     }
 
-    /// The walls of the storey above.
+    /// Returns the walls of the storey above.
     fn upper_outline(&self) -> &Outline {
         self.upper_outline.get_or_init(|| {
             self.upper
@@ -61,7 +61,7 @@ impl Context<'_> {
         self.upper.is_some() && self.upper_outline().whole(cell, side)
     }
 
-    /// True if walls run along both sides up to the corner between them.
+    /// Returns true if walls run along both sides up to the corner between them.
     fn is_corner(&self, cell: &Cell, side: Side, other: Side) -> bool {
         let reaches = |along: Side, end: Side| {
             let (_, lo, hi) = piece(cell, along);
@@ -74,12 +74,12 @@ impl Context<'_> {
         reaches(side, other) && reaches(other, side)
     }
 
-    /// Metres of some plan steps.
+    /// Converts plan steps to metres.
     pub(in crate::roof) fn metres(&self, steps: i64) -> f64 {
         metres(steps, self.unit)
     }
 
-    /// A cell in the house frame, metres.
+    /// Converts a cell to the house frame, metres.
     pub(in crate::roof) fn rect(&self, cell: &Cell) -> Rect {
         Rect::of(cell, self.unit)
     }
@@ -98,7 +98,7 @@ impl Context<'_> {
         }
     }
 
-    /// The look of a gable over a cell.
+    /// Returns the look of a gable over a cell.
     pub(in crate::roof) fn gable_look(
         &self,
         cell: &Cell,
@@ -113,7 +113,7 @@ impl Context<'_> {
         Look::gable(style, self.style, self.metres(span), self.unit)
     }
 
-    /// The end of a roof that joins no other.
+    /// Returns the end of a roof that joins no other.
     pub(in crate::roof) fn plain_end(&self, cell: &Cell, side: Side, look: &Look) -> End {
         if self.is_walled(cell, side) {
             return End::default();
@@ -125,7 +125,7 @@ impl Context<'_> {
         }
     }
 
-    /// A two-sloped roof over a cell that joins no other.
+    /// Returns a two-sloped roof over a cell that joins no other.
     pub(in crate::roof) fn ridge_roof(
         &self,
         cell: Cell,
@@ -139,7 +139,7 @@ impl Context<'_> {
         self.ridge_roof_with(cell, ridge, base, look, ends)
     }
 
-    /// A two-sloped roof with given ends; the free ones get the treatment of its shape.
+    /// Returns a two-sloped roof with given ends; the free ones get the treatment of its shape.
     pub(in crate::roof) fn ridge_roof_with(
         &self,
         cell: Cell,
@@ -182,8 +182,8 @@ impl Context<'_> {
         }
     }
 
-    /// The ridge of a written roof. Equal slopes on four sides have theirs along the long side, whatever
-    /// the author wishes.
+    /// Returns the ridge of a written roof. Equal slopes on four sides have theirs along the long side, regardless of
+    /// the author's direction.
     pub(in crate::roof) fn ridge(
         &self,
         cell: &Cell,
@@ -196,7 +196,7 @@ impl Context<'_> {
         wish.unwrap_or_else(|| self.automatic_ridge(cell, shape))
     }
 
-    /// The default ridge direction of a shape.
+    /// Returns the default ridge direction of a shape.
     fn automatic_ridge(&self, cell: &Cell, shape: RoofShape) -> Ridge {
         let long = if cell.depth() > cell.width() {
             Ridge::B
@@ -210,7 +210,7 @@ impl Context<'_> {
         }
     }
 
-    /// A single slope that stands on the plate and falls to `near`.
+    /// Returns a single slope that stands on the plate and falls to `near`.
     pub(in crate::roof) fn lean_to(
         &self,
         cell: Cell,
@@ -223,7 +223,7 @@ impl Context<'_> {
         self.lean_to_with(cell, near, base, look)
     }
 
-    /// A single slope of a given look.
+    /// Returns a single slope of a given look.
     pub(in crate::roof) fn lean_to_with(
         &self,
         cell: Cell,
@@ -254,7 +254,7 @@ impl Context<'_> {
         }
     }
 
-    /// A roof of a given form.
+    /// Returns a roof of a given form.
     pub(in crate::roof) fn of_form(
         &self,
         form: Form,
@@ -270,7 +270,7 @@ impl Context<'_> {
         }
     }
 
-    /// A pent roof, and the height of its upper edge.
+    /// Returns a pent roof, and the height of its upper edge.
     pub(in crate::roof) fn pent(
         &self,
         cell: Cell,
@@ -305,7 +305,7 @@ impl Context<'_> {
         (planned, height + look.pitch * depth)
     }
 
-    /// A flat roof over cells that make up `plan`.
+    /// Returns a flat roof over cells that make up `plan`.
     pub(in crate::roof) fn flat(
         &self,
         cells: &[Cell],
@@ -322,14 +322,14 @@ impl Context<'_> {
         self.flat_of(solids, look, base)
     }
 
-    /// The look of a flat roof and the thickness of its slab.
+    /// Returns the look of a flat roof and the thickness of its slab.
     pub(in crate::roof) fn flat_look(&self, style: Option<&RoofStyle>) -> (Look, f64) {
         let look = Look::lean_to(style, self.style, 0.0);
         let own = style.and_then(|s| s.thickness).or(self.style.thickness);
         (look, own.map_or(0.15, |_| look.thickness.max(0.1)))
     }
 
-    /// A flat roof of finished solids.
+    /// Returns a flat roof of finished solids.
     pub(in crate::roof) fn flat_of(
         &self,
         solids: Vec<crate::building::Solid>,

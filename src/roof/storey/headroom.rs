@@ -1,5 +1,4 @@
-//! The room that the eaves of a storey leave to the roofs below: roofs that would pierce them get a gentler
-//! pitch.
+//! The space that the eaves of a storey leave to the roofs below: roofs that would pierce them get a gentler pitch.
 
 use crate::ast::{RoofMode, RoofShape};
 use crate::building::House;
@@ -21,12 +20,12 @@ const BARE: f64 = 0.1;
 /// Areas of a storey with the greatest height its roofs may reach.
 #[derive(Clone, Debug, Default)]
 pub(in crate::roof) struct Headroom {
-    /// In the house frame, metres.
+    /// The areas and heights, in the house frame, metres.
     under: Vec<(Rect, f64)>,
 }
 
 impl Headroom {
-    /// The room above level `k`; `lines` are the written roofs by level.
+    /// Returns the headroom above level `k`; `lines` are the written roofs by level.
     pub(in crate::roof) fn of(
         house: &House,
         levels: &[Level<'_>],
@@ -39,7 +38,7 @@ impl Headroom {
             Some(next) => levels[*j].plan != next.plan,
             None => true,
         };
-        // Nor has it anything to roof itself.
+        // Nor does it need a roof itself.
         let above = || (k + 1..levels.len()).find(open);
         let Some(j) = open(&k).then(above).flatten() else {
             return room;
@@ -76,7 +75,7 @@ impl Headroom {
         room
     }
 
-    /// The room under a roof over some cells on a plate; with a known ridge it has eaves along it only.
+    /// Adds the space under a roof over some cells on a plate; with a known ridge it has eaves along it only.
     fn add(&mut self, cells: &[Cell], unit: f64, look: Look, plate: f64, ridge: Option<Ridge>) {
         let eaves = plate - look.pitch * look.eaves - AIR;
         for cell in cells {
@@ -99,7 +98,7 @@ impl Headroom {
         }
     }
 
-    /// The look of a roof over a rectangle on a plate, gentler where it would not fit below.
+    /// Returns the look of a roof over a rectangle on a plate, gentler if it would not fit below.
     pub(in crate::roof) fn fit(
         &self,
         rect: &Rect,
@@ -119,14 +118,14 @@ impl Headroom {
         look
     }
 
-    /// The lowest limit over a rectangle, metres; `None` if there is no limit.
+    /// Returns the lowest limit over a rectangle, metres; `None` if there is no limit.
     pub(in crate::roof) fn lowest(&self, rect: &Rect) -> Option<f64> {
         let over = self.under.iter().filter(|u| u.0.overlaps(rect));
         over.map(|u| u.1).reduce(f64::min)
     }
 }
 
-/// The pitch of a look, gentler where its upper surface would rise by more than `room` over a run, metres.
+/// Returns the pitch of a look, gentler if its upper surface would rise by more than `room` over a run, metres.
 pub(in crate::roof) fn gentler(look: &Look, run: f64, room: f64) -> f64 {
     let room = room - look.drop();
     match run > 0.0 && look.pitch * run > room {

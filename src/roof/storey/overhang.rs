@@ -28,14 +28,14 @@ const BEAM: (f64, f64) = (0.06, 0.16);
 const ARM: (f64, f64) = (0.045, 0.12);
 /// Distance from a wall to the foot of a bracket behind it, metres.
 const INTO: f64 = 0.05;
-/// Overhangs beyond this, in U, are carried by other means than brackets.
+/// The maximum overhang carried by brackets, in U.
 const FARTHEST: i64 = 2;
-/// With more cells than this each gets plain boards only; such plans are not intended.
+/// The number of cells above which each gets plain boards only; such plans are not intended.
 const MANY: usize = 500;
-/// More pairs of rectangles than this are not compared; the overhang then counts as wide as its strips.
+/// The maximum number of pairs of rectangles compared; beyond it the overhang counts as wide as its strips.
 const MOST_PAIRS: usize = 4_000_000;
 
-/// Returns the part of an upper storey with nothing below; `None` where the plans are too complex.
+/// Returns the part of an upper storey with nothing below; `None` if the plans are too complex.
 fn over_nothing(lower: &Level<'_>, upper: &Level<'_>) -> Option<Vec<Cell>> {
     let plain = !lower.is_open() && lower.orthogonal && upper.orthogonal;
     if !plain || lower.plan == upper.plan || !upper.plan.fits(Some(&lower.plan)) {
@@ -45,7 +45,7 @@ fn over_nothing(lower: &Level<'_>, upper: &Level<'_>) -> Option<Vec<Cell>> {
     (!cells.is_empty()).then_some(cells)
 }
 
-/// Tells how far a storey stands out, and closes it from below.
+/// Reports the overhang of a storey, and closes it from below.
 pub(in crate::roof) fn close(
     house: &House,
     lower: &Level<'_>,
@@ -141,15 +141,15 @@ impl Carpenter {
             .collect()
     }
 
-    /// Top of the brackets, sunk into the boards.
+    /// Returns the top of the brackets, sunk into the boards.
     fn top(&self) -> f64 {
         self.floor - BELOW - BOARDS + SUNK
     }
 
-    /// Beams under the upper storey's walls over this side.
+    /// Adds beams under the upper storey's walls over this side.
     fn beams(&self, cell: &Cell, side: Side, solids: &mut Vec<Solid>) {
         let (half, deep) = BEAM;
-        // Those along the ridge are a little lower, so that at corners no faces lie in one plane.
+        // Those along the ridge are slightly lower, so that at corners no faces lie in one plane.
         let across = matches!(side, Side::Left | Side::Right);
         let lower = if across { 0.002 } else { 0.0 };
         let (line, _, _) = piece(cell, side);
@@ -177,7 +177,7 @@ impl Carpenter {
         }
     }
 
-    /// Brackets from the lower storey's walls along this side to the other side of the cell.
+    /// Adds brackets from the lower storey's walls along this side to the other side of the cell.
     fn brackets(&self, cell: &Cell, side: Side, solids: &mut Vec<Solid>) {
         let (_, depth) = side.measure(cell);
         if depth > FARTHEST * STEPS {
@@ -234,7 +234,7 @@ mod tests {
         let below = [cell(0, 0, 8, 6)];
         assert_eq!(reach(&[cell(0, -1, 8, 0)], &below), 1);
         assert_eq!(reach(&[cell(-2, -1, 8, 0)], &below), 2);
-        // A thin strip far away hangs over nothing, however thin.
+        // A thin strip far away still overhangs.
         assert_eq!(reach(&[cell(0, 9, 8, 10)], &below), 4);
         // A bridge is carried on both sides.
         assert_eq!(

@@ -26,7 +26,7 @@ impl PlacedLine<'_> {
     }
 }
 
-/// The side a single slope falls to.
+/// Returns the side a single slope falls to.
 pub(in crate::roof) fn fall(direction: RoofDirection) -> Option<Side> {
     match direction {
         RoofDirection::Front => Some(Side::Front),
@@ -37,7 +37,7 @@ pub(in crate::roof) fn fall(direction: RoofDirection) -> Option<Side> {
     }
 }
 
-/// The run of a ridge.
+/// Returns the direction of a ridge.
 pub(in crate::roof) fn ridge(direction: RoofDirection) -> Option<Ridge> {
     match direction {
         RoofDirection::AlongFront => Some(Ridge::A),
@@ -46,7 +46,7 @@ pub(in crate::roof) fn ridge(direction: RoofDirection) -> Option<Ridge> {
     }
 }
 
-/// The side a written lean-to falls to.
+/// Returns the side a written lean-to falls to.
 pub(in crate::roof) fn falls_to(one: &PlacedLine<'_>) -> Side {
     let wish = one.line.direction.and_then(|d| fall(d.value));
     wish.unwrap_or(Side::Front)

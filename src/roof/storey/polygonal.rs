@@ -1,5 +1,5 @@
 //! A storey roofed as a whole: one hipped roof by the straight skeleton over each outline with its courts, whatever
-//! its angles; the walls of the storey above cut it, and where they stand on its own walls there are no eaves.
+//! its angles; the walls of the storey above cut it, and there are no eaves where they stand on its own walls.
 
 use crate::ast::{RoofMode, RoofShape};
 use crate::building::{House, HouseRoofs, Ring};
@@ -36,7 +36,7 @@ pub(in crate::roof) fn is_flat(house: &House, level: &Level<'_>) -> bool {
     shape.map_or(level.parapet, |s| s.value == RoofShape::Flat)
 }
 
-/// The convex parts of a storey's plan in the house frame, metres.
+/// Returns the convex parts of a storey's plan in the house frame, metres.
 pub(in crate::roof) fn walls(house: &House, level: &Level<'_>) -> Vec<Vec<DVec2>> {
     if level.orthogonal {
         let strips = slabs::strips(&level.plan).into_iter();
@@ -47,7 +47,7 @@ pub(in crate::roof) fn walls(house: &House, level: &Level<'_>) -> Vec<Vec<DVec2>
     parts.iter().flat_map(Part::pieces).collect()
 }
 
-/// The parts of a storey in the house frame, metres.
+/// Returns the parts of a storey in the house frame, metres.
 fn parts_of(house: &House, level: &Level<'_>) -> Vec<Part> {
     let corners = |ring: &Ring| -> Vec<DVec2> {
         let place = |p: &DVec2| house.place(*p, 0.0).truncate();
@@ -59,7 +59,7 @@ fn parts_of(house: &House, level: &Level<'_>) -> Vec<Part> {
 }
 
 impl Polygonal<'_, '_> {
-    /// The automatic roofs: none where the storey above repeats this one or automatic roofs are off.
+    /// Returns the automatic roofs: none if the storey above repeats this one or automatic roofs are off.
     pub(in crate::roof) fn roofs(
         &self,
         done: &mut HouseRoofs,
@@ -119,7 +119,8 @@ impl Polygonal<'_, '_> {
         parts.iter().map(roof).collect()
     }
 
-    /// The parts that no roof line covers. Lines cut rectangles, so they cover all of a storey that is not orthogonal.
+    /// Returns the parts that no roof line covers. Lines cut rectangles, so they cover all of a storey that is not
+    /// orthogonal.
     fn open(&self) -> Vec<Part> {
         let level = self.context.level;
         let cells: Vec<Cell> = self
@@ -170,7 +171,7 @@ impl Polygonal<'_, '_> {
     }
 }
 
-/// True if two storeys have the same corners, regardless of where their walks start.
+/// Returns true if two storeys have the same corners, regardless of the starts of their walks.
 fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
     let corners = |level: &Level<'_>| {
         let mut all: Vec<(i64, i64)> = level.plan.loops.iter().flatten().copied().collect();
@@ -178,7 +179,7 @@ fn same_plan(lower: &Level<'_>, upper: &Level<'_>) -> bool {
         all
     };
     let (p, q) = (corners(lower), corners(upper));
-    // A tenth of a millimetre: lowering spreads small errors over the corners.
+    // A tenth of a millimetre: placing walls spreads small errors over the corners.
     let near = |a: i64, b: i64| (a - b).abs() <= STEPS / 10_000;
     p.len() == q.len()
         && p.iter()

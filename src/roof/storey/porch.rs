@@ -1,5 +1,5 @@
-//! Porches under a karahafu: one end stands free, the other is closed by the house behind, in whose wall the
-//! roof ends, or in whose roof where it rises over the wall (a Kurumayose before its hall).
+//! Porches under a karahafu: one end is free, the other is closed by the house behind; the roof ends in its wall or, if
+//! it is higher than the wall, in its roof (a kurumayose in front of its hall).
 
 use crate::geometry::SHAKU;
 use crate::geometry::plan::{Cell, Plan};
@@ -16,10 +16,10 @@ use crate::roof::storey::placed_line::PlacedLine;
 const INTO: f64 = 0.03;
 /// Slopes behind count as gentler by this factor, since they may be curved (sori).
 const HANGING: f64 = 0.5;
-/// The greatest length inside the roof behind, metres.
+/// The maximum length inside the roof behind, metres.
 const FARTHEST: f64 = 8.0;
 
-/// The ridge of a porch: into the house behind, unless written otherwise.
+/// Returns the ridge of a porch: into the house behind, unless written otherwise.
 pub(in crate::roof) fn ridge(
     cell: &Cell,
     context: &Context<'_>,
@@ -35,7 +35,7 @@ pub(in crate::roof) fn ridge(
     wish.or_else(behind)
 }
 
-/// The roof of a porch.
+/// Returns the roof of a porch.
 pub(in crate::roof) fn planned(
     one: &PlacedLine<'_>,
     run: Ridge,
@@ -52,7 +52,7 @@ pub(in crate::roof) fn planned(
     context.ridge_roof_with(one.cell, run, one.base, look, ends)
 }
 
-/// The end in a house of some depth behind.
+/// Returns the end in a house of some depth behind.
 fn into(one: &PlacedLine<'_>, side: Side, look: &Look, depth: f64, context: &Context<'_>) -> End {
     let half = context.metres(side.measure(&one.cell).0) / 2.0;
     let over = one.base + look.pitch * half - context.level.storey.z1;
@@ -75,8 +75,8 @@ fn into(one: &PlacedLine<'_>, side: Side, look: &Look, depth: f64, context: &Con
     }
 }
 
-/// Returns the depth of the storey, in grid steps, behind the middle of a side that lies wholly on it; 0 where it is
-/// open there.
+/// Returns the depth of the storey, in grid steps, behind the middle of a side that lies wholly on it; 0 if it is open
+/// there.
 fn depth_behind(cell: &Cell, side: Side, context: &Context<'_>) -> i64 {
     let plan = &context.level.plan;
     if !context.level.orthogonal || plan.loops.is_empty() {
@@ -87,11 +87,11 @@ fn depth_behind(cell: &Cell, side: Side, context: &Context<'_>) -> i64 {
         i64::midpoint(cell.b0, cell.b1),
     );
     let lies = match contains(plan, middle) {
-        // A part of the house that stands out.
+        // A projecting part of the house.
         true => context.outline().along(cell, side).is_empty(),
         false => context.outline().whole(cell, side),
     };
-    // How far a wall across lies beyond the side.
+    // The distance of a crossing wall beyond the side.
     let beyond = |((pa, pb), (qa, qb)): ((i64, i64), (i64, i64))| {
         let (far, p, q, at) = match side {
             Side::Front => (cell.b0 - pb, pa, qa, middle.0),
@@ -105,7 +105,7 @@ fn depth_behind(cell: &Cell, side: Side, context: &Context<'_>) -> i64 {
     nearest.filter(|_| lies).unwrap_or(0)
 }
 
-/// True if a point lies inside a plan (even-odd, half-open).
+/// Returns true if a point lies inside a plan (even-odd, half-open).
 fn contains(plan: &Plan, (a, b): (i64, i64)) -> bool {
     let crosses = |(p, q): &((i64, i64), (i64, i64))| {
         p.0 == q.0 && p.0 > a && p.1.min(q.1) <= b && b < p.1.max(q.1)

@@ -1,6 +1,6 @@
-//! Skirts (mokoshi, the lower roof of a gate or a pagoda's storey): a storey that carries a smaller one is
-//! roofed as a whole where its shape is hipped, and the walls of the upper storey cut the slopes
-//! (docs/evidence.md 7.10: planes from -h to +c between two wall rectangles).
+//! Lower roofs (of monuments mokoshi roofs, as on a gate or a pagoda): a storey that carries a smaller one is roofed as
+//! a whole if its shape is hipped, and the walls of the upper storey cut the slopes (docs/evidence.md 7.10: planes from
+//! -h to +c between two wall rectangles).
 
 use crate::ast::{RoofShape, RoofStyle};
 use crate::building::Storey;
@@ -32,7 +32,7 @@ pub(in crate::roof) struct Skirt<'h> {
 }
 
 impl<'h> Skirt<'h> {
-    /// The skirt of a roof of this shape over `cell`; `None` if no smaller storey stands on it.
+    /// Returns the lower roof of this shape over `cell`; `None` if no smaller storey stands on it.
     pub(in crate::roof) fn over(
         cell: Cell,
         shape: RoofShape,
@@ -52,7 +52,7 @@ impl<'h> Skirt<'h> {
         })
     }
 
-    /// The strips that it covers, with the side each falls to; those at the front and back have the corners.
+    /// Returns the strips that it covers, with the side each falls to; those at the front and back have the corners.
     pub(in crate::roof) fn strips(&self) -> Vec<(Cell, Side)> {
         let (cell, upper) = (self.cell, self.upper);
         let (b0, b1) = (upper.b0, upper.b1);
@@ -82,7 +82,7 @@ impl<'h> Skirt<'h> {
         all.into_iter().filter(open).collect()
     }
 
-    /// The direction its ridge would have without the upper walls.
+    /// Returns the direction its ridge would have without the upper walls.
     fn ridge(&self) -> Ridge {
         if self.cell.depth() > self.cell.width() {
             Ridge::B
@@ -102,7 +102,7 @@ impl<'h> Skirt<'h> {
         })
     }
 
-    /// The roof. `span` is where it was asked for.
+    /// Returns the roof. `span` is the place that requests it.
     pub(in crate::roof) fn planned(
         &self,
         context: &Context<'_>,
@@ -136,7 +136,7 @@ impl<'h> Skirt<'h> {
         context.of_form(form, RoofShape::Hip, look, base)
     }
 
-    /// The look with a pitch that keeps it below the eaves or the top of the storey it surrounds.
+    /// Returns the look with a pitch that keeps it below the eaves or the top of the storey it surrounds.
     fn fit(
         &self,
         context: &Context<'_>,
@@ -166,8 +166,7 @@ impl<'h> Skirt<'h> {
         look
     }
 
-    /// Takes the upper walls out of the slopes; where they stand on a wall below, the slopes stop with their
-    /// eaves.
+    /// Cuts the upper walls out of the slopes; where they stand on a wall below, the slopes stop with their eaves.
     fn take_walls(&self, form: &mut Form, context: &Context<'_>, eaves: f64) {
         let mut rect = context.rect(&self.upper);
         let over = |side: Side| match self.inset(side, context) > 0.0 {

@@ -1,4 +1,4 @@
-//! Roof lines as the automatic regions beside them see them: roofs to lean on and to run into.
+//! Written roofs as seen by the automatic regions beside them: roofs to lean on and to run into.
 
 use crate::ast::RoofShape;
 use crate::roof::region::{Beside, Region, Role};
@@ -6,23 +6,23 @@ use crate::roof::shape::look::Look;
 use crate::roof::storey::forms::Context;
 use crate::roof::storey::placed_line::{PlacedLine, falls_to, ridge};
 
-/// A written roof lower than the walls by more than this is none to lean on, metres.
+/// Written roofs that are lower than the walls by more than this cannot be leaned on, metres.
 const LOWER: f64 = 0.3;
 
 /// A written roof beside automatic ones.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::roof) struct Written {
-    /// Its region, as the rules see it.
+    /// Its region, as input to the rules.
     pub(in crate::roof) beside: Beside,
     /// Its look.
     pub(in crate::roof) look: Look,
     /// Height of its wall plate, metres.
     pub(in crate::roof) base: f64,
-    /// The number of written roofs at the storey's own height before it.
+    /// The number of written roofs before it at the storey's own height.
     pub(in crate::roof) before: usize,
 }
 
-/// The roofs among some lines of one storey that others may lean on.
+/// Returns the roofs among some lines of one storey that others may lean on.
 pub(in crate::roof) fn trunks(lines: &[&PlacedLine<'_>], context: &Context<'_>) -> Vec<Written> {
     let top = context.level.storey.z1;
     let mut before = 0;
@@ -42,7 +42,7 @@ pub(in crate::roof) fn trunks(lines: &[&PlacedLine<'_>], context: &Context<'_>) 
     found
 }
 
-/// A roof line as a region, and its look; none of flat and hanging ones.
+/// Returns a roof line as a region, and its look; none for flat and hanging ones.
 fn seen(one: &PlacedLine<'_>, context: &Context<'_>) -> Option<(Region, Look)> {
     let style = Some(&one.line.style);
     let main = Region::main(one.cell);

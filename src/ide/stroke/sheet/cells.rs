@@ -1,4 +1,4 @@
-//! The cells of a line, and which units of its wall each of them makes.
+//! The cells of a line, and the units of its wall that each of them makes.
 
 use crate::ast::CodeText;
 use crate::building::Wall;
@@ -11,7 +11,7 @@ use crate::source::FileId;
 use std::ops::Range;
 
 impl Sheet<'_> {
-    /// A line of the legacy form.
+    /// Reads a line of the legacy form.
     pub(super) fn line(&self, number: usize) -> Row {
         let line = &self.outline.lines[number];
         let mut cells: Vec<Cell> = line
@@ -32,7 +32,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// A `Row` or `Floor`.
+    /// Reads a `Row` or `Floor`.
     pub(super) fn element(&self, element: usize) -> Row {
         let mut cells = vec![];
         let piece = self.gather(element, &mut cells);
@@ -54,7 +54,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// Adds the cells of an element; the answer is why none of them may be changed.
+    /// Adds the cells of an element; returns the reason why none of them may be changed.
     fn gather(&self, element: usize, cells: &mut Vec<Cell>) -> Option<Reason> {
         let mut fixed = None;
         for words in &self.outline.elements[element].words {
@@ -92,7 +92,7 @@ impl Sheet<'_> {
         attributes.iter().any(|a| !a.expressions.is_empty())
     }
 
-    /// A `repeat` of parts of which nothing more is stated.
+    /// Returns the form of a `repeat` of parts without attributes.
     fn run(&self, element: usize) -> Option<Form> {
         let own = &self.outline.elements[element];
         let num = own.attribute("num").filter(|_| !self.computes(element))?;
@@ -169,7 +169,7 @@ impl Sheet<'_> {
         structure.is_some_and(|s| self.outline.elements[s].value("order") == Some("right"))
     }
 
-    /// Where a unit is written, if that is within this range.
+    /// Returns the range of a unit in the file, if it is within this range.
     fn within(&self, unit: &Unit, whole: &Range<usize>) -> Option<usize> {
         if unit.span.file != FileId(0) {
             return None;
@@ -221,7 +221,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// The content of a unit.
+    /// Returns the kind of content of a unit.
     pub(in crate::ide) fn what(&self, unit: &Unit) -> What {
         match &unit.content {
             Content::Void => What::Void,
@@ -251,7 +251,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// Returns true if the result differs from the written code because of a draw or a substitution.
+    /// Returns true if the result differs from the written code because of a random choice or a substitution.
     fn is_altered(&self, cell: &Cell) -> bool {
         let written = match &cell.form {
             Form::Part(element) => self.outline.elements[*element].value("code"),

@@ -1,28 +1,28 @@
-//! Why a thing cannot be drawn: what is computed by the file is changed in the file.
+//! The reasons why a wall cannot be edited in the plan: computed content is changed in the file.
 
 use crate::diagnostic::Text;
 use crate::text;
 
-/// Why a stroke cannot change a thing.
+/// The reason why a stroke cannot change an item.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(in crate::ide) enum Reason {
-    /// It stands in another file.
+    /// It is in another file.
     Include,
-    /// It stands in a `repeat`.
+    /// It is in a `repeat`.
     Repeat,
-    /// It stands in a `define`, or comes from one.
+    /// It is in a `define`, or comes from one.
     Piece,
-    /// It stands in an `if`.
+    /// It is in an `if`.
     Condition,
-    /// An expression, a draw or a substitution makes it.
+    /// It is made by an expression, a random choice or a substitution.
     Computed,
-    /// Another facade or floor takes its parts.
+    /// Another facade or floor uses its parts.
     Shared,
-    /// Its parts come from pictures or from another floor.
+    /// Its parts come from images or from another floor.
     Borrowed,
-    /// The house is written short.
+    /// The house is a monument.
     Monument,
-    /// The line has mistakes in it.
+    /// The line has syntax errors.
     Mistakes,
     /// Lines without length stand between its walls.
     Corner,
@@ -32,12 +32,12 @@ pub(in crate::ide) enum Reason {
     Slanted,
     /// The facades have widths of their own.
     Scaled,
-    /// It stands where the walk of the facades begins.
+    /// It is where the walk of the facades begins.
     First,
 }
 
 impl Reason {
-    /// The word by which a plan calls it.
+    /// Returns the key of the reason in a plan.
     pub(in crate::ide) fn key(self) -> &'static str {
         match self {
             Reason::Include => "include",
@@ -57,7 +57,7 @@ impl Reason {
         }
     }
 
-    /// The same in a sentence, and what to do instead.
+    /// Returns the reason as a sentence, with an alternative.
     pub(in crate::ide) fn text(self) -> Text {
         match self {
             Reason::Include => text!(

@@ -1,4 +1,4 @@
-//! `{...}`: finding expressions in texts, and putting their values in their place.
+//! `{...}`: finds expressions in text, and replaces them by their values.
 
 use super::{Expander, Scope, fixes};
 use crate::ast::Value;
@@ -9,25 +9,26 @@ use crate::parse::xml::tree::text::{REPORTED, Text};
 use std::ops::Range;
 use std::rc::Rc;
 
-/// Longer texts are no one's code or name; without a bound a few lines could fill the memory.
+/// The maximum length of a string: longer ones are no codes or names, and without a bound a few lines could exhaust
+/// memory.
 const LONGEST: usize = 4096;
 
-/// A piece of a text with braces.
+/// A segment of text with braces.
 pub(in crate::parse::xml) enum Segment {
-    /// As it stands.
+    /// Plain text.
     Plain(Range<usize>),
-    /// With its braces.
+    /// An expression with its braces.
     Expression(Range<usize>),
-    /// A brace that has no partner, and what would be its expression.
+    /// A brace without a partner, and its likely expression.
     Loose(Range<usize>),
 }
 
-/// Returns true if a text contains braces, and so may contain expressions.
+/// Returns true if text contains braces, and so may contain expressions.
 pub(super) fn are_in(text: &Text<'_>) -> bool {
     text.as_str().contains(['{', '}'])
 }
 
-/// Divides a text; an expression ends with its line.
+/// Divides text into segments; an expression ends with its line.
 pub(in crate::parse::xml) fn segments(text: &str) -> Vec<Segment> {
     let (mut found, mut start) = (vec![], 0);
     while let Some(open) = text[start..].find(['{', '}']).map(|i| start + i) {
@@ -53,7 +54,8 @@ pub(in crate::parse::xml) fn segments(text: &str) -> Vec<Segment> {
     found
 }
 
-/// Where the expression ends that begins here, and whether by its brace. Braces in quotes do not count.
+/// Returns the end of the expression that begins here, and whether it ends with its brace. Braces in quotes do not
+/// count.
 fn end_of(text: &str, from: usize) -> (usize, bool) {
     let mut at = from;
     while let Some(c) = text[at..].chars().next() {
@@ -73,8 +75,8 @@ fn end_of(text: &str, from: usize) -> (usize, bool) {
 }
 
 impl<'a> Expander<'a, '_> {
-    /// The value of an attribute: that of its expression if it is nothing else, else what its text reads as; `None`
-    /// where something was reported.
+    /// Returns the value of an attribute: that of its expression if it is nothing else, otherwise of its text; `None`
+    /// if an error was reported.
     pub(super) fn value(&mut self, text: &Text<'_>, scope: &Scope<'a>) -> Option<Value> {
         let whole = text.as_str();
         if !are_in(text) {
@@ -90,7 +92,7 @@ impl<'a> Expander<'a, '_> {
         Some(Value::Text(filled.as_str().to_owned()))
     }
 
-    /// The text of an attribute with the values of its expressions; `None` where something was reported.
+    /// Returns the text of an attribute with the values of its expressions; `None` if an error was reported.
     pub(super) fn filled<'t>(&mut self, text: &Text<'t>, scope: &Scope<'a>) -> Option<Text<'t>> {
         let (mut filled, mut sound) = (text.part(0..0), true);
         for segment in segments(text.as_str()) {
@@ -144,12 +146,12 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Reports a brace without a partner in a value, or else among codes, where it cannot be for itself.
+    /// Reports a brace without a partner, in a value or among codes.
     fn loose(&mut self, text: &Text<'_>, range: Range<usize>, plain: bool, scope: &Scope<'a>) {
         let opens = text.as_str()[range.clone()].starts_with('{');
         let brace = range.start..range.start + 1;
         let partner = self.partner(text, range, plain, scope);
-        // A number or a word cannot hold one; what has several words may.
+        // A number or a word cannot contain one; a value of several words may.
         let prose = || text.as_str().trim_matches(is_blank).contains(is_blank);
         let plain = plain && partner.is_none() && self.reporter.wanted() && prose();
         self.reporter.at(&text.range(brace), |s| {
@@ -157,7 +159,7 @@ impl<'a> Expander<'a, '_> {
         });
     }
 
-    /// The value of an expression with its braces; `None` where something was reported.
+    /// Returns the value of an expression with its braces; `None` if an error was reported.
     fn expression(
         &mut self,
         text: &Text<'_>,
@@ -208,7 +210,7 @@ impl<'a> Expander<'a, '_> {
             let found = expr::parse(inner).map_err(|fault| {
                 let (start, at) = (range.start + 1, fault.range);
                 let quoted = &inner[at.clone()];
-                // At the end the closing brace is what was found.
+                // At the end the closing brace is the unexpected character.
                 let end = if quoted.is_empty() {
                     at.end + 1
                 } else {

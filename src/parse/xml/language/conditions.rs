@@ -1,4 +1,4 @@
-//! `if` and `else`: one of them stands for what it holds.
+//! `if` and `else`: the chosen one is replaced by its content.
 
 use super::super::read::check;
 use super::{ElementRef, Expander, Scope};
@@ -10,16 +10,16 @@ use crate::parse::schema::Tag;
 /// The state of the condition that an `else` at this place would continue.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Branch {
-    /// Nothing: there is no `if` before it.
+    /// There is no `if` before it.
     None,
-    /// Nothing before it was chosen.
+    /// No branch before it was chosen.
     Open,
-    /// Something before it was.
+    /// A branch before it was chosen.
     Chosen,
 }
 
 impl<'a> Expander<'a, '_> {
-    /// Works out an `if`, or an `else` after that. An `else` with a test is another condition.
+    /// Evaluates an `if`, or an `else` after it. An `else` with a test is another condition.
     pub(super) fn condition(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -40,7 +40,7 @@ impl<'a> Expander<'a, '_> {
         }
         let of = check(self.reporter, &mut self.suggest, schema, element);
         let test = of.get("test").map(|a| &a.value);
-        // Without a sound test neither this nor what follows is chosen: is unknown which was meant.
+        // Without a valid test neither this branch nor the following ones are chosen: the intended one is unknown.
         let holds = match test {
             _ if branch == Branch::Chosen => false,
             None if schema.tag == Tag::Else => true,

@@ -1,10 +1,10 @@
-//! Draws made while a file is read: the `choice` that replaces a `random`, and the values of parameters that are not
-//! set.
+//! Random choices made while a file is read: the `choice` that replaces a `random`, and the values of parameters that
+//! are not set.
 //!
-//! A draw's key is the path that leads to it in what is made: the seed, the name or the number of the house, then for
-//! each element on the way its kind and its number among its like; last the number of the `random` in its element, or
-//! the name of the parameter. So only what is beside it, or beside what it is in, moves a draw. These keys are
-//! part of the language, as those of [`crate::rng`] are.
+//! The key of a choice is its path in the output: the seed, the name or the number of the house, then for each element
+//! on the path its kind and its number among those of its kind; last the number of the `random` in its element, or the
+//! name of the parameter. So only edits beside it, or beside its ancestors, change a choice. These keys are part of the
+//! language, as those of [`crate::rng`] are.
 
 use super::super::read::check;
 use super::super::tree::Child;
@@ -17,27 +17,27 @@ use crate::rng::Place;
 use crate::source::Span;
 use crate::text;
 
-/// Values that a number without a step is drawn from.
+/// The number of values of a parameter without a step.
 const FINE: f64 = 1000.0;
 
-/// The elements that are being made.
+/// The open output elements.
 pub(super) struct Open<'a> {
     /// The seed of the run.
     seed: Option<u64>,
-    /// Outermost first; the first one is the file.
+    /// The open elements, outermost first; the first one is the file.
     levels: Vec<Level<'a>>,
-    /// Houses so far.
+    /// The number of houses so far.
     houses: u64,
     /// True if a `random` has chosen since this was last reset.
     drawn: bool,
 }
 
-/// An element under way.
+/// An open element.
 struct Level<'a> {
     place: Place,
-    /// Elements so far by their kinds; an element holds few of them.
+    /// The number of elements so far by kind; an element contains few kinds.
     kinds: Vec<(&'a str, u64)>,
-    /// The draws made directly in it.
+    /// The number of random choices made directly in it.
     draws: u64,
 }
 
@@ -52,7 +52,7 @@ impl Level<'_> {
 }
 
 impl<'a> Open<'a> {
-    /// Before anything is made.
+    /// Creates the state at the start of a file.
     pub(super) fn outermost(seed: Option<u64>) -> Self {
         Open {
             seed,
@@ -62,22 +62,22 @@ impl<'a> Open<'a> {
         }
     }
 
-    /// Forgets what was drawn, and says whether anything was.
+    /// Resets the record of choices, and returns whether there were any.
     pub(super) fn forget(&mut self) -> bool {
         std::mem::take(&mut self.drawn)
     }
 
-    /// Returns true if anything was drawn since the last reset.
+    /// Returns true if a random choice was made since the last reset.
     pub(super) fn has_drawn(&self) -> bool {
         self.drawn
     }
 
-    /// Adds what was drawn before.
+    /// Restores the record of earlier choices.
     pub(super) fn remember(&mut self, drawn: bool) {
         self.drawn |= drawn;
     }
 
-    /// The place of an element of this kind in the one under way.
+    /// Returns the place of an element of this kind in the current one.
     fn place_of(&mut self, kind: &'a str) -> Option<Place> {
         let level = self.levels.last_mut()?;
         let number = match level.kinds.iter_mut().find(|(k, _)| *k == kind) {
@@ -93,7 +93,7 @@ impl<'a> Open<'a> {
         Some(level.place.named(kind).at(number))
     }
 
-    /// The place of the next draw in the element under way.
+    /// Returns the place of the next random choice in the current element.
     fn next(&mut self) -> Place {
         self.drawn = true;
         let Some(level) = self.levels.last_mut() else {
@@ -104,7 +104,7 @@ impl<'a> Open<'a> {
     }
 }
 
-/// Returns true if a `random` chooses among pieces of text, not among codes.
+/// Returns true if a `random` chooses among `choice` elements, not among codes.
 pub(super) fn is_choice(element_ref: &ElementRef<'_, '_>) -> bool {
     let holds = |child: &Child<'_>| match child {
         Child::Element(index) => element_ref.child(*index).tag() == Some(Tag::Choice),
@@ -114,7 +114,7 @@ pub(super) fn is_choice(element_ref: &ElementRef<'_, '_>) -> bool {
 }
 
 impl<'a> Expander<'a, '_> {
-    /// Goes into an element that was made.
+    /// Enters an output element.
     pub(super) fn enter(&mut self, element_ref: &ElementRef<'_, 'a>, made: usize) {
         let place = match element_ref.tag() {
             Some(Tag::House) => Some(self.place_of_house(made)),
@@ -124,12 +124,12 @@ impl<'a> Expander<'a, '_> {
         self.open.levels.push(Level::new(place));
     }
 
-    /// Goes out of it again.
+    /// Leaves it.
     pub(super) fn leave(&mut self) {
         self.open.levels.pop();
     }
 
-    /// The same as for the draws among codes.
+    /// Returns the place of a house, as for random choices among codes.
     fn place_of_house(&mut self, made: usize) -> Place {
         let number = self.open.houses;
         self.open.houses += 1;
@@ -149,7 +149,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Puts one of the choices of a `random` in its place.
+    /// Replaces a `random` by one of its choices.
     pub(super) fn choose(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -196,7 +196,7 @@ impl<'a> Expander<'a, '_> {
         });
     }
 
-    /// The weight of a choice: 1 where none is given, or no sound one.
+    /// Returns the weight of a choice: 1 if it is missing or invalid.
     fn weight(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) -> f64 {
         let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
@@ -232,7 +232,7 @@ impl<'a> Expander<'a, '_> {
         1.0
     }
 
-    /// Draws a parameter that no one sets, in a run with a seed. `weights` are those that were written.
+    /// Chooses the value of a parameter that is not set, in a run with a seed. `weights` are those as written.
     pub(super) fn drawn(
         &mut self,
         of: &Parameter,
@@ -268,7 +268,7 @@ impl<'a> Expander<'a, '_> {
         Some(values.at(index))
     }
 
-    /// Weights, if there are as many as values and one of them counts.
+    /// Returns the weights, if there are as many as values and one of them is positive.
     fn fitting(&mut self, weights: Vec<f64>, span: Span, values: usize) -> Option<Vec<f64>> {
         if weights.len() != values {
             let given = weights.len();
@@ -288,7 +288,7 @@ impl<'a> Expander<'a, '_> {
 enum Values<'p> {
     Listed(&'p [Value]),
     Truths,
-    /// The least value, how far they lie apart, how many there are.
+    /// The minimum, the step, and the number of values.
     Numbers(f64, f64, usize),
 }
 
@@ -306,7 +306,7 @@ impl Values<'_> {
         match self {
             Values::Listed(values) => values[index].clone(),
             Values::Truths => Value::Truth(index == 0),
-            // Steps of a tenth leave a tail of digits, which no one would have written.
+            // Steps of a tenth accumulate digits that nobody would have written.
             Values::Numbers(least, step, _) => {
                 Value::Number(((least + step * index as f64) * 1e9).round() / 1e9)
             }
@@ -314,7 +314,7 @@ impl Values<'_> {
     }
 }
 
-/// The values of a parameter, if they can be reported.
+/// Returns the values of a parameter, if they can be enumerated.
 fn values(of: &Parameter) -> Option<Values<'_>> {
     if !of.choices.is_empty() {
         return Some(Values::Listed(&of.choices));

@@ -1,6 +1,6 @@
-//! `include`: what another file defines. Of that file count the parameters, names, pieces, custom parts and includes in
-//! its outermost element; its houses do not. Each file is read once, however often it is included. Its custom parts are
-//! put into the element that includes it, as if they stood there.
+//! `include`: the definitions of another file. The parameters, names, definitions, custom parts and includes in its
+//! outermost element count; its houses do not. Each file is read once, however often it is included. Its custom parts
+//! are put into the element that includes it, as if they stood there.
 
 use super::super::read::check;
 use super::super::tree::{self, Child};
@@ -17,29 +17,29 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::rc::Rc;
 
-/// The files that were included.
+/// The included files.
 #[derive(Default)]
 pub(super) struct Files<'a> {
-    /// By path; `None` where nothing came of it, which was reported.
+    /// By path; `None` if the file could not be used, which was reported.
     done: BTreeMap<String, Option<Included<'a>>>,
-    /// Those under way, outermost first: path, and where it is included.
+    /// The open files, outermost first: path, and place of the `include`.
     open: Vec<(String, Span)>,
 }
 
 /// The definitions of a file.
 struct Included<'a> {
     scope: Scope<'a>,
-    /// Its custom parts, and those of the files that it includes: elements of the tree that is being made.
+    /// Its custom parts, and those of the files that it includes: elements of the output tree.
     parts: Vec<usize>,
 }
 
-/// The content of a file's outermost element that counts.
+/// Returns true for elements that count in an included file.
 fn defines(tag: Tag) -> bool {
     is_language(tag) || tag == Tag::PartDef
 }
 
 impl<'a> Expander<'a, '_> {
-    /// Takes over what a file defines.
+    /// Includes the definitions of a file.
     pub(super) fn include(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -84,7 +84,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// The path that a reference leads to.
+    /// Returns the path that a reference denotes.
     fn path(&mut self, href: &str, place: &Range<usize>) -> Option<String> {
         let scheme = href.split_once(':').is_some_and(|(s, _)| !s.contains('/'));
         if scheme || href.starts_with('/') || href.contains(['\\', '\0']) {
@@ -106,7 +106,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// The definitions of a file; `None` where it could not be read.
+    /// Returns the definitions of a file; `None` if it could not be read.
     fn file(&mut self, path: &str, place: &Range<usize>) -> Option<Included<'a>> {
         let source = self.source(path, place)?;
         let base = self.reporter.enter(source);
@@ -192,7 +192,7 @@ impl<'a> Expander<'a, '_> {
             self.reporter
                 .at(&root.element().name_range, say::include_nothing);
         }
-        // Anything but a definition goes into an element that is never read.
+        // Anything except a definition goes into an element that is never read.
         let aside = self.aside(&root);
         let mut branch = Branch::None;
         for element_ref in others {

@@ -1,4 +1,4 @@
-//! Fixes for expressions, conditions and pieces. Whatever they put in is tried before it is offered.
+//! Fixes for expressions, conditions and definitions. Each is tested before it is offered.
 
 use super::super::edits::tags;
 use super::super::suggest::narrow_ascii;
@@ -14,7 +14,7 @@ use crate::source::Span;
 use std::ops::Range;
 
 impl<'a> Expander<'a, '_> {
-    /// The value of a text as an expression.
+    /// Returns the value of a string as an expression.
     pub(super) fn worth(&self, text: &str, scope: &Scope<'a>) -> Option<Value> {
         let expr = expr::parse(text).ok()?;
         let names = |name: &str| {
@@ -28,13 +28,13 @@ impl<'a> Expander<'a, '_> {
         expr::evaluate(&expr, &names).ok()
     }
 
-    /// The span of a place in a text where something may be put in.
+    /// Returns the span of an insertion point in a text.
     fn before(&self, text: &Text<'_>, at: usize) -> Span {
         self.reporter.span(&text.range(at..at))
     }
 
-    /// How to make an expression of what is none: by the quote or the parenthesis that it lacks, or by half-width signs.
-    /// `inner` = what is between the braces, `at` = where the fault is in that.
+    /// Returns the fix for an invalid expression: a missing quote or parenthesis, or half-width signs. `inner` = the
+    /// content of the braces, `at` = the offset of the error in it.
     pub(super) fn fixed(
         &self,
         text: &Text<'_>,
@@ -68,14 +68,14 @@ impl<'a> Expander<'a, '_> {
         let quote = first.filter(|c| matches!(c, '\'' | '"'));
         let put = quote.unwrap_or(')');
         let place = text.range(inner.start + at.start..inner.start + at.end.max(at.start + 1));
-        // A quote that is written as it is may be written so again.
+        // A quote that is written literally may be written so again.
         let plain = quote.is_none_or(|c| self.reporter.quote(&place).starts_with(c));
         let lacks = plain && expr::parse(&format!("{}{put}", &whole[..end])).is_ok();
         let edit = Edit::new(self.before(text, inner.start + end), put);
         lacks.then(|| (say::expression_fix(Some(put)), vec![edit]))
     }
 
-    /// Where the partner of a lonely brace may be; `plain` = the text is no code, but a value.
+    /// Returns likely positions for the partner of a single brace; `plain` = the text is not a code, but a value.
     pub(super) fn partner(
         &self,
         text: &Text<'_>,
@@ -83,7 +83,7 @@ impl<'a> Expander<'a, '_> {
         plain: bool,
         scope: &Scope<'a>,
     ) -> Option<Span> {
-        /// No expression before a lonely brace is longer.
+        /// The maximum length of an expression before a single brace.
         const LONGEST: usize = 1024;
         if !self.reporter.wanted() {
             return None;
@@ -112,7 +112,7 @@ impl<'a> Expander<'a, '_> {
         Some(self.before(text, start))
     }
 
-    /// How to swap the bounds of a `clamp` that is at a place.
+    /// Returns the fix that swaps the bounds of a `clamp` at a place.
     pub(super) fn swapped(&self, place: &Range<usize>) -> Option<Vec<Edit>> {
         let written = self.reporter.quote(place);
         let inside = written.strip_suffix(')')?;
@@ -134,7 +134,7 @@ impl<'a> Expander<'a, '_> {
         ])
     }
 
-    /// How to end a `use` with its start tag and leave after it its content.
+    /// Returns the fix that closes a `use` in its start tag and leaves its content after it.
     pub(super) fn emptied(&self, element: &Element<'a>) -> Option<Vec<Edit>> {
         let tags = tags(self.reporter, element);
         let [_, end] = tags.whole[..] else {
@@ -146,7 +146,7 @@ impl<'a> Expander<'a, '_> {
         closed.then(|| vec![slash, Edit::new(end, "")])
     }
 
-    /// How to put an `else` after the `if` that is before it in the same element.
+    /// Returns the fix that moves an `else` after the `if` before it in the same element.
     pub(super) fn behind_the_if(
         &self,
         element_ref: &ElementRef<'_, 'a>,
@@ -169,7 +169,7 @@ impl<'a> Expander<'a, '_> {
             let tested = other.element().has_attribute("test");
             match other.tag() {
                 Some(Tag::If) => (last, open) = (Some(*index), true),
-                // Behind an `else` without a test nothing more can come.
+                // Nothing can follow an `else` without a test.
                 Some(Tag::Else) if open => last = Some(*index).filter(|_| tested),
                 _ => open = false,
             }
@@ -184,14 +184,14 @@ impl<'a> Expander<'a, '_> {
         Some(vec![moved, Edit::new(self.reporter.with_gap(range), "")])
     }
 
-    /// Tags of a `choice` round something.
+    /// Returns the edits that wrap a range in a `choice`.
     pub(super) fn chosen(&self, range: &Range<usize>) -> Vec<Edit> {
         let edit = |at: usize, tag: &str| Edit::new(self.reporter.span(&(at..at)), tag);
         vec![edit(range.start, "<choice>"), edit(range.end, "</choice>")]
     }
 }
 
-/// The name with a number that no one has.
+/// Returns the name with the first free number.
 pub(super) fn free(name: &str, taken: impl Fn(&str) -> bool) -> String {
     let numbered = (2..).map(|number: u32| format!("{name}{number}"));
     let mut free = numbered.filter(|name| !taken(name));

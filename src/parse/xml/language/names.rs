@@ -10,16 +10,16 @@ use crate::parse::schema;
 use crate::parse::schema::Tag;
 use crate::source::{Span, Spanned};
 
-/// Where a parameter's value comes from.
+/// The source of a parameter's value.
 pub(super) enum Given {
-    /// From the command line, for a house or a file.
+    /// The command line, for a house or a file.
     Run,
-    /// From a `use`, if that names it. `None` inside = this was reported.
+    /// A `use`, if it sets the parameter. `None` inside = an error was reported.
     Use(Option<Spanned<Option<Value>>>),
 }
 
 impl<'a> Expander<'a, '_> {
-    /// Takes a `let`.
+    /// Evaluates a `let`.
     pub(super) fn assign(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) {
         let element = element_ref.element();
         let Some(schema) = schema::named(element.name) else {
@@ -32,7 +32,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Takes the parameter of a house or a file.
+    /// Evaluates the parameter of a house or a file.
     pub(super) fn param(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -53,7 +53,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Works out a parameter and gives its name its value.
+    /// Evaluates a parameter and binds its name.
     pub(super) fn parameter(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -112,7 +112,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// The value given to a parameter, if one is; `None` inside = it is not usable, which was reported.
+    /// Returns the value given to a parameter, if any; `None` inside = it is invalid, which was reported.
     fn given(&mut self, to: &Parameter, given: Given, name: Span) -> Option<Option<Value>> {
         let (value, span) = match given {
             Given::Use(given) => {
@@ -132,7 +132,7 @@ impl<'a> Expander<'a, '_> {
                 (value, name)
             }
         };
-        // A parameter that is a text may look like anything.
+        // A parameter that is a string may have any form.
         let value = match (&to.default, to.admits(&value)) {
             (Some(Value::Text(_)), false) if to.choices.is_empty() => {
                 Value::Text(value.to_string())
@@ -147,7 +147,7 @@ impl<'a> Expander<'a, '_> {
         None
     }
 
-    /// The name that an element gives.
+    /// Returns the name that an element defines.
     fn name(&mut self, of: &Attributes<'_>) -> Option<Spanned<String>> {
         let attribute = of.get("name")?;
         let place = attribute.value.whole();
@@ -160,7 +160,7 @@ impl<'a> Expander<'a, '_> {
         Some(Spanned::new(name.to_owned(), self.reporter.span(&place)))
     }
 
-    /// Gives a name to a value; one name is given once in an element.
+    /// Binds a name to a value; a name is bound once in an element.
     pub(super) fn bind(&mut self, name: &Spanned<String>, value: Option<Value>, scope: &Scope<'a>) {
         let place = name.span;
         if let Some(value) = &value {
@@ -174,7 +174,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Takes down what a place came to, if requested.
+    /// Records the value of a place, if requested.
     pub(super) fn note(&self, place: Span, value: &Value) {
         if let Some(values) = self.setting.values {
             values.note(place, value, self.storeys.number);
@@ -195,7 +195,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Evaluates an attribute as a truth; false if it is missing or invalid, which is reported.
+    /// Evaluates an attribute as a truth value; false if it is missing or invalid, which is reported.
     fn truth(&mut self, of: &Attributes<'_>, name: &str, scope: &Scope<'a>) -> bool {
         let Some(attribute) = of.get(name) else {
             return false;
@@ -213,7 +213,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// The weights of the values of a parameter, and where they stand.
+    /// Returns the weights of the values of a parameter, and their place.
     fn weights(&mut self, of: &Attributes<'_>, scope: &Scope<'a>) -> Option<(Vec<f64>, Span)> {
         let place = of.get("weights")?.value.whole();
         let words = self.words(of, "weights", scope)?;
@@ -246,7 +246,7 @@ impl<'a> Expander<'a, '_> {
     }
 }
 
-/// The name with only letters, digits and `_`; empty where that leaves nothing.
+/// Returns the name with only letters, digits and `_`; empty if nothing is left.
 fn plain_name(name: &str) -> String {
     let plain: String = name
         .chars()

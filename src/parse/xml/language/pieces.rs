@@ -1,5 +1,5 @@
-//! `define` and `use`: named pieces. The attributes of a `define` are its parameters and their defaults (an empty one
-//! must be given), and so are the `Param`s in it; those of a `use` set them.
+//! `define` and `use`: definitions and their uses. The attributes of a `define` are its parameters and their defaults
+//! (an empty one must be given), and so are the `Param`s in it; those of a `use` set them.
 
 use super::super::read::check;
 use super::super::tree::{Child, Element};
@@ -15,7 +15,7 @@ use crate::source::{Span, Spanned};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// A use under way.
+/// An active use.
 pub(super) struct Used<'a> {
     name: String,
     piece: Piece<'a>,
@@ -24,17 +24,17 @@ pub(super) struct Used<'a> {
     pub(super) tag: Span,
 }
 
-/// The arguments of a `use`, by name. `None` = this was reported.
+/// The arguments of a `use`, by name. `None` = an error was reported.
 type Arguments<'s, 'a> = BTreeMap<String, (&'s Attribute<'a>, Option<Value>)>;
 
 impl<'a> Expander<'a, '_> {
-    /// The names of the uses under way and where they stand.
+    /// Returns the names of the active uses and their places.
     pub(super) fn chain(&self) -> Vec<(String, Span)> {
         let uses = self.uses.iter();
         uses.map(|used| (used.name.clone(), used.span)).collect()
     }
 
-    /// Takes a `define`.
+    /// Evaluates a `define`.
     pub(super) fn define(&mut self, element_ref: &ElementRef<'_, 'a>, scope: &Scope<'a>) {
         let element = element_ref.element();
         let Some(name) = self.piece_name(element, scope) else {
@@ -54,7 +54,7 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// Puts a piece in the place of its `use`.
+    /// Replaces a `use` by its definition.
     pub(super) fn use_piece(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -106,7 +106,7 @@ impl<'a> Expander<'a, '_> {
         self.uses.pop();
     }
 
-    /// The arguments of a `use`, computed at its place.
+    /// Returns the arguments of a `use`, evaluated at its place.
     fn arguments<'s>(&mut self, element: &'s Element<'a>, scope: &Scope<'a>) -> Arguments<'s, 'a> {
         let mut arguments = BTreeMap::new();
         for attribute in parameters(element) {
@@ -117,7 +117,7 @@ impl<'a> Expander<'a, '_> {
         arguments
     }
 
-    /// Gives a piece's parameters their values.
+    /// Binds a definition's parameters to their values.
     fn parameters_of(
         &mut self,
         body: &ElementRef<'_, 'a>,
@@ -171,7 +171,8 @@ impl<'a> Expander<'a, '_> {
         }
     }
 
-    /// The name of a piece. At a `use` it may be computed, so that a parameter can choose among pieces.
+    /// Returns the name of a definition. At a `use` it may be computed, so that a parameter can choose among
+    /// definitions.
     fn piece_name(&mut self, element: &Element<'a>, scope: &Scope<'a>) -> Option<Spanned<String>> {
         let mut attributes = element.attributes.iter();
         let Some(name) = attributes.find(|a| a.name == "name") else {
@@ -193,7 +194,7 @@ impl<'a> Expander<'a, '_> {
     }
 }
 
-/// The attributes of a `define` or a `use` that are parameters.
+/// Returns the attributes of a `define` or a `use` that are parameters.
 fn parameters<'s, 'a>(element: &'s Element<'a>) -> impl Iterator<Item = &'s Attribute<'a>> {
     let all = element.attributes.iter();
     all.filter(|a| a.name != "name" && !a.is_foreign())

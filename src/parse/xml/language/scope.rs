@@ -1,4 +1,4 @@
-//! Which names and pieces are known where: frames inside one another, each the names that one element defines.
+//! The names and definitions known at each place: nested frames, each with the names that one element defines.
 
 use super::super::tree::Tree;
 use crate::ast::Value;
@@ -7,7 +7,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// A frame that several hold.
+/// A shared frame.
 pub(super) type Scope<'a> = Rc<Frame<'a>>;
 
 /// The names that an element defines, and the frame around it.
@@ -23,7 +23,7 @@ pub(super) struct Frame<'a> {
 /// The value of a name.
 #[derive(Clone)]
 pub(super) struct Bound {
-    /// `None` = this was reported.
+    /// `None` = an error was reported.
     pub(super) value: Option<Value>,
     pub(super) place: Span,
 }
@@ -45,12 +45,12 @@ impl Piece<'_> {
 }
 
 impl<'a> Frame<'a> {
-    /// The frame of a file.
+    /// Creates the frame of a file.
     pub(super) fn outermost() -> Scope<'a> {
         Rc::new(Frame::default())
     }
 
-    /// A frame inside this one.
+    /// Creates a frame inside this one.
     pub(super) fn within(outer: &Scope<'a>) -> Scope<'a> {
         Rc::new(Frame {
             outer: Some(Rc::clone(outer)),
@@ -58,7 +58,7 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// Gives a name, unless it is given in this frame already; then says where.
+    /// Binds a name; if it is bound in this frame already, returns its place.
     pub(super) fn bind(&self, name: &str, bound: Bound) -> Option<Span> {
         let mut names = self.names.borrow_mut();
         if let Some(before) = names.get(name) {
@@ -68,7 +68,7 @@ impl<'a> Frame<'a> {
         None
     }
 
-    /// Names a piece, unless another has the name in this frame; then says where.
+    /// Names a definition; if another has the name in this frame, returns its place.
     pub(super) fn define(&self, name: &str, piece: Piece<'a>) -> Option<Span> {
         let mut pieces = self.pieces.borrow_mut();
         if let Some(before) = pieces.get(name) {
@@ -78,7 +78,7 @@ impl<'a> Frame<'a> {
         None
     }
 
-    /// Takes over what a file says.
+    /// Imports the names of a file.
     pub(super) fn import(&self, file: &Scope<'a>) {
         let mut files = self.files.borrow_mut();
         let further = file.files.borrow();
@@ -89,7 +89,7 @@ impl<'a> Frame<'a> {
         }
     }
 
-    /// The value of a name.
+    /// Returns the value of a name.
     pub(super) fn value(&self, name: &str) -> Option<Bound> {
         let own = |frame: &Frame<'a>| frame.names.borrow().get(name).cloned();
         self.frames().find_map(|frame| {
@@ -98,7 +98,7 @@ impl<'a> Frame<'a> {
         })
     }
 
-    /// A piece, and the frame in which it is defined.
+    /// Returns a definition, and the frame that contains it.
     pub(super) fn piece(self: &Rc<Self>, name: &str) -> Option<(Piece<'a>, Scope<'a>)> {
         let own = |frame: &Scope<'a>| {
             let found = frame.pieces.borrow().get(name).cloned();
@@ -116,13 +116,13 @@ impl<'a> Frame<'a> {
         None
     }
 
-    /// All names that are known here, the nearest first.
+    /// Returns all names known here, the nearest first.
     pub(super) fn names(&self) -> Vec<String> {
         let keys = |frame: &Frame<'a>| frame.names.borrow().keys().cloned().collect();
         self.gather(keys)
     }
 
-    /// All pieces that are known here, the nearest first.
+    /// Returns all definitions known here, the nearest first.
     pub(super) fn pieces(&self) -> Vec<String> {
         let keys = |frame: &Frame<'a>| frame.pieces.borrow().keys().cloned().collect();
         self.gather(keys)
@@ -143,7 +143,7 @@ impl<'a> Frame<'a> {
         found
     }
 
-    /// This frame and those around it.
+    /// Returns this frame and those around it.
     fn frames(&self) -> impl Iterator<Item = &Frame<'a>> {
         std::iter::successors(Some(self), |frame| frame.outer.as_deref())
     }

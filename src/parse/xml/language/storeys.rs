@@ -1,25 +1,25 @@
 //! The number of the storey, `k`. It is counted over the expanded storeys of a house, or of a facade, from 1 and
-//! without parapets; so a repetition of storeys in which it stands is written out here, and each copy has its own.
-//! So is a repetition in which something is drawn, since each round draws for itself.
+//! without parapets; so a repetition of storeys that use it is written out here, and each copy has its own. So is a
+//! repetition with random choices, since each round makes its own.
 
 use super::super::tree::Child;
 use super::{ElementRef, Expander, Scope};
 use crate::parse::xml::tree::text::Text;
 use std::cell::Cell;
 
-/// How far the storeys of a house or a facade are counted.
+/// The count of storeys in a house or a facade.
 #[derive(Default)]
 pub(super) struct Storeys {
-    /// Storeys so far.
+    /// The number of storeys so far.
     count: u64,
-    /// The number of the one under way.
+    /// The number of the current one.
     pub(super) number: Option<u64>,
     /// True once the number has been used.
     pub(super) asked: Cell<bool>,
 }
 
 impl<'a> Expander<'a, '_> {
-    /// Makes a storey or a floor. A parapet has the number of the storey below it.
+    /// Copies a storey or a floor. A parapet has the number of the storey below it.
     pub(super) fn storey(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -40,7 +40,7 @@ impl<'a> Expander<'a, '_> {
         made
     }
 
-    /// Makes a repetition; where storeys in it ask for their number, a repetition for each round.
+    /// Copies a repetition; if storeys in it use their number, makes one repetition per round.
     pub(super) fn repeat(
         &mut self,
         element_ref: &ElementRef<'_, 'a>,
@@ -82,7 +82,7 @@ impl<'a> Expander<'a, '_> {
         self.made.elements[into].children.push(child);
     }
 
-    /// How often a repetition goes round; 1 where that cannot be reported.
+    /// Returns the number of rounds of a repetition; 1 if it cannot be determined.
     fn rounds(&self, made: usize) -> u64 {
         let mut attributes = self.made.elements[made].attributes.iter();
         let num = attributes.find(|a| a.name == "num");
@@ -90,7 +90,7 @@ impl<'a> Expander<'a, '_> {
             .unwrap_or(1)
     }
 
-    /// Makes a repetition go round once.
+    /// Sets a repetition to one round.
     fn once(&mut self, made: usize) {
         let mut attributes = self.made.elements[made].attributes.iter_mut();
         if let Some(num) = attributes.find(|a| a.name == "num") {

@@ -1,8 +1,9 @@
 //! Runs of text as codes of five columns (docs/contract.md 3, "Codes").
 //!
-//! A run is what is between two children. Line breaks and the white space around them go; each line is cut into
-//! fives for itself and its last code padded, since the blanks that end a code before a line break are gone with
-//! it. Blanks at the start of a run on the line of its tag are columns. A run of white space only never comes here.
+//! A run is the text between two children. Line breaks and the white space around them are removed; each line is split
+//! into fives independently and its last code padded, since the blanks that end a code before a line break are removed
+//! with it. Blanks at the start of a run on the line of its tag are columns. Runs of white space alone are not passed
+//! in.
 
 use crate::ast::{Item, Piece};
 use crate::diagnostic::messages::xml as say;
@@ -13,14 +14,14 @@ use crate::parse::xml::tree::text::{REPORTED, Text};
 use crate::source::Spanned;
 use std::ops::Range;
 
-/// A column: its content, and its range of the text. `None` = something that was reported.
+/// A column: its content, and its range of the text. `None` = an error was reported.
 struct Column {
     byte: Option<u8>,
     range: Range<usize>,
 }
 
 impl Reader<'_, '_> {
-    /// Cuts a run into parts. A control letter at the end of a line is reported and returned as the turn it means;
+    /// Splits a run into parts. A control letter at the end of a line is reported and returned as the turn it means;
     /// `turns` = the row has a `turn` to name.
     pub(in crate::parse::xml) fn codes(
         &mut self,
@@ -51,7 +52,7 @@ impl Reader<'_, '_> {
         turn
     }
 
-    /// The columns of a line; what cannot be a column is reported and replaced by its fix.
+    /// Returns the columns of a line; invalid characters are reported and replaced by their fix.
     fn columns(&mut self, text: &Text<'_>, range: Range<usize>) -> Vec<Column> {
         let whole = text.as_str();
         let mut line = vec![];
@@ -70,13 +71,13 @@ impl Reader<'_, '_> {
         line
     }
 
-    /// Reports characters that are no columns.
+    /// Reports characters that are not columns.
     fn odd(&mut self, text: &Text<'_>, range: Range<usize>, line: &mut Vec<Column>) {
         let quoted = &text.as_str()[range.clone()];
         let place = text.range(range.clone());
         match quoted.chars().next() {
             Some('\t') => {
-                // To the end of the code under way; each further tab is a void.
+                // To the end of the current code; each further tab is a void.
                 let from = line.len();
                 let blanks = 5 * quoted.len() - from % 5;
                 self.reporter
@@ -104,7 +105,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    /// Cuts a line into parts.
+    /// Splits a line into parts.
     fn cut(
         &mut self,
         text: &Text<'_>,
@@ -132,14 +133,14 @@ impl Reader<'_, '_> {
         turn
     }
 
-    /// The part of up to five columns; a remainder of blanks is none.
+    /// Returns the part of up to five columns; a remainder of blanks is none.
     fn code(&mut self, text: &Text<'_>, columns: &[Column]) -> Option<Item<Piece>> {
         let blank = columns.iter().all(|c| c.byte == Some(b' '));
         if columns.len() < 5 && blank {
             return None;
         }
         let mut five = [b' '; 5];
-        // A code with something reported in it becomes a void, so that the row keeps its length.
+        // A code with an error becomes a void, so that the row keeps its length.
         if columns.iter().all(|c| c.byte.is_some()) {
             for (place, column) in five.iter_mut().zip(columns) {
                 *place = column.byte.unwrap_or(b' ');
@@ -155,7 +156,7 @@ fn push(line: &mut Vec<Column>, byte: Option<u8>, range: Range<usize>) {
     line.push(Column { byte, range });
 }
 
-/// Length of the characters at the start of a text that one message can name together.
+/// Returns the length of the characters at the start of a text that one message can name together.
 fn same_kind(text: &str) -> usize {
     let kind = |c: char| match c {
         ' '..='~' => 0,
@@ -169,7 +170,7 @@ fn same_kind(text: &str) -> usize {
     text.find(|c| kind(c) != first).unwrap_or(text.len())
 }
 
-/// The fix of full-width characters; empty where there is none.
+/// Returns the fix of full-width characters; empty if there is none.
 fn plain(text: &str) -> String {
     text.chars()
         .filter_map(narrow_ascii)

@@ -66,7 +66,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Reads a texture: its gloss, its picture; nothing where it does not say of which.
+    /// Reads a texture: its gloss, its image; nothing if it does not name its part.
     pub(in crate::parse::xml) fn texture(
         &mut self,
         schema: &'static Schema,
@@ -93,7 +93,7 @@ impl<'t> Reader<'t, '_> {
         })
     }
 
-    /// A share of light; more than the whole of it can only be meant as per cent.
+    /// Checks a share of light; more than the whole of it can only be meant as per cent.
     fn share(&mut self, given: Spanned<f64>) -> Spanned<f64> {
         if given.value <= 1.0 {
             return given;

@@ -12,7 +12,7 @@ use crate::parse::xml::tree::Element;
 use crate::source::Span;
 
 impl<'t> Reader<'t, '_> {
-    /// Reads what belongs to a house as a whole. False where it is something else.
+    /// Reads a fitting of a house. Returns false for other elements.
     pub(in crate::parse::xml) fn fitting(
         &mut self,
         schema: &'static Schema,
@@ -43,7 +43,7 @@ impl<'t> Reader<'t, '_> {
         true
     }
 
-    /// Reads what belongs to a storey. False where it is something else.
+    /// Reads a fitting of a storey. Returns false for other elements.
     pub(in crate::parse::xml) fn order(
         &mut self,
         schema: &'static Schema,
@@ -69,7 +69,7 @@ impl<'t> Reader<'t, '_> {
         true
     }
 
-    /// Reports a second one of what there is one of.
+    /// Reports a duplicate of an element that may occur once.
     pub(in crate::parse::xml) fn only(
         &mut self,
         schema: &'static Schema,
@@ -157,7 +157,7 @@ impl<'t> Reader<'t, '_> {
         self.choice(of, "paint", &Paint::ALL).map(|p| p.value)
     }
 
-    /// Sides such as `"F B"`, each once.
+    /// Reads sides such as `"F B"`, each once.
     fn sides(&mut self, of: &Attributes<'t>, name: &str) -> Vec<Side> {
         let mut sides = vec![];
         for side in self.words(of, name, &SIDES) {
@@ -169,7 +169,7 @@ impl<'t> Reader<'t, '_> {
     }
 }
 
-/// Keeps the first of what there is one of; the span of that one where this is another.
+/// Keeps the first of an element that may occur once; returns its span for a duplicate.
 fn keep<T>(place: &mut Option<T>, read: T, span: fn(&T) -> Span) -> Option<Span> {
     let first = place.as_ref().map(span);
     place.get_or_insert(read);

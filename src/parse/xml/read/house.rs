@@ -80,17 +80,17 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Years since a house was built.
+    /// Reads the years since a house was built.
     pub(in crate::parse::xml) fn age(&mut self, of: &Attributes<'t>) -> Option<Spanned<f64>> {
         self.number(of, "age")
     }
 
-    /// When a house was built.
+    /// Reads the era of construction of a house.
     pub(in crate::parse::xml) fn era(&mut self, of: &Attributes<'t>) -> Option<Spanned<Era>> {
         self.choice(of, "era", &Era::WORDS)
     }
 
-    /// Reads a structure that stands for a house of its own.
+    /// Reads a structure that is a house by itself.
     pub(in crate::parse::xml) fn lone_structure(
         &mut self,
         schema: &'static Schema,
@@ -115,7 +115,7 @@ impl<'t> Reader<'t, '_> {
             kind: kind.map_or(StoreyKind::Storey, |k| k.value),
             ..Storey::default()
         };
-        // Rows that are in the storey itself form its first loop.
+        // Rows directly in the storey form its first loop.
         let mut own = Loop {
             span: storey.span,
             ..Loop::default()

@@ -1,4 +1,4 @@
-//! `Pagoda`, `Gate`, `Hall`, `Shrine`: houses written short.
+//! `Pagoda`, `Gate`, `Hall`, `Shrine`: monuments.
 
 use crate::ast::{Gate, Hall, House, Measures, Monument, Pagoda, Paint, RoofShape};
 use crate::parse::schema::vocabulary::COVERINGS;
@@ -7,7 +7,7 @@ use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::tree::Element;
 
 impl<'t> Reader<'t, '_> {
-    /// Reads a house written short into its house, which holds one at most.
+    /// Reads a monument into its house, which contains at most one.
     pub(in crate::parse::xml) fn monument(
         &mut self,
         schema: &'static Schema,

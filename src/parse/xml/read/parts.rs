@@ -1,4 +1,4 @@
-//! Custom parts: `PartDef` with its bodies as they are written. What they mean is the business of the catalogue.
+//! Custom parts: `PartDef` with its bodies as written. The catalogue interprets them.
 
 use crate::ast::{WrittenAttribute, WrittenBody, WrittenPart};
 use crate::parse::schema::Schema;
@@ -10,7 +10,7 @@ use crate::parse::xml::tree::{Child, Element};
 use crate::source::Spanned;
 
 impl<'t> Reader<'t, '_> {
-    /// Reads a part; nothing where it has no code.
+    /// Reads a part; nothing if it has no code.
     pub(in crate::parse::xml) fn written_part(
         &mut self,
         schema: &'static Schema,

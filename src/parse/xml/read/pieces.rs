@@ -14,7 +14,7 @@ use crate::source::Spanned;
 #[derive(Default)]
 pub(in crate::parse::xml) struct Line {
     pub(in crate::parse::xml) pieces: Vec<Item<Piece>>,
-    /// The turn that a control letter asked for.
+    /// The turn of a control letter.
     pub(in crate::parse::xml) turn: Option<Spanned<f64>>,
 }
 
@@ -141,7 +141,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// The number of a `repeat`; 1 where it is unusable.
+    /// Returns the number of a `repeat`; 1 if it is invalid.
     pub(in crate::parse::xml) fn repeat_num(
         &mut self,
         schema: &'static Schema,
@@ -173,7 +173,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Reads things of a kind, and the operations among them.
+    /// Reads items of a kind, and the operations among them.
     pub(in crate::parse::xml) fn items<T>(
         &mut self,
         element: &'t Element<'t>,
@@ -189,7 +189,7 @@ impl<'t> Reader<'t, '_> {
         items
     }
 
-    /// Reads a thing, or an operation beside it.
+    /// Reads an item, or an operation beside it.
     pub(in crate::parse::xml) fn item<T>(
         &mut self,
         schema: &'static Schema,
@@ -221,7 +221,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// Reads a `random`; nothing where it has no codes.
+    /// Reads a `random`; nothing if it has no codes.
     pub(in crate::parse::xml) fn random(
         &mut self,
         schema: &'static Schema,
@@ -246,7 +246,7 @@ impl<'t> Reader<'t, '_> {
         None
     }
 
-    /// Reads a `replace`; nothing where it does not say by what.
+    /// Reads a `replace`; nothing if it has no replacement.
     pub(in crate::parse::xml) fn replace(
         &mut self,
         schema: &'static Schema,

@@ -31,7 +31,7 @@ impl<'t> Reader<'t, '_> {
         roofs
     }
 
-    /// Reads a roof; nothing where its rectangle is not known.
+    /// Reads a roof; nothing if its rectangle is unknown.
     fn roof(&mut self, schema: &'static Schema, element: &'t Element<'t>) -> Option<RoofLine> {
         let of = self.attributes(schema, element);
         self.no_children(element);

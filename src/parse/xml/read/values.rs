@@ -12,12 +12,12 @@ use std::ops::{Range, RangeInclusive};
 const YES_NO: [(&str, bool); 2] = [("yes", true), ("no", false)];
 
 impl<'t> Reader<'t, '_> {
-    /// The span of an attribute's value.
+    /// Returns the span of an attribute's value.
     pub(in crate::parse::xml) fn value_span(&self, attribute: &Attribute<'_>) -> Span {
         self.reporter.span(&attribute.value.whole())
     }
 
-    /// A text as it is, without blanks around it.
+    /// Reads a string as it is, without blanks around it.
     pub(in crate::parse::xml) fn text(
         &self,
         of: &Attributes<'t>,
@@ -37,7 +37,7 @@ impl<'t> Reader<'t, '_> {
         Some(Spanned::new(text[start..end].to_owned(), span))
     }
 
-    /// A number within the attribute's bounds.
+    /// Reads a number within the attribute's bounds.
     pub(in crate::parse::xml) fn number(
         &mut self,
         of: &Attributes<'t>,
@@ -50,13 +50,13 @@ impl<'t> Reader<'t, '_> {
         Some(Spanned::new(value, self.value_span(attribute)))
     }
 
-    /// A number, or the attribute's default.
+    /// Reads a number, or returns the attribute's default.
     pub(in crate::parse::xml) fn usual(&mut self, of: &Attributes<'t>, name: &str) -> f64 {
         self.number(of, name)
             .map_or(of.usual(name), |given| given.value)
     }
 
-    /// A whole number within the attribute's bounds.
+    /// Reads a whole number within the attribute's bounds.
     pub(in crate::parse::xml) fn whole_number(
         &mut self,
         of: &Attributes<'t>,
@@ -89,7 +89,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// `yes` or `no`; `true`, `false`, `1` and `0` are taken for them without a word.
+    /// Reads `yes` or `no`; `true`, `false`, `1` and `0` are accepted for them without a message.
     pub(in crate::parse::xml) fn yes_no(
         &mut self,
         of: &Attributes<'t>,
@@ -104,7 +104,7 @@ impl<'t> Reader<'t, '_> {
         Some(Spanned::new(value, self.value_span(attribute)))
     }
 
-    /// One of some words.
+    /// Reads one of several words.
     pub(in crate::parse::xml) fn choice<T: Copy>(
         &mut self,
         of: &Attributes<'t>,
@@ -118,7 +118,7 @@ impl<'t> Reader<'t, '_> {
         Some(Spanned::new(value, span))
     }
 
-    /// Finds a word; an unknown one is reported and taken for the nearest.
+    /// Finds a word; an unknown one is reported and read as the nearest.
     pub(in crate::parse::xml) fn word<T: Copy>(
         &mut self,
         span: Span,
@@ -139,7 +139,7 @@ impl<'t> Reader<'t, '_> {
         near.and_then(find)
     }
 
-    /// Numbers divided by blanks or commas.
+    /// Reads numbers separated by blanks or commas.
     pub(in crate::parse::xml) fn numbers(
         &mut self,
         of: &Attributes<'t>,
@@ -159,7 +159,7 @@ impl<'t> Reader<'t, '_> {
         good.then(|| Spanned::new(list, self.value_span(attribute)))
     }
 
-    /// A point `"a b"`.
+    /// Reads a point `"a b"`.
     pub(in crate::parse::xml) fn point(
         &mut self,
         of: &Attributes<'t>,
@@ -174,7 +174,7 @@ impl<'t> Reader<'t, '_> {
         None
     }
 
-    /// Two numbers, or one that stands for both.
+    /// Reads two numbers, or one that stands for both.
     pub(in crate::parse::xml) fn pair(
         &mut self,
         of: &Attributes<'t>,
@@ -192,7 +192,7 @@ impl<'t> Reader<'t, '_> {
         }
     }
 
-    /// The same of whole numbers.
+    /// Reads two whole numbers, or one that stands for both.
     pub(in crate::parse::xml) fn whole_pair(
         &mut self,
         of: &Attributes<'t>,
@@ -216,7 +216,7 @@ impl<'t> Reader<'t, '_> {
         None
     }
 
-    /// Words divided by blanks or commas; unknown ones are reported and taken for the nearest, or left out.
+    /// Reads words separated by blanks or commas; unknown ones are reported and read as the nearest, or left out.
     pub(in crate::parse::xml) fn words<T: Copy>(
         &mut self,
         of: &Attributes<'t>,
@@ -235,7 +235,7 @@ impl<'t> Reader<'t, '_> {
         found.into_iter().filter_map(word).collect()
     }
 
-    /// Positions from 1 such as `"2,5-7"`, as inclusive ranges.
+    /// Reads positions from 1 such as `"2,5-7"`, as inclusive ranges.
     pub(in crate::parse::xml) fn positions(
         &mut self,
         of: &Attributes<'t>,
@@ -265,7 +265,7 @@ impl<'t> Reader<'t, '_> {
         good.then(|| Spanned::new(list, self.value_span(attribute)))
     }
 
-    /// The number in a piece of a value.
+    /// Reads the number in a piece of a value.
     fn number_in(
         &mut self,
         attribute: &Attribute<'_>,
@@ -305,7 +305,7 @@ impl<'t> Reader<'t, '_> {
     }
 }
 
-/// The number within bounds that is nearest to one outside of them; without its sign, if that was the fault.
+/// Returns the number within bounds nearest to one outside of them; without its sign, if that was the error.
 fn near_number(text: &str, value: f64, bounds: &RangeInclusive<f64>) -> String {
     match bounds.contains(&-value) {
         true => text.trim_start_matches(['+', '-']).to_owned(),
@@ -313,7 +313,7 @@ fn near_number(text: &str, value: f64, bounds: &RangeInclusive<f64>) -> String {
     }
 }
 
-/// The whole number within bounds that is nearest to what is none, or none of those.
+/// Returns the whole number within bounds nearest to another number.
 fn near_whole(text: &str, bounds: &RangeInclusive<u64>) -> Option<u64> {
     let (least, most) = (*bounds.start(), *bounds.end());
     let value: f64 = text.parse().ok()?;
@@ -326,14 +326,14 @@ fn near_whole(text: &str, bounds: &RangeInclusive<u64>) -> Option<u64> {
     Some(near.clamp(least, most))
 }
 
-/// A finite number in the usual form.
+/// Parses a finite number in the usual form.
 fn decimal(text: &str) -> Option<f64> {
     let form = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.' | 'e' | 'E');
     let value: f64 = text.chars().all(form).then(|| text.parse().ok())??;
     value.is_finite().then_some(value)
 }
 
-/// The text in ASCII, if full-width characters were in it.
+/// Returns the text in ASCII, if it contained full-width characters.
 fn narrowed(text: &str) -> Option<String> {
     let narrow = |c| match c {
         '−' | 'ー' | '‐' | '–' => '-',
@@ -350,7 +350,7 @@ fn plain_dashes(text: &str) -> String {
         .replace("..", "-")
 }
 
-/// `5` or `5-7`.
+/// Parses `5` or `5-7`.
 fn position(text: &str) -> Option<(u32, u32)> {
     let number = |t: &str| {
         let digits = !t.is_empty() && t.bytes().all(|b| b.is_ascii_digit());
@@ -362,7 +362,7 @@ fn position(text: &str) -> Option<(u32, u32)> {
     }
 }
 
-/// The ranges between separators, without empty ones.
+/// Returns the ranges between separators, without empty ones.
 fn pieces(text: &str, divides: impl Fn(char) -> bool + Copy) -> Vec<Range<usize>> {
     let (mut found, mut start) = (vec![], 0);
     for (end, mark) in text.match_indices(divides).chain([(text.len(), "")]) {

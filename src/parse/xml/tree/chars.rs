@@ -1,6 +1,6 @@
-//! Which characters count as what in markup: blanks, names, full-width marks of input methods.
+//! Classes of characters in markup: blanks, names, full-width marks of input methods.
 
-/// White space of XML, and the full-width blank that Japanese input methods put in its place.
+/// Returns true for white space of XML, and the full-width blank that Japanese input methods insert instead.
 pub(in crate::parse::xml) fn is_blank(c: char) -> bool {
     matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{3000}')
 }
@@ -10,7 +10,7 @@ pub(in crate::parse::xml) fn is_name_start(c: char) -> bool {
     c.is_alphabetic() || c == '_' || c == ':'
 }
 
-/// The ASCII character that a full-width mark of a tag stands for.
+/// Returns the ASCII character that a full-width mark of a tag stands for.
 pub(in crate::parse::xml) fn narrow(c: char) -> Option<char> {
     Some(match c {
         '＜' => '<',

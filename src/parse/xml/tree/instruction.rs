@@ -1,5 +1,5 @@
-//! Processing instructions and the XML declaration. Nothing in them matters to a house, but a file with a bad one is
-//! no XML, and the next program would refuse it.
+//! Processing instructions and the XML declaration. They do not affect a house, but a file with an invalid one is not
+//! well-formed, and other programs would refuse it.
 
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::{file, xml as say};
@@ -8,7 +8,7 @@ use crate::parse::xml::tree::scan::Scanner;
 use std::ops::Range;
 
 impl Scanner<'_, '_> {
-    /// Reports what is wrong with `<?...?>`.
+    /// Reports errors in `<?...?>`.
     pub(in crate::parse::xml) fn check_instruction(&mut self, whole: Range<usize>) {
         self.check_characters(whole.clone());
         let inner = &self.text[whole.start + 2..whole.end - 2];
@@ -28,7 +28,7 @@ impl Scanner<'_, '_> {
         }
     }
 
-    /// The declaration to write at the start of the file, if there is none yet.
+    /// Returns the declaration to write at the start of the file, if there is none yet.
     fn declared(&self, whole: &Range<usize>, sound: bool) -> Option<Edit> {
         const PLAIN: &str = r#"<?xml version="1.0" encoding="UTF-8"?>"#;
         let declares = |text: &str| text.starts_with("<?xml") && !text.starts_with("<?xml-");
@@ -47,7 +47,7 @@ impl Scanner<'_, '_> {
         (!declares(self.text)).then(|| Edit::new(start, format!("{text}\n")))
     }
 
-    /// Reports characters that XML does not allow, in what is not looked at otherwise.
+    /// Reports characters that XML does not allow, in markup that is not checked otherwise.
     pub(in crate::parse::xml) fn check_characters(&mut self, range: Range<usize>) {
         for (at, found) in self.text[range.clone()].match_indices(is_forbidden) {
             let here = range.start + at..range.start + at + found.len();

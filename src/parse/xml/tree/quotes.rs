@@ -1,4 +1,4 @@
-//! The values of attributes, in quotes or in what was taken for them.
+//! The values of attributes, in quotes or in characters mistaken for them.
 
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
@@ -7,10 +7,10 @@ use crate::parse::xml::tree::scan::Scanner;
 use crate::source::Span;
 use std::ops::Range;
 
-/// More of one sign than a value can hold by mistake.
+/// More repetitions of one sign than a value can contain by mistake.
 const MANY: usize = 1000;
 
-/// The marks that close what this one opens: any of its kind, since input methods mix them.
+/// Returns the marks that close this one: any of its kind, since input methods mix them.
 pub(in crate::parse::xml) fn closers(open: char) -> &'static [char] {
     match open {
         '"' => &['"'],
@@ -21,7 +21,8 @@ pub(in crate::parse::xml) fn closers(open: char) -> &'static [char] {
 }
 
 impl<'a> Scanner<'a, '_> {
-    /// Reads `=` and a value, or the content of their place; the range within the quotes, and whether all is there.
+    /// Reads `=` and a value, or what is in their place; returns the range within the quotes, and whether it is
+    /// complete.
     pub(in crate::parse::xml) fn value(
         &mut self,
         name: &'a str,
@@ -65,7 +66,7 @@ impl<'a> Scanner<'a, '_> {
         });
     }
 
-    /// Reads a value up to its closing quote; the range within the quotes.
+    /// Reads a value up to its closing quote; returns the range within the quotes.
     fn quoted(&mut self, name: &'a str, quote: char) -> Range<usize> {
         let open = self.at;
         let from = open + quote.len_utf8();
@@ -93,12 +94,12 @@ impl<'a> Scanner<'a, '_> {
         from..end
     }
 
-    /// Steps over a character.
+    /// Skips a character.
     fn skip(&mut self) {
         self.at += self.peek().map_or(0, char::len_utf8);
     }
 
-    /// Reports the full-width ones of the marks around a value, for which `plain` should stand.
+    /// Reports the full-width marks around a value, which `plain` should replace.
     fn wide_marks(&mut self, marks: &[Range<usize>; 2], plain: char) {
         let first = |mark: &Range<usize>| self.text[mark.clone()].chars().next();
         let wide = marks.iter().filter_map(|mark| {
@@ -130,7 +131,7 @@ impl<'a> Scanner<'a, '_> {
             .at(&place(first), |s| say::less_than_in_value(s, &all));
     }
 
-    /// Where a value that begins here ends at the latest: its closing quote, or a line that begins with `<`.
+    /// Returns the latest possible end of a value that begins here: its closing quote, or a line that begins with `<`.
     fn value_limit(&self, quote: char) -> usize {
         let mut line_start = false;
         for (i, c) in self.rest().char_indices() {
@@ -165,12 +166,12 @@ impl<'a> Scanner<'a, '_> {
             && after.is_some_and(|c| !is_blank(c) && !matches!(c, '>' | '/'))
     }
 
-    /// The likely end of a value whose closing quote is missing; reading goes on after it.
+    /// Returns the likely end of a value whose closing quote is missing; reading continues after it.
     fn guess_end(&mut self, value: Range<usize>) -> usize {
         let text = &self.text[value.clone()];
         let line = &text[..text.find('\n').unwrap_or(text.len())];
         let end = if let Some(close) = line.find(['”', '“', '＂', '’', '＇']) {
-            // The value was closed after all, by a mark that only looks like one.
+            // The value was closed after all, by a mark that only looks like a quote.
             self.at = value.start + close;
             self.skip();
             return value.start + close;
@@ -215,7 +216,7 @@ impl<'a> Scanner<'a, '_> {
     }
 }
 
-/// The range within the brackets that begin a text, if they are quotation marks of another script and end soon.
+/// Returns the range within the brackets that begin a text, if they are quotation marks of another script and end soon.
 fn bracketed(text: &str) -> Option<Range<usize>> {
     const PAIRS: [(char, &[char]); 5] = [
         ('「', &['」']),

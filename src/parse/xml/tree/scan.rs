@@ -1,9 +1,9 @@
-//! The markup of an XML file as tokens: what quick-xml reads in it, and how to go on where that is not well-formed.
+//! The markup of an XML file as tokens: those of quick-xml, with recovery from malformed markup.
 //!
 //! Left to itself quick-xml runs to the end of the file after an unclosed quote or tag, and starting it again is
-//! quadratic in a file full of them. No tag holds a `<`, so quick-xml is asked for one event at a time and sees a
-//! tag no further than the next `<`; a comment and its like may hold one and get the rest of the file, until an end
-//! of their kind was looked for in vain. Whatever is left open ends at the next line that begins with `<`.
+//! quadratic in a file full of them. No tag contains a `<`, so quick-xml is asked for one event at a time and sees a
+//! tag only up to the next `<`; comments and the like may contain one and get the rest of the file, until a search for
+//! their end has failed. Unclosed markup ends at the next line that begins with `<`.
 
 use crate::diagnostic::messages::xml as say;
 use crate::diagnostic::{Edit, Noun, noun};
@@ -30,10 +30,10 @@ const ENCLOSED: [(&str, Noun, &str); 4] = [
     ("<!DOCTYPE", noun("", ""), ">"),
 ];
 
-/// Comments that are longer are not fixed.
+/// The maximum length of comments that are fixed.
 const LONG: usize = 1 << 16;
 
-/// The state of reading.
+/// The state of the scanner.
 pub(in crate::parse::xml) struct Scanner<'a, 'f> {
     pub(in crate::parse::xml) reporter: &'f mut Reporter<'a>,
     pub(in crate::parse::xml) text: &'a str,
@@ -41,7 +41,7 @@ pub(in crate::parse::xml) struct Scanner<'a, 'f> {
     pub(in crate::parse::xml) habits: SchemaHints,
     /// The element whose start tag is being read.
     pub(in crate::parse::xml) element: &'a str,
-    /// Which of [`ENCLOSED`] were without an end, so that no one looks for one again.
+    /// Those of [`ENCLOSED`] whose end was not found, so that it is not searched again.
     endless: [bool; ENCLOSED.len()],
 }
 
@@ -61,7 +61,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         }
     }
 
-    /// The next token.
+    /// Returns the next token.
     pub(in crate::parse::xml) fn token(&mut self) -> Option<Token<'a>> {
         while self.at < self.text.len() {
             let token = if self.opens_markup() {
@@ -103,7 +103,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         })
     }
 
-    /// Reads the markup here with quick-xml and steps over it.
+    /// Reads the markup here with quick-xml and skips it.
     fn event(&mut self) -> Option<Event<'a>> {
         let rest = self.rest();
         let inner = rest.strip_prefix('<')?;
@@ -126,17 +126,17 @@ impl<'a, 'f> Scanner<'a, 'f> {
         event
     }
 
-    /// The text from here on.
+    /// Returns the text from here on.
     pub(in crate::parse::xml) fn rest(&self) -> &'a str {
         &self.text[self.at..]
     }
 
-    /// The character here.
+    /// Returns the character here.
     pub(in crate::parse::xml) fn peek(&self) -> Option<char> {
         self.rest().chars().next()
     }
 
-    /// Steps over a character, and reports it if it is a full-width one.
+    /// Skips a character, and reports a full-width one.
     pub(in crate::parse::xml) fn bump(&mut self) {
         let Some(c) = self.peek() else { return };
         let range = self.at..self.at + c.len_utf8();
@@ -147,7 +147,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         }
     }
 
-    /// Steps over blanks; full-width ones are reported together. Whether there were any.
+    /// Skips blanks, and reports full-width ones together; returns whether there were any.
     pub(in crate::parse::xml) fn blanks(&mut self) -> bool {
         let start = self.at;
         while let Some(c) = self.peek().filter(|c| is_blank(*c)) {
@@ -173,7 +173,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         }
     }
 
-    /// The start of the next line that begins with `<`, or the end of the file.
+    /// Returns the start of the next line that begins with `<`, or the end of the file.
     fn resumption(&self) -> usize {
         let mut from = self.at;
         while let Some(line) = self.text[from..].find('\n') {
@@ -187,7 +187,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         self.text.len()
     }
 
-    /// Steps over text up to the next markup.
+    /// Skips text up to the next markup.
     fn plain(&mut self) -> Range<usize> {
         let (start, rest) = (self.at, self.rest());
         // The first character opens no markup, even if it is a full-width sign.
@@ -201,7 +201,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         start..self.at
     }
 
-    /// Reads markup that is not well-formed; what is wrong with it is reported.
+    /// Reads malformed markup and reports its errors.
     fn unsound(&mut self) -> Option<Token<'a>> {
         let start = self.at;
         let open = self.peek().map_or(1, char::len_utf8);
@@ -226,7 +226,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         }
     }
 
-    /// Steps over `<`, and blanks that do not belong after it.
+    /// Skips `<`, and misplaced blanks after it.
     pub(in crate::parse::xml) fn open(&mut self, parts: usize) {
         for _ in 0..parts {
             self.bump();
@@ -272,7 +272,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         Some(Token::End(EndTag { name, range }))
     }
 
-    /// Steps over something without an end.
+    /// Skips markup without an end.
     fn endless(&mut self, start: usize) -> Option<Token<'a>> {
         let kind = ENCLOSED.iter().find(|k| self.rest().starts_with(k.0));
         if let Some((open, what, end)) = kind.filter(|k| !k.1.en.is_empty()) {
@@ -292,10 +292,10 @@ impl<'a, 'f> Scanner<'a, 'f> {
         None
     }
 
-    /// How to end what has no end, at the latest where this range does.
+    /// Returns the fix that closes unclosed markup, at the latest at the end of this range.
     fn ending(&self, range: Range<usize>, end: &str) -> Edit {
         let inside = self.text[range.clone()].trim_end_matches(is_blank);
-        // A part of the end may be there: `--` for `-->`.
+        // A part of the end may be present: `--` for `-->`.
         let parts = (1..end.len()).rev().map(|i| end.split_at(i));
         let part = parts.into_iter().find(|(part, _)| inside.ends_with(part));
         let at = range.start + inside.len();
@@ -303,7 +303,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         Edit::new(self.reporter.span(&(at..at)), text)
     }
 
-    /// Reports `<!DOCTYPE ...>`, whatever it holds.
+    /// Reports `<!DOCTYPE ...>`, whatever its content.
     fn refuse(&mut self, start: usize, whole: Option<usize>) -> Option<Token<'a>> {
         let word = &self.text[start..];
         let end = word.find(|c| is_blank(c) || c == '>');
@@ -314,7 +314,7 @@ impl<'a, 'f> Scanner<'a, 'f> {
         None
     }
 
-    /// Reports dashes inside a comment, which quick-xml finds too but not where they are.
+    /// Reports dashes inside a comment; quick-xml finds them too, but without their place.
     fn check_comment(&mut self, comment: Range<usize>) -> Option<Token<'a>> {
         let (from, to) = (comment.start + 4, comment.end - 3);
         self.check_characters(from..to);

@@ -1,16 +1,16 @@
 //! Start tags that were meant as end tags: `<Row>KTU  <Row>`, where the slash is forgotten.
 //!
-//! Such a tag has no attributes, is directly in an element of its name, and leaves two ends missing: its own
-//! and that of the element around it. Where only one is missing, the end tag before it was forgotten altogether.
+//! Such a tag has no attributes, is directly in an element of its name, and leaves two ends missing: its own and that
+//! of its parent. If only one is missing, the end tag before it was forgotten altogether.
 
 use crate::parse::schema::SchemaHints;
 
-/// Searches for end tags cost time, and a file full of such tags must not spend it each time.
+/// The maximum number of searches for end tags: they cost time, and a file may be full of such tags.
 const SEARCHES: u32 = 50;
-/// Bytes that a search reads: no wall line is longer.
+/// The maximum number of bytes that a search reads: no wall line is longer.
 const FAR: usize = 1 << 16;
 
-/// Judges start tags, as long as that is cheap.
+/// Judges start tags, within a limit of time.
 pub(in crate::parse::xml) struct Slashes {
     left: u32,
 }
@@ -55,8 +55,8 @@ fn is_hollow(name: &str, rest: &str) -> bool {
     }
 }
 
-/// How many end tags of a name are missing before the end of the element `outer`, with `open` of them open;
-/// `None` = the end of `outer` is too far to tell.
+/// Returns the number of missing end tags of a name before the end of the element `outer`, with `open` of them open;
+/// `None` = the end of `outer` is too far away.
 fn missing(name: &str, rest: &str, outer: Option<&str>, open: usize) -> Option<usize> {
     let (mut open, mut depth) = (open, 1usize);
     for (i, _) in rest.match_indices('<') {

@@ -1,5 +1,5 @@
-//! Tags: those that quick-xml reads and nothing is wrong with, and everything that can be wrong inside `<` and `>` but
-//! the values of attributes, which are read in [`quotes`](crate::parse::xml::tree::quotes).
+//! Tags: valid ones as quick-xml reads them, and all errors inside `<` and `>` except in the values of attributes,
+//! which are read in [`quotes`](crate::parse::xml::tree::quotes).
 
 use crate::diagnostic::Edit;
 use crate::diagnostic::messages::xml as say;
@@ -13,7 +13,7 @@ use quick_xml::events::{BytesEnd, BytesStart};
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// How a start tag ends.
+/// The end of a start tag.
 enum End {
     Open,
     Empty,
@@ -22,7 +22,7 @@ enum End {
 }
 
 impl<'a> Scanner<'a, '_> {
-    /// The tag that quick-xml has read, if nothing is wrong with it.
+    /// Returns the tag that quick-xml has read, if it is valid.
     pub(in crate::parse::xml) fn sound_start(
         &mut self,
         start: usize,
@@ -49,7 +49,7 @@ impl<'a> Scanner<'a, '_> {
         })
     }
 
-    /// The end tag that quick-xml has read, if nothing is wrong with it.
+    /// Returns the end tag that quick-xml has read, if it is valid.
     pub(in crate::parse::xml) fn sound_end(
         &self,
         start: usize,
@@ -60,18 +60,18 @@ impl<'a> Scanner<'a, '_> {
         Some(EndTag { name, range })
     }
 
-    /// The place of a name that quick-xml has found, if it is one.
+    /// Returns the place of a name that quick-xml has found, if it is valid.
     fn sound_name(&self, name: &str) -> Option<Range<usize>> {
         (is_name(name) && !name.contains(ends_name)).then(|| self.range(name))
     }
 
-    /// Where a part of the text is in it.
+    /// Returns the range of a part of the text.
     fn range(&self, part: &str) -> Range<usize> {
         let start = part.as_ptr() as usize - self.text.as_ptr() as usize;
         start..start + part.len()
     }
 
-    /// Reports a name that XML does not allow; whether it is one.
+    /// Reports a name that XML does not allow; returns whether it is valid.
     fn check_name(&mut self, range: &Range<usize>) -> bool {
         let name = self.reporter.quote(range);
         if !is_name(name) {
@@ -80,7 +80,7 @@ impl<'a> Scanner<'a, '_> {
         is_name(name)
     }
 
-    /// The end of a name that begins here.
+    /// Returns the end of a name that begins here.
     pub(in crate::parse::xml) fn name_end(&self) -> usize {
         let rest = self.rest();
         self.at + rest.find(ends_name).unwrap_or(rest.len())
@@ -114,7 +114,7 @@ impl<'a> Scanner<'a, '_> {
         }
     }
 
-    /// Reports a start tag without `>`, which ends here. That of an element that holds nothing should end with `/>`.
+    /// Reports a start tag without `>`, which ends here. That of a leaf should end with `/>`.
     fn unclosed(&mut self, range: Range<usize>, name: &str, slash: bool) {
         let end = self.text[..self.at].trim_end_matches(is_blank).len();
         let end = self.reporter.span(&(end..end));
@@ -164,7 +164,7 @@ impl<'a> Scanner<'a, '_> {
         !line.trim().is_empty() && !line.contains(['=', '＝', '>', '＞', '/', '／', '"', '\''])
     }
 
-    /// Reads the `/` before `>`; any other is reported and passed.
+    /// Reads the `/` before `>`; any other is reported and skipped.
     fn slash(&mut self) -> Option<End> {
         let start = self.at;
         self.bump();
@@ -206,7 +206,7 @@ impl<'a> Scanner<'a, '_> {
         })
     }
 
-    /// The attribute of a name and a value that are here, up to its end.
+    /// Returns the attribute of the name and value here, up to its end.
     fn resolved(&mut self, name: Range<usize>, end: usize, value: Range<usize>) -> Attribute<'a> {
         let mut run = Run::default();
         run.raw(value.clone(), self.reporter);
@@ -219,14 +219,14 @@ impl<'a> Scanner<'a, '_> {
         }
     }
 
-    /// Steps over something that cannot begin an attribute.
+    /// Skips something that cannot begin an attribute.
     fn nameless(&mut self) {
         let start = self.at;
         let first = self.peek().unwrap_or('=');
         if narrow(first).unwrap_or(first) == '=' {
             self.at += self.rest().len() - self.rest().trim_start_matches(first).len();
         } else if "\"'“”„＂‘’＇".contains(first) {
-            // A value without a name, if it ends soon and on this line; else a quote too many.
+            // A value without a name, if it ends soon and on this line; otherwise a surplus quote.
             let from = start + first.len_utf8();
             let near = self.text[from..].char_indices().take(100);
             let mut line = near.take_while(|(_, c)| !matches!(c, '\n' | '<' | '>'));

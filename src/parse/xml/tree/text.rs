@@ -1,7 +1,7 @@
-//! Texts whose references are resolved while every character still knows its place in the file.
+//! Text with resolved references, in which every character keeps its place in the file.
 //!
-//! `&amp;` is one character of the text and five of the file, a comment is none of the text; so a text
-//! carries pieces that map its offsets back.
+//! `&amp;` is one character of the text and five of the file, and a comment is none of the text; so a text has pieces
+//! that map its offsets to the file.
 
 use crate::diagnostic::messages::{file, xml as say};
 use crate::parse::reporter::Reporter;
@@ -12,7 +12,7 @@ use quick_xml::reader::Reader;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// Stands for a character that was reported already, so that later steps keep quiet about it.
+/// Stands for a character that was reported already, so that later steps do not report it again.
 pub(in crate::parse::xml) const REPORTED: char = '\u{fffd}';
 
 /// A resolved text.
@@ -23,18 +23,18 @@ pub(in crate::parse::xml) struct Text<'a> {
     more: Vec<Piece>,
 }
 
-/// From offset `at` of the text on, it comes from this range of the file's text.
+/// From offset `at` of the text, the text comes from this range of the file.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     at: usize,
     from: usize,
     to: usize,
-    /// The range is one reference, which cannot be divided.
+    /// True if the range is one reference, which cannot be divided.
     atom: bool,
 }
 
 impl<'a> Text<'a> {
-    /// A text in the place of what is at a range of the file.
+    /// Creates a text that replaces a range of the file.
     pub(in crate::parse::xml) fn instead(text: String, place: Range<usize>) -> Text<'a> {
         let first = Piece {
             at: 0,
@@ -49,7 +49,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// A range of the text as a text of its own.
+    /// Returns a range of the text as a text of its own.
     pub(in crate::parse::xml) fn part(&self, range: Range<usize>) -> Text<'a> {
         let text = match &self.text {
             Cow::Borrowed(text) => Cow::Borrowed(&text[range.clone()]),
@@ -74,7 +74,7 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// Puts another text behind this one.
+    /// Appends another text.
     pub(in crate::parse::xml) fn append(&mut self, other: Text<'a>) {
         if self.text.is_empty() {
             *self = other;
@@ -90,7 +90,7 @@ impl<'a> Text<'a> {
         self.text.to_mut().push_str(&other.text);
     }
 
-    /// Moves the places in the file.
+    /// Shifts the places in the file.
     pub(in crate::parse::xml) fn shift(&mut self, by: usize) {
         for piece in std::iter::once(&mut self.first).chain(&mut self.more) {
             piece.from += by;
@@ -98,12 +98,12 @@ impl<'a> Text<'a> {
         }
     }
 
-    /// The text without references.
+    /// Returns the text without references.
     pub(in crate::parse::xml) fn as_str(&self) -> &str {
         &self.text
     }
 
-    /// Where a range of the text is in the file's text.
+    /// Returns the place of a range of the text in the file.
     pub(in crate::parse::xml) fn range(&self, range: Range<usize>) -> Range<usize> {
         let start = self.place(range.start).start;
         if range.end <= range.start {
@@ -112,12 +112,12 @@ impl<'a> Text<'a> {
         start..self.place(range.end - 1).end.max(start)
     }
 
-    /// Where the whole text stands.
+    /// Returns the place of the whole text.
     pub(in crate::parse::xml) fn whole(&self) -> Range<usize> {
         self.range(0..self.text.len())
     }
 
-    /// Where a byte of the text comes from.
+    /// Returns the place of a byte of the text.
     fn place(&self, at: usize) -> Range<usize> {
         let piece = match self.more.partition_point(|p| p.at <= at) {
             0 => self.first,
@@ -131,7 +131,7 @@ impl<'a> Text<'a> {
     }
 }
 
-/// A text in the making.
+/// A text being collected.
 #[derive(Debug, Default)]
 pub(in crate::parse::xml) struct Run<'a> {
     text: Cow<'a, str>,
@@ -140,7 +140,7 @@ pub(in crate::parse::xml) struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// Adds a range of the file as it is.
+    /// Adds a range of the file unchanged.
     pub(in crate::parse::xml) fn literal(&mut self, whole: &'a str, range: Range<usize>) {
         let slice = &whole[range.clone()];
         let last = self.more.last_mut().or(self.first.as_mut());
@@ -162,11 +162,11 @@ impl<'a> Run<'a> {
         self.text.to_mut().push(character);
     }
 
-    /// Adds a range of the file with its references, as quick-xml finds them, resolved; bad ones are reported.
+    /// Adds a range of the file with its references, as quick-xml finds them, resolved; invalid ones are reported.
     pub(in crate::parse::xml) fn raw(&mut self, range: Range<usize>, reporter: &mut Reporter<'a>) {
         let whole = reporter.source.text();
         let mut from = range.start;
-        // Only a value can hold `<`, which was reported then.
+        // Only a value can contain `<`, which was reported then.
         for (i, part) in whole[range].split('<').enumerate() {
             if i > 0 {
                 self.literal(whole, from..from + 1);
@@ -187,7 +187,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The finished text, if there is any; this run is empty then.
+    /// Returns the finished text, if there is any; this run is empty then.
     pub(in crate::parse::xml) fn take(&mut self) -> Option<Text<'a>> {
         let run = std::mem::take(self);
         Some(Text {
@@ -197,7 +197,7 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// The finished text of an attribute that begins at `start`: line ends and tabs are blanks there.
+    /// Returns the finished text of an attribute that begins at `start`: line ends and tabs are blanks there.
     pub(in crate::parse::xml) fn value(mut self, start: usize) -> Text<'a> {
         if self.text.contains(['\t', '\n', '\r']) {
             self.text = Cow::Owned(self.text.replace(['\t', '\n', '\r'], " "));
@@ -237,7 +237,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Adds the character of a reference; what only happens to are between `&` and `;` is none.
+    /// Adds the character of a reference; text that merely lies between `&` and `;` is none.
     fn reference(&mut self, body: &BytesRef<'_>, range: Range<usize>, reporter: &mut Reporter<'a>) {
         let fits = |c: char| c.is_alphanumeric() || matches!(c, '#' | '_' | '-' | '.' | ':');
         if body.is_empty() || body.len() >= 40 || !body.chars().all(fits) {

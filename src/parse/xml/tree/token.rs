@@ -1,4 +1,4 @@
-//! Pieces of a file as the scanner cuts it: tags with their attributes, and text.
+//! Tokens of a file: tags with their attributes, and text.
 
 use crate::parse::xml::tree::text::Text;
 use std::ops::Range;
@@ -22,15 +22,15 @@ impl Attribute<'_> {
     }
 }
 
-/// A piece of the file.
+/// A token of the file.
 pub(in crate::parse::xml) enum Token<'a> {
     /// `<name ...>` or `<name .../>`.
     Start(StartTag<'a>),
     /// `</name>`.
     End(EndTag<'a>),
-    /// Text that may hold references.
+    /// Text that may contain references.
     Text(Range<usize>),
-    /// Text that holds none.
+    /// Text without references.
     Verbatim(Range<usize>),
 }
 

@@ -1,4 +1,4 @@
-//! From faces on numbered points to closed solids.
+//! Converts faces on numbered points to closed solids.
 
 use crate::building::{Corners, Face, Solid};
 use crate::geometry::tolerance::STRAIGHT;
@@ -7,8 +7,9 @@ use crate::roof::solid::massive::merge::{BENT, Polygon, merge};
 use crate::roof::solid::sheet::find;
 use glam::{DVec2, DVec3};
 
-/// The closed solids that some faces bound. Points over one place have numbers in ascending order from one of `starts`
-/// on; upright edges pass through those between their ends. None where an edge belongs to more than two faces of a solid.
+/// Returns the closed solids that some faces bound. Points over one place have numbers in ascending order from one of
+/// `starts` on; vertical edges pass through those between their ends. None if an edge belongs to more than two faces of
+/// a solid.
 pub(super) fn solids(
     points: Vec<DVec3>,
     starts: &[u32],
@@ -40,7 +41,7 @@ pub(super) fn solids(
             let known = &mut numbers[id as usize];
             if known.0 != n {
                 let point = points[id as usize];
-                // Solids that touch in a point have it twice; in most it is met for the first time.
+                // Solids that touch in a point have it twice; in most it occurs here first.
                 let own = match known.0 {
                     usize::MAX => None,
                     _ => solid.points.iter().position(|p| *p == point),
@@ -74,7 +75,7 @@ fn volume(solid: &Solid) -> f64 {
     solid.faces.iter().map(of).sum()
 }
 
-/// Puts used points into the upright edges of a face.
+/// Inserts used points into the vertical edges of a face.
 fn pass_through(corners: &mut Vec<u32>, used: &[bool], place: impl Fn(u32) -> usize) {
     let n = corners.len();
     let upright = |i: usize| place(corners[i]) == place(corners[(i + 1) % n]);
@@ -96,7 +97,7 @@ fn pass_through(corners: &mut Vec<u32>, used: &[bool], place: impl Fn(u32) -> us
     *corners = whole;
 }
 
-/// Takes out points that are the corner of no face.
+/// Removes points that are the corner of no face.
 fn straighten(points: &[DVec3], faces: &mut [Polygon]) {
     let mut turns = vec![false; points.len()];
     for (corners, _) in faces.iter() {
@@ -113,7 +114,7 @@ fn straighten(points: &[DVec3], faces: &mut [Polygon]) {
     }
 }
 
-/// A face that welding has bent, in triangles.
+/// Divides a face that welding has bent into triangles.
 fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
     let (corners, finish) = &face;
     let at = |k: usize| points[corners[k] as usize] - points[corners[0] as usize];
@@ -134,8 +135,8 @@ fn flat(points: &[DVec3], face: Polygon) -> Vec<Polygon> {
     triangles
 }
 
-/// For each face the solid it belongs to, in the order of their first faces: faces hang together through edges that
-/// have two of them.
+/// Returns for each face the solid it belongs to, in the order of their first faces: faces are connected through edges
+/// that have two of them.
 fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
     let mut edges: Vec<(u32, u32, bool, u32)> = Vec::with_capacity(points * 3);
     for ((corners, _), f) in faces.iter().zip(0..) {
@@ -154,7 +155,7 @@ fn components(points: usize, faces: &[Polygon]) -> Option<Vec<usize>> {
         }
     }
     let roots: Vec<usize> = (0..faces.len()).map(|f| find(&mut root, f)).collect();
-    // Where more faces share an edge, each solid may have two of them.
+    // If more faces share an edge, each solid may have two of them.
     for edge in edges.chunk_by(same) {
         let mut of: Vec<(usize, bool)> = edge.iter().map(|e| (roots[e.3 as usize], e.2)).collect();
         of.sort_unstable();

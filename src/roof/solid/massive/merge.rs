@@ -1,20 +1,21 @@
-//! Faces of one plane and finish that lie side by side become one, as long as it is convex: cities count triangles.
+//! Faces of one plane and finish that lie side by side are merged, as long as the result is convex, to save triangles
+//! in towns.
 
 use crate::building::Finish;
 use crate::geometry::tolerance::PARALLEL;
 use glam::DVec3;
 
-/// Faces leave their planes by less, metres.
+/// Maximum distance of a face's corners from its plane, metres.
 pub(super) const BENT: f64 = 4e-7;
 
-/// The most merging rounds. A face takes at most one neighbour a round, so long rows of faces would need as many rounds
-/// as they have faces.
+/// The maximum number of merging rounds. A face takes at most one neighbour per round, so long rows of faces would need
+/// as many rounds as they have faces.
 const ROUNDS: usize = 16;
 
 /// A face by the numbers of its points.
 pub(super) type Polygon = (Vec<u32>, Finish);
 
-/// Merges faces with their neighbours, as far as some rounds go.
+/// Merges faces with their neighbours, within the maximum number of rounds.
 pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
     // Faces that changed in the last round.
     let mut fresh = vec![true; faces.len()];
@@ -48,7 +49,7 @@ pub(super) fn merge(points: &[DVec3], faces: &mut Vec<Polygon>) {
     faces.retain(|f| !f.0.is_empty());
 }
 
-/// Every edge with the face that runs along it, sorted.
+/// Returns every edge with the face that runs along it, sorted.
 fn edges(faces: &[Polygon]) -> Vec<(u32, u32, u32)> {
     let mut edges = Vec::with_capacity(4 * faces.len());
     for ((corners, _), f) in faces.iter().zip(0..) {
@@ -59,7 +60,7 @@ fn edges(faces: &[Polygon]) -> Vec<(u32, u32, u32)> {
     edges
 }
 
-/// Two faces that share an edge, which the first runs along from one end to the other, as one convex face.
+/// Merges two faces that share an edge, which the first traverses from one end to the other, into one convex face.
 fn joined(points: &[DVec3], one: &[u32], other: &[u32], [from, to]: [u32; 2]) -> Option<Vec<u32>> {
     let at = |id: u32| points[id as usize];
     let normal = normal(points, one);
@@ -99,7 +100,7 @@ fn normal(points: &[DVec3], ring: &[u32]) -> DVec3 {
     sum.normalize_or_zero()
 }
 
-/// Takes out ways that go to a corner and straight back.
+/// Removes paths that go to a corner and straight back.
 fn without_spikes(ring: &mut Vec<u32>) {
     let mut i = 0;
     let mut kept = 0;

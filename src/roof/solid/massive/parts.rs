@@ -1,4 +1,4 @@
-//! Parts of the upper surface of roofs that meet, with what they are filled with: convex in plan, between a plane above
+//! Parts of the upper surface of roofs that meet, with their filling: convex in plan, between a plane above
 //! and a plane below. No two of them share any space.
 
 use crate::ast::RoofKind;
@@ -13,7 +13,7 @@ use std::borrow::Cow;
 
 /// Parts with less area are left out, square metres.
 const SLIVER: f64 = 2e-6;
-/// Parts that share less than this in plan share nothing, square metres.
+/// Parts that share less than this in plan count as disjoint, square metres.
 const HARDLY: f64 = 1e-7;
 /// A part of the surface of one roof.
 #[derive(Clone, Debug)]
@@ -24,12 +24,12 @@ pub(super) struct Part {
     pub(super) drop: f64,
     /// The covering; none of a wall.
     pub(super) kind: Option<RoofKind>,
-    /// Where it ends below: at or under its own lower surface.
+    /// Its lower end, at or under its own lower surface.
     pub(super) bottom: Plane,
 }
 
 impl Part {
-    /// A sheet with nothing under it.
+    /// Creates a slab with nothing under it.
     pub(super) fn sheet(outline: Vec<Corner>, top: Plane, drop: f64, kind: RoofKind) -> Part {
         Part {
             outline,
@@ -40,7 +40,7 @@ impl Part {
         }
     }
 
-    /// A wall that any upright line passes once.
+    /// Adds a wall that any vertical line crosses once.
     pub(super) fn wall(solid: &Solid, parts: &mut Vec<Part>) {
         let (mut up, mut down) = (vec![], vec![]);
         for face in &solid.faces {
@@ -84,7 +84,7 @@ impl Part {
         }
     }
 
-    /// Its parts over an attic, filled down to a plate, and beyond gable walls.
+    /// Returns its parts over an attic, filled down to a plate, and beyond gable walls.
     pub(super) fn filled(mut self, attic: &Attic, plate: f64, parts: &mut Vec<Part>) {
         if let Some((_, by)) = attic.lowered.iter().find(|(v, _)| self.lies_in(v)) {
             self.top = self.top.raised(*by);
@@ -103,7 +103,7 @@ impl Part {
                     left.push(piece);
                     continue;
                 };
-                // The wall is as thick as anywhere.
+                // The wall is equally thick everywhere.
                 let [wall, free] = line.moved_out(INFILL_THICKNESS / 2.0).halves(&inside);
                 left.push(wall);
                 if area(&free) > SLIVER {
@@ -117,13 +117,13 @@ impl Part {
         }
     }
 
-    /// True if it lies in the plane of a part of the surface.
+    /// Returns true if it lies in the plane of a part of the surface.
     fn lies_in(&self, part: &Verge) -> bool {
         let off = |p: &DVec3| (self.top.at(p.truncate()) - p.z).abs();
         part.iter().all(|p| off(p) < HEIGHT)
     }
 
-    /// A piece of it, filled down to a plane where it lies higher.
+    /// Returns a piece of it, filled down to a plane where it is higher.
     fn down_to(&self, piece: Vec<Corner>, plane: Plane, parts: &mut Vec<Part>) {
         let [over, under] = match HalfPlane::where_higher(self.bottom, plane) {
             Higher::Everywhere => [piece, vec![]],
@@ -137,8 +137,8 @@ impl Part {
         }
     }
 
-    /// The union of two parts that share space: their rests, and the shared space once under the higher
-    /// one. None where they share none.
+    /// Returns the union of two parts that share space: their remainders, and the shared space once under the higher
+    /// one. None if they share none.
     pub(super) fn together(&self, other: &Part) -> Option<Vec<Part>> {
         let common = self.common(other)?;
         let sides = edges(&common.iter().map(|c| c.at).collect::<Vec<_>>());
@@ -149,7 +149,7 @@ impl Part {
             parts.extend(off.into_iter().map(|o| part.with(o, part.bottom)));
         }
         for (high, low) in [(self, other), (other, self)] {
-            // The first is the higher one where they are level.
+            // The first counts as the higher one if they are level.
             let tops = match HalfPlane::where_higher(high.top, low.top) {
                 Higher::Nowhere
                     if std::ptr::eq(high, other) || is_lower(high.top, low.top, &common) =>
@@ -168,7 +168,7 @@ impl Part {
         Some(parts)
     }
 
-    /// The plan outline of the space that two parts share.
+    /// Returns the plan outline of the space that two parts share.
     fn common(&self, other: &Part) -> Option<Vec<Corner>> {
         let outline: Vec<DVec2> = other.outline.iter().map(|c| c.at).collect();
         let mut sides = edges(&outline);
@@ -185,7 +185,7 @@ impl Part {
         split(&self.outline, &sides, &mut vec![])
     }
 
-    /// Its columns: the sheet, and what is filled under it.
+    /// Returns its columns: the slab, and the filling under it.
     pub(super) fn columns(&self) -> impl Iterator<Item = Column> {
         let low = self.top.raised(-self.drop);
         let gap = |c: &Corner| low.at(c.at) - self.bottom.at(c.at);
@@ -219,13 +219,13 @@ impl Part {
     }
 }
 
-/// True if a plane lies below another over a piece, by the sum of height differences at its corners.
+/// Returns true if a plane lies below another over a piece, by the sum of height differences at its corners.
 fn is_lower(plane: Plane, other: Plane, piece: &[Corner]) -> bool {
     let off = |c: &Corner| plane.at(c.at) - other.at(c.at);
     piece.iter().map(off).sum::<f64>() < -HEIGHT
 }
 
-/// Parts that share no space and fill the same volume together; `None` where that takes too long.
+/// Returns parts that share no space and fill the same volume together; `None` if that takes too long.
 pub(super) fn settle(mut todo: Vec<Part>) -> Option<Vec<Part>> {
     let mut patience = 20 * todo.len() + 1000;
     let mut done: Vec<(Part, [DVec2; 2])> = Vec::with_capacity(todo.len());
@@ -255,7 +255,8 @@ fn around(outline: &[Corner]) -> [DVec2; 2] {
     outline.iter().fold(none, grow)
 }
 
-/// The part of a piece inside some sides; the rest goes to `off`. `None`, and no rest, where that part is a sliver.
+/// Returns the part of a piece inside some sides; the rest goes to `off`. `None`, and no rest, if that part is a
+/// sliver.
 fn split(piece: &[Corner], sides: &[HalfPlane], off: &mut Vec<Vec<Corner>>) -> Option<Vec<Corner>> {
     if is_outside(piece, sides.iter()) {
         return None;

@@ -1,4 +1,4 @@
-//! The common surface of upright columns, each between two planes over a convex outline.
+//! The common surface of vertical columns, each between two planes over a convex outline.
 //!
 //! Every column is a closed solid of its own; their surfaces are added up and what lies between two columns falls out.
 //! All of that happens on numbers of shared points: corners are welded first, put into the edges that they lie on, and
@@ -14,10 +14,10 @@ use glam::{DVec2, DVec3};
 
 /// Corners nearer in plan are one, metres.
 const WELD: f64 = 2e-5;
-/// The most rounds of splitting crossing edges.
+/// The maximum number of rounds of splitting crossing edges.
 const ROUNDS: usize = 4;
 
-/// A corner of a column, and what the upright face that starts there shows.
+/// A corner of a column, and the finish of the vertical face that starts there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Side {
     pub(super) at: DVec2,
@@ -33,11 +33,11 @@ pub(super) struct Column {
     pub(super) bottom: Plane,
     /// The finish of its upper face; `None` where another column continues above.
     pub(super) lid: Option<Finish>,
-    /// The same below.
+    /// The finish of its lower face; `None` if another column continues below.
     pub(super) floor: Option<Finish>,
 }
 
-/// The union of the columns as closed solids; `None` where an edge would belong to more than two faces of one.
+/// Returns the union of the columns as closed solids; `None` if an edge would belong to more than two faces of one.
 pub(super) fn union(columns: &[Column]) -> Option<Vec<Solid>> {
     let mut plan = Plan::of(columns);
     for _ in 0..ROUNDS {
@@ -56,14 +56,14 @@ pub(super) fn union(columns: &[Column]) -> Option<Vec<Solid>> {
 /// A column's outline by the numbers of its corners.
 type Ring = Vec<(u32, Finish)>;
 
-/// The outlines of all columns on common corners.
+/// The outlines of all columns on shared corners.
 struct Plan {
     /// z is 0.
     corners: Vec<DVec3>,
     rings: Vec<Ring>,
 }
 
-/// One side of a column on a piece of an edge: from the corner with the lower number.
+/// One side of a column on a piece of an edge, starting at the corner with the lower number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Stretch {
     lo: u32,
@@ -110,7 +110,7 @@ impl Plan {
         Plan { corners, rings }
     }
 
-    /// Puts corners into the edges that they lie on.
+    /// Inserts corners into the edges that they lie on.
     fn conform(&mut self) {
         let sorted = Sorted::of(&self.corners);
         let corners = &self.corners;
@@ -158,7 +158,7 @@ impl Plan {
         all
     }
 
-    /// Adds corners where upper or lower edges over one stretch cross; whether there were any.
+    /// Adds corners where upper or lower edges over one stretch cross; returns whether there were any.
     fn cross(&mut self, columns: &[Column]) -> bool {
         let before = self.corners.len();
         let stretches = self.stretches();
@@ -189,7 +189,7 @@ impl Plan {
     }
 }
 
-/// Empties an outline that welding has made a line.
+/// Clears an outline that welding has collapsed to a line.
 fn drop_flat(ring: &mut Ring) {
     let mut ids: Vec<u32> = ring.iter().map(|c| c.0).collect();
     ids.sort_unstable();
@@ -253,7 +253,7 @@ impl Heights {
         }
     }
 
-    /// Upper and lower faces.
+    /// Adds upper and lower faces.
     fn lids(&self, plan: &Plan, columns: &[Column]) -> Vec<Polygon> {
         let mut faces = Vec::with_capacity(columns.len() * 4);
         for (ring, column) in self.rings.iter().zip(columns) {
@@ -271,7 +271,7 @@ impl Heights {
         faces
     }
 
-    /// Upright faces: over each stretch, the heights filled on one side only.
+    /// Adds vertical faces: over each stretch, the heights filled on one side only.
     fn walls(&self, plan: &Plan, columns: &[Column], faces: &mut Vec<Polygon>) -> Option<()> {
         debug_assert_eq!(plan.rings.len(), columns.len());
         let stretches = plan.stretches();
@@ -324,7 +324,7 @@ impl Heights {
     }
 }
 
-/// The upright side of a column over a stretch.
+/// The vertical side of a column over a stretch.
 struct Upright {
     top: [u32; 2],
     bottom: [u32; 2],
@@ -339,7 +339,7 @@ impl Upright {
     }
 }
 
-/// The faces between two edges, as many as columns stand there more than on the other side.
+/// Adds the faces between two edges, as many as there are more columns on this side than on the other.
 fn upright_faces(
     (net, finish, low, high): (i32, Finish, [u32; 2], [u32; 2]),
 ) -> impl Iterator<Item = Polygon> {
