@@ -49,7 +49,7 @@ pub struct Analysis {
 
 /// A place in a source file that was read.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct SourcePlace {
     /// The number of the file, [`Analysis::source`] or an included one.
     pub file: FileId,
     /// The range in its text.

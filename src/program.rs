@@ -118,12 +118,12 @@ pub struct Loop {
     /// Start point (a, b) in U.
     pub start: (f64, f64),
     /// Wall lines in walk order.
-    pub lines: Vec<Line>,
+    pub lines: Vec<WallLine>,
 }
 
 /// One wall line, then a turn.
 #[derive(Clone, Debug, Serialize)]
-pub struct Line {
+pub struct WallLine {
     /// The line as written.
     pub span: Span,
     /// From right to left as seen from outside.

@@ -6,7 +6,7 @@ mod build {
     use hsd::ast::*;
     use hsd::diagnostic::Diagnostic;
     use hsd::expand::{Options, expand};
-    use hsd::program::{Content, Line, Program, Unit};
+    use hsd::program::{Content, Program, Unit, WallLine};
     use hsd::source::{FileId, PictureFile, Source, Span, Spanned, World};
     use std::cell::Cell;
 
@@ -217,7 +217,7 @@ mod build {
         names.join("|")
     }
 
-    pub(crate) fn line(program: &Program, storey: usize, line: usize) -> &Line {
+    pub(crate) fn line(program: &Program, storey: usize, line: usize) -> &WallLine {
         &program.houses[0].storeys[storey].loops[0].lines[line]
     }
 

@@ -5,7 +5,7 @@ use hsd::building::{Ring, Shell};
 use hsd::catalog::PartId;
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::lower::lower;
-use hsd::program::{Content, House, Line, Loop, Program, Roofs, Storey, Unit};
+use hsd::program::{Content, House, Loop, Program, Roofs, Storey, Unit, WallLine};
 use hsd::source::{FileId, Span};
 
 /// A unit of that width: a part, or a void below zero.
@@ -28,7 +28,7 @@ fn unit(width: f64) -> Unit {
 
 /// Lines as "4R 2.5L -1L": a length (negative: a void) and a turn, R, L or degrees behind `@`. Their spans are
 /// their places in the text.
-fn lines(text: &str) -> Vec<Line> {
+fn lines(text: &str) -> Vec<WallLine> {
     let mut at = 0;
     let words = text.split(' ').map(|word| {
         let span = Span {
@@ -49,7 +49,7 @@ fn lines(text: &str) -> Vec<Line> {
         } else {
             vec![unit(length.parse().unwrap())]
         };
-        Line {
+        WallLine {
             span,
             units,
             turn,

@@ -125,12 +125,12 @@ struct Storey {
     regions: Vec<Region>,
     /// Ridges, hips and valleys of the automatic roofs as built.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    lines: Vec<Line>,
+    lines: Vec<RidgeLine>,
 }
 
 /// A line of a roof.
 #[derive(Serialize)]
-struct Line {
+struct RidgeLine {
     /// ridge, hip or valley.
     kind: &'static str,
     /// (a, b) in U and height in metres.
@@ -165,7 +165,7 @@ fn outline(corners: &[DVec2]) -> Outline {
 }
 
 /// Ridges, hips and valleys over the regions of a storey.
-fn built(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Vec<Line> {
+fn built(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Vec<RidgeLine> {
     let kinds = [
         (EdgeKind::Ridge, "ridge"),
         (EdgeKind::Hip, "hip"),
@@ -175,7 +175,7 @@ fn built(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Vec<Line> {
     let roofs: Vec<_> = roofs.over_regions(plan.storey).collect();
     let of = |(kind, name): (EdgeKind, &'static str)| {
         let lines = roofs.iter().flat_map(move |r| r.surface.lines(kind));
-        let line = move |[from, to]: [DVec3; 2]| Line {
+        let line = move |[from, to]: [DVec3; 2]| RidgeLine {
             kind: name,
             from: place(from),
             to: place(to),
@@ -185,7 +185,7 @@ fn built(roofs: &HouseRoofs, plan: &StoreyPlan, unit: f64) -> Vec<Line> {
     kinds.into_iter().flat_map(of).collect()
 }
 
-fn storey(plan: &StoreyPlan, lines: Vec<Line>) -> Storey {
+fn storey(plan: &StoreyPlan, lines: Vec<RidgeLine>) -> Storey {
     let outlines: Vec<Outline> = plan.outlines.iter().map(|o| outline(o)).collect();
     Storey {
         storey: plan.storey,

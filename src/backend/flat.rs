@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3, dvec2, dvec3};
 
 /// The placement of a node in the world, metres, z up.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct Placement {
     /// Its origin.
     pub at: DVec3,
     /// (cos, sin) of its rotation about the vertical.
@@ -15,9 +15,9 @@ pub struct Place {
     pub sound: bool,
 }
 
-impl Place {
+impl Placement {
     /// The world frame.
-    pub const WORLD: Place = Place {
+    pub const WORLD: Placement = Placement {
         at: DVec3::ZERO,
         turn: DVec2::X,
         sound: true,
@@ -30,9 +30,9 @@ impl Place {
     }
 
     /// Returns the placement of a child node in this frame.
-    pub fn child(&self, node: &Node) -> Place {
+    pub fn child(&self, node: &Node) -> Placement {
         let turn = self.turn.rotate(node.turn);
-        Place {
+        Placement {
             at: self.point(node.at),
             turn: turn.try_normalize().unwrap_or(DVec2::X),
             sound: self.sound && sound::node(node),
@@ -41,11 +41,11 @@ impl Place {
 }
 
 /// Returns the placements of all nodes.
-pub fn places(scene: &Scene) -> Vec<Place> {
-    let mut places: Vec<Place> = Vec::with_capacity(scene.nodes.len());
+pub fn places(scene: &Scene) -> Vec<Placement> {
+    let mut places: Vec<Placement> = Vec::with_capacity(scene.nodes.len());
     for node in &scene.nodes {
         let above = node.parent.and_then(|p| places.get(p.0 as usize).copied());
-        places.push(above.unwrap_or(Place::WORLD).child(node));
+        places.push(above.unwrap_or(Placement::WORLD).child(node));
     }
     places
 }

@@ -6,7 +6,7 @@
 
 mod mtl;
 
-use super::flat::{self, Place, places};
+use super::flat::{self, Placement, places};
 use super::number::Number;
 use super::{Images, OutFile, SurfaceFiles, one_word, picture_folder};
 use crate::scene::{Image, Primitive, Scene};
@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 /// comes last. Blanks in file names become `_`.
 pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile<'a>> {
     let stem = &one_word(stem);
-    let mut writer = Writer::new(scene, images);
+    let mut writer = ObjWriter::new(scene, images);
     let _ = writeln!(
         writer.out,
         "# hsd {}: x east, y up, z south, metres",
@@ -38,7 +38,7 @@ pub fn obj<'a>(scene: &Scene, images: &'a dyn Images, stem: &str) -> Vec<OutFile
     files
 }
 
-struct Writer<'a> {
+struct ObjWriter<'a> {
     scene: &'a Scene,
     out: String,
     /// By material number in the scene: the divisor of texture coordinates, if the material has a texture.
@@ -51,15 +51,15 @@ struct Writer<'a> {
     counts: (usize, usize),
 }
 
-impl<'a> Writer<'a> {
-    fn new(scene: &'a Scene, images: &dyn Images) -> Writer<'a> {
+impl<'a> ObjWriter<'a> {
+    fn new(scene: &'a Scene, images: &dyn Images) -> ObjWriter<'a> {
         let metres = |image: &Image| match image {
             Image::None => None,
             Image::Surface(name) => images.files(name).map(|f: SurfaceFiles<'_>| f.metres),
             Image::Picture(index) => images.picture(*index).map(|_| 1.0),
             Image::Baked(index) => images.baked(*index).map(|f| f.metres),
         };
-        Writer {
+        ObjWriter {
             scene,
             out: String::new(),
             metres: scene.materials.iter().map(|m| metres(&m.image)).collect(),
@@ -93,7 +93,7 @@ impl<'a> Writer<'a> {
     }
 
     /// Writes the shapes of one node; coincident points are written once, so that edges are shared.
-    fn object<'p>(&mut self, place: Place, primitives: impl Iterator<Item = &'p Primitive>) {
+    fn object<'p>(&mut self, place: Placement, primitives: impl Iterator<Item = &'p Primitive>) {
         let mut points: HashMap<[i64; 3], usize> = HashMap::new();
         let mut coordinates: HashMap<[i64; 2], usize> = HashMap::new();
         for primitive in primitives {

@@ -41,7 +41,7 @@ enum ParamsFormat {
 
 /// A parameter and the file that declares it.
 #[derive(Serialize)]
-struct Row<'a> {
+struct ParameterRow<'a> {
     file: &'a str,
     #[serde(flatten)]
     parameter: &'a Parameter,
@@ -61,10 +61,10 @@ impl Params {
         let text = match self.format {
             ParamsFormat::Table => table(&read.documents, language),
             ParamsFormat::Json => {
-                let rows: Vec<Row<'_>> = names
+                let rows: Vec<ParameterRow<'_>> = names
                     .zip(&read.documents)
                     .flat_map(|(file, d)| of(d).into_iter().map(move |p| (file, p)))
-                    .map(|(file, parameter)| Row { file, parameter })
+                    .map(|(file, parameter)| ParameterRow { file, parameter })
                     .collect();
                 let text = serde_json::to_string_pretty(&rows);
                 text.map_err(|e| {

@@ -11,7 +11,7 @@ use super::{Pass, positive};
 use crate::ast::{self, Order, StoreyKind};
 use crate::diagnostic::messages::parts as say;
 use crate::geometry::{SAME, SHAKU};
-use crate::program::{Content, Line, Loop, Storey, Unit};
+use crate::program::{Content, Loop, Storey, Unit, WallLine};
 use crate::rng::Place;
 use crate::source::{Span, Spanned};
 
@@ -40,7 +40,7 @@ struct Wall<'d> {
 }
 
 /// A storey of a structure.
-struct Level {
+struct StructureStorey {
     span: Span,
     height: f64,
     kind: StoreyKind,
@@ -71,7 +71,7 @@ impl Pass<'_, '_> {
         for wall in &mut walls {
             settle_width(wall, structure.rightwards);
         }
-        let storey = |(index, level): (usize, &Level)| Storey {
+        let storey = |(index, level): (usize, &StructureStorey)| Storey {
             span: level.span,
             height: level.height,
             kind: level.kind,
@@ -116,18 +116,18 @@ impl Pass<'_, '_> {
     }
 
     /// Returns heights and kinds of the storeys. The facades of a storey must agree in height.
-    fn levels(&mut self, walls: &[Wall<'_>]) -> Vec<Level> {
+    fn levels(&mut self, walls: &[Wall<'_>]) -> Vec<StructureStorey> {
         let count = walls.iter().map(|w| w.floors.ones.len()).max();
         let mut levels = vec![];
         for index in 0..count.unwrap_or(0) {
             let floors = walls
                 .iter()
                 .filter_map(|w| w.floors.ones.get(index).copied());
-            let mut level: Option<Level> = None;
+            let mut level: Option<StructureStorey> = None;
             let mut known: Option<Spanned<f64>> = None;
             for floor in floors {
                 let kind = floor.kind;
-                let level = level.get_or_insert(Level {
+                let level = level.get_or_insert(StructureStorey {
                     span: floor.span,
                     height: HEIGHT,
                     kind,
@@ -154,7 +154,7 @@ impl Pass<'_, '_> {
         levels
     }
 
-    fn strips(&mut self, walls: &mut [Wall<'_>], levels: &[Level], unit: f64) {
+    fn strips(&mut self, walls: &mut [Wall<'_>], levels: &[StructureStorey], unit: f64) {
         let mut bases = Bases::default();
         for (index, wall) in walls.iter().enumerate() {
             for floor in &wall.floors.ones {
@@ -234,7 +234,7 @@ fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Lo
     let first = walls.first().map_or(0.0, |wall| turn(wall.facade, 0.0));
     let mut lines = vec![];
     if first != 0.0 {
-        lines.push(Line {
+        lines.push(WallLine {
             span: walls[0].facade.span,
             units: vec![],
             turn: first,
@@ -252,7 +252,7 @@ fn ring(structure: &ast::Structure, walls: &mut [Wall<'_>], storey: usize) -> Lo
             }
             None => (facade.span, wall.width.map(open).into_iter().collect()),
         };
-        lines.push(Line {
+        lines.push(WallLine {
             span,
             units,
             // The last turn is ignored, since the ring closes.

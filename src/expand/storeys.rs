@@ -6,7 +6,7 @@ use super::repeat::storey_edits;
 use super::{Pass, positive};
 use crate::ast;
 use crate::diagnostic::messages::parts as say;
-use crate::program::{Line, Loop, Storey};
+use crate::program::{Loop, Storey, WallLine};
 use crate::rng::Place;
 use crate::source::Spanned;
 
@@ -95,14 +95,14 @@ impl Pass<'_, '_> {
     }
 
     /// Expands the lines of a walk.
-    fn walk(&mut self, walk: &ast::Loop, place: Place) -> Vec<Line> {
+    fn walk(&mut self, walk: &ast::Loop, place: Place) -> Vec<WallLine> {
         let flat = self.flatten(&walk.rows, ROWS);
         let turn = if walk.hole { -90.0 } else { 90.0 };
         let mut lines = Vec::with_capacity(flat.ones.len());
         for (index, row) in flat.ones.iter().enumerate() {
             let strip = self.strip(&row.pieces, place.at(index as u64), Mode::Row);
             self.charge(u64::from(strip.units.is_empty()), row.span);
-            lines.push(Line {
+            lines.push(WallLine {
                 span: row.span,
                 units: strip.units,
                 turn: row.turn.as_ref().map_or(turn, |turn| turn.value),
@@ -130,7 +130,7 @@ impl Pass<'_, '_> {
         &mut self,
         edit: EditRef<'_>,
         key: u64,
-        lines: &mut [Line],
+        lines: &mut [WallLine],
         place: Place,
         first: usize,
     ) {

@@ -11,7 +11,7 @@ mod rename;
 
 pub use rename::{Change, prepare_rename, rename, rename_symbol};
 
-use super::{Analysis, Place};
+use super::{Analysis, SourcePlace};
 use crate::ast::CodeText;
 use crate::parse;
 pub use crate::parse::names::SymbolKind;
@@ -95,15 +95,15 @@ impl Analysis {
     }
 }
 
-fn place_of_mark(mark: &Occurrence) -> Place {
-    Place {
+fn place_of_mark(mark: &Occurrence) -> SourcePlace {
+    SourcePlace {
         file: mark.file,
         range: mark.range.clone(),
     }
 }
 
-fn place_of_spot(codes: &Codes<'_>, spot: &CodeOccurrence) -> Place {
-    Place {
+fn place_of_spot(codes: &Codes<'_>, spot: &CodeOccurrence) -> SourcePlace {
+    SourcePlace {
         file: codes.files[spot.file].id,
         range: spot.range.clone(),
     }
@@ -147,7 +147,7 @@ pub fn symbol_at(a: &Analysis, at: usize) -> Option<Symbol> {
 }
 
 /// Returns the places that define the symbol at an offset.
-pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
+pub fn definition(a: &Analysis, at: usize) -> Vec<SourcePlace> {
     let files = a.files();
     let codes = a.codes(&files);
     let index = &a.names(&files).index;
@@ -163,7 +163,7 @@ pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
                 let named = &index.symbols[mark.symbol];
                 if named.kind == SymbolKind::File {
                     let target = files.iter().find(|f| f.name == named.name);
-                    places.extend(target.map(|f| Place {
+                    places.extend(target.map(|f| SourcePlace {
                         file: f.id,
                         range: 0..0,
                     }));
@@ -179,7 +179,7 @@ pub fn definition(a: &Analysis, at: usize) -> Vec<Place> {
 }
 
 /// Returns the places that use the symbol at an offset, in this file and the files that were read for it.
-pub fn references(a: &Analysis, at: usize, with_declaration: bool) -> Vec<Place> {
+pub fn references(a: &Analysis, at: usize, with_declaration: bool) -> Vec<SourcePlace> {
     let found = occurrences(a, at).into_iter();
     let kept = found.filter(|(_, declares)| with_declaration || !declares);
     kept.map(|(place, _)| place).collect()
@@ -194,7 +194,7 @@ pub fn highlights(a: &Analysis, at: usize) -> Vec<(Range<usize>, bool)> {
 }
 
 /// Returns all places of the symbol at an offset, and for each whether it is its definition.
-fn occurrences(a: &Analysis, at: usize) -> Vec<(Place, bool)> {
+fn occurrences(a: &Analysis, at: usize) -> Vec<(SourcePlace, bool)> {
     let files = a.files();
     let codes = a.codes(&files);
     let index = &a.names(&files).index;
@@ -211,7 +211,7 @@ fn occurrences(a: &Analysis, at: usize) -> Vec<(Place, bool)> {
     }
 }
 
-fn spots_like(codes: &Codes<'_>, spot: &CodeOccurrence) -> Vec<(Place, bool)> {
+fn spots_like(codes: &Codes<'_>, spot: &CodeOccurrence) -> Vec<(SourcePlace, bool)> {
     let alike = codes.alike(codes.text(spot), codes.meaning(spot));
     let declares = |s: &CodeOccurrence| matches!(s.form, CodeForm::Part | CodeForm::Picture);
     alike
@@ -221,7 +221,7 @@ fn spots_like(codes: &Codes<'_>, spot: &CodeOccurrence) -> Vec<(Place, bool)> {
 }
 
 /// Returns the uses of a symbol that another file may define.
-pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<Place> {
+pub fn uses_of(a: &Analysis, symbol: &Symbol) -> Vec<SourcePlace> {
     let files = a.files();
     let codes = a.codes(&files);
     let uses = match target(a, &files, &codes, symbol) {

@@ -32,7 +32,7 @@ use crate::building::{self, EdgeKind, HouseRoofs};
 use crate::catalog::Catalog;
 use crate::diagnostic::Language;
 use crate::geometry::SHAKU;
-use crate::ide::stroke::sheet::{Reason, Row, Sheet};
+use crate::ide::stroke::sheet::{Reason, Sheet, SheetRow};
 use crate::program::{self, Content};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
@@ -55,7 +55,7 @@ pub struct House {
     pub name: String,
     /// Its place in the file.
     #[serde(flatten)]
-    pub place: Place,
+    pub place: PlanPlace,
     /// East, north, up, metres.
     pub origin: [Number; 3],
     /// Direction of its front, degrees clockwise from north.
@@ -74,7 +74,7 @@ pub struct House {
 
 /// A place in the source files.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct Place {
+pub struct PlanPlace {
     /// The file; 0 is the file itself.
     pub file: u16,
     /// Its range of bytes.
@@ -96,7 +96,7 @@ pub struct Storey {
     pub height: Number,
     /// Its place in the file.
     #[serde(flatten)]
-    pub place: Place,
+    pub place: PlanPlace,
     /// The reason why its height cannot be changed.
     pub fixed: Option<&'static str>,
     /// Outer walks and courtyards.
@@ -129,7 +129,7 @@ pub struct Wall {
     pub to: [Number; 2],
     /// The place of its line in the file.
     #[serde(flatten)]
-    pub place: Place,
+    pub place: PlanPlace,
     /// True if its glass is reflective.
     pub reflection: bool,
     /// The reason why it cannot be moved.
@@ -151,7 +151,7 @@ pub struct Unit {
     pub to: [Number; 2],
     /// Its place in the file.
     #[serde(flatten)]
-    pub place: Place,
+    pub place: PlanPlace,
     /// The reason why it cannot be replaced.
     pub fixed: Option<&'static str>,
 }
@@ -167,7 +167,7 @@ pub struct Roof {
     pub storey: u32,
     /// Its line, if it has one.
     #[serde(flatten)]
-    pub place: Option<Place>,
+    pub place: Option<PlanPlace>,
     /// a0, b0, a1, b1 of its bounds.
     pub rect: [Number; 4],
     /// Its top, metres above the house's origin.
@@ -182,7 +182,7 @@ impl Plan {
         let sheet = Sheet::of(a);
         let (building, catalog) = (&a.checked.building, a.catalog());
         let pictures = &building.images;
-        let mut writer = Writer {
+        let mut writer = PlanWriter {
             sheet: &sheet,
             catalog,
             pictures,
@@ -199,7 +199,7 @@ impl Plan {
 }
 
 /// Writes a plan and collects its reasons.
-struct Writer<'a> {
+struct PlanWriter<'a> {
     sheet: &'a Sheet<'a>,
     catalog: &'a Catalog,
     pictures: &'a [program::Picture],
@@ -207,8 +207,8 @@ struct Writer<'a> {
     used: BTreeSet<Reason>,
 }
 
-fn place(span: Span) -> Place {
-    Place {
+fn place(span: Span) -> PlanPlace {
+    PlanPlace {
         file: span.file.0,
         span,
     }
@@ -218,7 +218,7 @@ fn point(p: DVec2) -> [Number; 2] {
     [Number(p.x), Number(p.y)]
 }
 
-impl Writer<'_> {
+impl PlanWriter<'_> {
     /// Records a reason and returns its key.
     fn told(&mut self, reason: Option<Reason>) -> Option<&'static str> {
         self.used.extend(reason);
@@ -270,7 +270,7 @@ impl Writer<'_> {
         }
     }
 
-    fn wall(&mut self, ring: &building::Ring, rows: &[Row], number: usize) -> Wall {
+    fn wall(&mut self, ring: &building::Ring, rows: &[SheetRow], number: usize) -> Wall {
         let (wall, row) = (&ring.walls[number], &rows[number]);
         let reasons = row.units_fixed(wall.units.len());
         let mut at = wall.from;

@@ -1,7 +1,7 @@
 //! The sections of a legacy file: its houses, their storeys and their roofs, as ranges of lines.
 
 use crate::parse::syntax::LineKind;
-use crate::parse::syntax::{Line, Outline};
+use crate::parse::syntax::{LegacyLine, Outline};
 use std::ops::Range;
 
 /// A house of a legacy file; ranges count lines.
@@ -23,7 +23,7 @@ pub(super) fn houses(outline: &Outline, text: &str) -> Vec<House> {
     let mut found = vec![];
     let mut start = 0;
     while start < lines.len() {
-        let separator = |l: &Line| l.kind == LineKind::Separator;
+        let separator = |l: &LegacyLine| l.kind == LineKind::Separator;
         let end = lines[start..].iter().position(separator);
         let end = end.map_or(lines.len(), |i| start + i);
         found.extend(house(lines, start..end, text));
@@ -32,7 +32,7 @@ pub(super) fn houses(outline: &Outline, text: &str) -> Vec<House> {
     found
 }
 
-fn house(lines: &[Line], range: Range<usize>, text: &str) -> Option<House> {
+fn house(lines: &[LegacyLine], range: Range<usize>, text: &str) -> Option<House> {
     let written = |i: &usize| lines[*i].kind != LineKind::Blank;
     let first = range.clone().find(written)?;
     let last = range.clone().rfind(written)?;

@@ -5,7 +5,7 @@
 
 use crate::building::Wall;
 use crate::geometry::Heading;
-use crate::program::{Content, Line, Loop};
+use crate::program::{Content, Loop, WallLine};
 use crate::source::Span;
 use glam::{DVec2, dvec2};
 
@@ -68,7 +68,7 @@ pub(super) fn walk(steps: Loop, facade: &mut u32) -> Walk {
     out
 }
 
-fn wall(line: Line, from: DVec2, heading: Heading, length: f64, facade: u32) -> Wall {
+fn wall(line: WallLine, from: DVec2, heading: Heading, length: f64, facade: u32) -> Wall {
     let direction = heading.vector();
     Wall {
         span: line.span,

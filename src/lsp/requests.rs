@@ -196,7 +196,7 @@ fn references(
     let declared = params.context.include_declaration;
     let found = ide::names::references(document.analysis, at, declared);
     let symbol = ide::names::symbol_at(document.analysis, at);
-    let locate = |places: &Places<'_>, found: Vec<ide::Place>| -> Vec<lsp::Location> {
+    let locate = |places: &Places<'_>, found: Vec<ide::SourcePlace>| -> Vec<lsp::Location> {
         let found = found.into_iter();
         found
             .filter_map(|p| places.location(p.file, &p.range))

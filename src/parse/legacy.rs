@@ -32,7 +32,7 @@ use crate::parse::reporter::Reporter;
 use crate::parse::syntax::LineKind;
 use crate::source::{Limits, Source, SourceCache, Span};
 use header::Header;
-use line::Line;
+use line::SourceLine;
 use std::ops::{Range, RangeInclusive};
 
 use walls::Walls;
@@ -186,7 +186,7 @@ impl<'a> Reader<'a> {
             self.house.blank_line(at..end.end);
             return LineKind::Blank;
         }
-        let line = Line::new(raw, at);
+        let line = SourceLine::new(raw, at);
         let text = line.text.trim();
         match text.as_bytes().first() {
             None => {
@@ -220,7 +220,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn separator(&mut self, line: &Line<'_>, text: &str) {
+    fn separator(&mut self, line: &SourceLine<'_>, text: &str) {
         self.reporter.fixed_fields(line);
         if text != "%" {
             let start = line.text.find('%').unwrap_or(0) + 1;
@@ -233,7 +233,7 @@ impl<'a> Reader<'a> {
         self.finish_house();
     }
 
-    fn content(&mut self, line: &Line<'_>, end: usize) -> LineKind {
+    fn content(&mut self, line: &SourceLine<'_>, end: usize) -> LineKind {
         let section = self.section_of(line, end);
         let house = &mut self.house;
         let span = line.whole(self.reporter.source);
@@ -270,7 +270,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Returns the section of a line by its form; `None` for a misplaced line of the header.
-    fn section_of(&mut self, line: &Line<'_>, end: usize) -> Option<Section> {
+    fn section_of(&mut self, line: &SourceLine<'_>, end: usize) -> Option<Section> {
         match self.house.section {
             Section::Header => Some(self.after_header(line)),
             _ if header::is_key_line(&line.text) => {
@@ -288,7 +288,7 @@ impl<'a> Reader<'a> {
 
     /// Returns the edits that move a line to the end of the header. The blank line before it is removed too if it would
     /// separate the walls.
-    fn moved_up(&self, line: &Line<'_>, end: usize) -> Vec<Edit> {
+    fn moved_up(&self, line: &SourceLine<'_>, end: usize) -> Vec<Edit> {
         let (house, source) = (&self.house, self.reporter.source);
         let Some(to) = house.header_end else {
             return vec![];
@@ -305,7 +305,7 @@ impl<'a> Reader<'a> {
         ]
     }
 
-    fn after_header(&mut self, line: &Line<'_>) -> Section {
+    fn after_header(&mut self, line: &SourceLine<'_>) -> Section {
         let (house, source) = (&self.house, self.reporter.source);
         let roof = roofs::looks_like_roof(&line.text);
         if !roof && house.header.owns(&line.text) {
@@ -330,7 +330,7 @@ impl<'a> Reader<'a> {
         if roof { Section::Roofs } else { Section::Walls }
     }
 
-    fn after_walls(&mut self, line: &Line<'_>) -> Section {
+    fn after_walls(&mut self, line: &SourceLine<'_>) -> Section {
         let text = &*line.text;
         let span = line.whole(self.reporter.source);
         let Some(blank) = self.house.blank.clone() else {
@@ -360,7 +360,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn after_roofs(&mut self, line: &Line<'_>) -> Section {
+    fn after_roofs(&mut self, line: &SourceLine<'_>) -> Section {
         let header = words::plain_words(&line.text)
             .next()
             .is_some_and(words::numeric);

@@ -1,7 +1,7 @@
 //! Builds the [`Outline`] of a source file of either form, however malformed.
 
 use super::legacy;
-use super::syntax::{Line, LineKind, Outline};
+use super::syntax::{LegacyLine, LineKind, Outline};
 use super::xml;
 use crate::ast::{Document, Item, Piece, Row};
 use crate::diagnostic::Diagnostics;
@@ -26,14 +26,14 @@ fn of_lines(source: &Source, limits: &Limits) -> Outline {
     let mut lines = vec![];
     let mut out = Diagnostics::new();
     let document = legacy::parse_lines(source, limits, &mut out, &mut |range, kind| {
-        lines.push(Line {
+        lines.push(LegacyLine {
             range,
             kind,
             codes: vec![],
             turn: None,
         });
     });
-    let rest = lines.last().map_or(0, |l: &Line| l.range.end);
+    let rest = lines.last().map_or(0, |l: &LegacyLine| l.range.end);
     let behind = source.text()[rest..].trim_start();
     let mut outline = match behind.is_empty() {
         true => Outline::default(),
@@ -54,7 +54,7 @@ fn of_lines(source: &Source, limits: &Limits) -> Outline {
     outline
 }
 
-fn fill(line: &mut Line, source: &Source, row: &Row) {
+fn fill(line: &mut LegacyLine, source: &Source, row: &Row) {
     for item in &row.pieces {
         if let Item::One(piece) = item
             && let Some(code) = piece.code()
@@ -69,7 +69,7 @@ fn fill(line: &mut Line, source: &Source, row: &Row) {
 }
 
 /// Removes the `^` that ends a storey, which is no turn of its row.
-fn end(line: &mut Line, text: &str) {
+fn end(line: &mut LegacyLine, text: &str) {
     let written = text[line.range.clone()].trim_end();
     if line.kind == LineKind::Wall && line.turn.is_none() && written.ends_with('^') {
         let end = line.range.start + written.len();

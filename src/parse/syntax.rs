@@ -18,7 +18,7 @@ pub fn is_name(text: &str) -> bool {
 #[derive(Clone, Debug, Default)]
 pub struct Outline {
     /// The lines of the legacy form, without their line ends; none in an XML file.
-    pub lines: Vec<Line>,
+    pub lines: Vec<LegacyLine>,
     /// The elements of the XML form.
     pub elements: Vec<Element>,
     /// The comments of both forms, with their marks.
@@ -44,7 +44,7 @@ pub enum LineKind {
 
 /// A line of the legacy form.
 #[derive(Clone, Debug)]
-pub struct Line {
+pub struct LegacyLine {
     /// Without its line end.
     pub range: Range<usize>,
     /// Its kind.

@@ -28,7 +28,7 @@ use crate::diagnostic::Diagnostics;
 use crate::parse::reporter::Reporter;
 use crate::parse::schema::Tag;
 use crate::source::{Limits, Source, SourceCache};
-use read::{Node, Reader};
+use read::{AllowedChild, Reader};
 
 /// The maximum depth of elements whatever the limit is raised to: deeper nesting would overflow the stack of the
 /// passes, which recurse.
@@ -98,7 +98,7 @@ impl Reader<'_, '_> {
     fn houses(&mut self, parts: &mut Vec<WrittenPart>) -> Vec<House> {
         let mut houses = vec![];
         for node in self.roots() {
-            let Node::Element(schema, element) = node else {
+            let AllowedChild::Element(schema, element) = node else {
                 continue;
             };
             match schema.tag {
@@ -107,7 +107,7 @@ impl Reader<'_, '_> {
                 Tag::Catalog => {
                     self.attributes(schema, element);
                     for node in self.children(element, schema.content()) {
-                        if let Node::Element(schema, element) = node {
+                        if let AllowedChild::Element(schema, element) = node {
                             parts.extend(self.written_part(schema, element));
                         }
                     }
@@ -117,10 +117,12 @@ impl Reader<'_, '_> {
                     let (age, era) = (self.age(&of), self.era(&of));
                     for node in self.children(element, schema.content()) {
                         match node {
-                            Node::Element(schema, element) if schema.tag == Tag::PartDef => {
+                            AllowedChild::Element(schema, element)
+                                if schema.tag == Tag::PartDef =>
+                            {
                                 parts.extend(self.written_part(schema, element));
                             }
-                            Node::Element(schema, element) => {
+                            AllowedChild::Element(schema, element) => {
                                 let mut house = self.house(schema, element);
                                 let settings = &mut house.settings;
                                 settings.age = settings.age.or(age);
@@ -130,7 +132,7 @@ impl Reader<'_, '_> {
                                 }
                                 houses.push(house);
                             }
-                            Node::Text(_) => {}
+                            AllowedChild::Text(_) => {}
                         }
                     }
                 }

@@ -9,20 +9,20 @@ use std::fmt::Error;
 
 /// Returns the content of a tree as bytes; equal for trees that differ only in places.
 pub fn essence(tree: &impl Serialize) -> Vec<u8> {
-    let mut writer = Writer { bytes: vec![] };
+    let mut writer = EssenceWriter { bytes: vec![] };
     // Writing to memory does not fail, and none of our trees refuses serialization.
     let written = tree.serialize(&mut writer);
     debug_assert!(written.is_ok());
     writer.bytes
 }
 
-struct Writer {
+struct EssenceWriter {
     bytes: Vec<u8>,
 }
 
 type Done = Result<(), Error>;
 
-impl Writer {
+impl EssenceWriter {
     fn tag(&mut self, tag: u8) -> Done {
         self.bytes.push(tag);
         Ok(())
@@ -45,16 +45,16 @@ impl Writer {
     }
 }
 
-impl<'w> Serializer for &'w mut Writer {
+impl<'w> Serializer for &'w mut EssenceWriter {
     type Ok = ();
     type Error = Error;
-    type SerializeSeq = &'w mut Writer;
-    type SerializeTuple = &'w mut Writer;
-    type SerializeTupleStruct = &'w mut Writer;
-    type SerializeTupleVariant = &'w mut Writer;
-    type SerializeMap = &'w mut Writer;
-    type SerializeStruct = &'w mut Writer;
-    type SerializeStructVariant = &'w mut Writer;
+    type SerializeSeq = &'w mut EssenceWriter;
+    type SerializeTuple = &'w mut EssenceWriter;
+    type SerializeTupleStruct = &'w mut EssenceWriter;
+    type SerializeTupleVariant = &'w mut EssenceWriter;
+    type SerializeMap = &'w mut EssenceWriter;
+    type SerializeStruct = &'w mut EssenceWriter;
+    type SerializeStructVariant = &'w mut EssenceWriter;
 
     fn serialize_bool(self, v: bool) -> Done {
         self.tag(u8::from(v))
@@ -201,7 +201,7 @@ impl<'w> Serializer for &'w mut Writer {
 /// Writes members one after another, with a closing bracket, so that no two lists run into each other.
 macro_rules! members {
     ($($of:ident $member:ident),*) => {$(
-        impl ser::$of for &mut Writer {
+        impl ser::$of for &mut EssenceWriter {
             type Ok = ();
             type Error = Error;
 
@@ -227,7 +227,7 @@ members!(
 /// Writes members with names: of fields, or of their values in a map.
 macro_rules! named_members {
     ($($of:ident),*) => {$(
-        impl ser::$of for &mut Writer {
+        impl ser::$of for &mut EssenceWriter {
             type Ok = ();
             type Error = Error;
 
@@ -245,7 +245,7 @@ macro_rules! named_members {
 
 named_members!(SerializeStruct, SerializeStructVariant);
 
-impl ser::SerializeMap for &mut Writer {
+impl ser::SerializeMap for &mut EssenceWriter {
     type Ok = ();
     type Error = Error;
 

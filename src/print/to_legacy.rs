@@ -9,7 +9,7 @@ use crate::ast::{
 use crate::catalog::Catalog;
 use crate::diagnostic::messages::print as say;
 use crate::diagnostic::{Diagnostic, Diagnostics};
-use crate::program::{Content, House, Line, Picture, Program, Roofs, Storey, Unit};
+use crate::program::{Content, House, Picture, Program, Roofs, Storey, Unit, WallLine};
 use crate::source::{Source, Span};
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -24,7 +24,7 @@ pub fn to_legacy(
     catalog: &Catalog,
     out: &mut Diagnostics,
 ) -> Option<String> {
-    let mut writer = Writer {
+    let mut writer = LegacyWriter {
         source,
         catalog,
         pictures: &program.pictures,
@@ -59,12 +59,12 @@ pub fn to_legacy(
         writer.house(house, seed.map(|s| s.value));
     }
     writer.comments_before(usize::MAX);
-    let Writer { text, told, .. } = writer;
+    let LegacyWriter { text, told, .. } = writer;
     let end = super::line_end(source.text());
     told.is_empty().then(|| super::with_ends(text, end))
 }
 
-struct Writer<'s> {
+struct LegacyWriter<'s> {
     source: &'s Source,
     catalog: &'s Catalog,
     pictures: &'s [Picture],
@@ -76,7 +76,7 @@ struct Writer<'s> {
     out: &'s mut Diagnostics,
 }
 
-impl Writer<'_> {
+impl LegacyWriter<'_> {
     fn refuse(&mut self, span: Span, message: Diagnostic) {
         if self.told.insert((message.code.0, span)) {
             self.out.push(message);
@@ -170,7 +170,7 @@ impl Writer<'_> {
     }
 
     /// Returns the letter of a turn.
-    fn turn(&mut self, line: &Line) -> &'static str {
+    fn turn(&mut self, line: &WallLine) -> &'static str {
         match line.turn {
             90.0 if line.units.is_empty() => "R",
             90.0 => "",
@@ -182,7 +182,7 @@ impl Writer<'_> {
         }
     }
 
-    fn line(&mut self, line: &Line, control: &str) {
+    fn line(&mut self, line: &WallLine, control: &str) {
         if line.units.is_empty() && control.is_empty() && self.text.ends_with('\n') {
             return; // a last line without parts; a blank one would end the walls all the same
         }

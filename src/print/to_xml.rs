@@ -22,7 +22,7 @@ pub fn to_xml(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option
         }
     };
     let document = parse_lines(source, limits, &mut Diagnostics::new(), each);
-    let mut writer = Writer {
+    let mut writer = XmlWriter {
         source,
         text: declaration(source),
         comments: comments.into_iter().peekable(),
@@ -30,7 +30,7 @@ pub fn to_xml(source: &Source, limits: &Limits, out: &mut Diagnostics) -> Option
         sound: true,
     };
     writer.document(&document);
-    let Writer { text, sound, .. } = writer;
+    let XmlWriter { text, sound, .. } = writer;
     let end = super::line_end(source.text());
     sound.then(|| xml::format(&text, end)).flatten()
 }
@@ -43,7 +43,7 @@ fn declaration(source: &Source) -> String {
     }
 }
 
-struct Writer<'s, C: Iterator<Item = Range<usize>>> {
+struct XmlWriter<'s, C: Iterator<Item = Range<usize>>> {
     source: &'s Source,
     text: String,
     /// The remaining comments.
@@ -52,7 +52,7 @@ struct Writer<'s, C: Iterator<Item = Range<usize>>> {
     sound: bool,
 }
 
-impl<C: Iterator<Item = Range<usize>>> Writer<'_, C> {
+impl<C: Iterator<Item = Range<usize>>> XmlWriter<'_, C> {
     fn document(&mut self, document: &Document) {
         let several = document.houses.len() != 1;
         if several {

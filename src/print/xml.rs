@@ -15,7 +15,7 @@ mod raw;
 
 use std::ops::Range;
 
-use raw::{Element, Node};
+use raw::{Element, RawNode};
 
 /// Maximum number of columns of a line.
 const WIDTH: usize = 100;
@@ -42,10 +42,10 @@ pub(super) fn format(text: &str, end: &'static str) -> Option<String> {
 }
 
 /// Returns true for verbatim text, and for text that is not only white space.
-fn is_content(node: &Node<'_>) -> bool {
+fn is_content(node: &RawNode<'_>) -> bool {
     match node {
-        Node::Text(text) => !is_white(text),
-        Node::Verbatim(_) => true,
+        RawNode::Text(text) => !is_white(text),
+        RawNode::Verbatim(_) => true,
         _ => false,
     }
 }
@@ -140,16 +140,16 @@ impl Printer {
     }
 
     /// Writes nodes among which white space is insignificant, one per line; the last line is left open.
-    fn structure(&mut self, nodes: &[Node<'_>], depth: usize) {
+    fn structure(&mut self, nodes: &[RawNode<'_>], depth: usize) {
         let mut white = 0;
         let mut first = true;
         for node in nodes {
-            if let Node::Text(text) = node {
+            if let RawNode::Text(text) = node {
                 white += breaks(text);
                 continue;
             }
             let begins = self.text.is_empty();
-            let behind = white == 0 && matches!(node, Node::Comment { .. }) && !begins;
+            let behind = white == 0 && matches!(node, RawNode::Comment { .. }) && !begins;
             if behind {
                 self.push(" ");
             } else if !begins {
@@ -163,15 +163,17 @@ impl Printer {
         }
     }
 
-    fn node(&mut self, node: &Node<'_>, depth: usize, codes: bool) {
+    fn node(&mut self, node: &RawNode<'_>, depth: usize, codes: bool) {
         // No letter has more bytes than twice its columns, so the limit is exceeded.
         if self.flat && self.text.len() > 2 * WIDTH {
             return;
         }
         match node {
-            Node::Text(text) | Node::Verbatim(text) | Node::Instruction(text) => self.push(text),
-            Node::Comment { text, column } => self.comment(text, *column),
-            Node::Element(element) => self.element(element, depth, codes),
+            RawNode::Text(text) | RawNode::Verbatim(text) | RawNode::Instruction(text) => {
+                self.push(text)
+            }
+            RawNode::Comment { text, column } => self.comment(text, *column),
+            RawNode::Element(element) => self.element(element, depth, codes),
         }
     }
 
@@ -180,14 +182,14 @@ impl Printer {
         let children = &element.children;
         if children
             .iter()
-            .all(|c| matches!(c, Node::Text(text) if is_white(text)))
+            .all(|c| matches!(c, RawNode::Text(text) if is_white(text)))
         {
             return self.tag(element, depth, "/>");
         }
         let codes = codes || HOLDS_CODES.contains(&element.name) || children.iter().any(is_content);
         let broken = children
             .iter()
-            .any(|c| matches!(c, Node::Text(text) if breaks(text) > 0));
+            .any(|c| matches!(c, RawNode::Text(text) if breaks(text) > 0));
         let may_stay = !broken && (codes || is_single(children));
         let stays = may_stay
             && (self.flat || children.iter().any(is_content) || self.fits(element, depth, codes));
@@ -221,7 +223,7 @@ impl Printer {
     }
 
     /// Writes children in the line of their parent.
-    fn inline(&mut self, children: &[Node<'_>], depth: usize, codes: bool) {
+    fn inline(&mut self, children: &[RawNode<'_>], depth: usize, codes: bool) {
         for (i, child) in children.iter().enumerate() {
             if !vanishes(children, i) {
                 self.node(child, depth, codes);
@@ -230,7 +232,7 @@ impl Printer {
     }
 
     /// Writes children without text, one per line.
-    fn column_of(&mut self, children: &[Node<'_>], depth: usize) {
+    fn column_of(&mut self, children: &[RawNode<'_>], depth: usize) {
         for (i, child) in children.iter().enumerate() {
             if !vanishes(children, i) {
                 self.new_line(depth + 1);
@@ -241,23 +243,23 @@ impl Printer {
     }
 
     /// Writes children in the lines that the author gave them.
-    fn broken(&mut self, children: &[Node<'_>], depth: usize) {
+    fn broken(&mut self, children: &[RawNode<'_>], depth: usize) {
         // A line break where a run of codes begins or ends moves nothing, unless blanks are there.
         let stays: Vec<usize> = (0..children.len())
             .filter(|i| !vanishes(children, *i))
             .collect();
         let at = |index: Option<&usize>| index.map(|i| &children[*i]);
         let opens = match at(stays.first()) {
-            Some(Node::Text(text)) => !text.starts_with(is_blank),
-            first => matches!(first, Some(Node::Element(_))),
+            Some(RawNode::Text(text)) => !text.starts_with(is_blank),
+            first => matches!(first, Some(RawNode::Element(_))),
         };
         let closes = match at(stays.last()) {
-            Some(Node::Text(text)) => !text.ends_with(is_blank),
-            last => matches!(last, Some(Node::Element(_))),
+            Some(RawNode::Text(text)) => !text.ends_with(is_blank),
+            last => matches!(last, Some(RawNode::Element(_))),
         };
         let (mut pending, mut first) = (usize::from(opens), true);
         for child in stays.iter().map(|i| &children[*i]) {
-            let Node::Text(text) = child else {
+            let RawNode::Text(text) = child else {
                 self.flush(&mut pending, &mut first, depth + 1);
                 self.node(child, depth + 1, true);
                 continue;
@@ -344,21 +346,21 @@ impl Printer {
 }
 
 /// Returns true if the only node besides text is one element that is empty or holds codes.
-fn is_single(nodes: &[Node<'_>]) -> bool {
-    let mut content = nodes.iter().filter(|n| !matches!(n, Node::Text(_)));
+fn is_single(nodes: &[RawNode<'_>]) -> bool {
+    let mut content = nodes.iter().filter(|n| !matches!(n, RawNode::Text(_)));
     match (content.next(), content.next()) {
-        (Some(Node::Element(e)), None) => e.children.is_empty() || HOLDS_CODES.contains(&e.name),
+        (Some(RawNode::Element(e)), None) => e.children.is_empty() || HOLDS_CODES.contains(&e.name),
         _ => false,
     }
 }
 
 /// Returns true for white space between elements that cannot be part of a code.
-fn vanishes(nodes: &[Node<'_>], index: usize) -> bool {
+fn vanishes(nodes: &[RawNode<'_>], index: usize) -> bool {
     let joins = |i: Option<usize>| {
         let node = i.and_then(|i| nodes.get(i));
-        node.is_some_and(|n| !matches!(n, Node::Element(_)))
+        node.is_some_and(|n| !matches!(n, RawNode::Element(_)))
     };
-    matches!(&nodes[index], Node::Text(text) if is_white(text) && breaks(text) == 0)
+    matches!(&nodes[index], RawNode::Text(text) if is_white(text) && breaks(text) == 0)
         && !joins(index.checked_sub(1))
         && !joins(Some(index + 1))
 }

@@ -27,13 +27,13 @@ const STAND_INS: [(char, char); 2] = [('ﾞ', '\u{f8f0}'), ('ﾟ', '\u{f8f1}')];
 pub(super) struct Excerpt {
     name: String,
     text: String,
-    rows: Vec<Row>,
+    rows: Vec<ExcerptRow>,
     marks: Vec<Mark>,
 }
 
 /// A line of the excerpt.
 #[derive(Debug)]
-struct Row {
+struct ExcerptRow {
     /// Its number in the file, from 0.
     line: usize,
     /// Its range in the excerpt, with its line end.
@@ -133,7 +133,7 @@ impl Excerpt {
             self.text.push(' '); // miette shows no caret under nothing
         }
         self.text.push('\n');
-        self.rows.push(Row {
+        self.rows.push(ExcerptRow {
             line,
             range: begin..self.text.len(),
         });

@@ -99,14 +99,14 @@ struct Replacement<'a> {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Location<'a> {
-    physical_location: Place,
+    physical_location: SarifPlace,
     #[serde(skip_serializing_if = "Option::is_none")]
     message: Option<Text<&'a str>>,
 }
 
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-struct Place {
+struct SarifPlace {
     artifact_location: Artifact,
     #[serde(skip_serializing_if = "Option::is_none")]
     region: Option<Region>,
@@ -221,8 +221,8 @@ fn fix<'a>(report: &Report<'_>, fix: &'a Fix) -> Option<SarifFix<'a>> {
     })
 }
 
-fn place(report: &Report<'_>, span: Span) -> Place {
-    Place {
+fn place(report: &Report<'_>, span: Span) -> SarifPlace {
+    SarifPlace {
         artifact_location: artifact(report, span.file),
         region: region(report, span),
     }

@@ -37,7 +37,7 @@ pub const FLUSH: u32 = 1;
 
 /// A corner of the plan or a place where edges met.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Node {
+pub struct SkeletonNode {
     /// Its position, metres.
     pub at: DVec2,
     /// Distance from the edges whose faces meet here, metres; 0 on the outline.
@@ -48,7 +48,7 @@ pub struct Node {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Face {
     /// The line of the edge.
-    pub line: line::Line,
+    pub line: line::EdgeLine,
     /// The caller's tag of the edge.
     pub tag: u32,
     /// The edge before it in its ring.
@@ -61,7 +61,7 @@ pub struct Face {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Skeleton {
     /// Corners first, in the order of the edges that start there.
-    pub nodes: Vec<Node>,
+    pub nodes: Vec<SkeletonNode>,
     /// One face for each edge.
     pub faces: Vec<Face>,
 }

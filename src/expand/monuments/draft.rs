@@ -6,7 +6,7 @@ use crate::ast::{
 };
 use crate::catalog::Catalog;
 use crate::geometry::STEPS;
-use crate::program::{Content, Line, Loop, Split, Storey, Unit};
+use crate::program::{Content, Loop, Split, Storey, Unit, WallLine};
 use crate::source::{Span, Spanned};
 
 /// The part of a bay, and the bay's width in shaku.
@@ -51,7 +51,7 @@ pub(crate) struct Draft<'c> {
 }
 
 /// A rectangular storey, centred on the ground storey.
-pub(super) struct Level<'a> {
+pub(super) struct DraftStorey<'a> {
     /// Bays of the four walls in walk order, from right to left.
     pub(super) walls: [&'a [Bay]; 4],
     pub(super) height: f64,
@@ -85,17 +85,17 @@ impl<'c> Draft<'c> {
     }
 
     /// Adds a storey.
-    pub(super) fn storey(&mut self, level: &Level<'_>) {
+    pub(super) fn storey(&mut self, level: &DraftStorey<'_>) {
         let zone = level.order.brackets.as_ref().map_or(0.0, Brackets::zone);
         // The share of the height above the base.
         let wall = level.height - zone;
         let share = (1.0 - level.base / wall.max(0.1)).clamp(0.05, 1.0);
-        let lines: Vec<Line> = level
+        let lines: Vec<WallLine> = level
             .walls
             .iter()
             .map(|bays| self.line(bays, share))
             .collect();
-        let long = |line: &Line| line.units.iter().map(|u| u.width).sum::<f64>();
+        let long = |line: &WallLine| line.units.iter().map(|u| u.width).sum::<f64>();
         let size = [long(&lines[0]), long(&lines[1])];
         let ground = *self.ground.get_or_insert(size);
         let [a, b] = [0, 1].map(|k| on_steps((ground[k] - size[k]) / 2.0));
@@ -114,7 +114,7 @@ impl<'c> Draft<'c> {
     /// Adds a square storey with the same bays on every side; `heights` are its base and its height.
     pub(super) fn tier(&mut self, side: &[Bay], heights: (f64, f64), order: Order) {
         let (base, height) = heights;
-        self.storey(&Level {
+        self.storey(&DraftStorey {
             walls: [side, side, side, side],
             height,
             base,
@@ -132,7 +132,7 @@ impl<'c> Draft<'c> {
         }
     }
 
-    fn walk(&self, start: (f64, f64), lines: Vec<Line>, inner: bool) -> Loop {
+    fn walk(&self, start: (f64, f64), lines: Vec<WallLine>, inner: bool) -> Loop {
         Loop {
             span: self.span,
             hole: false,
@@ -143,15 +143,15 @@ impl<'c> Draft<'c> {
         }
     }
 
-    /// A built-in part of the catalogue; a test looks for every code that is used here.
+    /// Returns a built-in part of the catalogue; a test looks for every code that is used here.
     fn content(&self, code: &str) -> Content {
         let part = self.catalog.find(&CodeText::new(code));
         part.map_or(Content::Void, Content::Part)
     }
 
-    fn line(&self, bays: &[Bay], share: f64) -> Line {
+    fn line(&self, bays: &[Bay], share: f64) -> WallLine {
         let units = bays.iter().map(|bay| self.bay(*bay, share)).collect();
-        Line {
+        WallLine {
             span: self.span,
             units,
             turn: 90.0,

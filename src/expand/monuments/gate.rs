@@ -2,7 +2,7 @@
 //! veranda runs round the upper storey. Defaults after Suzakumon (`docs/evidence.md` 4.8, S30): bays of 17 shaku, eaves
 //! of 12, set back a little upstairs; heights as shares of the bay.
 
-use super::draft::{Draft, Level, Usual, WALL, bays};
+use super::draft::{Draft, DraftStorey, Usual, WALL, bays};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
@@ -48,7 +48,7 @@ impl Pass<'_, '_> {
         let open = bays(nx, bx, "AFU", ("AFU", 0));
         let front = if row == 0 { &leaves } else { &open };
         let side = bays(ny, by, WALL, (WALL, 0));
-        draft.storey(&Level {
+        draft.storey(&DraftStorey {
             walls: [front, &side, &open, &side],
             height: columns + zone,
             base: 0.0,
@@ -103,7 +103,7 @@ impl Pass<'_, '_> {
             ..up.order
         };
         let height = base + columns + zone;
-        draft.storey(&Level {
+        draft.storey(&DraftStorey {
             walls: [&front, &side, &front, &side],
             height,
             base,

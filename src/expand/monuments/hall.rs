@@ -1,7 +1,7 @@
 //! `<Hall>` and `<Shrine>`: one model (000-79, 000-80); slope, thickness and covering of the roof, paint and floor make
 //! it a temple hall or a shrine. With an aisle, the core has a roof of its own above that of the aisle.
 
-use super::draft::{Bay, Draft, Level, Usual, WALL, bays};
+use super::draft::{Bay, Draft, DraftStorey, Usual, WALL, bays};
 use super::{Pass, count, or};
 use crate::ast::{self, FinialKind, Order, Paint, Rail, RoofKind, RoofShape, RoofStyle, Side};
 use crate::diagnostic::messages::fittings::Scarce;
@@ -112,7 +112,7 @@ impl Pass<'_, '_> {
             side[0].0 = codes.window;
             other[ny as usize - 1].0 = codes.window;
         }
-        draft.storey(&Level {
+        draft.storey(&DraftStorey {
             walls: [&front, &side, &back, &other],
             height: columns + zone,
             base: 0.0,
@@ -157,7 +157,7 @@ impl Pass<'_, '_> {
         let wall =
             |n: u32, length: f64| bays(n, length / f64::from(n), codes.wall, (codes.wall, 0));
         let (front, side) = (wall(nx, size[0]), wall(ny, size[1]));
-        draft.storey(&Level {
+        draft.storey(&DraftStorey {
             walls: [&front, &side, &front, &side],
             height: hidden + clear + zone,
             base: 0.0,

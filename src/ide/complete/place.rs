@@ -7,7 +7,7 @@ use std::ops::Range;
 
 /// The syntactic role of a place.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(in crate::ide) enum Place {
+pub(in crate::ide) enum CursorPlace {
     /// A place without proposals: in a comment, a declaration, after the name of an end tag.
     Nowhere,
     /// Among elements and codes.
@@ -49,7 +49,7 @@ pub(in crate::ide) struct TagAttribute {
 pub(in crate::ide) type Open<'t> = Vec<(&'t str, usize)>;
 
 /// Returns the role of an offset, and the elements open around it.
-pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
+pub(in crate::ide) fn place(text: &str, at: usize) -> (CursorPlace, Open<'_>) {
     let mut open: Open<'_> = vec![];
     let mut from = 0;
     while let Some(start) = text[from..].find('<').map(|i| from + i) {
@@ -69,14 +69,14 @@ pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
                 .and_then(|r| r.find(end).map(|i| start + mark.len() + i + end.len()));
             match end.filter(|end| *end <= at) {
                 Some(end) => from = end,
-                None => return (Place::Nowhere, open),
+                None => return (CursorPlace::Nowhere, open),
             }
             continue;
         }
         if rest.starts_with("</") {
             let end = start + 2 + word(&text[start + 2..]);
             if at <= end {
-                return (Place::EndTag(start..end), open);
+                return (CursorPlace::EndTag(start..end), open);
             }
             let name = &text[start + 2..end];
             if let Some(depth) = open.iter().rposition(|(n, _)| *n == name) {
@@ -85,7 +85,7 @@ pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
             let close = text[end..].find(['>', '<']).map_or(text.len(), |i| end + i);
             let ended = text[close..].starts_with('>');
             if at <= close && ended {
-                return (Place::Nowhere, open);
+                return (CursorPlace::Nowhere, open);
             }
             from = if ended { close + 1 } else { close };
             continue;
@@ -97,7 +97,7 @@ pub(in crate::ide) fn place(text: &str, at: usize) -> (Place, Open<'_>) {
         from = tag.end.max(start + 1);
         enter(&mut open, text, start, &tag);
     }
-    (Place::Content, open)
+    (CursorPlace::Content, open)
 }
 
 /// Opens an element, unless it is empty, nameless or a leaf.
@@ -207,9 +207,9 @@ fn attribute(text: &str, name: Range<usize>) -> TagAttribute {
 }
 
 /// Returns the role of an offset in a tag.
-fn within(tag: Tag, at: usize) -> Place {
+fn within(tag: Tag, at: usize) -> CursorPlace {
     if at <= tag.name.end {
-        return Place::TagName(tag);
+        return CursorPlace::TagName(tag);
     }
     let here = |r: &Range<usize>| r.start <= at && at <= r.end;
     if let Some(index) = tag
@@ -217,11 +217,11 @@ fn within(tag: Tag, at: usize) -> Place {
         .iter()
         .position(|a| a.inner.as_ref().is_some_and(here))
     {
-        return Place::Value(tag, index);
+        return CursorPlace::Value(tag, index);
     }
     let named = tag.attributes.iter().find(|a| here(&a.name));
     let range = named.map_or(at..at, |a| a.name.clone());
-    Place::AttributeName(tag, range)
+    CursorPlace::AttributeName(tag, range)
 }
 
 /// Returns the length of the word at the start of a string.

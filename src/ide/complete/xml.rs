@@ -1,6 +1,6 @@
 //! Elements, end tags and attributes of the XML form.
 
-use super::place::{self, Open, Place, Tag};
+use super::place::{self, CursorPlace, Open, Tag};
 use super::{Completion, CompletionKind, Request, cells, names, parts, values};
 use crate::catalog::body;
 use crate::diagnostic::{Noun, Text, noun};
@@ -13,9 +13,9 @@ use std::ops::Range;
 pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
     let (place, open) = place::place(request.text, request.at);
     match place {
-        Place::Nowhere => vec![],
-        Place::EndTag(range) => end_tags(&open, &range),
-        Place::TagName(tag) => {
+        CursorPlace::Nowhere => vec![],
+        CursorPlace::EndTag(range) => end_tags(&open, &range),
+        CursorPlace::TagName(tag) => {
             let start = tag.name.start - 1;
             let mut found = elements(request, &open, start..tag.name.end, &tag);
             if tag.name.is_empty() || tag.attributes.is_empty() {
@@ -23,9 +23,9 @@ pub(super) fn complete(request: &Request<'_>) -> Vec<Completion> {
             }
             found
         }
-        Place::AttributeName(tag, range) => attributes(request, &open, &tag, range),
-        Place::Value(tag, index) => values::complete(request, &open, &tag, index),
-        Place::Content => content(request, &open),
+        CursorPlace::AttributeName(tag, range) => attributes(request, &open, &tag, range),
+        CursorPlace::Value(tag, index) => values::complete(request, &open, &tag, index),
+        CursorPlace::Content => content(request, &open),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::ide::complete::legacy::before;
 use crate::ide::complete::parts;
 use crate::ide::complete::roofs::{Field, field};
 use crate::ide::vocabulary;
-use crate::parse::syntax::Line;
+use crate::parse::syntax::LegacyLine;
 use crate::parse::syntax::LineKind;
 use crate::text;
 use std::ops::Range;
@@ -30,7 +30,7 @@ pub(super) fn hover(request: &Request<'_>) -> Option<Hover> {
 }
 
 /// Returns the card of a part on its code, the wall everywhere else.
-fn wall(request: &Request<'_>, line: &Line) -> Option<Hover> {
+fn wall(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
     let text = request.a.text();
     let written = |range: &Range<usize>| range.start + text[range.clone()].trim_end().len();
     let code = line
@@ -64,7 +64,7 @@ fn words_of(text: &str, line: &Range<usize>) -> Vec<Range<usize>> {
         .collect()
 }
 
-fn header(request: &Request<'_>, line: &Line) -> Option<Hover> {
+fn header(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
     let text = request.a.text();
     let words = words_of(text, &line.range);
     let index = words.iter().position(|w| super::holds(w, request.at))?;
@@ -114,7 +114,7 @@ fn header(request: &Request<'_>, line: &Line) -> Option<Hover> {
     request.told(&words[index], [about].into_iter().chain(top))
 }
 
-fn roof(request: &Request<'_>, line: &Line) -> Option<Hover> {
+fn roof(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
     let text = request.a.text();
     let words = words_of(text, &line.range);
     let built = built::roofs(request, &line.range, false);

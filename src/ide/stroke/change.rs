@@ -1,10 +1,10 @@
 //! A change of a ring of walls: its current form in the file, and the new one.
 
-use super::draft::{Draft, Piece};
+use super::draft::{Draft, DraftPiece};
 use crate::building::Ring;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::stroke::sheet::{Row, Sheet};
+use crate::ide::stroke::sheet::{Sheet, SheetRow};
 use glam::DVec2;
 
 /// Number of columns of a code.
@@ -14,7 +14,7 @@ pub(super) const CELL: usize = 5;
 pub(super) struct Change<'a> {
     pub(super) sheet: &'a Sheet<'a>,
     pub(super) ring: &'a Ring,
-    pub(super) rows: &'a [Row],
+    pub(super) rows: &'a [SheetRow],
     pub(super) draft: &'a Draft,
 }
 
@@ -25,7 +25,7 @@ impl Change<'_> {
         let Some(line) = line else { return true };
         let row = &self.rows[wall];
         let cells = row.cells.len() - row.leads();
-        let same = |(index, piece): (usize, &Piece)| {
+        let same = |(index, piece): (usize, &DraftPiece)| {
             let cell = &row.cells[row.leads() + index];
             let width = (cell.width - piece.width).abs() < SAME;
             piece.old == Some((wall, row.leads() + index)) && width

@@ -5,13 +5,13 @@ use super::refuse;
 use crate::building::Ring;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
-use crate::ide::stroke::sheet::{Cell, Form, Inner, Row, What};
+use crate::ide::stroke::sheet::{Cell, Form, Inner, SheetRow, What};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// A piece of a wall during a stroke.
 #[derive(Clone, Debug)]
-pub(super) struct Piece {
+pub(super) struct DraftPiece {
     /// The cell and the wall it comes from; `None` = it is new.
     pub(super) old: Option<(usize, usize)>,
     /// Number of rounds of a `repeat`; 1 otherwise.
@@ -25,13 +25,13 @@ pub(super) struct Piece {
     /// True if it replaces the part of an existing cell.
     pub(super) instead: bool,
     /// The parts of one round of a `repeat`.
-    pub(super) inner: Vec<Piece>,
+    pub(super) inner: Vec<DraftPiece>,
 }
 
-impl Piece {
+impl DraftPiece {
     /// Creates a part of this many units.
-    pub(super) fn new(code: &str, what: What, width: f64) -> Piece {
-        Piece {
+    pub(super) fn new(code: &str, what: What, width: f64) -> DraftPiece {
+        DraftPiece {
             old: None,
             count: 1,
             code: code.to_owned(),
@@ -42,8 +42,8 @@ impl Piece {
         }
     }
 
-    fn of(wall: usize, index: usize, cell: &Cell) -> Piece {
-        Piece {
+    fn of(wall: usize, index: usize, cell: &Cell) -> DraftPiece {
+        DraftPiece {
             old: Some((wall, index)),
             count: if let Form::Run(_, count) = cell.form {
                 count
@@ -65,7 +65,7 @@ impl Piece {
 
     /// Returns the piece with one of its rounds written out, and the index at which the parts of that round begin; a
     /// repeat of a single part keeps one of them as a piece of its own.
-    pub(super) fn unrolled(&self, round: u32) -> (Vec<Piece>, usize) {
+    pub(super) fn unrolled(&self, round: u32) -> (Vec<DraftPiece>, usize) {
         let round = round.min(self.count.saturating_sub(1));
         let middle = match self.inner.is_empty() {
             true => vec![self.times(1)],
@@ -86,8 +86,8 @@ impl Piece {
     }
 
     /// Returns the piece with this many of its parts.
-    pub(super) fn times(&self, count: u32) -> Piece {
-        Piece {
+    pub(super) fn times(&self, count: u32) -> DraftPiece {
+        DraftPiece {
             count,
             width: self.one() * f64::from(count),
             ..self.clone()
@@ -95,22 +95,22 @@ impl Piece {
     }
 }
 
-fn inner(part: &Inner) -> Piece {
-    Piece::new(&part.code, part.what, part.width)
+fn inner(part: &Inner) -> DraftPiece {
+    DraftPiece::new(&part.code, part.what, part.width)
 }
 
 /// A wall during a stroke.
 #[derive(Clone, Debug)]
-pub(super) struct Line {
+pub(super) struct DraftLine {
     /// The wall whose line of the file it keeps.
     pub(super) base: Option<usize>,
     /// Its direction.
     pub(super) direction: DVec2,
     /// In the order of the file: from its right end, or from its left one if that runs rightwards.
-    pub(super) pieces: Vec<Piece>,
+    pub(super) pieces: Vec<DraftPiece>,
 }
 
-impl Line {
+impl DraftLine {
     /// Returns its length, U.
     pub(super) fn length(&self) -> f64 {
         self.pieces.iter().map(|p| p.width).sum()
@@ -123,7 +123,7 @@ pub(super) struct Draft {
     /// The start of its walk.
     pub(super) start: DVec2,
     /// Its walls.
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<DraftLine>,
     /// True if its walls are written against the walk.
     rightwards: bool,
     /// The plain wall of each existing wall.
@@ -155,16 +155,16 @@ pub(super) const PLAIN: &str = "KSK";
 
 impl Draft {
     /// Creates the draft of a ring as it is.
-    pub(super) fn of(ring: &Ring, rows: &[Row]) -> Draft {
-        let line = |(index, (wall, row)): (usize, (&crate::building::Wall, &Row))| Line {
+    pub(super) fn of(ring: &Ring, rows: &[SheetRow]) -> Draft {
+        let line = |(index, (wall, row)): (usize, (&crate::building::Wall, &SheetRow))| DraftLine {
             base: Some(index),
             direction: wall.direction,
             pieces: pieces(index, row),
         };
-        let lines: Vec<Line> = ring.walls.iter().zip(rows).enumerate().map(line).collect();
+        let lines: Vec<DraftLine> = ring.walls.iter().zip(rows).enumerate().map(line).collect();
         let all = lines.iter().flat_map(|l| &l.pieces);
         let usual = most(all).unwrap_or_else(|| PLAIN.to_owned());
-        let plain = |l: &Line| most(l.pieces.iter()).unwrap_or_else(|| usual.clone());
+        let plain = |l: &DraftLine| most(l.pieces.iter()).unwrap_or_else(|| usual.clone());
         Draft {
             start: ring.walls.first().map_or(DVec2::ZERO, |w| w.from),
             plain: lines.iter().map(plain).collect(),
@@ -176,7 +176,7 @@ impl Draft {
     /// Returns the corners, the first at the start.
     pub(super) fn corners(&self) -> Vec<DVec2> {
         let mut at = self.start;
-        let step = |line: &Line| {
+        let step = |line: &DraftLine| {
             let from = at;
             at += line.direction * line.length();
             from
@@ -185,7 +185,7 @@ impl Draft {
     }
 
     /// Returns this many units of the plain wall of a line.
-    pub(super) fn plain(&self, line: usize, width: f64) -> Result<Vec<Piece>, Text> {
+    pub(super) fn plain(&self, line: usize, width: f64) -> Result<Vec<DraftPiece>, Text> {
         let own = self.lines[line].base.and_then(|b| self.plain.get(b));
         let code = own.map_or(PLAIN, |c| c.as_str());
         plain(code, width)
@@ -196,7 +196,7 @@ impl Draft {
         let end = end.written(self.rightwards);
         let own = &self.lines[line].pieces;
         // Posts stay at the corner.
-        let posts = |p: &&Piece| p.what == What::Post && p.old.is_some();
+        let posts = |p: &&DraftPiece| p.what == What::Post && p.old.is_some();
         let at = match end {
             End::Start => own.iter().take_while(posts).count(),
             End::Finish => own.len() - own.iter().rev().take_while(posts).count(),
@@ -243,8 +243,8 @@ impl Draft {
     fn unroll(&mut self, line: usize, end: End) -> bool {
         let pieces = &mut self.lines[line].pieces;
         let found = match end {
-            End::Start => pieces.iter().position(Piece::is_pattern),
-            End::Finish => pieces.iter().rposition(Piece::is_pattern),
+            End::Start => pieces.iter().position(DraftPiece::is_pattern),
+            End::Finish => pieces.iter().rposition(DraftPiece::is_pattern),
         };
         let Some(index) = found else { return false };
         let round = if end == End::Start { 0 } else { u32::MAX };
@@ -260,7 +260,7 @@ impl Draft {
         for &what in kinds {
             while left > SAME {
                 let pieces = &mut self.lines[line].pieces;
-                let fits = |p: &Piece| p.what == what && p.width > 0.0 && is_free(p);
+                let fits = |p: &DraftPiece| p.what == what && p.width > 0.0 && is_free(p);
                 let found = match end {
                     End::Start => pieces.iter().position(fits),
                     End::Finish => pieces.iter().rposition(fits),
@@ -280,7 +280,7 @@ impl Draft {
     }
 
     /// Divides a wall at a distance from its start; the second half is returned.
-    pub(super) fn cut(&mut self, line: usize, at: f64) -> Result<Vec<Piece>, Text> {
+    pub(super) fn cut(&mut self, line: usize, at: f64) -> Result<Vec<DraftPiece>, Text> {
         let pieces = std::mem::take(&mut self.lines[line].pieces);
         let (first, second) = parted(pieces, at)?;
         self.lines[line].pieces = first;
@@ -289,7 +289,7 @@ impl Draft {
 }
 
 /// Divides pieces at a position.
-fn parted(pieces: Vec<Piece>, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
+fn parted(pieces: Vec<DraftPiece>, at: f64) -> Result<(Vec<DraftPiece>, Vec<DraftPiece>), Text> {
     let (mut first, mut second, mut place) = (vec![], vec![], 0.0);
     for piece in pieces {
         let (from, to) = (place, place + piece.width);
@@ -308,7 +308,7 @@ fn parted(pieces: Vec<Piece>, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text>
 }
 
 /// Returns plain wall of whole units, or of a half.
-pub(super) fn plain(code: &str, width: f64) -> Result<Vec<Piece>, Text> {
+pub(super) fn plain(code: &str, width: f64) -> Result<Vec<DraftPiece>, Text> {
     let whole = width.round();
     if (width - whole).abs() > SAME {
         return Err(refuse::half_units());
@@ -316,12 +316,12 @@ pub(super) fn plain(code: &str, width: f64) -> Result<Vec<Piece>, Text> {
     if whole > 10_000.0 {
         return Err(refuse::too_far());
     }
-    let one = Piece::new(code, What::Plain, 1.0);
+    let one = DraftPiece::new(code, What::Plain, 1.0);
     Ok(vec![one; whole.max(0.0) as usize])
 }
 
 /// Divides a piece of plain wall, or a repetition, in two.
-fn divide(piece: &Piece, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
+fn divide(piece: &DraftPiece, at: f64) -> Result<(Vec<DraftPiece>, Vec<DraftPiece>), Text> {
     let one = piece.one();
     let times = at / one;
     if piece.count > 1 && (times - times.round()).abs() < SAME {
@@ -341,26 +341,28 @@ fn divide(piece: &Piece, at: f64) -> Result<(Vec<Piece>, Vec<Piece>), Text> {
 }
 
 /// Returns the pieces of a line, without the voids that lead to its start.
-fn pieces(wall: usize, row: &Row) -> Vec<Piece> {
+fn pieces(wall: usize, row: &SheetRow) -> Vec<DraftPiece> {
     let leads = row.leads();
     let cells = row.cells.iter().enumerate().skip(leads);
-    cells.map(|(i, cell)| Piece::of(wall, i, cell)).collect()
+    cells
+        .map(|(i, cell)| DraftPiece::of(wall, i, cell))
+        .collect()
 }
 
 /// Returns true if a piece may be removed.
-fn is_free(piece: &Piece) -> bool {
+fn is_free(piece: &DraftPiece) -> bool {
     piece.old.is_none() || !piece.code.is_empty()
 }
 
-fn is_run(piece: &Piece) -> bool {
+fn is_run(piece: &DraftPiece) -> bool {
     let one = (piece.one() - 1.0).abs() < SAME;
     piece.what == What::Plain && piece.count > 1 && one
 }
 
 /// Returns the most frequent plain wall of one unit among some pieces; of equals the first.
-fn most<'a>(pieces: impl Iterator<Item = &'a Piece>) -> Option<String> {
+fn most<'a>(pieces: impl Iterator<Item = &'a DraftPiece>) -> Option<String> {
     let mut counts: BTreeMap<&str, (u32, usize)> = BTreeMap::new();
-    let plain = |p: &&Piece| p.what == What::Plain && (p.one() - 1.0).abs() < SAME;
+    let plain = |p: &&DraftPiece| p.what == What::Plain && (p.one() - 1.0).abs() < SAME;
     for (index, piece) in pieces.filter(plain).enumerate() {
         let entry = counts.entry(&piece.code).or_insert((0, index));
         entry.0 += piece.count;

@@ -1,7 +1,7 @@
 //! A drawn ring in the legacy form: one line per wall, codes in columns, a letter or none at the end.
 
 use super::change::{Change, padded};
-use super::draft::Line;
+use super::draft::DraftLine;
 use super::refuse;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
@@ -178,7 +178,7 @@ fn core(change: &Change<'_>, index: usize, prefix: &str) -> String {
     text + &ending
 }
 
-fn cell(change: &Change<'_>, line: &Line, number: usize, last: bool) -> String {
+fn cell(change: &Change<'_>, line: &DraftLine, number: usize, last: bool) -> String {
     let piece = &line.pieces[number];
     let Some((wall, cell)) = piece.old else {
         return match last {

@@ -1,7 +1,7 @@
 //! Replaces the part of a unit.
 
 use super::change::{CELL, Change, tidy};
-use super::draft::{Draft, PLAIN, Piece, plain};
+use super::draft::{Draft, DraftPiece, PLAIN, plain};
 use super::write;
 use super::{UnitAt, WallAt, find, refuse};
 use crate::ast::CodeText;
@@ -9,7 +9,7 @@ use crate::building::Wall;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
 use crate::ide::format::Edit;
-use crate::ide::stroke::sheet::{Form, Home, Reason, Row, Sheet, What, name};
+use crate::ide::stroke::sheet::{Form, Home, Reason, Sheet, SheetRow, What, name};
 use crate::program::Content;
 
 /// The visible code of a void.
@@ -46,7 +46,7 @@ pub(super) fn set(sheet: &Sheet<'_>, at: UnitAt, part: &str) -> Result<Vec<Edit>
     if old.code == new.code {
         return Err(refuse::nothing());
     }
-    let mut new = Piece {
+    let mut new = DraftPiece {
         instead: true,
         ..new
     };
@@ -101,11 +101,11 @@ fn place(sheet: &Sheet<'_>, at: UnitAt) -> Result<(WallAt, usize), Text> {
 }
 
 /// Returns the part that a name means in a house.
-fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
+fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<DraftPiece, Text> {
     let catalog = sheet.a.catalog();
     let code = part.trim_end();
     if code.is_empty() || code == VOID {
-        return Ok(Piece::new(VOID, What::Void, 1.0));
+        return Ok(DraftPiece::new(VOID, What::Void, 1.0));
     }
     let scope = catalog.known_in(0, house);
     let known = |code: &str| catalog.find_in(scope, &CodeText::new(code));
@@ -126,7 +126,7 @@ fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
             picture: None,
         };
         let what = sheet.what(&unit);
-        return Ok(Piece::new(part.code().trim_end(), what, part.width()));
+        return Ok(DraftPiece::new(part.code().trim_end(), what, part.width()));
     }
     let pictures = &sheet.a.checked.building.images;
     let named =
@@ -134,7 +134,7 @@ fn meant(sheet: &Sheet<'_>, house: usize, part: &str) -> Result<Piece, Text> {
     let picture =
         pictures.iter().any(|p| p.name == code) || sheet.outline.elements.iter().any(named);
     match picture {
-        true => Ok(Piece::new(code, What::Other, 1.0)),
+        true => Ok(DraftPiece::new(code, What::Other, 1.0)),
         false => Err(refuse::unknown_part(part)),
     }
 }
@@ -149,7 +149,7 @@ fn own_width(sheet: &Sheet<'_>, form: &Form) -> Option<f64> {
 }
 
 /// Returns true if a line belongs to a floor whose units do not have their natural widths, i.e. the facade scales them.
-fn scales(sheet: &Sheet<'_>, row: &Row, wall: &Wall) -> bool {
+fn scales(sheet: &Sheet<'_>, row: &SheetRow, wall: &Wall) -> bool {
     let natural = |u: &crate::program::Unit| match &u.content {
         Content::Void => u.width == 1.0,
         Content::Part(id) => (u.width - sheet.a.catalog().part(*id).width()).abs() < SAME,
@@ -159,7 +159,13 @@ fn scales(sheet: &Sheet<'_>, row: &Row, wall: &Wall) -> bool {
 }
 
 /// Splits a unit off as a piece of its own; returns its index.
-fn single(pieces: &mut Vec<Piece>, row: &Row, cell: usize, unit: usize, rightwards: bool) -> usize {
+fn single(
+    pieces: &mut Vec<DraftPiece>,
+    row: &SheetRow,
+    cell: usize,
+    unit: usize,
+    rightwards: bool,
+) -> usize {
     let index = cell - row.leads();
     let piece = pieces[index].clone();
     if piece.count <= 1 && !piece.is_pattern() {
@@ -179,7 +185,12 @@ fn single(pieces: &mut Vec<Piece>, row: &Row, cell: usize, unit: usize, rightwar
 }
 
 /// Replaces a piece by another one; the line keeps its length.
-fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result<(), Text> {
+fn put(
+    pieces: &mut Vec<DraftPiece>,
+    index: usize,
+    new: DraftPiece,
+    usual: &str,
+) -> Result<(), Text> {
     let missing = new.width - pieces[index].width;
     let code = new.code.clone();
     pieces[index] = new;
@@ -187,7 +198,7 @@ fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result
         let twin = pieces[index].clone();
         let fill = match plain(usual, -missing) {
             Ok(fill) => fill,
-            Err(_) if (twin.width + missing).abs() < SAME => vec![Piece {
+            Err(_) if (twin.width + missing).abs() < SAME => vec![DraftPiece {
                 instead: false,
                 ..twin
             }],
@@ -208,7 +219,7 @@ fn put(pieces: &mut Vec<Piece>, index: usize, new: Piece, usual: &str) -> Result
 /// Removes this many units after or before a piece, as far as those are plain or can be removed as a whole; returns the
 /// number left.
 fn cover(
-    pieces: &mut Vec<Piece>,
+    pieces: &mut Vec<DraftPiece>,
     index: usize,
     width: f64,
     usual: &str,
@@ -247,6 +258,6 @@ fn cover(
 }
 
 /// Returns true if a line begins with a void, which would only lead to the start of the walk.
-fn leads_away(pieces: &[Piece]) -> bool {
+fn leads_away(pieces: &[DraftPiece]) -> bool {
     pieces.first().is_some_and(|p| p.what == What::Void)
 }

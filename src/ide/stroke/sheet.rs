@@ -86,7 +86,7 @@ pub(in crate::ide) struct Inner {
 
 /// The line of a wall.
 #[derive(Clone, Debug)]
-pub(in crate::ide) struct Row {
+pub(in crate::ide) struct SheetRow {
     /// Its place.
     pub(in crate::ide) home: Home,
     /// Its cells, in the order of the file.
@@ -97,7 +97,7 @@ pub(in crate::ide) struct Row {
     pub(in crate::ide) fixed: Option<Reason>,
 }
 
-impl Row {
+impl SheetRow {
     /// Returns the reason why a unit cannot be replaced.
     pub(in crate::ide) fn unit_fixed(&self, unit: usize) -> Option<Reason> {
         let cell = self.cell_of(unit);
@@ -171,8 +171,8 @@ impl<'a> Sheet<'a> {
     }
 
     /// Returns the line of a wall.
-    pub(in crate::ide) fn row(&self, wall: &Wall) -> Row {
-        let fixed = |reason| Row {
+    pub(in crate::ide) fn row(&self, wall: &Wall) -> SheetRow {
+        let fixed = |reason| SheetRow {
             home: Home::Line(usize::MAX),
             cells: vec![],
             rightwards: false,
@@ -196,7 +196,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// Returns the lines of the walls of a ring.
-    pub(in crate::ide) fn rows(&self, ring: &Ring) -> Vec<Row> {
+    pub(in crate::ide) fn rows(&self, ring: &Ring) -> Vec<SheetRow> {
         ring.walls.iter().map(|w| self.row(w)).collect()
     }
 
@@ -204,7 +204,7 @@ impl<'a> Sheet<'a> {
     pub(in crate::ide) fn ring_fixed(
         &self,
         ring: &Ring,
-        rows: &[Row],
+        rows: &[SheetRow],
         wall: usize,
     ) -> Option<Reason> {
         let count = rows.len();
@@ -246,7 +246,7 @@ impl<'a> Sheet<'a> {
 
     /// Returns the reason why a wall of facades cannot be moved: it has a width of its own, or is at the start of the
     /// walk.
-    fn structure_fixed(&self, row: &Row, reset: bool) -> Option<Reason> {
+    fn structure_fixed(&self, row: &SheetRow, reset: bool) -> Option<Reason> {
         let element = self.floor(row)?;
         let elements = &self.outline.elements;
         let mut around = self.outline.around(element).map(|e| &elements[e]);
@@ -258,7 +258,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// Returns the `Floor` of a facade that contains a line.
-    pub(in crate::ide) fn floor(&self, row: &Row) -> Option<usize> {
+    pub(in crate::ide) fn floor(&self, row: &SheetRow) -> Option<usize> {
         match row.home {
             Home::Element(e) if name(&self.outline.elements[e]) == "Floor" => Some(e),
             _ => None,
@@ -266,7 +266,7 @@ impl<'a> Sheet<'a> {
     }
 
     /// Returns the reason why a walk cannot begin elsewhere.
-    fn start_fixed(&self, first: &Row) -> Option<Reason> {
+    fn start_fixed(&self, first: &SheetRow) -> Option<Reason> {
         let Home::Element(element) = first.home else {
             return first.fixed;
         };

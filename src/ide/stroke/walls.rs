@@ -1,6 +1,6 @@
 //! Sliding and breaking of walls.
 
-use super::draft::{Draft, End, Line};
+use super::draft::{Draft, DraftLine, End};
 use super::refuse;
 use crate::building::Storey;
 use crate::diagnostic::Text;
@@ -125,8 +125,8 @@ impl Draft {
         } else {
             Some(self.cut(wall, from)?)
         };
-        let side = |draft: &Draft, way: DVec2| -> Result<Line, Text> {
-            Ok(Line {
+        let side = |draft: &Draft, way: DVec2| -> Result<DraftLine, Text> {
+            Ok(DraftLine {
                 base: None,
                 direction: way,
                 pieces: draft.plain(wall, f64::from(by.abs()))?,
@@ -134,7 +134,7 @@ impl Draft {
         };
         let way = shift / f64::from(by.abs());
         let (up, down) = (side(self, way)?, side(self, -way)?);
-        let bare = |pieces| Line {
+        let bare = |pieces| DraftLine {
             base: None,
             direction,
             pieces,

@@ -2,7 +2,7 @@
 //! them.
 
 use super::change::{CELL, Change, padded};
-use super::draft::Piece;
+use super::draft::DraftPiece;
 use super::refuse;
 use crate::diagnostic::Text;
 use crate::geometry::SAME;
@@ -139,7 +139,7 @@ fn turned(change: &Change<'_>, wall: usize, turn: Option<&str>) -> Result<Option
 }
 
 /// Adds a new row after another one.
-fn new_row(change: &Change<'_>, wall: usize, pieces: &[Piece], turn: Option<&str>) -> Edit {
+fn new_row(change: &Change<'_>, wall: usize, pieces: &[DraftPiece], turn: Option<&str>) -> Edit {
     let at = element_of(change, wall).range.end;
     let usual = if change.ring.hole { "L" } else { "R" };
     let turn = turn.filter(|t| *t != usual);
@@ -196,7 +196,7 @@ enum Style {
 }
 
 /// Returns the edits of a remaining row.
-fn row(change: &Change<'_>, wall: usize, pieces: &[Piece], edits: &mut Vec<Edit>) {
+fn row(change: &Change<'_>, wall: usize, pieces: &[DraftPiece], edits: &mut Vec<Edit>) {
     let row = &change.rows[wall];
     let first = row.leads();
     let (mut next, mut kept, mut come) = (first, None, 0);
@@ -223,7 +223,7 @@ fn row(change: &Change<'_>, wall: usize, pieces: &[Piece], edits: &mut Vec<Edit>
 }
 
 /// Changes the count of a remaining `repeat`.
-fn recount(cell: &Cell, piece: &Piece, edits: &mut Vec<Edit>) {
+fn recount(cell: &Cell, piece: &DraftPiece, edits: &mut Vec<Edit>) {
     if let Form::Run(num, count) = &cell.form
         && *count != piece.count
     {
@@ -239,7 +239,7 @@ fn gap(
     change: &Change<'_>,
     wall: usize,
     (kept, gone): (Option<usize>, Range<usize>),
-    come: &[Piece],
+    come: &[DraftPiece],
     edits: &mut Vec<Edit>,
 ) {
     let cells = &change.rows[wall].cells;
@@ -276,7 +276,7 @@ fn gap(
 }
 
 /// Returns the edit that replaces the code of a `Part`, unless its width or height is given for the old one.
-fn recoded(sheet: &Sheet<'_>, element: usize, piece: &Piece) -> Option<Edit> {
+fn recoded(sheet: &Sheet<'_>, element: usize, piece: &DraftPiece) -> Option<Edit> {
     let own = &sheet.outline.elements[element];
     let said = own.attribute("width").is_some() || own.attribute("height").is_some();
     let code = own.attribute("code")?;
@@ -348,7 +348,7 @@ fn inserted(
     change: &Change<'_>,
     wall: usize,
     after: Option<(usize, usize)>,
-    come: &[Piece],
+    come: &[DraftPiece],
 ) -> Option<Edit> {
     let (text, cells) = (change.sheet.text, &change.rows[wall].cells);
     let style = style(cells);
@@ -392,7 +392,13 @@ fn inserted(
 }
 
 /// Renders pieces as source. `ends` = nothing follows them in their line of codes.
-fn rendered(change: &Change<'_>, pieces: &[Piece], style: Style, glue: &str, ends: bool) -> String {
+fn rendered(
+    change: &Change<'_>,
+    pieces: &[DraftPiece],
+    style: Style,
+    glue: &str,
+    ends: bool,
+) -> String {
     let mut text = String::new();
     let mut open = false; // the last code is not filled up yet
     for (number, piece) in pieces.iter().enumerate() {
@@ -428,7 +434,7 @@ fn uncommented(text: &str) -> String {
 }
 
 /// Renders a piece; returns also whether it is a code in columns.
-fn written(change: &Change<'_>, piece: &Piece, style: Style) -> (String, bool) {
+fn written(change: &Change<'_>, piece: &DraftPiece, style: Style) -> (String, bool) {
     if let Some((wall, cell)) = piece.old {
         let own = &change.rows[wall].cells[cell];
         let slice = change.slice((wall, cell));

@@ -2,7 +2,7 @@
 
 use super::{List, TokenKind};
 use crate::parse::syntax::LineKind;
-use crate::parse::syntax::{Line, Outline};
+use crate::parse::syntax::{LegacyLine, Outline};
 use std::ops::Range;
 
 /// Adds the words of all lines.
@@ -24,7 +24,7 @@ pub(super) fn tokens(outline: &Outline, list: &mut List<'_>) {
 }
 
 /// Returns the words of a line.
-fn words<'a>(line: &Line, text: &'a str) -> Vec<(Range<usize>, &'a str)> {
+fn words<'a>(line: &LegacyLine, text: &'a str) -> Vec<(Range<usize>, &'a str)> {
     let written = &text[line.range.clone()];
     let place = |word: &str| word.as_ptr() as usize - written.as_ptr() as usize + line.range.start;
     let words = written.split_whitespace();
@@ -38,7 +38,7 @@ fn is_number(word: &str) -> bool {
 }
 
 /// Adds numbers, or a setting.
-fn header(line: &Line, list: &mut List<'_>) {
+fn header(line: &LegacyLine, list: &mut List<'_>) {
     let words = words(line, list.text);
     let Some((first, key)) = words.first() else {
         return;
@@ -71,7 +71,7 @@ fn header(line: &Line, list: &mut List<'_>) {
 }
 
 /// Adds a roof line: covering, direction and shape are words of the language; options a letter and a number.
-fn roof(line: &Line, list: &mut List<'_>) {
+fn roof(line: &LegacyLine, list: &mut List<'_>) {
     for (range, word) in words(line, list.text) {
         let option = word.chars().next().filter(|c| c.is_ascii_alphabetic());
         match option.filter(|_| word.len() > 1 && is_number(&word[1..])) {

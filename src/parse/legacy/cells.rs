@@ -4,7 +4,7 @@
 //! points are a void. If the columns of a line are misaligned, every code after the mistake would be unknown; so the
 //! words are examined instead, and one message proposes the intended line.
 
-use super::line::{CELL, Line};
+use super::line::{CELL, SourceLine};
 use crate::ast::{CodeText, Item, Piece};
 use crate::diagnostic::messages::legacy as say;
 use crate::parse::reporter::Reporter;
@@ -23,7 +23,7 @@ struct Cell<'l> {
 
 /// Returns the pieces of a part of a line; `turned` = a control letter follows it.
 pub(super) fn pieces(
-    line: &Line<'_>,
+    line: &SourceLine<'_>,
     mut range: Range<usize>,
     turned: bool,
     reporter: &mut Reporter<'_>,
@@ -112,7 +112,12 @@ fn plain(cell: &str) -> bool {
     }
 }
 
-fn piece(line: &Line<'_>, range: Range<usize>, text: &str, reporter: &Reporter<'_>) -> Item<Piece> {
+fn piece(
+    line: &SourceLine<'_>,
+    range: Range<usize>,
+    text: &str,
+    reporter: &Reporter<'_>,
+) -> Item<Piece> {
     let span = line.span(reporter.source, range);
     if !text.is_ascii() {
         return Item::One(Piece::Error(span));
@@ -125,7 +130,7 @@ fn piece(line: &Line<'_>, range: Range<usize>, text: &str, reporter: &Reporter<'
 }
 
 /// Reports blanks before the first code that are not whole voids: they shift every code of the line.
-fn leading_shift(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> usize {
+fn leading_shift(line: &SourceLine<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> usize {
     let text = &line.text[range.clone()];
     let lead = text.len() - text.trim_start_matches(' ').len();
     let shift = lead % CELL;
@@ -139,7 +144,7 @@ fn leading_shift(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'
 
 /// Reads the remainder after the last whole cell (docs/contract.md 2, remainders).
 fn remainder(
-    line: &Line<'_>,
+    line: &SourceLine<'_>,
     range: Range<usize>,
     rest: &str,
     pieces: &mut Vec<Item<Piece>>,
@@ -165,7 +170,7 @@ fn remainder(
 
 /// Reads whole cells of points and blanks that are not five points as voids.
 fn point_voids(
-    line: &Line<'_>,
+    line: &SourceLine<'_>,
     range: Range<usize>,
     pieces: &mut [Item<Piece>],
     reporter: &mut Reporter<'_>,
@@ -187,7 +192,7 @@ fn point_voids(
 }
 
 /// Reports voids at a line end that an editor may trim away (docs/evidence.md 2.6, A4).
-fn trailing_voids(line: &Line<'_>, text: &str, at: usize, reporter: &mut Reporter<'_>) {
+fn trailing_voids(line: &SourceLine<'_>, text: &str, at: usize, reporter: &mut Reporter<'_>) {
     let written = text.trim_end_matches(' ');
     let missing = (CELL - columns(written) % CELL) % CELL;
     let start = written.len() + missing;
@@ -259,7 +264,7 @@ fn starts(text: &str) -> Vec<usize> {
 
 /// Reports a misaligned line from its first irregular cell on, and returns its words.
 fn fixed(
-    line: &Line<'_>,
+    line: &SourceLine<'_>,
     range: Range<usize>,
     cells: &[Cell<'_>],
     turned: bool,

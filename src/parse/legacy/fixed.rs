@@ -1,6 +1,6 @@
 //! Messages about characters that were fixed in a line; which of them are reported depends on the kind of the line.
 
-use super::line::{Line, Odd, after_name};
+use super::line::{Odd, SourceLine, after_name};
 use crate::catalog::PartDef;
 use crate::diagnostic::messages::{file, legacy as say, parts};
 use crate::parse;
@@ -11,7 +11,7 @@ use std::ops::Range;
 impl Reporter<'_> {
     /// Reports what was fixed in a wall line up to `end`, an offset in `raw` where a comment may begin:
     /// every character before it stands for a column.
-    pub(super) fn fixed_walls(&mut self, line: &Line<'_>, end: usize) {
+    pub(super) fn fixed_walls(&mut self, line: &SourceLine<'_>, end: usize) {
         for (i, finding) in line.findings.iter().enumerate() {
             if finding.range.start < end {
                 self.fixed(line, i);
@@ -21,7 +21,7 @@ impl Reporter<'_> {
 
     /// Reports what was fixed in a line of fields: any white space counts as a blank there, and a
     /// word that is still wrong is reported as a word.
-    pub(super) fn fixed_fields(&mut self, line: &Line<'_>) {
+    pub(super) fn fixed_fields(&mut self, line: &SourceLine<'_>) {
         for (i, finding) in line.findings.iter().enumerate() {
             if matches!(finding.kind, Odd::Wide | Odd::Invisible | Odd::Control) {
                 self.fixed(line, i);
@@ -30,7 +30,7 @@ impl Reporter<'_> {
     }
 
     /// Reports what was fixed in a line whose text from `free` on, an offset in `raw`, is the author's.
-    pub(super) fn fixed_before(&mut self, line: &Line<'_>, free: usize) {
+    pub(super) fn fixed_before(&mut self, line: &SourceLine<'_>, free: usize) {
         for (i, finding) in line.findings.iter().enumerate() {
             let own = finding.range.start >= free;
             let wide = matches!(finding.kind, Odd::Wide | Odd::Invisible);
@@ -40,7 +40,7 @@ impl Reporter<'_> {
         }
     }
 
-    fn fixed(&mut self, line: &Line<'_>, number: usize) {
+    fn fixed(&mut self, line: &SourceLine<'_>, number: usize) {
         let finding = &line.findings[number];
         let written = &line.raw[finding.range.clone()];
         if finding.kind == Odd::Replacement {
@@ -69,13 +69,13 @@ impl Reporter<'_> {
         });
     }
 
-    fn raw_span(&self, line: &Line<'_>, range: Range<usize>) -> Span {
+    fn raw_span(&self, line: &SourceLine<'_>, range: Range<usize>) -> Span {
         self.source.span(line.at + range.start..line.at + range.end)
     }
 }
 
 /// Returns a finding and the wide blanks right after it: among wide letters they are as wide as these.
-fn wide_run(line: &Line<'_>, number: usize) -> Range<usize> {
+fn wide_run(line: &SourceLine<'_>, number: usize) -> Range<usize> {
     let range = line.findings[number].range.clone();
     let next = line.findings.get(number + 1);
     let blanks = next.filter(|n| n.kind == Odd::WideBlank && n.range.start == range.end);

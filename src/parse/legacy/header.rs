@@ -1,6 +1,6 @@
 //! The header: the position of the house, the heights of its storeys, and its settings.
 
-use super::line::Line;
+use super::line::SourceLine;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{Era, House, RoofMethod, RoofMode};
 use crate::diagnostic::messages::legacy as say;
@@ -93,7 +93,12 @@ impl Header {
     }
 
     /// Reads a line of the header into the house.
-    pub(super) fn read(&mut self, line: &Line<'_>, house: &mut House, reporter: &mut Reporter<'_>) {
+    pub(super) fn read(
+        &mut self,
+        line: &SourceLine<'_>,
+        house: &mut House,
+        reporter: &mut Reporter<'_>,
+    ) {
         let first = plain_words(&line.text).next().unwrap_or_default();
         if !numeric(first) {
             return self.key(line, house, reporter);
@@ -148,7 +153,7 @@ impl Header {
         }
     }
 
-    fn key(&mut self, line: &Line<'_>, house: &mut House, reporter: &mut Reporter<'_>) {
+    fn key(&mut self, line: &SourceLine<'_>, house: &mut House, reporter: &mut Reporter<'_>) {
         let text = &*line.text;
         let start = text.len() - text.trim_start().len();
         let first = plain_words(text).next().unwrap_or_default();
@@ -235,7 +240,13 @@ fn place(words: &[Word<'_>], house: &mut House, reporter: &mut Reporter<'_>) {
 }
 
 /// Returns the rest of the line as written, since a name may contain any character.
-fn name(line: &Line<'_>, free: usize, key: Span, house: &mut House, reporter: &mut Reporter<'_>) {
+fn name(
+    line: &SourceLine<'_>,
+    free: usize,
+    key: Span,
+    house: &mut House,
+    reporter: &mut Reporter<'_>,
+) {
     let rest = line.raw[free..].trim_start_matches(['=', ':']);
     let text = rest.trim();
     if text.is_empty() {

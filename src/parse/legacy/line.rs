@@ -13,7 +13,7 @@ use std::ops::Range;
 pub(super) const CELL: usize = 5;
 
 /// A line without its line end, with invalid characters replaced.
-pub(super) struct Line<'a> {
+pub(super) struct SourceLine<'a> {
     /// As written.
     pub(super) raw: &'a str,
     /// The start of `raw` in the text of the source.
@@ -57,10 +57,10 @@ pub(super) enum Odd {
     Foreign,
 }
 
-impl<'a> Line<'a> {
+impl<'a> SourceLine<'a> {
     /// Fixes a line that begins at `at`.
-    pub(super) fn new(raw: &'a str, at: usize) -> Line<'a> {
-        let mut line = Line {
+    pub(super) fn new(raw: &'a str, at: usize) -> SourceLine<'a> {
+        let mut line = SourceLine {
             raw,
             at,
             text: Cow::Borrowed(raw),
@@ -242,7 +242,7 @@ mod tests {
     #[test]
     fn a_fixed_line_knows_what_is_written() {
         let source = Source::new(Default::default(), "a.hsd", "GSI　Ｌ\tX".as_bytes());
-        let line = Line::new(source.text(), 0);
+        let line = SourceLine::new(source.text(), 0);
         assert_eq!(line.text, "GSI  L    X");
         assert_eq!(source.text_range(line.span(&source, 3..5)), 3..6);
         assert_eq!(source.text_range(line.span(&source, 5..6)), 6..9);
@@ -252,19 +252,19 @@ mod tests {
 
     #[test]
     fn names_of_parts_are_read_as_their_codes() {
-        let text = |raw| Line::new(raw, 0).text.into_owned();
+        let text = |raw| SourceLine::new(raw, 0).text.into_owned();
         assert_eq!(text("GSI  大戸   KSM  "), "GSI  TOD  KSM  ");
         assert_eq!(text("大戸 KSM  "), "TOD  KSM  ");
         assert_eq!(text("ガラスカーテンウォールKSM"), "NGC  KSM");
         assert_eq!(text("格子戸引違い    KSM"), "TKD 2KSM");
         assert_eq!(text("大戸前  KSM"), "大戸前  KSM");
         let source = Source::new(Default::default(), "a.hsd", "大戸   KSM".as_bytes());
-        let line = Line::new(source.text(), 0);
+        let line = SourceLine::new(source.text(), 0);
         assert_eq!(source.text_range(line.span(&source, 5..8)), 9..12);
     }
 
     #[test]
     fn blanks_among_wide_letters_are_one_column() {
-        assert_eq!(Line::new("ＧＳＩ　　ＫＫＳ", 0).text, "GSI  KKS");
+        assert_eq!(SourceLine::new("ＧＳＩ　　ＫＫＳ", 0).text, "GSI  KKS");
     }
 }

@@ -1,6 +1,6 @@
 //! Roof lines: kind, direction, height, shape, two corners, options (docs/evidence.md 6).
 
-use super::line::Line;
+use super::line::SourceLine;
 use super::roof_words::{KIND_NAMES, OPTIONS, SHAPE_NAMES, named};
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
@@ -43,7 +43,7 @@ pub(super) fn looks_like_roof(text: &str) -> bool {
 }
 
 /// Reads one line; without its corners a roof has no place and is omitted.
-pub(super) fn read(line: &Line<'_>, reporter: &mut Reporter<'_>) -> Option<RoofLine> {
+pub(super) fn read(line: &SourceLine<'_>, reporter: &mut Reporter<'_>) -> Option<RoofLine> {
     reporter.fixed_fields(line);
     let words = words(line, reporter);
     let mut fields = Fields {

@@ -1,7 +1,7 @@
 //! The perimeter: one wall per line, storeys closed by `^`.
 
 use super::cells::{columns, pieces};
-use super::line::{CELL, Line};
+use super::line::{CELL, SourceLine};
 use super::words::say_comment;
 use crate::ast::{Item, Loop, Row, Storey};
 use crate::diagnostic::Edit;
@@ -36,7 +36,7 @@ impl Walls {
     }
 
     /// Reads one line of codes.
-    pub(super) fn read(&mut self, line: &Line<'_>, reporter: &mut Reporter<'_>) {
+    pub(super) fn read(&mut self, line: &SourceLine<'_>, reporter: &mut Reporter<'_>) {
         let end = comment(line, reporter);
         reporter.fixed_walls(line, line.written(end));
         let mut next = 0..end;
@@ -62,7 +62,7 @@ impl Walls {
         std::mem::take(&mut self.storeys)
     }
 
-    fn wall(&mut self, line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) {
+    fn wall(&mut self, line: &SourceLine<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) {
         let (codes, control) = ending(line, range.clone(), reporter);
         let pieces = pieces(line, range.start..codes, control.is_some(), reporter);
         let span = line.span(reporter.source, range);
@@ -91,7 +91,7 @@ impl Walls {
     /// belongs; returns true if nothing else is left of the range.
     fn inner_turn(
         &mut self,
-        line: &Line<'_>,
+        line: &SourceLine<'_>,
         range: Range<usize>,
         end: usize,
         reporter: &mut Reporter<'_>,
@@ -145,7 +145,7 @@ impl Walls {
 }
 
 /// Returns the start of the comment on a line. A `#` inside a code is an ordinary character.
-fn comment(line: &Line<'_>, reporter: &mut Reporter<'_>) -> usize {
+fn comment(line: &SourceLine<'_>, reporter: &mut Reporter<'_>) -> usize {
     let text = &*line.text;
     if !text.as_bytes().contains(&b'#') {
         return text.len();
@@ -188,7 +188,11 @@ fn first_turn(text: &str) -> Option<usize> {
 }
 
 /// Returns the part of a line up to its first `^`; the rest is the first wall of the next storey.
-fn before_reset(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_>) -> Range<usize> {
+fn before_reset(
+    line: &SourceLine<'_>,
+    range: Range<usize>,
+    reporter: &mut Reporter<'_>,
+) -> Range<usize> {
     let text = &line.text[range.clone()];
     let Some(at) = text.bytes().position(|b| b == b'^') else {
         return range;
@@ -209,7 +213,7 @@ fn before_reset(line: &Line<'_>, range: Range<usize>, reporter: &mut Reporter<'_
 
 /// Returns the control letter at the end of a line, and the end of the codes before it.
 fn ending(
-    line: &Line<'_>,
+    line: &SourceLine<'_>,
     range: Range<usize>,
     reporter: &mut Reporter<'_>,
 ) -> (usize, Option<(Control, Range<usize>)>) {

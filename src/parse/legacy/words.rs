@@ -1,6 +1,6 @@
 //! Words and numbers, the components of header and roof lines.
 
-use super::line::Line;
+use super::line::SourceLine;
 use crate::diagnostic::Noun;
 use crate::diagnostic::messages::legacy as say;
 use crate::parse::reporter::Reporter;
@@ -19,7 +19,7 @@ pub(super) struct Word<'l> {
 }
 
 /// Returns the words of a line, up to a misplaced comment.
-pub(super) fn words<'l>(line: &'l Line<'_>, reporter: &mut Reporter<'_>) -> Vec<Word<'l>> {
+pub(super) fn words<'l>(line: &'l SourceLine<'_>, reporter: &mut Reporter<'_>) -> Vec<Word<'l>> {
     let (mut rest, mut at, mut found) = (line.text.as_bytes(), 0, Vec::with_capacity(16));
     while let Ok((next, (read, word))) = word(rest) {
         let end = at + read.len();
@@ -38,7 +38,7 @@ pub(super) fn words<'l>(line: &'l Line<'_>, reporter: &mut Reporter<'_>) -> Vec<
 }
 
 /// Reports a comment behind something on its line, with a fix that moves it before.
-pub(super) fn say_comment(line: &Line<'_>, comment: Span, reporter: &mut Reporter<'_>) {
+pub(super) fn say_comment(line: &SourceLine<'_>, comment: Span, reporter: &mut Reporter<'_>) {
     let start = reporter.source.span(line.at..line.at);
     let (place, end) = (reporter.with_blanks(comment), reporter.line_end_text());
     let text = [reporter.written(comment), end].concat();

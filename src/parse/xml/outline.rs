@@ -26,7 +26,7 @@ pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> O
         nesting.min(DEEPEST),
         schema::SCHEMA_HINTS,
     );
-    let mut writer = Writer {
+    let mut writer = OutlineWriter {
         text: source.text(),
         reader: Reader {
             turn: None,
@@ -43,13 +43,13 @@ pub(in crate::parse) fn outline(source: &Source, at: usize, nesting: usize) -> O
     writer.outline
 }
 
-struct Writer<'t, 'a> {
+struct OutlineWriter<'t, 'a> {
     text: &'a str,
     reader: Reader<'t, 'a>,
     outline: Outline,
 }
 
-impl Writer<'_, '_> {
+impl OutlineWriter<'_, '_> {
     /// Adds an element and its content.
     fn element(&mut self, tree: &Tree<'_>, index: usize, parent: Option<usize>) {
         let element = &tree.elements[index];

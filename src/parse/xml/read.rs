@@ -33,7 +33,7 @@ pub(super) struct Reader<'t, 'a> {
 }
 
 /// A child that is allowed at its place.
-pub(super) enum Node<'t> {
+pub(super) enum AllowedChild<'t> {
     /// An element.
     Element(&'static Schema, &'t Element<'t>),
     /// Codes.
@@ -107,7 +107,7 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Returns the outermost elements.
-    pub(super) fn roots(&mut self) -> Vec<Node<'t>> {
+    pub(super) fn roots(&mut self) -> Vec<AllowedChild<'t>> {
         let mut nodes = vec![];
         for root in &self.tree.roots {
             self.element(&self.tree.elements[*root], None, &schema::ROOT, &mut nodes);
@@ -121,7 +121,7 @@ impl<'t> Reader<'t, '_> {
         &mut self,
         element: &'t Element<'t>,
         content: &'static Content,
-    ) -> Vec<Node<'t>> {
+    ) -> Vec<AllowedChild<'t>> {
         let mut nodes = vec![];
         self.collect(element, element.name, content, &mut nodes);
         nodes
@@ -137,11 +137,11 @@ impl<'t> Reader<'t, '_> {
         from: &'t Element<'t>,
         parent: &'t str,
         content: &'static Content,
-        nodes: &mut Vec<Node<'t>>,
+        nodes: &mut Vec<AllowedChild<'t>>,
     ) {
         for child in &from.children {
             match child {
-                Child::Text(text) if content.text => nodes.push(Node::Text(text)),
+                Child::Text(text) if content.text => nodes.push(AllowedChild::Text(text)),
                 Child::Text(text) => {
                     let s = text.as_str();
                     let start = s.len() - s.trim_start_matches(is_blank).len();
@@ -175,12 +175,12 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
         parent: Option<&'t str>,
         content: &'static Content,
-        nodes: &mut Vec<Node<'t>>,
+        nodes: &mut Vec<AllowedChild<'t>>,
     ) {
         let (name, range) = (element.name, &element.name_range);
         match schema::named(name) {
             Some(schema) if content.tags.contains(&schema.tag) => {
-                nodes.push(Node::Element(schema, element));
+                nodes.push(AllowedChild::Element(schema, element));
             }
             // A roof without a rectangle gives the style of all roofs.
             Some(schema)
@@ -190,7 +190,7 @@ impl<'t> Reader<'t, '_> {
             {
                 let tags = edits::tags(self.reporter, element);
                 self.reporter.at(range, |s| say::roof_for_roofs(s, &tags));
-                nodes.extend(schema::named("Roofs").map(|s| Node::Element(s, element)));
+                nodes.extend(schema::named("Roofs").map(|s| AllowedChild::Element(s, element)));
             }
             Some(schema) => {
                 self.reporter
@@ -205,7 +205,7 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
         parent: Option<&'t str>,
         content: &'static Content,
-        nodes: &mut Vec<Node<'t>>,
+        nodes: &mut Vec<AllowedChild<'t>>,
     ) {
         let all = schema::ELEMENTS.iter();
         let here = all.clone().filter(|e| content.tags.contains(&e.tag));
@@ -219,7 +219,7 @@ impl<'t> Reader<'t, '_> {
         }
         match near.and_then(schema::named) {
             Some(schema) if content.tags.contains(&schema.tag) => {
-                nodes.push(Node::Element(schema, element));
+                nodes.push(AllowedChild::Element(schema, element));
             }
             Some(_) => {}
             None => self.collect(element, parent.unwrap_or(element.name), content, nodes),

@@ -8,7 +8,7 @@ use std::ops::Range;
 const DEEPEST: usize = 256;
 
 /// A node of the file.
-pub(super) enum Node<'a> {
+pub(super) enum RawNode<'a> {
     /// Text with its references.
     Text(&'a str),
     /// `<![CDATA[...]]>`.
@@ -30,7 +30,7 @@ pub(super) enum Node<'a> {
 pub(super) struct Element<'a> {
     pub(super) name: &'a str,
     pub(super) attributes: Vec<Attribute<'a>>,
-    pub(super) children: Vec<Node<'a>>,
+    pub(super) children: Vec<RawNode<'a>>,
 }
 
 /// `name="value"`.
@@ -41,7 +41,7 @@ pub(super) struct Attribute<'a> {
 }
 
 /// Returns the nodes of a source file; `None` if it is not well-formed, has a document type, or nests too deep.
-pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
+pub(super) fn read(text: &str) -> Option<Vec<RawNode<'_>>> {
     let mut reader = Reader::from_str(text);
     let mut open: Vec<Element<'_>> = vec![];
     let mut nodes = vec![];
@@ -55,7 +55,7 @@ pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
             continue;
         }
         if let Some(run) = run.take() {
-            nodes.push(Node::Text(&text[run]));
+            nodes.push(RawNode::Text(&text[run]));
         }
         let raw = &text[range.clone()];
         match event {
@@ -66,15 +66,15 @@ pub(super) fn read(text: &str) -> Option<Vec<Node<'_>>> {
                 open.push(element);
                 (open.len() <= DEEPEST).then_some(())?;
             }
-            Event::Empty(tag) => nodes.push(Node::Element(element(text, &tag)?)),
+            Event::Empty(tag) => nodes.push(RawNode::Element(element(text, &tag)?)),
             Event::End(_) => {
                 let mut element = open.pop()?;
                 std::mem::swap(&mut element.children, &mut nodes);
-                nodes.push(Node::Element(element));
+                nodes.push(RawNode::Element(element));
             }
-            Event::CData(_) => nodes.push(Node::Verbatim(raw)),
-            Event::Decl(_) | Event::PI(_) => nodes.push(Node::Instruction(raw)),
-            Event::Comment(_) => nodes.push(Node::Comment {
+            Event::CData(_) => nodes.push(RawNode::Verbatim(raw)),
+            Event::Decl(_) | Event::PI(_) => nodes.push(RawNode::Instruction(raw)),
+            Event::Comment(_) => nodes.push(RawNode::Comment {
                 text: raw,
                 column: column(text, range.start),
             }),

@@ -37,7 +37,7 @@ type Way = usize;
 
 /// A candidate line for a cut.
 #[derive(Clone, Copy, Debug)]
-struct Line {
+struct CutLine {
     from: usize,
     way: Way,
     to: usize,
@@ -225,8 +225,8 @@ impl<'r> Cutter<'r> {
     }
 
     /// Returns the best line from any of some L.
-    fn best(&mut self, bends: &[usize]) -> Option<Option<Line>> {
-        let mut best: Option<Line> = None;
+    fn best(&mut self, bends: &[usize]) -> Option<Option<CutLine>> {
+        let mut best: Option<CutLine> = None;
         for &p in bends {
             let Some(way) = self.bend(p) else { continue };
             for way in [(way + 2) % 4, (way + 3) % 4] {
@@ -240,7 +240,7 @@ impl<'r> Cutter<'r> {
     }
 
     /// Returns the line that extends a wall beyond the L at `from`.
-    fn line(&mut self, from: usize, way: Way) -> Option<Line> {
+    fn line(&mut self, from: usize, way: Way) -> Option<CutLine> {
         let (to, fields) = self.run(from, way);
         self.steps = self.steps.checked_sub(fields)?;
         let bends = if self.bend(to).is_some() { 2 } else { 1 };
@@ -249,7 +249,7 @@ impl<'r> Cutter<'r> {
             _ => (&self.raster.b, from / self.stride, to / self.stride),
         };
         let length = axis.at[lo].abs_diff(axis.at[hi]);
-        let mut line = Line {
+        let mut line = CutLine {
             from,
             way,
             to,
@@ -289,7 +289,7 @@ impl<'r> Cutter<'r> {
     }
 
     /// Draws a line; drawing it again removes it.
-    fn draw(&mut self, line: &Line) {
+    fn draw(&mut self, line: &CutLine) {
         let mut at = line.from;
         while at != line.to {
             self.walls[at] ^= 1 << line.way;

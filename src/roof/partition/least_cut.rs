@@ -10,7 +10,7 @@
 
 use crate::geometry::plan::Cell;
 use crate::geometry::plan::raster::{Raster, Span};
-use crate::roof::partition::scan::{Lengths, Line, halves};
+use crate::roof::partition::scan::{Lengths, ScanDirection, halves};
 use std::cmp::{Ordering, Reverse};
 
 /// Maximum number of distinct coordinates on an axis for which the search is made.
@@ -64,7 +64,7 @@ impl Score {
 struct Best {
     score: Score,
     /// The first best cut; `None` = pure.
-    cut: Option<(Line, u8)>,
+    cut: Option<(ScanDirection, u8)>,
     /// Fingerprint of its set of roofs: the sum of a hash of each, so that equal sets have equal
     /// sums, whatever the tree. (Should two sets ever collide, the first is kept.)
     print: u64,
@@ -89,7 +89,7 @@ impl Best {
     }
 
     /// Returns the score of cutting a rectangle into these two.
-    fn joined(one: &Best, other: &Best, roof: u64, cut: (Line, u8)) -> Self {
+    fn joined(one: &Best, other: &Best, roof: u64, cut: (ScanDirection, u8)) -> Self {
         Self {
             score: one.score.plus(other.score, roof),
             cut: Some(cut),
@@ -195,10 +195,10 @@ impl<'r> Search<'r> {
     }
 
     /// Returns the lines with wall in a rectangle.
-    fn walls(&self, s: Span) -> impl Iterator<Item = (Line, usize)> + use<> {
+    fn walls(&self, s: Span) -> impl Iterator<Item = (ScanDirection, usize)> + use<> {
         let x = self.across[interval(s.j0, s.j1)].walls & bits(s.i0 + 1, s.i1);
         let y = self.along[interval(s.i0, s.i1)].walls & bits(s.j0 + 1, s.j1);
-        ones(x, Line::X).chain(ones(y, Line::Y))
+        ones(x, ScanDirection::X).chain(ones(y, ScanDirection::Y))
     }
 
     /// Solves a rectangle after those inside it; `None` if the steps are used up.
@@ -247,7 +247,7 @@ impl<'r> Search<'r> {
         Some(best)
     }
 
-    fn joined(&self, s: Span, line: Line, n: usize) -> Best {
+    fn joined(&self, s: Span, line: ScanDirection, n: usize) -> Best {
         let [one, other] = halves(s, line, n).map(|half| self.best(half));
         Best::joined(one, other, self.roof.within(line, n, s), (line, n as u8))
     }
@@ -273,7 +273,7 @@ fn ends(bits: u32) -> (usize, usize) {
 }
 
 /// Returns the lines whose bits are set, in ascending order.
-fn ones(mut bits: u32, line: Line) -> impl Iterator<Item = (Line, usize)> {
+fn ones(mut bits: u32, line: ScanDirection) -> impl Iterator<Item = (ScanDirection, usize)> {
     std::iter::from_fn(move || {
         let n = bits.trailing_zeros();
         bits &= bits.checked_sub(1)?;
@@ -305,7 +305,7 @@ fn marks(count: usize, fields: usize, strip: impl Fn(usize) -> u32) -> Vec<Marks
 /// A rectangle whose set of roofs is certain.
 #[derive(Clone, Copy)]
 struct Settled {
-    cut: Option<(Line, u8)>,
+    cut: Option<(ScanDirection, u8)>,
     print: u64,
 }
 

@@ -5,7 +5,7 @@ use crate::geometry::plan::raster::{Raster, Span};
 
 /// The direction of a scan line; `X` sorts first, as "x before y" demands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(in crate::roof) enum Line {
+pub(in crate::roof) enum ScanDirection {
     /// The line a = c (x in domain 3).
     X,
     /// The line b = c (y in domain 3).
@@ -62,13 +62,13 @@ impl Lengths {
 
     /// Returns the length on line `n` of direction `line`, clipped to the interior of `s`, reduced.
     #[inline]
-    pub(in crate::roof) fn within(&self, line: Line, n: usize, s: Span) -> u64 {
+    pub(in crate::roof) fn within(&self, line: ScanDirection, n: usize, s: Span) -> u64 {
         match line {
-            Line::X => {
+            ScanDirection::X => {
                 let width = self.cols + 1;
                 self.x[s.j1 * width + n] - self.x[s.j0 * width + n]
             }
-            Line::Y => {
+            ScanDirection::Y => {
                 let width = self.rows + 1;
                 self.y[s.i1 * width + n] - self.y[s.i0 * width + n]
             }
@@ -79,7 +79,7 @@ impl Lengths {
 /// A scan line that may cut a cell.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::roof) struct Candidate {
-    pub(in crate::roof) line: Line,
+    pub(in crate::roof) line: ScanDirection,
     /// Number of the grid line.
     pub(in crate::roof) n: usize,
     /// Wall length on it within the cell, above 0.
@@ -89,10 +89,10 @@ pub(in crate::roof) struct Candidate {
 impl Candidate {
     /// Returns the order of ties: nearest to the middle of `s`, then smaller c, then x before y. If x and y tie, the
     /// letter compares the two coordinates of the author frame, so the origin counts.
-    pub(in crate::roof) fn tie(&self, raster: &Raster, s: Span) -> (u128, i64, Line) {
+    pub(in crate::roof) fn tie(&self, raster: &Raster, s: Span) -> (u128, i64, ScanDirection) {
         let (axis, lo, hi) = match self.line {
-            Line::X => (&raster.a, s.i0, s.i1),
-            Line::Y => (&raster.b, s.j0, s.j1),
+            ScanDirection::X => (&raster.a, s.i0, s.i1),
+            ScanDirection::Y => (&raster.b, s.j0, s.j1),
         };
         let at = |n: usize| u128::from(axis.at[n]);
         let off_middle = (2 * at(self.n)).abs_diff(at(lo) + at(hi));
@@ -117,8 +117,8 @@ pub(in crate::roof) fn candidates(
     walls: &Lengths,
     s: Span,
 ) -> impl Iterator<Item = Candidate> + '_ {
-    let x = (s.i0 + 1..s.i1).map(|n| (Line::X, n));
-    let y = (s.j0 + 1..s.j1).map(|n| (Line::Y, n));
+    let x = (s.i0 + 1..s.i1).map(|n| (ScanDirection::X, n));
+    let y = (s.j0 + 1..s.j1).map(|n| (ScanDirection::Y, n));
     x.chain(y).filter_map(move |(line, n)| {
         let wall = walls.within(line, n, s);
         (wall > 0).then_some(Candidate { line, n, wall })
@@ -126,9 +126,9 @@ pub(in crate::roof) fn candidates(
 }
 
 /// Returns the two halves of `s`: left or lower first.
-pub(in crate::roof) fn halves(s: Span, line: Line, n: usize) -> [Span; 2] {
+pub(in crate::roof) fn halves(s: Span, line: ScanDirection, n: usize) -> [Span; 2] {
     match line {
-        Line::X => [Span { i1: n, ..s }, Span { i0: n, ..s }],
-        Line::Y => [Span { j1: n, ..s }, Span { j0: n, ..s }],
+        ScanDirection::X => [Span { i1: n, ..s }, Span { i0: n, ..s }],
+        ScanDirection::Y => [Span { j1: n, ..s }, Span { j0: n, ..s }],
     }
 }

@@ -1,6 +1,6 @@
 //! Prepares an outline with courts for a skeleton, or returns the reason why it has none.
 
-use super::line::Line;
+use super::line::EdgeLine;
 use super::pairs::{Segment, distance, near_pairs};
 use super::{Face, Skeleton};
 use crate::geometry::tolerance::POINT;
@@ -306,9 +306,9 @@ fn dents(ring: &mut Vec<Start>, dent: f64) {
 }
 
 /// Returns the lines of all edges.
-pub(super) fn lines(contours: &Contours) -> Vec<Line> {
+pub(super) fn lines(contours: &Contours) -> Vec<EdgeLine> {
     contours
         .each()
-        .map(|([p, q], ..)| Line::through(p, q))
+        .map(|([p, q], ..)| EdgeLine::through(p, q))
         .collect()
 }

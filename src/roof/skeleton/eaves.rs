@@ -5,7 +5,7 @@
 //! shortened step by step until they do not.
 
 use crate::geometry::tolerance::POINT;
-use crate::roof::skeleton::line::Line;
+use crate::roof::skeleton::line::EdgeLine;
 use crate::roof::skeleton::pairs::{Segment, distance, near_pairs};
 use crate::roof::skeleton::wave::velocity;
 use crate::roof::skeleton::{Face, Skeleton};
@@ -164,13 +164,13 @@ fn corner(skeleton: &Skeleton, i: usize, over: &[f64]) -> Corner {
 }
 
 /// Returns the path along one line from a point to the eaves of another.
-fn along(line: Line, to: Line, from: DVec2, over: f64) -> DVec2 {
+fn along(line: EdgeLine, to: EdgeLine, from: DVec2, over: f64) -> DVec2 {
     let way = line.way();
     way * ((-over - to.depth(from)) / to.normal.dot(way))
 }
 
 /// Returns a sharp corner, cut off square to its bisector.
-fn cut_off(at: DVec2, inward: DVec2, lines: [Line; 2], overs: [f64; 2]) -> Corner {
+fn cut_off(at: DVec2, inward: DVec2, lines: [EdgeLine; 2], overs: [f64; 2]) -> Corner {
     let middle = at - inward * SPIKE * overs[0].min(overs[1]);
     let across = inward.perp();
     let end = |own: usize| {

@@ -4,18 +4,18 @@ use glam::DVec2;
 
 /// The line of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
+pub struct EdgeLine {
     /// Unit vector to the inside, to the left of the edge.
     pub normal: DVec2,
     /// Distance from the origin along it, metres.
     pub at: f64,
 }
 
-impl Line {
+impl EdgeLine {
     /// Creates the line from `p` to `q`.
-    pub fn through(p: DVec2, q: DVec2) -> Line {
+    pub fn through(p: DVec2, q: DVec2) -> EdgeLine {
         let normal = (q - p).perp().normalize_or_zero();
-        Line {
+        EdgeLine {
             normal,
             at: normal.dot((p + q) / 2.0),
         }
@@ -32,8 +32,8 @@ impl Line {
     }
 
     /// Returns the line after a translation.
-    pub(in crate::roof::skeleton) fn moved(self, by: DVec2) -> Line {
-        Line {
+    pub(in crate::roof::skeleton) fn moved(self, by: DVec2) -> EdgeLine {
+        EdgeLine {
             at: self.at + self.normal.dot(by),
             ..self
         }

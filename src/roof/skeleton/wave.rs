@@ -1,8 +1,8 @@
 //! The moving outline: rings of vertices, each on the path of two lines that move inwards at one speed.
 
-use super::Node;
+use super::SkeletonNode;
 use super::contour::{Contours, lines};
-use super::line::Line;
+use super::line::EdgeLine;
 use crate::geometry::tolerance::PARALLEL;
 use glam::DVec2;
 
@@ -30,7 +30,7 @@ pub(super) struct Vertex {
     pub(super) right: u32,
     /// The node where it began.
     pub(super) node: u32,
-    start: Node,
+    start: SkeletonNode,
     /// `None` if its edges coincide: it ends at once.
     pub(super) velocity: Option<DVec2>,
     pub(super) alive: bool,
@@ -58,9 +58,9 @@ pub(super) struct Arc {
 /// The moving outline, and the borders it has left behind.
 #[derive(Clone, Debug)]
 pub(super) struct Wave {
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Vec<EdgeLine>,
     pub(super) vertices: Vec<Vertex>,
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Vec<SkeletonNode>,
     pub(super) arcs: Vec<Arc>,
     /// The vertices at which pieces of each edge start, including dead ones.
     pieces: Vec<Vec<u32>>,
@@ -84,7 +84,7 @@ impl Wave {
             eps: 1e-9 * contours.size.max(1.0),
         };
         for ([at, _], ..) in contours.each() {
-            wave.nodes.push(Node { at, time: 0.0 });
+            wave.nodes.push(SkeletonNode { at, time: 0.0 });
         }
         for (i, (_, _, before)) in contours.each().enumerate() {
             wave.begin(i as u32, before, i as u32);
@@ -144,7 +144,7 @@ impl Wave {
     }
 
     pub(super) fn node(&mut self, at: DVec2, time: f64) -> u32 {
-        self.nodes.push(Node { at, time });
+        self.nodes.push(SkeletonNode { at, time });
         self.nodes.len() as u32 - 1
     }
 

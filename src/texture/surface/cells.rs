@@ -6,7 +6,7 @@ use crate::texture::paint::Spot;
 
 /// A position in a row of equal pieces.
 #[derive(Clone, Copy)]
-pub(in crate::texture) struct Piece {
+pub(in crate::texture) struct RowPiece {
     /// Number of the piece, 0 to n - 1.
     pub(in crate::texture) index: i64,
     /// Position within the piece, 0..1.
@@ -15,7 +15,7 @@ pub(in crate::texture) struct Piece {
     pub(in crate::texture) width: f64,
 }
 
-impl Piece {
+impl RowPiece {
     /// Returns the distance to the nearer end of the piece, as a fraction of the repeat.
     pub(in crate::texture) fn edge(&self) -> f64 {
         self.at.min(1.0 - self.at) * self.width
@@ -23,10 +23,10 @@ impl Piece {
 }
 
 /// Returns the piece at `t` (fraction of the repeat) if `n` equal ones fill the repeat.
-pub(in crate::texture) fn row(t: f64, n: u32) -> Piece {
+pub(in crate::texture) fn row(t: f64, n: u32) -> RowPiece {
     let x = t * f64::from(n);
     let low = floor(x);
-    Piece {
+    RowPiece {
         index: wrap(low, i64::from(n)),
         at: x - low as f64,
         width: 1.0 / f64::from(n),
@@ -34,7 +34,7 @@ pub(in crate::texture) fn row(t: f64, n: u32) -> Piece {
 }
 
 /// As [`row`], with each joint moved by up to `jitter` / 2 pieces (`jitter` < 1).
-pub(in crate::texture) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> Piece {
+pub(in crate::texture) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> RowPiece {
     let x = t * f64::from(n);
     let joint = |i: i64| i as f64 + jitter * (hash(wrap(i, i64::from(n)), 0, seed) - 0.5);
     let mut low = floor(x);
@@ -44,7 +44,7 @@ pub(in crate::texture) fn uneven_row(t: f64, n: u32, jitter: f64, seed: u32) -> 
         low += 1;
     }
     let (from, to) = (joint(low), joint(low + 1));
-    Piece {
+    RowPiece {
         index: wrap(low, i64::from(n)),
         at: (x - from) / (to - from),
         width: (to - from) / f64::from(n),

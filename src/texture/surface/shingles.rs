@@ -4,7 +4,7 @@ use crate::texture::Maps;
 use crate::texture::color::{Rgb, hex, lap_light, line, mix, ramp, scale, smooth};
 use crate::texture::noise::{fbm, hash, noise};
 use crate::texture::paint::{Hollows, Spot, Texel, paint};
-use crate::texture::surface::cells::{Piece, row, uneven_row};
+use crate::texture::surface::cells::{RowPiece, row, uneven_row};
 use crate::texture::surface::grain::{Board, Face};
 
 /// Four courses of boards, each 1.5 shaku to the weather.
@@ -62,7 +62,7 @@ fn board_roof_at(spot: Spot) -> Texel<3> {
 }
 
 /// Returns the board of a course at a spot; joints are never above each other.
-fn roof_piece(spot: Spot, course: i64) -> Piece {
+fn roof_piece(spot: Spot, course: i64) -> RowPiece {
     uneven_row(spot.u + 0.37 * course as f64, 10, 0.7, 201 + course as u32)
 }
 
@@ -111,7 +111,7 @@ fn kokera_at(spot: Spot) -> Texel<3> {
 }
 
 /// Returns the shingle of a course at a spot.
-fn shingle(spot: Spot, course: i64) -> Piece {
+fn shingle(spot: Spot, course: i64) -> RowPiece {
     uneven_row(spot.u + 0.43 * course as f64, 10, 0.75, 211 + course as u32)
 }
 
@@ -173,6 +173,6 @@ fn bark_at(spot: Spot) -> Texel<3> {
 }
 
 /// Returns the strip of a course at a spot.
-fn bark_strip(spot: Spot, course: i64) -> Piece {
+fn bark_strip(spot: Spot, course: i64) -> RowPiece {
     uneven_row(spot.u + 0.31 * course as f64, 9, 0.85, 301 + course as u32)
 }

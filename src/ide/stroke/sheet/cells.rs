@@ -4,7 +4,7 @@ use crate::ast::CodeText;
 use crate::building::Wall;
 use crate::catalog::Stance;
 use crate::geometry::SAME;
-use crate::ide::stroke::sheet::{Cell, Form, Home, Inner, Reason, Row, Sheet, What, name};
+use crate::ide::stroke::sheet::{Cell, Form, Home, Inner, Reason, Sheet, SheetRow, What, name};
 use crate::parse::syntax::Words;
 use crate::program::{Content, Unit};
 use crate::source::FileId;
@@ -12,7 +12,7 @@ use std::ops::Range;
 
 impl Sheet<'_> {
     /// Reads a line of the legacy form.
-    pub(super) fn line(&self, number: usize) -> Row {
+    pub(super) fn line(&self, number: usize) -> SheetRow {
         let line = &self.outline.lines[number];
         let mut cells: Vec<Cell> = line
             .codes
@@ -24,7 +24,7 @@ impl Sheet<'_> {
         let end = line.turn.as_ref().map_or(end, |t| t.end.max(end));
         let rest = self.text.get(end..line.range.end).unwrap_or_default();
         let fixed = (!rest.trim().is_empty()).then_some(Reason::Mistakes);
-        Row {
+        SheetRow {
             home: Home::Line(number),
             cells,
             rightwards: false,
@@ -33,7 +33,7 @@ impl Sheet<'_> {
     }
 
     /// Reads a `Row` or `Floor`.
-    pub(super) fn element(&self, element: usize) -> Row {
+    pub(super) fn element(&self, element: usize) -> SheetRow {
         let mut cells = vec![];
         let piece = self.gather(element, &mut cells);
         cells.sort_by_key(|c| c.range.start);
@@ -46,7 +46,7 @@ impl Sheet<'_> {
         let borrowed = is_floor && cells.is_empty();
         let fixed = self.around_fixed(element).or(piece);
         let fixed = fixed.or(borrowed.then_some(Reason::Borrowed));
-        Row {
+        SheetRow {
             home: Home::Element(element),
             cells,
             rightwards: is_floor && self.is_rightwards(element),
@@ -109,7 +109,7 @@ impl Sheet<'_> {
     }
 
     /// Assigns to each cell the units it produces. Cells that produce unexpected units become blocks.
-    pub(super) fn match_units(&self, row: &mut Row, wall: &Wall) -> Result<(), Reason> {
+    pub(super) fn match_units(&self, row: &mut SheetRow, wall: &Wall) -> Result<(), Reason> {
         let whole = match row.home {
             Home::Line(_) => self.a.source.text_range(wall.span),
             Home::Element(element) => self.outline.elements[element].range.clone(),

@@ -25,7 +25,7 @@ pub(super) struct Open<'a> {
     /// The seed of the run.
     seed: Option<u64>,
     /// The open elements, outermost first; the first one is the file.
-    levels: Vec<Level<'a>>,
+    levels: Vec<OpenElement<'a>>,
     /// The number of houses so far.
     houses: u64,
     /// True if a `random` has chosen since this was last reset.
@@ -33,7 +33,7 @@ pub(super) struct Open<'a> {
 }
 
 /// An open element.
-struct Level<'a> {
+struct OpenElement<'a> {
     place: Place,
     /// The number of elements so far by kind; an element contains few kinds.
     kinds: Vec<(&'a str, u64)>,
@@ -41,9 +41,9 @@ struct Level<'a> {
     draws: u64,
 }
 
-impl Level<'_> {
+impl OpenElement<'_> {
     fn new(place: Place) -> Self {
-        Level {
+        OpenElement {
             place,
             kinds: vec![],
             draws: 0,
@@ -56,7 +56,7 @@ impl<'a> Open<'a> {
     pub(super) fn outermost(seed: Option<u64>) -> Self {
         Open {
             seed,
-            levels: vec![Level::new(Place::seed(seed.unwrap_or(0)))],
+            levels: vec![OpenElement::new(Place::seed(seed.unwrap_or(0)))],
             houses: 0,
             drawn: false,
         }
@@ -121,7 +121,7 @@ impl<'a> Expander<'a, '_> {
             _ => self.open.place_of(element_ref.element().name),
         };
         let place = place.unwrap_or(Place::seed(0));
-        self.open.levels.push(Level::new(place));
+        self.open.levels.push(OpenElement::new(place));
     }
 
     /// Leaves it.

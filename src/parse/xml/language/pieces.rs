@@ -4,7 +4,7 @@
 use super::super::read::check;
 use super::super::tree::{Child, Element};
 use super::names::Given;
-use super::scope::{Frame, Piece};
+use super::scope::{DefinedPiece, Frame};
 use super::{ELEMENT, ElementRef, Expander, Scope, fixes};
 use crate::ast::Value;
 use crate::diagnostic::messages::xml as say;
@@ -18,7 +18,7 @@ use std::rc::Rc;
 /// An active use.
 pub(super) struct Used<'a> {
     name: String,
-    piece: Piece<'a>,
+    piece: DefinedPiece<'a>,
     pub(super) span: Span,
     /// The name of its element.
     pub(super) tag: Span,
@@ -41,7 +41,7 @@ impl<'a> Expander<'a, '_> {
             return;
         };
         let place = name.span;
-        let piece = Piece {
+        let piece = DefinedPiece {
             tree: Rc::clone(element_ref.tree),
             index: element_ref.index,
             place,

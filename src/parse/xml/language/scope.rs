@@ -15,7 +15,7 @@ pub(super) type Scope<'a> = Rc<Frame<'a>>;
 pub(super) struct Frame<'a> {
     outer: Option<Scope<'a>>,
     names: RefCell<BTreeMap<String, Bound>>,
-    pieces: RefCell<BTreeMap<String, Piece<'a>>>,
+    pieces: RefCell<BTreeMap<String, DefinedPiece<'a>>>,
     /// Files included here and by these, each once.
     files: RefCell<Vec<Scope<'a>>>,
 }
@@ -30,15 +30,15 @@ pub(super) struct Bound {
 
 /// A `define`.
 #[derive(Clone)]
-pub(super) struct Piece<'a> {
+pub(super) struct DefinedPiece<'a> {
     pub(super) tree: Rc<Tree<'a>>,
     pub(super) index: usize,
     pub(super) place: Span,
 }
 
-impl Piece<'_> {
+impl DefinedPiece<'_> {
     /// Returns true if it is the same element.
-    pub(super) fn is(&self, other: &Piece<'_>) -> bool {
+    pub(super) fn is(&self, other: &DefinedPiece<'_>) -> bool {
         std::ptr::addr_eq(Rc::as_ptr(&self.tree), Rc::as_ptr(&other.tree))
             && self.index == other.index
     }
@@ -69,7 +69,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Names a definition; if another has the name in this frame, returns its place.
-    pub(super) fn define(&self, name: &str, piece: Piece<'a>) -> Option<Span> {
+    pub(super) fn define(&self, name: &str, piece: DefinedPiece<'a>) -> Option<Span> {
         let mut pieces = self.pieces.borrow_mut();
         if let Some(before) = pieces.get(name) {
             return (!before.is(&piece)).then_some(before.place);
@@ -99,7 +99,7 @@ impl<'a> Frame<'a> {
     }
 
     /// Returns a definition, and the frame that contains it.
-    pub(super) fn piece(self: &Rc<Self>, name: &str) -> Option<(Piece<'a>, Scope<'a>)> {
+    pub(super) fn piece(self: &Rc<Self>, name: &str) -> Option<(DefinedPiece<'a>, Scope<'a>)> {
         let own = |frame: &Scope<'a>| {
             let found = frame.pieces.borrow().get(name).cloned();
             found.map(|piece| (piece, Rc::clone(frame)))

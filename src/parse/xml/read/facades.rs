@@ -4,7 +4,7 @@ use crate::ast::{Facade, Floor, Picture, StoreyKind, Structure, Texture};
 use crate::diagnostic::messages::xml as say;
 use crate::parse::schema::vocabulary::{PART_ORDERS, REFLECTIONS, STOREY_KINDS};
 use crate::parse::schema::{Schema, Tag};
-use crate::parse::xml::read::{Node, Reader};
+use crate::parse::xml::read::{AllowedChild, Reader};
 use crate::parse::xml::tree::Element;
 use crate::source::Spanned;
 
@@ -27,15 +27,15 @@ impl<'t> Reader<'t, '_> {
         let mut textures = vec![];
         for node in self.children(element, schema.content()) {
             match node {
-                Node::Element(schema, child) if schema.tag == Tag::Texture => {
+                AllowedChild::Element(schema, child) if schema.tag == Tag::Texture => {
                     textures.extend(self.texture(schema, child));
                 }
-                Node::Element(schema, child) => {
+                AllowedChild::Element(schema, child) => {
                     self.attributes(schema, child);
                     let facades = self.items(child, schema.content(), Self::facade);
                     structure.facades.extend(facades);
                 }
-                Node::Text(_) => {}
+                AllowedChild::Text(_) => {}
             }
         }
         (structure, textures)

@@ -6,8 +6,8 @@ use crate::parse::schema;
 use crate::parse::schema::vocabulary::{STOREY_KINDS, TURNS};
 use crate::parse::schema::{Schema, Tag};
 use crate::parse::xml::edits;
-use crate::parse::xml::read::pieces::Line;
-use crate::parse::xml::read::{Attributes, Node, Reader};
+use crate::parse::xml::read::pieces::WallItems;
+use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
@@ -29,7 +29,7 @@ impl<'t> Reader<'t, '_> {
         };
         let mut roofs: Option<Span> = None;
         for node in self.children(element, schema.content()) {
-            let Node::Element(schema, child) = node else {
+            let AllowedChild::Element(schema, child) = node else {
                 continue;
             };
             match schema.tag {
@@ -121,7 +121,7 @@ impl<'t> Reader<'t, '_> {
             ..Loop::default()
         };
         for node in self.children(element, schema.content()) {
-            let Node::Element(schema, child) = node else {
+            let AllowedChild::Element(schema, child) = node else {
                 continue;
             };
             match schema.tag {
@@ -172,7 +172,7 @@ impl<'t> Reader<'t, '_> {
             self.number(&of, "turn")
         };
         self.turn = (!element.has_attribute("turn")).then_some(element.name_range.end);
-        let Line { pieces, turn } = self.line(element, schema.content(), true);
+        let WallItems { pieces, turn } = self.line(element, schema.content(), true);
         Row {
             span: self.whole(element),
             pieces,

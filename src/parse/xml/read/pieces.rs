@@ -5,14 +5,14 @@ use crate::diagnostic::messages::xml as say;
 use crate::parse::schema;
 use crate::parse::schema::{Content, Schema, Tag};
 use crate::parse::xml::edits;
-use crate::parse::xml::read::{Attributes, Node, Reader};
+use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
 use crate::source::Spanned;
 
 /// The content of a wall line.
 #[derive(Default)]
-pub(in crate::parse::xml) struct Line {
+pub(in crate::parse::xml) struct WallItems {
     pub(in crate::parse::xml) pieces: Vec<Item<Piece>>,
     /// The turn of a control letter.
     pub(in crate::parse::xml) turn: Option<Spanned<f64>>,
@@ -25,15 +25,15 @@ impl<'t> Reader<'t, '_> {
         element: &'t Element<'t>,
         content: &'static Content,
         turns: bool,
-    ) -> Line {
-        let mut line = Line::default();
+    ) -> WallItems {
+        let mut line = WallItems::default();
         for node in self.children(element, content) {
             match node {
-                Node::Text(text) => {
+                AllowedChild::Text(text) => {
                     let turn = self.codes(text, turns, &mut line.pieces);
                     line.turn = turn.or(line.turn);
                 }
-                Node::Element(schema, child) if schema.tag == Tag::Row => {
+                AllowedChild::Element(schema, child) if schema.tag == Tag::Row => {
                     let of = self.attributes(schema, child);
                     if let Some(turn) = of.get("turn") {
                         let whole = self.reporter.with_gap(&turn.range);
@@ -43,7 +43,7 @@ impl<'t> Reader<'t, '_> {
                     line.pieces
                         .extend(self.line(child, schema.content(), false).pieces);
                 }
-                Node::Element(schema, child) => {
+                AllowedChild::Element(schema, child) => {
                     line.pieces.extend(self.piece(schema, child, turns));
                 }
             }
@@ -101,7 +101,7 @@ impl<'t> Reader<'t, '_> {
         let ratio = self.number(&of, "ratio");
         let mut halves: [Option<Half>; 2] = [None, None];
         for node in self.children(element, schema.content()) {
-            let Node::Element(schema, child) = node else {
+            let AllowedChild::Element(schema, child) = node else {
                 continue;
             };
             self.attributes(schema, child);
@@ -182,7 +182,7 @@ impl<'t> Reader<'t, '_> {
     ) -> Vec<Item<T>> {
         let mut items = vec![];
         for node in self.children(element, content) {
-            if let Node::Element(schema, child) = node {
+            if let AllowedChild::Element(schema, child) = node {
                 items.extend(self.item(schema, child, content, each));
             }
         }

@@ -3,7 +3,7 @@
 use crate::ast::{RoofLine, RoofMethod, RoofShape, RoofStyle, Roofs};
 use crate::parse::schema::Schema;
 use crate::parse::schema::vocabulary::{COVERINGS, RIDGE_DIRECTIONS, ROOF_MODES};
-use crate::parse::xml::read::{Attributes, Node, Reader};
+use crate::parse::xml::read::{AllowedChild, Attributes, Reader};
 use crate::parse::xml::tree::Element;
 use crate::parse::xml::tree::chars::is_blank;
 use crate::source::Spanned;
@@ -24,7 +24,7 @@ impl<'t> Reader<'t, '_> {
             lines: vec![],
         };
         for node in self.children(element, schema.content()) {
-            if let Node::Element(schema, child) = node {
+            if let AllowedChild::Element(schema, child) = node {
                 roofs.lines.extend(self.roof(schema, child));
             }
         }

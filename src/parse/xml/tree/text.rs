@@ -19,13 +19,13 @@ pub(in crate::parse::xml) const REPORTED: char = '\u{fffd}';
 #[derive(Clone, Debug)]
 pub(in crate::parse::xml) struct Text<'a> {
     text: Cow<'a, str>,
-    first: Piece,
-    more: Vec<Piece>,
+    first: TextPiece,
+    more: Vec<TextPiece>,
 }
 
 /// From offset `at` of the text, the text comes from this range of the file.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
+struct TextPiece {
     at: usize,
     from: usize,
     to: usize,
@@ -36,7 +36,7 @@ struct Piece {
 impl<'a> Text<'a> {
     /// Creates a text that replaces a range of the file.
     pub(in crate::parse::xml) fn instead(text: String, place: Range<usize>) -> Text<'a> {
-        let first = Piece {
+        let first = TextPiece {
             at: 0,
             from: place.start,
             to: place.end,
@@ -63,7 +63,7 @@ impl<'a> Text<'a> {
         }
         first.at = 0;
         let more = &self.more[next..last.max(next)];
-        let moved = |p: &Piece| Piece {
+        let moved = |p: &TextPiece| TextPiece {
             at: p.at - range.start,
             ..*p
         };
@@ -86,7 +86,7 @@ impl<'a> Text<'a> {
         let by = self.text.len();
         let pieces = std::iter::once(other.first).chain(other.more);
         self.more
-            .extend(pieces.map(|p| Piece { at: p.at + by, ..p }));
+            .extend(pieces.map(|p| TextPiece { at: p.at + by, ..p }));
         self.text.to_mut().push_str(&other.text);
     }
 
@@ -135,8 +135,8 @@ impl<'a> Text<'a> {
 #[derive(Debug, Default)]
 pub(in crate::parse::xml) struct Run<'a> {
     text: Cow<'a, str>,
-    first: Option<Piece>,
-    more: Vec<Piece>,
+    first: Option<TextPiece>,
+    more: Vec<TextPiece>,
 }
 
 impl<'a> Run<'a> {
@@ -202,7 +202,7 @@ impl<'a> Run<'a> {
         if self.text.contains(['\t', '\n', '\r']) {
             self.text = Cow::Owned(self.text.replace(['\t', '\n', '\r'], " "));
         }
-        let nothing = Piece {
+        let nothing = TextPiece {
             at: 0,
             from: start,
             to: start,
@@ -256,7 +256,7 @@ impl<'a> Run<'a> {
     }
 
     fn piece(&mut self, range: Range<usize>, atom: bool) {
-        let piece = Piece {
+        let piece = TextPiece {
             at: self.text.len(),
             from: range.start,
             to: range.end,
