@@ -32,9 +32,9 @@ pub enum Flaw {
     },
     /// As [`Flaw::OpenEdge`], by position: a crack or a double wall hidden by points that are equal but not shared.
     OpenSeam {
-        /// Where the edge starts.
+        /// Start of the edge.
         from: DVec3,
-        /// Where it ends.
+        /// End of the edge.
         to: DVec3,
     },
     /// A face has no area, so no normal for shading.

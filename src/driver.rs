@@ -48,14 +48,14 @@ pub struct Options {
     pub expand: expand::Options,
     /// Parameters of the sources and their values; the last value of a name counts.
     pub parameters: Vec<(String, String)>,
-    /// How much of the joinery is modelled.
+    /// The level of detail.
     #[cfg(feature = "models")]
     pub detail: Detail,
     /// Files of custom parts for all houses; later definitions of a part override earlier ones.
     pub catalogs: Arc<[Source]>,
-    /// How many variants of the sources are made, each with the next seed and placed in rows.
+    /// The number of variants of the sources to make, each with the next seed, placed in rows.
     pub variants: Option<NonZeroU32>,
-    /// Whether [`check`] records the values of expressions and names.
+    /// True if [`check`] records the values of expressions and names.
     pub notes_values: bool,
 }
 

@@ -81,7 +81,7 @@ pub struct Roofs {
     pub mode: RoofMode,
     /// The method of the automatic ones.
     pub method: RoofMethod,
-    /// Where roofs are requested, if anywhere: only then is an open plan an error.
+    /// The place that requests roofs, if any: only then is an open plan an error.
     pub wished: Option<Span>,
     /// The style of automatic roofs.
     pub style: RoofStyle,

@@ -132,7 +132,7 @@ attributes! {
         right: Level = Level::End(0.0),
         /// Outermost plane, outwards from the centre line.
         front: Mm = Mm(0.045),
-        /// How far it reaches inwards from there.
+        /// Thickness, inwards from there.
         thick: Mm = Mm(0.030),
         /// The material.
         finish: SurfaceId = SurfaceId::named("cedar"),
@@ -146,24 +146,24 @@ attributes! {
     }
     /// Boards side by side, on whatever lies behind.
     Boards {
-        /// Which way they run.
+        /// Their direction.
         run: Run = Run::Level,
-        /// About how wide one is; a whole number of them fills the place.
+        /// Approximate width of one; a whole number of them fills the place.
         size: Mm = Mm(0.270),
         /// Open joint between two.
         gap: Mm = Mm(0.0),
-        /// How far the foot of each stands out over the next (clapboards).
+        /// Projection of the foot of each over the next (clapboards).
         lap: Mm = Mm(0.0),
-        /// How many; where none is given, as many as their size asks for.
+        /// Number of boards; 0 = by their size.
         count: u32 = 0,
-        /// How far every other one stands back, which shows the joints.
+        /// Setback of every other one, which shows the joints.
         step: Mm = Mm(0.0),
         /// Width of strips over the joints, half a one at each end; 0 = none.
         strip: Mm = Mm(0.0),
     }
     /// Upright bars, counted.
     Bars {
-        /// How many long ones.
+        /// Number of long ones.
         count: u32 = 9,
         /// Width of a long one.
         size: Mm = Mm(0.020),
@@ -175,36 +175,36 @@ attributes! {
         childsize: Mm = Mm(0.018),
         /// Share of the height cut away from the top of the short ones.
         cut: f64 = 0.0,
-        /// How far the edges of their fronts are cut off.
+        /// Chamfer of the edges of their fronts.
         edge: Mm = Mm(0.0),
-        /// Whether the edges are round instead, as of bars wound with rope and plastered; half the width = round bars.
+        /// True if the edges are round instead, as of bars wound with rope and plastered; half the width = round bars.
         round: bool = false,
-        /// Whether the gaps between them end round.
+        /// True if the gaps between them end round.
         slits: bool = false,
-        /// Whether the first and last lie at the ends of the place, as battens do.
+        /// True if the first and last lie at the ends of the place, as battens do.
         ends: bool = false,
     }
     /// Level bars, counted, spread evenly from the foot to the top.
     Rails {
-        /// How many.
+        /// Number of rails.
         count: u32 = 2,
         /// Height of one.
         size: Mm = Mm(0.030),
-        /// Whether the first and last lie at the ends of the place.
+        /// True if the first and last lie at the ends of the place.
         ends: bool = false,
     }
     /// A frame inside the edges of the place.
     Frame {
         /// Width of its members.
         size: Mm = Mm(0.040),
-        /// Which members there are.
+        /// The members present.
         sides: Sides = Sides::ALL,
     }
     /// Sliding leaves side by side, the left one in front.
     Leaf {
-        /// How many.
+        /// Number of leaves.
         leaves: u32 = 1,
-        /// How many one above another, as shutters let down into grooves.
+        /// Number of leaves one above another, as shutters let down into grooves.
         stack: u32 = 1,
         /// Width of the stiles.
         stile: Mm = Mm(0.040),
@@ -256,7 +256,7 @@ attributes! {
         sidesize: Mm = Mm(0.020),
         /// Thin rails at each side between foot and top.
         siderails: u32 = 0,
-        /// How far its own little roof stands out; 0 = none.
+        /// Overhang of its own small roof; 0 = none.
         eaves: Mm = Mm(0.0),
         /// The roof's rise in the horizontal.
         pitch: f64 = 0.3,
@@ -264,36 +264,36 @@ attributes! {
         arms: u32 = 0,
         /// The covering of the roof.
         roof: SurfaceId = SurfaceId::named("board_roof"),
-        /// Whether it has a floor.
+        /// True if it has a floor.
         floor: bool = true,
     }
     /// Cloths side by side on a pole.
     Cloth {
-        /// How many.
+        /// Number of cloths.
         count: u32 = 3,
         /// Width of one.
         size: Mm = Mm(0.340),
-        /// How far it hangs.
+        /// Length of the hanging cloth.
         drop: Mm = Mm(1.130),
         /// Loops by which each hangs from the pole.
         loops: u32 = 3,
     }
     /// Laths in an arc from the foot of the wall: inu-yarai.
     Apron {
-        /// How many.
+        /// Number of laths.
         count: u32 = 25,
-        /// How far its foot stands out.
+        /// Distance of its foot from the wall.
         out: Mm = Mm(0.450),
         /// Level laths over them.
         rails: u32 = 3,
     }
     /// A small roof along the place, both sides.
     Coping {
-        /// How far it stands out beyond front and back.
+        /// Projection beyond front and back.
         out: Mm = Mm(0.150),
         /// Rise in the horizontal.
         pitch: f64 = 0.4,
-        /// About how far its rolls of round tiles stand from each other; 0 = none.
+        /// Approximate spacing of its rolls of round tiles; 0 = none.
         rolls: Mm = Mm(0.0),
     }
     /// A small roof in front of the place, its top edge at the top.
@@ -303,23 +303,23 @@ attributes! {
     }
     /// A wall at right angles to the facade with a little roof: udatsu.
     Wing {
-        /// How far it stands out.
+        /// Projection from the wall.
         out: Mm = Mm(0.750),
         /// The covering of its roof.
         roof: SurfaceId = SurfaceId::named("kawara_edge"),
-        /// About how far its rolls of round tiles stand from each other; 0 = none.
+        /// Approximate spacing of its rolls of round tiles; 0 = none.
         rolls: Mm = Mm(0.0),
     }
     /// Dark walls, ceiling and end of what lies behind an opening.
     Depth {
-        /// How deep.
+        /// Its depth.
         depth: Mm = Mm(3.0),
         /// The shape of its end.
         end: SurfaceId = SurfaceId::named("dark"),
     }
     /// Raised plaster joints of a tile wall.
     Namako {
-        /// How they run.
+        /// Their direction.
         joints: Joints = Joints::Diagonal,
         /// Side of a tile.
         tile: Mm = Mm(0.270),
@@ -328,9 +328,9 @@ attributes! {
     }
     /// A grid of panels with open joints.
     Panels {
-        /// About how wide one is.
+        /// Approximate width of one.
         width: Mm = Mm(0.900),
-        /// About how high one is.
+        /// Approximate height of one.
         height: Mm = Mm(1.800),
         /// Joint.
         gap: Mm = Mm(0.010),
@@ -346,39 +346,39 @@ attributes! {
     }
     /// Frames one inside another, each farther back: the jambs of a storehouse.
     Jambs {
-        /// How many.
+        /// Number of frames.
         count: u32 = 3,
         /// Width and depth of a step.
         size: Mm = Mm(0.040),
     }
     /// Leaves that stand open at right angles to the wall, stepped at their edges.
     Open {
-        /// How far they reach out.
+        /// Their reach outwards.
         out: Mm = Mm(0.450),
         /// Steps.
         count: u32 = 3,
-        /// Which of them: l, r or both.
+        /// The leaves present: l, r or both.
         sides: Sides = Sides::ALL,
-        /// How much smaller each step is at every edge.
+        /// Reduction of each step at every edge.
         size: Mm = Mm(0.036),
     }
     /// The fillings of the corners of an opening, which leave it rounded: half its width makes a circle.
     Corners {
         /// Radius.
         size: Mm = Mm(0.100),
-        /// Whether it looks like the small walls around the opening.
+        /// True if it looks like the small walls around the opening.
         around: bool = false,
     }
     /// A round bar in the middle of its place.
     Pole {
-        /// Which way it runs.
+        /// Its direction.
         run: Run = Run::Level,
     }
     /// Level slats that bulge outwards: a roller shutter.
     Slats {
-        /// About how high one is.
+        /// Approximate height of one.
         size: Mm = Mm(0.075),
-        /// How far it bulges.
+        /// Height of the bulge.
         bulge: Mm = Mm(0.009),
     }
     /// Its children again in each cell of a grid.

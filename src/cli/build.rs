@@ -428,7 +428,7 @@ fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> Text {
 /// Progress on standard error; with a progress bar if there are several jobs, they take long and it is a terminal.
 struct Progress {
     language: Language,
-    /// Whether a line is printed for each model.
+    /// True if a line is printed for each model.
     verbose: bool,
     start: Instant,
     jobs: usize,

@@ -72,7 +72,7 @@ impl Notation {
 struct Tally {
     /// Files that were, or would be, changed.
     changed: usize,
-    /// Whether a file has errors.
+    /// True if a file has errors.
     spoiled: bool,
 }
 

@@ -211,7 +211,7 @@ impl Documents {
         self.read(uri, text, settings).0
     }
 
-    /// Analyses a text; returns the files it requested.
+    /// Analyses a document; returns the files it requested.
     fn read(&self, uri: &str, text: &str, settings: &Settings) -> (Analysis, BTreeSet<PathBuf>) {
         let path = uri::to_path(uri);
         let folder = path.as_deref().and_then(Path::parent);

@@ -51,14 +51,14 @@ impl Encoding {
     }
 }
 
-/// The start offsets of the lines of a text.
+/// The start offsets of the lines of a document.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Lines {
     starts: Vec<usize>,
 }
 
 impl Lines {
-    /// Finds the lines of a text.
+    /// Finds the lines of a document.
     pub(super) fn new(text: &str) -> Lines {
         let mut starts = vec![0];
         starts.extend(starts_in(text, 0..text.len()));

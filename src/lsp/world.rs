@@ -36,10 +36,10 @@ pub(super) fn key(path: &Path) -> PathBuf {
 /// Open texts by [`key`], each with a byte order mark.
 pub(super) type Open = BTreeMap<PathBuf, Arc<str>>;
 
-/// The byte order mark, which marks a text as UTF-8 whatever its XML declaration says.
+/// The byte order mark, which marks a document as UTF-8 whatever encoding its XML declaration names.
 pub(super) const MARK: &str = "\u{feff}";
 
-/// Returns a text with a byte order mark.
+/// Returns a document with a byte order mark.
 pub(super) fn marked(text: &str) -> String {
     let mark = if text.starts_with(MARK) { "" } else { MARK };
     [mark, text].concat()

@@ -39,7 +39,7 @@ pub(super) struct Reporter<'a> {
     worst: Option<Severity>,
 }
 
-/// Returns the first line end of a text, or the usual one.
+/// Returns the first line end of a source, or the usual one.
 fn line_end(text: &str) -> &'static str {
     match text.find(['\n', '\r']).map(|at| &text.as_bytes()[at..]) {
         Some([b'\r', b'\n', ..]) => "\r\n",

@@ -365,7 +365,7 @@ fn vanishes(nodes: &[RawNode<'_>], index: usize) -> bool {
         && !joins(Some(index + 1))
 }
 
-/// Returns the display width of a text in columns: two for most letters beyond ASCII.
+/// Returns the display width of a string in columns: two for most letters beyond ASCII.
 fn columns(text: &str) -> usize {
     if text.is_ascii() {
         return text.len();

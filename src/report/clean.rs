@@ -16,7 +16,7 @@ pub(super) fn visible(c: char) -> Option<char> {
     }
 }
 
-/// Returns a text on one line.
+/// Returns a string on one line.
 pub(super) fn line(text: &str) -> String {
     text.chars().map(|c| visible(c).unwrap_or(c)).collect()
 }

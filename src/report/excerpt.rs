@@ -1,6 +1,6 @@
 //! The lines that a message refers to, and no others: miette scans and measures everything it is given.
 //!
-//! An excerpt is a text of its own: the marked lines and their neighbours. Long lines are truncated round the marks,
+//! An excerpt is a separate source: the marked lines and their neighbours. Long lines are truncated round the marks,
 //! with `…` for omitted text, and characters that would not align with their carets are replaced: miette counts the
 //! half-width voicing marks ﾞ and ﾟ as no column, terminals as one. Each goes through miette as a private character one
 //! column wide and is put back by [`restored`].

@@ -81,7 +81,7 @@ fn worded(drawn: &str, language: Language) -> String {
     drawn.split_inclusive('\n').map(line).collect()
 }
 
-/// Returns true if a text is at most one escape sequence of colours.
+/// Returns true if a string is at most one escape sequence of colours.
 fn is_style(text: &str) -> bool {
     let inner = text
         .strip_prefix("\u{1b}[")

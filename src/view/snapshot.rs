@@ -36,7 +36,7 @@ pub(super) struct Snapshot {
     pub(super) sources: Vec<Source>,
     /// The parts available to its houses.
     pub(super) catalog: Cow<'static, Catalog>,
-    /// Whether an external texture is missing.
+    /// True if an external texture is missing.
     pub(super) lacks: bool,
     /// The fingerprint of the content.
     fingerprint: u64,

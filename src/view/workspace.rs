@@ -78,7 +78,7 @@ pub(super) struct Document {
     snapshot: Mutex<Option<Arc<Snapshot>>>,
     /// The textures of the previous revision, which a page may still be loading.
     before: Mutex<Option<(u64, Pictures)>>,
-    /// Whether inputs have changed since the last snapshot.
+    /// True if inputs have changed since the last snapshot.
     stale: AtomicBool,
     /// Held while compiling, so that a file is compiled once and readers of the last snapshot need not wait.
     building: Mutex<()>,

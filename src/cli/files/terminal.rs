@@ -19,7 +19,7 @@ pub(in crate::cli) fn style(stream: &impl IsTerminal) -> Style {
     }
 }
 
-/// Returns the display width of a text in columns: two for Han, kana and full-width forms, none for combining marks.
+/// Returns the display width of a string in columns: two for Han, kana and full-width forms, none for combining marks.
 pub(in crate::cli) fn width(text: &str) -> usize {
     text.chars().map(columns).sum()
 }
@@ -34,7 +34,7 @@ fn columns(c: char) -> usize {
     }
 }
 
-/// Pads a text with spaces to a display width.
+/// Pads a string with spaces to a display width.
 pub(in crate::cli) fn padded(text: &str, columns: usize) -> String {
     let blanks = columns.saturating_sub(width(text));
     format!("{text}{}", " ".repeat(blanks))

@@ -112,7 +112,7 @@ fn listed(value: &PossibleValue, entry: Option<&CommandHelp>) -> String {
     }
 }
 
-/// Wraps a text at [`COLUMNS`]. Japanese breaks anywhere except before closing and after opening punctuation; other
+/// Wraps a string at [`COLUMNS`]. Japanese breaks anywhere except before closing and after opening punctuation; other
 /// words stay whole.
 fn folded(text: &str) -> String {
     let mut out = String::new();
@@ -128,7 +128,7 @@ fn folded(text: &str) -> String {
     out + &line
 }
 
-/// Splits a text at all permitted line breaks.
+/// Splits a string at all permitted line breaks.
 fn pieces(text: &str) -> Vec<&str> {
     let mut pieces = vec![];
     let mut start = 0;

@@ -17,7 +17,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct CustomParts {
     catalog: Cow<'static, Catalog>,
     builtin: usize,
-    /// Whether the files have no errors.
+    /// True if the files have no errors.
     pub(super) sound: bool,
 }
 

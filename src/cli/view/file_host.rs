@@ -21,7 +21,7 @@ pub(in crate::cli) struct FileHost {
     pub(in crate::cli) detail: Detail,
     /// The words of the editor command.
     pub(in crate::cli) editor: Option<Vec<String>>,
-    /// Whether source files may be changed.
+    /// True if source files may be changed.
     pub(in crate::cli) writes: bool,
 }
 

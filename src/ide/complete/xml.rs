@@ -419,8 +419,8 @@ fn shape_attributes(name: &str, open: &Open<'_>) -> Vec<(&'static str, &'static 
     }
     match name {
         "change" | "remove" => vec![
-            ("element", "Which elements of the base."),
-            ("at", "Which of several, counted from 1."),
+            ("element", "The elements of the base to change."),
+            ("at", "Their positions, counted from 1."),
         ],
         _ => body::attributes_of(name).unwrap_or_default(),
     }

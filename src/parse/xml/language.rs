@@ -333,7 +333,7 @@ impl<'a> Expander<'a, '_> {
         gather()
     }
 
-    /// Adds a text to an element.
+    /// Adds a run of text to an element.
     fn add_text(&mut self, text: Text<'a>, into: usize) {
         let parts = 2 + text.as_str().len() / COLUMNS;
         if self.take(parts as u64, &text.whole()) {

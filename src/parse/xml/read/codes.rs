@@ -156,7 +156,7 @@ fn push(line: &mut Vec<Column>, byte: Option<u8>, range: Range<usize>) {
     line.push(Column { byte, range });
 }
 
-/// Returns the length of the characters at the start of a text that one message can name together.
+/// Returns the length of the characters at the start of a string that one message can name together.
 fn same_kind(text: &str) -> usize {
     let kind = |c: char| match c {
         ' '..='~' => 0,

@@ -216,7 +216,7 @@ impl<'a> Scanner<'a, '_> {
     }
 }
 
-/// Returns the range within the brackets that begin a text, if they are quotation marks of another script and end soon.
+/// Returns the range within the brackets that begin a string, if they are quotation marks of another script and end soon.
 fn bracketed(text: &str) -> Option<Range<usize>> {
     const PAIRS: [(char, &[char]); 5] = [
         ('「', &['」']),
@@ -232,7 +232,7 @@ fn bracketed(text: &str) -> Option<Range<usize>> {
     Some(from..from + line.find(*close)?)
 }
 
-/// Returns true if a text continues with `name=`.
+/// Returns true if a string continues with `name=`.
 fn names_attribute(text: &str) -> bool {
     let name = text.find(ends_name).unwrap_or(text.len());
     is_name(&text[..name]) && text[name..].starts_with(['=', '＝'])
