@@ -1,7 +1,7 @@
 //! Formats a legacy file: codes in their five columns, fields of roof lines aligned, one blank line instead of several.
 //!
 //! Conventions, where the contract leaves a choice:
-//! - the last code of a line loses the blanks that fill it up, since editors take them away too; a control letter
+//! - the last code of a line loses its padding blanks, since editors remove them too; a control letter
 //!   after it keeps them;
 //! - a void is `.....`, wherever five blanks say it;
 //! - fields of header lines stand one blank apart; numbers keep their spelling, but the height of a roof has a
