@@ -11,7 +11,7 @@ mod strokes;
 mod words;
 
 use hsd::Options;
-use hsd::ide::{Analysis, Place};
+use hsd::ide::{Analysis, SourcePlace};
 use hsd::source::{FileId, IncludeError, PictureFile, Source, World};
 use std::collections::BTreeMap;
 
@@ -61,8 +61,8 @@ pub(crate) fn analysis(name: &str, text: &str, beside: &[(&str, &str)]) -> Analy
 }
 
 /// Places as `file:line text`.
-pub(crate) fn shown(a: &Analysis, places: &[Place]) -> Vec<String> {
-    let one = |place: &Place| {
+pub(crate) fn shown(a: &Analysis, places: &[SourcePlace]) -> Vec<String> {
+    let one = |place: &SourcePlace| {
         let source = a.file(place.file).unwrap();
         let (line, _) = source.line_column(source.span(place.range.clone()));
         let text = &source.text()[place.range.clone()];

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// Format source files.
 ///
 /// Part codes are aligned in columns, and each element gets its own line. Files are rewritten in place and keep their
-/// encoding and line endings, comments, order and meaning. A file that cannot be parsed reliably (legacy notation with
+/// encoding and line endings, comments, order and meaning. A file that cannot be parsed reliably (legacy form with
 /// errors, XML that is not well-formed) is left unchanged.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -29,7 +29,7 @@ Examples:
   hsd fmt shop.hsd                 format a source file in place
   hsd fmt --check *.hsd            list the files that would change (exit status 1)
   hsd fmt - < shop.hsd             format standard input to standard output
-  hsd fmt --to xml shop.hsd -o shop-xml.hsd    convert to the XML notation")]
+  hsd fmt --to xml shop.hsd -o shop-xml.hsd    convert to the XML form")]
 pub(super) struct Fmt {
     #[command(flatten)]
     input_args: InputArgs,
@@ -42,14 +42,14 @@ pub(super) struct Fmt {
     #[arg(long, conflicts_with = "output")]
     check: bool,
 
-    /// Convert to this notation; files already in it are only formatted.
+    /// Convert to this form of the language; files already in it are only formatted.
     ///
-    /// Anything the notation cannot express is reported as an error. The legacy notation has no repeats; they are expanded.
+    /// Anything the form cannot express is reported as an error. The legacy form has no repeats; they are expanded.
     #[arg(long, value_enum, value_name = "FORM")]
     to: Option<Notation>,
 }
 
-/// The notations of `--to`.
+/// The forms of the language for `--to`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Notation {
     /// Elements and attributes.
