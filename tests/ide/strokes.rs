@@ -23,7 +23,7 @@ fn strokes_are_read_as_the_page_writes_them() {
     assert_eq!(
         read(r#"{"do":"set-part","house":0,"storey":1,"ring":0,"wall":2,"unit":3,"part":"KSK"}"#),
         Stroke::SetPart {
-            unit: UnitAt::SourcePlace { wall, unit: 3 },
+            unit: UnitAt::Place { wall, unit: 3 },
             part: "KSK".into()
         }
     );
