@@ -5,10 +5,13 @@
 
 mod roots;
 
+use crate::backend::images;
 use crate::source::{IncludeError, PictureFile, World};
 use std::collections::BTreeSet;
 use std::fs;
+use std::fs::File;
 use std::io;
+use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -120,8 +123,7 @@ fn file(path: &str) -> PictureFile {
 
 /// Reads the width and height from the header of an image.
 fn header(path: &Path) -> Option<(u32, u32)> {
-    let reader = image::ImageReader::open(path).ok()?;
-    reader.with_guessed_format().ok()?.into_dimensions().ok()
+    images::size(BufReader::new(File::open(path).ok()?))
 }
 
 fn list(folder: &Path) -> BTreeSet<String> {

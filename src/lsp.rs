@@ -37,6 +37,10 @@ mod world;
 use crate::diagnostic::Language;
 use lsp_server::Connection;
 use std::io::{BufRead, Write};
+use std::time::Duration;
+
+/// The longest time that a client which no longer reads keeps the program from ending.
+const LAST_WORDS: Duration = Duration::from_secs(2);
 
 /// Serves a client on a stream until `exit` or the end of the stream. `language` applies if the client names none. Returns
 /// whether the client has sent `shutdown` before.
@@ -46,11 +50,11 @@ pub fn serve(
     language: Language,
 ) -> bool {
     let (server, client) = Connection::memory();
-    let (written, writer) = transport::start(client, input, output);
+    let (written, ended) = transport::start(client, input, output);
     let orderly = server::Server::new(server, Some(written.clone()), language).run();
     // Writes all pending messages before the program ends.
     let _ = written.send(transport::END.to_vec());
-    let _ = writer.join();
+    let _ = ended.recv_timeout(LAST_WORDS);
     orderly
 }
 

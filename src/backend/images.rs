@@ -3,15 +3,17 @@
 //! glTF supports PNG and JPEG. A part texture in a valid file of either format is copied unchanged; one that only a
 //! lenient decoder reads (CMYK colours, a truncated end) is re-encoded as PNG; anything else is rejected.
 
+mod png;
+
 use crate::backend::{Images, PictureBytes, SurfaceFiles};
 use crate::scene::Baked;
 use crate::source::World;
 use crate::texture;
 use std::borrow::Cow;
-use std::io::Cursor;
+use std::io::{BufRead, Cursor, Seek};
 
-/// The signature of a PNG.
-pub(crate) const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+pub(crate) use png::PNG;
+
 /// The signature of a JPEG.
 pub(crate) const JPEG: &[u8] = b"\xff\xd8\xff";
 
@@ -169,18 +171,27 @@ pub fn mime(bytes: &[u8]) -> Option<&'static str> {
     }
 }
 
+/// Returns the width and height of a PNG or JPEG in pixels, from its first bytes.
+pub(crate) fn size(mut file: impl BufRead + Seek) -> Option<(u32, u32)> {
+    if let Some(size) = png::size(file.fill_buf().ok()?) {
+        return Some(size);
+    }
+    let reader = image::ImageReader::new(file).with_guessed_format().ok()?;
+    let is_png = reader.format() == Some(image::ImageFormat::Png);
+    reader.into_dimensions().ok().filter(|_| !is_png)
+}
+
 /// Converts a file to a format that glTF supports, named after its content.
 fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), PictureError> {
     let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    let reader = image::ImageReader::new(Cursor::new(&bytes)).with_guessed_format();
-    let size = reader.ok().and_then(|r| r.into_dimensions().ok());
-    let (width, height) = size.ok_or(PictureError::NoPicture)?;
+    let bytes = png::without_packed(bytes);
+    let (width, height) = size(Cursor::new(&bytes)).ok_or(PictureError::NoPicture)?;
     let pixels = u64::from(width) * u64::from(height);
     if pixels > limit {
         return Err(PictureError::TooLarge(pixels));
     }
-    if whole_png(&bytes) {
+    if png::is_whole(&bytes) {
         return Ok((format!("{stem}.png"), bytes));
     }
     if whole_jpeg(&bytes) {
@@ -195,28 +206,7 @@ fn fit(path: &str, bytes: Vec<u8>, limit: u64) -> Result<(String, Vec<u8>), Pict
 
 /// Returns true if a PNG or JPEG is truncated.
 pub(crate) fn is_cut(bytes: &[u8]) -> bool {
-    bytes.starts_with(PNG) && !whole_png(bytes) || bytes.starts_with(JPEG) && !ends(bytes)
-}
-
-/// Returns true if every chunk of a PNG is complete.
-fn whole_png(bytes: &[u8]) -> bool {
-    let Some(mut rest) = bytes.strip_prefix(PNG) else {
-        return false;
-    };
-    loop {
-        let Some((length, after)) = rest.split_first_chunk::<4>() else {
-            return false;
-        };
-        // Type, data, checksum.
-        let size = u32::from_be_bytes(*length) as usize + 8;
-        if after.len() < size {
-            return false;
-        }
-        if after.starts_with(b"IEND") {
-            return true;
-        }
-        rest = &after[size..];
-    }
+    bytes.starts_with(PNG) && !png::is_whole(bytes) || bytes.starts_with(JPEG) && !ends(bytes)
 }
 
 /// Returns true if a JPEG has an end marker, possibly with other data after it.
@@ -276,7 +266,7 @@ mod tests {
         open.truncate(open.len() - 2);
         let fixed = fit("a.jpg", open, 8);
         assert!(
-            matches!(&fixed, Ok((name, bytes)) if name == "a.png" && whole_png(bytes)),
+            matches!(&fixed, Ok((name, bytes)) if name == "a.png" && png::is_whole(bytes)),
             "{fixed:?}"
         );
         let mut cut = encoded(image::ImageFormat::Png);

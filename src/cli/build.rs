@@ -187,6 +187,10 @@ impl Build {
         library.bake(&scene.baked);
         driver::flaws(&compiled, &mut out);
         let list = out.into_sorted();
+        let beside = compiled.included.iter().map(Source::name);
+        let beside = beside.chain(paths.iter().map(String::as_str));
+        let read = job.inputs.iter().cloned();
+        let read: Vec<PathBuf> = read.chain(beside.map(PathBuf::from)).collect();
         let included = std::mem::take(&mut compiled.included);
         progress.report(&inputs.and(included), &list)?;
         if list.iter().any(|d| self.input_args.spoils(d.severity)) {
@@ -207,7 +211,7 @@ impl Build {
             }
             let beside = self.textures_beside;
             let files = job.model.files(scene, &library, &job.output, beside);
-            output::write(&job.output, files)
+            output::write_model(&job.output, files, &read)
         })?;
         if progress.verbose || self.stats {
             let counts = (houses, scene.stats().triangles);

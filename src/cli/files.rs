@@ -4,4 +4,5 @@ pub(in crate::cli) mod diff;
 pub(in crate::cli) mod input;
 pub(in crate::cli) mod output;
 pub(in crate::cli) mod reason;
+pub(in crate::cli) mod temporary;
 pub(in crate::cli) mod terminal;

@@ -1,6 +1,7 @@
 //! `hsd textures`: writes the procedural textures of the materials.
 
 use super::{Exit, Failure, Outcome};
+use crate::cli::files::output::{self, Files};
 use crate::cli::files::terminal::counted;
 use crate::diagnostic::{Language, noun};
 use crate::text;
@@ -31,8 +32,13 @@ impl Textures {
     pub(super) fn run(&self, language: Language) -> Outcome {
         if let Some(folder) = &self.output {
             let shown = folder.display();
-            let files = texture::write_all(folder).map_err(|e| Failure::at(&shown, e))?;
+            std::fs::create_dir_all(folder).map_err(|e| Failure::at(&shown, e))?;
+            let files = texture::encode_all().into_iter();
+            let files: Vec<_> = files
+                .map(|(name, bytes)| (folder.join(name), bytes))
+                .collect();
             let count = counted(files.len(), noun("texture", "テクスチャー{}枚"));
+            output::write_all(files)?;
             let message = text!([count]
                 "wrote {count} to {shown}",
                 "{count}を {shown} に書きました"
@@ -41,7 +47,7 @@ impl Textures {
         }
         if let Some(file) = &self.sheet {
             let shown = file.display();
-            std::fs::write(file, texture::contact_sheet()).map_err(|e| Failure::at(&shown, e))?;
+            output::write(file, Files::bytes(texture::contact_sheet()))?;
             let message = text!("wrote {shown}", "{shown} を書きました");
             writeln!(io::stderr(), "{}", message.in_language(language))?;
         }

@@ -3,20 +3,25 @@
 use lsp_server::{Connection, Message};
 use serde::Serialize;
 use std::io::{self, BufRead, Error, ErrorKind, Read, Write};
-use std::sync::mpsc::{self, Sender};
-use std::thread::{self, JoinHandle};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread;
 
 /// The maximum length of a message in bytes; longer ones are skipped.
 const LONGEST: u64 = 1 << 28;
 
+/// The maximum length of a line of a header in bytes.
+const LONGEST_LINE: u64 = 1 << 12;
+
 /// Starts the reader and writer threads. The writer takes messages serialized by [`bytes`] and ends with [`END`], since
-/// previews may keep its channel open.
+/// previews may keep its channel open; the receiver is disconnected when it has ended. A client that takes no messages
+/// any more is gone, so the server gets an `exit` then.
 pub(super) fn start(
     client: Connection,
     mut input: impl BufRead + Send + 'static,
     mut output: impl Write + Send + 'static,
-) -> (Sender<Vec<u8>>, JoinHandle<()>) {
+) -> (Sender<Vec<u8>>, Receiver<()>) {
     let sender = client.sender;
+    let gone = sender.clone();
     // The reader is not joined: its stream may never end.
     thread::spawn(move || {
         loop {
@@ -36,18 +41,22 @@ pub(super) fn start(
         }
     });
     let (written, messages) = mpsc::channel::<Vec<u8>>();
-    let writer = thread::spawn(move || {
+    let (open, ended) = mpsc::channel();
+    thread::spawn(move || {
+        let _open: Sender<()> = open;
         for message in messages {
             if message == END {
                 return;
             }
             let done = output.write_all(&message).and_then(|()| output.flush());
             if done.is_err() {
+                let exit = lsp_server::Notification::new("exit".into(), ());
+                let _ = gone.send(exit.into());
                 return;
             }
         }
     });
-    (written, writer)
+    (written, ended)
 }
 
 /// The marker that ends the writer.
@@ -68,8 +77,12 @@ fn read(input: &mut impl BufRead) -> io::Result<Option<Message>> {
     let mut length = None;
     loop {
         let mut line = String::new();
-        if input.read_line(&mut line)? == 0 {
+        if input.by_ref().take(LONGEST_LINE).read_line(&mut line)? == 0 {
             return Ok(None);
+        }
+        if line.len() as u64 == LONGEST_LINE && !line.ends_with('\n') {
+            input.skip_until(b'\n')?;
+            return Err(broken(&"a header line too long"));
         }
         let Some(line) = line.strip_suffix("\r\n") else {
             return Err(broken(&"a header without a line end"));

@@ -4,8 +4,6 @@
 //! 512 px; a PNG of the same relief is four times as large. Occlusion, roughness, metalness:
 //! PNG, 256 px. glTF 2.0 permits both formats.
 
-use std::io;
-use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use image::codecs::jpeg::JpegEncoder;
@@ -33,20 +31,9 @@ pub fn encode(surface: &Surface) -> Vec<(String, Vec<u8>)> {
     files
 }
 
-/// Writes the files of all surfaces into a directory, which is created if it is missing. Returns their paths in the
-/// order of [`SURFACES`].
-///
-/// # Errors
-/// When the directory or a file cannot be written.
-pub fn write_all(dir: &Path) -> io::Result<Vec<PathBuf>> {
-    std::fs::create_dir_all(dir)?;
-    let mut paths = Vec::new();
-    for (file, bytes) in each(encode).into_iter().flatten() {
-        let path = dir.join(file);
-        std::fs::write(&path, bytes)?;
-        paths.push(path);
-    }
-    Ok(paths)
+/// Encodes the files of all surfaces as (file name, bytes), in the order of [`SURFACES`].
+pub fn encode_all() -> Vec<(String, Vec<u8>)> {
+    each(encode).into_iter().flatten().collect()
 }
 
 /// Maps a function over the surfaces on all processors; results are in the order of [`SURFACES`].

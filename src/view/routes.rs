@@ -25,8 +25,8 @@ use tokio_stream::wrappers::BroadcastStream;
 use tokio_stream::wrappers::errors::BroadcastStreamRecvError;
 use tokio_stream::{Stream, StreamExt};
 
-/// The maximum size of an image received by `hsd render`, in bytes.
-const PICTURE: usize = 256 << 20;
+/// The maximum size of a request, in bytes: a stroke, or the list of houses that a page of a large town has.
+const REQUEST: usize = 8 << 20;
 
 /// The media type of `.glb`.
 const GLB: &str = "model/gltf-binary";
@@ -58,7 +58,7 @@ pub(super) fn routes(
         .route("/api/undo", post(undo))
         .route("/api/redo", post(redo))
         .merge(screenshots::routes(screenshots))
-        .layer(DefaultBodyLimit::max(PICTURE))
+        .layer(DefaultBodyLimit::max(REQUEST))
         .layer(middleware::from_fn_with_state(port, guard::guard))
         .with_state(workspace)
 }

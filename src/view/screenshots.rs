@@ -3,7 +3,7 @@
 use super::workspace::Workspace;
 use axum::Router;
 use axum::body::Bytes;
-use axum::extract::Query;
+use axum::extract::{DefaultBodyLimit, Query};
 use axum::http::StatusCode;
 use axum::response::Json;
 use axum::routing::post;
@@ -11,6 +11,9 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use std::sync::Arc;
 use std::sync::mpsc::Sender;
+
+/// The maximum size of an image in bytes.
+const PICTURE: usize = 256 << 20;
 
 /// A message of a page that renders images.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,6 +54,7 @@ pub(super) fn routes(sink: Option<Sender<Screenshot>>) -> Router<Arc<Workspace>>
     };
     Router::new()
         .route("/api/picture", post(picture))
+        .layer(DefaultBodyLimit::max(PICTURE))
         .route("/api/rendered", post(rendered))
 }
 

@@ -31,7 +31,7 @@ impl Workspace {
         if let Err(why) = self.may_write() {
             return Ok(Err(why));
         }
-        let path = self.root.join(&*document.file);
+        let path = self.path(&document.file)?;
         let mut history = lock(&document.history);
         let before = self.host.bytes(&path)?;
         let snapshot = self.snapshot(document)?;
@@ -71,7 +71,7 @@ impl Workspace {
         if let Err(why) = self.may_write() {
             return Ok(Err(why));
         }
-        let path = self.root.join(&*document.file);
+        let path = self.path(&document.file)?;
         let mut history = lock(&document.history);
         let now = self.host.bytes(&path)?;
         let Some(applied) = history.step(redo, &now) else {

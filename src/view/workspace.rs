@@ -181,6 +181,20 @@ impl Workspace {
         Ok(documents.entry(file.to_owned()).or_insert(document).clone())
     }
 
+    /// Returns the path of a file below the root. It is checked at each use, because a link may have taken the place of
+    /// a file since it was opened.
+    ///
+    /// # Errors
+    /// If the file is outside the folder now.
+    pub(super) fn path(&self, file: &str) -> io::Result<PathBuf> {
+        let path = self.root.join(file);
+        match path.canonicalize() {
+            Ok(real) if !real.starts_with(&self.root) => Err(io::ErrorKind::NotFound.into()),
+            // The host can read a file that the editor has not saved yet.
+            Ok(_) | Err(_) => Ok(path),
+        }
+    }
+
     /// Returns the snapshot of a document, compiled if it is not up to date.
     ///
     /// # Errors
@@ -283,6 +297,7 @@ impl Workspace {
     }
 
     fn compile_file(&self, file: &str) -> io::Result<Snapshot> {
+        self.path(file)?;
         let revision = self.revision.fetch_add(1, Ordering::Relaxed);
         let place = (&*self.root, file);
         match self.kind(file) {

@@ -5,6 +5,7 @@ use crate::backend::{Images, OutFile, obj, stl};
 use crate::cli::Failure;
 use crate::cli::files::input::STDIN;
 use crate::cli::files::reason;
+use crate::cli::files::temporary::Temporary;
 use crate::diagnostic::Text;
 use crate::scene::Scene;
 use crate::text;
@@ -13,7 +14,6 @@ use std::borrow::Cow;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use tempfile::NamedTempFile;
 
 /// Model formats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -161,6 +161,34 @@ impl Content<'_> {
     }
 }
 
+/// Writes files that are complete already, all or none of them.
+pub(in crate::cli) fn write_all(files: Vec<(PathBuf, Vec<u8>)>) -> Result<(), Failure> {
+    let files = files.into_iter();
+    write_contents(files.map(|(path, bytes)| (path, Content::Bytes(bytes.into())))).map(drop)
+}
+
+/// Writes the files of a model at and beside `path`; returns their total size in bytes. None of the files beside it
+/// may replace one of `sources`, the files that the model is made from.
+pub(in crate::cli) fn write_model(
+    path: &Path,
+    files: Files<'_>,
+    sources: &[PathBuf],
+) -> Result<u64, Failure> {
+    let real = |p: &Path| p.canonicalize().ok();
+    let sources: Vec<PathBuf> = sources.iter().filter_map(|p| real(p)).collect();
+    for file in &files.beside {
+        let target = folder_of(path).join(&file.name);
+        if real(&target).is_some_and(|target| sources.contains(&target)) {
+            let shown = target.display();
+            return Err(Failure::Usage(text!(
+                "{shown} is an input and would be overwritten by a file beside the model; choose another name with -o",
+                "{shown} は入力ファイルですが、モデルに添えるファイルで上書きされてしまいます。-o で別の名前を指定してください"
+            )));
+        }
+    }
+    write(path, files)
+}
+
 /// Writes the files of a model at and beside `path`; returns their total size in bytes.
 pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failure> {
     if path.as_os_str() == STDIN {
@@ -169,16 +197,18 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failur
         out.flush()?;
         return Ok(length);
     }
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(path);
     let beside = files.beside.into_iter();
     let beside = beside.map(|f| (folder.join(&f.name), Content::Bytes(f.bytes)));
     // Keeps the exact path of the main file, which may not be UTF-8.
     let main = (path.to_owned(), files.main);
+    write_contents(beside.chain([main]))
+}
+
+/// Writes all files under temporary names, then renames them; returns their total size in bytes.
+fn write_contents<'a>(files: impl Iterator<Item = (PathBuf, Content<'a>)>) -> Result<u64, Failure> {
     let (mut ready, mut length) = (vec![], 0);
-    for (target, content) in beside.chain([main]) {
+    for (target, content) in files {
         let prepared = prepare(&target, &content);
         let (bytes, file) = prepared.map_err(|e| Failure::at(target.display(), e))?;
         length += bytes;
@@ -186,9 +216,17 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failur
     }
     for (temporary, target) in ready {
         let renamed = temporary.persist(&target);
-        renamed.map_err(|e| Failure::at(target.display(), e.error))?;
+        renamed.map_err(|e| Failure::at(target.display(), e))?;
     }
     Ok(length)
+}
+
+/// Returns the folder of a file.
+pub(in crate::cli) fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
 }
 
 /// Writes a temporary file in the folder of the target; returns the number of bytes, the file and the target with
@@ -196,7 +234,7 @@ pub(in crate::cli) fn write(path: &Path, files: Files<'_>) -> Result<u64, Failur
 fn prepare(
     target: &Path,
     content: &Content<'_>,
-) -> io::Result<(u64, Option<(NamedTempFile, PathBuf)>)> {
+) -> io::Result<(u64, Option<(Temporary, PathBuf)>)> {
     let mut rights = None;
     let target = match fs::metadata(target) {
         Ok(known) if known.is_dir() => {
@@ -213,10 +251,7 @@ fn prepare(
         }
         Err(_) => target.to_owned(),
     };
-    let folder = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
+    let folder = folder_of(&target);
     // Other folders are not created, so that a misspelt path fails.
     if folder.to_string_lossy().ends_with("_textures") && !folder.exists() {
         fs::create_dir(folder)?;
@@ -227,23 +262,11 @@ fn prepare(
         return Err(reason::error(io::ErrorKind::NotFound, why));
     }
     // Drops the temporary path from the error message.
-    let mut file = temporary(folder).map_err(|e| io::Error::from(e.kind()))?;
+    let mut file = Temporary::new_in(folder).map_err(|e| io::Error::from(e.kind()))?;
     let length = content.write_file(file.as_file_mut())?;
     // Keeps the permissions of an existing file.
     if let Some(rights) = rights {
-        file.as_file().set_permissions(rights)?;
+        file.as_file_mut().set_permissions(rights)?;
     }
     Ok((length, Some((file, target))))
-}
-
-/// Creates a temporary file with the default permissions of a new file.
-fn temporary(folder: &Path) -> io::Result<NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".hsd-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        builder.permissions(fs::Permissions::from_mode(0o666)); // reduced by the umask
-    }
-    builder.tempfile_in(folder)
 }

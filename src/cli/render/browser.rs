@@ -1,10 +1,12 @@
 //! An installed browser, run headless.
 
 use crate::cli::Failure;
+use crate::cli::files::temporary::Guarded;
 use crate::text;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
+
 use tempfile::TempDir;
 
 /// Program names of Chromium-based browsers.
@@ -60,6 +62,7 @@ pub(super) struct Running {
     child: Child,
     /// The profile folder, deleted on drop.
     _profile: TempDir,
+    _guarded: Guarded,
 }
 
 impl Browser {
@@ -99,8 +102,8 @@ impl Browser {
     /// Opens a page in the headless browser.
     pub(super) fn open(&self, url: &str) -> Result<Running, Failure> {
         let failed = |e| Failure::at(self.0.display(), e);
-        let profile = tempfile::Builder::new().prefix("hsd-render-").tempdir();
-        let profile = profile.map_err(failed)?;
+        let made = || tempfile::Builder::new().prefix("hsd-render-").tempdir();
+        let (profile, guarded) = Guarded::new(made, TempDir::path).map_err(failed)?;
         let mut command = Command::new(&self.0);
         command.args(FLAGS);
         let mut data = std::ffi::OsString::from("--user-data-dir=");
@@ -118,6 +121,7 @@ impl Browser {
         Ok(Running {
             child: command.spawn().map_err(failed)?,
             _profile: profile,
+            _guarded: guarded,
         })
     }
 }

@@ -2,6 +2,8 @@
 
 use crate::cli::Failure;
 use crate::cli::files::input::Inputs;
+use crate::cli::files::output::folder_of;
+use crate::cli::files::temporary::Temporary;
 use crate::cli::options::ReadArgs;
 use crate::diagnostic::Diagnostics;
 use crate::driver::Options;
@@ -80,12 +82,10 @@ impl EditorHost for FileHost {
         if permissions.readonly() {
             return Err(io::ErrorKind::PermissionDenied.into());
         }
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let mut file = tempfile::NamedTempFile::new_in(folder)?;
-        file.write_all(after)?;
-        fs::set_permissions(file.path(), permissions)?;
-        file.persist(&path).map_err(|e| e.error)?;
-        Ok(())
+        let mut file = Temporary::new_in(folder_of(&path))?;
+        file.as_file_mut().write_all(after)?;
+        file.as_file_mut().set_permissions(permissions)?;
+        file.persist(&path)
     }
 
     fn opens(&self) -> bool {

@@ -107,14 +107,18 @@ fn joined(reporter: &Reporter<'_>, first: &Element<'_>, second: &Element<'_>) ->
     let content = reporter.quote(&(second.tag.end..end.max(second.tag.end)));
     let content = content.trim_end_matches(is_blank);
     let start = reporter.quote(&first.tag);
-    let mark = if start.ends_with("/>") { 2 } else { 1 };
-    let head = start[..start.len().checked_sub(mark)?].trim_end_matches(is_blank);
+    // A tag that is not closed has no place for anything.
+    let (head, is_empty) = match start.strip_suffix("/>") {
+        Some(head) => (head, true),
+        None => (start.strip_suffix('>')?, false),
+    };
+    let head = head.trim_end_matches(is_blank);
     let head = first.tag.start + head.len()..first.tag.end;
     let edit = |range: Range<usize>, text: String| Edit::new(reporter.span(&range), text);
     if content.is_empty() {
         return Some(vec![edit(head.start..head.start, attributes)]);
     }
-    if mark == 2 {
+    if is_empty {
         let text = format!("{attributes}>{content}</{}>", first.name);
         return Some(vec![edit(head, text)]);
     }
