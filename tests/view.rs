@@ -383,6 +383,33 @@ fn links_lead_nowhere_else() {
     assert_eq!(shown.web.get("/api/state?file=way/secret.hsd").status, 404);
 }
 
+#[cfg(unix)]
+#[test]
+fn a_link_in_the_place_of_a_shown_file_is_not_followed() {
+    let outside = tempfile::tempdir().expect("folders can be made");
+    let secret = outside.path().join("secret.hsd");
+    fs::write(&secret, HOUSE).expect("can be written");
+    let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
+    let revision = shown.web.state("a.hsd")["revision"].clone();
+    let file = shown.folder.path().join("a.hsd");
+    fs::remove_file(&file).expect("can be removed");
+    std::os::unix::fs::symlink(&secret, &file).expect("can be made");
+    let unit = json!({ "do": "set-part", "house": 0, "storey": 0, "ring": 0, "wall": 0, "unit": 2, "part": "MHI" });
+    let drawn = json!({ "file": "a.hsd", "revision": revision, "stroke": unit });
+    let answer = shown.web.post("/api/stroke", &drawn);
+    assert!(answer.json()["refused"].is_string());
+    let step = json!({ "file": "a.hsd" });
+    assert!(shown.web.post("/api/undo", &step).json()["refused"].is_string());
+    assert_eq!(fs::read_to_string(&secret).expect("is there"), HOUSE);
+}
+
+#[test]
+fn requests_are_no_larger_than_they_need_to_be() {
+    let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
+    let long = json!({ "file": "x".repeat(9 << 20), "revision": 0, "had": [] });
+    assert_eq!(shown.web.post("/api/houses", &long).status, 413);
+}
+
 #[test]
 fn the_editor_is_sent_to_what_was_clicked() {
     let text = HOUSE.replace("0 0 180", "# 町家\n0 0 180");

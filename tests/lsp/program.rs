@@ -109,6 +109,19 @@ impl Program {
         Some((worked, line.split_whitespace().nth(1)?.parse().ok()?))
     }
 
+    /// Reads no more and leaves the stream open; what the program returns then.
+    pub fn left_alone(self) -> Option<i32> {
+        let Program {
+            mut child,
+            input,
+            output,
+        } = self;
+        drop(output);
+        let status = child.wait().expect("it ends");
+        drop(input);
+        status.code()
+    }
+
     /// Ends the stream; what the program returns then.
     pub fn end(self) -> Option<i32> {
         let Program {

@@ -53,3 +53,37 @@ fn the_end_of_the_stream_is_the_end_of_the_program() {
     program.ask(1, "initialize", json!({ "capabilities": {} }));
     assert_eq!(program.end(), Some(1));
 }
+
+#[test]
+fn a_header_without_end_is_skipped() {
+    let mut program = Program::start();
+    program.ask(1, "initialize", json!({ "capabilities": {} }));
+    let (_, before) = program.used().unwrap_or_default();
+    for _ in 0..64 {
+        program.raw(&[b'x'; 1 << 20]);
+    }
+    program.raw(b"\n");
+    assert_eq!(program.hear()["error"]["code"], -32700);
+    let (_, after) = program.used().unwrap_or_default();
+    assert!(after < before + (8 << 10), "{before} KiB, then {after}");
+    assert_eq!(
+        program.ask(2, "no/such", json!({}))["error"]["code"],
+        -32601
+    );
+}
+
+#[test]
+fn a_client_that_no_longer_reads_ends_the_program() {
+    // It reads nothing, and its answers are more than a pipe holds.
+    let mut program = Program::start();
+    program.ask(1, "initialize", json!({ "capabilities": {} }));
+    for id in 2..4000 {
+        program.say(json!({ "jsonrpc": "2.0", "id": id, "method": "no/such/method" }));
+    }
+    assert_eq!(program.end(), Some(1));
+    // It is gone, but something else keeps the stream open.
+    let mut program = Program::start();
+    program.ask(1, "initialize", json!({ "capabilities": {} }));
+    program.say(json!({ "jsonrpc": "2.0", "id": 2, "method": "no/such/method" }));
+    assert_eq!(program.left_alone(), Some(1));
+}
