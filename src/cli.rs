@@ -65,15 +65,21 @@ enum Failure {
 impl Failure {
     /// An I/O error, with the file or program it concerns.
     fn at(what: impl std::fmt::Display, error: io::Error) -> Failure {
-        let why = crate::cli::files::reason::of(&error);
+        let (what, why) = (what.to_string(), crate::cli::files::reason::of(&error));
         match error.kind() {
             ErrorKind::BrokenPipe => Failure::Pipe,
-            _ => Failure::Io(text!([why] "{what}: {why}", "{what}: {why}")),
+            _ => Failure::Io(text!([what, why] "{what}: {why}", "{what}: {why}")),
         }
     }
 }
 
 impl Failure {
+    /// A value that cannot be written as JSON.
+    fn json(error: &serde_json::Error) -> Failure {
+        let why = error.to_string();
+        Failure::Io(text!([why] "cannot write JSON: {why}", "JSON を書けません: {why}"))
+    }
+
     /// Standard input is named more than once.
     fn stdin_twice() -> Failure {
         Failure::Usage(text!(
@@ -85,7 +91,7 @@ impl Failure {
     /// Two inputs have the same output.
     fn one_output(a: &Path, b: &Path, output: &Path) -> Failure {
         let (a, b, out) = (a.display(), b.display(), output.display());
-        Failure::Usage(text!(
+        Failure::Usage(text!([a, b, out]
             "{a} and {b} would both be written to {out}",
             "{a} と {b} の出力先がどちらも {out} になります"
         ))
@@ -191,7 +197,7 @@ fn command(language: Language) -> clap::Command {
 /// Prints help, the version or a usage error, and returns the exit status.
 fn print_clap_error(error: &clap::Error, language: Language) -> ExitCode {
     if let Some(name) = file_for_command(error) {
-        let hint = text!(
+        let hint = text!([name]
             "`{name}` is a file; to build a model from it: hsd build {name}",
             "`{name}` はファイルです。モデルを作るには: hsd build {name}"
         );

@@ -9,7 +9,7 @@ pub mod messages;
 pub mod pages;
 mod text;
 
-pub use text::{Language, Noun, Text, noun};
+pub use text::{Kept, Language, Noun, Text, Value, noun};
 
 /// A stable number, shown as `HSD0104`. The hundreds tell the stage: 00 file, 01 legacy text, 02 XML,
 /// 03 parts and operations, 04 plan, 05 roofs, 06 pictures and textures, 08 layouts, 09 limits.

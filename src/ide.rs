@@ -108,11 +108,14 @@ impl Analysis {
     fn line_of(&self, source: &Source, span: Span) -> Text {
         let line = source.line_column(span).0;
         if source.id() == self.source.id() {
-            return text!("line {line}", "{line} 行");
+            return text!([line] "line {line}", "{line} 行");
         }
         let path = Path::new(source.name());
-        let name = path.file_name().unwrap_or(path.as_os_str()).display();
-        text!("{name}, line {line}", "{name} {line} 行")
+        let name = path
+            .file_name()
+            .unwrap_or(path.as_os_str())
+            .to_string_lossy();
+        text!([name, line] "{name}, line {line}", "{name} {line} 行")
     }
 
     /// Returns the file and the files that it includes.

@@ -1,5 +1,6 @@
 //! Houses written in the other form of the language are the same houses, and what cannot be written is said.
 
+use crate::support::Words;
 use crate::support::{assert_none, expect, stem, texts};
 use hsd::Options;
 use hsd::diagnostic::{Code, Diagnostics, pages};
@@ -171,7 +172,10 @@ fn fixtures_say_what_cannot_be_written() {
             let (line, column) = text.line_column(d.span);
             format!(
                 "{line}:{column}: {}: {} (help: {})\n{}\n",
-                d.code, d.message.en, d.help.en, d.message.ja
+                d.code,
+                d.message.en(),
+                d.help.en(),
+                d.message.ja()
             )
         };
         expect(

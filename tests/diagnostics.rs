@@ -2,6 +2,7 @@
 //! The first example of a page triggers its code too. `HSD_UPDATE=1 cargo test --release diagnostics` writes the outputs
 //! anew.
 
+use crate::support::Words;
 use crate::support::{
     assert_none, compile, compile_file, expect, flaws_of_diagnostics, root, stem, texts,
 };
@@ -211,9 +212,9 @@ fn is_japanese(text: &str) -> bool {
 /// The texts of a message that a Japanese reader would find in English. Labels of one word may be names.
 fn untranslated(d: &Diagnostic) -> Vec<&Text> {
     let labels = d.labels.iter().map(|l| &l.message);
-    let sentences = labels.filter(|text| text.en.contains(' '));
+    let sentences = labels.filter(|text| text.en().contains(' '));
     let all = [&d.message, &d.help].into_iter().chain(sentences);
-    all.filter(|text| text.ja == text.en || !is_japanese(&text.ja))
+    all.filter(|text| text.ja() == text.en() || !is_japanese(&text.ja()))
         .collect()
 }
 
@@ -241,7 +242,7 @@ fn messages_speak_japanese() {
     for path in texts(FIXTURES) {
         for d in &compile_file(&path).diagnostics {
             let texts = untranslated(d);
-            findings.extend(texts.iter().map(|text| format!("{}: {text}", d.code)));
+            findings.extend(texts.iter().map(|text| format!("{}: {text:?}", d.code)));
         }
     }
     // Messages that no small text can trigger: their words stand in `text!` too.

@@ -4,6 +4,7 @@
 mod legacy_half;
 mod xml_half;
 
+use crate::support::Words;
 use crate::support::{Run, assert_none, compile_changed, compile_file, stem, texts};
 use hsd::diagnostic::{Code, Diagnostic, Fix, Severity};
 use hsd::print::encode;
@@ -75,7 +76,7 @@ fn flaws(path: &Path, run: &Run, d: &Diagnostic, fix: &Fix) -> Vec<String> {
         Err(flaw) => return vec![flaw],
     };
     let mut flaws = vec![];
-    if fix.title.en.ends_with('.') || fix.title.en == fix.title.ja {
+    if fix.title.en().ends_with('.') || fix.title.en() == fix.title.ja() {
         flaws.push("its title is no imperative in two languages".into());
     }
     let after = compile_changed(path, files);
@@ -99,7 +100,7 @@ fn all_flaws(path: &Path, run: &Run, findings: &mut Vec<String>) -> usize {
         for fix in &d.fixes {
             count += 1;
             let found = flaws(path, run, d, fix);
-            let name = format!("{}: {}: {:?}", stem(path), d.code, fix.title.en);
+            let name = format!("{}: {}: {:?}", stem(path), d.code, fix.title.en());
             findings.extend(found.iter().map(|flaw| format!("{name}: {flaw}")));
         }
     }

@@ -1,6 +1,7 @@
 //! A file with two hundred mistakes shows two hundred messages: each mistake its own, at its own place, with help, and
 //! nothing else. Files are put together of houses with one mistake each, `«` and `»` round it.
 
+use crate::support::Words;
 use crate::support::{assert_none, compile};
 use std::collections::BTreeMap;
 
@@ -243,12 +244,12 @@ fn findings(name: &str, text: &str, places: &[(u16, usize, usize)]) -> Vec<Strin
             None => wrong.push(format!(
                 "more: {} {} at {}",
                 d.code,
-                d.message,
+                d.message.en(),
                 quote(start, end)
             )),
         }
         if d.help.is_empty() {
-            wrong.push(format!("without help: {} {}", d.code, d.message));
+            wrong.push(format!("without help: {} {}", d.code, d.message.en()));
         }
     }
     let missing = left.iter().filter(|(_, n)| **n > 0);

@@ -1,6 +1,7 @@
 //! Houses written short, and what stands at any house: the documented measures of Suzakumon and of two pagodas come
 //! out of the elements, other measures work as well, all bodies are closed, and nothing absurd makes them fail.
 
+use crate::support::Words;
 use crate::support::{Run, assert_none, compile, flaws, open_edges, root};
 use glam::DVec3;
 use hsd::building::fittings::{Fitting, FittingKind};
@@ -20,7 +21,7 @@ fn sound(run: &Run) {
     findings.extend(
         run.diagnostics
             .iter()
-            .map(|d| format!("{}: {}", d.code, d.message)),
+            .map(|d| format!("{}: {}", d.code, d.message.en())),
     );
     findings.extend(open_fittings(&run.scene));
     assert_none(&findings);

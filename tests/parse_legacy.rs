@@ -1,5 +1,6 @@
 //! The reader of the legacy text: what a house becomes, and which message each slip makes.
 
+use crate::support::Words;
 use hsd::ast::{Document, House, Item, Piece, RoofDirection, RoofMethod, RoofMode, RoofShape, Row};
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::source::{FileId, Limits, Source};
@@ -330,7 +331,7 @@ fn each_fixture_triggers_its_message_and_no_other() {
         assert_eq!(found, [code], "{}", path.display());
         assert!(
             told.iter()
-                .all(|d| !d.help.is_empty() && !d.message.ends_with('.'))
+                .all(|d| !d.help.is_empty() && !d.message.en().ends_with('.'))
         );
     }
 }

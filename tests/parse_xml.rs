@@ -1,5 +1,6 @@
 //! The XML form: the paper's figure, every element, and what is wrong in every way.
 
+use crate::support::Words;
 use hsd::ast::*;
 use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
 use hsd::parse::xml;
@@ -19,7 +20,7 @@ fn read(text: &str) -> (Document, Vec<Diagnostic>) {
             assert!(text.is_char_boundary(span.start as usize), "{d:?}");
             assert!(text.is_char_boundary(span.end as usize), "{d:?}");
         }
-        assert!(!d.message.is_empty() && !d.message.ends_with('.') && !d.help.is_empty());
+        assert!(!d.message.is_empty() && !d.message.en().ends_with('.') && !d.help.is_empty());
     }
     (document, list)
 }

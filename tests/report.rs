@@ -356,7 +356,7 @@ fn reports_speak_japanese() {
     let d = Diagnostic::error(
         104,
         find(&source, "ＡＬＣ板"),
-        text!(
+        text!([quoted]
             "no part is called {quoted}",
             "{quoted} という部材はありません"
         ),

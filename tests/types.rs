@@ -1,5 +1,6 @@
 //! The types of houses: every one builds for every value of its parameters, and is what the historians say of it.
 
+use crate::support::Words;
 use crate::support::{Numbers, Run, assert_none, flaws, on_all_processors, root};
 use hsd::ast::{Parameter, Value};
 use hsd::diagnostic::{Diagnostics, Severity};
@@ -149,7 +150,7 @@ fn every_type_is_whole_in_all_its_joinery() {
         let run = built(&text(word), &vec![], Detail::Everything);
         let mut found = complaints(&run);
         // As it stands nobody finds anything to say of it.
-        found.extend(run.diagnostics.iter().map(|d| d.message.to_string()));
+        found.extend(run.diagnostics.iter().map(|d| d.message.en()));
         found.into_iter().map(|f| format!("{word}: {f}")).collect()
     });
     assert_none(&findings);

@@ -247,7 +247,7 @@ impl Build {
         match self.input_args.inputs.iter().find(is_model) {
             Some(model) => {
                 let shown = model.display();
-                Err(Failure::Usage(text!(
+                Err(Failure::Usage(text!([shown]
                     "{shown} is a model, not a source file: name the output with -o, as in `-o {shown}`",
                     "{shown} はテキストではなくモデルです。出力先は `-o {shown}` のように -o で指定してください"
                 )))
@@ -334,7 +334,7 @@ impl Job {
         match self.inputs.iter().find(same) {
             Some(text) if text.is_file() => {
                 let shown = text.display();
-                Err(Failure::Usage(text!(
+                Err(Failure::Usage(text!([shown]
                     "{shown} is an input and would be overwritten",
                     "{shown} は入力のテキストなので、上書きできません"
                 )))
@@ -408,7 +408,7 @@ fn summary(output: &Path, (houses, triangles): (usize, usize), size: u64, took: 
     let houses = counted(houses, HOUSE);
     let triangles = counted(triangles, noun("triangle", "三角形{}枚"));
     let (size, took) = (bytes(size as usize), took.as_millis());
-    text!([place, houses, triangles, size]
+    text!([place, houses, triangles, size, took]
         "wrote {place}: {houses}, {triangles}, {size} in {took} ms",
         "{place} を書きました: {houses}、{triangles}、{size}、{took} ms"
     )
@@ -423,7 +423,7 @@ fn statistics(scene: &Scene, times: &[(&'static str, Duration)]) -> Text {
     };
     let times: Vec<String> = times.iter().map(time).collect();
     let times = times.join("\n");
-    text!([nodes, meshes, materials]
+    text!([nodes, meshes, materials, times]
         "  {nodes}, {meshes}, {materials}\n{times}",
         "  {nodes}、{meshes}、{materials}\n{times}"
     )

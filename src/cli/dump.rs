@@ -71,8 +71,7 @@ impl Dump {
         let mut included = vec![];
         let options = self.input_args.options(&inputs, &mut out)?;
         let text = self.text(&inputs.accepted(), &options, &mut included, &mut out);
-        let text = text
-            .map_err(|e| Failure::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}")))?;
+        let text = text.map_err(|e| Failure::json(&e))?;
         let list = out.into_sorted();
         if !list.is_empty() {
             report(

@@ -51,7 +51,7 @@ fn number(text: &str) -> Option<u16> {
 
 fn unknown(text: &str) -> Failure {
     let Some(wanted) = number(text) else {
-        return Failure::Usage(text!(
+        return Failure::Usage(text!([text]
             "{text:?} is not a diagnostic code; codes look like HSD0104, `hsd explain` lists them",
             "{text:?} は指摘のコードではありません。コードは HSD0104 のような形で、`hsd explain` で一覧できます"
         ));
@@ -62,7 +62,7 @@ fn unknown(text: &str) -> Failure {
     near.sort_unstable();
     let near: Vec<String> = near.iter().map(Code::to_string).collect();
     let (wanted, near) = (Code(wanted), near.join(", "));
-    Failure::Usage(text!(
+    Failure::Usage(text!([wanted, near]
         "no diagnostic {wanted}; the nearest are {near}",
         "{wanted} という指摘はありません。近いものは {near} です"
     ))

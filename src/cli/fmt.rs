@@ -170,7 +170,7 @@ impl Fmt {
         }
         if inputs.len() > 1 {
             let shown = output.display();
-            return Err(Failure::Usage(text!(
+            return Err(Failure::Usage(text!([shown]
                 "{shown} is a single file; for several inputs name a folder, as in `-o {shown}/`",
                 "{shown} に書けるテキストはひとつです。複数の場合は `-o {shown}/` のようにフォルダーを指定してください"
             )));
@@ -185,12 +185,12 @@ impl Fmt {
         }
         let (files, changed) = (counted(all, FILE), tally.changed);
         let written = if self.check {
-            text!([files]
+            text!([files, changed]
                 "{files}, {changed} would be reformatted",
                 "{files}中 {changed} が整形の対象です"
             )
         } else {
-            text!([files] "{files}, {changed} reformatted", "{files}中 {changed} を整形しました")
+            text!([files, changed] "{files}, {changed} reformatted", "{files}中 {changed} を整形しました")
         };
         writeln!(io::stderr(), "{}", written.in_language(language))?;
         Ok(())

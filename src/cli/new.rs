@@ -53,7 +53,7 @@ impl New {
         let stdout = path.as_os_str() == STDIN;
         // A dangling link counts as existing.
         if !stdout && !self.force && path.symlink_metadata().is_ok() {
-            return Err(Failure::Io(text!(
+            return Err(Failure::Io(text!([shown]
                 "{shown} already exists; overwrite it with --force or choose another name with -o",
                 "{shown} はすでにあります。--force で上書きするか、-o で別の名前を指定してください"
             )));
@@ -61,7 +61,7 @@ impl New {
         output::write(&path, Files::bytes(kind.text().into_bytes()))?;
         if !stdout {
             let (ja, en) = (kind.ja, kind.en);
-            let message = text!(
+            let message = text!([shown, ja, en]
                 "wrote {shown}: {ja}, {en}; `hsd params {shown}` lists its parameters",
                 "{shown} を書きました: {ja}。パラメーターは `hsd params {shown}` で一覧できます"
             );
@@ -110,7 +110,7 @@ fn undecided(name: &str, found: &[&Template]) -> Failure {
     };
     if !found.is_empty() {
         let found = list(found);
-        return Failure::Usage(text!(
+        return Failure::Usage(text!([name, found]
             "{name:?} is ambiguous: choose one of {found} with `hsd new TYPE`",
             "{name:?} に当てはまるのは {found} です。`hsd new TYPE` でひとつを選んでください"
         ));
@@ -119,13 +119,13 @@ fn undecided(name: &str, found: &[&Template]) -> Failure {
         return Failure::Usage(Text::from(*note));
     }
     match &*Template::nearest(name) {
-        [] => Failure::Usage(text!(
+        [] => Failure::Usage(text!([name]
             "no house type {name:?}; `hsd new` lists them all",
             "{name:?} という類型はありません。`hsd new` で一覧できます"
         )),
         near => {
             let near = list(near);
-            Failure::Usage(text!(
+            Failure::Usage(text!([name, near]
                 "no house type {name:?}; the nearest are {near}; `hsd new` lists them all",
                 "{name:?} という類型はありません。近いものは {near} です。`hsd new` で一覧できます"
             ))

@@ -186,7 +186,7 @@ impl ReadArgs {
         match named.find(|f| !f.is_dir()) {
             Some(f) => {
                 let shown = f.display();
-                Err(Failure::Io(text!(
+                Err(Failure::Io(text!([shown]
                     "{shown}: no such folder",
                     "{shown}: そのようなフォルダーはありません"
                 )))

@@ -8,7 +8,6 @@ use crate::diagnostic::messages::xml::bounds;
 use crate::diagnostic::{Diagnostics, Language, Severity};
 use crate::driver;
 use crate::report::{Format, Report};
-use crate::text;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 use std::io::{self, Write};
@@ -67,9 +66,7 @@ impl Params {
                     .map(|(file, parameter)| ParameterRow { file, parameter })
                     .collect();
                 let text = serde_json::to_string_pretty(&rows);
-                text.map_err(|e| {
-                    Failure::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
-                })? + "\n"
+                text.map_err(|e| Failure::json(&e))? + "\n"
             }
         };
         let mut list = out.into_sorted();

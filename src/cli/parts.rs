@@ -73,9 +73,7 @@ impl Parts {
             ListFormat::Table => table(&parts, language),
             ListFormat::Json => {
                 let text = serde_json::to_string_pretty(&parts);
-                text.map_err(|e| {
-                    Failure::Io(text!("cannot write JSON: {e}", "JSON を書けません: {e}"))
-                })? + "\n"
+                text.map_err(|e| Failure::json(&e))? + "\n"
             }
         };
         let mut out = io::stdout().lock();
@@ -84,7 +82,7 @@ impl Parts {
         if parts.is_empty() {
             let none = match &self.filter {
                 Some(filter) => elsewhere(filter).unwrap_or_else(|| {
-                    text!(
+                    text!([filter]
                         "no part has {filter:?} in its code or names",
                         "コードか名前に {filter:?} を含む部材はありません"
                     )
@@ -123,13 +121,13 @@ fn elsewhere(word: &str) -> Option<Text> {
     let query = Query::new(word);
     let is_in = |list: &str| list.split(',').any(|name| query.is(name.trim()));
     if is_in(NONE) {
-        return Some(text!(
+        return Some(text!([word]
             "{word:?} has no model yet",
             "{word:?} の形はまだありません"
         ));
     }
     is_in(ROOFS).then(|| {
-        text!(
+        text!([word]
             "{word:?} belongs to roofs, not to parts: see grammar/roofs.md for roof forms and grammar/dressing.md for tiles, ridges and bargeboards",
             "{word:?} は部材ではなく屋根の用語です。屋根の形は grammar/roofs.ja.md、瓦・棟・破風は grammar/dressing.ja.md にあります"
         )

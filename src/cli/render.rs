@@ -179,14 +179,14 @@ impl Render {
         if !folder && !several {
             return match ImageFormat::of(output) {
                 Some(kind) => Ok(Target::File(output, kind)),
-                None => Err(Failure::Usage(text!(
+                None => Err(Failure::Usage(text!([shown]
                     "{shown}: the extension of an image must be .png or .jpg",
                     "{shown}: 画像の拡張子は .png か .jpg です"
                 ))),
             };
         }
         if !folder && ImageFormat::of(output).is_some() {
-            return Err(Failure::Usage(text!(
+            return Err(Failure::Usage(text!([shown]
                 "{shown} is a single image; for several name a folder, as in `-o pictures/`",
                 "{shown} に書ける画像はひとつです。複数の場合は`-o pictures/` のようにフォルダーを指定してください"
             )));
@@ -303,25 +303,26 @@ impl Render {
                     let path = write(input, target, *view, png)?;
                     if !self.quiet {
                         let (path, ms) = (path.display(), begun.elapsed().as_millis());
-                        let message =
-                            text!("wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
+                        let message = text!([path, ms] "wrote {path} in {ms} ms", "{path} を書きました ({ms} ms)");
                         writeln!(io::stderr(), "{}", message.in_language(language))?;
                     }
                 }
                 Ok(Screenshot::Done(errors)) if errors.is_empty() => return Ok(()),
                 Ok(Screenshot::Done(errors)) => {
                     let why = errors.join("; ");
-                    return Err(Failure::Io(text!("{shown}: {why}", "{shown}: {why}")));
+                    return Err(Failure::Io(
+                        text!([shown, why] "{shown}: {why}", "{shown}: {why}"),
+                    ));
                 }
                 Err(RecvTimeoutError::Timeout) if running.ended() => {
-                    return Err(Failure::Io(text!(
+                    return Err(Failure::Io(text!([shown]
                         "{shown}: the browser exited before the image was complete",
                         "{shown}: 画像ができる前にブラウザーが終了しました"
                     )));
                 }
                 Err(RecvTimeoutError::Timeout) if last_response.elapsed() < TIMEOUT => {}
                 Err(_) => {
-                    return Err(Failure::Io(text!(
+                    return Err(Failure::Io(text!([shown]
                         "{shown}: no response from the browser",
                         "{shown}: ブラウザーから応答がありません"
                     )));

@@ -39,7 +39,7 @@ impl Textures {
                 .collect();
             let count = counted(files.len(), noun("texture", "テクスチャー{}枚"));
             output::write_all(files)?;
-            let message = text!([count]
+            let message = text!([count, shown]
                 "wrote {count} to {shown}",
                 "{count}を {shown} に書きました"
             );
@@ -47,8 +47,8 @@ impl Textures {
         }
         if let Some(file) = &self.sheet {
             let shown = file.display();
-            output::write(file, Files::bytes(texture::contact_sheet()))?;
-            let message = text!("wrote {shown}", "{shown} を書きました");
+            std::fs::write(file, texture::contact_sheet()).map_err(|e| Failure::at(&shown, e))?;
+            let message = text!([shown] "wrote {shown}", "{shown} を書きました");
             writeln!(io::stderr(), "{}", message.in_language(language))?;
         }
         Ok(Exit::Done)

@@ -1,11 +1,11 @@
 //! Words in both languages of the program.
 //!
-//! Whoever says something says it in English and Japanese at once, side by side, by [`text!`](crate::text); which of
-//! the two is read is chosen where a report is written, never where a text comes into being.
+//! A [`Text`] keeps its values and two patterns side by side, made by [`text!`](crate::text). It becomes words where
+//! it is reported, in the one language that is read there.
 
 use std::borrow::Cow;
-use std::fmt;
-use std::ops::Deref;
+use std::fmt::{self, Display, Formatter};
+use std::sync::Arc;
 
 /// The language that a reader understands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,60 +27,96 @@ impl Language {
     }
 }
 
-/// A text in both languages. It defaults to English where no language is requested.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Text {
-    /// English.
-    pub en: Cow<'static, str>,
-    /// Japanese; the English text where there is no other.
-    pub ja: Cow<'static, str>,
+/// A text in both languages. Two texts are equal if their words are, in each language.
+#[derive(Clone)]
+pub struct Text(Words);
+
+#[derive(Clone)]
+enum Words {
+    /// Known when the program is built.
+    Fixed(Noun),
+    /// The same in both languages.
+    Same(Arc<str>),
+    /// Written when they are read.
+    Written(Arc<dyn Fn(Language, &mut Formatter<'_>) -> fmt::Result + Send + Sync>),
 }
 
 impl Text {
-    /// A text that is said in both languages.
-    pub fn both(en: impl Into<Cow<'static, str>>, ja: impl Into<Cow<'static, str>>) -> Text {
-        Text {
-            en: en.into(),
-            ja: ja.into(),
+    /// A text that a function writes in the language that is read.
+    pub fn written(
+        write: impl Fn(Language, &mut Formatter<'_>) -> fmt::Result + Send + Sync + 'static,
+    ) -> Text {
+        Text(Words::Written(Arc::new(write)))
+    }
+
+    /// A text of two patterns that name no value.
+    ///
+    /// # Panics
+    /// If one of them does, which [`text!`](crate::text) finds when the program is built.
+    pub const fn fixed(en: fmt::Arguments<'static>, ja: fmt::Arguments<'static>) -> Text {
+        match (en.as_str(), ja.as_str()) {
+            (Some(en), Some(ja)) => Text(Words::Fixed(noun(en, ja))),
+            _ => panic!("a text lists the values of its patterns in brackets"),
         }
     }
 
-    /// Returns the text in the given language.
-    pub fn in_language(&self, language: Language) -> &str {
-        language.choose(&self.en, &self.ja)
+    /// Texts one after another, with something between them in each language.
+    pub fn joined(texts: Vec<Text>, en: &'static str, ja: &'static str) -> Text {
+        Text::written(move |language, f| {
+            let words: Vec<_> = texts.iter().map(|t| t.in_language(language)).collect();
+            f.write_str(&words.join(language.choose(en, ja)))
+        })
     }
 
-    /// The English text.
-    pub fn as_str(&self) -> &str {
-        &self.en
+    /// Returns the words of one language.
+    pub fn in_language(&self, language: Language) -> Cow<'_, str> {
+        match &self.0 {
+            Words::Fixed(noun) => noun.in_language(language).into(),
+            Words::Same(words) => Cow::Borrowed(words),
+            Words::Written(write) => fmt::from_fn(|f| write(language, f)).to_string().into(),
+        }
+    }
+
+    /// Returns true if there are no words.
+    pub fn is_empty(&self) -> bool {
+        self.in_language(Language::English).is_empty()
     }
 }
 
-impl Deref for Text {
-    type Target = str;
-
-    fn deref(&self) -> &str {
-        &self.en
+impl Default for Text {
+    fn default() -> Text {
+        noun("", "").into()
     }
 }
 
-impl fmt::Display for Text {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.en)
+impl PartialEq for Text {
+    fn eq(&self, other: &Text) -> bool {
+        [Language::English, Language::Japanese]
+            .into_iter()
+            .all(|language| self.in_language(language) == other.in_language(language))
+    }
+}
+
+impl Eq for Text {}
+
+impl fmt::Debug for Text {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let [en, ja] = [Language::English, Language::Japanese].map(|l| self.in_language(l));
+        f.debug_tuple("Text").field(&en).field(&ja).finish()
     }
 }
 
 /// The same words in both languages: names, codes, quotations.
 impl From<String> for Text {
     fn from(words: String) -> Text {
-        Text::both(words.clone(), words)
+        Text(Words::Same(words.into()))
     }
 }
 
 /// The same words in both languages: names, codes, quotations.
 impl From<&str> for Text {
     fn from(words: &str) -> Text {
-        words.to_owned().into()
+        Text(Words::Same(words.into()))
     }
 }
 
@@ -98,27 +134,176 @@ pub const fn noun(en: &'static str, ja: &'static str) -> Noun {
     Noun { en, ja }
 }
 
-impl From<Noun> for Text {
-    fn from(Noun { en, ja }: Noun) -> Text {
-        Text::both(en, ja)
+impl Noun {
+    /// Returns the word of one language.
+    pub fn in_language(self, language: Language) -> &'static str {
+        language.choose(self.en, self.ja)
     }
 }
 
-/// A [`Text`](crate::diagnostic::Text) of two patterns for `format!`, English first. Names in brackets before them
-/// are texts or nouns, of which each pattern takes its own language.
+impl From<Noun> for Text {
+    fn from(noun: Noun) -> Text {
+        Text(Words::Fixed(noun))
+    }
+}
+
+/// A value of which [`text!`](crate::text) can make a text.
+pub trait Value {
+    /// What the text keeps of it.
+    type Kept: Kept;
+
+    /// Returns what the text keeps.
+    fn kept(&self) -> Self::Kept;
+}
+
+/// A value that a text keeps until it is read.
+pub trait Kept: Send + Sync + 'static {
+    /// What a pattern can format.
+    type Words<'a>: Display;
+
+    /// Returns the value as it is read in one language.
+    fn words(&self, language: Language) -> Self::Words<'_>;
+}
+
+impl<T: Value + ?Sized> Value for &T {
+    type Kept = T::Kept;
+
+    fn kept(&self) -> T::Kept {
+        (**self).kept()
+    }
+}
+
+/// Values that keep themselves, and are the same in both languages.
+macro_rules! plain {
+    ($($of:ty)*) => {$(
+        impl Value for $of {
+            type Kept = $of;
+
+            fn kept(&self) -> $of {
+                *self
+            }
+        }
+
+        impl Kept for $of {
+            type Words<'a> = $of;
+
+            fn words(&self, _: Language) -> $of {
+                *self
+            }
+        }
+    )*};
+}
+
+plain! { char f64 i32 i64 u8 u16 u32 u64 u128 usize super::Code }
+
+/// Values of which the words are kept.
+macro_rules! quoted {
+    ($($of:ty)*) => {$(
+        impl Value for $of {
+            type Kept = Box<str>;
+
+            fn kept(&self) -> Box<str> {
+                self.to_string().into()
+            }
+        }
+    )*};
+}
+
+quoted! { str String Box<str> Cow<'_, str> std::path::Display<'_> std::io::Error }
+
+impl Kept for Box<str> {
+    type Words<'a> = &'a str;
+
+    fn words(&self, _: Language) -> &str {
+        self
+    }
+}
+
+impl Value for Text {
+    type Kept = Text;
+
+    fn kept(&self) -> Text {
+        self.clone()
+    }
+}
+
+impl Kept for Text {
+    type Words<'a> = Cow<'a, str>;
+
+    fn words(&self, language: Language) -> Cow<'_, str> {
+        self.in_language(language)
+    }
+}
+
+impl Value for Noun {
+    type Kept = Noun;
+
+    fn kept(&self) -> Noun {
+        *self
+    }
+}
+
+impl Kept for Noun {
+    type Words<'a> = &'static str;
+
+    fn words(&self, language: Language) -> &'static str {
+        self.in_language(language)
+    }
+}
+
+/// A [`Text`](crate::diagnostic::Text) of two patterns for `format!`, English first. The brackets before them list the
+/// values that the patterns name; texts and nouns among them are written in the language of the pattern.
 ///
 /// ```
-/// use hsd::{diagnostic::Text, text};
-/// let (count, thing) = (3, Text::both("walls", "壁"));
-/// let text = text!([thing] "there are {count} {thing}", "{thing}が{count}枚あります");
-/// assert_eq!((&*text.en, &*text.ja), ("there are 3 walls", "壁が3枚あります"));
+/// use hsd::{Language, diagnostic::noun, text};
+/// let (count, thing) = (3, noun("walls", "壁"));
+/// let text = text!([count, thing] "there are {count} {thing}", "{thing}が{count}枚あります");
+/// assert_eq!(text.in_language(Language::English), "there are 3 walls");
+/// assert_eq!(text.in_language(Language::Japanese), "壁が3枚あります");
 /// ```
 #[macro_export]
 macro_rules! text {
-    ($([$($word:ident),+ $(,)?])? $en:literal, $ja:literal $(,)?) => {
-        $crate::diagnostic::Text::both(
-            { $($(let $word = &$word.en;)+)? ::std::format!($en) },
-            { $($(let $word = &$word.ja;)+)? ::std::format!($ja) },
-        )
+    ($en:literal, $ja:literal $(,)?) => {
+        const { $crate::diagnostic::Text::fixed(::std::format_args!($en), ::std::format_args!($ja)) }
     };
+    ([$($value:ident),+ $(,)?] $en:literal, $ja:literal $(,)?) => {{
+        $(let $value = $crate::diagnostic::Value::kept(&$value);)+
+        $crate::diagnostic::Text::written(move |language, f| {
+            $(let $value = $crate::diagnostic::Kept::words(&$value, language);)+
+            match language {
+                $crate::diagnostic::Language::English => ::std::write!(f, $en),
+                $crate::diagnostic::Language::Japanese => ::std::write!(f, $ja),
+            }
+        })
+    }};
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_within_a_text_is_read_in_one_language() {
+        let (name, far) = ("庇".to_owned(), 2.5);
+        let side = text!("to the left", "左");
+        let words = text!([name, far, side] "{name:?} {far:.2} {side}", "{name}は{side}へ {far}");
+        assert_eq!(
+            words.in_language(Language::English),
+            "\"庇\" 2.50 to the left"
+        );
+        assert_eq!(words.in_language(Language::Japanese), "庇は左へ 2.5");
+        let again = words.clone();
+        assert_eq!(words, text!([again] "{again}", "{again}"));
+        assert_ne!(words, Text::from("\"庇\" 2.50 to the left"));
+    }
+
+    #[test]
+    fn fixed_words_are_borrowed() {
+        let braces = text!("`{{a}}`", "「{{a}}」");
+        assert!(matches!(
+            braces.in_language(Language::English),
+            Cow::Borrowed("`{a}`")
+        ));
+        assert!(Text::default().is_empty() && !braces.is_empty());
+    }
 }

@@ -65,7 +65,7 @@ pub(super) fn card(
     let class = vocabulary::class(part.class());
     let letter = part.class();
     if letter != ' ' {
-        lines.push(text!([class] "class {letter}: {class}", "分類 {letter}: {class}"));
+        lines.push(text!([letter, class] "class {letter}: {class}", "分類 {letter}: {class}"));
     }
     if part.era != Era::All
         && let Some(era) = vocabulary::meaning(vocabulary::ERAS, part.era.word())
@@ -74,9 +74,10 @@ pub(super) fn card(
     }
     for weathered in part.weathering.split('+') {
         if let Some(about) = vocabulary::weathering(weathered) {
-            lines.push(
-                text!([about] "weathers as {weathered}, {about}", "経年変化 {weathered}、{about}"),
-            );
+            lines.push(text!([weathered, about]
+                "weathers as {weathered}, {about}",
+                "経年変化 {weathered}、{about}"
+            ));
         }
     }
     lines.push(origin(a, part));
@@ -93,7 +94,7 @@ pub(super) fn width(units: f64, unit: f64) -> Text {
         short(units * unit / SHAKU, 2),
         short(units * unit, 2),
     );
-    text!(
+    text!([u, shaku, metres]
         "width {u} U = {shaku} shaku = {metres} m",
         "幅 {u} U = {shaku} 尺 = {metres} m"
     )
@@ -104,7 +105,7 @@ fn heights(part: &PartDef) -> Text {
         (Some(from), Some(to)) => {
             let (f, t) = (short(from, 2), short(to, 2));
             let (fm, tm) = (short(from * SHAKU, 2), short(to * SHAKU, 2));
-            text!(
+            text!([f, t, fm, tm]
                 "from {f} to {t} shaku above the floor ({fm} to {tm} m)",
                 "床から {f}〜{t} 尺 ({fm}〜{tm} m)"
             )
@@ -134,7 +135,7 @@ fn origin(a: &Analysis, part: &PartDef) -> Text {
             } else {
                 &class.to_string()
             };
-            text!(
+            text!([class]
                 "in the catalogue: `hsd parts {class}`",
                 "カタログ: `hsd parts {class}`"
             )

@@ -57,7 +57,7 @@ impl Request<'_> {
     ) -> Option<Hover> {
         let words = paragraphs.into_iter();
         let words: Vec<String> = words
-            .map(|t| t.in_language(self.language).to_owned())
+            .map(|t| t.in_language(self.language).into_owned())
             .filter(|t| !t.is_empty())
             .collect();
         Some(Hover {

@@ -51,14 +51,14 @@ fn storey(a: &Analysis, start: usize, storeys: &[Built<'_>], language: Language)
         span_of(heights().map(|h| centi(h * crate::geometry::SHAKU))),
     );
     let perimeter = span_of(storeys.iter().map(|s| s.perimeter()));
-    let label = text!(
+    let label = text!([number, height]
         "storey {number} · {height} shaku",
         "{number}階 · {height}尺"
     );
     Some(Inlay {
         at,
-        label: label.in_language(language).to_owned(),
-        tooltip: text!(
+        label: label.in_language(language).into_owned(),
+        tooltip: text!([number, height, metres, perimeter]
             "storey {number}: {height} shaku ({metres} m) high, {perimeter} units round",
             "{number}階: 高さ {height}尺 ({metres} m)、外周 {perimeter} U"
         ),
@@ -101,7 +101,7 @@ fn line(
             let count = walls.len();
             (
                 format!("{each} U"),
-                text!(
+                text!([each, metres, count]
                     "{each} units = {metres} m; {count} walls come of this line",
                     "{each} U = {metres} m。この行から壁が {count} 枚できます"
                 ),
@@ -111,7 +111,7 @@ fn line(
             let units = plain(sum);
             (
                 format!("{units} U → ({x}, {y})"),
-                text!(
+                text!([units, metres, x, y]
                     "{units} units = {metres} m; the walk then stands {x} to the left and {y} back from its origin",
                     "{units} U = {metres} m。この行の終わりは原点から左へ {x}、奥へ {y}"
                 ),
@@ -121,7 +121,7 @@ fn line(
             let (each, units) = (span_of(beside.iter().map(|w| length(w.wall))), plain(sum));
             (
                 format!("{each} U ×{many} = {units} U → ({x}, {y})"),
-                text!(
+                text!([many, units, metres, x, y]
                     "{many} walls, {units} units = {metres} m in all; the walk then stands {x} to the left and {y} back from its origin",
                     "壁 {many} 枚、あわせて {units} U = {metres} m。終わりは原点から左へ {x}、奥へ {y}"
                 ),
@@ -142,22 +142,22 @@ fn lack(inlay: &mut Inlay, gap: DVec2, language: Language) {
         (gap.x, text!("left", "左"), text!("right", "右")),
         (gap.y, text!("back", "奥"), text!("front", "手前")),
     ];
-    let (mut en, mut ja) = (vec![], vec![]);
-    for (by, plus, minus) in sides.iter().filter(|(by, ..)| by.abs() > SAME) {
+    let open = sides.iter().filter(|(by, ..)| by.abs() > SAME);
+    let open = open.map(|(by, plus, minus)| {
         let side = if *by > 0.0 { plus } else { minus };
         let by = plain(by.abs());
-        en.push(format!("{by} {}", side.en));
-        ja.push(format!("{}へ {by}", side.ja));
-    }
-    if en.is_empty() {
+        text!([by, side] "{by} {side}", "{side}へ {by}")
+    });
+    let open: Vec<Text> = open.collect();
+    if open.is_empty() {
         return;
     }
-    let (en, ja) = (en.join(", "), ja.join("、"));
-    let words = Text::both(format!("open: {en}"), format!("未完: {ja}"));
+    let open = Text::joined(open, ", ", "、");
+    let words = text!([open] "open: {open}", "未完: {open}");
     inlay.label = format!("{} · {}", inlay.label, words.in_language(language));
     let said = &inlay.tooltip;
-    inlay.tooltip = Text::both(
-        format!("{}. To close the walls, it lacks {en} (units)", said.en),
-        format!("{}。壁を閉じるには{ja} (U) 足りません", said.ja),
+    inlay.tooltip = text!([said, open]
+        "{said}. To close the walls, it lacks {open} (units)",
+        "{said}。壁を閉じるには{open} (U) 足りません"
     );
 }

@@ -190,7 +190,7 @@ impl Plan {
         };
         let houses = building.houses.iter();
         let houses = houses.map(|b| writer.house(&b.house, &b.roofs)).collect();
-        let words = |r: &Reason| (r.key(), r.text().in_language(language).to_owned());
+        let words = |r: &Reason| (r.key(), r.text().in_language(language).into_owned());
         Plan {
             reasons: writer.used.iter().map(words).collect(),
             houses,

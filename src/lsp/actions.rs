@@ -78,7 +78,10 @@ fn quick_fixes(
                 continue;
             };
             found.push(lsp::CodeAction {
-                title: fix.title.in_language(context.settings.language).to_owned(),
+                title: fix
+                    .title
+                    .in_language(context.settings.language)
+                    .into_owned(),
                 kind: Some(lsp::CodeActionKind::QuickFix),
                 diagnostics: Some(vec![shown.clone()]),
                 is_preferred: (index == 0).then_some(true),
@@ -107,12 +110,12 @@ fn all(
         let place = places.location(own, &edit.range)?;
         changes.add(place, places.version(own), edit.text);
     }
-    let title = text!(
+    let title = text!([count]
         "Apply all fixes ({count})",
         "修正候補をすべて適用({count}か所)"
     );
     Some(lsp::CodeAction {
-        title: title.in_language(context.settings.language).to_owned(),
+        title: title.in_language(context.settings.language).into_owned(),
         kind: Some(lsp::CodeActionKind::from(ALL.to_owned())),
         edit: Some(changes.finish(context.versions)),
         ..lsp::CodeAction::default()

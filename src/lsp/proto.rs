@@ -129,7 +129,7 @@ impl<'a> Places<'a> {
         let related = d.labels.iter().filter_map(|label| {
             Some(lsp::DiagnosticRelatedInformation {
                 location: self.span(label.span)?,
-                message: label.message.in_language(language).to_owned(),
+                message: label.message.in_language(language).into_owned(),
             })
         });
         let related: Vec<_> = related.collect();
@@ -170,10 +170,10 @@ fn in_document(document: &Document, range: &ops::Range<usize>, encoding: Encodin
 fn message(d: &diagnostic::Diagnostic, language: Language) -> String {
     let (message, help) = (&d.message, &d.help);
     let whole = match help.is_empty() {
-        true => message.clone(),
-        false => text!([message, help] "{message}\nhelp: {help}", "{message}\n対処: {help}"),
+        true => message,
+        false => &text!([message, help] "{message}\nhelp: {help}", "{message}\n対処: {help}"),
     };
-    whole.in_language(language).to_owned()
+    whole.in_language(language).into_owned()
 }
 
 /// Edits of several files, ordered by URI.

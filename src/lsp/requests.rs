@@ -259,7 +259,7 @@ fn execute(session: &mut Session, params: lsp::ExecuteCommandParams) -> RequestR
         return Err((ErrorCode::InvalidParams, why));
     }
     let failed = |why: &Text| {
-        let why = why.in_language(session.settings.language).to_owned();
+        let why = why.in_language(session.settings.language).into_owned();
         (ErrorCode::RequestFailed, why)
     };
     if !view::is_built() {
@@ -360,7 +360,7 @@ fn rename(session: &mut Session, params: lsp::RenameParams) -> RequestResult<lsp
     let (at, new) = (document.offset(place.position), &*params.new_name);
     let mut changes = Changes::default();
     let refuse = |why: crate::diagnostic::Text| {
-        let why = why.in_language(language).to_owned();
+        let why = why.in_language(language).into_owned();
         (ErrorCode::RequestFailed, why)
     };
     let edits = ide::names::rename(document.analysis, at, new).map_err(refuse)?;
@@ -462,7 +462,7 @@ fn inlay_hints(
         kind: None,
         text_edits: None,
         tooltip: Some(lsp::Tooltip::String(
-            hint.tooltip.in_language(language).to_owned(),
+            hint.tooltip.in_language(language).into_owned(),
         )),
         padding_left: Some(true),
         padding_right: None,

@@ -140,7 +140,7 @@ impl Message {
         let marks = excerpt.iter().flat_map(Excerpt::marks);
         let texts = std::iter::once(None).chain(
             here.iter()
-                .map(|l| Some(clean::line(l.message.in_language(language)))),
+                .map(|l| Some(clean::line(&l.message.in_language(language)))),
         );
         let labels = marks.zip(texts).enumerate().map(|(i, (range, text))| {
             let span = (range.start, range.len());
@@ -154,7 +154,7 @@ impl Message {
         let word = name(d.severity);
         Message {
             code: format!("{}[{}]", language.choose(word.en, word.ja), d.code),
-            text: clean::line(d.message.in_language(language)),
+            text: clean::line(&d.message.in_language(language)),
             help: (!help.is_empty()).then(|| help.join("\n")),
             severity: d.severity,
             labels,

@@ -5,24 +5,25 @@ use super::{Report, word};
 use crate::diagnostic::Diagnostic;
 use crate::source::Span;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 #[derive(Serialize)]
 struct Message<'a> {
     code: String,
     severity: &'static str,
-    message: &'a str,
+    message: Cow<'a, str>,
     file: &'a str,
     line: usize,
     column: usize,
     span: Bytes,
-    help: &'a str,
+    help: Cow<'a, str>,
     labels: Vec<Label<'a>>,
 }
 
 #[derive(Serialize)]
 struct Label<'a> {
-    message: &'a str,
+    message: Cow<'a, str>,
     file: &'a str,
     line: usize,
     column: usize,

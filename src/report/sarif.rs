@@ -4,6 +4,7 @@ use super::{Report, title};
 use crate::diagnostic::{Code, Diagnostic, Fix, Language, pages};
 use crate::source::{FileId, Span};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -77,7 +78,7 @@ struct Outcome<'a> {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct SarifFix<'a> {
-    description: Text<&'a str>,
+    description: Text<Cow<'a, str>>,
     artifact_changes: Vec<Change<'a>>,
 }
 
@@ -101,7 +102,7 @@ struct Replacement<'a> {
 struct Location<'a> {
     physical_location: SarifPlace,
     #[serde(skip_serializing_if = "Option::is_none")]
-    message: Option<Text<&'a str>>,
+    message: Option<Text<Cow<'a, str>>>,
 }
 
 #[derive(Serialize)]
@@ -175,8 +176,8 @@ fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcom
         d.message.in_language(language),
         language.choose("help", "対処"),
     );
-    let text = match d.help.in_language(language) {
-        "" => message.to_owned(),
+    let text = match &*d.help.in_language(language) {
+        "" => message.into_owned(),
         help => format!("{message} ({word}: {help})"),
     };
     let label = |l: &'a crate::diagnostic::Label| Location {

@@ -9,12 +9,12 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
         let at = report.position(d.span);
         let (name, message) = (
             clean::line(report.name(d.span.file)),
-            clean::line(d.message.in_language(report.language)),
+            clean::line(&d.message.in_language(report.language)),
         );
         let (line, column, word) = (at.line, at.column, word(d.severity));
         write!(out, "{name}:{line}:{column}: {word}[{}]: {message}", d.code)?;
         if !d.help.is_empty() {
-            let help = clean::line(d.help.in_language(report.language));
+            let help = clean::line(&d.help.in_language(report.language));
             let word = report.language.choose("help", "対処");
             write!(out, " ({word}: {help})")?;
         }
@@ -25,7 +25,7 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
                 Language::English => format!("line {line}"),
                 Language::Japanese => format!("{line}行目"),
             };
-            write!(out, " ({line}: {})", clean::line(text))?;
+            write!(out, " ({line}: {})", clean::line(&text))?;
         }
         writeln!(out)?;
     }

@@ -1,6 +1,7 @@
 //! What own parts are, and what is said about those that cannot be.
 
 use crate::catalogs::*;
+use crate::support::Words;
 
 #[test]
 fn parts_are_found_from_the_house_outwards() {
@@ -162,7 +163,7 @@ fn faults_name_what_is_wrong() {
     assert!(
         list[0]
             .message
-            .en
+            .en()
             .contains("`first one` on `second` on `third` on `first one`"),
         "{:?}",
         list[0]

@@ -1,6 +1,7 @@
 //! What codes mean.
 
 use crate::expand::build::*;
+use crate::support::Words;
 use hsd::ast::{CodeText, Document, Item, Part, Piece, Random};
 use hsd::diagnostic::Diagnostics;
 use hsd::expand::{Options, expand};
@@ -31,14 +32,18 @@ fn unknown_codes_keep_the_outline() {
     assert_eq!(names(&program, 0, 0), "GSI  |KSK  |TIT  ");
     let widths: Vec<_> = line(&program, 0, 0).units.iter().map(|u| u.width).collect();
     assert_eq!(widths, [2.0, 1.0, 1.0]);
-    assert!(said[0].help.contains("did you mean `G"), "{}", said[0].help);
+    assert!(
+        said[0].help.en().contains("did you mean `G"),
+        "{}",
+        said[0].help.en()
+    );
 }
 
 #[test]
 fn lost_blanks_and_small_letters_are_named() {
     let (program, said) = run(one_row(vec![part("KSML"), part("gsi"), part("gkk h")]));
     assert_eq!(numbers(&said), [302, 303, 303]);
-    assert!(said[0].help.contains("`KSM  L`"));
+    assert!(said[0].help.en().contains("`KSM  L`"));
     assert_eq!(names(&program, 0, 0), "KSM  |GSI  |GKK h");
 }
 

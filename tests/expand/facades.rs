@@ -1,6 +1,7 @@
 //! Walls given facade by facade.
 
 use crate::expand::build::*;
+use crate::support::Words;
 use hsd::ast::{Facade, House, Item, StoreyKind, Texture};
 use hsd::expand::Options;
 use hsd::geometry::SHAKU;
@@ -106,9 +107,10 @@ fn figure_4_without_pictures_says_what_it_looked_for() {
     let missing: Vec<_> = said.iter().filter(|d| d.code.0 == 312).collect();
     assert_eq!(missing.len(), 2, "{said:#?}");
     assert!(
-        missing[0].message.contains("`f1f1f1.png`") && missing[1].message.contains("`f1ftf1.png`")
+        missing[0].message.en().contains("`f1f1f1.png`")
+            && missing[1].message.en().contains("`f1ftf1.png`")
     );
-    assert!(missing[0].help.contains("--textures"));
+    assert!(missing[0].help.en().contains("--textures"));
 }
 
 #[test]
@@ -282,6 +284,10 @@ fn textures_mirror_where_the_facade_allows() {
     made.textures = vec![texture("NGD", 0.5), texture("NGC", 0.4)];
     let (program, said) = run(made);
     assert_eq!(numbers(&said), [317]);
-    assert!(said[0].help.contains("`NGC  `"), "{}", said[0].help);
+    assert!(
+        said[0].help.en().contains("`NGC  `"),
+        "{}",
+        said[0].help.en()
+    );
     assert_eq!(line(&program, 0, 0).units[0].reflection, Some(0.4));
 }

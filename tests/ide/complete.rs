@@ -1,6 +1,7 @@
 //! What may stand at the cursor, and what the text is after it was taken.
 
 use crate::ide::{analysis, marked};
+use crate::support::Words;
 use hsd::diagnostic::{Language, Severity};
 use hsd::ide::Analysis;
 use hsd::ide::complete::{Completion, CompletionKind, PartKey, complete, documentation};
@@ -91,7 +92,7 @@ fn faults(text: &str, beside: &[(String, String)]) -> Vec<String> {
         .iter()
         .filter(|d| d.severity != Severity::Note);
     serious
-        .map(|d| format!("{}: {}", d.code, d.message))
+        .map(|d| format!("{}: {}", d.code, d.message.en()))
         .collect()
 }
 
@@ -354,7 +355,7 @@ fn attributes_come_with_what_they_may_say() {
         "<House name=\"a\"/>"
     );
     let asked = ask("<House><Roofs shape=\"‸\"/></House>");
-    assert!(asked.has("IRI") && asked.find("IRI").detail.ja.contains("入母屋"));
+    assert!(asked.has("IRI") && asked.find("IRI").detail.ja().contains("入母屋"));
     assert_eq!(
         ask("<House street=‸/>").line("yes"),
         "<House street=\"yes\"/>"
@@ -384,7 +385,7 @@ fn names_and_pieces_are_known_where_they_are() {
     let asked = ask_among(&[("家.hsd", text), ("lib.hsd", PIECES)]);
     assert!(asked.has("奥行") && asked.has("間口") && asked.has("max") && asked.has("k"));
     assert!(!asked.has("later"), "{:?}", asked.labels());
-    assert!(asked.find("奥行").detail.contains("depth"));
+    assert!(asked.find("奥行").detail.en().contains("depth"));
     assert!(asked.take("奥行").contains("num=\"{奥行}\""));
     let text =
         "<House><include href=\"lib.hsd\"/><Storey><Row><use name=\"表‸\"/></Row></Storey></House>";

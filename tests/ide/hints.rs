@@ -1,6 +1,7 @@
 //! Hints at the ends of lines and behind the tags of storeys.
 
 use crate::ide::analysis;
+use crate::support::Words;
 use hsd::diagnostic::Language;
 use hsd::ide::inlay::inlays;
 
@@ -68,7 +69,7 @@ fn hints_of_a_range_are_those_of_its_lines() {
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].label, "2 U → (0, 2)");
     assert!(
-        found[0].tooltip.en.contains("1.82 m"),
+        found[0].tooltip.en().contains("1.82 m"),
         "{:?}",
         found[0].tooltip
     );

@@ -1,6 +1,7 @@
 //! Included files: what comes from them, how often they are read, where messages point.
 
 use super::{Texts, codes, read_in, rows, storeys};
+use crate::support::Words;
 use hsd::diagnostic::Diagnostics;
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source};
@@ -87,7 +88,11 @@ fn cycles_are_shown_and_what_is_sound_is_taken() {
     let done = read_in(&world, MAIN, &[]);
     assert_eq!(done.faults(), [(269, "a.hsd".to_owned())]);
     let chain = "`a.hsd`, which includes `b.hsd`, which includes `a.hsd`";
-    assert!(done.list[0].message.contains(chain), "{:?}", done.list[0]);
+    assert!(
+        done.list[0].message.en().contains(chain),
+        "{:?}",
+        done.list[0]
+    );
     assert_eq!(done.list[0].span.file, FileId(2));
     assert_eq!(
         codes(rows(storeys(&done.document)[0])[0]),

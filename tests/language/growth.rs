@@ -2,6 +2,7 @@
 //! at all if it was made first.
 
 use super::read;
+use crate::support::Words;
 use crate::support::cpu::assert_linear;
 use std::fmt::Write;
 
@@ -27,7 +28,7 @@ fn doubling_pieces_end() {
     let done = read(&house);
     assert_eq!(done.list.len(), 1);
     assert_eq!(done.list[0].code.0, 904);
-    assert!(done.list[0].message.contains("`p50` in which `p49`"));
+    assert!(done.list[0].message.en().contains("`p50` in which `p49`"));
     assert!(done.document.houses.is_empty());
     assert_eq!(
         codes(&house.replace("'p50'/></Row>", "'p60'/></Row>")),

@@ -1,6 +1,7 @@
 //! No text whatever disturbs the reader: texts full of expressions with random damage, as many as `HSD_DAMAGED` says.
 
 use super::{Texts, read_in};
+use crate::support::Words;
 use crate::support::{Numbers, root, texts};
 
 const SPLINTERS: [&str; 32] = [
@@ -85,7 +86,7 @@ fn damaged_texts_are_read_and_messages_lie_in_them() {
                     "{text}"
                 );
                 let range = source.text_range(span);
-                assert_eq!(source.span(range), span, "{} in {text}", d.message);
+                assert_eq!(source.span(range), span, "{} in {text}", d.message.en());
             }
             assert!(!d.help.is_empty() && !d.message.is_empty());
         }

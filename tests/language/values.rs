@@ -1,6 +1,7 @@
 //! What expressions come to, where they may stand, and what is said of them.
 
 use super::{Texts, clean, codes, faults_of, read, read_in, row_of, rows, storeys};
+use crate::support::Words;
 
 #[test]
 fn every_attribute_takes_an_expression() {
@@ -143,7 +144,11 @@ fn faults_are_marked_inside_the_braces() {
         "<House>{lets}<Storey><Row turn='{{depth * 100}}'>KSK</Row></Storey></House>"
     ));
     assert_eq!(done.faults(), one(226, "{depth * 100}"));
-    assert!(done.list[0].message.contains("`800`"), "{:?}", done.list[0]);
+    assert!(
+        done.list[0].message.en().contains("`800`"),
+        "{:?}",
+        done.list[0]
+    );
     // What failed is said once, and nothing follows from it.
     assert_eq!(
         faults_of("<let name='a' value='{1 / 0}'/>", "{a}{a}").len(),
@@ -173,10 +178,14 @@ fn parameters_are_set_checked_and_listed() {
         let done = read_in(&none, text, &[("w", wrong)]);
         assert_eq!(done.list.len(), 1, "{wrong}: {:#?}", done.list);
         assert_eq!(done.list[0].code.0, 259);
-        assert!(done.list[0].help.contains("from 3 to 9 in steps of 1"));
+        assert!(done.list[0].help.en().contains("from 3 to 9 in steps of 1"));
     }
     let done = read_in(&none, text, &[("wd", "10"), ("half", "1")]);
     let codes: Vec<u16> = done.list.iter().map(|d| d.code.0).collect();
     assert_eq!(codes, [260]);
-    assert!(done.list[0].help.contains("`half`"), "{:#?}", done.list);
+    assert!(
+        done.list[0].help.en().contains("`half`"),
+        "{:#?}",
+        done.list
+    );
 }

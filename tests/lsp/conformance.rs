@@ -1,6 +1,7 @@
 //! After each of many random edits the server says of a text what `hsd check` says of it.
 
 use crate::lsp::client::{Client, position, range};
+use crate::support::Words;
 use crate::support::{Numbers, OPTIMISED, number, root, texts};
 use hsd::diagnostic::{Diagnostics, Severity};
 use hsd::driver::{self, Options};
@@ -41,8 +42,8 @@ fn checked(path: &Path, text: &str, encoding: &str) -> Vec<Value> {
         .map(|d| {
             let place = source.text_range(d.span);
             let message = match d.help.is_empty() {
-                true => d.message.to_string(),
-                false => format!("{}\nhelp: {}", d.message, d.help),
+                true => d.message.en(),
+                false => format!("{}\nhelp: {}", d.message.en(), d.help.en()),
             };
             json!({
                 "range": range(text, place.start + mark..place.end + mark, encoding),

@@ -1,6 +1,7 @@
 //! Broken markup and wrong words: what is said, and what is read all the same.
 
 use super::*;
+use crate::support::Words;
 
 #[test]
 fn broken_markup_is_named_exactly() {
@@ -104,17 +105,21 @@ fn tags_that_nearly_match_get_one_message() {
 fn words_of_other_programs_are_understood() {
     let (document, d) = only("<House name=「裏長屋」><Storey><Row>KTU  </Row></Storey></House>");
     assert_eq!(d.code.0, 211);
-    assert!(d.help.ends_with("`name=\"裏長屋\"`"), "{}", d.help);
+    assert!(
+        d.help.en().ends_with("`name=\"裏長屋\"`"),
+        "{}",
+        d.help.en()
+    );
     let name = document.houses[0].name.as_ref();
     assert_eq!(name.map(|n| n.value.as_str()), Some("裏長屋"));
     let (document, d) = only(&row("<repeat count=\"5\">KTU  </repeat>"));
-    assert_eq!((d.code.0, d.help.as_str()), (222, "write `num`"));
+    assert_eq!((d.code.0, d.help.en().as_str()), (222, "write `num`"));
     let Item::Repeat(repeat) = &first_row(&document).pieces[0] else {
         panic!("no repeat")
     };
     assert_eq!(repeat.num.value, 5);
     let (document, d) = only("<House><Roof kind=\"I\"/></House>");
-    assert_eq!((d.code.0, d.help.as_str()), (223, "write `Roofs`"));
+    assert_eq!((d.code.0, d.help.en().as_str()), (223, "write `Roofs`"));
     let kind = document.houses[0].roofs.style.kind.map(|k| k.value);
     assert_eq!(kind, Some(RoofKind::Boards));
     let (_, d) = only(&row("<repeat num=\"5\"/>"));
@@ -122,6 +127,7 @@ fn words_of_other_programs_are_understood() {
     let (document, d) = only(&row("KTU  KSM\tKTU  "));
     assert!(
         d.help
+            .en()
             .starts_with("replace it by 2 blanks, so that the next code begins in column 11")
     );
     assert_eq!(
@@ -160,7 +166,7 @@ fn full_width_markup_is_read_and_named() {
     let (document, list) = read(text);
     assert_eq!(document.houses[0].name.as_ref().unwrap().value, "店");
     assert_eq!(document.houses[0].storeys.len(), 1);
-    assert!(list[0].help.contains("`<`"), "{:?}", list[0]);
+    assert!(list[0].help.en().contains("`<`"), "{:?}", list[0]);
     assert_eq!(faults("<House name=\"a” street=\"yes\"/>"), [(218, "”")]);
     assert_eq!(faults("<Ｈｏｕｓｅ/>"), [(221, "Ｈｏｕｓｅ")]);
     // Quotes of any kind are plain characters inside a value.
@@ -171,7 +177,7 @@ fn full_width_markup_is_read_and_named() {
 fn unknown_words_get_the_nearest_known_one() {
     let help = |text: &str| {
         let (_, list) = read(text);
-        (list[0].code.0, list[0].help.clone())
+        (list[0].code.0, list[0].help.en())
     };
     let (code, text) = help("<Structure><Facades><facade id='1'/></Facades></Structure>");
     assert!(code == 221 && text.contains("`Facade`"), "{text}");

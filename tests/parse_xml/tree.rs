@@ -1,6 +1,7 @@
 //! What elements and texts become in the document.
 
 use super::*;
+use crate::support::Words;
 
 #[test]
 fn a_house_is_read() {
@@ -196,14 +197,14 @@ fn text_that_is_no_code_is_named() {
     assert_eq!(faults(&row("KTU\tKTU")), [(233, "\t")]);
     assert_eq!(codes("KTU\tKTU"), ["KTU  ", "KTU  "]);
     let (_, list) = read(&row("ＫＴＵ  "));
-    assert!(list[0].help.contains("`KTU`"));
+    assert!(list[0].help.en().contains("`KTU`"));
     assert_eq!(codes("ＫＴＵ  "), ["KTU  "]);
     assert_eq!(faults(&row("窓戸   KTU")), [(233, "窓戸")]);
     assert_eq!(codes("窓戸   KTU"), ["     ", "KTU  "]);
     assert_eq!(faults(&row("KTU  L")), [(232, "L")]);
     assert_eq!(faults(&row("KTU  ^")), [(232, "^")]);
     let (document, list) = read(&row("\n  KTU  \n  L\n"));
-    assert!(list.len() == 1 && list[0].message.contains("`turn`"));
+    assert!(list.len() == 1 && list[0].message.en().contains("`turn`"));
     assert_eq!(first_row(&document).turn.unwrap().value, -90.0);
     // The letter of a code is none.
     assert!(faults(&row("KTU L")).is_empty());

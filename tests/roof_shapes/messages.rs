@@ -1,6 +1,7 @@
 //! Each message on the span it is about.
 
 use crate::roof_shapes::common::*;
+use crate::support::Words;
 use hsd::ast::{RoofDirection, RoofShape};
 use hsd::building::{House, Ring};
 use hsd::source::{Span, Spanned};
@@ -28,7 +29,10 @@ fn said(house: House) -> Vec<u16> {
     let (building, out) = build(house);
     assert_sound(&building);
     for d in out.iter() {
-        assert!(!d.help.is_empty() && !d.message.ends_with('.'), "{d:?}");
+        assert!(
+            !d.help.is_empty() && !d.message.en().ends_with('.'),
+            "{d:?}"
+        );
     }
     codes(&out)
 }
@@ -83,7 +87,7 @@ fn overhangs_are_told_by_their_size() {
     assert_eq!(said(storeys(rect(0.0, -0.5, 6.0, 8.0))), vec![506]);
     assert_eq!(said(storeys(rect(0.0, 0.0, 8.0, 8.0))), vec![505]);
     let (_, out) = build(storeys(rect(0.0, 0.0, 8.0, 8.0)));
-    assert!(out.iter().next().unwrap().message.contains("2 U"));
+    assert!(out.iter().next().unwrap().message.en().contains("2 U"));
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::roof_shapes::common::*;
 use crate::roof_shapes::random::{Draws, rings};
+use crate::support::Words;
 use hsd::ast::{RoofDirection, RoofShape};
 use hsd::building::{Building, Finish, House, Roof, Solid};
 use hsd::geometry::SHAKU;
@@ -170,6 +171,7 @@ fn storeys_that_stand_out_are_closed_below() {
             .next()
             .unwrap()
             .message
+            .en()
             .contains("projects 1 U beyond")
     );
     assert_sound(&building);

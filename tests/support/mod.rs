@@ -6,7 +6,7 @@ use hsd::Options;
 use hsd::building::{Building, Solid};
 use hsd::catalog::Catalog;
 use hsd::check::solid_flaws;
-use hsd::diagnostic::{Diagnostic, Diagnostics, Severity};
+use hsd::diagnostic::{Diagnostic, Diagnostics, Language, Severity, Text};
 use hsd::scene::{Kind, Mesh, Scene};
 use hsd::source::{FileId, IncludeError, NoFiles, PictureFile, Source, Span, World};
 use proptest::test_runner::{Config as ProptestConfig, RngSeed};
@@ -18,6 +18,22 @@ pub mod cpu;
 pub mod depths;
 pub mod shapes;
 pub mod view;
+
+/// The words of a text.
+pub trait Words {
+    fn en(&self) -> String;
+    fn ja(&self) -> String;
+}
+
+impl Words for Text {
+    fn en(&self) -> String {
+        self.in_language(Language::English).into_owned()
+    }
+
+    fn ja(&self) -> String {
+        self.in_language(Language::Japanese).into_owned()
+    }
+}
 
 /// Whether the program is optimised. If not, tests that try many inputs are content with fewer. It may assert all the same:
 /// `.ci/run` can have both.
@@ -84,14 +100,19 @@ fn short(d: &Diagnostic, run: &Run) -> String {
         Severity::Warning => "warning",
         Severity::Note => "note",
     };
-    let mut text = format!("{}: {severity} {}: {}\n", place(d.span), d.code, d.message);
+    let mut text = format!(
+        "{}: {severity} {}: {}\n",
+        place(d.span),
+        d.code,
+        d.message.en()
+    );
     text += &format!(
         "  marked: {:?}\n",
         &run.file(d.span).text()[run.file(d.span).text_range(d.span)]
     );
-    text += &format!("  help: {}\n", d.help);
+    text += &format!("  help: {}\n", d.help.en());
     for label in &d.labels {
-        text += &format!("  {}: {}\n", place(label.span), label.message);
+        text += &format!("  {}: {}\n", place(label.span), label.message.en());
     }
     text
 }
@@ -261,11 +282,11 @@ pub fn flaws_of_diagnostics(run: &Run, bytes: usize) -> Vec<String> {
                 flaws.push(format!("{}: {span:?} is outside of {bytes} bytes", d.code));
             }
         }
-        if d.help.trim().is_empty() {
+        if d.help.en().trim().is_empty() {
             flaws.push(format!("{}: says no mend", d.code));
         }
-        if d.message.trim().is_empty() || d.message.ends_with('.') {
-            flaws.push(format!("{}: message {:?}", d.code, d.message));
+        if d.message.en().trim().is_empty() || d.message.en().ends_with('.') {
+            flaws.push(format!("{}: message {:?}", d.code, d.message.en()));
         }
     }
     flaws

@@ -26,16 +26,17 @@ const MOST: u32 = 2500;
 /// Fails if the format is not supported or there are too many variants.
 pub(super) fn check_sheet(sheet: &Path, variants: Option<NonZeroU32>) -> Result<(), Failure> {
     if variants.is_some_and(|count| count.get() > MOST) {
-        return Err(Failure::Usage(text!(
-            "a contact sheet can show at most {MOST} variants",
-            "一覧画像に並べられる変種は {MOST} 件までです"
+        let most = MOST;
+        return Err(Failure::Usage(text!([most]
+            "a contact sheet can show at most {most} variants",
+            "一覧画像に並べられる変種は {most} 件までです"
         )));
     }
     match format_of(sheet) {
         Some(_) => Ok(()),
         None => {
             let shown = sheet.display();
-            Err(Failure::Usage(text!(
+            Err(Failure::Usage(text!([shown]
                 "{shown}: the extension of a contact sheet must be .png or .jpg",
                 "{shown}: 一覧画像の拡張子は .png か .jpg です"
             )))
@@ -108,7 +109,7 @@ impl Build {
         output::write(path, Files::bytes(bytes))?;
         if !self.quiet {
             let shown = path.display();
-            let message = text!("wrote {shown}", "{shown} を書きました");
+            let message = text!([shown] "wrote {shown}", "{shown} を書きました");
             writeln!(io::stderr(), "{}", message.in_language(language))?;
         }
         Ok(Exit::Done)

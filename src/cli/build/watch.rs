@@ -58,7 +58,8 @@ pub(in crate::cli) fn run(build: &Build, jobs: &[Job], language: Language) -> Ou
 }
 
 fn unwatched(error: &dyn std::fmt::Display) -> Failure {
-    Failure::Io(text!(
+    let error = error.to_string();
+    Failure::Io(text!([error]
         "cannot watch for changes: {error}",
         "変更を監視できません: {error}"
     ))

@@ -57,13 +57,13 @@ impl Model {
         }
         let shown = path.display();
         let folder = match path.extension() {
-            None => text!(
+            None => text!([shown]
                 "; for a folder, write `{shown}/`",
                 "。フォルダーの場合は `{shown}/` と書いてください"
             ),
             Some(_) => Text::default(),
         };
-        Err(Failure::Usage(text!([folder]
+        Err(Failure::Usage(text!([shown, folder]
             "{shown}: the extension of a model must be .glb, .gltf, .obj or .stl{folder}",
             "{shown}: モデルの拡張子は .glb、.gltf、.obj、.stl のどれかです{folder}"
         )))
@@ -258,7 +258,7 @@ fn prepare(
     }
     if !folder.is_dir() {
         let shown = folder.display();
-        let why = text!("no such folder: {shown}", "フォルダー {shown} がありません");
+        let why = text!([shown] "no such folder: {shown}", "フォルダー {shown} がありません");
         return Err(reason::error(io::ErrorKind::NotFound, why));
     }
     // Drops the temporary path from the error message.

@@ -1,6 +1,6 @@
 //! Descriptions of I/O errors in both languages.
 
-use crate::diagnostic::Text;
+use crate::diagnostic::{Language, Text};
 use crate::text;
 use std::fmt;
 use std::io::{Error, ErrorKind};
@@ -11,7 +11,7 @@ struct Bilingual(Text);
 
 impl fmt::Display for Bilingual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        f.write_str(&self.0.in_language(Language::English))
     }
 }
 
@@ -34,5 +34,5 @@ pub(in crate::cli) fn of(error: &Error) -> Text {
         ErrorKind::StorageFull => "空き容量がありません",
         _ => return error.to_string().into(),
     };
-    text!("{error}", "{ja}")
+    text!([error, ja] "{error}", "{ja}")
 }

@@ -43,7 +43,7 @@ pub(in crate::cli) fn padded(text: &str, columns: usize) -> String {
 /// Formats a size in bytes, such as `1.2 MB`.
 pub(in crate::cli) fn bytes(count: usize) -> Text {
     match count {
-        0..1_000 => text!("{count} bytes", "{count} バイト"),
+        0..1_000 => text!([count] "{count} bytes", "{count} バイト"),
         1_000..1_000_000 => format!("{:.1} kB", count as f64 / 1e3).into(),
         _ => format!("{:.1} MB", count as f64 / 1e6).into(),
     }
@@ -63,5 +63,5 @@ pub(in crate::cli) fn counted(count: usize, Noun { en, ja }: Noun) -> Text {
         (_, false) => "s",
     };
     let ja = ja.replace("{}", &count.to_string());
-    text!("{count} {en}{plural}", "{ja}")
+    text!([count, en, plural, ja] "{count} {en}{plural}", "{ja}")
 }

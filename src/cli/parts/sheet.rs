@@ -33,7 +33,7 @@ pub(super) fn write(parts: &[&PartDef], to: &Path) -> Outcome {
         }
         _ => {
             let shown = to.display();
-            return Err(Failure::Usage(text!(
+            return Err(Failure::Usage(text!([shown]
                 "{shown}: the extension of a sheet must be .html or .glb",
                 "{shown}: 図録の拡張子は .html か .glb です"
             )));

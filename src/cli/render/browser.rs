@@ -77,7 +77,7 @@ impl Browser {
             };
             return found.map(Browser).ok_or_else(|| {
                 let shown = path.display();
-                Failure::Io(text!(
+                Failure::Io(text!([shown]
                     "HSD_CHROMIUM={shown}: no such program",
                     "HSD_CHROMIUM={shown}: そのようなプログラムはありません"
                 ))

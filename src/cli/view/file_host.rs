@@ -5,7 +5,7 @@ use crate::cli::files::input::Inputs;
 use crate::cli::files::output::folder_of;
 use crate::cli::files::temporary::Temporary;
 use crate::cli::options::ReadArgs;
-use crate::diagnostic::Diagnostics;
+use crate::diagnostic::{Diagnostics, Language};
 use crate::driver::Options;
 use crate::scene::Detail;
 use crate::source::{Source, Span, World};
@@ -37,7 +37,9 @@ impl EditorHost for FileHost {
         let limit = self.read_args.limits().bytes;
         let mut out = Diagnostics::new();
         let stopped = |stop: Failure| match stop {
-            Failure::Io(why) | Failure::Usage(why) => io::Error::other(why.as_str().to_owned()),
+            Failure::Io(why) | Failure::Usage(why) => {
+                io::Error::other(why.in_language(Language::English).into_owned())
+            }
             Failure::Pipe => io::ErrorKind::BrokenPipe.into(),
         };
         let read = Inputs::read(&inputs, limit, &mut out).map_err(stopped)?;
@@ -131,7 +133,7 @@ pub(super) fn editor(command: &str) -> Result<Vec<String>, Failure> {
     }
     words.extend(word);
     if quote.is_some() || words.is_empty() {
-        return Err(Failure::Usage(text!(
+        return Err(Failure::Usage(text!([command]
             "--editor {command}: expected a command, as in 'code -g {{file}}:{{line}}'",
             "--editor {command}: 'code -g {{file}}:{{line}}' のようなコマンドを指定してください"
         )));

@@ -16,7 +16,7 @@ const FEW: usize = 8;
 #[cold]
 pub fn unknown_base(span: Span, code: &str, near: &[String]) -> Diagnostic {
     let code = quote(code);
-    let message = text!(
+    let message = text!([code]
         "there is no part {code} to be the base",
         "base の {code} という部材はありません"
     );
@@ -39,7 +39,7 @@ pub fn base_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
         all.join(between)
     };
     let (en, ja) = (names(" on "), names(" → "));
-    let message = text!(
+    let message = text!([en, ja]
         "a part would be based on itself: {en}",
         "部材が自分自身を base にしています: {ja}"
     );
@@ -51,14 +51,14 @@ pub fn base_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
     let others = chain.iter().skip(1).filter(|(_, place)| *place != span);
     others.take(MARKED).fold(found, |found, (code, place)| {
         let code = quote(code);
-        found.label(*place, text!("the base of {code}", "{code} の base"))
+        found.label(*place, text!([code] "the base of {code}", "{code} の base"))
     })
 }
 
 /// Parts on parts on parts without end.
 #[cold]
 pub fn bases_too_deep(span: Span, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([limit]
         "more than {limit} parts are based on one another",
         "部材の base が {limit} 段より深く続いています"
     );
@@ -72,7 +72,7 @@ pub fn bases_too_deep(span: Span, limit: usize) -> Diagnostic {
 #[cold]
 pub fn part_twice(span: Span, code: &str, first: Span, whole: Option<Span>) -> Diagnostic {
     let code = quote(code);
-    let message = text!(
+    let message = text!([code]
         "the part {code} is defined twice",
         "部材 {code} が二度定義されています"
     );
@@ -93,7 +93,7 @@ pub fn part_twice(span: Span, code: &str, first: Span, whole: Option<Span>) -> D
 #[cold]
 pub fn wrong_value(span: Span, name: &str, value: &str, form: Noun, offers: &[&str]) -> Diagnostic {
     let value = quote(value);
-    let message = text!(
+    let message = text!([value, name]
         "{value} cannot be the `{name}` of a part",
         "{value} は部材の `{name}` として読めません"
     );
@@ -114,15 +114,15 @@ pub fn width_column(
     own: Option<Span>,
 ) -> Diagnostic {
     let (code, width, column) = (quote(code), short(width), short(column));
-    let message = text!(
+    let message = text!([code, width, column]
         "{code} is {width} U wide, but its fifth column means {column}",
         "{code} の幅は {width} U ですが、五桁目は {column} を表しています"
     );
-    let found = Diagnostic::warning(327, span, message).help(text!(
+    let found = Diagnostic::warning(327, span, message).help(text!([column]
         "end the code with the width: a blank for 1, `h` for a half, a digit for others; use a code of six letters or more, or write the width {column}",
         "コードの最後に幅を書いてください。1 は空白、半分は `h`、そのほかは数字です。六文字以上のコードを使うか、幅を {column} としてもかまいません"
     ));
-    let title = text!("Write the width {column}", "幅を {column} とする");
+    let title = text!([column] "Write the width {column}", "幅を {column} とする");
     match own {
         Some(own) => found.fix(title, own, column),
         None => found,
@@ -133,7 +133,7 @@ pub fn width_column(
 #[cold]
 pub fn nothing_to_change(span: Span, word: &str, words: &[String], other: bool) -> Diagnostic {
     let word = quote(word);
-    let message = text!(
+    let message = text!([word]
         "the base has no element {word} here",
         "base のこの位置に {word} という要素はありません"
     );
@@ -157,7 +157,7 @@ pub fn nothing_to_change(span: Span, word: &str, words: &[String], other: bool) 
 #[cold]
 pub fn too_fine(span: Span, code: &str, count: f64, limit: f64) -> Diagnostic {
     let code = quote(code);
-    let message = text!(
+    let message = text!([code, count, limit]
         "{code} would have {count} bodies, more than the limit of {limit}",
         "{code} は {count} 個の形からなり、上限の {limit} 個を超えます"
     );
@@ -183,7 +183,7 @@ pub fn no_parts(span: Span) -> Diagnostic {
 /// More parts than ids.
 #[cold]
 pub fn too_many_parts(span: Span, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([limit]
         "more than {limit} parts are defined",
         "部材の定義が {limit} 個を超えています"
     );

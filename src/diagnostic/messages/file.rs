@@ -38,7 +38,7 @@ pub fn shift_jis(span: Span) -> Diagnostic {
 /// A byte order mark or a declaration names another encoding, or no other fits the bytes.
 #[cold]
 pub fn other_encoding(span: Span, encoding: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([encoding]
         "the file is read as {encoding}",
         "ファイルを {encoding} として読みました"
     );
@@ -50,11 +50,11 @@ pub fn other_encoding(span: Span, encoding: &str) -> Diagnostic {
 pub fn malformed(span: Span, encoding: &str, count: usize) -> Diagnostic {
     let more = count.saturating_sub(1);
     let message = match more {
-        0 => text!(
+        0 => text!([encoding]
             "these bytes are not valid {encoding}",
             "ここのバイト列は {encoding} の文字ではありません"
         ),
-        _ => text!(
+        _ => text!([more, encoding]
             "these bytes, and those in {more} more places, are not valid {encoding}",
             "ここと、ほか{more}か所のバイト列は {encoding} の文字ではありません"
         ),
@@ -82,7 +82,7 @@ pub fn not_a_text(span: Span) -> Diagnostic {
 #[cold]
 pub fn control_character(span: Span, character: char) -> Diagnostic {
     let number = u32::from(character);
-    let message = text!(
+    let message = text!([number]
         "there is a control character, U+{number:04X}",
         "制御文字 U+{number:04X} があります"
     );
@@ -128,7 +128,7 @@ pub fn unreadable(span: Span, why: impl Into<Text>) -> Diagnostic {
 /// More bytes than the limit.
 #[cold]
 pub fn too_large(span: Span, size: usize, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([size, limit]
         "the file has {size} bytes, more than the limit of {limit}",
         "ファイルが {size} バイトあり、上限の {limit} バイトを超えています"
     );
@@ -141,7 +141,7 @@ pub fn too_large(span: Span, size: usize, limit: usize) -> Diagnostic {
 /// The limit of diagnostics of one file is reached.
 #[cold]
 pub fn more_messages(span: Span, count: usize, worst: Severity) -> Diagnostic {
-    let message = text!(
+    let message = text!([count]
         "{count} more diagnostics of this file are not shown",
         "このファイルへの指摘がほかに{count}件ありますが、表示しません"
     );

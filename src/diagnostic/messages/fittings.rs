@@ -7,7 +7,7 @@ use crate::text;
 /// A platform or a veranda around walls that do not close; `name` = the element.
 #[cold]
 pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "there are no closed walls for this `{name}` to surround",
         "この `{name}` が囲む閉じた壁がありません"
     );
@@ -16,7 +16,7 @@ pub fn nothing_to_stand_at(span: Span, name: &str) -> Diagnostic {
         "階の壁を閉じるか、この要素を取り除いてください"
     );
     Diagnostic::warning(701, span, message).help(help).fix(
-        text!("Remove the `{name}`", "`{name}` を取り除く"),
+        text!([name] "Remove the `{name}`", "`{name}` を取り除く"),
         span,
         "",
     )
@@ -39,11 +39,11 @@ pub fn no_roof_below(span: Span) -> Diagnostic {
 /// Storeys next to a monument: the first, and the places of all.
 #[cold]
 pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "`{name}` is a whole house; the storeys next to it are ignored",
         "`{name}` だけで一棟の建物になります。並べて書いた階は使いません"
     );
-    let help = text!(
+    let help = text!([name]
         "remove the storeys, or write all storeys instead of `{name}`",
         "階を取り除くか、`{name}` の代わりにすべての階を書いてください"
     );
@@ -55,7 +55,7 @@ pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> D
         .label(storey, label)
         .fix_all(remove, edits.collect())
         .fix(
-            text!("Remove the `{name}`", "`{name}` を取り除く"),
+            text!([name] "Remove the `{name}`", "`{name}` を取り除く"),
             span,
             "",
         )
@@ -66,7 +66,7 @@ pub fn storeys_beside(span: Span, name: &str, storey: Span, all: Vec<Span>) -> D
 pub fn no_room(span: Span, storey: Scarce, has: f64, takes: f64) -> Diagnostic {
     let (en, ja) = storey.words();
     let (has, takes) = (format!("{has:.1}"), format!("{takes:.1}"));
-    let message = text!(
+    let message = text!([en, has, takes, ja]
         "{en} leaves {has} shaku for its columns; {takes} shaku are used",
         "{ja}の柱に残る高さは {has} 尺しかないため、{takes} 尺とします"
     );

@@ -14,7 +14,7 @@ fn units(width: f64) -> String {
 
 /// The title of a fix that replaces a code.
 fn written(code: &str) -> Text {
-    text!("Write `{code}`", "`{code}` と書く")
+    text!([code] "Write `{code}`", "`{code}` と書く")
 }
 
 /// A code as it stands in a place: in five columns, or without its last blanks where what stood there had none.
@@ -28,13 +28,13 @@ fn in_cells(place: Span, code: &str) -> &str {
 /// A code that is neither a part nor a part texture.
 #[cold]
 pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
-    let message = text!(
+    let message = text!([code]
         "`{code}` is neither a part nor a part texture",
         "`{code}` という部材も部材のテクスチャーもありません"
     );
     let any = any_of(near);
     let help = if near.is_empty() {
-        text!(
+        text!([code]
             "put the image `{code}.png` into the folder of this file or its `textures` folder, or name another folder with --textures",
             "画像 `{code}.png` をこのファイルのフォルダーかその中の `textures` フォルダーに置くか、--textures で別のフォルダーを指定してください"
         )
@@ -60,12 +60,12 @@ pub fn unknown_code(span: Span, code: &str, near: &[String]) -> Diagnostic {
 /// The name of a part in place of its code; `cells` has the blanks that fill it up.
 #[cold]
 pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "`{name}` is the name of a part, not its code",
         "`{name}` は部材の名前で、部材コードではありません"
     );
     Diagnostic::error(301, span, message)
-        .help(text!(
+        .help(text!([name, code]
             "`{name}` is the part `{code}`: write its code in five columns",
             "`{name}` の部材コードは `{code}` です。五桁で書いてください"
         ))
@@ -75,12 +75,12 @@ pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic 
 /// A turn letter that slipped into a code whose blanks were lost; `ends`: a turn may be written there.
 #[cold]
 pub fn lost_blanks(span: Span, text: &str, code: &str, control: char, ends: bool) -> Diagnostic {
-    let message = text!(
+    let message = text!([text, control]
         "`{text}` is not a part; the blanks before `{control}` seem to be missing",
         "`{text}` という部材はありません。`{control}` の前の空白が抜けたようです"
     );
     let fixed = format!("{code:<5}{control}");
-    let found = Diagnostic::error(302, span, message).help(text!(
+    let found = Diagnostic::error(302, span, message).help(text!([fixed]
         "did you mean `{fixed}`? A code fills five columns, and the turn follows it",
         "`{fixed}` ではありませんか。部材コードは五桁を占め、曲がりはその次に書きます"
     ));
@@ -94,12 +94,12 @@ pub fn lost_blanks(span: Span, text: &str, code: &str, control: char, ends: bool
 #[cold]
 pub fn lower_case(span: Span, text: &str, code: &str) -> Diagnostic {
     let code = code.trim_end();
-    let message = text!(
+    let message = text!([text, code]
         "`{text}` is not a part, but `{code}` is",
         "`{text}` という部材はありませんが、`{code}` はあります"
     );
     Diagnostic::error(303, span, message)
-        .help(text!(
+        .help(text!([code]
             "write capital letters: `{code}`; only the `h` of half a unit is small",
             "大文字で `{code}` と書いてください。小文字は 0.5 U を表す `h` だけです"
         ))
@@ -123,11 +123,11 @@ pub fn empty_code(span: Span, comma: Option<Span>) -> Diagnostic {
 /// Not one weight for each code; `all` is the attribute.
 #[cold]
 pub fn weight_count(span: Span, weights: usize, codes: usize, all: Option<Span>) -> Diagnostic {
-    let message = text!(
+    let message = text!([weights, codes]
         "{weights} weights for {codes} codes",
         "部材コード{codes}個に対して重みが{weights}個あります"
     );
-    let found = Diagnostic::error(305, span, message).help(text!(
+    let found = Diagnostic::error(305, span, message).help(text!([codes]
         "give {codes} weights, one for each code, or none",
         "重みは部材コードごとにひとつ、あわせて{codes}個書くか、すべて省いてください"
     ));
@@ -141,11 +141,11 @@ pub fn weight_count(span: Span, weights: usize, codes: usize, all: Option<Span>)
 #[cold]
 pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnostic {
     let (width, usual) = (units(width), units(usual));
-    let message = text!(
+    let message = text!([usual, width]
         "the codes of this random choice differ in width: {usual} and {width}",
         "抽選する部材の幅が揃っていません: {usual} と {width}"
     );
-    let label = text!(
+    let label = text!([usual]
         "{usual} wide; this width is used",
         "幅 {usual}。この幅を使います"
     );
@@ -161,13 +161,13 @@ pub fn drawn_widths(span: Span, width: f64, first: Span, usual: f64) -> Diagnost
 #[cold]
 pub fn replaced_width(span: Span, code: &str, new: f64, there: Span, old: f64) -> Diagnostic {
     let (new, old) = (units(new), units(old));
-    let message = text!(
+    let message = text!([code, new, old]
         "`{code}` is {new} wide, but the part it replaces is {old} wide",
         "`{code}` の幅は {new} ですが、置き換えられる部材の幅は {old} です"
     );
     Diagnostic::error(307, span, message)
-        .label(there, text!("{old} wide", "幅 {old}"))
-        .help(text!(
+        .label(there, text!([old] "{old} wide", "幅 {old}"))
+        .help(text!([old]
             "use a part {old} wide, so that the outline stays closed",
             "外周が閉じたままになるよう、幅 {old} の部材を選んでください"
         ))
@@ -202,11 +202,11 @@ pub fn idle_replace(span: Span) -> Diagnostic {
 /// A position where no part is.
 #[cold]
 pub fn beyond_the_row(span: Span, position: u32, longest: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([position, longest]
         "position {position} is beyond the end of the row, which has {longest} parts",
         "位置 {position} は行の外です。この行の部材は{longest}個です"
     );
-    Diagnostic::warning(310, span, message).help(text!(
+    Diagnostic::warning(310, span, message).help(text!([longest]
         "positions count from 1 to {longest}; a split counts as one",
         "位置は 1 から {longest} まで数えます。`split` はひとつと数えます"
     ))
@@ -217,14 +217,14 @@ pub fn beyond_the_row(span: Span, position: u32, longest: usize) -> Diagnostic {
 pub fn unequal_halves(span: Span, halves: (Span, Span), upper: f64, lower: f64) -> Diagnostic {
     let (above, below) = (units(upper), units(lower));
     let wide = units(upper.max(lower));
-    let message = text!(
+    let message = text!([above, below]
         "the upper half of this split is {above} wide, the lower half {below} wide",
         "この `split` は上段の幅が {above}、下段の幅が {below} です"
     );
     Diagnostic::error(311, span, message)
-        .label(halves.0, text!("{above} wide", "幅 {above}"))
-        .label(halves.1, text!("{below} wide", "幅 {below}"))
-        .help(text!(
+        .label(halves.0, text!([above] "{above} wide", "幅 {above}"))
+        .label(halves.1, text!([below] "{below} wide", "幅 {below}"))
+        .help(text!([wide]
             "make the parts of both halves {wide} wide in total",
             "上段も下段も、部材の幅の合計を {wide} にしてください"
         ))
@@ -233,11 +233,11 @@ pub fn unequal_halves(span: Span, halves: (Span, Span), upper: f64, lower: f64) 
 /// A floor without parts and without textures.
 #[cold]
 pub fn floor_without_parts(span: Span, id: &str, picture: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([id, picture]
         "floor `{id}` has no parts, no other floor `{id}` has any, and there is no image `{picture}.png`",
         "`Floor` の `{id}` に部材がなく、同じ名前のほかの `Floor` にも部材がなく、画像 `{picture}.png` もありません"
     );
-    Diagnostic::error(312, span, message).help(text!(
+    Diagnostic::error(312, span, message).help(text!([picture]
         "write parts into the floor, or put `{picture}.png` and the images that belong to it into the folder of this file, its `textures` folder, or the one named with --textures",
         "`Floor` に部材を書くか、`{picture}.png` と対になる画像を、このファイルのフォルダー、その中の `textures` フォルダー、または --textures で指定したフォルダーに置いてください"
     ))
@@ -259,11 +259,11 @@ pub fn hole_without_start(span: Span) -> Diagnostic {
 /// The facades of a storey disagree.
 #[cold]
 pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagnostic {
-    let message = text!(
+    let message = text!([height, other]
         "this floor is {height} shaku high, but {other} shaku in another facade of the storey",
         "ここの階高は {height} 尺ですが、同じ階のほかの壁面では {other} 尺です"
     );
-    let label = text!(
+    let label = text!([other]
         "{other} shaku; the largest height is used",
         "{other} 尺。最も大きい階高を使います"
     );
@@ -271,7 +271,7 @@ pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagno
         true => (height, there),
         false => (other, span),
     };
-    let title = text!(
+    let title = text!([largest]
         "Write {largest} shaku in both",
         "どちらも {largest} 尺にする"
     );
@@ -288,12 +288,12 @@ pub fn floor_heights(span: Span, height: f64, there: Span, other: f64) -> Diagno
 #[cold]
 pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
     let interior = 180.0 - angle.abs();
-    let message = text!(
+    let message = text!([angle]
         "the walls turn by {angle} degrees here, almost back the way they came",
         "ここで {angle} 度曲がり、ほとんど来た方へ折り返しています"
     );
     let meant = interior.copysign(angle).to_string();
-    Diagnostic::note(316, span, message).help(text!(
+    Diagnostic::note(316, span, message).help(text!([angle, interior]
         "`angle` is the turn from the previous facade; if {angle} is the angle between the two walls, write {interior}",
         "`angle` は前の壁面から曲がる角度です。{angle} が二つの壁のなす角なら {interior} と書いてください"
     ))
@@ -303,7 +303,7 @@ pub fn steep_angle(span: Span, angle: f64) -> Diagnostic {
 /// A `Texture` of no part.
 #[cold]
 pub fn idle_texture(span: Span, code: &str, near: &[String]) -> Diagnostic {
-    let message = text!(
+    let message = text!([code]
         "no part of this house has the code `{code}`",
         "この家に `{code}` という部材はありません"
     );
@@ -340,11 +340,11 @@ pub fn empty_house(span: Span) -> Diagnostic {
 /// Upper textures without lower ones.
 #[cold]
 pub fn no_lower_picture(span: Span, name: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "there is an image `{name}u1.png` but no `{name}l1.png`: the upper textures fill the whole height",
         "画像 `{name}u1.png` はありますが `{name}l1.png` がないため、上段の画像を全高に貼ります"
     );
-    Diagnostic::note(319, span, message).help(text!(
+    Diagnostic::note(319, span, message).help(text!([name]
         "add `{name}l1.png` for the lower half, or name the image `{name}.png` if it is not divided",
         "下段の画像 `{name}l1.png` を加えるか、上下に分けないなら画像の名前を `{name}.png` にしてください"
     ))
@@ -398,12 +398,12 @@ pub fn several_withs(span: Span) -> Diagnostic {
 #[cold]
 pub fn torn_code(span: Span, code: &str) -> Diagnostic {
     let joined = code.replace(' ', "_");
-    let message = text!(
+    let message = text!([code]
         "blanks separate the codes of this list, so `{code}` is read as two",
         "この一覧は空白で区切られるため、`{code}` が二つに分かれてしまいます"
     );
     let title = written(&joined);
-    Diagnostic::error(314, span, message).help(text!(
+    Diagnostic::error(314, span, message).help(text!([joined]
         "separate the codes by commas, or write the blanks in a code as `_`: `{joined}`",
         "部材コードをコンマで区切るか、コードの中の空白を `_` にして `{joined}` と書いてください"
     ))
@@ -413,7 +413,7 @@ pub fn torn_code(span: Span, code: &str) -> Diagnostic {
 /// Too many parts, or too much work on them.
 #[cold]
 pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
-    let message = text!(
+    let message = text!([limit]
         "this house would exceed the limit of {limit} parts, or of operations on them",
         "この家は部材数か処理量の上限 ({limit}) を超えます"
     );
@@ -426,7 +426,7 @@ pub fn too_many_parts(span: Span, limit: u64) -> Diagnostic {
 /// Too many storeys of monuments.
 #[cold]
 pub fn too_many_storeys(span: Span, limit: u64) -> Diagnostic {
-    let message = text!(
+    let message = text!([limit]
         "the monuments have more than {limit} storeys in total; this one and those after it are left out",
         "モニュメントの階が合わせて {limit} を超えます。これ以降の建物は作りません"
     );

@@ -7,7 +7,7 @@ use crate::text;
 /// A part texture that was found but cannot be read.
 #[cold]
 pub fn unreadable(span: Span, file: &str, why: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([file, why]
         "the image {file:?} cannot be read: {why}",
         "画像 {file:?} を読めません: {why}"
     );
@@ -20,7 +20,7 @@ pub fn unreadable(span: Span, file: &str, why: &str) -> Diagnostic {
 /// A file with the name of an image that is not one.
 #[cold]
 pub fn no_picture(span: Span, file: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([file]
         "{file:?} is not a PNG or JPEG image, or it is damaged",
         "{file:?} は PNG でも JPEG でもないか、壊れています"
     );
@@ -33,11 +33,11 @@ pub fn no_picture(span: Span, file: &str) -> Diagnostic {
 /// A texture of a custom part without a file.
 #[cold]
 pub fn no_texture(span: Span, name: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "there is no texture `{name}` for this part",
         "この部材のテクスチャー `{name}` がありません"
     );
-    Diagnostic::error(604, span, message).help(text!(
+    Diagnostic::error(604, span, message).help(text!([name]
         "put `{name}.png`, or `{name}.1.png`, `{name}.2.png` and so on, into the folder of the house or its `textures` folder, or name another folder with --textures",
         "`{name}.png`、または `{name}.1.png`、`{name}.2.png` … を家のファイルのフォルダーかその中の `textures` フォルダーに置くか、--textures で別のフォルダーを指定してください"
     ))
@@ -46,8 +46,8 @@ pub fn no_texture(span: Span, name: &str) -> Diagnostic {
 /// A texture of an existing model that cannot be shown.
 #[cold]
 pub fn not_beside(span: Span, file: &str, why: Noun) -> Diagnostic {
-    let message = text!(
-        [why] "the texture {file:?} of this model cannot be shown: {why}",
+    let message = text!([file, why]
+        "the texture {file:?} of this model cannot be shown: {why}",
         "このモデルの画像 {file:?} を表示できません: {why}"
     );
     Diagnostic::warning(605, span, message).help(text!(
@@ -59,7 +59,7 @@ pub fn not_beside(span: Span, file: &str, why: Noun) -> Diagnostic {
 /// An image with more pixels than the limit.
 #[cold]
 pub fn too_many_pixels(span: Span, file: &str, pixels: u64, limit: u64) -> Diagnostic {
-    let message = text!(
+    let message = text!([file, pixels, limit]
         "the image {file:?} has {pixels} pixels, more than the limit of {limit}",
         "画像 {file:?} は {pixels} 画素あり、上限の {limit} 画素を超えています"
     );
@@ -72,7 +72,7 @@ pub fn too_many_pixels(span: Span, file: &str, pixels: u64, limit: u64) -> Diagn
 /// A shape with numbers that no format can hold.
 #[cold]
 pub fn shape_left_out(span: Span, name: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "the shape of {name:?} is broken and left out",
         "{name:?} の形状が壊れているため、出力から除きました"
     );

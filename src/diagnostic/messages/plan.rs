@@ -9,7 +9,7 @@ use glam::DVec2;
 /// A number of units without needless decimals.
 fn units(n: f64) -> Text {
     let n = (n * 1000.0).round() / 1000.0;
-    text!("{n} U", "{n} U")
+    text!([n] "{n} U", "{n} U")
 }
 
 /// A gap as "2 U to the left and 1 U to the front".
@@ -33,13 +33,7 @@ fn gap_words(gap: DVec2) -> Text {
             text!([far, side] "{far} {side}", "{side}へ {far}")
         })
         .collect();
-    joined(&words, " and ", "、")
-}
-
-fn joined(words: &[Text], between: &str, between_ja: &str) -> Text {
-    let en: Vec<&str> = words.iter().map(|w| &*w.en).collect();
-    let ja: Vec<&str> = words.iter().map(|w| &*w.ja).collect();
-    Text::both(en.join(between), ja.join(between_ja))
+    Text::joined(words, " and ", "、")
 }
 
 /// The change of a line: "the line of 3 U 1 U longer", and "1 U longer".
@@ -67,7 +61,7 @@ fn closing(mut found: Diagnostic, axes: &[Vec<ClosingFix>]) -> Diagnostic {
             .collect();
         if let Some(chosen) = chosen {
             let (words, edits): (Vec<Text>, Vec<Edit>) = chosen.into_iter().unzip();
-            let lines = joined(&words, " and ", "、");
+            let lines = Text::joined(words, " and ", "、");
             let title = text!([lines] "Make {lines}", "{lines}する");
             found = found.fix_all(title, edits);
         }
@@ -96,9 +90,10 @@ pub(crate) fn open_perimeter(last: Span, gap: DVec2, axes: &[Vec<ClosingFix>]) -
         }
     }
     let both = gap.x.abs() > crate::geometry::SAME && gap.y.abs() > crate::geometry::SAME;
-    let lines = joined(&advice, ", or ", "、または");
+    let none = advice.is_empty();
+    let lines = Text::joined(advice, ", or ", "、または");
     let diagnostic = closing(diagnostic, axes);
-    diagnostic.help(if advice.is_empty() {
+    diagnostic.help(if none {
         text!(
             "lengthen or shorten a line in the direction of the gap",
             "ずれの方向に延びる行を長くするか短くしてください"
@@ -121,7 +116,7 @@ pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
     let count = n.abs().max(1.0);
     let (message, help) = if missing > 0.0 {
         (
-            text!(
+            text!([count]
                 "the turns do not make one full circle: about {count} too many to the left",
                 "曲がりの合計がちょうど一周になっていません。左折がおよそ{count}回多すぎます"
             ),
@@ -132,7 +127,7 @@ pub(crate) fn wrong_turns(span: Span, missing: f64) -> Diagnostic {
         )
     } else {
         (
-            text!(
+            text!([count]
                 "the turns do not make one full circle: about {count} too many to the right",
                 "曲がりの合計がちょうど一周になっていません。右折がおよそ{count}回多すぎます"
             ),
@@ -305,7 +300,7 @@ pub(crate) fn loop_inside(span: Span) -> Diagnostic {
 pub(crate) fn ring_open(span: Span, last: Span, percent: f64, gap: f64) -> Diagnostic {
     let share = (percent * 10.0).round() / 10.0;
     let missing = units(gap);
-    let message = text!([missing]
+    let message = text!([missing, share]
         "the ring of facades does not close: a gap of {missing} remains, {share} % of its length",
         "壁面が一周して閉じていません。{missing} (全長の {share} %) ずれています"
     );
@@ -383,7 +378,7 @@ pub(crate) fn wrong_way_round(span: Span, hole: bool, fix: Vec<Edit>) -> Diagnos
 /// A plan that is too large.
 #[cold]
 pub(crate) fn too_large(line: Span, largest: f64) -> Diagnostic {
-    let message = text!(
+    let message = text!([largest]
         "this wall ends more than {largest} U from the start",
         "この壁の終点は始点から {largest} U より遠くにあります"
     );

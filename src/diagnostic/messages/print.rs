@@ -30,8 +30,7 @@ pub fn left_alone(span: Span) -> Diagnostic {
 /// The other form would change the meaning.
 #[cold]
 pub fn not_the_same(span: Span, form: Text) -> Diagnostic {
-    let message = text!(
-        [form]
+    let message = text!([form]
         "written in {form}, this file would make another building",
         "{form}で書くと、このファイルは別の建物になります"
     );
@@ -41,7 +40,7 @@ pub fn not_the_same(span: Span, form: Text) -> Diagnostic {
 /// A random choice: the legacy form has none.
 #[cold]
 pub fn draw(span: Span, codes: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([codes]
         "the legacy form cannot choose at random from {codes}",
         "旧形式では {codes} から抽選できません"
     );
@@ -80,7 +79,7 @@ pub fn second_walk(span: Span) -> Diagnostic {
 /// A turn that is not a right angle.
 #[cold]
 pub fn odd_turn(span: Span, degrees: f64) -> Diagnostic {
-    let message = text!(
+    let message = text!([degrees]
         "the legacy form turns by 90 degrees only, not by {degrees}",
         "旧形式で曲がれるのは 90 度だけで、{degrees} 度は書けません"
     );
@@ -106,7 +105,7 @@ pub fn facades(span: Span) -> Diagnostic {
 /// A part with a custom width.
 #[cold]
 pub fn own_width(span: Span, code: &str, width: f64, usual: f64) -> Diagnostic {
-    let message = text!(
+    let message = text!([code, usual, width]
         "in the legacy form `{code}` is {usual} wide, not {width}",
         "旧形式の `{code}` の幅は {usual} で、{width} にはできません"
     );
@@ -119,7 +118,7 @@ pub fn own_width(span: Span, code: &str, width: f64, usual: f64) -> Diagnostic {
 /// A part with a custom height.
 #[cold]
 pub fn own_height(span: Span, code: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([code]
         "the legacy form cannot give `{code}` a height",
         "旧形式では `{code}` の高さを書けません"
     );
@@ -132,7 +131,7 @@ pub fn own_height(span: Span, code: &str) -> Diagnostic {
 /// The name of a part texture that is not a code.
 #[cold]
 pub fn long_name(span: Span, name: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([name]
         "{name:?} is not a code of five columns",
         "{name:?} は五桁の部材コードではありません"
     );

@@ -21,18 +21,18 @@ fn covering(kind: char) -> Noun {
 /// A length: "1.5 U".
 fn units(value: f64) -> Text {
     let number = short(value);
-    text!("{number} U", "{number} U")
+    text!([number] "{number} U", "{number} U")
 }
 
 /// The title of a fix that replaces a word.
 fn written(word: &str) -> Text {
-    text!("Write `{word}`", "`{word}` と書く")
+    text!([word] "Write `{word}`", "`{word}` と書く")
 }
 
 /// Roofs over walls that do not close; `all` are their places.
 #[cold]
 pub fn open_facade(wished: Span, walk: Span, storey: u32, all: Vec<Span>) -> Diagnostic {
-    let message = text!(
+    let message = text!([storey]
         "a roof is written, but storey {storey} is an open facade that encloses no area",
         "屋根の指定がありますが、{storey}階は閉じていない壁面で、囲む面積がありません"
     );
@@ -57,7 +57,7 @@ pub fn open_facade(wished: Span, walk: Span, storey: u32, all: Vec<Span>) -> Dia
 /// A roof line beside the house.
 #[cold]
 pub fn over_no_wall(line: Span, shape: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([shape]
         "there is no wall of its storey below this {shape} roof",
         "この {shape} の屋根の下に、その階の壁がありません"
     );
@@ -71,7 +71,7 @@ pub fn over_no_wall(line: Span, shape: &str) -> Diagnostic {
 #[cold]
 pub fn partly_outside(line: Span, share: f64) -> Diagnostic {
     let share = short((share * 100.0).round());
-    let message = text!(
+    let message = text!([share]
         "{share} % of this roof's rectangle lies outside the walls",
         "この屋根の矩形の {share} % が壁の外に出ています"
     );
@@ -100,7 +100,7 @@ pub fn overlapping(line: Span, other: Span) -> Diagnostic {
 #[cold]
 pub fn overhang(upper: Span, lower: Span, number: u32, by: f64) -> Diagnostic {
     let (above, by) = (number + 1, units(by));
-    let message = text!([by]
+    let message = text!([above, by, number]
         "storey {above} projects {by} beyond storey {number}, with nothing below it",
         "{above}階が{number}階より {by} 張り出し、下に何もありません"
     );
@@ -109,14 +109,14 @@ pub fn overhang(upper: Span, lower: Span, number: u32, by: f64) -> Diagnostic {
             "set the start of the upper storey with leading voids or start=\"a b\", or correct the length of its lines",
             "上の階の始点を行頭の空きか start=\"a b\" で決めるか、行の長さを直してください"
         ))
-        .label(lower, text!("storey {number}", "{number}階"))
+        .label(lower, text!([number] "storey {number}", "{number}階"))
 }
 
 /// An upper storey that projects a little (dashibari-zukuri).
 #[cold]
 pub fn jutting(upper: Span, number: u32, by: f64) -> Diagnostic {
     let (above, by) = (number + 1, units(by));
-    let message = text!([by]
+    let message = text!([above, by, number]
         "storey {above} projects {by} beyond storey {number}",
         "{above}階が{number}階より {by} 張り出しています"
     );
@@ -132,17 +132,17 @@ pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagno
     let (pitch_text, least, most) = (short(pitch), short(band.0), short(band.1));
     let kind = covering(kind);
     let message = if pitch < band.0 {
-        text!([kind]
+        text!([pitch_text, kind]
             "a pitch of {pitch_text} sun is too low for {kind}: rain gets in",
             "{kind} に {pitch_text} 寸勾配は緩すぎて雨が漏ります"
         )
     } else {
-        text!([kind]
+        text!([pitch_text, kind]
             "a pitch of {pitch_text} sun is too steep for {kind}: the covering slides off",
             "{kind} に {pitch_text} 寸勾配は急すぎて葺き材が滑り落ちます"
         )
     };
-    Diagnostic::warning(507, span, message).help(text!(
+    Diagnostic::warning(507, span, message).help(text!([least, most]
         "write a pitch from {least} to {most} sun",
         "{least} 寸から {most} 寸までの勾配にしてください"
     ))
@@ -152,7 +152,7 @@ pub fn odd_pitch(span: Span, pitch: f64, kind: char, band: (f64, f64)) -> Diagno
 #[cold]
 pub fn long_span(direction: Span, span: f64, other: &str) -> Diagnostic {
     let wide = short(span);
-    let message = text!(
+    let message = text!([wide]
         "with this ridge the roof spans {wide} U, too far for beams of 3 ken",
         "この棟の向きでは梁間が {wide} U になり、三間梁では支えられません"
     );
@@ -171,13 +171,13 @@ pub fn long_span(direction: Span, span: f64, other: &str) -> Diagnostic {
 #[cold]
 pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnostic {
     let (shaku, top) = (short(shaku), short(top));
-    let message = text!(
+    let message = text!([shaku, storey, top]
         "this roof is at {shaku} shaku, far from the top of the nearest storey: storey {storey} ends at {top}",
         "この屋根は {shaku} 尺の高さにあり、最も近い{storey}階の上端 ({top} 尺) から離れています"
     );
     let title = written(&top);
     Diagnostic::warning(509, height, message)
-        .help(text!(
+        .help(text!([top]
             "write {top} or `*`; heights are in shaku above the ground sill, not above the storey",
             "{top} か `*` と書いてください。高さは階の床からではなく、土台から尺で測ります"
         ))
@@ -189,7 +189,7 @@ pub fn far_from_top(height: Span, shaku: f64, storey: u32, top: f64) -> Diagnost
 #[cold]
 pub fn high_skirt(span: Span, rise: f64, storey: u32, top: f64, pitch: f64) -> Diagnostic {
     let (rise, top, pitch) = (short(rise), short(top), short(pitch));
-    let message = text!(
+    let message = text!([rise, storey, top, pitch]
         "this lower roof would rise to {rise} shaku around storey {storey}, where there is room up to {top}, so its pitch is reduced to {pitch} sun",
         "この下層の屋根は{storey}階の周りで {rise} 尺まで上がりますが、納まる高さは {top} 尺までなので、{pitch} 寸勾配にしました"
     );
@@ -203,7 +203,7 @@ pub fn high_skirt(span: Span, rise: f64, storey: u32, top: f64, pitch: f64) -> D
 #[cold]
 pub fn low_lean_to(storey: Span, number: u32, left: f64) -> Diagnostic {
     let left = short(left);
-    let message = text!(
+    let message = text!([number, left]
         "a lean-to on storey {number} would leave its outer wall only {left} m high, so it gets a gable roof",
         "{number}階に下屋を架けると外壁の高さが {left} m しか残らないため、切妻にしました"
     );
@@ -231,13 +231,13 @@ pub fn pent_in_the_air(line: Span) -> Diagnostic {
 pub fn pent_too_high(height: Span, upper: f64, top: f64, fitting: f64) -> Diagnostic {
     let (upper, top) = (short(upper), short(top));
     let fitting = short((fitting * 100.0).floor() / 100.0);
-    let message = text!(
+    let message = text!([upper, top]
         "the upper edge of this pent roof is at {upper} shaku, above the top of the walls at {top}",
         "この庇の上端は {upper} 尺で、壁の上端 ({top} 尺) より高くなっています"
     );
     let title = written(&fitting);
     Diagnostic::warning(513, height, message)
-        .help(text!(
+        .help(text!([fitting]
             "the height is that of the eaves edge; {fitting} or less fits this wall, depth and pitch",
             "高さは軒先の高さです。この壁と出と勾配なら {fitting} 以下にしてください"
         ))
@@ -277,7 +277,7 @@ pub fn pent_falls_wrong(direction: Span) -> Diagnostic {
 /// Pent roofs as the automatic roofs of a storey.
 #[cold]
 pub fn automatic_pent(shape: Span, number: u32) -> Diagnostic {
-    let message = text!(
+    let message = text!([number]
         "a pent roof (HIS) hangs on a wall and cannot cover a storey: storey {number} gets gable roofs",
         "庇 (HIS) は壁の外に付くもので階を覆えないため、{number}階は切妻にしました"
     );
@@ -292,7 +292,7 @@ pub fn automatic_pent(shape: Span, number: u32) -> Diagnostic {
 /// Shed roofs as automatic roofs that join each other.
 #[cold]
 pub fn joined_slopes(shape: Span, number: u32) -> Diagnostic {
-    let message = text!(
+    let message = text!([number]
         "roofs of storey {number} join each other, which shed roofs (KAT) cannot: those become gable roofs",
         "{number}階では屋根どうしが取り合うため、その部分は片流れ (KAT) にできず、切妻にしました"
     );
@@ -307,7 +307,7 @@ pub fn joined_slopes(shape: Span, number: u32) -> Diagnostic {
 pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnostic {
     let (message, help) = if one_sided {
         (
-            text!(
+            text!([shape]
                 "{shape} has one slope and no ridge",
                 "{shape} は片流れで、向きを決める棟がありません"
             ),
@@ -318,7 +318,7 @@ pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnosti
         )
     } else {
         (
-            text!(
+            text!([shape]
                 "{shape} has a ridge and slopes to both sides",
                 "{shape} は棟があり、両側へ流れます"
             ),
@@ -342,7 +342,7 @@ pub fn odd_direction(direction: Span, shape: &str, one_sided: bool) -> Diagnosti
 /// A shape for rectangles as the roof of a whole outline.
 #[cold]
 pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([shape]
         "{shape} needs rectangles: a whole outline gets a hip roof (YOS)",
         "{shape} には矩形が要ります。平面全体に架ける屋根は寄棟 (YOS) です"
     );
@@ -358,7 +358,7 @@ pub fn hipped_only(span: Span, shape: &str) -> Diagnostic {
 #[cold]
 pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) -> Diagnostic {
     let above = storey + 1;
-    let message = text!(
+    let message = text!([above]
         "this roof is entirely inside storey {above} and is not built",
         "この屋根は全体が{above}階の中にあるため、架けません"
     );
@@ -380,7 +380,7 @@ pub fn under_storey(line: Span, storey: u32, upper: Span, height: Option<Span>) 
 /// Too many roof lines.
 #[cold]
 pub fn too_many_lines(first: Span, count: usize, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([count, limit]
         "the house has {count} roof lines; those after the first {limit} are ignored",
         "この家には屋根の行が{count}行あります。{limit}行より後は読みません"
     );
@@ -393,7 +393,7 @@ pub fn too_many_lines(first: Span, count: usize, limit: usize) -> Diagnostic {
 /// Too many roofs that meet.
 #[cold]
 pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
-    let message = text!(
+    let message = text!([storey]
         "too many roofs of storey {storey} meet, so no valleys are made between them",
         "{storey}階で取り合う屋根が多すぎるため、谷を作りません"
     );
@@ -406,7 +406,7 @@ pub fn too_many_meet(place: Span, storey: u32) -> Diagnostic {
 /// A plan of very many corners.
 #[cold]
 pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([number, corners, limit]
         "storey {number} has {corners} corners under its roof, more than the limit of {limit}: it gets a flat roof",
         "{number}階は屋根を架ける外周の隅が{corners}か所あり、上限の{limit}か所を超えるため陸屋根にします"
     );
@@ -420,12 +420,12 @@ pub fn too_many_corners(storey: Span, number: u32, corners: usize, limit: usize)
 #[cold]
 pub fn no_hipped_roof(storey: Span, number: u32, touching: bool) -> Diagnostic {
     let message = if touching {
-        text!(
+        text!([number]
             "storey {number} gets a flat roof instead of a hip roof: its walls touch each other",
             "{number}階は壁どうしが接しているため、寄棟ではなく陸屋根になります"
         )
     } else {
-        text!(
+        text!([number]
             "storey {number} gets a flat roof instead of a hip roof: its outline is too small or too intricate",
             "{number}階は平面が小さすぎるか入り組みすぎているため、寄棟ではなく陸屋根になります"
         )
@@ -439,7 +439,7 @@ pub fn no_hipped_roof(storey: Span, number: u32, touching: bool) -> Diagnostic {
 /// The search budget of a house is used up.
 #[cold]
 pub fn too_much_search(storey: Span, number: u32) -> Diagnostic {
-    let message = text!(
+    let message = text!([number]
         "the search budget does not suffice for the best partition of storey {number}: it is divided by a faster rule",
         "{number}階の平面の最良の分割は探索の上限を超えるため、速い規則で分割します"
     );
@@ -452,7 +452,7 @@ pub fn too_much_search(storey: Span, number: u32) -> Diagnostic {
 /// A storey cut into too many pieces by the storey above and the roof lines.
 #[cold]
 pub fn too_intricate(storey: Span, number: u32) -> Diagnostic {
-    let message = text!(
+    let message = text!([number]
         "the open part of storey {number} consists of too many pieces: it gets no automatic roof",
         "{number}階の屋根を架ける部分が細かく分かれすぎるため、自動では屋根を架けません"
     );

@@ -1,27 +1,29 @@
 //! Words that several messages are made of.
 
-use crate::diagnostic::Text;
+use crate::diagnostic::{Noun, Text, noun};
+use crate::text;
 use std::fmt::Display;
 
 /// Words of the language as a choice: "`K`, `I` or `S`". Nothing for none.
 pub(super) fn any_of<T: Display>(words: &[T]) -> Text {
-    joined(words, "or", "か")
+    listed(words, noun("or", "か"))
 }
 
 /// Words of the language one and all: "`K`, `I` and `S`". Nothing for none.
 pub(super) fn all_of<T: Display>(words: &[T]) -> Text {
-    joined(words, "and", "と")
+    listed(words, noun("and", "と"))
 }
 
-fn joined<T: Display>(words: &[T], last: &str, last_ja: &str) -> Text {
-    let quoted: Vec<String> = words.iter().map(|w| format!("`{w}`")).collect();
-    match quoted.split_last() {
-        Some((end, rest)) if !rest.is_empty() => Text::both(
-            format!("{} {last} {end}", rest.join(", ")),
-            format!("{} {last_ja} {end}", rest.join("、")),
-        ),
-        _ => quoted.concat().into(),
+fn listed<T: Display>(words: &[T], last: Noun) -> Text {
+    let mut quoted: Vec<Text> = words.iter().map(|w| format!("`{w}`").into()).collect();
+    let Some(end) = quoted.pop() else {
+        return Text::default();
+    };
+    if quoted.is_empty() {
+        return end;
     }
+    let rest = Text::joined(quoted, ", ", "、");
+    text!([rest, last, end] "{rest} {last} {end}", "{rest} {last} {end}")
 }
 
 /// Quotes the author's text in backquotes, shortened to fit on one line of a report.

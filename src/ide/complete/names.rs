@@ -53,8 +53,8 @@ pub(super) fn pieces(request: &Request<'_>, range: &Range<usize>) -> Vec<Complet
         let named: Vec<&str> = named.iter().map(KnownName::name).collect();
         let (list, file) = (named.join(", "), vocabulary::file(piece.source));
         let about = match list.as_str() {
-            "" => text!("piece of {file}", "{file} の部品"),
-            _ => text!("piece of {file}; sets {list}", "{file} の部品。変数 {list}"),
+            "" => text!([file] "piece of {file}", "{file} の部品"),
+            _ => text!([file, list] "piece of {file}; sets {list}", "{file} の部品。変数 {list}"),
         };
         Completion::word(piece.name(), CompletionKind::Piece, about, range)
             .sorted(format!("1{rank:04}"))
@@ -69,11 +69,11 @@ pub(in crate::ide) fn about(known: &KnownName<'_>) -> Text {
         let default = element.attributes[known.attribute].value.clone();
         let piece = element.value("name").unwrap_or_default();
         return match default.trim() {
-            "" => text!(
+            "" => text!([piece]
                 "parameter of `{piece}`; must be given",
                 "`{piece}` の変数。必ず指定する"
             ),
-            default => text!(
+            default => text!([piece, default]
                 "parameter of `{piece}`: {default} unless given",
                 "`{piece}` の変数。既定値 {default}"
             ),

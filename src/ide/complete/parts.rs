@@ -244,7 +244,7 @@ fn filter(typed: &str, part: &PartDef) -> String {
 fn detail(part: &PartDef) -> Text {
     let (ja, romaji, en) = (&part.ja, &part.romaji, &part.en);
     let width = part.width();
-    text!("{ja} {romaji}: {en}, {width} U", "{ja} {romaji} {width} U")
+    text!([ja, romaji, en, width] "{ja} {romaji}: {en}, {width} U", "{ja} {romaji} {width} U")
 }
 
 /// Returns a visible form of a code: the void's is five blanks.

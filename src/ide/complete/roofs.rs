@@ -118,7 +118,7 @@ fn heights(request: &Request<'_>, range: &Range<usize>) -> Vec<Completion> {
         } else {
             format!("{height}.0")
         };
-        let about = text!("the top of storey {number}, shaku", "{number}階の上端(尺)");
+        let about = text!([number] "the top of storey {number}, shaku", "{number}階の上端(尺)");
         found.push(
             Completion::word(&height, CompletionKind::Value, about, range)
                 .sorted(format!("1{number:02}")),
@@ -153,7 +153,7 @@ fn corners(request: &Request<'_>, end: usize, range: &Range<usize>) -> Vec<Compl
             [low.x, low.y, high.x, high.y].map(|n| (n * 100.0).round() / 100.0 + 0.0);
         let label = format!("{a0} {b0} {a1} {b1}");
         let number = storey.number;
-        let about: Text = text!(
+        let about: Text = text!([number]
             "the bounds of storey {number}: a0 b0 a1 b1",
             "{number}階の範囲: a0 b0 a1 b1"
         );

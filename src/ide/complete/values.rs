@@ -153,7 +153,7 @@ fn references(request: &Request<'_>, element: &str, inner: &Range<usize>) -> Vec
         .collect();
     names.sort_unstable();
     names.dedup();
-    let about = || text!("the id of another `{element}`", "ほかの `{element}` の id");
+    let about = || text!([element] "the id of another `{element}`", "ほかの `{element}` の id");
     let word = |n: &&str| Completion::word(n, CompletionKind::Reference, about(), inner);
     names.iter().map(word).collect()
 }

@@ -7,6 +7,7 @@ use crate::diagnostic::{Noun, Text, noun};
 use crate::ide::vocabulary;
 use crate::parse::schema;
 use crate::parse::schema::{Content, ELEMENTS, Holds, ROOT, Schema};
+use crate::text;
 use std::ops::Range;
 
 /// Returns the completions at the requested place.
@@ -386,18 +387,16 @@ fn with_value(word: Completion, (default, choices): (&str, &[&str])) -> Completi
 
 /// Returns the description of an attribute, and its default.
 fn about(attribute_schema: &schema::AttributeSchema) -> Text {
-    let (mut en, mut ja) = (
-        attribute_schema.en.to_owned(),
-        attribute_schema.ja.to_owned(),
-    );
-    if attribute_schema.required {
-        en += " (required)";
-        ja += "(必須)";
-    } else if !attribute_schema.default.is_empty() {
-        en += &format!(" ({} without)", attribute_schema.default);
-        ja += &format!("(既定 {})", attribute_schema.default);
+    let meaning = noun(attribute_schema.en, attribute_schema.ja);
+    match attribute_schema.default {
+        _ if attribute_schema.required => {
+            text!([meaning] "{meaning} (required)", "{meaning}(必須)")
+        }
+        "" => meaning.into(),
+        default => {
+            text!([meaning, default] "{meaning} ({default} without)", "{meaning}(既定 {default})")
+        }
     }
-    Text::both(en, ja)
 }
 
 /// Returns the words of an attribute, its default first.

@@ -39,7 +39,7 @@ pub(super) fn walls(request: &Request<'_>, row: &Range<usize>) -> Vec<Text> {
     let more = found.len().saturating_sub(WALLS);
     found.truncate(WALLS);
     if more > 0 {
-        found.push(text!(
+        found.push(text!([more]
             "and {more} more walls of this line",
             "この行の壁はほかに {more} 枚"
         ));
@@ -54,7 +54,7 @@ fn wall(house: &House, storey: &Storey, ring: &Ring, wall: &Wall) -> Text {
     let [a0, b0, a1, b1] = [wall.from.x, wall.from.y, wall.to.x, wall.to.y].map(|n| short(n, 3));
     let (parts, number) = (wall.units.len(), storey.number);
     let height = short((storey.z1 - storey.z0) / SHAKU, 2);
-    text!([side]
+    text!([side, number, u, shaku, metres, a0, b0, a1, b1, parts, height]
         "**{side}**, storey {number}: {u} U = {shaku} shaku = {metres} m\n\nfrom ({a0}, {b0}) to ({a1}, {b1}) U, {parts} parts, storey {height} shaku high",
         "**{side}** {number}階: {u} U = {shaku} 尺 = {metres} m\n\n({a0}, {b0}) から ({a1}, {b1}) U まで、部材 {parts}、階高 {height} 尺"
     )
@@ -96,7 +96,7 @@ fn storey(house: &House, storey: &Storey) -> Text {
     );
     let (u, shaku, metres) = lengths(perimeter, house.unit);
     let floor = bounded(area, noun("; area", "、面積"));
-    text!([floor]
+    text!([number, z0, z1, u, shaku, metres, floor]
         "storey {number}: {z0} to {z1} shaku above the sill; perimeter {u} U = {shaku} shaku = {metres} m{floor}",
         "{number}階: 土台から {z0}〜{z1} 尺、周長 {u} U = {shaku} 尺 = {metres} m{floor}"
     )
@@ -108,7 +108,7 @@ fn bounded(area: f64, what: Noun) -> Text {
         return "".into();
     }
     let (tsubo, area) = (short(area / TSUBO, 1), short(area, 1));
-    text!([what] "{what} {area} m² = {tsubo} tsubo", "{what} {area} m² = {tsubo} 坪")
+    text!([what, area, tsubo] "{what} {area} m² = {tsubo} tsubo", "{what} {area} m² = {tsubo} 坪")
 }
 
 /// Returns the area in square metres, and the length of the outer walls in U.
@@ -142,7 +142,7 @@ pub(super) fn houses(request: &Request<'_>, element: &Range<usize>) -> Vec<Text>
             let roofs = roofs.roofs.len();
             let top = house.storeys.iter().map(|s| s.z1).fold(0.0, f64::max);
             let (shaku, metres) = (short(top / SHAKU, 2), short(top, 2));
-            text!([floors]
+            text!([count, roofs, shaku, metres, floors]
                 "{count} storeys, {roofs} roofs; walls {shaku} shaku = {metres} m high{floors}",
                 "{count}階建て、屋根 {roofs}、壁の高さ {shaku} 尺 = {metres} m{floors}"
             )
@@ -196,7 +196,7 @@ fn roof(roof: &Roof) -> Text {
     }
     let (area, pitch) = (short(area, 1), short(steepest.1 * 10.0, 2));
     let storey = roof.storey;
-    text!([shape]
+    text!([storey, letters, shape, pitch, area]
         "built over storey {storey}: `{letters}` {shape}, pitch {pitch} sun, {area} m²",
         "{storey}階の上: `{letters}` {shape}、勾配 {pitch} 寸、{area} m²"
     )

@@ -75,7 +75,10 @@ pub(super) fn value(
         request.a.line_of(known.source, place),
     );
     let about = about(known);
-    let said = text!([about, line] "`{kind}` ({line}): {about}", "`{kind}` ({line}): {about}");
+    let said = text!([kind, line, about]
+        "`{kind}` ({line}): {about}",
+        "`{kind}` ({line}): {about}"
+    );
     request.told(range, [came, said])
 }
 
@@ -86,20 +89,14 @@ pub(super) fn piece(request: &Request<'_>, range: &Range<usize>, name: &str) -> 
     let line = request
         .a
         .line_of(piece.source, piece.source.span(piece.place()));
-    let head = text!([line] "piece **{name}** ({line})", "部品 **{name}** ({line})");
+    let head = text!([name, line] "piece **{name}** ({line})", "部品 **{name}** ({line})");
     let parameters = names::parameters(&piece);
-    let lines: Vec<(String, Text)> = parameters
-        .iter()
-        .map(|p| (p.name().to_owned(), about(p)))
-        .collect();
-    let in_language = |ja: bool| {
-        let line = |(n, t): &(String, Text)| format!("- `{n}`: {}", if ja { &t.ja } else { &t.en });
-        lines.iter().map(line).collect::<Vec<_>>().join("\n")
+    let line = |p: &KnownName<'_>| {
+        let (name, about) = (p.name(), about(p));
+        text!([name, about] "- `{name}`: {about}", "- `{name}`: {about}")
     };
-    request.told(
-        range,
-        [head, Text::both(in_language(false), in_language(true))],
-    )
+    let lines = parameters.iter().map(line).collect();
+    request.told(range, [head, Text::joined(lines, "\n", "\n")])
 }
 
 /// Describes an included file: its definitions.

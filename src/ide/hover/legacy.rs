@@ -47,7 +47,7 @@ fn wall(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
     let walls = built::walls(request, &line.range);
     let letter = turn.clone().map(|t| &text[t]);
     let meaning = letter.and_then(|l| vocabulary::meaning(vocabulary::TURNS, l).map(|m| (l, m)));
-    let meaning = meaning.map(|(l, m)| text!([m] "`{l}`: {m}", "`{l}`: {m}"));
+    let meaning = meaning.map(|(l, m)| text!([l, m] "`{l}`: {m}", "`{l}`: {m}"));
     let range = turn.unwrap_or(line.range.clone());
     request.told(&range, meaning.into_iter().chain(walls))
 }
@@ -72,9 +72,9 @@ fn header(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
     if !first.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
         let key = first.to_ascii_lowercase();
         let about: Text = vocabulary::meaning(vocabulary::KEYS, &key)?.into();
-        let about = text!([about] "`{key}`: {about}", "`{key}`: {about}");
+        let about = text!([key, about] "`{key}`: {about}", "`{key}`: {about}");
         let value = vocabulary::meaning(vocabulary::table("", &key), word).filter(|_| index > 0);
-        let value = value.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
+        let value = value.map(|m| text!([word, m] "`{word}`: {m}", "`{word}`: {m}"));
         return request.told(&words[index], [about].into_iter().chain(value));
     }
     if before(request.a, line.range.start).numbers == 0 {
@@ -92,7 +92,7 @@ fn header(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
     let number = index + 1;
     let height: f64 = word.parse().ok()?;
     let metres = short(height * SHAKU, 2);
-    let about = text!(
+    let about = text!([number, word, metres]
         "height of storey {number}: {word} shaku = {metres} m",
         "{number}階の高さ: {word} 尺 = {metres} m"
     );
@@ -106,7 +106,7 @@ fn header(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
         .and_then(|b| b.house.storeys.iter().find(|s| s.number as usize == number))
         .map(|s| {
             let (shaku, metres) = (short(s.z1 / SHAKU, 2), short(s.z1, 2));
-            text!(
+            text!([shaku, metres]
                 "its top is {shaku} shaku = {metres} m above the sill",
                 "上端は土台から {shaku} 尺 = {metres} m"
             )
@@ -132,7 +132,7 @@ fn roof(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
         }
         Field::Height => word.parse::<f64>().ok().map(|h| {
             let metres = short(h * SHAKU, 2);
-            text!(
+            text!([word, metres]
                 "height of the eaves above the sill: {word} shaku = {metres} m",
                 "軒の高さ(土台から): {word} 尺 = {metres} m"
             )
@@ -146,11 +146,11 @@ fn roof(request: &Request<'_>, line: &LegacyLine) -> Option<Hover> {
                 ),
                 _ => text!("units back into the plot", "奥へ(ユニット)"),
             };
-            Some(text!([way] "`{name}`: {way}", "`{name}`: {way}"))
+            Some(text!([name, way] "`{name}`: {way}", "`{name}`: {way}"))
         }
         Field::Option => option(word),
     };
-    let head = about.map(|m| text!([m] "`{word}`: {m}", "`{word}`: {m}"));
+    let head = about.map(|m| text!([word, m] "`{word}`: {m}", "`{word}`: {m}"));
     request.told(&words[index], head.into_iter().chain(built))
 }
 
@@ -163,12 +163,12 @@ fn option(word: &str) -> Option<Text> {
     };
     let (own, metres) = (short(number, 3), short(number * SHAKU, 2));
     Some(match letter {
-        "P" => text!(
+        "P" => text!([own]
             "pitch of {own} sun: rises {own} in 10",
             "勾配 {own} 寸: 10 進んで {own} 上がる"
         ),
         "E" | "G" | "T" => {
-            text!([about] "{about}: {own} = {metres} m", "{about}: {own} = {metres} m")
+            text!([about, own, metres] "{about}: {own} = {metres} m", "{about}: {own} = {metres} m")
         }
         _ => about,
     })

@@ -58,11 +58,11 @@ fn element_told(
         let about: Text = vocabulary::meaning(vocabulary::SHAPES, word)?.into();
         return request.told(
             name,
-            [text!([about] "**{word}**: {about}", "**{word}**: {about}")],
+            [text!([word, about] "**{word}**: {about}", "**{word}**: {about}")],
         );
     };
     let (en, ja) = (schema.en, schema.ja);
-    let head = text!("**{word}**: {en}", "**{word}**: {ja}");
+    let head = text!([word, en, ja] "**{word}**: {en}", "**{word}**: {ja}");
     let built = match schema.name {
         "Row" => built::walls(request, &element.range),
         "Storey" | "Floor" => built::storeys(request, &element.range),
@@ -76,7 +76,7 @@ fn element_told(
         true => Text::default(),
         false => {
             let names = ja_home(home);
-            text!("in {home}", "書ける場所: {names}")
+            text!([home, names] "in {home}", "書ける場所: {names}")
         }
     };
     let card = match (schema.name, element.value("code")) {
@@ -142,7 +142,7 @@ fn attribute_told(request: &Request<'_>, number: usize, attribute: &Attribute) -
             let about = vocabulary::meaning(table, written)?;
             request.told(
                 &word,
-                [text!([about] "`{written}`: {about}", "`{written}`: {about}")],
+                [text!([written, about] "`{written}`: {about}", "`{written}`: {about}")],
             )
         }
     }
@@ -174,13 +174,13 @@ fn bears_told(attribute_schema: &AttributeSchema) -> Vec<Text> {
         attribute_schema.en,
         attribute_schema.ja,
     );
-    let mut told = vec![text!("`{name}`: {en}", "`{name}`: {ja}")];
+    let mut told = vec![text!([name, en, ja] "`{name}`: {en}", "`{name}`: {ja}")];
     told.extend(form(attribute_schema.kind));
     if attribute_schema.required {
         told.push(noun("required", "必須").into());
     } else if !attribute_schema.default.is_empty() {
         let default = attribute_schema.default;
-        told.push(text!("`{default}` without it", "既定値 `{default}`"));
+        told.push(text!([default] "`{default}` without it", "既定値 `{default}`"));
     }
     told
 }
@@ -189,7 +189,7 @@ fn bears_told(attribute_schema: &AttributeSchema) -> Vec<Text> {
 fn form(kind: Kind) -> Option<Text> {
     let number = |least: f64, most: f64| {
         let (least, most) = (bound(least), bound(most));
-        text!("from {least} to {most}", "{least} から {most} まで")
+        text!([least, most] "from {least} to {most}", "{least} から {most} まで")
     };
     let list = |list: &[&str]| {
         list.iter()
@@ -207,7 +207,7 @@ fn form(kind: Kind) -> Option<Text> {
             text!([bounds] "a number {bounds}", "数値 {bounds}")
         }
         Kind::Whole(_, most) if most == u64::MAX => noun("a whole number", "整数").into(),
-        Kind::Whole(least, most) => text!(
+        Kind::Whole(least, most) => text!([least, most]
             "a whole number from {least} to {most}",
             "{least} から {most} までの整数"
         ),
@@ -226,11 +226,11 @@ fn form(kind: Kind) -> Option<Text> {
         Kind::Choice(words) => list(words).into(),
         Kind::Choices(words) => {
             let words = list(words);
-            text!("some of {words}", "{words} のいくつか")
+            text!([words] "some of {words}", "{words} のいくつか")
         }
         Kind::Either(words, ..) => {
             let words = list(words);
-            text!("{words}, or a number", "{words} または数値")
+            text!([words] "{words}, or a number", "{words} または数値")
         }
         Kind::Positions => noun(
             "positions from 1, such as `2,5-7`",

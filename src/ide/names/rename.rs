@@ -81,7 +81,7 @@ pub fn rename_symbol(a: &Analysis, symbol: &Symbol, new: &str) -> Result<Vec<Cha
         )),
         Some(Target::Builtin) => {
             let code = symbol.name.trim_end();
-            Err(text!(
+            Err(text!([code]
                 "`{code}` comes with the program",
                 "`{code}` は組み込みの部材です"
             ))
@@ -97,7 +97,7 @@ fn name(a: &Analysis, files: &[File<'_>], number: usize, new: &str) -> Result<Ve
     let marks = || index.of_symbol(number);
     valid(named.kind, new)?;
     if marks().any(|m| m.role == Role::Computed) {
-        return Err(text!(
+        return Err(text!([old]
             "the name `{old}` is put together in some places, which no other name would fit",
             "`{old}` は、組み立てた名で使われている所があるため、変えられません"
         ));
@@ -116,7 +116,7 @@ fn name(a: &Analysis, files: &[File<'_>], number: usize, new: &str) -> Result<Ve
         .collect();
     let after = tried(a, files, &edits);
     if after != meanings(index, &edits) {
-        return Err(text!(
+        return Err(text!([new, old]
             "`{new}` means something else already where `{old}` is used",
             "`{old}` を使う所で `{new}` は別のものを指します"
         ));
@@ -137,11 +137,11 @@ fn valid(kind: SymbolKind, new: &str) -> Result<(), Text> {
         return Ok(());
     }
     Err(match kind {
-        SymbolKind::Value | SymbolKind::Parameter => text!(
+        SymbolKind::Value | SymbolKind::Parameter => text!([new]
             "`{new}` cannot be a name: letters, digits and `_`, a letter first, and no word of the language",
             "`{new}` は名にできません。文字、数字、`_` を使い、文字で始め、言語の語は避けてください"
         ),
-        SymbolKind::Piece | SymbolKind::Floor => text!(
+        SymbolKind::Piece | SymbolKind::Floor => text!([new]
             "`{new}` cannot be a name: it is empty or has signs in it that mean something in XML",
             "`{new}` は名にできません。空か、XML で意味を持つ記号を含みます"
         ),
@@ -237,7 +237,7 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
     let marks = |c: char| "{}<>&\"',".contains(c) || c.is_control();
     let five = new.len() <= 5 && new.is_ascii();
     if new.is_empty() || new.contains(marks) || (!five && new.contains(char::is_whitespace)) {
-        return Err(text!(
+        return Err(text!([new]
             "`{new}` cannot be a code: five columns of ASCII, or a longer name without blanks",
             "`{new}` はコードにできません。ASCII の五桁か、空白の無い長い名にしてください"
         ));
@@ -249,7 +249,7 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
         codes.each(file, &mut |spot| used |= taken(&spot));
     }
     if used {
-        return Err(text!(
+        return Err(text!([new]
             "the code `{new}` means something else already",
             "コード `{new}` はすでに別のものを指します"
         ));
@@ -257,7 +257,7 @@ fn code(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -> Result<Vec<C
     keeps_its_measures(a, codes, site, new)?;
     let spots = codes.alike(old, Some(site));
     if !five && spots.iter().any(|s| s.form == CodeForm::Columns) {
-        return Err(text!(
+        return Err(text!([new]
             "codes in wall lines have five columns, and `{new}` has more",
             "壁の行のコードは五桁です。`{new}` は長すぎます"
         ));
@@ -305,13 +305,13 @@ fn keeps_its_measures(a: &Analysis, codes: &Codes<'_>, site: &Site, new: &str) -
         None => says("width") || says("base"),
     };
     if !same_column && !fits {
-        return Err(text!(
+        return Err(text!([new]
             "the fifth column of a code says how wide the part is, and that of `{new}` says otherwise",
             "コードの五桁目は幅を表します。`{new}` では幅が変わります"
         ));
     }
     if !says("base") && old.chars().next() != new.chars().next() {
-        return Err(text!(
+        return Err(text!([new, old]
             "the first letter of a code says what kind of part it is: `{new}` has to begin like `{old}`",
             "コードの一文字目は部材の種類を表します。`{new}` を `{old}` と同じ文字で始めてください"
         ));

@@ -80,7 +80,7 @@ pub(super) fn through_a_part(code: &str) -> Text {
             "計算で決まる部分の途中で壁が折れます。テキストを書き換えてください"
         );
     }
-    text!(
+    text!([code]
         "the wall would break inside of `{code}`: break it beside that, or put plain wall there first",
         "「{code}」の途中で壁が折れます。その脇で折るか、先に壁に替えてください"
     )
@@ -88,7 +88,7 @@ pub(super) fn through_a_part(code: &str) -> Text {
 
 /// The part of the wall is outside its length.
 pub(super) fn no_such_part(length: f64) -> Text {
-    text!(
+    text!([length]
         "the wall is {length} units long: choose a part of it",
         "この壁の長さは{length}単位です。その中で選んでください"
     )
@@ -96,7 +96,7 @@ pub(super) fn no_such_part(length: f64) -> Text {
 
 /// The code is unknown.
 pub(super) fn unknown_part(part: &str) -> Text {
-    text!(
+    text!([part]
         "there is no part `{part}`: choose one of the palette",
         "「{part}」という部材はありません。一覧から選んでください"
     )
@@ -104,7 +104,7 @@ pub(super) fn unknown_part(part: &str) -> Text {
 
 /// The name has no code in the legacy form.
 pub(super) fn long_name(part: &str) -> Text {
-    text!(
+    text!([part]
         "`{part}` has no code of five columns, and this form knows no others: convert the text to XML first (`hsd fmt --to xml`)",
         "「{part}」には五桁の記号がなく、この形式では書けません。先に XML へ変換してください（hsd fmt --to xml）"
     )
@@ -112,7 +112,7 @@ pub(super) fn long_name(part: &str) -> Text {
 
 /// The part is too wide.
 pub(super) fn too_wide(part: &str) -> Text {
-    text!(
+    text!([part]
         "`{part}` is too wide for this place: put plain wall beside it first",
         "「{part}」はここには広すぎます。先に隣を壁に替えてください"
     )

@@ -40,7 +40,7 @@ pub(super) fn completion(
             Some(snippet) => (snippet, lsp::InsertTextFormat::Snippet),
             None => (c.insert.clone(), lsp::InsertTextFormat::PlainText),
         };
-        let detail = c.detail.in_language(language).to_owned();
+        let detail = c.detail.in_language(language).into_owned();
         // Shows the name of a part in every row of the list.
         let label_details = details.then(|| lsp::CompletionItemLabelDetails {
             detail: None,

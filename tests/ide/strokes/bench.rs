@@ -2,6 +2,7 @@
 //! that are worked out without the tool.
 
 use crate::ide::Texts;
+use crate::support::Words;
 use hsd::Options;
 use hsd::diagnostic::{Language, Severity};
 use hsd::ide::Analysis;
@@ -64,8 +65,8 @@ impl Board {
         let before = self.analysis();
         let read: Stroke = serde_json::from_value(stroke.clone()).unwrap();
         let edits = stroke::edits(&before, &read).map_err(|why| {
-            assert!(!why.en.is_empty() && !why.ja.is_ascii());
-            why.en.into_owned()
+            assert!(!why.en().is_empty() && !why.ja().is_ascii());
+            why.en()
         })?;
         assert!(!edits.is_empty(), "{}: {stroke} changes nothing", self.name);
         self.apply(&before, &edits, stroke);
@@ -162,7 +163,7 @@ pub(crate) fn errors(a: &Analysis) -> Vec<String> {
         .iter()
         .filter(|d| d.severity == Severity::Error);
     errors
-        .map(|d| format!("{}: {}", d.code, d.message))
+        .map(|d| format!("{}: {}", d.code, d.message.en()))
         .collect()
 }
 

@@ -47,7 +47,7 @@ pub fn not_a_number(
     fix: Option<(Span, &str)>,
 ) -> Diagnostic {
     let (quoted, what) = (quote(text), what.into());
-    let message = text!([what]
+    let message = text!([quoted, what]
         "{quoted} is not a number for {what}",
         "{quoted} は{what}の数値として読めません"
     );
@@ -72,11 +72,11 @@ pub fn out_of_range(
     unit: Noun,
 ) -> Diagnostic {
     let (quoted, what) = (quote(text), what.into());
-    let message = text!([what]
+    let message = text!([quoted, what]
         "{quoted} is out of range for {what}",
         "{quoted} は{what}の範囲を外れています"
     );
-    Diagnostic::error(104, span, message).help(text!([unit]
+    Diagnostic::error(104, span, message).help(text!([least, most, unit]
         "write a number from {least} to {most} {unit}",
         "{least} から {most} まで ({unit}) の数値を書いてください"
     ))
@@ -92,13 +92,13 @@ pub fn unknown_key(
     keys: &[&str],
 ) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is not a header key",
         "{quoted} というヘッダーの項目はありません"
     );
     let all = any_of(keys);
     let help = match near {
-        Some(key) => text!(
+        Some(key) => text!([key]
             "write `{key}`, a blank, and its value",
             "`{key}`、空白、値の順に書いてください"
         ),
@@ -123,7 +123,7 @@ const FEW: usize = 4;
 /// The title of a fix that replaces a word.
 fn written(word: &str) -> Text {
     let quoted = quote(word);
-    text!("Write {quoted}", "{quoted} と書く")
+    text!([quoted] "Write {quoted}", "{quoted} と書く")
 }
 
 /// A word that is none of those a key takes; `place` is where it stands alone.
@@ -137,13 +137,15 @@ pub fn bad_choice(
     choices: &[&str],
 ) -> Diagnostic {
     let (quoted, all) = (quote(text), any_of(choices));
-    let message = text!(
+    let message = text!([key, quoted]
         "`{key}` cannot be {quoted}",
         "`{key}` に {quoted} は書けません"
     );
     let help = match near {
-        Some(word) => text!("write `{key} {word}`", "`{key} {word}` と書いてください"),
-        None => text!([all] "write {all} after `{key}`", "`{key}` の後に {all} と書いてください"),
+        Some(word) => text!([key, word] "write `{key} {word}`", "`{key} {word}` と書いてください"),
+        None => {
+            text!([all, key] "write {all} after `{key}`", "`{key}` の後に {all} と書いてください")
+        }
     };
     let mut found = Diagnostic::error(106, span, message).help(help);
     let meant = match &near {
@@ -178,7 +180,7 @@ pub fn surplus(span: Span, all: Span, what: impl Into<Text>) -> Diagnostic {
 /// A key or option that was given before; `places` are what to delete with the first and with this one.
 #[cold]
 pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> Diagnostic {
-    let message = text!(
+    let message = text!([key]
         "`{key}` is given twice; this one is used",
         "`{key}` が二度書かれています。後の方を使います"
     );
@@ -203,7 +205,7 @@ pub fn twice(span: Span, key: &str, before: Span, places: [Option<Span>; 2]) -> 
 /// A line of the header after the walls have begun.
 #[cold]
 pub fn late_key(span: Span, key: &str, fix: Vec<Edit>) -> Diagnostic {
-    let message = text!(
+    let message = text!([key]
         "`{key}` belongs in the header",
         "`{key}` はヘッダーに書くものです"
     );
@@ -260,7 +262,7 @@ pub fn third_numbers(span: Span, heights: Span, line: Span, more: String) -> Dia
 /// More heights than storeys.
 #[cold]
 pub fn surplus_heights(span: Span, all: Span, heights: usize, storeys: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([heights, storeys]
         "there are {heights} storey heights, but walls for only {storeys}",
         "階高は{heights}階分ありますが、壁は{storeys}階分しかありません"
     );
@@ -313,7 +315,7 @@ pub fn comment_column(span: Span, place: Span, line: Span, comment: String) -> D
 /// A comment as other languages write it; `head` reaches from the first column over the sign.
 #[cold]
 pub fn comment_sign(span: Span, head: Span, sign: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([sign]
         "`{sign}` does not begin a comment",
         "`{sign}` はコメントの始まりではありません"
     );
@@ -388,9 +390,9 @@ pub fn missing_value(span: Span, line: Span, key: &str) -> Diagnostic {
         "street" => "yes",
         _ => "corner house",
     };
-    let message = text!("`{key}` has no value", "`{key}` の値がありません");
+    let message = text!([key] "`{key}` has no value", "`{key}` の値がありません");
     Diagnostic::error(117, span, message)
-        .help(text!(
+        .help(text!([key, example]
             "write for example `{key} {example}`, or delete the line",
             "`{key} {example}` のように書くか、行を削除してください"
         ))
@@ -401,8 +403,8 @@ pub fn missing_value(span: Span, line: Span, key: &str) -> Diagnostic {
 #[cold]
 pub fn bad_seed(span: Span, text: &str) -> Diagnostic {
     let (quoted, most) = (quote(text), u64::MAX);
-    let message = text!("{quoted} cannot be a seed", "{quoted} はシードにできません");
-    Diagnostic::error(118, span, message).help(text!(
+    let message = text!([quoted] "{quoted} cannot be a seed", "{quoted} はシードにできません");
+    Diagnostic::error(118, span, message).help(text!([most]
         "write a whole number from 0 to {most}",
         "0 から {most} までの整数を書いてください"
     ))
@@ -446,11 +448,11 @@ pub fn odd_height(span: Span, height: f64) -> Diagnostic {
         h => (text!("centimetres", "センチメートル"), h * 0.033),
     };
     let shaku = tenths(shaku);
-    let message = text!(
+    let message = text!([height, metres]
         "a storey of {height} shaku is {metres} m high",
         "階高 {height} 尺は {metres} m になります"
     );
-    let found = Diagnostic::warning(137, span, message).help(text!([unit]
+    let found = Diagnostic::warning(137, span, message).help(text!([shaku, unit]
         "heights are in shaku, and 1 m is 3.3 shaku: write `{shaku:?}` if you mean {unit}",
         "高さの単位は尺です (1 m は 3.3 尺)。{unit}のつもりなら `{shaku:?}` と書いてください"
     ));

@@ -8,7 +8,7 @@ use crate::text;
 /// The title of a fix that replaces a word.
 fn written(word: &str) -> Text {
     let quoted = quote(word);
-    text!("Write {quoted}", "{quoted} と書く")
+    text!([quoted] "Write {quoted}", "{quoted} と書く")
 }
 
 /// An unknown covering.
@@ -19,14 +19,14 @@ pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         "`K` (桟瓦葺)、`G` (本瓦葺)、`I` (板葺)、`S` (杮葺)、`H` (檜皮葺)、`Y` (茅葺)、`T` (金属板葺)、`*`",
     );
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is not a roof covering",
         "{quoted} という葺き材はありません"
     );
     let fix = near.unwrap_or("*");
     Diagnostic::error(140, span, message)
         .help(match near {
-            Some(kind) => text!([all]
+            Some(kind) => text!([kind, all]
                 "write `{kind}`; the coverings are {all}",
                 "`{kind}` と書いてください。葺き材は {all} です"
             ),
@@ -39,7 +39,7 @@ pub fn unknown_kind(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
 #[cold]
 pub fn unknown_direction(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is not a roof direction",
         "{quoted} という屋根の向きはありません"
     );
@@ -58,14 +58,14 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
         "KIR、YOS、YOK、IRI、HAK、HOG、KAT、HIS、TER、KAR、RIK、`*`",
     );
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is not a roof shape",
         "{quoted} という屋根の形はありません"
     );
     let fix = near.unwrap_or("*");
     Diagnostic::error(142, span, message)
         .help(match near {
-            Some(shape) => text!([all]
+            Some(shape) => text!([shape, all]
                 "did you mean `{shape}`? The shapes are {all}",
                 "`{shape}` ではありませんか。屋根の形は {all} です"
             ),
@@ -78,7 +78,7 @@ pub fn unknown_shape(span: Span, text: &str, near: Option<&str>) -> Diagnostic {
 #[cold]
 pub fn unknown_option(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is not a roof option",
         "{quoted} という屋根の指定はありません"
     );
@@ -99,7 +99,7 @@ pub fn direction_misfit(
 ) -> Diagnostic {
     let (message, help) = if ridge {
         (
-            text!(
+            text!([shape]
                 "a {shape} roof has no ridge, so it needs the side it slopes to",
                 "{shape} の屋根には棟がないため、流れる側の指定が必要です"
             ),
@@ -110,7 +110,7 @@ pub fn direction_misfit(
         )
     } else {
         (
-            text!(
+            text!([shape]
                 "a {shape} roof has a ridge, so it cannot slope to one side",
                 "{shape} の屋根には棟があるため、片側へ流すことはできません"
             ),
@@ -162,7 +162,7 @@ pub fn missing_corners(span: Span, count: usize) -> Diagnostic {
             "the corners of the roof are missing",
             "屋根の隅の数値がありません"
         ),
-        _ => text!(
+        _ => text!([missing]
             "{missing} of the four corner numbers are missing",
             "隅を示す四つの数値が{missing}つ足りません"
         ),
@@ -181,7 +181,7 @@ pub fn no_extent(span: Span, other: Span, axis: char, text: &str) -> Diagnostic 
     } else {
         noun("depth", "奥行")
     };
-    let message = text!([extent]
+    let message = text!([extent, axis, text]
         "the roof has no {extent}: {axis}0 and {axis}1 are both {text}",
         "屋根の{extent}がありません。{axis}0 も {axis}1 も {text} です"
     );
@@ -198,12 +198,12 @@ pub fn no_extent(span: Span, other: Span, axis: char, text: &str) -> Diagnostic 
 pub fn glued(span: Span, text: &str) -> Diagnostic {
     let spread: Vec<String> = text.chars().map(String::from).collect();
     let (quoted, spread) = (quote(text), spread.join(" "));
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} should be two fields, covering and direction",
         "{quoted} は葺き材と向きの二項目に分けて書きます"
     );
     Diagnostic::error(148, span, message)
-        .help(text!("write `{spread}`", "`{spread}` と書いてください"))
+        .help(text!([spread] "write `{spread}`", "`{spread}` と書いてください"))
         .fix(written(&spread), span, spread)
 }
 
@@ -232,21 +232,21 @@ pub fn bare_option(
     place: Span,
 ) -> Diagnostic {
     let what = what.into();
-    let message = text!([what]
+    let message = text!([letter, what]
         "the option `{letter}` has no number for {what}",
         "指定 `{letter}` に{what}の数値がありません"
     );
     let title = match apart {
         Some(number) => written(&format!("{letter}{number}")),
-        None => text!("Delete the `{letter}`", "`{letter}` を削除する"),
+        None => text!([letter] "Delete the `{letter}`", "`{letter}` を削除する"),
     };
     Diagnostic::error(150, span, message)
         .help(match apart {
-            Some(number) => text!(
+            Some(number) => text!([letter, number]
                 "write the number right after the letter: `{letter}{number}`",
                 "数値を文字のすぐ後に続けて `{letter}{number}` と書いてください"
             ),
-            None => text!([what]
+            None => text!([what, letter]
                 "write {what} right after the letter, or delete the `{letter}`",
                 "{what}を文字のすぐ後に書くか、`{letter}` を削除してください"
             ),
@@ -258,7 +258,7 @@ pub fn bare_option(
 #[cold]
 pub fn no_whole_number(span: Span, text: &str, whole: Option<(Span, f64)>) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is not a whole number of ridge courses",
         "{quoted} は熨斗瓦の段数として整数ではありません"
     );

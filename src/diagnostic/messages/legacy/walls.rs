@@ -16,17 +16,17 @@ pub fn wide_blank(span: Span, count: usize, read: &str) -> Diagnostic {
                 "there is a full-width blank among the codes",
                 "部材コードの並びに全角空白があります"
             ),
-            text!(
+            text!([blanks, word]
                 "replace the full-width blank by {blanks} {word}",
                 "全角空白を半角空白{blanks}個に置き換えてください"
             ),
         ),
         _ => (
-            text!(
+            text!([count]
                 "there are {count} full-width blanks among the codes",
                 "部材コードの並びに全角空白が{count}個あります"
             ),
-            text!(
+            text!([count, blanks, word]
                 "replace the {count} full-width blanks by {blanks} {word}",
                 "全角空白{count}個を半角空白{blanks}個に置き換えてください"
             ),
@@ -66,12 +66,12 @@ pub fn wide_letters(span: Span, text: &str, whole: Span, read: &str) -> Diagnost
         .filter_map(|c| char::from_u32(u32::from(c).wrapping_sub(0xfee0)))
         .collect();
     let (quoted, narrow) = (quote(text), quote(&narrow));
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is written in full-width letters",
         "{quoted} が全角文字で書かれています"
     );
     Diagnostic::error(122, span, message)
-        .help(text!(
+        .help(text!([narrow]
             "turn the input method off and write {narrow}",
             "日本語入力を切り、半角で {narrow} と書いてください"
         ))
@@ -90,7 +90,7 @@ pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
         "" => text!("Delete it", "削除する"),
         _ => text!("Replace by half-width blanks", "半角空白に置き換える"),
     };
-    let message = text!(
+    let message = text!([number]
         "there is an unusual blank, U+{number:04X}",
         "特殊な空白 U+{number:04X} があります"
     );
@@ -106,7 +106,7 @@ pub fn other_blank(span: Span, character: char, read: &str) -> Diagnostic {
 #[cold]
 pub fn foreign(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} cannot be used in a code",
         "{quoted} は部材コードに使えません"
     );
@@ -139,7 +139,7 @@ pub fn blank_in_walls(blank: Span, next: Span, apart: bool) -> Diagnostic {
 #[cold]
 pub fn one_over(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!(
+    let message = text!([quoted]
         "{quoted} is one column too many",
         "{quoted} が一桁余っています"
     );
@@ -147,7 +147,7 @@ pub fn one_over(span: Span, text: &str) -> Diagnostic {
         "delete it or complete its five columns; only the letters `L`, `R` and `^` may follow the last code",
         "削除するか、五桁になるように書いてください。最後の部材コードの後に置けるのは `L`、`R`、`^` だけです"
     ))
-    .fix(text!("Delete {quoted}", "{quoted} を削除する"), span, "")
+    .fix(text!([quoted] "Delete {quoted}", "{quoted} を削除する"), span, "")
 }
 
 /// A turn letter that is not right after the last column of a code; `columns` are counted before it, with and without
@@ -165,22 +165,22 @@ pub fn misplaced_control(
     // Blanks can be deleted only as far as there are any after the codes.
     let (help, title, place, filling) = if surplus < missing && before - surplus >= codes {
         let blanks = blanks(surplus);
-        let help = text!(
+        let help = text!([surplus, blanks, letter]
             "delete {surplus} {blanks} before the `{letter}`, which belongs right after the five columns of the last code",
             "`{letter}` の前の空白を{surplus}個削除してください。曲がりは最後の部材コードの五桁のすぐ後に書きます"
         );
-        let title = text!(
+        let title = text!([surplus, blanks, letter]
             "Delete {surplus} {blanks} before the `{letter}`",
             "`{letter}` の前の空白を{surplus}個削除する"
         );
         (help, title, surplus_blanks, String::new())
     } else {
         let blanks = blanks(missing);
-        let help = text!(
+        let help = text!([missing, blanks, letter]
             "write {missing} more {blanks} before the `{letter}`, so that the last code has five columns",
             "最後の部材コードが五桁になるよう、`{letter}` の前に空白を{missing}個足してください"
         );
-        let title = text!(
+        let title = text!([missing, blanks, letter]
             "Insert {missing} {blanks} before the `{letter}`",
             "`{letter}` の前に空白を{missing}個足す"
         );
@@ -192,7 +192,7 @@ pub fn misplaced_control(
 }
 
 fn inside_a_code(letter: &str, column: usize) -> Text {
-    text!(
+    text!([letter, column]
         "the `{letter}` is in column {column}, inside a code",
         "`{letter}` が{column}桁目、つまり部材コードの途中にあります"
     )
@@ -207,9 +207,9 @@ pub fn second_control(
     turn: &str,
     gap: Span,
 ) -> Diagnostic {
-    let title = text!("Delete the `{turn}`", "`{turn}` を削除する");
+    let title = text!([turn] "Delete the `{turn}`", "`{turn}` を削除する");
     Diagnostic::error(127, span, inside_a_code(letter, before + 1))
-        .help(text!(
+        .help(text!([turn, letter]
             "delete the `{turn}` before the `{letter}`: a line ends with one of the two",
             "`{letter}` の前の `{turn}` を削除してください。行の最後に書けるのはどちらかひとつです"
         ))
@@ -220,27 +220,27 @@ pub fn second_control(
 #[cold]
 pub fn inner_turn(span: Span, letter: &str, leads: bool, fix: Vec<Edit>) -> Diagnostic {
     let (title, help) = if leads {
-        let title = text!(
+        let title = text!([letter]
             "Move the `{letter}` to the end of the previous line",
             "`{letter}` を前の行の末尾へ移す"
         );
-        let help = text!(
+        let help = text!([letter]
             "move the `{letter}` to the end of the previous line, right after the five columns of its last code",
             "`{letter}` を前の行の末尾、最後の部材コードの五桁のすぐ後に移してください"
         );
         (title, help)
     } else {
-        let title = text!(
+        let title = text!([letter]
             "Begin a new line after the `{letter}`",
             "`{letter}` の後で改行する"
         );
-        let help = text!(
+        let help = text!([letter]
             "begin a new line after the `{letter}`",
             "`{letter}` の後で改行してください"
         );
         (title, help)
     };
-    let message = text!(
+    let message = text!([letter]
         "there are codes after the turn `{letter}`, but a turn ends its line",
         "曲がり `{letter}` の後に部材コードがあります。曲がりは行の最後に書くものです"
     );
@@ -255,14 +255,14 @@ pub fn inner_turn(span: Span, letter: &str, leads: bool, fix: Vec<Edit>) -> Diag
 #[cold]
 pub fn lower_control(span: Span, letter: &str) -> Diagnostic {
     let capital = letter.to_ascii_uppercase();
-    let message = text!(
+    let message = text!([letter]
         "the turn letter `{letter}` must be a capital",
         "曲がりの `{letter}` は大文字で書かなければなりません"
     );
     Diagnostic::error(128, span, message)
-        .help(text!("write `{capital}`", "`{capital}` と書いてください"))
+        .help(text!([capital] "write `{capital}`", "`{capital}` と書いてください"))
         .fix(
-            text!("Write `{capital}`", "`{capital}` と書く"),
+            text!([capital] "Write `{capital}`", "`{capital}` と書く"),
             span,
             &*capital,
         )
@@ -271,7 +271,7 @@ pub fn lower_control(span: Span, letter: &str) -> Diagnostic {
 /// Blanks that hide the end of the line.
 #[cold]
 pub fn blanks_after(span: Span, letter: &str) -> Diagnostic {
-    let message = text!(
+    let message = text!([letter]
         "there are blanks after the final `{letter}`",
         "行末の `{letter}` の後に空白があります"
     );
@@ -306,12 +306,12 @@ pub fn shifted(span: Span, blanks: usize, voids: usize) -> Diagnostic {
             "delete the blanks: the first code begins in the first column",
             "空白を削除してください。最初の部材コードは一桁目から始まります"
         ),
-        _ => text!(
+        _ => text!([voids]
             "write {voids} blanks, five for each void, or `.....` for each",
             "空きひとつにつき空白五つ、あわせて{voids}個書くか、それぞれ `.....` と書いてください"
         ),
     };
-    let message = text!(
+    let message = text!([blanks]
         "the line begins with {blanks} blanks, which shift all its codes",
         "行頭に空白が{blanks}個あり、後の部材コードがすべてずれます"
     );
@@ -331,12 +331,12 @@ pub fn out_of_step(span: Span, column: usize, meant: &str, fix: (Span, &str)) ->
     if line.len() < meant.len() {
         line.push('…');
     }
-    let message = text!(
+    let message = text!([column]
         "from column {column} on, the codes are not in their columns: each takes exactly five",
         "{column}桁目から部材コードがずれています。部材コードはちょうど五桁ずつです"
     );
     Diagnostic::error(132, span, message)
-        .help(text!("write `{line}`", "`{line}` と書いてください"))
+        .help(text!([line] "write `{line}`", "`{line}` と書いてください"))
         .fix(
             text!(
                 "Align the codes to five columns",
@@ -362,11 +362,11 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
             ),
         ),
         _ => (
-            text!(
+            text!([count]
                 "the line ends with {count} voids of blanks",
                 "行が空白の空き{count}個で終わっています"
             ),
-            text!(
+            text!([count]
                 "write `.....` {count} times: an editor that trims trailing blanks would change the house",
                 "`.....` を{count}個書いてください。行末の空白を消すエディターでは家が変わってしまいます"
             ),
@@ -382,7 +382,7 @@ pub fn trailing_void(span: Span, count: usize) -> Diagnostic {
 #[cold]
 pub fn few_points(span: Span, text: &str) -> Diagnostic {
     let quoted = quote(text);
-    let message = text!("{quoted} is not a void", "{quoted} は空きになりません");
+    let message = text!([quoted] "{quoted} is not a void", "{quoted} は空きになりません");
     Diagnostic::error(134, span, message)
         .help(text!(
             "write exactly five dots, `.....`",
@@ -409,7 +409,7 @@ pub fn last_reset(span: Span) -> Diagnostic {
 /// `^` after `^`.
 #[cold]
 pub fn empty_storey(span: Span, line: Span, storey: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([storey]
         "storey {storey} has no walls before its `^`",
         "`^` の前に{storey}階の壁がありません"
     );

@@ -10,7 +10,7 @@ use crate::text;
 #[cold]
 pub fn text_not_allowed(span: Span, text: &str, parent: &str, written: &str) -> Diagnostic {
     let (text, parent) = (quote(text), quote(parent));
-    let message = text!(
+    let message = text!([parent, text]
         "text is not allowed in {parent}: {text}",
         "{parent} の中に文字 {text} は書けません"
     );
@@ -46,12 +46,12 @@ pub fn unknown_element(
 ) -> Diagnostic {
     let title = removing(name);
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "there is no element {name}",
         "{name} という要素はありません"
     );
     let found = Diagnostic::error(221, span, message).help(match (near, parent) {
-        (Some(near), _) => text!(
+        (Some(near), _) => text!([near]
             "write `{near}`; names are case-sensitive",
             "`{near}` と書いてください。大文字と小文字は区別されます"
         ),
@@ -86,18 +86,18 @@ pub fn unknown_attribute(
 ) -> Diagnostic {
     let title = removing(name);
     let name = quote(name);
-    let message = text!(
+    let message = text!([element, name]
         "`{element}` has no attribute {name}",
         "`{element}` に {name} という属性はありません"
     );
     let all = all_of(known);
     let found = Diagnostic::error(222, span, message).help(match near {
-        Some((near, _)) => text!("write `{near}`", "`{near}` と書いてください"),
-        None if known.is_empty() => text!(
+        Some((near, _)) => text!([near] "write `{near}`", "`{near}` と書いてください"),
+        None if known.is_empty() => text!([element]
             "`{element}` has no attributes",
             "`{element}` に属性はありません"
         ),
-        None => text!([all]
+        None => text!([all, element]
             "its attributes are {all}",
             "`{element}` の属性は {all} です"
         ),
@@ -113,25 +113,25 @@ pub fn unknown_attribute(
 #[cold]
 pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> Diagnostic {
     let message = match parent.map(quote) {
-        Some(parent) => text!(
+        Some(parent) => text!([name, parent]
             "`{name}` is not allowed in {parent}",
             "{parent} の中に `{name}` は書けません"
         ),
-        None => text!(
+        None => text!([name]
             "`{name}` cannot be the outermost element",
             "`{name}` は最も外側の要素になりません"
         ),
     };
     let names: Vec<&str> = home.split('`').skip(1).step_by(2).collect();
-    let inside = any_of(&names).ja;
-    let home_ja = match (names.is_empty(), home.contains("outermost")) {
-        (true, _) => "最も外側に書くものです".to_owned(),
-        (false, true) => format!(" {inside} の中か、最も外側に書くものです"),
-        (false, false) => format!(" {inside} の中に書くものです"),
+    let inside = any_of(&names);
+    let home = match (names.is_empty(), home.contains("outermost")) {
+        (true, _) => text!([home] "{home}", "最も外側に書くものです"),
+        (false, true) => text!([home, inside] "{home}", " {inside} の中か、最も外側に書くものです"),
+        (false, false) => text!([home, inside] "{home}", " {inside} の中に書くものです"),
     };
-    Diagnostic::error(223, span, message).help(text!(
+    Diagnostic::error(223, span, message).help(text!([name, home]
         "`{name}` belongs in {home}; it is ignored here",
-        "`{name}` は{home_ja}。ここでは読みません"
+        "`{name}` は{home}。ここでは読みません"
     ))
 }
 
@@ -150,11 +150,11 @@ pub fn roof_for_roofs(span: Span, tags: &Tags) -> Diagnostic {
 /// A required attribute that is missing, with `words` if it takes only those. `span` = the element's name.
 #[cold]
 pub fn attribute_missing(span: Span, element: &str, name: &str, words: &[&str]) -> Diagnostic {
-    let message = text!(
+    let message = text!([element, name]
         "`{element}` needs the attribute `{name}`",
         "`{element}` には属性 `{name}` が必要です"
     );
-    let found = Diagnostic::error(224, span, message).help(text!(
+    let found = Diagnostic::error(224, span, message).help(text!([element, name]
         "write `<{element} {name}=\"...\">`",
         "`<{element} {name}=\"...\">` と書いてください"
     ));
@@ -168,11 +168,11 @@ pub fn attribute_missing(span: Span, element: &str, name: &str, words: &[&str]) 
 #[cold]
 pub fn child_missing(span: Span, parent: &str, name: &str) -> Diagnostic {
     let parent = quote(parent);
-    let message = text!(
+    let message = text!([parent, name]
         "{parent} has no `{name}`",
         "{parent} に `{name}` がありません"
     );
-    Diagnostic::error(230, span, message).help(text!(
+    Diagnostic::error(230, span, message).help(text!([name]
         "write `<{name}>...</{name}>` in it",
         "その中に `<{name}>...</{name}>` と書いてください"
     ))
@@ -188,7 +188,7 @@ pub fn second_of(
     fixes: [Option<Vec<Edit>>; 2],
 ) -> Diagnostic {
     let parent = quote(parent);
-    let message = text!(
+    let message = text!([parent, name]
         "{parent} has a second `{name}`",
         "{parent} に `{name}` が二つあります"
     );
@@ -209,7 +209,7 @@ pub fn second_of(
 /// `L` at the end of a row's codes; `turns` = the row may have a `turn`, `turn` = where, if it has none.
 #[cold]
 pub fn control_letter(span: Span, letter: char, turns: bool, turn: Option<Span>) -> Diagnostic {
-    let message = text!(
+    let message = text!([letter]
         "the turn letter `{letter}` has no meaning in XML; a row turns with `turn`",
         "XML では曲がりの文字 `{letter}` を使いません。行は `turn` で曲げます"
     );
@@ -218,7 +218,7 @@ pub fn control_letter(span: Span, letter: char, turns: bool, turn: Option<Span>)
             "remove it and write the next storey as another `Storey` or `Floor`",
             "削除して、次の階を別の `Storey` か `Floor` として書いてください"
         ),
-        (_, true) => text!(
+        (_, true) => text!([letter]
             "remove it and write `<Row turn=\"{letter}\">`",
             "削除して `<Row turn=\"{letter}\">` と書いてください"
         ),
@@ -276,7 +276,7 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
             );
     }
     let text = quote(text);
-    let message = text!(
+    let message = text!([text]
         "{text} cannot be used in a code of five columns",
         "{text} は五桁の部材コードに使えません"
     );
@@ -289,7 +289,7 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
     } else {
         let (title, braces) = (writing(plain), plain.contains(['{', '}']));
         let plain = quote(plain);
-        let found = found.help(text!(
+        let found = found.help(text!([plain]
             "replace it by {plain}",
             "{plain} に置き換えてください"
         ));
@@ -303,19 +303,19 @@ pub fn not_a_column(span: Span, text: &str, plain: &str) -> Diagnostic {
 /// A tab among codes: in which column, from the first code of the line, and how many blanks reach the next code.
 #[cold]
 pub fn tab_in_codes(span: Span, column: usize, blanks: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([column]
         "there is a tab among the codes, in column {column} of this line",
         "この行の{column}桁目、部材コードの並びにタブがあります"
     );
     let fix = " ".repeat(blanks.min(4096));
     let (plural, next) = (if blanks == 1 { "" } else { "s" }, column + blanks);
     Diagnostic::error(233, span, message)
-        .help(text!(
+        .help(text!([blanks, plural, next]
             "replace it by {blanks} blank{plural}, so that the next code begins in column {next}",
             "次の部材コードが{next}桁目から始まるよう、空白{blanks}個に置き換えてください"
         ))
         .fix(
-            text!(
+            text!([blanks, plural]
                 "Replace by {blanks} blank{plural}",
                 "空白{blanks}個に置き換える"
             ),
@@ -354,7 +354,7 @@ pub fn repeats_nothing(span: Span) -> Diagnostic {
 #[cold]
 pub fn src_missing(span: Span, file: &str) -> Diagnostic {
     let file = quote(file);
-    let message = text!("there is no image {file}", "{file} という画像はありません");
+    let message = text!([file] "there is no image {file}", "{file} という画像はありません");
     Diagnostic::error(243, span, message).help(text!(
         "write the path of a PNG or JPEG relative to the folder of this file; an image next to this file is also found without `src`, by its name",
         "このファイルのフォルダーから見た PNG か JPEG のパスを書いてください。このファイルと同じフォルダーの画像は `src` がなくても名前で見つかります"
@@ -365,7 +365,7 @@ pub fn src_missing(span: Span, file: &str) -> Diagnostic {
 #[cold]
 pub fn src_outside(span: Span, file: &str) -> Diagnostic {
     let file = quote(file);
-    let message = text!(
+    let message = text!([file]
         "{file} is outside the root folder",
         "{file} は基準フォルダーの外にあります"
     );

@@ -8,19 +8,19 @@ use crate::text;
 /// "Write `depth`".
 pub(super) fn writing(word: &str) -> Text {
     let word = quote(word);
-    text!("Write {word}", "{word} と書く")
+    text!([word] "Write {word}", "{word} と書く")
 }
 
 /// "Remove `depth`".
 pub(super) fn removing(word: &str) -> Text {
     let word = quote(word);
-    text!("Remove {word}", "{word} を削除する")
+    text!([word] "Remove {word}", "{word} を削除する")
 }
 
 /// "Insert `>`".
 pub(super) fn putting_in(word: &str) -> Text {
     let word = quote(word);
-    text!("Insert {word}", "{word} を入れる")
+    text!([word] "Insert {word}", "{word} を入れる")
 }
 
 /// Offers words to replace a value or a piece of it.

@@ -25,15 +25,15 @@ pub(super) fn known(words: &[impl AsRef<str>]) -> Text {
 /// "write `depth`".
 pub(super) fn write(word: &str) -> Text {
     let word = quote(word);
-    text!("write {word}", "{word} と書いてください")
+    text!([word] "write {word}", "{word} と書いてください")
 }
 
 fn found(value: &Value) -> Text {
     let shown = quote(&value.to_string());
     match value {
-        Value::Text(_) => text!("the string {shown}", "文字列 {shown}"),
-        Value::Number(_) => text!("the number {shown}", "数値 {shown}"),
-        Value::Truth(_) => text!("the truth value {shown}", "真偽値 {shown}"),
+        Value::Text(_) => text!([shown] "the string {shown}", "文字列 {shown}"),
+        Value::Number(_) => text!([shown] "the number {shown}", "数値 {shown}"),
+        Value::Truth(_) => text!([shown] "the truth value {shown}", "真偽値 {shown}"),
     }
 }
 
@@ -60,7 +60,7 @@ pub fn bad_expression(
         ),
         Some(c @ '\u{ff01}'..='\u{ff5e}') => {
             let narrow = char::from_u32(c as u32 - 0xfee0).unwrap_or(c);
-            text!(
+            text!([c, narrow]
                 "replace `{c}` by `{narrow}` (half width)",
                 "`{c}` を半角の `{narrow}` に直してください"
             )
@@ -80,7 +80,7 @@ pub fn bad_expression(
 /// The title of a fix of an expression: it inserts a quote or a parenthesis, or replaces full-width characters.
 pub fn expression_fix(put: Option<char>) -> Text {
     match put {
-        Some(c) => text!("Insert `{c}`", "`{c}` を入れる"),
+        Some(c) => text!([c] "Insert `{c}`", "`{c}` を入れる"),
         None => text!("Write half-width characters", "半角に直す"),
     }
 }
@@ -139,7 +139,7 @@ pub fn brace_alone(span: Span, opens: bool, partner: Option<Span>, plain: bool) 
         found = found.fix(removing(brace), span, "");
     }
     if plain {
-        let title = text!(
+        let title = text!([itself]
             "Write the brace itself: `{itself}`",
             "波括弧そのものを書く: `{itself}`"
         );
@@ -159,7 +159,7 @@ pub fn unknown_name(
 ) -> Diagnostic {
     let quoted = format!("'{name}'");
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "the name {name} is not defined here",
         "{name} という名前はここでは定義されていません"
     );
@@ -185,7 +185,7 @@ pub fn unknown_name(
 #[cold]
 pub fn unknown_function(span: Span, name: &str, near: Option<&str>, all: &[&str]) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "there is no function {name}",
         "{name} という関数はありません"
     );
@@ -203,7 +203,7 @@ pub fn unknown_function(span: Span, name: &str, near: Option<&str>, all: &[&str]
 #[cold]
 pub fn wrong_type(span: Span, text: &str, wanted: Noun, value: &Value) -> Diagnostic {
     let (text, is) = (quote(text), found(value));
-    let message = text!([is, wanted]
+    let message = text!([text, is, wanted]
         "{text} is {is}, but {wanted} is needed here",
         "{text} は{is}ですが、ここには{wanted}が必要です"
     );
@@ -238,7 +238,7 @@ pub fn test_no_truth(span: Span, text: &str, value: &Value, sound: bool) -> Diag
             "`{{depth > 8}}` のように比較してください"
         )
     } else {
-        text!(
+        text!([plain]
             "expressions are written in braces: `{{{plain}}}`",
             "式は波括弧で囲みます: `{{{plain}}}`"
         )
@@ -264,7 +264,7 @@ pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {
         ..span
     };
     let text = quote(text);
-    let message = text!(
+    let message = text!([text]
         "division by {text}, which is 0 here",
         "{text} で割っていますが、ここでは 0 です"
     );
@@ -283,7 +283,7 @@ pub fn division_by_zero(span: Span, text: &str) -> Diagnostic {
 #[cold]
 pub fn number_too_large(span: Span, text: &str) -> Diagnostic {
     let text = quote(text);
-    let message = text!(
+    let message = text!([text]
         "the value of {text} is too large",
         "{text} の値が大きすぎます"
     );
@@ -314,7 +314,7 @@ pub fn clamp_bounds(span: Span, swapped: Option<Vec<Edit>>) -> Diagnostic {
 /// A function with too many or too few arguments.
 #[cold]
 pub fn wrong_arguments(span: Span, function: &str, wanted: Noun, found: usize) -> Diagnostic {
-    let message = text!([wanted]
+    let message = text!([function, wanted, found]
         "`{function}` takes {wanted}, not {found}",
         "`{function}` に渡すのは{wanted}で、{found} 個ではありません"
     );
@@ -341,7 +341,7 @@ pub fn no_storey(span: Span) -> Diagnostic {
 #[cold]
 pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
     let name = quote(name);
-    let message = text!("{name} cannot be a name", "{name} は名前になりません");
+    let message = text!([name] "{name} cannot be a name", "{name} は名前になりません");
     let offered = Some(plain).filter(|plain| !plain.is_empty());
     let found = Diagnostic::error(257, span, message).help(match plain {
         "" => text!(
@@ -360,7 +360,7 @@ pub fn no_name(span: Span, name: &str, plain: &str) -> Diagnostic {
 #[cold]
 pub fn named_twice(span: Span, name: &str, before: Span, free: &str) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "{name} is defined twice in the same element",
         "同じ要素の中で {name} が二度定義されています"
     );
@@ -396,7 +396,7 @@ pub fn beside_choices(span: Span, fix: Vec<Edit>) -> Diagnostic {
 pub fn attribute_beside_choices(span: Span, name: &str, whole: Span) -> Diagnostic {
     let title = removing(name);
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "a `random` with `choice`s has no attribute {name}",
         "`choice` のある `random` に属性 {name} は書けません"
     );

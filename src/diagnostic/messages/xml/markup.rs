@@ -9,7 +9,7 @@ use crate::text;
 /// Elements nest deeper than the limit.
 #[cold]
 pub fn nested_too_deep(span: Span, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([limit]
         "elements nest deeper than the limit of {limit}; this one is ignored",
         "要素の入れ子が上限の{limit}段を超えるため、この要素は読みません"
     );
@@ -24,7 +24,7 @@ pub fn nested_too_deep(span: Span, limit: usize) -> Diagnostic {
 pub fn not_ended(span: Span, what: Noun, end: &str, fix: Edit) -> Diagnostic {
     let message = text!([what] "the {what} has no end", "{what}が終わっていません");
     Diagnostic::error(203, span, message)
-        .help(text!(
+        .help(text!([end]
             "write `{end}` where it ends; reading goes on at the next line that begins with `<`",
             "終わりに `{end}` と書いてください。`<` で始まる次の行から読み続けます"
         ))
@@ -35,26 +35,26 @@ pub fn not_ended(span: Span, what: Noun, end: &str, fix: Edit) -> Diagnostic {
 #[cold]
 pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, fix: Edit) -> Diagnostic {
     let name = shortened(name);
-    let message = text!("`{name}` has no end tag", "`{name}` の終了タグがありません");
+    let message = text!([name] "`{name}` has no end tag", "`{name}` の終了タグがありません");
     let title = putting_in(fix.text.trim());
     let found = Diagnostic::error(204, span, message).fix_all(title, vec![fix]);
     match before {
         Some((place, tag)) => {
             let tag = quote(tag);
             found
-                .help(text!(
+                .help(text!([name]
                     "write `</{name}>` before this tag",
                     "このタグの前に `</{name}>` と書いてください"
                 ))
                 .label(
                     place,
-                    text!(
+                    text!([tag]
                         "this tag of {tag} comes first",
                         "先に {tag} のタグがあります"
                     ),
                 )
         }
-        None => found.help(text!(
+        None => found.help(text!([name]
             "write `</{name}>`, at the end of the file at the latest",
             "遅くともファイルの終わりまでに `</{name}>` と書いてください"
         )),
@@ -66,16 +66,16 @@ pub fn not_closed(span: Span, name: &str, before: Option<(Span, &str)>, fix: Edi
 pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnostic {
     let fix = format!("</{open}>");
     let (name, open) = (shortened(name), shortened(open));
-    let message = text!(
+    let message = text!([name, open]
         "the end tag `</{name}>` does not match `<{open}>`",
         "終了タグ `</{name}>` が `<{open}>` と対応していません"
     );
     Diagnostic::error(205, span, message)
-        .help(text!("write `</{open}>`", "`</{open}>` と書いてください"))
+        .help(text!([open] "write `</{open}>`", "`</{open}>` と書いてください"))
         .fix(writing(&fix), span, fix)
         .label(
             start,
-            text!("`{open}` begins here", "`{open}` はここから始まります"),
+            text!([open] "`{open}` begins here", "`{open}` はここから始まります"),
         )
 }
 
@@ -84,19 +84,19 @@ pub fn end_differs(span: Span, name: &str, open: &str, start: Span) -> Diagnosti
 pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
     let fix = format!("</{name}>");
     let name = shortened(name);
-    let message = text!(
+    let message = text!([name]
         "`<{name}>` should be `</{name}>`",
         "`<{name}>` は `</{name}>` の誤りのようです"
     );
     Diagnostic::error(241, span, message)
-        .help(text!(
+        .help(text!([name]
             "write the slash: `</{name}>`",
             "斜線を入れて `</{name}>` と書いてください"
         ))
         .fix(writing(&fix), span, fix)
         .label(
             start,
-            text!(
+            text!([name]
                 "this `{name}` is still open",
                 "この `{name}` がまだ閉じていません"
             ),
@@ -107,12 +107,12 @@ pub fn slash_forgotten(span: Span, name: &str, start: Span) -> Diagnostic {
 #[cold]
 pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagnostic {
     let name = shortened(name);
-    let message = text!(
+    let message = text!([name]
         "`</{name}>` has no start tag",
         "`</{name}>` に対応する開始タグがありません"
     );
     let found = Diagnostic::error(206, span, message)
-        .help(text!(
+        .help(text!([name]
             "remove it, or write `<{name}>` where it should begin",
             "削除するか、始まる位置に `<{name}>` と書いてください"
         ))
@@ -120,7 +120,7 @@ pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagno
     match inside {
         Some((open, place)) => {
             let open = quote(open);
-            let label = text!(
+            let label = text!([open]
                 "the open element here is {open}",
                 "ここで開いている要素は {open} です"
             );
@@ -134,7 +134,7 @@ pub fn stray_end(span: Span, name: &str, inside: Option<(&str, Span)>) -> Diagno
 #[cold]
 pub fn second_root(span: Span, name: &str, first: Span, around: Option<Vec<Edit>>) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "{name} is after the end of the outermost element",
         "{name} が最も外側の要素の終わりより後にあります"
     );
@@ -263,7 +263,7 @@ pub fn unknown_entity(span: Span, reference: &str) -> Diagnostic {
     let name = reference.trim_matches(['&', ';']).to_ascii_lowercase();
     let known = NAMED.iter().find(|(known, _)| *known == name);
     let reference = quote(reference);
-    let message = text!(
+    let message = text!([reference]
         "{reference} is not a character reference that hsd reads",
         "{reference} は読める文字参照ではありません"
     );

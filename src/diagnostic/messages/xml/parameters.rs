@@ -16,22 +16,22 @@ pub fn bounds(of: &Parameter) -> Text {
     if !of.choices.is_empty() {
         let words: Vec<String> = of.choices.iter().map(Value::to_string).collect();
         let words = words.join(", ");
-        return text!("one of {words}", "{words} のどれか");
+        return text!([words] "one of {words}", "{words} のどれか");
     }
     let step = match of.step {
-        Some(step) => text!(" in steps of {step}", "（{step} きざみ）"),
+        Some(step) => text!([step] " in steps of {step}", "（{step} きざみ）"),
         None => Text::default(),
     };
     match (of.min, of.max, &of.default) {
-        (Some(least), Some(most), _) => text!([step]
+        (Some(least), Some(most), _) => text!([least, most, step]
             "a number from {least} to {most}{step}",
             "{least} から {most} までの数値{step}"
         ),
-        (Some(least), None, _) => text!([step]
+        (Some(least), None, _) => text!([least, step]
             "a number from {least} on{step}",
             "{least} 以上の数値{step}"
         ),
-        (None, Some(most), _) => text!("a number up to {most}", "{most} 以下の数値"),
+        (None, Some(most), _) => text!([most] "a number up to {most}", "{most} 以下の数値"),
         (None, None, Some(Value::Truth(_))) => text!("`yes` or `no`", "`yes` か `no`"),
         (None, None, Some(Value::Number(_))) => text!("a number", "数値"),
         (None, None, Some(Value::Text(_))) => text!("a string", "文字列"),
@@ -44,7 +44,7 @@ pub fn bounds(of: &Parameter) -> Text {
 pub fn default_out_of_range(span: Span, value: &Value, of: &Parameter) -> Diagnostic {
     let given = value;
     let (value, name) = (quote(&value.to_string()), quote(&of.name));
-    let message = text!(
+    let message = text!([value, name]
         "the default {value} is not a value that {name} may have",
         "既定値 {value} は {name} の取りうる値ではありません"
     );
@@ -60,12 +60,12 @@ pub fn default_out_of_range(span: Span, value: &Value, of: &Parameter) -> Diagno
 pub fn value_out_of_range(span: Span, value: &Value, of: &Parameter, place: Span) -> Diagnostic {
     let words = admitted(of, Some(value));
     let (value, name) = (quote(&value.to_string()), quote(&of.name));
-    let message = text!(
+    let message = text!([value, name]
         "{value} is not a value that the parameter {name} may have",
         "{value} はパラメーター {name} の取りうる値ではありません"
     );
     let bounds = bounds(of);
-    let found = Diagnostic::error(259, span, message).help(text!([bounds]
+    let found = Diagnostic::error(259, span, message).help(text!([name, bounds]
         "give {name} {bounds}",
         "{name} には{bounds}を与えてください"
     ));
@@ -86,7 +86,7 @@ pub fn value_out_of_range(span: Span, value: &Value, of: &Parameter, place: Span
 #[cold]
 pub fn nothing_to_draw(span: Span, name: &str) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "{name} is random, but its possible values are unknown",
         "{name} は抽選しますが、取りうる値がわかりません"
     );
@@ -105,28 +105,26 @@ pub fn no_such_parameter(
     all: &[Parameter],
 ) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "there is no parameter {name} to set",
         "{name} というパラメーターはありません"
     );
     let listed = all.iter().take(LISTED).map(|of| {
         let (name, bounds) = (quote(&of.name), bounds(of));
-        text!([bounds] "{name} ({bounds})", "{name}（{bounds}）")
+        text!([name, bounds] "{name} ({bounds})", "{name}（{bounds}）")
     });
     let listed: Vec<Text> = listed.collect();
-    let english: Vec<&str> = listed.iter().map(|t| &*t.en).collect();
-    let japanese: Vec<&str> = listed.iter().map(|t| &*t.ja).collect();
     let list = match listed.len() {
         0 => text!(
             "none; write `<Param name=\"...\" default=\"...\"/>` in `House`",
             "なし。`House` の中に `<Param name=\"...\" default=\"...\"/>` と書きます"
         ),
-        _ => Text::both(english.join(", "), japanese.join("、")),
+        _ => Text::joined(listed, ", ", "、"),
     };
     let help = text!([list] "parameters here: {list}", "ここにあるパラメーター: {list}");
     Diagnostic::error(260, span, message).help(match near.map(quote) {
         Some(near) => {
-            text!([help] "did you mean {near}? {help}", "{near} ではありませんか。{help}")
+            text!([near, help] "did you mean {near}? {help}", "{near} ではありませんか。{help}")
         }
         None => help,
     })
@@ -143,7 +141,7 @@ pub fn parameter_missing(
 ) -> Diagnostic {
     let quoted = quote(name);
     let plain = quoted.replace('`', "");
-    let message = text!(
+    let message = text!([quoted]
         "the parameter {quoted} has no value",
         "パラメーター {quoted} に値がありません"
     );
@@ -157,7 +155,7 @@ pub fn parameter_missing(
     }
     match place {
         Some(place) => found
-            .help(text!(
+            .help(text!([plain]
                 "write `{plain}=\"...\"` in the `use`, or give it a default",
                 "`use` に `{plain}=\"...\"` と書くか、既定値を与えてください"
             ))
@@ -168,7 +166,7 @@ pub fn parameter_missing(
                     "既定値なしでここに宣言されています"
                 ),
             ),
-        None => found.help(text!(
+        None => found.help(text!([plain]
             "write `default=\"...\"`, or set it with `--param {plain}=...`",
             "`default=\"...\"` を書くか、`--param {plain}=...` で与えてください"
         )),

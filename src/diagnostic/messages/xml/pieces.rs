@@ -46,7 +46,7 @@ fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
             let name = quote(name);
             found.label(
                 *span,
-                text!("{name} is used here", "{name} はここで使われています"),
+                text!([name] "{name} is used here", "{name} はここで使われています"),
             )
         })
 }
@@ -73,7 +73,7 @@ pub fn else_without_if(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
 #[cold]
 pub fn unknown_piece(span: Span, name: &str, near: Option<&str>, names: &[String]) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "there is no `define` named {name}",
         "{name} という名前の `define` はありません"
     );
@@ -91,7 +91,7 @@ pub fn unknown_piece(span: Span, name: &str, near: Option<&str>, names: &[String
 #[cold]
 pub fn piece_in_itself(span: Span, chain: &[(String, Span)], place: Span) -> Diagnostic {
     let (en, ja) = (names(chain, " in which "), names(chain, " → "));
-    let message = text!(
+    let message = text!([en, ja]
         "a definition contains itself: {en}",
         "定義が自分自身を含んでいます: {ja}"
     );
@@ -119,7 +119,7 @@ pub fn unknown_parameter(
 ) -> Diagnostic {
     let title = removing(name);
     let (name, piece) = (quote(name), quote(piece));
-    let message = text!(
+    let message = text!([piece, name]
         "{piece} has no parameter {name}",
         "{piece} に {name} というパラメーターはありません"
     );
@@ -159,11 +159,11 @@ pub fn use_with_content(span: Span, fix: Option<Vec<Edit>>) -> Diagnostic {
 pub fn include_missing(span: Span, href: &str, why: Option<&str>) -> Diagnostic {
     let href = quote(href);
     let message = match why {
-        Some(why) => text!(
+        Some(why) => text!([href, why]
             "{href} cannot be included: {why}",
             "{href} を取り込めません: {why}"
         ),
-        None => text!(
+        None => text!([href]
             "{href} cannot be included: there is no such file",
             "{href} を取り込めません。ファイルがありません"
         ),
@@ -178,7 +178,7 @@ pub fn include_missing(span: Span, href: &str, why: Option<&str>) -> Diagnostic 
 #[cold]
 pub fn include_outside(span: Span, href: &str) -> Diagnostic {
     let href = quote(href);
-    let message = text!(
+    let message = text!([href]
         "{href} is outside the root folder",
         "{href} は基準フォルダーの外にあります"
     );
@@ -193,7 +193,7 @@ pub fn include_outside(span: Span, href: &str) -> Diagnostic {
 pub fn include_cycle(span: Span, chain: &[(String, Span)]) -> Diagnostic {
     let paths: Vec<_> = chain.iter().map(|(n, s)| (path_end(n), *s)).collect();
     let (en, ja) = (names(&paths, ", which includes "), names(&paths, " → "));
-    let message = text!(
+    let message = text!([en, ja]
         "files include each other: {en}",
         "ファイルが互いを取り込んでいます: {ja}"
     );
@@ -233,7 +233,7 @@ pub fn include_nothing(span: Span) -> Diagnostic {
 /// More files than the limit.
 #[cold]
 pub fn too_many_includes(span: Span, limit: usize) -> Diagnostic {
-    let message = text!(
+    let message = text!([limit]
         "more than {limit} files are included; this one is ignored",
         "取り込むファイルが {limit} 個を超えました。これは読みません"
     );
@@ -248,11 +248,11 @@ pub fn too_many_includes(span: Span, limit: usize) -> Diagnostic {
 pub fn copies_too_large(span: Span, limit: usize, chain: &[(String, Span)]) -> Diagnostic {
     let (en, ja) = (names(chain, " in which "), names(chain, " → "));
     let message = match chain {
-        [] => text!(
+        [] => text!([limit]
             "repetitions make more than {limit} parts",
             "繰り返しが部材 {limit} 個を超えます"
         ),
-        _ => text!(
+        _ => text!([limit, en, ja]
             "pieces and repetitions make more than {limit} parts: {en}",
             "定義と繰り返しが部材 {limit} 個を超えます: {ja}"
         ),

@@ -10,7 +10,7 @@ use crate::text;
 #[cold]
 pub fn tag_not_closed(span: Span, name: &str, slash: bool, end: Edit) -> Diagnostic {
     let tag = quote(name);
-    let message = text!(
+    let message = text!([tag]
         "the tag of {tag} is not closed by `>`",
         "{tag} のタグが `>` で閉じていません"
     );
@@ -32,7 +32,7 @@ pub fn tag_not_closed(span: Span, name: &str, slash: bool, end: Edit) -> Diagnos
 #[cold]
 pub fn quote_not_closed(span: Span, name: &str, end: Edit) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "the value of {name} has no closing quote",
         "{name} の値に終わりの引用符がありません"
     );
@@ -55,9 +55,9 @@ pub fn attribute_twice(
 ) -> Diagnostic {
     let message = if name == first {
         let name = quote(name);
-        text!("{name} is given twice", "{name} が二度書かれています")
+        text!([name] "{name} is given twice", "{name} が二度書かれています")
     } else {
-        text!(
+        text!([name, first]
             "`{name}` and `{first}` are the same attribute",
             "`{name}` と `{first}` は同じ属性です"
         )
@@ -77,12 +77,12 @@ pub fn attribute_twice(
 pub fn value_not_quoted(span: Span, name: &str, value: &str) -> Diagnostic {
     let fix = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
-    let message = text!(
+    let message = text!([name]
         "the value of `{name}` has no quotes",
         "`{name}` の値が引用符で囲まれていません"
     );
     Diagnostic::error(211, span, message)
-        .help(text!(
+        .help(text!([name, value]
             "write `{name}=\"{value}\"`",
             "`{name}=\"{value}\"` と書いてください"
         ))
@@ -99,12 +99,12 @@ fn in_quotes(value: &str) -> String {
 pub fn value_in_brackets(span: Span, name: &str, value: &str) -> Diagnostic {
     let fix = in_quotes(value);
     let (name, value) = (shortened(name), shortened(value));
-    let message = text!(
+    let message = text!([name]
         "the value of `{name}` is in brackets, not in quotes",
         "`{name}` の値が引用符ではなく括弧で囲まれています"
     );
     Diagnostic::error(211, span, message)
-        .help(text!(
+        .help(text!([name, value]
             "replace the brackets by quotes: `{name}=\"{value}\"`",
             "括弧を引用符に置き換えて `{name}=\"{value}\"` と書いてください"
         ))
@@ -127,8 +127,8 @@ pub fn value_missing(
 ) -> Diagnostic {
     let yes = format!("{name}=\"yes\"");
     let name = shortened(name);
-    let message = text!("`{name}` has no value", "`{name}` に値がありません");
-    let mut found = Diagnostic::error(212, span, message).help(text!(
+    let message = text!([name] "`{name}` has no value", "`{name}` に値がありません");
+    let mut found = Diagnostic::error(212, span, message).help(text!([name]
         "write `{name}=\"...\"`, or remove it",
         "`{name}=\"...\"` と書くか、削除してください"
     ));
@@ -145,7 +145,7 @@ pub fn value_missing(
 #[cold]
 pub fn equals_missing(span: Span, name: &str, gap: Span) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "`=` is missing between {name} and its value",
         "{name} と値のあいだに `=` がありません"
     );
@@ -161,7 +161,7 @@ pub fn equals_missing(span: Span, name: &str, gap: Span) -> Diagnostic {
 #[cold]
 pub fn bad_name(span: Span, name: &str) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name]
         "{name} is not a valid XML name",
         "{name} は XML の名前になりません"
     );
@@ -200,13 +200,13 @@ pub fn less_than_in_value(span: Span, all: &[Span]) -> Diagnostic {
 /// `＝` in a tag; `all` = what must be replaced with it, for quotes both.
 #[cold]
 pub fn full_width_markup(span: Span, wide: char, narrow: char, all: &[Span]) -> Diagnostic {
-    let message = text!(
+    let message = text!([wide, narrow]
         "there is `{wide}` in a tag in place of `{narrow}`",
         "タグの中で `{narrow}` の代わりに `{wide}` が使われています"
     );
     let fixes = all.iter().map(|place| Edit::new(*place, narrow));
     Diagnostic::error(218, span, message)
-        .help(text!(
+        .help(text!([narrow]
             "replace it by `{narrow}` (half width, straight)",
             "半角の `{narrow}` に置き換えてください"
         ))
@@ -237,7 +237,7 @@ pub fn full_width_blank(span: Span) -> Diagnostic {
 pub fn stray_in_tag(span: Span, what: &str) -> Diagnostic {
     let fix = removing(what);
     let what = quote(what);
-    let message = text!(
+    let message = text!([what]
         "{what} is not part of an attribute",
         "{what} はどの属性にも属していません"
     );

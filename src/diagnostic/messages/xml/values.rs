@@ -14,12 +14,12 @@ const FEW: usize = 8;
 pub fn not_a_number(span: Span, name: &str, text: &str, fix: Option<&str>) -> Diagnostic {
     let offered = fix;
     let (name, text) = (quote(name), quote(text));
-    let message = text!(
+    let message = text!([text, name]
         "{text} is not a number for {name}",
         "{text} は {name} の数値として読めません"
     );
     let found = Diagnostic::error(225, span, message).help(match fix.map(quote) {
-        Some(fix) => text!("write {fix}", "{fix} と書いてください"),
+        Some(fix) => text!([fix] "write {fix}", "{fix} と書いてください"),
         None => text!(
             "write digits with a decimal point, such as `9.5`, without a unit",
             "`9.5` のように、半角の数字と小数点だけで単位を付けずに書いてください"
@@ -38,7 +38,7 @@ pub fn out_of_range(
     near: Option<&str>,
 ) -> Diagnostic {
     let (name, text, bounds) = (quote(name), quote(text), bounds.into());
-    let message = text!(
+    let message = text!([text, name]
         "{text} is out of range for {name}",
         "{text} は {name} の範囲を外れています"
     );
@@ -59,12 +59,12 @@ pub fn not_a_choice(
     let few = if all.len() <= FEW { all } else { &[] };
     let offered: Vec<&str> = near.map_or(few.to_vec(), |near| vec![near]);
     let (name, text, all) = (quote(name), quote(text), any_of(all));
-    let message = text!(
+    let message = text!([text, name]
         "{text} is not a value of {name}",
         "{text} は {name} の値になりません"
     );
     let found = Diagnostic::error(227, span, message).help(match near {
-        Some(near) => text!("write `{near}`", "`{near}` と書いてください"),
+        Some(near) => text!([near] "write `{near}`", "`{near}` と書いてください"),
         None => text!([all] "write {all}", "{all} と書いてください"),
     });
     offer(found, span, offered)
@@ -73,11 +73,11 @@ pub fn not_a_choice(
 /// A share above 1.
 #[cold]
 pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
-    let message = text!(
+    let message = text!([given]
         "the reflection {given} is read as {given} percent",
         "映り込み {given} を {given} パーセントとして読みました"
     );
-    let found = Diagnostic::warning(234, span, message).help(text!(
+    let found = Diagnostic::warning(234, span, message).help(text!([share]
         "write a share of 0 to 1: `{share}`",
         "0 から 1 までの割合で `{share}` と書いてください"
     ));
@@ -88,19 +88,19 @@ pub fn per_cent(span: Span, given: f64, share: f64) -> Diagnostic {
 #[cold]
 pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagnostic {
     let text = quote(text);
-    let message = text!("{text} is not a position", "{text} は位置になりません");
+    let message = text!([text] "{text} is not a position", "{text} は位置になりません");
     let fix = read.map(|(first, last)| match first < last {
         true => format!("{first}-{last}"),
         false => first.to_string(),
     });
     let found = Diagnostic::error(235, span, message).help(match read {
         Some((first, last)) if first < last => {
-            text!(
+            text!([first, last]
                 "write `{first}-{last}`",
                 "`{first}-{last}` と書いてください"
             )
         }
-        Some((first, _)) => text!("write `{first}`", "`{first}` と書いてください"),
+        Some((first, _)) => text!([first] "write `{first}`", "`{first}` と書いてください"),
         None => text!(
             "positions count from 1; write for example `2,5-7`",
             "位置は 1 から数えます。`2,5-7` のように書いてください"
@@ -114,7 +114,7 @@ pub fn not_a_position(span: Span, text: &str, read: Option<(u32, u32)>) -> Diagn
 pub fn value_empty(span: Span, name: &str, whole: Option<Span>) -> Diagnostic {
     let title = removing(name);
     let name = quote(name);
-    let message = text!("the value of {name} is empty", "{name} の値が空です");
+    let message = text!([name] "the value of {name} is empty", "{name} の値が空です");
     let found = Diagnostic::error(237, span, message).help(text!(
         "write a value, or remove the attribute",
         "値を書くか、属性を削除してください"
@@ -129,7 +129,7 @@ pub fn value_empty(span: Span, name: &str, whole: Option<Span>) -> Diagnostic {
 #[cold]
 pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
     let name = quote(name);
-    let message = text!(
+    let message = text!([name, count]
         "{name} takes two numbers, not {count}",
         "{name} の数値は二つですが、{count}個あります"
     );
@@ -144,7 +144,7 @@ pub fn not_a_point(span: Span, name: &str, count: usize) -> Diagnostic {
 pub fn not_a_pair(span: Span, name: &str, given: &[f64]) -> Diagnostic {
     let count = given.len();
     let name = quote(name);
-    let message = text!(
+    let message = text!([name, count]
         "{name} takes one number or two, not {count}",
         "{name} の数値は一つか二つですが、{count}個あります"
     );

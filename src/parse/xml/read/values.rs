@@ -77,7 +77,7 @@ impl<'t> Reader<'t, '_> {
             _ => {
                 let (least, most) = (*range.start(), *range.end());
                 self.reporter.push(|| {
-                    let bounds = text!(
+                    let bounds = text!([least, most]
                         "a whole number from {least} to {most}",
                         "{least} から {most} までの整数"
                     );
@@ -205,7 +205,7 @@ impl<'t> Reader<'t, '_> {
             return Some(pair);
         };
         self.reporter.push(|| {
-            let bounds = text!(
+            let bounds = text!([least, most]
                 "whole numbers from {least} to {most}",
                 "{least} から {most} までの整数"
             );
@@ -294,7 +294,7 @@ impl<'t> Reader<'t, '_> {
         }
         let (least, most) = (*range.start(), *range.end());
         self.reporter.push(|| {
-            let bounds = text!(
+            let bounds = text!([least, most]
                 "a number from {least} to {most}",
                 "{least} から {most} までの数値"
             );
