@@ -3,12 +3,16 @@
 //! `grammar/diagnostics/` and a Japanese one in `grammar/diagnostics/ja/`.
 
 use crate::source::Span;
-use std::collections::BTreeSet;
+use crate::text;
+use std::sync::Arc;
 
+mod collected;
 pub mod messages;
 pub mod pages;
+pub(crate) mod suggest;
 mod text;
 
+pub use collected::{Diagnostics, ENOUGH, ENOUGH_OF_LAYER};
 pub use text::{Kept, Language, Noun, Text, Value, noun};
 
 /// A stable number, shown as `HSD0104`. The hundreds tell the stage: 00 file, 01 legacy text, 02 XML,
@@ -31,6 +35,26 @@ pub enum Severity {
     Warning,
     /// Not built, or built with something left out.
     Error,
+}
+
+/// Where a message comes from. Places in source files come before features.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// What somebody wrote.
+    Source(Span),
+    /// A feature of a map, which no house file mentions.
+    Feature {
+        /// The name of its layer.
+        layer: Arc<str>,
+        /// Its key in the layer.
+        key: Arc<str>,
+    },
+}
+
+impl From<Span> for Origin {
+    fn from(span: Span) -> Origin {
+        Origin::Source(span)
+    }
 }
 
 /// A second place that belongs to a message.
@@ -80,7 +104,7 @@ pub struct Diagnostic {
     /// The problem, in one sentence without a full stop.
     pub message: Text,
     /// The exact place.
-    pub span: Span,
+    pub origin: Origin,
     /// The mend.
     pub help: Text,
     /// Further places.
@@ -92,29 +116,49 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// An error.
-    pub fn error(code: u16, span: Span, message: impl Into<Text>) -> Self {
-        Self::new(Severity::Error, code, span, message.into())
+    pub fn error(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
+        Self::new(Severity::Error, code, origin.into(), message.into())
     }
 
     /// A warning.
-    pub fn warning(code: u16, span: Span, message: impl Into<Text>) -> Self {
-        Self::new(Severity::Warning, code, span, message.into())
+    pub fn warning(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
+        Self::new(Severity::Warning, code, origin.into(), message.into())
     }
 
     /// A note.
-    pub fn note(code: u16, span: Span, message: impl Into<Text>) -> Self {
-        Self::new(Severity::Note, code, span, message.into())
+    pub fn note(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
+        Self::new(Severity::Note, code, origin.into(), message.into())
     }
 
-    fn new(severity: Severity, code: u16, span: Span, message: Text) -> Self {
+    fn new(severity: Severity, code: u16, origin: Origin, message: Text) -> Self {
         Diagnostic {
             code: Code(code),
             severity,
             message,
-            span,
+            origin,
             help: Text::default(),
             labels: vec![],
             fixes: vec![],
+        }
+    }
+
+    /// Returns the place in a source file, if the message has one.
+    pub fn span(&self) -> Option<Span> {
+        match self.origin {
+            Origin::Source(span) => Some(span),
+            Origin::Feature { .. } => None,
+        }
+    }
+
+    /// Returns the message, headed by the feature that it is about, where no place in a source file says so.
+    pub fn full_message(&self) -> Text {
+        let message = &self.message;
+        match &self.origin {
+            Origin::Source(_) => message.clone(),
+            Origin::Feature { layer, key } => text!([layer, key, message]
+                "{layer}, feature {key}: {message}",
+                "{layer} の地物 {key}: {message}"
+            ),
         }
     }
 
@@ -149,68 +193,5 @@ impl Diagnostic {
             edits,
         });
         self
-    }
-}
-
-/// The collected messages of a run.
-#[derive(Clone, Debug, Default)]
-pub struct Diagnostics {
-    list: Vec<Diagnostic>,
-}
-
-impl Diagnostics {
-    /// An empty collection.
-    pub fn new() -> Self {
-        Self::default()
-    }
-
-    /// Takes one message.
-    pub fn push(&mut self, diagnostic: Diagnostic) {
-        self.list.push(diagnostic);
-    }
-
-    /// Takes all messages of another collection.
-    pub fn append(&mut self, other: Diagnostics) {
-        self.list.extend(other.list);
-    }
-
-    /// Takes the messages of another collection, one a place and code: what is wrong with a text is wrong with each
-    /// house that is made of it.
-    pub fn push_new(&mut self, other: Diagnostics) {
-        let key = |d: &Diagnostic| (d.span.file, d.span.start, d.span.end, d.code);
-        let mut known: BTreeSet<_> = self.list.iter().map(key).collect();
-        let new = other.list.into_iter().filter(|d| known.insert(key(d)));
-        self.list.extend(new.collect::<Vec<_>>());
-    }
-
-    /// Leaves out the mends of which a change is not to be made.
-    pub fn retain_fixes(&mut self, keep: impl Fn(&Edit) -> bool) {
-        let fixed = self.list.iter_mut().filter(|d| !d.fixes.is_empty());
-        for found in fixed {
-            found.fixes.retain(|fix| fix.edits.iter().all(&keep));
-        }
-    }
-
-    /// Returns true if any diagnostic is an error.
-    pub fn has_errors(&self) -> bool {
-        self.list.iter().any(|d| d.severity == Severity::Error)
-    }
-
-    /// How many of this severity.
-    pub fn count(&self, severity: Severity) -> usize {
-        self.list.iter().filter(|d| d.severity == severity).count()
-    }
-
-    /// In the order of pushing.
-    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
-        self.list.iter()
-    }
-
-    /// Sorted by file and start (stable), without exact repetitions.
-    pub fn into_sorted(mut self) -> Vec<Diagnostic> {
-        self.list
-            .sort_by_key(|d| (d.span.file, d.span.start, d.span.end, d.code));
-        self.list.dedup();
-        self.list
     }
 }

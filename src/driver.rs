@@ -186,7 +186,7 @@ fn documents_noted(
 /// Creates the cache for the files that sources may include.
 fn cache(sources: &[&Source], options: &Options) -> SourceCache {
     let all = sources.iter().copied().chain(options.catalogs.iter());
-    let first = all.map(|s| usize::from(s.id().0) + 1).max();
+    let first = all.map(|s| s.id().0 as usize + 1).max();
     SourceCache::new(first.unwrap_or(0), options.expand.limits.includes)
 }
 

@@ -11,10 +11,11 @@ pub mod lines;
 mod sarif;
 mod short;
 
-use crate::diagnostic::{Diagnostic, Language, Noun, Severity, noun};
+use crate::diagnostic::{Diagnostic, Language, Noun, Origin, Severity, noun};
 use crate::source::{FileId, Source, Span};
 use lines::{Lines, Position};
 use std::cell::OnceCell;
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 
 /// The maximum number of messages in the report for people.
@@ -100,15 +101,29 @@ impl<'a> Report<'a> {
         let parts: Vec<String> = counted
             .map(|(n, severity)| self.counted(*n, *severity))
             .collect();
-        let mut files: Vec<FileId> = self.diagnostics.iter().map(|d| d.span.file).collect();
-        files.sort_unstable();
-        files.dedup();
+        let (mut files, mut layers) = (BTreeSet::new(), BTreeSet::new());
+        for d in self.diagnostics {
+            match &d.origin {
+                Origin::Source(span) => files.insert(span.file),
+                Origin::Feature { layer, .. } => layers.insert(&**layer),
+            };
+        }
         let japanese = self.language == Language::Japanese;
-        let place = match &files[..] {
-            [] => return None,
-            [one] => clean::line(self.name(*one)),
-            many if japanese => format!("{}ファイル", many.len()),
-            many => format!("{} files", many.len()),
+        let names: Vec<&str> = files.into_iter().map(|file| self.name(file)).collect();
+        let place = match (
+            &names[..],
+            layers.into_iter().collect::<Vec<_>>().as_slice(),
+        ) {
+            ([], []) => return None,
+            ([one], []) | ([], [one]) => clean::line(one),
+            (many, []) if japanese => format!("{}ファイル", many.len()),
+            (many, []) => format!("{} files", many.len()),
+            ([], many) if japanese => format!("{}レイヤー", many.len()),
+            ([], many) => format!("{} layers", many.len()),
+            (files, layers) if japanese => {
+                format!("{}ファイルと{}レイヤー", files.len(), layers.len())
+            }
+            (files, layers) => format!("{} files and {} layers", files.len(), layers.len()),
         };
         Some(if japanese {
             format!("{place}: {}", parts.join("、"))

@@ -112,7 +112,7 @@ impl World for NoFiles {
 
 /// A file of one run, numbered in the order of reading.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct FileId(pub u16);
+pub struct FileId(pub u32);
 
 /// A range of bytes of an original file; `start <= end <= length of the file`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -35,7 +35,7 @@ fn scene(texts: &[&str]) -> Scene {
     let sources: Vec<Source> = texts
         .iter()
         .enumerate()
-        .map(|(n, text)| Source::new(FileId(n as u16), format!("{n}.hsd"), text.as_bytes()))
+        .map(|(n, text)| Source::new(FileId(n as u32), format!("{n}.hsd"), text.as_bytes()))
         .collect();
     let mut out = Diagnostics::new();
     let sources: Vec<&Source> = sources.iter().collect();

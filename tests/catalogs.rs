@@ -63,7 +63,7 @@ impl World for Files {
 /// What a run makes of texts, some of them catalogues for all.
 fn run(files: &Files, texts: &[&str], given: &[&str]) -> (Compiled, Vec<Diagnostic>) {
     let source = |(id, name): (usize, &&str)| {
-        let id = FileId(u16::try_from(id).unwrap());
+        let id = FileId(u32::try_from(id).unwrap());
         Source::new(id, *name, files.texts[*name].as_bytes())
     };
     let all: Vec<Source> = texts.iter().chain(given).enumerate().map(source).collect();

@@ -169,7 +169,7 @@ fn fixtures_say_what_cannot_be_written() {
         let told = out.into_sorted();
         let text = source(&fs::read(&path).unwrap());
         let line = |d: &hsd::diagnostic::Diagnostic| {
-            let (line, column) = text.line_column(d.span);
+            let (line, column) = text.line_column(d.span().unwrap());
             format!(
                 "{line}:{column}: {}: {} (help: {})\n{}\n",
                 d.code,

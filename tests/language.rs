@@ -62,8 +62,11 @@ impl Done {
     pub(crate) fn faults(&self) -> Vec<(u16, String)> {
         let marked = |d: &Diagnostic| {
             let all = std::iter::once(&self.source).chain(&self.included);
-            let source = all.into_iter().find(|s| s.id() == d.span.file).unwrap();
-            source.text()[source.text_range(d.span)].to_owned()
+            let source = all
+                .into_iter()
+                .find(|s| s.id() == d.span().unwrap().file)
+                .unwrap();
+            source.text()[source.text_range(d.span().unwrap())].to_owned()
         };
         self.list.iter().map(|d| (d.code.0, marked(d))).collect()
     }

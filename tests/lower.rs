@@ -111,7 +111,7 @@ fn lowered(storeys: Vec<Vec<Loop>>) -> (Shell, Vec<(u16, Severity, Span)>) {
     let said = out
         .into_sorted()
         .iter()
-        .map(|d| (d.code.0, d.severity, d.span))
+        .map(|d| (d.code.0, d.severity, d.span().unwrap()))
         .collect();
     (shell, said)
 }

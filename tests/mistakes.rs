@@ -238,7 +238,10 @@ fn findings(name: &str, text: &str, places: &[(u16, usize, usize)]) -> Vec<Strin
     }
     let mut wrong = vec![];
     for d in &run.diagnostics {
-        let (start, end) = (d.span.start as usize, d.span.end as usize);
+        let (start, end) = (
+            d.span().unwrap().start as usize,
+            d.span().unwrap().end as usize,
+        );
         match left.get_mut(&(d.code.0, start, end)).filter(|n| **n > 0) {
             Some(count) => *count -= 1,
             None => wrong.push(format!(

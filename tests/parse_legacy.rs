@@ -45,7 +45,8 @@ fn read_all(bytes: &[u8]) -> Vec<Diagnostic> {
 
 /// Their codes with what they point at.
 fn all_told(text: &str) -> Vec<(u16, &str)> {
-    let place = |d: &Diagnostic| &text[d.span.start as usize..d.span.end as usize];
+    let place =
+        |d: &Diagnostic| &text[d.span().unwrap().start as usize..d.span().unwrap().end as usize];
     let told = read_all(text.as_bytes());
     told.iter().map(|d| (d.code.0, place(d))).collect()
 }
@@ -63,7 +64,8 @@ fn told(text: &str) -> Vec<u16> {
 /// What the messages on a text point at.
 fn pointed(text: &str) -> Vec<(u16, &str)> {
     let (_, told) = read(text);
-    let place = |d: &Diagnostic| &text[d.span.start as usize..d.span.end as usize];
+    let place =
+        |d: &Diagnostic| &text[d.span().unwrap().start as usize..d.span().unwrap().end as usize];
     told.iter().map(|d| (d.code.0, place(d))).collect()
 }
 
@@ -274,7 +276,7 @@ fn shift_jis_spans_count_bytes_of_the_file() {
     let (bytes, ..) = encoding_rs::SHIFT_JIS.encode(&text);
     let (source, _, told) = read_bytes(&bytes);
     assert_eq!(told.iter().map(|d| d.code.0).collect::<Vec<_>>(), [2, 120]);
-    let span = told[1].span;
+    let span = told[1].span().unwrap();
     assert_eq!(&bytes[span.start as usize..span.end as usize], b"\x81\x40");
     assert_eq!(source.line_column(span), (5, 4));
 }

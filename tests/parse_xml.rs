@@ -12,7 +12,7 @@ fn read(text: &str) -> (Document, Vec<Diagnostic>) {
     let document = xml::parse(&source, &Limits::default(), &mut out);
     let list = out.into_sorted();
     for d in &list {
-        for span in d.labels.iter().map(|l| l.span).chain([d.span]) {
+        for span in d.labels.iter().map(|l| l.span).chain([d.span().unwrap()]) {
             assert!(
                 span.start <= span.end && span.end as usize <= text.len(),
                 "{d:?} in {text:?}"
@@ -35,7 +35,12 @@ fn clean(text: &str) -> Document {
 fn faults(text: &str) -> Vec<(u16, &str)> {
     let (_, list) = read(text);
     list.iter()
-        .map(|d| (d.code.0, &text[d.span.start as usize..d.span.end as usize]))
+        .map(|d| {
+            (
+                d.code.0,
+                &text[d.span().unwrap().start as usize..d.span().unwrap().end as usize],
+            )
+        })
         .collect()
 }
 

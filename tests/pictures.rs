@@ -39,7 +39,7 @@ fn told(content: Option<Vec<u8>>, pixels: u64) -> Vec<(u16, String)> {
     driver::pictures(&made.scene.pictures, building, &world, &limits, &mut out);
     let place = |span| source.text()[source.text_range(span)].to_owned();
     let said = out.iter();
-    said.map(|d| (d.code.0, place(d.span))).collect()
+    said.map(|d| (d.code.0, place(d.span().unwrap()))).collect()
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Reports on small Japanese texts, and on large ones.
 
 use crate::support::cpu::assert_linear;
-use hsd::diagnostic::{Diagnostic, Diagnostics, Edit, Language};
+use hsd::diagnostic::{Diagnostic, Diagnostics, Edit, Language, Origin};
 use hsd::report::{Format, Report, Style};
 use hsd::source::{FileId, Source, Span};
 use hsd::text;
@@ -235,6 +235,59 @@ fn json_has_the_fields_of_the_contract() {
     }]);
     assert_eq!(json, expected);
     assert_eq!(written(&sources, &[], Format::Json), "[]\n");
+}
+
+/// Features have no place in a file: their layer and key stand in the text.
+#[test]
+fn features_are_named() {
+    let origin = |key: &str| Origin::Feature {
+        layer: "bldg".into(),
+        key: key.into(),
+    };
+    let list = [
+        Diagnostic::error(410, origin("b1"), text!("no wall", "壁がありません")).help("mend"),
+        Diagnostic::warning(413, origin("b2"), text!("too large", "大きすぎます")),
+    ];
+    let short = "bldg, feature b1: no wall";
+    let written = |format, language| {
+        let (mut out, style) = (vec![], Style::default());
+        let report = Report::new(&[], &list).in_language(language);
+        report.write(format, style, &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    };
+    let lines = written(Format::Short, Language::English);
+    assert!(
+        lines.starts_with(&format!("error[HSD0410]: {short} (help: mend)\n")),
+        "{lines}"
+    );
+    let lines = written(Format::Short, Language::Japanese);
+    assert!(
+        lines.contains("warning[HSD0413]: bldg の地物 b2: 大きすぎます\n"),
+        "{lines}"
+    );
+    let human = written(Format::Human, Language::English);
+    assert!(
+        human.contains(short) && human.contains("1 error, 1 warning in bldg\n"),
+        "{human}"
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&written(Format::Json, Language::English)).unwrap();
+    assert_eq!(
+        json[0]["feature"],
+        serde_json::json!({"layer": "bldg", "key": "b1"})
+    );
+    assert!(json[0]["span"].is_null() && json[0]["file"].is_null());
+    assert_eq!(json[0]["message"], "no wall");
+    let sarif: serde_json::Value =
+        serde_json::from_str(&written(Format::Sarif, Language::English)).unwrap();
+    let result = &sarif["runs"][0]["results"][0];
+    assert_eq!(result["message"]["text"], format!("{short} (help: mend)"));
+    let place = &result["locations"][0];
+    assert_eq!(
+        place["logicalLocations"][0]["fullyQualifiedName"],
+        "bldg/b1"
+    );
+    assert!(place.get("physicalLocation").is_none());
 }
 
 #[test]

@@ -15,7 +15,7 @@ fn twice(text: &str) -> (String, u32) {
 /// What is said about the roofs, with every place moved to the front by `by`.
 fn said(run: &Run, from: u32, to: u32) -> Vec<Diagnostic> {
     let roofs = run.diagnostics.iter().filter(|d| d.code.0 / 100 == 5);
-    let here = roofs.filter(|d| (from..to).contains(&d.span.start));
+    let here = roofs.filter(|d| (from..to).contains(&d.span().unwrap().start));
     here.map(|d| {
         let moved = |span: Span| Span {
             start: span.start - from,
@@ -23,7 +23,7 @@ fn said(run: &Run, from: u32, to: u32) -> Vec<Diagnostic> {
             ..span
         };
         let mut moved_here = d.clone();
-        moved_here.span = moved(d.span);
+        moved_here.origin = moved(d.span().unwrap()).into();
         for label in &mut moved_here.labels {
             label.span = moved(label.span);
         }

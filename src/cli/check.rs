@@ -34,7 +34,7 @@ impl Check {
         self.input_args.check_folders()?;
         let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
-        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out)?;
+        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out);
         let options = self.input_args.options(&inputs, &mut out)?;
         let sources = inputs.accepted();
         let world = self.input_args.world(&self.input_args.inputs);

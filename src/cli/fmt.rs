@@ -82,7 +82,7 @@ impl Fmt {
         let targets = self.targets()?;
         let limits = self.input_args.limits();
         let mut out = Diagnostics::new();
-        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out)?;
+        let inputs = Inputs::readable(&self.input_args.inputs, limits.bytes, &mut out);
         let options = self.input_args.options(&inputs, &mut out)?;
         let mut tally = Tally::default();
         for ((source, target), accepted) in inputs.sources.iter().zip(&targets).zip(inputs.taken())

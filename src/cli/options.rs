@@ -124,7 +124,7 @@ impl ReadArgs {
             seed: self.seed,
             limits: self.limits(),
         };
-        let first = inputs.sources.len();
+        let first = inputs.sources.len() as u32;
         let catalogs = Inputs::from(first, &self.catalogs, self.max_bytes, out)?;
         Ok(driver::Options {
             expand,

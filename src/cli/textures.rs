@@ -47,7 +47,7 @@ impl Textures {
         }
         if let Some(file) = &self.sheet {
             let shown = file.display();
-            std::fs::write(file, texture::contact_sheet()).map_err(|e| Failure::at(&shown, e))?;
+            output::write(file, Files::bytes(texture::contact_sheet()))?;
             let message = text!([shown] "wrote {shown}", "{shown} を書きました");
             writeln!(io::stderr(), "{}", message.in_language(language))?;
         }

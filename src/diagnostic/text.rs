@@ -31,6 +31,9 @@ impl Language {
 #[derive(Clone)]
 pub struct Text(Words);
 
+/// Writes words in a language.
+type Write = dyn Fn(Language, &mut Formatter<'_>) -> fmt::Result + Send + Sync;
+
 #[derive(Clone)]
 enum Words {
     /// Known when the program is built.
@@ -38,7 +41,7 @@ enum Words {
     /// The same in both languages.
     Same(Arc<str>),
     /// Written when they are read.
-    Written(Arc<dyn Fn(Language, &mut Formatter<'_>) -> fmt::Result + Send + Sync>),
+    Written(Arc<Write>),
 }
 
 impl Text {
@@ -209,7 +212,7 @@ macro_rules! quoted {
     )*};
 }
 
-quoted! { str String Box<str> Cow<'_, str> std::path::Display<'_> std::io::Error }
+quoted! { str std::sync::Arc<str> String Box<str> Cow<'_, str> std::path::Display<'_> std::io::Error }
 
 impl Kept for Box<str> {
     type Words<'a> = &'a str;

@@ -76,7 +76,7 @@ pub struct House {
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct PlanPlace {
     /// The file; 0 is the file itself.
-    pub file: u16,
+    pub file: u32,
     /// Its range of bytes.
     pub span: Span,
 }

@@ -66,7 +66,7 @@ fn quick_fixes(
     let places = Places::new(documents, document, analysis, context.encoding);
     let mut found = vec![];
     let fixable = analysis.diagnostics.iter().filter(|d| !d.fixes.is_empty());
-    for diagnostic in fixable.filter(|d| places.uri(d.span.file) == Some(uri)) {
+    for diagnostic in fixable.filter(|d| d.span().and_then(|s| places.uri(s.file)) == Some(uri)) {
         let Some((_, shown)) = places.diagnostic(diagnostic, context.settings.language) else {
             continue;
         };

@@ -125,7 +125,11 @@ impl<'a> Places<'a> {
         d: &diagnostic::Diagnostic,
         language: Language,
     ) -> Option<(String, lsp::Diagnostic)> {
-        let place = self.span(d.span)?;
+        let place = match d.span() {
+            Some(span) => self.span(span)?,
+            // Nothing of the document is to blame, but somewhere it must stand.
+            None => self.location(self.analysis.source.id(), &(0..0))?,
+        };
         let related = d.labels.iter().filter_map(|label| {
             Some(lsp::DiagnosticRelatedInformation {
                 location: self.span(label.span)?,
@@ -168,7 +172,7 @@ fn in_document(document: &Document, range: &ops::Range<usize>, encoding: Encodin
 
 /// Returns the message of a diagnostic, followed by a line with its help.
 fn message(d: &diagnostic::Diagnostic, language: Language) -> String {
-    let (message, help) = (&d.message, &d.help);
+    let (message, help) = (&d.full_message(), &d.help);
     let whole = match help.is_empty() {
         true => message,
         false => &text!([message, help] "{message}\nhelp: {help}", "{message}\n対処: {help}"),

@@ -100,7 +100,7 @@ impl<'a> Overlay<'a> {
             Some((path, bytes?))
         });
         let catalogs: Vec<Source> = read
-            .zip(1u16..)
+            .zip(1..)
             .map(|((path, bytes), id)| Source::new(FileId(id), path.to_string_lossy(), &bytes))
             .collect();
         Options {

@@ -5,7 +5,7 @@
 //! counted, and the last message states their number.
 
 use crate::diagnostic::messages::file;
-use crate::diagnostic::{Diagnostic, Diagnostics, Severity, Text};
+use crate::diagnostic::{Diagnostic, Diagnostics, ENOUGH, Origin, Severity, Text};
 use crate::source::{Source, Span};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -15,9 +15,6 @@ const A_FEW: usize = 4;
 
 /// The maximum white space considered before an item.
 const FAR: usize = 4096;
-
-/// The maximum number of messages for one file.
-const ENOUGH: usize = 500;
 
 /// The messages about one source, and those that it includes. Their texts are numbered consecutively, so that a range
 /// determines its file.
@@ -30,7 +27,7 @@ pub(super) struct Reporter<'a> {
     more: Vec<(usize, &'a Source)>,
     first: &'a Source,
     /// Messages already reported, for content that is read several times.
-    once: Option<BTreeMap<(u16, Span), Vec<Text>>>,
+    once: Option<BTreeMap<(u16, Origin), Vec<Text>>>,
     /// The line end of the first source.
     line_end: &'static str,
     out: Diagnostics,
@@ -160,7 +157,9 @@ impl<'a> Reporter<'a> {
         let Some(once) = &mut self.once else {
             return true;
         };
-        let said = once.entry((message.code.0, message.span)).or_default();
+        let said = once
+            .entry((message.code.0, message.origin.clone()))
+            .or_default();
         let news = said.len() < A_FEW && !said.contains(&message.message);
         if news {
             said.push(message.message.clone());

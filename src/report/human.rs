@@ -112,8 +112,11 @@ struct Message {
 
 impl Message {
     fn new(report: &Report<'_>, d: &Diagnostic) -> Message {
-        let (here, elsewhere): (Vec<_>, Vec<_>) =
-            d.labels.iter().partition(|l| l.span.file == d.span.file);
+        let own = d.span();
+        let (here, elsewhere): (Vec<_>, Vec<_>) = d
+            .labels
+            .iter()
+            .partition(|l| own.is_some_and(|own| l.span.file == own.file));
         let language = report.language;
         let mut help = d
             .help
@@ -132,10 +135,11 @@ impl Message {
             );
             clean::line(&text)
         }));
-        let excerpt = report.lines(d.span.file).map(|lines| {
-            let spans = std::iter::once(d.span).chain(here.iter().map(|l| l.span));
+        let excerpt = own.and_then(|own| {
+            let lines = report.lines(own.file)?;
+            let spans = std::iter::once(own).chain(here.iter().map(|l| l.span));
             let ranges: Vec<_> = spans.map(|s| lines.range(s)).collect();
-            Excerpt::new(report.name(d.span.file), lines, &ranges)
+            Some(Excerpt::new(report.name(own.file), lines, &ranges))
         });
         let marks = excerpt.iter().flat_map(Excerpt::marks);
         let texts = std::iter::once(None).chain(
@@ -154,7 +158,7 @@ impl Message {
         let word = name(d.severity);
         Message {
             code: format!("{}[{}]", language.choose(word.en, word.ja), d.code),
-            text: clean::line(&d.message.in_language(language)),
+            text: clean::line(&d.full_message().in_language(language)),
             help: (!help.is_empty()).then(|| help.join("\n")),
             severity: d.severity,
             labels,

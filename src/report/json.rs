@@ -2,7 +2,7 @@
 //! column.
 
 use super::{Report, word};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Origin};
 use crate::source::Span;
 use serde::Serialize;
 use std::borrow::Cow;
@@ -13,12 +13,21 @@ struct Message<'a> {
     code: String,
     severity: &'static str,
     message: Cow<'a, str>,
-    file: &'a str,
-    line: usize,
-    column: usize,
-    span: Bytes,
+    file: Option<&'a str>,
+    line: Option<usize>,
+    column: Option<usize>,
+    span: Option<Bytes>,
     help: Cow<'a, str>,
     labels: Vec<Label<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    feature: Option<Feature<'a>>,
+}
+
+/// What a message is about instead of a file.
+#[derive(Serialize)]
+struct Feature<'a> {
+    layer: &'a str,
+    key: &'a str,
 }
 
 #[derive(Serialize)]
@@ -61,7 +70,12 @@ pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> 
 }
 
 fn message<'a>(report: &'a Report<'_>, d: &'a Diagnostic) -> Message<'a> {
-    let at = report.position(d.span);
+    let span = d.span();
+    let at = span.map(|span| report.position(span));
+    let feature = match &d.origin {
+        Origin::Source(_) => None,
+        Origin::Feature { layer, key } => Some(Feature { layer, key }),
+    };
     let label = |l: &'a crate::diagnostic::Label| {
         let at = report.position(l.span);
         Label {
@@ -76,11 +90,12 @@ fn message<'a>(report: &'a Report<'_>, d: &'a Diagnostic) -> Message<'a> {
         code: d.code.to_string(),
         severity: word(d.severity),
         message: d.message.in_language(report.language),
-        file: report.name(d.span.file),
-        line: at.line,
-        column: at.column,
-        span: d.span.into(),
+        file: span.map(|span| report.name(span.file)),
+        line: at.map(|at| at.line),
+        column: at.map(|at| at.column),
+        span: span.map(Bytes::from),
         help: d.help.in_language(report.language),
         labels: d.labels.iter().map(label).collect(),
+        feature,
     }
 }

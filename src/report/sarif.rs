@@ -1,7 +1,7 @@
 //! SARIF 2.1.0, for code-scanning services. Rules come from the pages of `hsd explain`.
 
 use super::{Report, title};
-use crate::diagnostic::{Code, Diagnostic, Fix, Language, pages};
+use crate::diagnostic::{Code, Diagnostic, Fix, Language, Origin, pages};
 use crate::source::{FileId, Span};
 use serde::Serialize;
 use std::borrow::Cow;
@@ -100,9 +100,20 @@ struct Replacement<'a> {
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
 struct Location<'a> {
-    physical_location: SarifPlace,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    physical_location: Option<Place>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    logical_locations: Vec<Logical<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     message: Option<Text<Cow<'a, str>>>,
+}
+
+/// A feature of a layer.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Logical<'a> {
+    name: &'a str,
+    fully_qualified_name: String,
 }
 
 #[derive(Serialize)]
@@ -173,15 +184,16 @@ fn rule(code: Code, language: Language) -> Rule {
 fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcome<'a> {
     let language = report.language;
     let (message, word) = (
-        d.message.in_language(language),
+        d.full_message().in_language(language).into_owned(),
         language.choose("help", "対処"),
     );
     let text = match &*d.help.in_language(language) {
-        "" => message.into_owned(),
+        "" => message,
         help => format!("{message} ({word}: {help})"),
     };
     let label = |l: &'a crate::diagnostic::Label| Location {
-        physical_location: place(report, l.span),
+        physical_location: Some(place(report, l.span)),
+        logical_locations: vec![],
         message: Some(Text {
             text: l.message.in_language(language),
         }),
@@ -192,7 +204,8 @@ fn outcome<'a>(report: &Report<'_>, codes: &[Code], d: &'a Diagnostic) -> Outcom
         level: super::word(d.severity),
         message: Text { text },
         locations: [Location {
-            physical_location: place(report, d.span),
+            physical_location: d.span().map(|span| place(report, span)),
+            logical_locations: logical(&d.origin),
             message: None,
         }],
         related_locations: d.labels.iter().map(label).collect(),
@@ -222,8 +235,18 @@ fn fix<'a>(report: &Report<'_>, fix: &'a Fix) -> Option<SarifFix<'a>> {
     })
 }
 
-fn place(report: &Report<'_>, span: Span) -> SarifPlace {
-    SarifPlace {
+fn logical(origin: &Origin) -> Vec<Logical<'_>> {
+    match origin {
+        Origin::Source(_) => vec![],
+        Origin::Feature { layer, key } => vec![Logical {
+            name: key,
+            fully_qualified_name: format!("{layer}/{key}"),
+        }],
+    }
+}
+
+fn place(report: &Report<'_>, span: Span) -> Place {
+    Place {
         artifact_location: artifact(report, span.file),
         region: region(report, span),
     }

@@ -6,13 +6,12 @@ use std::io::{self, Write};
 
 pub(super) fn write(report: &Report<'_>, out: &mut dyn Write) -> io::Result<()> {
     for d in report.diagnostics {
-        let at = report.position(d.span);
-        let (name, message) = (
-            clean::line(report.name(d.span.file)),
-            clean::line(&d.message.in_language(report.language)),
-        );
-        let (line, column, word) = (at.line, at.column, word(d.severity));
-        write!(out, "{name}:{line}:{column}: {word}[{}]: {message}", d.code)?;
+        if let Some(span) = d.span() {
+            let (name, at) = (clean::line(report.name(span.file)), report.position(span));
+            write!(out, "{name}:{}:{}: ", at.line, at.column)?;
+        }
+        let message = clean::line(&d.full_message().in_language(report.language));
+        write!(out, "{}[{}]: {message}", word(d.severity), d.code)?;
         if !d.help.is_empty() {
             let help = clean::line(&d.help.in_language(report.language));
             let word = report.language.choose("help", "対処");

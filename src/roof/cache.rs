@@ -8,7 +8,7 @@
 
 use crate::ast::{RoofLine, RoofStyle};
 use crate::building::{House, HouseRoofs, Ring, Storey, Wall};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Origin};
 use crate::program::Roofs;
 use crate::source::{Span, Spanned};
 use glam::DVec2;
@@ -116,15 +116,19 @@ fn roof_places(roofs: &mut Arc<HouseRoofs>) -> impl Iterator<Item = &mut Span> {
 fn message_places(diagnostics: &mut [Diagnostic]) -> impl Iterator<Item = &mut Span> {
     diagnostics.iter_mut().flat_map(|diagnostic| {
         let Diagnostic {
-            span,
+            origin,
             labels,
             fixes,
             ..
         } = diagnostic;
+        let place = match origin {
+            Origin::Source(span) => Some(span),
+            Origin::Feature { .. } => None,
+        };
         let labels = labels.iter_mut().map(|label| &mut label.span);
         let edits = fixes.iter_mut().flat_map(|fix| &mut fix.edits);
         let edits = edits.map(|edit| &mut edit.span);
-        std::iter::once(span).chain(labels).chain(edits)
+        place.into_iter().chain(labels).chain(edits)
     })
 }
 

@@ -13,7 +13,6 @@ pub struct SourceCache {
 impl SourceCache {
     /// Creates a cache with room for this many files, numbered from `first`.
     pub fn new(first: usize, room: usize) -> SourceCache {
-        let room = room.min((usize::from(u16::MAX) + 1).saturating_sub(first));
         SourceCache {
             slots: std::iter::repeat_with(OnceCell::new).take(room).collect(),
             first,
@@ -29,7 +28,7 @@ impl SourceCache {
     /// Adds a file; `None` if the cache is full.
     pub fn add(&self, name: &str, bytes: &[u8]) -> Option<&Source> {
         let index = self.slots.iter().position(|s| s.get().is_none())?;
-        let id = u16::try_from(self.first + index).ok()?;
+        let id = u32::try_from(self.first + index).ok()?;
         Some(self.slots[index].get_or_init(|| Source::new(FileId(id), name, bytes)))
     }
 

@@ -99,9 +99,8 @@ impl Houses {
 /// Returns the source location of a node.
 fn place(node: &Node) -> [u32; 3] {
     let nowhere = [u32::MAX, 0, 0];
-    node.span.map_or(nowhere, |Span { file, start, end }| {
-        [u32::from(file.0), start, end]
-    })
+    node.span
+        .map_or(nowhere, |Span { file, start, end }| [file.0, start, end])
 }
 
 /// Groups the exported nodes by house and computes the keys.

@@ -329,7 +329,7 @@ fn state_event(revision: u64) -> Event {
 struct Location {
     file: String,
     #[serde(default)]
-    id: u16,
+    id: u32,
     span: [u32; 2],
 }
 

@@ -67,7 +67,7 @@ struct State<'a> {
 /// A source file: `Source` of the state.
 #[derive(Serialize)]
 struct SourceState<'a> {
-    id: u16,
+    id: u32,
     name: &'a str,
     /// The path relative to the root, with `/`.
     path: Option<String>,

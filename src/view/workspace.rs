@@ -43,7 +43,7 @@ pub(super) enum Update {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub(super) struct Cursor {
     /// The source; 0 for the file itself.
-    id: u16,
+    id: u32,
     /// Byte offsets.
     span: [u32; 2],
 }
@@ -257,7 +257,7 @@ impl Workspace {
     pub(super) fn open(
         &self,
         document: &Document,
-        id: u16,
+        id: u32,
         [start, end]: [u32; 2],
     ) -> io::Result<()> {
         let snapshot = self.snapshot(document)?;

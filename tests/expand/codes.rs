@@ -76,7 +76,8 @@ fn said_of_list(text: &str, list: &str) -> Vec<(u16, String)> {
         &Options::default(),
         &mut out,
     );
-    let text = |d: &hsd::diagnostic::Diagnostic| text[source.text_range(d.span)].to_owned();
+    let text =
+        |d: &hsd::diagnostic::Diagnostic| text[source.text_range(d.span().unwrap())].to_owned();
     out.into_sorted()
         .iter()
         .map(|d| (d.code.0, text(d)))

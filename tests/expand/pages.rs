@@ -57,7 +57,7 @@ fn every_fixture_triggers_its_message() {
         assert!(!said.is_empty(), "{name} says nothing");
         for one in &said {
             assert_eq!(one.code.0, code, "{name}: {one:#?}");
-            let range = source.text_range(one.span);
+            let range = source.text_range(one.span().unwrap());
             let text = &source.text()[range];
             assert!(
                 !text.contains('\n') && !one.help.is_empty(),

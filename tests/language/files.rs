@@ -60,7 +60,10 @@ fn messages_point_into_the_included_file_in_its_own_bytes() {
     let done = read_in(&world, text, &[]);
     let unknown: Vec<_> = done.list.iter().filter(|d| d.code.0 == 252).collect();
     assert_eq!(unknown.len(), 1, "said once, though used twice");
-    let (span, name) = (unknown[0].span, encoding_rs::SHIFT_JIS.encode("間口").0);
+    let (span, name) = (
+        unknown[0].span().unwrap(),
+        encoding_rs::SHIFT_JIS.encode("間口").0,
+    );
     assert_eq!(&bytes[span.start as usize..span.end as usize], &*name);
     assert_eq!(span.file, FileId(1));
 
@@ -93,7 +96,7 @@ fn cycles_are_shown_and_what_is_sound_is_taken() {
         "{:?}",
         done.list[0]
     );
-    assert_eq!(done.list[0].span.file, FileId(2));
+    assert_eq!(done.list[0].span().unwrap().file, FileId(2));
     assert_eq!(
         codes(rows(storeys(&done.document)[0])[0]),
         ["KSK", "GSI", "TOD"]

@@ -78,7 +78,7 @@ fn damaged_texts_are_read_and_messages_lie_in_them() {
         let text = damaged(&seed, &mut numbers);
         let done = read_in(&world, &text, &[("frontage", "7"), ("w", "{k}")]);
         for d in &done.list {
-            for span in d.labels.iter().map(|l| l.span).chain([d.span]) {
+            for span in d.labels.iter().map(|l| l.span).chain([d.span().unwrap()]) {
                 let all = std::iter::once(&done.source).chain(&done.included);
                 let source = all.into_iter().find(|s| s.id() == span.file).unwrap();
                 assert!(

@@ -38,9 +38,9 @@ fn checked(path: &Path, text: &str, encoding: &str) -> Vec<Value> {
     driver::check(&[&source], &world, &Options::default(), &mut out);
     let mark = if text.starts_with('\u{feff}') { 3 } else { 0 };
     let own = out.into_sorted().into_iter();
-    own.filter(|d| d.span.file == FileId(0))
+    own.filter(|d| d.span().unwrap().file == FileId(0))
         .map(|d| {
-            let place = source.text_range(d.span);
+            let place = source.text_range(d.span().unwrap());
             let message = match d.help.is_empty() {
                 true => d.message.en(),
                 false => format!("{}\nhelp: {}", d.message.en(), d.help.en()),

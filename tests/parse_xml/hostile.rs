@@ -245,7 +245,7 @@ fn places_count_bytes_of_the_original_file() {
     let mut out = Diagnostics::new();
     let document = xml::parse(&source, &Limits::default(), &mut out);
     let list = out.into_sorted();
-    let span = list[0].span;
+    let span = list[0].span().unwrap();
     assert_eq!(&bytes[span.start as usize..span.end as usize], b"\x81\x40");
     assert_eq!(document.houses[0].name.as_ref().unwrap().value, "町家");
 }

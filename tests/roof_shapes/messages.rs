@@ -50,7 +50,7 @@ fn a_roof_on_an_open_facade_is_an_error_only_when_asked_for() {
     facade.roofs.wished = Some(span(7));
     let (_, out) = build(facade);
     assert!(out.has_errors());
-    assert_eq!(out.iter().next().unwrap().span, span(7));
+    assert_eq!(out.iter().next().unwrap().span().unwrap(), span(7));
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn odd_options_are_warned_about() {
     steep.roofs.style.pitch = Some(Spanned::new(12.0, span(3)));
     let (_, out) = build(steep);
     let first = out.iter().next().unwrap();
-    assert_eq!((first.code.0, first.span), (507, span(3)));
+    assert_eq!((first.code.0, first.span().unwrap()), (507, span(3)));
     let gable = |d, h| line(RoofShape::Gable, d, h, [0.0, 0.0, 6.0, 8.0]);
     let slim = |d, h| line(RoofShape::Gable, d, h, [0.0, 0.0, 4.0, 8.0]);
     assert_eq!(

@@ -102,13 +102,14 @@ fn short(d: &Diagnostic, run: &Run) -> String {
     };
     let mut text = format!(
         "{}: {severity} {}: {}\n",
-        place(d.span),
+        place(d.span().unwrap()),
         d.code,
         d.message.en()
     );
     text += &format!(
         "  marked: {:?}\n",
-        &run.file(d.span).text()[run.file(d.span).text_range(d.span)]
+        &run.file(d.span().unwrap()).text()
+            [run.file(d.span().unwrap()).text_range(d.span().unwrap())]
     );
     text += &format!("  help: {}\n", d.help.en());
     for label in &d.labels {
@@ -274,7 +275,7 @@ pub fn assert_none(findings: &[String]) {
 pub fn flaws_of_diagnostics(run: &Run, bytes: usize) -> Vec<String> {
     let mut flaws = vec![];
     for d in &run.diagnostics {
-        let spans = std::iter::once(d.span).chain(d.labels.iter().map(|l| l.span));
+        let spans = std::iter::once(d.span().unwrap()).chain(d.labels.iter().map(|l| l.span));
         for span in spans {
             let other = span.file != run.source.id();
             let bytes = if other { run.file(span).size() } else { bytes };

@@ -40,7 +40,7 @@ struct Extras<'a> {
     span: Option<Span>,
     /// The file of the span, by its number in reading order; omitted for the first.
     #[serde(skip_serializing_if = "Option::is_none")]
-    file: Option<u16>,
+    file: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     shape: Option<&'a str>,
 }

@@ -36,12 +36,12 @@ impl Inputs {
 
     /// Like [`Inputs::read`], with sources numbered from `first`.
     pub(in crate::cli) fn from(
-        first: usize,
+        first: u32,
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
     ) -> Result<Inputs, Failure> {
-        let mut inputs = Inputs::numbered(first, paths, limit, out)?;
+        let mut inputs = Inputs::numbered(first, paths, limit, out);
         inputs.failure.take().map_or(Ok(inputs), Err)
     }
 
@@ -55,28 +55,17 @@ impl Inputs {
         paths: &[PathBuf],
         limit: usize,
         out: &mut Diagnostics,
-    ) -> Result<Inputs, Failure> {
+    ) -> Inputs {
         Inputs::numbered(0, paths, limit, out)
     }
 
-    fn numbered(
-        first: usize,
-        paths: &[PathBuf],
-        limit: usize,
-        out: &mut Diagnostics,
-    ) -> Result<Inputs, Failure> {
+    fn numbered(first: u32, paths: &[PathBuf], limit: usize, out: &mut Diagnostics) -> Inputs {
         let mut inputs = Inputs {
             sources: vec![],
             refused: vec![],
             failure: None,
         };
-        for (path, number) in paths.iter().zip(first..) {
-            let id = u16::try_from(number).map_err(|_| {
-                Failure::Usage(text!(
-                    "too many inputs: at most 65,536 files can be read in one run",
-                    "入力が多すぎます。一度に読めるのは 65,536 ファイルまでです"
-                ))
-            })?;
+        for (path, id) in paths.iter().zip(first..) {
             let shown = if path.as_os_str() == STDIN {
                 "<stdin>".to_owned()
             } else {
@@ -98,7 +87,7 @@ impl Inputs {
             }
             inputs.sources.push(source);
         }
-        Ok(inputs)
+        inputs
     }
 
     /// For each source in order, whether it was accepted.

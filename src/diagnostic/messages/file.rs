@@ -1,6 +1,6 @@
 //! Messages about the file as a whole (HSD00xx) and limits (HSD09xx).
 
-use crate::diagnostic::{Diagnostic, Severity, Text};
+use crate::diagnostic::{Code, Diagnostic, Origin, Severity, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -150,5 +150,35 @@ pub fn more_messages(span: Span, count: usize, worst: Severity) -> Diagnostic {
         "上の指摘を直してから、もう一度調べてください。指摘があまりに多いときは、家のファイルではないかもしれません"
     ));
     found.severity = worst;
+    found
+}
+
+/// The limit of diagnostics of one kind is reached, in a file or in a layer.
+#[cold]
+pub fn more_of_a_kind(origin: Origin, code: Code, count: usize, severity: Severity) -> Diagnostic {
+    let (message, help) = match &origin {
+        Origin::Source(_) => (
+            text!([count, code]
+                "{count} more of {code} in this file are not shown",
+                "このファイルにはほかに {code} が{count}件ありますが、表示しません"
+            ),
+            text!(
+                "fix those above and check again; one mistake often causes many of them",
+                "上の指摘を直してから、もう一度調べてください。多くはひとつの誤りから生じます"
+            ),
+        ),
+        Origin::Feature { layer, .. } => (
+            text!([count, code, layer]
+                "… and {count} more of {code} in the layer `{layer}`",
+                "…レイヤー `{layer}` にはほかに {code} が{count}件あります"
+            ),
+            text!(
+                "what is wrong with many features usually has one cause, in the data or in how it is read",
+                "多くの地物に共通する指摘は、たいていデータか読み方に共通の原因があります"
+            ),
+        ),
+    };
+    let mut found = Diagnostic::error(909, origin, message).help(help);
+    found.severity = severity;
     found
 }

@@ -324,9 +324,10 @@ impl<'a> Sheet<'a> {
     fn has_mistakes(&self, span: Span) -> bool {
         let all = &self.a.diagnostics;
         let key = |s: Span| (s.file, s.start);
-        let from = all.partition_point(|d| key(d.span) < key(span));
+        let from = all.partition_point(|d| d.span().is_some_and(|s| key(s) < key(span)));
+        let touches = |s: Span| s.file == span.file && s.start <= span.end;
         let here = all[from..].iter();
-        let here = here.take_while(|d| d.span.file == span.file && d.span.start <= span.end);
+        let here = here.take_while(|d| d.span().is_some_and(touches));
         let wrong =
             |code: u16| matches!(code, 101 | 124..=127 | 130..=132 | 134 | 136..=139 | 200..=232);
         here.filter(|d| d.severity == crate::diagnostic::Severity::Error)

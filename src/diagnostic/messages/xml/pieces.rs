@@ -40,7 +40,7 @@ fn marked(found: Diagnostic, chain: &[(String, Span)]) -> Diagnostic {
         .iter()
         .take(MARKED)
         .fold(found, |found, (name, span)| {
-            if *span == found.span {
+            if found.span() == Some(*span) {
                 return found;
             }
             let name = quote(name);

@@ -1,0 +1,251 @@
+//! The messages of a run, counted by kind: what floods a report is shown in part and counted in full.
+
+use super::messages::file;
+use super::{Code, Diagnostic, Edit, Origin, Severity};
+use crate::source::FileId;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+/// Messages on one file that are kept: by a reader in all, by a run of one code and severity. No one reads more, and
+/// they would take more memory than a file is allowed to (docs/contract.md 7).
+pub const ENOUGH: usize = 500;
+
+/// Messages of one code and severity that are kept of one layer: what is wrong with a feature is wrong with many.
+pub const ENOUGH_OF_LAYER: usize = 20;
+
+/// The collected messages of a run.
+#[derive(Clone, Debug, Default)]
+pub struct Diagnostics {
+    list: Vec<Diagnostic>,
+    kinds: BTreeMap<Kind, Tally>,
+}
+
+/// What messages have in common that are counted together.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Kind {
+    of: Whole,
+    code: Code,
+    severity: Severity,
+}
+
+/// What the origins of messages are parts of.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Whole {
+    File(FileId),
+    Layer(Arc<str>),
+}
+
+/// The messages of a kind.
+#[derive(Clone, Debug)]
+struct Tally {
+    /// How many there are, kept or not.
+    count: usize,
+    /// The greatest origin among those kept.
+    last: Origin,
+}
+
+impl Kind {
+    fn of(diagnostic: &Diagnostic) -> Kind {
+        Kind {
+            of: match &diagnostic.origin {
+                Origin::Source(span) => Whole::File(span.file),
+                Origin::Feature { layer, .. } => Whole::Layer(layer.clone()),
+            },
+            code: diagnostic.code,
+            severity: diagnostic.severity,
+        }
+    }
+
+    /// How many messages of the kind are kept.
+    fn enough(&self) -> usize {
+        match self.of {
+            Whole::File(_) => ENOUGH,
+            Whole::Layer(_) => ENOUGH_OF_LAYER,
+        }
+    }
+}
+
+impl Diagnostics {
+    /// An empty collection.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes one message; those after the first [`ENOUGH`] of a kind are only counted.
+    pub fn push(&mut self, diagnostic: Diagnostic) {
+        let kind = Kind::of(&diagnostic);
+        let enough = kind.enough();
+        let tally = self.kinds.entry(kind).or_insert_with(|| Tally {
+            count: 0,
+            last: diagnostic.origin.clone(),
+        });
+        tally.count += 1;
+        if tally.count > enough {
+            return;
+        }
+        if tally.last < diagnostic.origin {
+            tally.last = diagnostic.origin.clone();
+        }
+        self.list.push(diagnostic);
+    }
+
+    /// Takes all messages of another collection.
+    pub fn append(&mut self, other: Diagnostics) {
+        for diagnostic in other.list {
+            self.push(diagnostic);
+        }
+        for (kind, tally) in other.kinds {
+            let left_out = tally.count.saturating_sub(kind.enough());
+            if let Some(own) = self.kinds.get_mut(&kind) {
+                own.count += left_out;
+            }
+        }
+    }
+
+    /// Takes the messages of another collection, one a place and code: what is wrong with a text is wrong with each
+    /// house that is made of it.
+    pub fn push_new(&mut self, other: Diagnostics) {
+        let key = |d: &Diagnostic| (d.origin.clone(), d.code);
+        let mut known: BTreeSet<_> = self.list.iter().map(key).collect();
+        for diagnostic in other.list {
+            if known.insert(key(&diagnostic)) {
+                self.push(diagnostic);
+            }
+        }
+        // Nobody knows which of those left out are new.
+        for (kind, tally) in other.kinds {
+            if let Some(own) = self.kinds.get_mut(&kind) {
+                own.count = own.count.max(tally.count);
+            }
+        }
+    }
+
+    /// Leaves out the mends of which a change is not to be made.
+    pub fn retain_fixes(&mut self, keep: impl Fn(&Edit) -> bool) {
+        let fixed = self.list.iter_mut().filter(|d| !d.fixes.is_empty());
+        for found in fixed {
+            found.fixes.retain(|fix| fix.edits.iter().all(&keep));
+        }
+    }
+
+    /// Returns true if any diagnostic is an error.
+    pub fn has_errors(&self) -> bool {
+        self.list.iter().any(|d| d.severity == Severity::Error)
+    }
+
+    /// Returns how many messages there are, kept or not, by layer (`None` for source files), code and severity.
+    pub fn counts(&self) -> BTreeMap<(Option<&str>, Code, Severity), usize> {
+        let mut counts = BTreeMap::new();
+        for (kind, tally) in &self.kinds {
+            let layer = match &kind.of {
+                Whole::File(_) => None,
+                Whole::Layer(layer) => Some(&**layer),
+            };
+            *counts.entry((layer, kind.code, kind.severity)).or_default() += tally.count;
+        }
+        counts
+    }
+
+    /// The messages that are kept, in the order of pushing.
+    pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
+        self.list.iter()
+    }
+
+    /// Sorted by origin and code (stable), without exact repetitions. Where messages of a kind are left out, one that
+    /// says how many follows the last of them.
+    pub fn into_sorted(mut self) -> Vec<Diagnostic> {
+        for (kind, tally) in self.kinds {
+            let more = tally.count.saturating_sub(kind.enough());
+            if more > 0 {
+                let closing = file::more_of_a_kind(tally.last, kind.code, more, kind.severity);
+                self.list.push(closing);
+            }
+        }
+        self.list
+            .sort_by(|a, b| (&a.origin, a.code).cmp(&(&b.origin, b.code)));
+        self.list.dedup();
+        self.list
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::Language;
+    use crate::source::Span;
+
+    fn span(file: u32, start: u32) -> Span {
+        Span {
+            file: FileId(file),
+            start,
+            end: start + 1,
+        }
+    }
+
+    fn feature(layer: &str, key: usize) -> Origin {
+        Origin::Feature {
+            layer: layer.into(),
+            key: format!("b{key:04}").into(),
+        }
+    }
+
+    fn words(list: &[Diagnostic], language: Language) -> Vec<String> {
+        let words = list.iter().map(|d| d.message.in_language(language));
+        words.map(String::from).collect()
+    }
+
+    #[test]
+    fn a_layer_shows_twenty_of_a_kind_and_counts_the_rest() {
+        let mut out = Diagnostics::new();
+        for key in 0..25 {
+            out.push(Diagnostic::warning(413, feature("bldg", key), "far off"));
+            out.push(Diagnostic::error(410, feature("wall", key), "no wall"));
+        }
+        out.push(Diagnostic::note(413, feature("bldg", 3), "by the way"));
+        out.push(Diagnostic::warning(413, span(0, 3), "far off"));
+        let counts = out.counts();
+        assert_eq!(counts[&(Some("bldg"), Code(413), Severity::Warning)], 25);
+        assert_eq!(counts[&(Some("bldg"), Code(413), Severity::Note)], 1);
+        assert_eq!(counts[&(Some("wall"), Code(410), Severity::Error)], 25);
+        assert_eq!(counts[&(None, Code(413), Severity::Warning)], 1);
+        assert!(out.has_errors());
+        let list = out.into_sorted();
+        assert_eq!(list.len(), 1 + 22 + 21);
+        assert_eq!(list[0].span(), Some(span(0, 3)), "files come first");
+        let closing = &list[22];
+        assert_eq!(
+            (closing.code, closing.severity),
+            (Code(909), Severity::Warning)
+        );
+        assert_eq!(closing.origin, feature("bldg", 19));
+        let both = [Language::English, Language::Japanese].map(|l| words(&list, l)[22].clone());
+        assert_eq!(both[0], "… and 5 more of HSD0413 in the layer `bldg`");
+        assert_eq!(both[1], "…レイヤー `bldg` にはほかに HSD0413 が5件あります");
+    }
+
+    #[test]
+    fn a_file_shows_enough_of_a_kind_and_errors_stay() {
+        let mut out = Diagnostics::new();
+        for start in 0..2_000 {
+            out.push(Diagnostic::warning(309, span(0, start), "idle"));
+            out.push(Diagnostic::warning(309, span(1, start % 100), "idle"));
+        }
+        out.push(Diagnostic::error(309, span(0, 1_999), "worse"));
+        let list = out.clone().into_sorted();
+        assert_eq!(
+            list.len(),
+            2 * (ENOUGH + 1) + 1 - 400,
+            "repetitions are one"
+        );
+        assert_eq!(list[ENOUGH].span(), Some(span(0, ENOUGH as u32 - 1)));
+        let said = &words(&list, Language::English)[ENOUGH];
+        assert_eq!(said, "1500 more of HSD0309 in this file are not shown");
+        assert_eq!(list[ENOUGH + 1].severity, Severity::Error);
+        // The count survives being joined, and is not doubled by what is known.
+        let mut all = Diagnostics::new();
+        all.append(out.clone());
+        all.push_new(out.clone());
+        assert_eq!(all.counts(), out.counts());
+        assert_eq!(all.into_sorted(), list);
+    }
+}
