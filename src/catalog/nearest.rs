@@ -1,7 +1,7 @@
 //! Finds the code that an unknown one was meant to be.
 
 use super::{Catalog, PartId};
-use strsim::osa_distance;
+use crate::diagnostic::suggest::{self, slips};
 
 /// The number of spellings offered.
 const OFFERS: usize = 3;
@@ -21,7 +21,7 @@ pub(super) fn nearest(catalog: &Catalog, code: &str) -> Vec<PartId> {
     for (i, part) in catalog.parts().iter().enumerate() {
         let theirs = part.code().trim().to_ascii_uppercase();
         let tight: String = theirs.split_whitespace().collect();
-        let far = osa_distance(&folded, &theirs).min(osa_distance(&squeezed, &tight));
+        let far = slips(&folded, &theirs).min(slips(&squeezed, &tight));
         // Something must agree: three edits turn any three letters into any others.
         if far <= FARTHEST && far < squeezed.len().max(1) && !tight.is_empty() {
             let cut = !tight.starts_with(&squeezed);
@@ -36,8 +36,12 @@ pub(super) fn nearest(catalog: &Catalog, code: &str) -> Vec<PartId> {
 
 /// Returns the known word nearest to a misspelt one, if it is near enough.
 pub(super) fn near<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
-    let far = |k: &str| osa_distance(&word.to_lowercase(), &k.to_lowercase());
-    let best = known.iter().map(|k| (far(k), *k)).min()?;
+    let far = |k: &str| slips(&word.to_lowercase(), &k.to_lowercase());
     let allowed = 1 + word.chars().count() / 4;
-    (best.0 <= allowed && best.0 < best.1.len()).then_some(best.1)
+    // Something of it must agree.
+    suggest::nearest(
+        known.iter().copied(),
+        |k| (far(k), k),
+        |k| allowed.min(k.len().saturating_sub(1)),
+    )
 }

@@ -4,6 +4,7 @@
 //! may also end the name (`窓` finds `虫籠窓`), unless it would cut a word in two (`簾` is no part of `暖簾`).
 
 use super::reading::{folded, narrow};
+use crate::diagnostic::suggest::slips;
 use std::borrow::Cow;
 
 /// Spellings of one word; the second is the one that is compared.
@@ -109,7 +110,7 @@ impl Query {
             return false;
         }
         let allowed = 1 + self.sound.len() / 6;
-        let close = |n: &str| strsim::osa_distance(n, &self.sound) <= allowed.min(n.len() / 3);
+        let close = |n: &str| slips(n, &self.sound) <= allowed.min(n.len() / 3);
         close(&sound(name)) || name.split(is_gap).map(sound).any(|word| close(&word))
     }
 

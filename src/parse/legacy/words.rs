@@ -3,6 +3,7 @@
 use super::line::SourceLine;
 use crate::diagnostic::Noun;
 use crate::diagnostic::messages::legacy as say;
+use crate::diagnostic::suggest;
 use crate::parse::reporter::Reporter;
 use crate::source::{Source, Span, Spanned};
 use nom::bytes::complete::{take_till1, take_while};
@@ -130,13 +131,13 @@ pub(super) fn nearest<'c>(word: &str, candidates: &[&'c str]) -> Option<&'c str>
         return None;
     }
     // Of equally near words, one with the same first letter: it is seldom mistyped.
-    let score = |c: &&'c str| {
+    let score = |c: &'c str| {
         let small = c.to_ascii_lowercase();
-        let edits = strsim::osa_distance(&lower, &small);
-        (edits, small.bytes().next() != lower.bytes().next(), *c)
+        let other = small.bytes().next() != lower.bytes().next();
+        (suggest::slips(&lower, &small), (other, c))
     };
-    let (edits, _, best) = candidates.iter().map(score).min()?;
-    (edits * 3 <= best.len().max(3) + 1).then_some(best)
+    let allowed = |c: &str| (c.len().max(3) + 1) / 3;
+    suggest::nearest(candidates.iter().copied(), score, allowed)
 }
 
 #[cfg(test)]

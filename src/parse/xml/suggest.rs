@@ -1,6 +1,6 @@
 //! Finds the known word that the author may have meant.
 
-use strsim::osa_distance;
+use crate::diagnostic::suggest::{self, slips};
 
 /// The maximum number of searches: they cost time, and a file of 100,000 unknown words needs no 100,000 suggestions.
 const SEARCHES: u32 = 500;
@@ -33,10 +33,12 @@ impl Suggest {
         }
         self.left -= 1;
         let folded = fold(word);
-        let near = known.map(|k| (osa_distance(&folded, &fold(k)), k));
-        near.filter(|(d, k)| *d <= allowance(k))
-            .min_by_key(|(d, _)| *d)
-            .map(|(_, k)| k)
+        // A word that allows no more slips must not hide one that does.
+        let score = |k| match slips(&folded, &fold(k)) {
+            few if few <= allowance(k) => (few, ()),
+            _ => (usize::MAX, ()),
+        };
+        suggest::nearest(known, score, allowance)
     }
 }
 
@@ -46,7 +48,7 @@ pub(super) fn alike(word: &str, other: &str) -> bool {
     if lengths.0.max(lengths.1) > LONGEST || lengths.0.abs_diff(lengths.1) > allowance(other) {
         return false;
     }
-    osa_distance(&fold(word), &fold(other)) <= allowance(other)
+    slips(&fold(word), &fold(other)) <= allowance(other)
 }
 
 /// Returns the number of typing errors allowed in a word of this length.
