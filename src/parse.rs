@@ -17,6 +17,7 @@ use crate::source::{Limits, NoFiles, Source, SourceCache, World};
 
 mod builtin;
 mod expr;
+pub(crate) mod meanings;
 mod reporter;
 pub mod legacy;
 pub mod names;

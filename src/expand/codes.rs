@@ -2,7 +2,7 @@
 
 use super::Pass;
 use crate::ast::CodeText;
-use crate::catalog::{Catalog, PartDef, PartId, ScopeId};
+use crate::catalog::{Catalog, PartDef, PartId, Query, ScopeId};
 use crate::diagnostic::messages::parts as say;
 use crate::program::{Content, House, Picture, PictureId, Unit};
 use crate::source::{PictureFile, Span, World};
@@ -294,6 +294,23 @@ impl<'a> Codes<'a> {
         catalog.called(name.trim()).map(PartDef::code)
     }
 
+    /// The first parts that a search for this word finds, if it can be no code: such words are in kana, kanji or small
+    /// letters.
+    fn meant(&mut self, word: &str) -> Vec<&'a PartDef> {
+        let small = word.len() >= MEANING && word.bytes().all(|b| b.is_ascii_lowercase());
+        if self.searches == 0 || (word.is_ascii() && !small) {
+            return vec![];
+        }
+        self.searches -= 1;
+        let query = Query::new(word);
+        let catalog: &'a Catalog = self.catalog;
+        let parts = catalog.parts().iter();
+        parts
+            .filter(|p| p.is_found_by(&query))
+            .take(OFFERS)
+            .collect()
+    }
+
     /// A placeholder for an unknown unit.
     pub(super) fn plain_part(&self) -> Which {
         self.stand_in("").which
@@ -357,19 +374,29 @@ impl Pass<'_, '_> {
             return found;
         }
         if self.is_news(301, span) {
-            let near = match code {
-                CodeText::Name(_) => vec![],
-                CodeText::Five(_) => self.codes.nearest(bare),
-            };
             let called = self.codes.called(bare);
-            self.out.push(match called {
-                Some(part) => say::part_name(span, bare, part, span),
-                None => say::unknown_code(span, bare, &near),
+            let meant = self.codes.meant(bare);
+            self.out.push(match (called, &meant[..]) {
+                (Some(part), _) => say::part_name(span, bare, part, span),
+                (None, []) => {
+                    let near = match code {
+                        CodeText::Name(_) => vec![],
+                        CodeText::Five(_) => self.codes.nearest(bare),
+                    };
+                    say::unknown_code(span, bare, &near)
+                }
+                (None, meant) => say::part_meaning(span, bare, meant),
             });
         }
         self.codes.stand_in(bare)
     }
 }
+
+/// Parts that are offered for a word.
+const OFFERS: usize = 3;
+
+/// Fewer small letters are a code in small letters.
+const MEANING: usize = 4;
 
 /// The maximum number of variants of an image.
 const VARIANTS: u32 = 999;

@@ -7,55 +7,20 @@ pub(super) use shapes::SHAPES;
 pub(super) use stuffs::STUFFS;
 
 use crate::diagnostic::{Noun, noun};
+use crate::parse::meanings;
 use crate::source::Source;
 
 /// Words with their descriptions.
 pub(super) type Table = [(&'static str, Noun)];
 
 /// The covering of a roof.
-pub(super) const COVERINGS: &Table = &[
-    ("K", noun("pantiles (sangawara)", "桟瓦葺")),
-    ("G", noun("cover tiles (hon-gawara)", "本瓦葺")),
-    ("I", noun("boards (ita)", "板葺")),
-    ("S", noun("shingles (kokera)", "杮葺")),
-    ("H", noun("bark (hiwada)", "檜皮葺")),
-    ("Y", noun("thatch (kaya)", "茅葺")),
-    ("T", noun("metal (totan)", "トタン葺")),
-];
+pub(super) const COVERINGS: &Table = &meanings::nouns(&meanings::COVERINGS);
 
 /// The forms of roofs.
-pub(super) const ROOF_SHAPES: &Table = &[
-    ("KIR", noun("gable (kirizuma)", "切妻")),
-    ("KAT", noun("lean-to (katanagare)", "片流れ")),
-    ("HIS", noun("pent roof (hisashi)", "庇")),
-    ("YOS", noun("hip (yosemune)", "寄棟")),
-    ("IRI", noun("hip and gable (irimoya)", "入母屋")),
-    ("HOG", noun("pyramid (hogyo)", "宝形")),
-    (
-        "YOK",
-        noun("gable along the short side (yokonaga)", "横長切妻"),
-    ),
-    ("HAK", noun("half-hip (hakama-goshi)", "袴腰")),
-    ("TER", noun("temple: irimoya with sori (tera)", "寺院")),
-    ("KAR", noun("undulating gable (karahafu)", "唐破風")),
-    ("RIK", noun("flat (rikuyane)", "陸屋根")),
-];
+pub(super) const ROOF_SHAPES: &Table = &meanings::nouns(&meanings::SHAPES);
 
 /// Ridges and falls.
-pub(super) const DIRECTIONS: &Table = &[
-    (
-        "X",
-        noun("ridge along the first line", "棟が最初の行に平行"),
-    ),
-    (
-        "Y",
-        noun("ridge across the first line", "棟が最初の行に直交"),
-    ),
-    ("F", noun("one slope, falls to the front", "前へ下る片流れ")),
-    ("B", noun("one slope, falls to the back", "奥へ下る片流れ")),
-    ("L", noun("one slope, falls to the left", "左へ下る片流れ")),
-    ("R", noun("one slope, falls to the right", "右へ下る片流れ")),
-];
+pub(super) const DIRECTIONS: &Table = &meanings::nouns(&meanings::DIRECTIONS);
 
 /// The option letters of a roof line.
 pub(super) const OPTIONS: &Table = &[
@@ -187,40 +152,11 @@ const TRUTHS: &Table = &[
     ("yes", noun("it does", "はい")),
     ("no", noun("it does not", "いいえ")),
 ];
-pub(super) const ERAS: &Table = &[
-    ("E", noun("Edo", "江戸")),
-    ("M", noun("Meiji to early Showa", "明治から昭和初期")),
-    ("N", noun("contemporary", "現代")),
-    ("all", noun("any time", "いつでも")),
-];
-const PAINTS: &Table = &[
-    ("cedar", noun("plain cedar", "杉の素木")),
-    ("hinoki", noun("plain cypress", "檜の素木")),
-    ("keyaki", noun("plain zelkova", "欅の素木")),
-    ("vermilion", noun("vermilion paint", "丹塗")),
-    ("bengara", noun("iron red stain", "弁柄塗")),
-    ("sooted", noun("stained with soot", "煤塗")),
-];
-const RAILS: &Table = &[
-    ("none", noun("no railing", "高欄なし")),
-    ("crossed", noun("railing whose beams cross", "組高欄")),
-    ("knobbed", noun("railing with knobbed posts", "擬宝珠高欄")),
-];
-const FINIALS: &Table = &[
-    ("sorin", noun("the spire of a pagoda", "相輪")),
-    ("hoju", noun("a jewel", "宝珠")),
-    ("shibi", noun("fish tails at the ridge's ends", "鴟尾")),
-    (
-        "chigi",
-        noun("crossed boards and logs of a shrine", "千木・鰹木"),
-    ),
-];
-const SIDES: &Table = &[
-    ("F", noun("front", "前")),
-    ("B", noun("back", "奥")),
-    ("L", noun("left", "左")),
-    ("R", noun("right", "右")),
-];
+pub(super) const ERAS: &Table = &meanings::nouns(&meanings::ERAS);
+const PAINTS: &Table = &meanings::nouns(&meanings::PAINTS);
+const RAILS: &Table = &meanings::nouns(&meanings::RAILS);
+const FINIALS: &Table = &meanings::nouns(&meanings::FINIALS);
+const SIDES: &Table = &meanings::nouns(&meanings::SIDES);
 const STOREYS: &Table = &[
     (
         "storey",

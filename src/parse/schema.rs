@@ -426,9 +426,16 @@ fn borne(element: &str, attribute: &str) -> Option<&'static AttributeSchema> {
 
 /// Returns the attribute meant by a word that other programs use for it.
 pub(in crate::parse) fn meant(tag: Tag, word: &str) -> Option<&'static str> {
-    let counts = ["count", "times", "n", "number", "repeat"];
-    (tag == Tag::Repeat && counts.iter().any(|c| word.eq_ignore_ascii_case(c))).then_some("num")
+    let is = |words: &[&str]| words.iter().any(|w| word.eq_ignore_ascii_case(w));
+    match tag {
+        Tag::Repeat => is(&["count", "times", "n", "number", "repeat"]).then_some("num"),
+        Tag::Roofs | Tag::Roof => is(ROOFING).then_some("kind"),
+        _ => None,
+    }
 }
+
+/// Words for the covering of roofs, which is the `kind` of `Roofs`.
+pub(in crate::parse) const ROOFING: &[&str] = &["roof", "roofs", "roofing", "covering"];
 
 /// The hints for recovery from the tables of elements.
 pub(in crate::parse) static SCHEMA_HINTS: SchemaHints = SchemaHints {

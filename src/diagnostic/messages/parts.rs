@@ -1,6 +1,7 @@
 //! Messages about parts and operations (HSD03xx), and the limit on parts (HSD0904).
 
-use super::words::any_of;
+use super::words::{any_of, shortened};
+use crate::catalog::PartDef;
 use crate::diagnostic::{Diagnostic, Text};
 use crate::source::Span;
 use crate::text;
@@ -70,6 +71,29 @@ pub fn part_name(span: Span, name: &str, code: &str, cells: Span) -> Diagnostic 
             "`{name}` の部材コードは `{code}` です。五桁で書いてください"
         ))
         .fix(written(code), cells, in_cells(cells, code))
+}
+
+/// A word that the names of some parts have; it stands in place of a code.
+#[cold]
+pub fn part_meaning(span: Span, word: &str, parts: &[&PartDef]) -> Diagnostic {
+    let word = shortened(word);
+    let message = text!([word]
+        "`{word}` is what parts are called, not a code",
+        "`{word}` は部材の呼び名で、部材コードではありません"
+    );
+    let offer = |part: &&PartDef| {
+        let (code, en, ja) = (part.code().trim_end(), &part.en, &part.ja);
+        text!([code, en, ja] "`{code}` ({en})", "`{code}` ({ja})")
+    };
+    let offers = Text::joined(parts.iter().map(offer).collect(), " or ", "か ");
+    let found = Diagnostic::error(301, span, message).help(text!([offers, word]
+        "write {offers}; `hsd parts {word}` finds others",
+        "{offers} と書いてください。ほかは `hsd parts {word}` で探せます"
+    ));
+    parts.iter().fold(found, |found, part| {
+        let code = part.code();
+        found.fix(written(code.trim_end()), span, in_cells(span, code))
+    })
 }
 
 /// A turn letter that slipped into a code whose blanks were lost; `ends`: a turn may be written there.

@@ -1,11 +1,12 @@
 //! Roof lines: kind, direction, height, shape, two corners, options (docs/evidence.md 6).
 
-use super::line::SourceLine;
-use super::roof_words::{KIND_NAMES, OPTIONS, SHAPE_NAMES, named};
+use super::line::Line;
+use super::roof_words::OPTIONS;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
 use crate::diagnostic::messages::legacy as say;
 use crate::diagnostic::{Noun, noun};
+use crate::parse::meanings;
 use crate::parse::reporter::Reporter;
 use crate::source::{Span, Spanned};
 
@@ -137,7 +138,7 @@ impl<'w> Fields<'w, '_, '_> {
         let kind = RoofKind::from_letter(first).map(|k| Spanned::new(k, word.span));
         match second {
             None if kind.is_none() && first != '*' => {
-                let near = named(word.text, &KIND_NAMES);
+                let near = meanings::called(word.text, &meanings::COVERINGS).map(|m| m.word);
                 self.reporter
                     .say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
@@ -148,7 +149,7 @@ impl<'w> Fields<'w, '_, '_> {
                 (kind, direction(d).map(|d| Spanned::new(d, word.span)))
             }
             Some(_) => {
-                let near = named(word.text, &KIND_NAMES);
+                let near = meanings::called(word.text, &meanings::COVERINGS).map(|m| m.word);
                 self.reporter
                     .say(say::unknown_kind(word.span, word.text, near));
                 (None, self.direction())
@@ -209,7 +210,8 @@ impl<'w> Fields<'w, '_, '_> {
         if found.is_none() && text != "*" {
             self.strange = true;
             let letters = RoofShape::ALL.map(|(letters, _)| letters);
-            let near = named(word.text, &SHAPE_NAMES).or_else(|| nearest(&text, &letters));
+            let near = meanings::called(word.text, &meanings::SHAPES).map(|m| m.word);
+            let near = near.or_else(|| nearest(&text, &letters));
             self.reporter
                 .say(say::unknown_shape(word.span, word.text, near));
         }

@@ -14,6 +14,8 @@ use super::edits;
 use super::suggest::Suggest;
 use super::tree::{Child, Element, Tree};
 use crate::diagnostic::messages::xml as say;
+use crate::diagnostic::{Noun, noun};
+use crate::parse::meanings;
 use crate::parse::reporter::Reporter;
 use crate::parse::schema;
 use crate::parse::schema::{Content, Kind, Schema, Tag};
@@ -61,6 +63,11 @@ impl<'t> Attributes<'t> {
     /// Returns the kind of value of an attribute.
     pub(super) fn kind(&self, name: &str) -> Kind {
         self.schema.attribute(name).map_or(Kind::Text, |a| a.kind)
+    }
+
+    /// Returns the meaning of an attribute.
+    pub(super) fn about(&self, name: &str) -> Option<Noun> {
+        self.schema.attribute(name).map(|a| noun(a.en, a.ja))
     }
 
     /// Returns the bounds of an attribute's numbers.
@@ -294,6 +301,10 @@ fn attribute_name(
             let is = |near, a: &Attribute<'_>| schema::canonical(a.name) == schema::canonical(near);
             let near = near.map(|near| (near, element.attributes.iter().any(|a| is(near, a))));
             let (name, of) = (attribute.name, schema.name);
+            if near.is_none() && schema::ROOFING.contains(&name) {
+                let kind = meanings::called(attribute.value.as_str(), &meanings::COVERINGS);
+                return say::roofing(s, name, of, kind.map_or("K", |k| k.word), whole);
+            }
             say::unknown_attribute(s, name, of, near, &known, Some(whole))
         });
     }

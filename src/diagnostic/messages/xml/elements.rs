@@ -109,6 +109,23 @@ pub fn unknown_attribute(
     }
 }
 
+/// The covering of roofs as an attribute of another element; `kind` = the letter of what was written.
+#[cold]
+pub fn roofing(span: Span, name: &str, element: &str, kind: &str, whole: Span) -> Diagnostic {
+    let title = removing(name);
+    let name = quote(name);
+    let message = text!([element, name]
+        "`{element}` has no attribute {name}",
+        "`{element}` に {name} という属性はありません"
+    );
+    Diagnostic::error(222, span, message)
+        .help(text!([kind]
+            "the covering is the `kind` of all roofs: write `<Roofs kind=\"{kind}\"/>` in `House`",
+            "葺き材は屋根全体の `kind` です。`House` の中に `<Roofs kind=\"{kind}\"/>` と書いてください"
+        ))
+        .fix(title, whole, "")
+}
+
 /// A known element in the wrong place; `home` says where it belongs: names in backquotes and "outermost".
 #[cold]
 pub fn wrong_place(span: Span, name: &str, parent: Option<&str>, home: &str) -> Diagnostic {

@@ -2,7 +2,7 @@
 
 use super::fixes::{offer, removing};
 use crate::diagnostic::messages::words::{any_of, quote};
-use crate::diagnostic::{Diagnostic, Text};
+use crate::diagnostic::{Diagnostic, Noun, Text};
 use crate::source::Span;
 use crate::text;
 
@@ -26,6 +26,32 @@ pub fn not_a_number(span: Span, name: &str, text: &str, fix: Option<&str>) -> Di
         ),
     });
     offer(found, span, offered)
+}
+
+/// A word such as `yes` where a number says how much; `no` is 0.
+#[cold]
+pub fn yes_for_a_number(
+    span: Span,
+    name: &str,
+    text: &str,
+    about: Noun,
+    zero: Option<&str>,
+) -> Diagnostic {
+    let (named, quoted) = (quote(name), quote(text));
+    let message = text!([quoted, named]
+        "{quoted} is not a number for {named}",
+        "{quoted} は {named} の数値として読めません"
+    );
+    let found = Diagnostic::error(225, span, message).help(match zero.map(quote) {
+        Some(zero) => {
+            text!([zero, about] "write {zero} ({about})", "{zero} と書いてください ({about})")
+        }
+        None => text!([about]
+            "write a number that says how much: {about}",
+            "どれほどかを数値で書いてください: {about}"
+        ),
+    });
+    offer(found, span, zero)
 }
 
 /// A number out of range; `near` = the nearest in range.
@@ -54,8 +80,9 @@ pub fn not_a_choice(
     name: &str,
     text: &str,
     all: &[&str],
-    near: Option<&str>,
+    near: Option<(&str, Option<Noun>)>,
 ) -> Diagnostic {
+    let (near, meaning) = near.unzip();
     let few = if all.len() <= FEW { all } else { &[] };
     let offered: Vec<&str> = near.map_or(few.to_vec(), |near| vec![near]);
     let (name, text, all) = (quote(name), quote(text), any_of(all));
@@ -63,9 +90,13 @@ pub fn not_a_choice(
         "{text} is not a value of {name}",
         "{text} は {name} の値になりません"
     );
-    let found = Diagnostic::error(227, span, message).help(match near {
-        Some(near) => text!([near] "write `{near}`", "`{near}` と書いてください"),
-        None => text!([all] "write {all}", "{all} と書いてください"),
+    let found = Diagnostic::error(227, span, message).help(match (near, meaning.flatten()) {
+        (Some(near), Some(meaning)) => text!([near, meaning]
+            "write `{near}`: {meaning}",
+            "`{near}` ({meaning}) と書いてください"
+        ),
+        (Some(near), None) => text!([near] "write `{near}`", "`{near}` と書いてください"),
+        (None, _) => text!([all] "write {all}", "{all} と書いてください"),
     });
     offer(found, span, offered)
 }

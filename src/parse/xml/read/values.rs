@@ -1,6 +1,7 @@
 //! Values of attributes: numbers, choices, lists, places.
 
 use crate::diagnostic::messages::xml as say;
+use crate::parse::meanings;
 use crate::parse::xml::read::{Attributes, Reader};
 use crate::parse::xml::suggest::narrow_ascii;
 use crate::parse::xml::tree::chars::is_blank;
@@ -44,9 +45,8 @@ impl<'t> Reader<'t, '_> {
         name: &str,
     ) -> Option<Spanned<f64>> {
         let attribute = of.get(name)?;
-        let range = of.bounds(name);
         let text = attribute.value.as_str();
-        let value = self.number_in(attribute, 0..text.len(), &range)?;
+        let value = self.number_in(of, name, 0..text.len())?;
         Some(Spanned::new(value, self.value_span(attribute)))
     }
 
@@ -131,12 +131,17 @@ impl<'t> Reader<'t, '_> {
         if found.is_some() {
             return found;
         }
-        let near = self.suggest.among(text, words.iter().map(|(w, _)| *w));
-        self.reporter.push(|| {
-            let all: Vec<&str> = words.iter().map(|(w, _)| *w).collect();
-            say::not_a_choice(span, name, text, &all, near)
-        });
-        near.and_then(find)
+        let all: Vec<&str> = words.iter().map(|(w, _)| *w).collect();
+        let near = match meanings::among(text, &all) {
+            Some(meant) => Some((meant.word, meant.shown())),
+            None => {
+                let near = self.suggest.among(text, words.iter().map(|(w, _)| *w));
+                near.map(|near| (near, None))
+            }
+        };
+        self.reporter
+            .push(|| say::not_a_choice(span, name, text, &all, near));
+        near.and_then(|(near, _)| find(near))
     }
 
     /// Reads numbers separated by blanks or commas.
@@ -146,12 +151,11 @@ impl<'t> Reader<'t, '_> {
         name: &str,
     ) -> Option<Spanned<Vec<f64>>> {
         let attribute = of.get(name)?;
-        let range = of.bounds(name);
         let (mut list, mut good) = (vec![], true);
         for piece in pieces(attribute.value.as_str(), |c| {
             is_blank(c) || c == ',' || c == '、'
         }) {
-            match self.number_in(attribute, piece, &range) {
+            match self.number_in(of, name, piece) {
                 Some(value) => list.push(value),
                 None => good = false,
             }
@@ -266,26 +270,26 @@ impl<'t> Reader<'t, '_> {
     }
 
     /// Reads the number in a piece of a value.
-    fn number_in(
-        &mut self,
-        attribute: &Attribute<'_>,
-        piece: Range<usize>,
-        range: &RangeInclusive<f64>,
-    ) -> Option<f64> {
+    fn number_in(&mut self, of: &Attributes<'t>, name: &str, piece: Range<usize>) -> Option<f64> {
+        let (attribute, range) = (of.get(name)?, &of.bounds(name));
         let text = attribute.value.as_str()[piece.clone()].trim_matches(is_blank);
         let span = self.reporter.span(&attribute.value.range(piece));
-        let (name, plain) = (attribute.name, decimal(text));
+        let (given, plain) = (attribute.name, decimal(text));
         let fix = || {
             narrowed(text)
                 .or_else(|| Some(text.replacen(',', ".", 1)))
                 .filter(|t| decimal(t).is_some())
+                .or_else(|| meanings::digits(text, range))
         };
         let value = match plain {
             Some(value) => value,
             None => {
                 let fix = fix();
-                self.reporter
-                    .push(|| say::not_a_number(span, name, text, fix.as_deref()));
+                let about = meanings::is_truth(text).and_then(|_| of.about(name));
+                self.reporter.push(|| match about {
+                    Some(about) => say::yes_for_a_number(span, given, text, about, fix.as_deref()),
+                    None => say::not_a_number(span, given, text, fix.as_deref()),
+                });
                 decimal(&fix?)?
             }
         };
@@ -299,7 +303,7 @@ impl<'t> Reader<'t, '_> {
                 "{least} から {most} までの数値"
             );
             let near = near_number(text, value, range);
-            say::out_of_range(span, name, text, bounds, Some(&near))
+            say::out_of_range(span, given, text, bounds, Some(&near))
         });
         None
     }

@@ -1,0 +1,243 @@
+//! What words of the language mean, and what authors write in their place: the meaning in English, in Japanese, or in
+//! Latin letters. Readers of both forms find the word by it, and editors show it.
+
+use crate::catalog::Query;
+use crate::diagnostic::{Noun, noun};
+use std::ops::RangeInclusive;
+
+/// A word of the language.
+pub(crate) struct Meaning {
+    /// The word.
+    pub(crate) word: &'static str,
+    /// What it means.
+    pub(crate) noun: Noun,
+    /// What else authors call it; spellings of one word are the same to a [`Query`].
+    names: &'static [&'static str],
+}
+
+impl Meaning {
+    /// Returns the meaning of a word that does not say it itself.
+    pub(super) fn shown(&self) -> Option<Noun> {
+        (!self.noun.en.is_empty()).then_some(self.noun)
+    }
+}
+
+const fn means(
+    word: &'static str,
+    en: &'static str,
+    ja: &'static str,
+    names: &'static [&'static str],
+) -> Meaning {
+    Meaning {
+        word,
+        noun: noun(en, ja),
+        names,
+    }
+}
+
+/// The covering of a roof.
+#[rustfmt::skip]
+pub(crate) const COVERINGS: [Meaning; 7] = [
+    means("K", "pantiles (sangawara)", "桟瓦葺", &["瓦", "瓦葺", "桟瓦", "kawara", "kawarabuki", "sangawara", "tile", "tiles", "tiled", "pantile", "pantiles"]),
+    means("G", "cover tiles (hon-gawara)", "本瓦葺", &["本瓦", "hongawara", "cover tiles"]),
+    means("I", "boards (ita)", "板葺", &["板", "ita", "itabuki", "board", "boards", "planks"]),
+    means("S", "shingles (kokera)", "杮葺", &["柿", "杮", "柿葺", "こけら", "kokera", "kokerabuki", "shingle", "shingles", "shingled"]),
+    means("H", "bark (hiwada)", "檜皮葺", &["檜皮", "hiwada", "hiwadabuki", "bark", "cypress bark"]),
+    means("Y", "thatch (kaya)", "茅葺", &["茅", "萱", "葦", "藁", "藁葺", "草葺", "kaya", "kayabuki", "wara", "thatch", "thatched", "straw", "reed"]),
+    means("T", "metal (totan)", "トタン葺", &["トタン", "鉄板", "金属", "銅板", "totan", "metal", "tin", "steel", "copper"]),
+];
+
+/// The forms of roofs.
+#[rustfmt::skip]
+pub(crate) const SHAPES: [Meaning; 11] = [
+    means("KIR", "gable (kirizuma)", "切妻", &["切妻造", "切妻屋根", "kirizuma", "gable", "gabled", "gables"]),
+    means("KAT", "lean-to (katanagare)", "片流れ", &["片流", "片流れ屋根", "katanagare", "lean-to", "shed"]),
+    means("HIS", "pent roof (hisashi)", "庇", &["廂", "ひさし", "hisashi", "pent", "pent roof"]),
+    means("YOS", "hip (yosemune)", "寄棟", &["寄棟造", "寄棟屋根", "yosemune", "hip", "hipped"]),
+    means("IRI", "hip and gable (irimoya)", "入母屋", &["入母屋造", "入母屋屋根", "irimoya", "hip and gable"]),
+    means("HOG", "pyramid (hogyo)", "宝形", &["宝形造", "方形", "方形造", "hogyo", "hōgyō", "pyramid", "pyramidal"]),
+    means("YOK", "gable along the short side (yokonaga)", "横長切妻", &["妻入", "yokonaga-kirizuma", "yokonaga"]),
+    means("HAK", "half-hip (hakama-goshi)", "袴腰", &["袴腰屋根", "半切妻", "hakama-goshi", "half-hip"]),
+    means("TER", "temple: irimoya with sori (tera)", "寺院", &["寺", "tera", "temple"]),
+    means("KAR", "undulating gable (karahafu)", "唐破風", &["karahafu"]),
+    means("RIK", "flat (rikuyane)", "陸屋根", &["陸", "平屋根", "rikuyane", "flat"]),
+];
+
+/// Ridges and falls.
+#[rustfmt::skip]
+pub(crate) const DIRECTIONS: [Meaning; 6] = [
+    means("X", "ridge along the first line", "棟が最初の行に平行", &["平", "平入", "hirairi"]),
+    means("Y", "ridge across the first line", "棟が最初の行に直交", &["妻", "妻入", "tsumairi"]),
+    means("F", "one slope, falls to the front", "前へ下る片流れ", FRONT),
+    means("B", "one slope, falls to the back", "奥へ下る片流れ", BACK),
+    means("L", "one slope, falls to the left", "左へ下る片流れ", LEFT),
+    means("R", "one slope, falls to the right", "右へ下る片流れ", RIGHT),
+];
+
+const FRONT: &[&str] = &["front", "前", "正面", "表", "mae", "omote"];
+const BACK: &[&str] = &[
+    "back", "rear", "奥", "裏", "後", "背面", "oku", "ura", "ushiro",
+];
+const LEFT: &[&str] = &["left", "左", "hidari"];
+const RIGHT: &[&str] = &["right", "右", "migi"];
+
+/// The sides of a house.
+pub(crate) const SIDES: [Meaning; 4] = [
+    means("F", "front", "前", FRONT),
+    means("B", "back", "奥", BACK),
+    means("L", "left", "左", LEFT),
+    means("R", "right", "右", RIGHT),
+];
+
+/// The turns between walls.
+const TURNS: [Meaning; 2] = [
+    means("R", "right", "右", RIGHT),
+    means("L", "left", "左", LEFT),
+];
+
+/// The railings of platforms and verandas.
+#[rustfmt::skip]
+pub(crate) const RAILS: [Meaning; 3] = [
+    means("none", "no railing", "高欄なし", NO),
+    means("crossed", "railing whose beams cross", "組高欄", &["組勾欄", "跳高欄", "kumikoran"]),
+    means("knobbed", "railing with knobbed posts", "擬宝珠高欄", &["擬宝珠", "擬宝珠勾欄", "giboshi"]),
+];
+
+/// The colours of timber.
+#[rustfmt::skip]
+pub(crate) const PAINTS: [Meaning; 6] = [
+    means("cedar", "plain cedar", "杉の素木", &["杉", "sugi"]),
+    means("hinoki", "plain cypress", "檜の素木", &["檜", "cypress"]),
+    means("keyaki", "plain zelkova", "欅の素木", &["欅", "zelkova"]),
+    means("vermilion", "vermilion paint", "丹塗", &["朱", "朱塗", "丹", "ninuri", "red"]),
+    means("bengara", "iron red stain", "弁柄塗", &["弁柄", "紅殻", "ベンガラ"]),
+    means("sooted", "stained with soot", "煤塗", &["煤", "煤竹", "susu", "black"]),
+];
+
+/// What stands on roofs.
+#[rustfmt::skip]
+pub(crate) const FINIALS: [Meaning; 4] = [
+    means("sorin", "the spire of a pagoda", "相輪", &["spire"]),
+    means("hoju", "a jewel", "宝珠", &["jewel"]),
+    means("shibi", "fish tails at the ridge's ends", "鴟尾", &["fish tails"]),
+    means("chigi", "crossed boards and logs of a shrine", "千木・鰹木", &["千木", "鰹木", "katsuogi"]),
+];
+
+/// When a house was built.
+#[rustfmt::skip]
+pub(crate) const ERAS: [Meaning; 4] = [
+    means("E", "Edo", "江戸", &["edo", "江戸時代"]),
+    means("M", "Meiji to early Showa", "明治から昭和初期", &["meiji", "taisho", "明治", "大正", "明治時代", "大正時代"]),
+    means("N", "contemporary", "現代", &["modern", "new"]),
+    means("all", "any time", "いつでも", &["any"]),
+];
+
+/// `yes` and `no`, which need no explanation.
+const TRUTHS: [Meaning; 2] = [means("yes", "", "", YES), means("no", "", "", NO)];
+
+const YES: &[&str] = &[
+    "yes", "true", "on", "はい", "有", "有り", "あり", "hai", "ari",
+];
+const NO: &[&str] = &[
+    "no",
+    "false",
+    "off",
+    "none",
+    "いいえ",
+    "無",
+    "無し",
+    "なし",
+    "iie",
+    "nashi",
+];
+
+const TABLES: &[&[Meaning]] = &[
+    &COVERINGS,
+    &SHAPES,
+    &DIRECTIONS,
+    &SIDES,
+    &TURNS,
+    &RAILS,
+    &PAINTS,
+    &FINIALS,
+    &ERAS,
+    &TRUTHS,
+];
+
+/// The words of a table with their meanings alone.
+pub(crate) const fn nouns<const N: usize>(table: &[Meaning; N]) -> [(&'static str, Noun); N] {
+    let mut nouns = [("", noun("", "")); N];
+    let mut at = 0;
+    while at < N {
+        nouns[at] = (table[at].word, table[at].noun);
+        at += 1;
+    }
+    nouns
+}
+
+/// Returns the word of a table that is called so.
+pub(super) fn called(name: &str, table: &'static [Meaning]) -> Option<&'static Meaning> {
+    let query = Query::new(name);
+    table.iter().find(|meaning| {
+        let mut names = meaning.names.iter().chain([&meaning.noun.ja]);
+        names.any(|name| query.is(name))
+    })
+}
+
+/// Returns the one of some words that is called so; they must be those of a table.
+pub(super) fn among(name: &str, words: &[&str]) -> Option<&'static Meaning> {
+    let of = |table: &&&[Meaning]| {
+        table.len() == words.len() && table.iter().all(|m| words.contains(&m.word))
+    };
+    called(name, TABLES.iter().find(of)?)
+}
+
+/// Returns the digits of a number that is written as a word: `none` is 0, `四` is 4.
+pub(super) fn digits(word: &str, bounds: &RangeInclusive<f64>) -> Option<String> {
+    const KANJI: &str = "〇一二三四五六七八九十";
+    let mut chars = word.chars();
+    let kanji = chars
+        .next()
+        .and_then(|c| KANJI.chars().position(|k| k == c));
+    let number = match is_truth(word) {
+        Some(truth) => (!truth).then_some(0)?,
+        None => kanji.filter(|_| chars.next().is_none())?,
+    };
+    bounds
+        .contains(&(number as f64))
+        .then(|| number.to_string())
+}
+
+/// Returns the truth value that a word stands for.
+pub(super) fn is_truth(word: &str) -> Option<bool> {
+    called(word, &TRUTHS).map(|meaning| meaning.word == "yes")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_found_in_any_language_and_spelling() {
+        for (name, word) in [
+            ("kawara", "K"),
+            ("瓦葺き", "K"),
+            ("桧皮", "H"),
+            ("ヒワダ", "H"),
+            ("Thatch", "Y"),
+            ("茅葺き", "Y"),
+        ] {
+            assert_eq!(
+                called(name, &COVERINGS).map(|m| m.word),
+                Some(word),
+                "{name}"
+            );
+        }
+        assert_eq!(called("hougyou", &SHAPES).map(|m| m.word), Some("HOG"));
+        assert_eq!(among("右", &["R", "L"]).map(|m| m.noun.en), Some("right"));
+        assert!(among("右", &["R", "S"]).is_none() && called("", &SHAPES).is_none());
+        assert_eq!(digits("なし", &(-50.0..=50.0)).as_deref(), Some("0"));
+        assert_eq!(digits("四", &(0.0..=100.0)).as_deref(), Some("4"));
+        assert_eq!(digits("yes", &(0.0..=100.0)), None);
+    }
+}
