@@ -11,6 +11,6 @@ fuzz_target!(|bytes: &[u8]| {
     let mut out = Diagnostics::new();
     hsd::parse::legacy::parse(&source, &Limits::default(), &mut out);
     for told in out.iter() {
-        assert!(told.span.start <= told.span.end && told.span.end as usize <= bytes.len());
+        assert!(told.span().is_some_and(|s| s.start <= s.end && s.end as usize <= bytes.len()));
     }
 });
