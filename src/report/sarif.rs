@@ -101,7 +101,7 @@ struct Replacement<'a> {
 #[serde(rename_all = "camelCase")]
 struct Location<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
-    physical_location: Option<Place>,
+    physical_location: Option<SarifPlace>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     logical_locations: Vec<Logical<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -245,8 +245,8 @@ fn logical(origin: &Origin) -> Vec<Logical<'_>> {
     }
 }
 
-fn place(report: &Report<'_>, span: Span) -> Place {
-    Place {
+fn place(report: &Report<'_>, span: Span) -> SarifPlace {
+    SarifPlace {
         artifact_location: artifact(report, span.file),
         region: region(report, span),
     }

@@ -180,7 +180,7 @@ pub(in crate::cli) fn write_model(
         let target = folder_of(path).join(&file.name);
         if real(&target).is_some_and(|target| sources.contains(&target)) {
             let shown = target.display();
-            return Err(Failure::Usage(text!(
+            return Err(Failure::Usage(text!([shown]
                 "{shown} is an input and would be overwritten by a file beside the model; choose another name with -o",
                 "{shown} は入力ファイルですが、モデルに添えるファイルで上書きされてしまいます。-o で別の名前を指定してください"
             )));

@@ -1,6 +1,6 @@
 //! Roof lines: kind, direction, height, shape, two corners, options (docs/evidence.md 6).
 
-use super::line::Line;
+use super::line::SourceLine;
 use super::roof_words::OPTIONS;
 use super::words::{Range64, Word, all, nearest, number, numeric, plain_words, within, words};
 use crate::ast::{RoofDirection, RoofKind, RoofLine, RoofShape, RoofStyle};
