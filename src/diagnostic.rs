@@ -11,6 +11,7 @@ pub mod messages;
 pub mod pages;
 pub(crate) mod suggest;
 mod text;
+pub mod visible;
 
 pub use collected::{Diagnostics, ENOUGH, ENOUGH_OF_LAYER};
 pub use text::{Kept, Language, Noun, Text, Value, noun};

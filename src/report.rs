@@ -3,7 +3,6 @@
 //! Every format takes time linear in the size of the files and the number of messages: lines and characters are counted
 //! once per file. The report for people shows at most [`SHOWN`] messages, errors first.
 
-mod clean;
 mod excerpt;
 mod human;
 mod json;
@@ -115,7 +114,7 @@ impl<'a> Report<'a> {
             layers.into_iter().collect::<Vec<_>>().as_slice(),
         ) {
             ([], []) => return None,
-            ([one], []) | ([], [one]) => clean::line(one),
+            ([one], []) | ([], [one]) => visible::line(one),
             (many, []) if japanese => format!("{}ファイル", many.len()),
             (many, []) => format!("{} files", many.len()),
             ([], many) if japanese => format!("{}レイヤー", many.len()),

@@ -6,6 +6,7 @@
 
 use super::number::Number;
 use crate::building::{Building, Built, EdgeKind, HouseRoofs, RoofSurface, StoreyPlan};
+use crate::diagnostic::visible;
 use glam::{DVec2, DVec3, dvec2};
 use std::fmt::Write;
 
@@ -31,8 +32,8 @@ pub fn regions_svg(building: &Building) -> String {
             let storey = format!("storey {}", plan.storey);
             let title = match (house.name.is_empty(), roofs.plans.len()) {
                 (true, _) => storey,
-                (false, 1) => house.name.clone(),
-                (false, _) => format!("{}, {storey}", house.name),
+                (false, 1) => visible::line(&house.name),
+                (false, _) => format!("{}, {storey}", visible::line(&house.name)),
             };
             panels.push(Panel::new(plan, title, Lines::of(roofs, plan, house.unit)));
         }

@@ -7,7 +7,7 @@ use crate::cli::files::input::{Inputs, STDIN};
 use crate::cli::files::output;
 use crate::cli::files::output::Files;
 use crate::cli::files::terminal::{FILE, counted};
-use crate::diagnostic::{Diagnostics, Language};
+use crate::diagnostic::{Diagnostics, Language, visible};
 use crate::driver;
 use crate::print::{self, Form};
 use crate::report::{Format, Report};
@@ -135,7 +135,7 @@ impl Fmt {
         if self.check {
             if changes {
                 let lines = diff::short(source.text(), text, language).join("\n");
-                writeln!(io::stdout(), "{}\n{lines}", source.name())?;
+                writeln!(io::stdout(), "{}\n{lines}", visible::line(source.name()))?;
             }
             return Ok(());
         }

@@ -5,7 +5,7 @@ use super::{Failure, Outcome};
 use crate::ast::{Document, Parameter};
 use crate::cli::files::input::Inputs;
 use crate::diagnostic::messages::xml::bounds;
-use crate::diagnostic::{Diagnostics, Language, Severity};
+use crate::diagnostic::{Diagnostics, Language, Severity, visible};
 use crate::driver;
 use crate::report::{Format, Report};
 use clap::{Args, ValueEnum};
@@ -137,7 +137,7 @@ fn table(documents: &[Document], language: Language) -> String {
     for row in rows {
         let mut line = String::new();
         for (cell, wide) in row.iter().zip(&widths) {
-            let cell: String = cell.chars().filter(|c| !c.is_control()).collect();
+            let cell = visible::line(cell);
             line += &cell;
             line += &" ".repeat(wide.saturating_sub(width(&cell)) + 2);
         }

@@ -7,7 +7,7 @@ use super::options::exit;
 use super::{Failure, Outcome};
 use crate::catalog::{PartDef, Query};
 use crate::cli::files::terminal::{padded, width};
-use crate::diagnostic::{Language, Noun, Text, noun};
+use crate::diagnostic::{Language, Noun, Text, noun, visible};
 use crate::parse;
 use crate::text;
 use clap::{Args, ValueEnum};
@@ -141,7 +141,7 @@ fn rounded(number: f64) -> String {
 }
 
 /// Returns a printable form of a code: the void's, five spaces, becomes dots.
-fn visible(code: &str) -> String {
+fn with_blanks(code: &str) -> String {
     match code.trim().is_empty() {
         true => ".".repeat(code.len()),
         false => code.to_owned(),
@@ -202,14 +202,14 @@ fn table(parts: &[&PartDef], language: Language) -> String {
     let height = |h: Option<f64>| h.map_or(String::new(), rounded);
     let row = |p: &&PartDef| {
         [
-            visible(p.code()),
+            visible::line(&with_blanks(p.code())),
             rounded(p.width()),
             height(p.from),
             height(p.to),
             p.era.word().to_owned(),
-            p.ja.to_string(),
-            p.romaji.to_string(),
-            p.en.to_string(),
+            visible::line(&p.ja),
+            visible::line(&p.romaji),
+            visible::line(&p.en),
         ]
     };
     let rows: Vec<[String; 8]> = std::iter::once(head).chain(parts.iter().map(row)).collect();

@@ -3,6 +3,7 @@
 //! A [`Text`] keeps its values and two patterns side by side, made by [`text!`](crate::text). It becomes words where
 //! it is reported, in the one language that is read there.
 
+use crate::diagnostic::visible;
 use std::borrow::Cow;
 use std::fmt::{self, Display, Formatter};
 use std::sync::Arc;
@@ -199,14 +200,14 @@ macro_rules! plain {
 
 plain! { char f64 i32 i64 u8 u16 u32 u64 u128 usize super::Code }
 
-/// Values of which the words are kept.
+/// Values of which the words are kept, with visible characters only.
 macro_rules! quoted {
     ($($of:ty)*) => {$(
         impl Value for $of {
             type Kept = Box<str>;
 
             fn kept(&self) -> Box<str> {
-                self.to_string().into()
+                visible::line(&self.to_string()).into()
             }
         }
     )*};

@@ -33,9 +33,10 @@ pub(super) fn start(
                     params: error.to_string().into(),
                 }
                 .into(),
-                Ok(None) | Err(_) => return,
+                Ok(None) | Err(_) => exit(),
             };
-            if sender.send(message).is_err() {
+            let last = matches!(&message, Message::Notification(n) if n.method == "exit");
+            if sender.send(message).is_err() || last {
                 return;
             }
         }
@@ -50,13 +51,17 @@ pub(super) fn start(
             }
             let done = output.write_all(&message).and_then(|()| output.flush());
             if done.is_err() {
-                let exit = lsp_server::Notification::new("exit".into(), ());
-                let _ = gone.send(exit.into());
+                let _ = gone.send(exit());
                 return;
             }
         }
     });
     (written, ended)
+}
+
+/// The message that ends the server, as from a client that is gone without a word.
+fn exit() -> Message {
+    lsp_server::Notification::new("exit".into(), ()).into()
 }
 
 /// The marker that ends the writer.

@@ -5,8 +5,8 @@
 //! half-width voicing marks ﾞ and ﾟ as no column, terminals as one. Each goes through miette as a private character one
 //! column wide and is put back by [`restored`].
 
-use super::clean;
 use super::lines::{Lines, Position};
+use crate::diagnostic::visible;
 use miette::{MietteError, MietteSpanContents, SourceCode, SourceSpan, SpanContents};
 use std::ops::Range;
 
@@ -52,7 +52,7 @@ impl Excerpt {
     pub(super) fn new(name: &str, lines: &Lines<'_>, ranges: &[Range<usize>]) -> Excerpt {
         let ranges: Vec<_> = ranges.iter().map(|r| trimmed(lines, r.clone())).collect();
         let mut excerpt = Excerpt {
-            name: clean::line(name),
+            name: visible::line(name),
             text: String::new(),
             rows: vec![],
             marks: vec![],
@@ -203,7 +203,7 @@ fn shown(c: char) -> char {
     if STAND_INS.iter().any(|(_, s)| *s == c) {
         return char::REPLACEMENT_CHARACTER;
     }
-    clean::visible(c).unwrap_or(c)
+    visible::character(c).unwrap_or(c)
 }
 
 /// Returns a range without line ends at its end; of a tall one only the first line.

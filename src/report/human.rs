@@ -1,7 +1,8 @@
 //! The report for people: each message with its lines, rendered by miette.
 
 use super::excerpt::{Excerpt, restored};
-use super::{Report, SHOWN, Style, clean, name};
+use super::{Report, SHOWN, Style, name};
+use crate::diagnostic::visible;
 use crate::diagnostic::{Code, Diagnostic, Language, Severity};
 use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, SourceCode};
 use std::fmt::{self, Display};
@@ -122,7 +123,7 @@ impl Message {
             .help
             .in_language(language)
             .lines()
-            .map(clean::line)
+            .map(visible::line)
             .collect::<Vec<_>>();
         // A snippet shows one file; places in others are named.
         help.extend(elsewhere.iter().map(|l| {
@@ -133,7 +134,7 @@ impl Message {
                 at.column,
                 l.message.in_language(language)
             );
-            clean::line(&text)
+            visible::line(&text)
         }));
         let excerpt = own.and_then(|own| {
             let lines = report.lines(own.file)?;
@@ -144,7 +145,7 @@ impl Message {
         let marks = excerpt.iter().flat_map(Excerpt::marks);
         let texts = std::iter::once(None).chain(
             here.iter()
-                .map(|l| Some(clean::line(&l.message.in_language(language)))),
+                .map(|l| Some(visible::line(&l.message.in_language(language)))),
         );
         let labels = marks.zip(texts).enumerate().map(|(i, (range, text))| {
             let span = (range.start, range.len());
@@ -158,7 +159,7 @@ impl Message {
         let word = name(d.severity);
         Message {
             code: format!("{}[{}]", language.choose(word.en, word.ja), d.code),
-            text: clean::line(&d.full_message().in_language(language)),
+            text: visible::line(&d.full_message().in_language(language)),
             help: (!help.is_empty()).then(|| help.join("\n")),
             severity: d.severity,
             labels,

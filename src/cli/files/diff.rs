@@ -1,6 +1,6 @@
 //! A short line diff of two texts.
 
-use crate::diagnostic::Language;
+use crate::diagnostic::{Language, visible};
 use crate::print;
 
 /// The maximum number of lines shown.
@@ -32,6 +32,7 @@ pub(in crate::cli) fn short(before: &str, after: &str, language: Language) -> Ve
 fn line(number: usize, sign: char, text: &str) -> String {
     let written = text.trim_end();
     let blanks = text[written.len()..].chars().count();
+    let written = visible::line(written);
     format!("{:>5} {sign} {written}{}", number + 1, "·".repeat(blanks))
 }
 

@@ -1,6 +1,6 @@
 //! `hsd parts --sheet`: the catalogue as an HTML page or a glTF model.
 
-use super::{class_word, rounded, visible};
+use super::{class_word, rounded, with_blanks};
 use crate::backend::images::Library;
 use crate::catalog::PartDef;
 use crate::cli::files::output;
@@ -94,7 +94,7 @@ fn card(part: &PartDef, out: &mut String) {
         "<li><img src=\"data:image/jpeg;base64,{data}\" width=\"{w}\" height=\"{h}\" alt=\"{en}\">\n<div>\n\
          <p><code>{code}</code> <b lang=\"ja\">{ja}</b></p>\n<p><i>{romaji}</i></p>\n<p>{en}</p>\n\
          <p class=\"size\">{width} U, {heights}, {era}; {made}</p>\n</div></li>",
-        code = visible(part.code()),
+        code = with_blanks(part.code()),
         width = rounded(part.width()),
         era = part.era.word(),
     );
