@@ -102,10 +102,10 @@ pub struct Diagnostic {
     pub code: Code,
     /// How bad it is.
     pub severity: Severity,
+    /// The exact place. It stands before the texts, of which the comparison costs more.
+    pub origin: Origin,
     /// The problem, in one sentence without a full stop.
     pub message: Text,
-    /// The exact place.
-    pub origin: Origin,
     /// The mend.
     pub help: Text,
     /// Further places.

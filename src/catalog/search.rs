@@ -90,10 +90,24 @@ impl Query {
 
     /// Returns true if the name equals the query, apart from spelling variants.
     pub fn is(&self, name: &str) -> bool {
+        self.is_key(&Query::key(name))
+    }
+
+    /// Returns what all spellings of a name have in common, for names that are compared often.
+    pub fn key(name: &str) -> String {
         match name.contains(is_japanese) {
-            true => !self.written.is_empty() && self.written == written(name),
-            false => !self.sound.is_empty() && self.sound == sound(name),
+            true => written(name),
+            false => sound(name),
         }
+    }
+
+    /// Returns true if the name of a key equals the query.
+    pub fn is_key(&self, key: &str) -> bool {
+        let own = match key.contains(is_japanese) {
+            true => &self.written,
+            false => &self.sound,
+        };
+        !own.is_empty() && own == key
     }
 
     /// Returns true if the name may be meant: one typo per four letters, or a distinctive kanji in common.

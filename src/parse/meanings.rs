@@ -4,6 +4,7 @@
 use crate::catalog::Query;
 use crate::diagnostic::{Noun, noun};
 use std::ops::RangeInclusive;
+use std::sync::LazyLock;
 
 /// A word of the language.
 pub(crate) struct Meaning {
@@ -175,13 +176,28 @@ pub(crate) const fn nouns<const N: usize>(table: &[Meaning; N]) -> [(&'static st
     nouns
 }
 
+/// The keys of all names, by table and word; they are made once.
+static KEYS: LazyLock<Vec<Vec<Vec<String>>>> = LazyLock::new(|| {
+    let keys = |meaning: &Meaning| {
+        let names = meaning.names.iter().chain([&meaning.noun.ja]);
+        names.map(|name| Query::key(name)).collect()
+    };
+    let tables = TABLES.iter();
+    tables.map(|t| t.iter().map(keys).collect()).collect()
+});
+
 /// Returns the word of a table that is called so.
-pub(super) fn called(name: &str, table: &'static [Meaning]) -> Option<&'static Meaning> {
+pub(super) fn called(name: &str, table: &[Meaning]) -> Option<&'static Meaning> {
+    let same = |other: &&[Meaning]| words(other).eq(words(table));
+    let number = TABLES.iter().position(same)?;
     let query = Query::new(name);
-    table.iter().find(|meaning| {
-        let mut names = meaning.names.iter().chain([&meaning.noun.ja]);
-        names.any(|name| query.is(name))
-    })
+    let is = |keys: &Vec<String>| keys.iter().any(|key| query.is_key(key));
+    let found = KEYS[number].iter().position(is)?;
+    Some(&TABLES[number][found])
+}
+
+fn words(table: &[Meaning]) -> impl Iterator<Item = &'static str> {
+    table.iter().map(|meaning| meaning.word)
 }
 
 /// Returns the one of some words that is called so; they must be those of a table.

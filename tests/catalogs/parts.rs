@@ -204,7 +204,7 @@ fn no_catalogue_is_too_much() {
         .collect();
     let told = codes(&parts(&many));
     assert!(
-        told.contains(&331) && told.iter().all(|c| *c == 331),
+        told.contains(&331) && told.iter().all(|c| [331, 909].contains(c)),
         "{:?}",
         &told[..9.min(told.len())]
     );

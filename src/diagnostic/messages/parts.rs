@@ -90,7 +90,9 @@ pub fn part_meaning(span: Span, word: &str, parts: &[&PartDef]) -> Diagnostic {
         "write {offers}; `hsd parts {word}` finds others",
         "{offers} と書いてください。ほかは `hsd parts {word}` で探せます"
     ));
-    parts.iter().fold(found, |found, part| {
+    // A part of another width would open the walls.
+    let usual = parts.iter().filter(|part| part.width() == 1.0);
+    usual.fold(found, |found, part| {
         let code = part.code();
         found.fix(written(code.trim_end()), span, in_cells(span, code))
     })
