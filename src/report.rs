@@ -10,7 +10,7 @@ pub mod lines;
 mod sarif;
 mod short;
 
-use crate::diagnostic::{Diagnostic, Language, Noun, Origin, Severity, noun};
+use crate::diagnostic::{Diagnostic, Language, Noun, Origin, Severity, noun, visible};
 use crate::source::{FileId, Source, Span};
 use lines::{Lines, Position};
 use std::cell::OnceCell;
