@@ -2,7 +2,7 @@
 
 use super::bake::{WALL, bake};
 use super::hasher::NumberHasher;
-use super::mesh::panel::panes;
+use super::mesh::panel::{Panel, Rect, panes};
 use super::mesh::{Bodies, Soup};
 use super::part;
 use super::weather::{AgedSurfaces, Weather};
@@ -10,7 +10,7 @@ use crate::building::Solid;
 use crate::catalog::{PartDef, PartId};
 use crate::material::SurfaceId;
 use crate::scene::{Detail, Image, Material, MaterialId, Mesh, MeshId, Node, Primitive, Scene};
-use crate::tessellate::bake::atlas::Atlas;
+use crate::tessellate::bake::atlas::{Atlas, Spot};
 use crate::tessellate::part::bay::Bay;
 use crate::tessellate::roof::Given;
 use crate::tessellate::trim;
@@ -18,6 +18,7 @@ use crate::tessellate::trim::{Body, Row};
 use glam::DVec2;
 use std::collections::HashMap;
 use std::hash::BuildHasherDefault;
+use std::rc::Rc;
 
 /// The key of a mesh. Lengths in tenths of a millimetre.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -71,6 +72,45 @@ pub(super) fn tenths(metres: f64) -> u32 {
     (metres * 10_000.0 + 0.5) as u32
 }
 
+impl PartKey {
+    /// Returns the key of the images on this part: joinery is baked for sizes in steps and stretched by a sixty-fourth
+    /// at most, so that walls of a hundred different heights need a few images only.
+    fn of_images(self) -> PartKey {
+        PartKey {
+            share: Share::default(),
+            size: self.size.map(in_steps),
+            post: in_steps(self.post),
+            room: in_steps(self.room),
+            picture: 0,
+            ..self
+        }
+    }
+
+    /// Builds the bodies of this key; they depend on nothing else.
+    fn bodies(self, part: &PartDef, detail: Detail) -> Bodies {
+        let [width, height, z0, z1] = self.size.map(|n| f64::from(n) / 10_000.0);
+        let post = (self.post > 0).then(|| f64::from(self.post) / 10_000.0);
+        let mut bay = Bay::new(part, (width, height), (z0, z1), self.around, detail, post);
+        bay.room = f64::from(self.room) / 10_000.0;
+        part::build(bay)
+    }
+}
+
+/// Rounds a length to one of 32 steps between a power of two and the next.
+fn in_steps(length: u32) -> u32 {
+    let step = 1 << (u32::BITS - length.leading_zeros()).saturating_sub(6);
+    (length + step / 2) / step * step
+}
+
+/// The image of a panel.
+#[derive(Clone, Debug)]
+struct PanelImage {
+    /// Its place in the atlas; `None` if nothing of the panel is visible.
+    spot: Option<Spot>,
+    /// The panes behind it, as shares of the panel's width and height.
+    panes: Vec<(SurfaceId, Rect)>,
+}
+
 /// Distance of panes behind the image of their frame, metres.
 const BEHIND: f64 = 0.010;
 
@@ -95,6 +135,10 @@ pub(super) struct Store {
     cache: HashMap<(Key, Weather), MeshId, BuildHasherDefault<NumberHasher>>,
     /// Weathered meshes by result: the same surfaces on the same triangles.
     worn: HashMap<(Key, AgedSurfaces), MeshId>,
+    /// Images of the panels of parts, by the key of the images and the weather.
+    images: HashMap<(PartKey, Weather), Rc<[PanelImage]>>,
+    /// The same by result.
+    worn_images: HashMap<(PartKey, AgedSurfaces), Rc<[PanelImage]>>,
     /// The most recently requested part.
     last: Option<(PartKey, Weather, MeshId)>,
 }
@@ -120,13 +164,19 @@ impl Store {
         id
     }
 
+    /// Adds an unshared mesh.
+    pub(super) fn push(&mut self, mesh: Mesh) -> MeshId {
+        self.meshes.push(mesh);
+        MeshId(self.meshes.len() as u32 - 1)
+    }
+
     /// Returns the mesh of bodies, made on first use of the key. Different weather with the same result shares one
     /// mesh.
-    pub(super) fn bodies(
+    fn aged(
         &mut self,
         key: Key,
-        (name, share, picture): (&str, Share, Option<u32>),
         make: impl FnOnce() -> Bodies,
+        finish: impl FnOnce(&mut Store, Bodies) -> Mesh,
     ) -> MeshId {
         let known = (key, self.weather);
         if let Some(id) = self.cache.get(&known) {
@@ -137,7 +187,7 @@ impl Store {
         let id = match self.worn.get(&aged) {
             Some(id) => *id,
             None => {
-                let mesh = self.finish_with(name.to_owned(), bodies, share, picture);
+                let mesh = finish(self, bodies);
                 let id = self.push(mesh);
                 self.worn.insert(aged, id);
                 id
@@ -147,10 +197,11 @@ impl Store {
         id
     }
 
-    /// Adds an unshared mesh.
-    pub(super) fn push(&mut self, mesh: Mesh) -> MeshId {
-        self.meshes.push(mesh);
-        MeshId(self.meshes.len() as u32 - 1)
+    /// Returns the mesh of bodies that are no part, made on first use of the key.
+    pub(super) fn bodies(&mut self, key: Key, name: &str, make: impl FnOnce() -> Bodies) -> MeshId {
+        self.aged(key, make, |store, bodies| {
+            store.finish(name.to_owned(), bodies, Share::default())
+        })
     }
 
     /// Returns the mesh of a part.
@@ -161,34 +212,73 @@ impl Store {
         if let Some((.., mesh)) = self.last.filter(same) {
             return mesh;
         }
-        let picture = key.picture.checked_sub(1);
         let detail = self.detail;
-        let name = part.code().trim_end();
-        let mesh = self.bodies(Key::Part(key), (name, key.share, picture), || {
-            // The mesh is made from the key alone, so that it cannot depend on anything else.
-            let [width, height, z0, z1] = key.size.map(|n| f64::from(n) / 10_000.0);
-            let size = (width, height);
-            let post = (key.post > 0).then(|| f64::from(key.post) / 10_000.0);
-            let mut bay = Bay::new(part, size, (z0, z1), key.around, detail, post);
-            bay.room = f64::from(key.room) / 10_000.0;
-            part::build(bay)
+        let make = || key.bodies(part, detail);
+        let mesh = self.aged(Key::Part(key), make, |store, bodies| {
+            let images = store.part_images(part, key, &bodies);
+            let (name, picture) = (part.code().trim_end(), key.picture.checked_sub(1));
+            store.finish_with(name.to_owned(), bodies, &images, (key.share, picture))
         });
         self.last = Some((key, self.weather, mesh));
         mesh
     }
 
-    /// Converts bodies to a mesh of the scene; their glass reflects this share.
-    pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
-        self.finish_with(name, bodies, share, None)
+    /// Returns the images of a part's panels, baked for a size close to that of the part.
+    fn part_images(&mut self, part: &PartDef, key: PartKey, bodies: &Bodies) -> Rc<[PanelImage]> {
+        if bodies.panels.is_empty() {
+            return Rc::default();
+        }
+        let close = key.of_images();
+        let fits = |images: &Rc<[PanelImage]>| images.len() == bodies.panels.len();
+        if let Some(images) = self.images.get(&(close, self.weather)).filter(|i| fits(i)) {
+            return images.clone();
+        }
+        let made = close.bodies(part, self.detail);
+        if made.panels.len() != bodies.panels.len() {
+            // One step of size makes the difference of a panel: these images are its own.
+            return self.panel_images(&bodies.panels);
+        }
+        let aged = (close, self.weather.aged_surfaces(&made));
+        let images = match self.worn_images.get(&aged) {
+            Some(images) => images.clone(),
+            None => {
+                let images = self.panel_images(&made.panels);
+                self.worn_images.insert(aged, images.clone());
+                images
+            }
+        };
+        self.images.insert((close, self.weather), images.clone());
+        images
     }
 
-    /// As [`Store::finish`], for bodies that show this part texture.
+    /// Bakes the images of panels.
+    fn panel_images(&mut self, panels: &[Panel]) -> Rc<[PanelImage]> {
+        let image = |panel: &Panel| {
+            let worn = self.weather.wear(panel.soups.clone());
+            let picture = bake(&worn, panel.rect, WALL);
+            PanelImage {
+                spot: picture.map(|picture| self.atlas.place(&picture)),
+                panes: panes(panel)
+                    .map(|(glass, rect)| (glass, panel.rect.shares_of(rect)))
+                    .collect(),
+            }
+        };
+        panels.iter().map(image).collect()
+    }
+
+    /// Converts bodies to a mesh of the scene; their glass reflects this share.
+    pub(super) fn finish(&mut self, name: String, bodies: Bodies, share: Share) -> Mesh {
+        let images = self.panel_images(&bodies.panels);
+        self.finish_with(name, bodies, &images, (share, None))
+    }
+
+    /// As [`Store::finish`], with images of the panels and for bodies that show this part texture.
     fn finish_with(
         &mut self,
         name: String,
         bodies: Bodies,
-        share: Share,
-        picture: Option<u32>,
+        images: &[PanelImage],
+        (share, picture): (Share, Option<u32>),
     ) -> Mesh {
         let Bodies {
             mut soups,
@@ -197,20 +287,19 @@ impl Store {
         } = bodies;
         soups = self.weather.wear(soups);
         let mut pictures: Vec<(MaterialId, Soup)> = vec![];
-        for panel in panels {
-            for (glass, rect) in panes(&panel) {
-                let at = soups.iter().position(|(id, _)| *id == glass);
+        for (panel, image) in panels.iter().zip(images) {
+            for (glass, shares) in &image.panes {
+                let rect = panel.rect.part(*shares);
+                let at = soups.iter().position(|(id, _)| id == glass);
                 let at = at.unwrap_or_else(|| {
-                    soups.push((glass, Soup::default()));
+                    soups.push((*glass, Soup::default()));
                     soups.len() - 1
                 });
                 let metres = [[rect.x0, rect.z0], [rect.x1, rect.z1]];
                 let uv = metres.map(|corner| corner.map(|t| t as f32));
                 soups[at].1.front(rect, panel.front - BEHIND, uv);
             }
-            let worn = self.weather.wear(panel.soups);
-            if let Some(picture) = bake(&worn, panel.rect, WALL) {
-                let spot = self.atlas.place(&picture);
+            if let Some(spot) = image.spot {
                 let material = self.baked(spot.page);
                 let at = pictures.iter().position(|(id, _)| *id == material);
                 let at = at.unwrap_or_else(|| {
@@ -402,5 +491,22 @@ pub(super) fn primitive(material: MaterialId, soup: Soup) -> Primitive {
         uvs,
         mirror_uvs: vec![],
         indices,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_steps;
+
+    #[test]
+    fn sizes_of_images_are_near_those_of_parts() {
+        let mut steps: Vec<u32> = (1..60_000).map(in_steps).collect();
+        for (length, step) in (1..).zip(&steps) {
+            assert!(step.abs_diff(length) * 64 <= length, "{length}: {step}");
+        }
+        assert!(steps.is_sorted());
+        steps.dedup();
+        assert!(steps.len() < 400, "{}", steps.len());
+        assert_eq!(in_steps(0), 0);
     }
 }

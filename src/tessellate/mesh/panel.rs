@@ -31,6 +31,26 @@ impl Rect {
         }
     }
 
+    /// Returns another rectangle as shares of the width and height of this one.
+    pub(in crate::tessellate) fn shares_of(&self, other: Rect) -> Rect {
+        Rect {
+            x0: (other.x0 - self.x0) / self.width(),
+            x1: (other.x1 - self.x0) / self.width(),
+            z0: (other.z0 - self.z0) / self.height(),
+            z1: (other.z1 - self.z0) / self.height(),
+        }
+    }
+
+    /// Returns the part of the rectangle with these shares of its width and height.
+    pub(in crate::tessellate) fn part(&self, shares: Rect) -> Rect {
+        Rect {
+            x0: self.x0 + shares.x0 * self.width(),
+            x1: self.x0 + shares.x1 * self.width(),
+            z0: self.z0 + shares.z0 * self.height(),
+            z1: self.z0 + shares.z1 * self.height(),
+        }
+    }
+
     /// Returns the rectangle with another extent in x.
     pub(in crate::tessellate) fn across(&self, x0: f64, x1: f64) -> Rect {
         Rect { x0, x1, ..*self }

@@ -8,7 +8,7 @@ use crate::scene::{Detail, Kind, MaterialId, NodeId, Primitive};
 use crate::tessellate::mesh::smooth::soft_bar;
 use crate::tessellate::mesh::{Axis, Bodies, Soup};
 use crate::tessellate::part::bay::Layer;
-use crate::tessellate::store::{Key, Share, primitive, tenths};
+use crate::tessellate::store::{Key, primitive, tenths};
 use crate::tessellate::wall::{Line, PlacedUnit};
 use crate::tessellate::{Level, Walker};
 use glam::{DVec2, DVec3, dvec2, dvec3};
@@ -156,8 +156,7 @@ impl Walker<'_> {
             finish.index() as u32,
         ];
         self.store.weather = self.frame(z);
-        let what = ("post", Share::default(), None);
-        let mesh = self.store.bodies(Key::Post(key), what, || {
+        let mesh = self.store.bodies(Key::Post(key), "post", || {
             let mut bodies = Bodies::default();
             let [side, height] = [key[0], key[1]].map(|n| f64::from(n) / 10_000.0);
             let half = side / 2.0;
@@ -267,10 +266,9 @@ impl Walker<'_> {
         let length = tenths(to - from);
         let top = if kind == PLATES { level.height } else { 0.0 };
         self.store.weather = self.frame((top, top + 0.1));
-        let what = (member.name, Share::default(), None);
         let mesh = self
             .store
-            .bodies(Key::Member(kind, length, ends), what, || {
+            .bodies(Key::Member(kind, length, ends), member.name, || {
                 member.bodies(length, ends)
             });
         let at = dvec3(-from, 0.0, top);

@@ -6,7 +6,7 @@ use crate::material::SurfaceId;
 use crate::program::Content;
 use crate::scene::{Kind, NodeId};
 use crate::tessellate::mesh::Bodies;
-use crate::tessellate::store::{Key, Share, tenths};
+use crate::tessellate::store::{Key, tenths};
 use crate::tessellate::wall::Line;
 use crate::tessellate::{Level, Walker};
 use glam::dvec3;
@@ -67,18 +67,16 @@ impl Walker<'_> {
         let length = tenths(to - from);
         let key = Key::Member(NUMBER, length, [tenths(rise) as i32, 0]);
         self.store.weather = self.frame((level.height, level.height + rise));
-        let mesh = self
-            .store
-            .bodies(key, ("parapet", Share::default(), None), || {
-                let mut bodies = Bodies::default();
-                let (left, (over, thick)) = (-f64::from(length) / 10_000.0, CAP);
-                let wall = (dvec3(left, -HALF, 0.0), dvec3(0.0, HALF, rise));
-                bodies.block(SurfaceId::named("mortar"), wall.0, wall.1);
-                let lo = dvec3(left - over, -HALF - over, rise);
-                let hi = dvec3(over, HALF + over, rise + thick);
-                bodies.block(SurfaceId::named("sheet_roof"), lo, hi);
-                bodies
-            });
+        let mesh = self.store.bodies(key, "parapet", || {
+            let mut bodies = Bodies::default();
+            let (left, (over, thick)) = (-f64::from(length) / 10_000.0, CAP);
+            let wall = (dvec3(left, -HALF, 0.0), dvec3(0.0, HALF, rise));
+            bodies.block(SurfaceId::named("mortar"), wall.0, wall.1);
+            let lo = dvec3(left - over, -HALF - over, rise);
+            let hi = dvec3(over, HALF + over, rise + thick);
+            bodies.block(SurfaceId::named("sheet_roof"), lo, hi);
+            bodies
+        });
         let at = dvec3(-from, 0.0, level.height);
         let node = self.node(Some(facade), Kind::Member, "parapet".into(), at);
         node.mesh = Some(mesh);
