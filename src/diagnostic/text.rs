@@ -207,7 +207,7 @@ macro_rules! quoted {
             type Kept = Box<str>;
 
             fn kept(&self) -> Box<str> {
-                visible::line(&self.to_string()).into()
+                visible::lines(&self.to_string()).into()
             }
         }
     )*};

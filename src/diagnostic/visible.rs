@@ -22,15 +22,25 @@ pub fn line(text: &str) -> String {
     text.chars().map(|c| character(c).unwrap_or(c)).collect()
 }
 
+/// Returns a string of several lines.
+pub fn lines(text: &str) -> String {
+    let shown = |c| match c {
+        '\n' => c,
+        c => character(c).unwrap_or(c),
+    };
+    text.chars().map(shown).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::line;
+    use super::{line, lines};
 
     #[test]
     fn nothing_moves_the_cursor_or_turns_the_line_round() {
         assert_eq!(line("\u{1b}[31m家\r\n\u{7f}"), "␛[31m家␍␊␡");
         let marks = "a\u{202e}b\u{2066}c\u{200f}d\u{9b}e\u{feff}";
         assert_eq!(line(marks).matches('\u{fffd}').count(), 5);
+        assert_eq!(lines("a\nb\r\u{1b}"), "a\nb␍␛");
         assert_eq!(line("格子\tﾞ é"), "格子\tﾞ é");
     }
 }

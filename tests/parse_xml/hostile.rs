@@ -230,6 +230,15 @@ fn nesting_is_bounded() {
 }
 
 #[test]
+fn nothing_is_joined_to_a_tag_that_is_not_closed() {
+    for attribute in ["あ", "a"] {
+        let (_, list) = read(&format!("<House><Posts {attribute}<Posts/></House>"));
+        let second = list.iter().find(|d| d.code.0 == 231).expect("is reported");
+        assert_eq!(second.fixes.len(), 1, "only removing it is left");
+    }
+}
+
+#[test]
 fn a_flood_of_faults_ends() {
     let text = row(&"&".repeat(30_000));
     let (_, list) = read(&text);
