@@ -12,6 +12,7 @@ use crate::source::Limits;
 use crate::text;
 use clap::{Args, ValueEnum};
 use std::io::{IsTerminal, Write};
+use std::num::NonZeroUsize;
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 
@@ -86,6 +87,12 @@ pub(super) struct ReadArgs {
     /// Reject images with more than N pixels.
     #[arg(long, value_name = "N", default_value_t = Limits::default().pixels)]
     max_pixels: u64,
+
+    /// Use N threads; one per processor by default.
+    ///
+    /// The result is the same for any number.
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
 }
 
 /// The level of detail of a model.
@@ -124,6 +131,11 @@ impl ReadArgs {
             seed: self.seed,
             limits: self.limits(),
         };
+        if let Some(threads) = self.threads {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get());
+            // A command that reads several times has its threads already.
+            let _ = pool.build_global();
+        }
         let first = inputs.sources.len() as u32;
         let catalogs = Inputs::from(first, &self.catalogs, self.max_bytes, out)?;
         Ok(driver::Options {

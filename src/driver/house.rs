@@ -12,6 +12,7 @@ use crate::lower;
 use crate::program::{self, Picture};
 use crate::roof::{self, RoofCache};
 use crate::source::{Source, World};
+use rayon::prelude::*;
 
 /// Makes one house: expands its syntax, places its walls, roofs and fits it. Returns `None` if it would exceed a limit.
 /// Parts refer by index to the images that are returned with it. To make many houses use a [`HouseBuilder`], which
@@ -82,8 +83,14 @@ pub(super) fn finish(
     }
 }
 
-/// Makes all houses that were read and frees the syntax of each when it is done. Unnamed houses have their index in
-/// their document as id.
+/// The number of houses finished at a time: enough work for many threads, without keeping more syntax in memory.
+const BATCH: usize = 512;
+
+/// The number of houses that share a cache of roofs. It is fixed, so that nothing depends on the number of threads.
+const CHUNK: usize = 32;
+
+/// Makes all houses of the documents on the threads of the current `rayon` pool and drops the syntax of each when it is
+/// expanded. The id of an unnamed house is its index in its document.
 pub(super) fn houses(
     read: &mut Read,
     sources: &[&Source],
@@ -93,9 +100,9 @@ pub(super) fn houses(
 ) -> Building {
     let documents = std::mem::take(&mut read.documents);
     let catalog = &*read.catalog;
-    let mut builder = HouseBuilder::new(catalog, world, options);
-    let mut houses = vec![];
-    // With variants, the documents of all sources occur several times.
+    let mut expander = Expander::new(catalog, world, options);
+    let (mut batch, mut houses) = (Vec::new(), vec![]);
+    // With variants there are the documents of all sources several times.
     let sources = sources.iter().copied().cycle();
     for (number, (source, document)) in sources.zip(documents).enumerate() {
         let variant = document.variant;
@@ -105,11 +112,38 @@ pub(super) fn houses(
                 scope: catalog.known_in(number, index),
                 variant,
             };
-            houses.extend(builder.house(&house, HouseId(index as u64), context, out));
+            let mut found = Diagnostics::new();
+            let house = expander.house(&house, HouseId(index as u64), context, &mut found);
+            batch.push((house, found));
+            if batch.len() == BATCH {
+                finish_all(std::mem::take(&mut batch), catalog, &mut houses, out);
+            }
         }
     }
+    finish_all(batch, catalog, &mut houses, out);
     Building {
         houses,
-        images: builder.into_images(),
+        images: expander.into_images(),
+    }
+}
+
+/// Finishes expanded houses in parallel; houses and diagnostics are collected in their order.
+fn finish_all(
+    expanded: Vec<(Option<program::House>, Diagnostics)>,
+    catalog: &Catalog,
+    houses: &mut Vec<Built>,
+    out: &mut Diagnostics,
+) {
+    let chunks = expanded.into_par_iter().chunks(CHUNK).map(|chunk| {
+        let mut cache = RoofCache::default();
+        let finished = chunk.into_iter().map(|(house, mut found)| {
+            let built = house.map(|house| finish(house, catalog, &mut cache, &mut found));
+            (built, found)
+        });
+        finished.collect::<Vec<_>>()
+    });
+    for (built, found) in chunks.collect::<Vec<_>>().into_iter().flatten() {
+        houses.extend(built);
+        out.append(found);
     }
 }

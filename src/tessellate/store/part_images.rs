@@ -55,7 +55,7 @@ pub(super) struct PanelImage {
 }
 
 impl Store {
-    /// Returns the images of a part's panels, baked for a size close to that of the part.
+    /// Returns the images of a part's panels, baked for a size and a weather close to those of the part.
     pub(super) fn part_images(
         &mut self,
         part: &PartDef,
@@ -65,17 +65,24 @@ impl Store {
         if bodies.panels.is_empty() {
             return Rc::default();
         }
-        let close = key.of_images();
+        let own = self.weather;
+        self.weather = own.of_images();
+        let images = self.close_images(part, key.of_images(), bodies);
+        self.weather = own;
+        images
+    }
+
+    fn close_images(&mut self, part: &PartDef, key: PartKey, bodies: &Bodies) -> Rc<[PanelImage]> {
         let fits = |images: &Rc<[PanelImage]>| images.len() == bodies.panels.len();
-        if let Some(images) = self.images.get(&(close, self.weather)).filter(|i| fits(i)) {
+        if let Some(images) = self.images.get(&(key, self.weather)).filter(|i| fits(i)) {
             return images.clone();
         }
-        let made = close.bodies(part, self.detail);
+        let made = key.bodies(part, self.detail);
         if made.panels.len() != bodies.panels.len() {
             // One step of size makes the difference of a panel: these images are its own.
             return self.panel_images(&bodies.panels);
         }
-        let aged = (close, self.weather.aged_surfaces(&made));
+        let aged = (key, self.weather.aged_surfaces(&made));
         let images = match self.worn_images.get(&aged) {
             Some(images) => images.clone(),
             None => {
@@ -84,7 +91,7 @@ impl Store {
                 images
             }
         };
-        self.images.insert((close, self.weather), images.clone());
+        self.images.insert((key, self.weather), images.clone());
         images
     }
 

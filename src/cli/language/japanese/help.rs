@@ -63,6 +63,11 @@ pub(super) static COMMON: &[(&str, &str, &str)] = &[
     ),
     ("max_parts", "展開後の部材が N 個より多い家を拒否する", ""),
     ("max_pixels", "N 画素より大きい画像を拒否する", ""),
+    (
+        "threads",
+        "N 本のスレッドを使う。指定がなければプロセッサーごとに一本",
+        "結果は何本でも同じです。",
+    ),
 ];
 
 /// Values shared by several commands.
