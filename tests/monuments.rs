@@ -4,8 +4,10 @@
 use crate::support::Words;
 use crate::support::{Run, assert_none, compile, flaws, open_edges, root};
 use glam::DVec3;
+use hsd::ast::CodeText;
 use hsd::building::fittings::{Fitting, FittingKind};
 use hsd::geometry::SHAKU;
+use hsd::program::Content;
 use hsd::scene::{Kind, Scene};
 
 fn house(content: &str) -> Run {
@@ -250,6 +252,33 @@ fn what_an_author_writes_beside_a_short_form_takes_the_place_of_its_own() {
     );
     let kinds = run.building.houses[0].roofs.roofs.iter().map(|r| r.kind);
     assert!(kinds.into_iter().all(|k| k == hsd::ast::RoofKind::Bark));
+}
+
+#[test]
+fn custom_parts_are_used_in_every_bay() {
+    let own = r#"<PartDef code="KSK" base="KSK" finish="juraku"/>"#;
+    let run = house(&format!("{own}<Pagoda storeys=\"3\"/>"));
+    sound(&run);
+    let built_in = hsd::parse::builtin()
+        .find(&CodeText::new("KSK"))
+        .expect("is known");
+    let storeys = &run.building.houses[0].house.storeys;
+    let walls = storeys.iter().flat_map(|s| &s.rings).flat_map(|r| &r.walls);
+    let (mut split, mut walled) = (0, 0);
+    for unit in walls.flat_map(|w| &w.units) {
+        let halves = match &unit.content {
+            Content::Split(halves) => {
+                split += 1;
+                halves.upper.iter().chain(&halves.lower).collect()
+            }
+            _ => vec![unit],
+        };
+        for unit in halves {
+            walled += usize::from(matches!(unit.content, Content::Part(_)));
+            assert_ne!(unit.content, Content::Part(built_in));
+        }
+    }
+    assert!(split > 0 && walled > split, "{split} of {walled}");
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::Pass;
 use crate::ast::{self, Given, Monument, RoofStyle};
 use crate::diagnostic::messages::fittings::{self as say, Scarce};
 use crate::diagnostic::messages::parts;
-use crate::program::{Content, House, Storey};
+use crate::program::{Content, House, Storey, Unit};
 use crate::source::{Span, Spanned};
 use draft::Draft;
 
@@ -58,11 +58,20 @@ impl<'c> Pass<'_, 'c> {
     pub(super) fn own_parts(&self, mut storeys: Vec<Storey>) -> Vec<Storey> {
         let loops = storeys.iter_mut().flat_map(|s| &mut s.loops);
         for unit in loops.flat_map(|l| &mut l.lines).flat_map(|l| &mut l.units) {
-            if let Content::Part(id) = &mut unit.content {
-                *id = self.codes.own_part(*id);
-            }
+            self.own_part(unit);
         }
         storeys
+    }
+
+    fn own_part(&self, unit: &mut Unit) {
+        match &mut unit.content {
+            Content::Part(id) => *id = self.codes.own_part(*id),
+            Content::Split(split) => {
+                let halves = split.upper.iter_mut().chain(&mut split.lower);
+                halves.for_each(|unit| self.own_part(unit));
+            }
+            Content::Picture(_) | Content::Void => {}
+        }
     }
 
     /// Returns the maximum number of storeys that all monuments of a run may have together.

@@ -2,6 +2,7 @@
 //! busy, slow, or run a program that is optimised less.
 
 use cpu_time::ThreadTime;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::time::Duration;
 
 /// The most that work on four times the input may take, as a multiple: linear growth takes 4, a little more where the larger
@@ -15,8 +16,17 @@ const ROUNDS: u32 = 20;
 /// Smaller differences are the machine's.
 const NOISE: Duration = Duration::from_micros(200);
 
-/// The processor time that this thread takes for a piece of work.
+thread_local! {
+    /// A pool of this thread alone: work on several threads is done here, where it is measured.
+    static ALONE: Option<ThreadPool> = {
+        let pool = ThreadPoolBuilder::new().num_threads(1).use_current_thread();
+        pool.build().ok()
+    };
+}
+
+/// The processor time that this thread takes for a piece of work; it does the work of all threads itself.
 pub fn spent<T>(work: impl FnOnce() -> T) -> (T, Duration) {
+    ALONE.with(|pool| assert!(pool.is_some(), "a test has a thread of its own"));
     let begun = ThreadTime::now();
     let result = work();
     (result, begun.elapsed())
@@ -70,4 +80,13 @@ fn work_that_grows_faster_is_noticed() {
     };
     assert_eq!(growth(500_000, list, linear), None);
     assert!(growth(150, list, cubic).is_some());
+}
+
+#[test]
+fn work_of_other_threads_is_counted() {
+    use rayon::prelude::*;
+    let sum = |n: u64| (0..n).fold(7u64, |sum, n| std::hint::black_box(sum ^ n));
+    let (_, one) = spent(|| sum(4_000_000));
+    let (_, eight) = spent(|| (0..8).into_par_iter().map(|_| sum(4_000_000)).sum::<u64>());
+    assert!(eight > one * 3, "{one:?}, then {eight:?}");
 }
