@@ -404,13 +404,6 @@ fn a_link_in_the_place_of_a_shown_file_is_not_followed() {
 }
 
 #[test]
-fn requests_are_no_larger_than_they_need_to_be() {
-    let shown = show(&[("a.hsd", HOUSE)], None, Files::default());
-    let long = json!({ "file": "x".repeat(9 << 20), "revision": 0, "had": [] });
-    assert_eq!(shown.web.post("/api/houses", &long).status, 413);
-}
-
-#[test]
 fn the_editor_is_sent_to_what_was_clicked() {
     let text = HOUSE.replace("0 0 180", "# 町家\n0 0 180");
     let shown = show(&[("a.hsd", &text)], None, Files::default());
