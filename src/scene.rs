@@ -15,6 +15,7 @@ use crate::source::Span;
 use compact_str::CompactString;
 use glam::{DVec2, DVec3};
 use serde::Serialize;
+use std::sync::Arc;
 
 /// The input of every back end.
 #[derive(Clone, Debug, Default, Serialize)]
@@ -58,18 +59,18 @@ impl Detail {
     ];
 }
 
-/// A square page of baked images, side by side, upright as seen from outside.
+/// A page of baked images, side by side, upright as seen from outside; encoded, since a town has many.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Baked {
-    /// Base colour, sRGB, and opacity.
+    /// Base colour, sRGB: a PNG with opacity if its images have holes, otherwise a JPEG.
     #[serde(skip)]
-    pub color: image::RgbaImage,
-    /// Unit normals in the plane of the image: red to the right, green up.
+    pub color: Arc<[u8]>,
+    /// Unit normals in the plane of the image, red to the right, green up: a JPEG.
     #[serde(skip)]
-    pub normal: image::RgbImage,
-    /// Red: occlusion. Green: roughness. Blue: metalness.
+    pub normal: Arc<[u8]>,
+    /// Red: occlusion. Green: roughness. Blue: metalness. A PNG.
     #[serde(skip)]
-    pub orm: image::RgbImage,
+    pub orm: Arc<[u8]>,
     /// True if its images have holes.
     pub holes: bool,
 }

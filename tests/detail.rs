@@ -116,10 +116,11 @@ fn a_lattice_keeps_its_bars_as_a_picture() {
     // What stands behind an itoya lattice shows through: bars and gaps alternate along a level row of the picture.
     let run = compile("shop.hsd", b"0 0\n9\n\nGIT  \nGIT  \nGIT  \nGIT  \n");
     let scene = driver::scene(&run.building, &run.catalog, Detail::Flat);
-    let page = &scene.baked[0];
+    let page = image::load_from_memory(&scene.baked[0].color).expect("is a picture");
+    let page = page.into_rgba8();
     let row: Vec<i32> = (0..110)
         .map(|x| {
-            let p = page.color.get_pixel(4 + x, 150).0;
+            let p = page.get_pixel(4 + x, 150).0;
             i32::from(p[3] > 0) * (i32::from(p[0]) + i32::from(p[1]) + i32::from(p[2]))
         })
         .collect();

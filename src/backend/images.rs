@@ -11,6 +11,7 @@ use crate::source::World;
 use crate::texture;
 use std::borrow::Cow;
 use std::io::{BufRead, Cursor, Seek};
+use std::sync::Arc;
 
 pub(crate) use png::PNG;
 
@@ -40,7 +41,7 @@ pub struct Library {
 }
 
 /// The files of a page of baked images: colour, normals, gloss.
-type Page = [(String, Vec<u8>); 3];
+type Page = [(String, Arc<[u8]>); 3];
 
 impl Library {
     /// Loads part textures; calls `trouble` with the index of each that cannot be shown.
@@ -86,27 +87,17 @@ impl Library {
     }
 }
 
-/// Encodes the files of a page; images with holes use a format with opacity.
+/// Names the files of a page.
 fn page((index, baked): (usize, &Baked)) -> Page {
-    let stem = format!("joinery_{}", index + 1);
-    let color = image::DynamicImage::ImageRgba8(baked.color.clone());
-    let color = match baked.holes {
-        true => (format!("{stem}_color.png"), texture::png(color, false)),
-        false => (
-            format!("{stem}_color.jpg"),
-            texture::jpeg(&color.into_rgb8(), 90),
-        ),
+    let file = |kind: &str, bytes: &Arc<[u8]>| {
+        let extension = if bytes.starts_with(PNG) { "png" } else { "jpg" };
+        let name = format!("joinery_{}_{kind}.{extension}", index + 1);
+        (name, bytes.clone())
     };
     [
-        color,
-        (
-            format!("{stem}_normal.jpg"),
-            texture::jpeg(&baked.normal, 92),
-        ),
-        (
-            format!("{stem}_orm.png"),
-            texture::png(baked.orm.clone().into(), false),
-        ),
+        file("color", &baked.color),
+        file("normal", &baked.normal),
+        file("orm", &baked.orm),
     ]
 }
 

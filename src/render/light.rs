@@ -27,11 +27,11 @@ const FROM_SUN: f64 = 0.85;
 const BIAS: f64 = 0.06;
 
 /// The texture of a material.
-enum Texture<'a> {
+enum Texture {
     Plain,
     Surface(&'static Samples),
     /// A baked texture of parts.
-    Page(&'a RgbaImage),
+    Page(RgbaImage),
     /// A custom image.
     Own(RgbImage),
 }
@@ -39,7 +39,7 @@ enum Texture<'a> {
 /// The appearance of all materials of a scene.
 pub(super) struct Appearance<'a> {
     scene: &'a Scene,
-    textures: Vec<Texture<'a>>,
+    textures: Vec<Texture>,
 }
 
 impl<'a> Appearance<'a> {
@@ -53,7 +53,8 @@ impl<'a> Appearance<'a> {
             Image::Baked(page) => scene
                 .baked
                 .get(page as usize)
-                .map(|b| Texture::Page(&b.color)),
+                .and_then(|b| image::load_from_memory(&b.color).ok())
+                .map(|page| Texture::Page(page.into_rgba8())),
             Image::Picture(number) => pictures(number).map(Texture::Own),
             Image::None => None,
         });
@@ -71,7 +72,7 @@ impl<'a> Appearance<'a> {
         match &self.textures[id] {
             Texture::Page(page) if self.scene.materials[id].cutout => {
                 let uv = triangle.uv(weights);
-                pixel(*page, uv).is_some_and(|p| p.0[3] < 128)
+                pixel(page, uv).is_some_and(|p| p.0[3] < 128)
             }
             _ => false,
         }
@@ -89,7 +90,7 @@ impl<'a> Appearance<'a> {
             (Texture::Surface(samples), _) => {
                 DVec3::from_array(samples.at(uv.x, uv.y).color.map(f64::from))
             }
-            (Texture::Page(page), _) => pixel(*page, uv).map_or(OWN_PICTURE, |p| {
+            (Texture::Page(page), _) => pixel(page, uv).map_or(OWN_PICTURE, |p| {
                 let [r, g, b, _] = p.0;
                 light([r, g, b])
             }),

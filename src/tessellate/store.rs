@@ -340,7 +340,7 @@ impl Store {
 
     /// Returns the finished scene, with the pages cropped to their used height.
     pub(super) fn into_scene(mut self, nodes: Vec<Node>, pictures: Vec<String>) -> Scene {
-        let grown = self.atlas.trim();
+        let (baked, grown) = self.atlas.finish();
         for primitive in self.meshes.iter_mut().flat_map(|m| &mut m.primitives) {
             if let Look::Baked(page) = self.looks[primitive.material.0 as usize] {
                 let grown = grown[page as usize];
@@ -354,14 +354,14 @@ impl Store {
             meshes: self.meshes,
             nodes,
             pictures,
-            baked: self.atlas.pages,
+            baked,
             mirrored: vec![],
         }
     }
 
     /// Returns the material of a page of baked images.
     fn baked(&mut self, page: u32) -> MaterialId {
-        let cutout = self.atlas.pages[page as usize].holes;
+        let cutout = self.atlas.has_holes(page);
         self.material(Look::Baked(page), || Material {
             name: format!("joinery {}", page + 1),
             image: Image::Baked(page),

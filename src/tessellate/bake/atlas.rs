@@ -2,8 +2,9 @@
 
 use crate::scene::Baked;
 use crate::tessellate::bake::Picture;
+use crate::texture::{jpeg, png};
 use image::imageops::crop_imm;
-use image::{RgbImage, RgbaImage};
+use image::{DynamicImage, RgbImage, RgbaImage};
 
 /// Side of a page, pixels.
 const SIDE: u32 = 1024;
@@ -20,11 +21,64 @@ pub(in crate::tessellate) struct Spot {
     pub(in crate::tessellate) uv: [[f32; 2]; 2],
 }
 
-/// The pages under construction: those of opaque images and those of images with holes.
+/// Pages that still take images, for each of the two kinds. Older ones are encoded, so that the memory of a town does not
+/// grow by all its pixels.
+const OPEN: usize = 4;
+
+/// The pages of opaque images and those of images with holes.
 #[derive(Debug, Default)]
 pub(in crate::tessellate) struct Atlas {
-    pub(in crate::tessellate) pages: Vec<Baked>,
+    pages: Vec<Page>,
+    /// The shelves of pages that still take images.
     shelves: Vec<Shelf>,
+}
+
+/// A page and its content so far.
+#[derive(Debug)]
+struct Page {
+    holes: bool,
+    content: Content,
+}
+
+#[derive(Debug)]
+enum Content {
+    Open(Box<Pixels>),
+    /// The files, and the factor by which distances from the upper edge grow in texture coordinates.
+    Closed(Baked, f32),
+}
+
+/// The pixels of a page.
+#[derive(Debug)]
+struct Pixels {
+    color: RgbaImage,
+    normal: RgbImage,
+    orm: RgbImage,
+}
+
+impl Pixels {
+    fn new() -> Pixels {
+        Pixels {
+            color: RgbaImage::new(SIDE, SIDE),
+            normal: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([128, 128, 255])),
+            orm: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([255, 255, 0])),
+        }
+    }
+
+    /// Encodes the page down to a row.
+    fn encode(&self, used: u32, holes: bool) -> Baked {
+        let color = DynamicImage::from(crop_imm(&self.color, 0, 0, SIDE, used).to_image());
+        let normal = crop_imm(&self.normal, 0, 0, SIDE, used).to_image();
+        let orm = crop_imm(&self.orm, 0, 0, SIDE, used).to_image();
+        Baked {
+            color: match holes {
+                true => png(color, false).into(),
+                false => jpeg(&color.into_rgb8(), 90).into(),
+            },
+            normal: jpeg(&normal, 92).into(),
+            orm: png(orm.into(), false).into(),
+            holes,
+        }
+    }
 }
 
 /// A row of images on a page.
@@ -42,19 +96,21 @@ impl Atlas {
     pub(in crate::tessellate) fn place(&mut self, picture: &Picture) -> Spot {
         let (w, h) = picture.color.dimensions();
         let (x, y, page) = self.room(w + 2 * MARGIN, h + 2 * MARGIN, picture.holes);
-        let baked = &mut self.pages[page as usize];
+        let Content::Open(pixels) = &mut self.pages[page as usize].content else {
+            unreachable!("shelves are on open pages");
+        };
         for v in 0..h + 2 * MARGIN {
             for u in 0..w + 2 * MARGIN {
                 // The edge goes on into the margin.
                 let inside = |t: u32, size: u32| t.saturating_sub(MARGIN).min(size - 1);
                 let (i, j) = (inside(u, w), inside(v, h));
-                baked
+                pixels
                     .color
                     .put_pixel(x + u, y + v, *picture.color.get_pixel(i, j));
-                baked
+                pixels
                     .normal
                     .put_pixel(x + u, y + v, *picture.normal.get_pixel(i, j));
-                baked
+                pixels
                     .orm
                     .put_pixel(x + u, y + v, *picture.orm.get_pixel(i, j));
             }
@@ -70,21 +126,37 @@ impl Atlas {
         }
     }
 
-    /// Crops the unused part of every page. Returns, page by page, the factor by which distances from the upper edge
-    /// grow in texture coordinates.
-    pub(in crate::tessellate) fn trim(&mut self) -> Vec<f32> {
-        let shelves = &self.shelves;
-        let trimmed = self.pages.iter_mut().enumerate().map(|(page, baked)| {
-            let own = shelves.iter().filter(|s| s.page as usize == page);
-            let used = own.map(|s| s.foot + s.height).max().unwrap_or(SIDE);
-            // Blocks of pictures that are packed later are four pixels high.
-            let used = used.next_multiple_of(4).min(SIDE);
-            baked.color = crop_imm(&baked.color, 0, 0, SIDE, used).to_image();
-            baked.normal = crop_imm(&baked.normal, 0, 0, SIDE, used).to_image();
-            baked.orm = crop_imm(&baked.orm, 0, 0, SIDE, used).to_image();
-            SIDE as f32 / used as f32
-        });
-        trimmed.collect()
+    /// Returns true if the images of a page have holes.
+    pub(in crate::tessellate) fn has_holes(&self, page: u32) -> bool {
+        self.pages[page as usize].holes
+    }
+
+    /// Returns all pages without their unused ends and, for each, the factor by which distances from the upper edge grow
+    /// in texture coordinates.
+    pub(in crate::tessellate) fn finish(mut self) -> (Vec<Baked>, Vec<f32>) {
+        (0..self.pages.len()).for_each(|page| self.close(page));
+        let closed = self
+            .pages
+            .into_iter()
+            .filter_map(|page| match page.content {
+                Content::Closed(baked, grown) => Some((baked, grown)),
+                Content::Open(_) => None,
+            });
+        closed.unzip()
+    }
+
+    /// Encodes a page without its unused end; it takes no more images.
+    fn close(&mut self, page: usize) {
+        let Page { holes, content } = &mut self.pages[page];
+        let Content::Open(pixels) = content else {
+            return;
+        };
+        let own = self.shelves.iter().filter(|s| s.page as usize == page);
+        let used = own.map(|s| s.foot + s.height).max().unwrap_or(SIDE);
+        // Blocks of pictures that are packed later are four pixels high.
+        let used = used.next_multiple_of(4).min(SIDE);
+        *content = Content::Closed(pixels.encode(used, *holes), SIDE as f32 / used as f32);
+        self.shelves.retain(|s| s.page as usize != page);
     }
 
     /// Finds a free corner and its page: on the lowest shelf that is high enough, otherwise on a new one.
@@ -121,11 +193,16 @@ impl Atlas {
                 return (shelf.page, foot);
             }
         }
-        self.pages.push(Baked {
-            color: RgbaImage::new(SIDE, SIDE),
-            normal: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([128, 128, 255])),
-            orm: RgbImage::from_pixel(SIDE, SIDE, image::Rgb([255, 255, 0])),
+        let open = |page: &&(usize, &Page)| {
+            page.1.holes == holes && matches!(page.1.content, Content::Open(_))
+        };
+        let all = self.pages.iter().enumerate();
+        if let Some((oldest, _)) = all.filter(|page| open(&page)).rev().nth(OPEN - 1) {
+            self.close(oldest);
+        }
+        self.pages.push(Page {
             holes,
+            content: Content::Open(Box::new(Pixels::new())),
         });
         (self.pages.len() as u32 - 1, 0)
     }
@@ -166,9 +243,10 @@ mod tests {
     fn empty_ends_of_pages_are_cut_off() {
         let mut atlas = Atlas::default();
         let spot = atlas.place(&picture(10, 100, false));
-        let grown = atlas.trim()[0];
-        let page = &atlas.pages[0];
-        assert_eq!(page.color.dimensions(), (SIDE, 108));
+        let (pages, grown) = atlas.finish();
+        let (page, grown) = (&pages[0], grown[0]);
+        let color = image::load_from_memory(&page.color).expect("is a picture");
+        assert_eq!((color.width(), color.height()), (SIDE, 108));
         // The foot of the picture is still where it was, counted from the upper edge.
         let foot = (1.0 - spot.uv[0][1]) * grown * 108.0;
         assert!((foot - 104.0).abs() < 1e-3, "{foot}");
@@ -180,6 +258,19 @@ mod tests {
         let whole = atlas.place(&picture(10, 10, false));
         let pierced = atlas.place(&picture(10, 10, true));
         assert_ne!(whole.page, pierced.page);
-        assert!(atlas.pages[pierced.page as usize].holes);
+        assert!(atlas.has_holes(pierced.page) && !atlas.has_holes(whole.page));
+    }
+
+    #[test]
+    fn old_pages_are_closed_and_stay_as_they_are() {
+        let mut atlas = Atlas::default();
+        let spots: Vec<Spot> = (0..60)
+            .map(|_| atlas.place(&picture(400, 400, false)))
+            .collect();
+        let open = |page: &&Page| matches!(page.content, Content::Open(_));
+        assert_eq!(atlas.pages.iter().filter(open).count(), OPEN);
+        let (pages, grown) = atlas.finish();
+        assert_eq!((pages.len(), grown.len()), (15, 15));
+        assert!(spots.iter().all(|s| (s.page as usize) < pages.len()));
     }
 }
