@@ -27,23 +27,23 @@ impl std::fmt::Display for Code {
     }
 }
 
-/// How bad it is. An error makes the exit status 1; a warning only with `-D warnings`.
+/// The severity of a diagnostic. An error makes the exit status 1; a warning only with `-D warnings`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Good to know.
+    /// Information; nothing needs to change.
     Note,
-    /// Built, but surely not as meant.
+    /// Built, but probably not as intended.
     Warning,
-    /// Not built, or built with something left out.
+    /// Not built, or built incompletely.
     Error,
 }
 
-/// Where a message comes from. Places in source files come before features.
+/// The origin of a diagnostic. Places in source files sort before features.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
-    /// What somebody wrote.
+    /// A place in a source file.
     Source(Span),
-    /// A feature of a map, which no house file mentions.
+    /// A feature of a map, which has no place in a source file.
     Feature {
         /// The name of its layer.
         layer: Arc<str>,
@@ -58,35 +58,35 @@ impl From<Span> for Origin {
     }
 }
 
-/// A second place that belongs to a message.
+/// A related place of a diagnostic.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Label {
-    /// Where.
+    /// The place.
     pub span: Span,
     /// The message for this place.
     pub message: Text,
 }
 
-/// One way to mend what a message complains of: what an editor offers to do at a click.
+/// A change that resolves a diagnostic, offered by editors as a quick fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fix {
     /// The action, in the imperative and without a full stop.
     pub title: Text,
-    /// The changes, all at once; none touches another.
+    /// The changes, applied together; no two touch each other.
     pub edits: Vec<Edit>,
 }
 
-/// One place of a text and what shall stand there.
+/// The replacement of one place in a source file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Edit {
-    /// The text to replace; empty for a pure insertion.
+    /// The place to replace; empty for an insertion.
     pub span: Span,
     /// The replacement.
     pub text: String,
 }
 
 impl Edit {
-    /// Puts a text in the place of a span.
+    /// Creates an edit that replaces a span.
     pub fn new(span: Span, text: impl Into<String>) -> Edit {
         Edit {
             span,
@@ -95,20 +95,20 @@ impl Edit {
     }
 }
 
-/// One message: what is wrong, where, why, and how to mend it.
+/// A diagnostic: the problem, its place, the reason and the fix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// The number of its page.
+    /// The code, which has a page for `hsd explain`.
     pub code: Code,
-    /// How bad it is.
+    /// The severity.
     pub severity: Severity,
-    /// The exact place. It stands before the texts, of which the comparison costs more.
+    /// The exact place. The field precedes the texts because it is cheaper to compare.
     pub origin: Origin,
     /// The problem, in one sentence without a full stop.
     pub message: Text,
-    /// The mend.
+    /// Advice on how to fix the problem.
     pub help: Text,
-    /// Further places.
+    /// Related places.
     pub labels: Vec<Label>,
     /// Fixes that can be applied without further thought, the likeliest first. Applying any of them resolves
     /// this diagnostic.
@@ -116,17 +116,17 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
-    /// An error.
+    /// Creates an error.
     pub fn error(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
         Self::new(Severity::Error, code, origin.into(), message.into())
     }
 
-    /// A warning.
+    /// Creates a warning.
     pub fn warning(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
         Self::new(Severity::Warning, code, origin.into(), message.into())
     }
 
-    /// A note.
+    /// Creates a note.
     pub fn note(code: u16, origin: impl Into<Origin>, message: impl Into<Text>) -> Self {
         Self::new(Severity::Note, code, origin.into(), message.into())
     }
@@ -151,7 +151,7 @@ impl Diagnostic {
         }
     }
 
-    /// Returns the message, headed by the feature that it is about, where no place in a source file says so.
+    /// Returns the message, preceded by the feature if the diagnostic has no place in a source file.
     pub fn full_message(&self) -> Text {
         let message = &self.message;
         match &self.origin {
@@ -163,14 +163,14 @@ impl Diagnostic {
         }
     }
 
-    /// Adds how to mend it.
+    /// Sets the advice on how to fix the problem.
     #[must_use]
     pub fn help(mut self, help: impl Into<Text>) -> Self {
         self.help = help.into();
         self
     }
 
-    /// Adds a second place.
+    /// Adds a related place.
     #[must_use]
     pub fn label(mut self, span: Span, message: impl Into<Text>) -> Self {
         self.labels.push(Label {
@@ -180,13 +180,13 @@ impl Diagnostic {
         self
     }
 
-    /// Adds a mend: this text in the place of the span.
+    /// Adds a fix that replaces a span.
     #[must_use]
     pub fn fix(self, title: impl Into<Text>, span: Span, text: impl Into<String>) -> Self {
         self.fix_all(title, vec![Edit::new(span, text)])
     }
 
-    /// Adds a mend of several changes.
+    /// Adds a fix of several changes.
     #[must_use]
     pub fn fix_all(mut self, title: impl Into<Text>, edits: Vec<Edit>) -> Self {
         self.fixes.push(Fix {

@@ -1,4 +1,4 @@
-//! The messages of a run, counted by kind: what floods a report is shown in part and counted in full.
+//! The diagnostics of a run, counted by kind: a report shows the first ones of each kind and the number of the rest.
 
 use super::messages::file;
 use super::{Code, Diagnostic, Edit, Origin, Severity};
@@ -6,21 +6,22 @@ use crate::source::FileId;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Messages on one file that are kept: by a reader in all, by a run of one code and severity. No one reads more, and
-/// they would take more memory than a file is allowed to (docs/contract.md 7).
+/// The maximum number of diagnostics kept for one file: by a reader in all, by a run for each code and severity. Nobody
+/// reads more, and they would exceed the memory limit (docs/contract.md 7).
 pub const ENOUGH: usize = 500;
 
-/// Messages of one code and severity that are kept of one layer: what is wrong with a feature is wrong with many.
+/// The maximum number of diagnostics of one code and severity kept for one layer: features of a layer share their
+/// problems.
 pub const ENOUGH_OF_LAYER: usize = 20;
 
-/// The collected messages of a run.
+/// The collected diagnostics of a run.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
     list: Vec<Diagnostic>,
     kinds: BTreeMap<Kind, Tally>,
 }
 
-/// What messages have in common that are counted together.
+/// The key by which diagnostics are counted.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Kind {
     of: Whole,
@@ -28,17 +29,17 @@ struct Kind {
     severity: Severity,
 }
 
-/// What the origins of messages are parts of.
+/// The file or layer that contains an origin.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Whole {
     File(FileId),
     Layer(Arc<str>),
 }
 
-/// The messages of a kind.
+/// The diagnostics of a kind.
 #[derive(Clone, Debug)]
 struct Tally {
-    /// How many there are, kept or not.
+    /// Their number, kept or not.
     count: usize,
     /// The greatest origin among those kept.
     last: Origin,
@@ -56,7 +57,7 @@ impl Kind {
         }
     }
 
-    /// How many messages of the kind are kept.
+    /// Returns the maximum number of diagnostics kept.
     fn enough(&self) -> usize {
         match self.of {
             Whole::File(_) => ENOUGH,
@@ -66,12 +67,12 @@ impl Kind {
 }
 
 impl Diagnostics {
-    /// An empty collection.
+    /// Creates an empty collection.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Takes one message; those after the first [`ENOUGH`] of a kind are only counted.
+    /// Adds a diagnostic; after the first [`ENOUGH`] of a kind, or [`ENOUGH_OF_LAYER`], it is only counted.
     pub fn push(&mut self, diagnostic: Diagnostic) {
         let kind = Kind::of(&diagnostic);
         let enough = kind.enough();
@@ -89,7 +90,7 @@ impl Diagnostics {
         self.list.push(diagnostic);
     }
 
-    /// Takes all messages of another collection.
+    /// Adds all diagnostics of another collection.
     pub fn append(&mut self, other: Diagnostics) {
         for diagnostic in other.list {
             self.push(diagnostic);
@@ -102,8 +103,8 @@ impl Diagnostics {
         }
     }
 
-    /// Takes the messages of another collection, one a place and code: what is wrong with a text is wrong with each
-    /// house that is made of it.
+    /// Adds the diagnostics of another collection, one per place and code: a problem of a source file is found again in
+    /// each house made from it.
     pub fn push_new(&mut self, other: Diagnostics) {
         let key = |d: &Diagnostic| (d.origin.clone(), d.code);
         let mut known: BTreeSet<_> = self.list.iter().map(key).collect();
@@ -112,7 +113,7 @@ impl Diagnostics {
                 self.push(diagnostic);
             }
         }
-        // Nobody knows which of those left out are new.
+        // It is unknown which of those left out are new.
         for (kind, tally) in other.kinds {
             if let Some(own) = self.kinds.get_mut(&kind) {
                 own.count = own.count.max(tally.count);
@@ -120,7 +121,7 @@ impl Diagnostics {
         }
     }
 
-    /// Leaves out the mends of which a change is not to be made.
+    /// Removes the fixes with an edit that must not be made.
     pub fn retain_fixes(&mut self, keep: impl Fn(&Edit) -> bool) {
         let fixed = self.list.iter_mut().filter(|d| !d.fixes.is_empty());
         for found in fixed {
@@ -133,7 +134,7 @@ impl Diagnostics {
         self.list.iter().any(|d| d.severity == Severity::Error)
     }
 
-    /// Returns how many messages there are, kept or not, by layer (`None` for source files), code and severity.
+    /// Returns the number of diagnostics, kept or not, by layer (`None` for source files), code and severity.
     pub fn counts(&self) -> BTreeMap<(Option<&str>, Code, Severity), usize> {
         let mut counts = BTreeMap::new();
         for (kind, tally) in &self.kinds {
@@ -146,13 +147,13 @@ impl Diagnostics {
         counts
     }
 
-    /// The messages that are kept, in the order of pushing.
+    /// Returns the kept diagnostics in the order of insertion.
     pub fn iter(&self) -> std::slice::Iter<'_, Diagnostic> {
         self.list.iter()
     }
 
-    /// Sorted by origin and code (stable), without exact repetitions. Where messages of a kind are left out, one that
-    /// says how many follows the last of them.
+    /// Returns the diagnostics sorted by origin and code (stable), without exact repetitions. If some of a kind are left
+    /// out, a diagnostic with their number follows the last one kept.
     pub fn into_sorted(mut self) -> Vec<Diagnostic> {
         for (kind, tally) in self.kinds {
             let more = tally.count.saturating_sub(kind.enough());

@@ -1,13 +1,13 @@
-//! Which known word the author may have meant: the one measure of how far two spellings are apart.
+//! Suggestions for misspelt words: the only measure of the distance between two spellings.
 
-/// Returns how many letters lie between two spellings: one each for a letter that is missing, surplus, wrong, or
-/// swapped with the next.
+/// Returns the number of errors between two spellings: letters that are missing, surplus, wrong, or swapped with the
+/// next.
 pub(crate) fn slips(word: &str, other: &str) -> usize {
     strsim::osa_distance(word, other)
 }
 
-/// Returns the known word with the lowest score, among equal ones the first, if it may be meant. A score begins with
-/// the number of slips; `allowed` tells how many of them a word may have.
+/// Returns the known word with the lowest score, the first of equal ones, if it has at most the `allowed` number of
+/// slips. A score begins with the number of slips.
 pub(crate) fn nearest<K: Copy, S: Ord>(
     known: impl IntoIterator<Item = K>,
     score: impl Fn(K) -> (usize, S),

@@ -1,14 +1,14 @@
-//! Words in both languages of the program.
+//! Texts in both languages of the program.
 //!
-//! A [`Text`] keeps its values and two patterns side by side, made by [`text!`](crate::text). It becomes words where
-//! it is reported, in the one language that is read there.
+//! A [`Text`] keeps its values and two patterns, side by side in [`text!`](crate::text). It is formatted where it is
+//! reported, in one language.
 
 use crate::diagnostic::visible;
 use std::borrow::Cow;
 use std::fmt::{self, Display, Formatter};
 use std::sync::Arc;
 
-/// The language that a reader understands.
+/// The language of a report.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
     /// English.
@@ -19,7 +19,7 @@ pub enum Language {
 }
 
 impl Language {
-    /// The one of two things that belongs to the language.
+    /// Returns the one of two values that belongs to the language.
     pub fn choose<T>(self, english: T, japanese: T) -> T {
         match self {
             Language::English => english,
@@ -28,7 +28,7 @@ impl Language {
     }
 }
 
-/// A text in both languages. Two texts are equal if their words are, in each language.
+/// A text in both languages. Two texts are equal if their words are equal in each language.
 #[derive(Clone)]
 pub struct Text(Words);
 
@@ -37,26 +37,26 @@ type Write = dyn Fn(Language, &mut Formatter<'_>) -> fmt::Result + Send + Sync;
 
 #[derive(Clone)]
 enum Words {
-    /// Known when the program is built.
+    /// Known at compile time.
     Fixed(Noun),
     /// The same in both languages.
     Same(Arc<str>),
-    /// Written when they are read.
+    /// Formatted on demand.
     Written(Arc<Write>),
 }
 
 impl Text {
-    /// A text that a function writes in the language that is read.
+    /// Creates a text that a function writes in a language.
     pub fn written(
         write: impl Fn(Language, &mut Formatter<'_>) -> fmt::Result + Send + Sync + 'static,
     ) -> Text {
         Text(Words::Written(Arc::new(write)))
     }
 
-    /// A text of two patterns that name no value.
+    /// Creates a text of two patterns without values.
     ///
     /// # Panics
-    /// If one of them does, which [`text!`](crate::text) finds when the program is built.
+    /// If a pattern has a value; [`text!`](crate::text) reports this at compile time.
     pub const fn fixed(en: fmt::Arguments<'static>, ja: fmt::Arguments<'static>) -> Text {
         match (en.as_str(), ja.as_str()) {
             (Some(en), Some(ja)) => Text(Words::Fixed(noun(en, ja))),
@@ -64,7 +64,7 @@ impl Text {
         }
     }
 
-    /// Texts one after another, with something between them in each language.
+    /// Joins texts with a separator in each language.
     pub fn joined(texts: Vec<Text>, en: &'static str, ja: &'static str) -> Text {
         Text::written(move |language, f| {
             let words: Vec<_> = texts.iter().map(|t| t.in_language(language)).collect();
@@ -110,21 +110,21 @@ impl fmt::Debug for Text {
     }
 }
 
-/// The same words in both languages: names, codes, quotations.
+/// Creates a text that is the same in both languages: a name, a code, a quotation.
 impl From<String> for Text {
     fn from(words: String) -> Text {
         Text(Words::Same(words.into()))
     }
 }
 
-/// The same words in both languages: names, codes, quotations.
+/// Creates a text that is the same in both languages: a name, a code, a quotation.
 impl From<&str> for Text {
     fn from(words: &str) -> Text {
         Text(Words::Same(words.into()))
     }
 }
 
-/// A name of a thing for tables, in both languages.
+/// A name in both languages, for tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Noun {
     /// English.
@@ -133,7 +133,7 @@ pub struct Noun {
     pub ja: &'static str,
 }
 
-/// A [`Noun`].
+/// Creates a [`Noun`].
 pub const fn noun(en: &'static str, ja: &'static str) -> Noun {
     Noun { en, ja }
 }
@@ -151,21 +151,21 @@ impl From<Noun> for Text {
     }
 }
 
-/// A value of which [`text!`](crate::text) can make a text.
+/// A value that [`text!`](crate::text) can format.
 pub trait Value {
-    /// What the text keeps of it.
+    /// The type that the text keeps.
     type Kept: Kept;
 
-    /// Returns what the text keeps.
+    /// Returns the value that the text keeps.
     fn kept(&self) -> Self::Kept;
 }
 
-/// A value that a text keeps until it is read.
+/// A value that a text keeps until it is formatted.
 pub trait Kept: Send + Sync + 'static {
-    /// What a pattern can format.
+    /// The type that a pattern formats.
     type Words<'a>: Display;
 
-    /// Returns the value as it is read in one language.
+    /// Returns the value in one language.
     fn words(&self, language: Language) -> Self::Words<'_>;
 }
 
@@ -177,7 +177,7 @@ impl<T: Value + ?Sized> Value for &T {
     }
 }
 
-/// Values that keep themselves, and are the same in both languages.
+/// Implements [`Value`] for types that are kept as they are and are the same in both languages.
 macro_rules! plain {
     ($($of:ty)*) => {$(
         impl Value for $of {
@@ -200,7 +200,7 @@ macro_rules! plain {
 
 plain! { char f64 i32 i64 u8 u16 u32 u64 u128 usize super::Code }
 
-/// Values of which the words are kept, with visible characters only.
+/// Implements [`Value`] for types that are kept as strings of visible characters.
 macro_rules! quoted {
     ($($of:ty)*) => {$(
         impl Value for $of {
@@ -255,8 +255,8 @@ impl Kept for Noun {
     }
 }
 
-/// A [`Text`](crate::diagnostic::Text) of two patterns for `format!`, English first. The brackets before them list the
-/// values that the patterns name; texts and nouns among them are written in the language of the pattern.
+/// Creates a [`Text`](crate::diagnostic::Text) from two patterns for `format!`, English first. The brackets before them
+/// list the values in the patterns; texts and nouns among them appear in the language of the pattern.
 ///
 /// ```
 /// use hsd::{Language, diagnostic::noun, text};

@@ -1,5 +1,5 @@
-//! What words of the language mean, and what authors write in their place: the meaning in English, in Japanese, or in
-//! Latin letters. Readers of both forms find the word by it, and editors show it.
+//! The meanings of the words of the language, and the names that authors write instead: in English, in Japanese, or in
+//! romaji. Readers of both forms suggest the word for a name, and editors show the meaning.
 
 use crate::catalog::Query;
 use crate::diagnostic::{Noun, noun};
@@ -10,14 +10,14 @@ use std::sync::LazyLock;
 pub(crate) struct Meaning {
     /// The word.
     pub(crate) word: &'static str,
-    /// What it means.
+    /// Its meaning.
     pub(crate) noun: Noun,
-    /// What else authors call it; spellings of one word are the same to a [`Query`].
+    /// Other names for it; a [`Query`] treats spellings of one name as equal.
     names: &'static [&'static str],
 }
 
 impl Meaning {
-    /// Returns the meaning of a word that does not say it itself.
+    /// Returns the meaning, unless the word explains itself.
     pub(super) fn shown(&self) -> Option<Noun> {
         (!self.noun.en.is_empty()).then_some(self.noun)
     }
@@ -115,7 +115,7 @@ pub(crate) const PAINTS: [Meaning; 6] = [
     means("sooted", "stained with soot", "煤塗", &["煤", "煤竹", "susu", "black"]),
 ];
 
-/// What stands on roofs.
+/// The finials of roofs.
 #[rustfmt::skip]
 pub(crate) const FINIALS: [Meaning; 4] = [
     means("sorin", "the spire of a pagoda", "相輪", &["spire"]),
@@ -124,7 +124,7 @@ pub(crate) const FINIALS: [Meaning; 4] = [
     means("chigi", "crossed boards and logs of a shrine", "千木・鰹木", &["千木", "鰹木", "katsuogi"]),
 ];
 
-/// When a house was built.
+/// The eras of houses.
 #[rustfmt::skip]
 pub(crate) const ERAS: [Meaning; 4] = [
     means("E", "Edo", "江戸", &["edo", "江戸時代"]),
@@ -165,7 +165,7 @@ const TABLES: &[&[Meaning]] = &[
     &TRUTHS,
 ];
 
-/// The words of a table with their meanings alone.
+/// Returns the words of a table with their meanings.
 pub(crate) const fn nouns<const N: usize>(table: &[Meaning; N]) -> [(&'static str, Noun); N] {
     let mut nouns = [("", noun("", "")); N];
     let mut at = 0;
@@ -176,7 +176,7 @@ pub(crate) const fn nouns<const N: usize>(table: &[Meaning; N]) -> [(&'static st
     nouns
 }
 
-/// The keys of all names, by table and word; they are made once.
+/// The search keys of all names, by table and word, computed once.
 static KEYS: LazyLock<Vec<Vec<Vec<String>>>> = LazyLock::new(|| {
     let keys = |meaning: &Meaning| {
         let names = meaning.names.iter().chain([&meaning.noun.ja]);
@@ -186,7 +186,7 @@ static KEYS: LazyLock<Vec<Vec<Vec<String>>>> = LazyLock::new(|| {
     tables.map(|t| t.iter().map(keys).collect()).collect()
 });
 
-/// Returns the word of a table that is called so.
+/// Returns the word of a table with this name.
 pub(super) fn called(name: &str, table: &[Meaning]) -> Option<&'static Meaning> {
     let same = |other: &&[Meaning]| words(other).eq(words(table));
     let number = TABLES.iter().position(same)?;
@@ -200,7 +200,7 @@ fn words(table: &[Meaning]) -> impl Iterator<Item = &'static str> {
     table.iter().map(|meaning| meaning.word)
 }
 
-/// Returns the one of some words that is called so; they must be those of a table.
+/// Returns the one of some words with this name; the words must be those of a table.
 pub(super) fn among(name: &str, words: &[&str]) -> Option<&'static Meaning> {
     let of = |table: &&&[Meaning]| {
         table.len() == words.len() && table.iter().all(|m| words.contains(&m.word))
@@ -208,7 +208,7 @@ pub(super) fn among(name: &str, words: &[&str]) -> Option<&'static Meaning> {
     called(name, TABLES.iter().find(of)?)
 }
 
-/// Returns the digits of a number that is written as a word: `none` is 0, `四` is 4.
+/// Returns the digits of a number written as a word: `none` is 0, `四` is 4.
 pub(super) fn digits(word: &str, bounds: &RangeInclusive<f64>) -> Option<String> {
     const KANJI: &str = "〇一二三四五六七八九十";
     let mut chars = word.chars();
@@ -224,7 +224,7 @@ pub(super) fn digits(word: &str, bounds: &RangeInclusive<f64>) -> Option<String>
         .then(|| number.to_string())
 }
 
-/// Returns the truth value that a word stands for.
+/// Returns the truth value of a word.
 pub(super) fn is_truth(word: &str) -> Option<bool> {
     called(word, &TRUTHS).map(|meaning| meaning.word == "yes")
 }
