@@ -47,11 +47,6 @@ impl Years {
     fn value(self) -> f64 {
         YEARS[usize::from(self.0)]
     }
-
-    /// Every second step.
-    fn coarse(self) -> Years {
-        Years(self.0 / 2 * 2)
-    }
 }
 
 /// The share of rain and sun in steps.
@@ -65,11 +60,6 @@ impl Exposure {
 
     fn value(self) -> f64 {
         f64::from(self.0) / STEPS
-    }
-
-    /// Every third step.
-    fn coarse(self) -> Exposure {
-        Exposure((self.0 + 1) / 3 * 3)
     }
 }
 
@@ -105,27 +95,6 @@ impl Weather {
             luck,
             limits: [0; 2],
             zones: [Exposure::new(exposure); 3],
-        }
-    }
-
-    /// Returns the weather that images of joinery are baked for: in coarser steps, since they are seen from afar, so that
-    /// few of them serve a whole old town.
-    pub(super) fn of_images(self) -> Weather {
-        /// Steps of the limits, centimetres.
-        const STEP: i16 = 32;
-        match self {
-            Weather::Wall {
-                years,
-                luck: _,
-                limits,
-                zones,
-            } => Weather::Wall {
-                years: years.coarse(),
-                luck: Luck(Luck::COUNT / 2),
-                limits: limits.map(|l| l.saturating_add(STEP / 2).div_euclid(STEP) * STEP),
-                zones: zones.map(Exposure::coarse),
-            },
-            other => other,
         }
     }
 

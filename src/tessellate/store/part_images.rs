@@ -55,7 +55,8 @@ pub(super) struct PanelImage {
 }
 
 impl Store {
-    /// Returns the images of a part's panels, baked for a size and a weather close to those of the part.
+    /// Returns the images of a part's panels, baked for a size close to that of the part and for its own weather: what is
+    /// renewed and what is old differs from part to part, and coarser weather shows old houses as new ones.
     pub(super) fn part_images(
         &mut self,
         part: &PartDef,
@@ -65,14 +66,7 @@ impl Store {
         if bodies.panels.is_empty() {
             return Rc::default();
         }
-        let own = self.weather;
-        self.weather = own.of_images();
-        let images = self.close_images(part, key.of_images(), bodies);
-        self.weather = own;
-        images
-    }
-
-    fn close_images(&mut self, part: &PartDef, key: PartKey, bodies: &Bodies) -> Rc<[PanelImage]> {
+        let key = key.of_images();
         let fits = |images: &Rc<[PanelImage]>| images.len() == bodies.panels.len();
         if let Some(images) = self.images.get(&(key, self.weather)).filter(|i| fits(i)) {
             return images.clone();
